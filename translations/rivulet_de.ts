@@ -1003,6 +1003,30 @@
         <source>A spectrum needs 16 samples or more between the cursors.</source>
         <translation>Ein Spektrum braucht mindestens 16 Abtastwerte zwischen den Cursorn.</translation>
     </message>
+    <message>
+        <source>The server does not offer the encryption that is required. Set it up on the control, or allow this machine to be reached without it.</source>
+        <translation>Der Server bietet die verlangte Verschlüsselung nicht an. Richten Sie sie an der Steuerung ein, oder erlauben Sie für diese Maschine eine unverschlüsselte Verbindung.</translation>
+    </message>
+    <message>
+        <source>The server&apos;s certificate is not known yet. Compare its fingerprint with the one at the control, then accept it.</source>
+        <translation>Das Zertifikat des Servers ist noch nicht bekannt. Vergleichen Sie seinen Fingerabdruck mit dem an der Steuerung und akzeptieren Sie es dann.</translation>
+    </message>
+    <message>
+        <source>The server shows another certificate than the one that was accepted. Find out why before you accept it.</source>
+        <translation>Der Server zeigt ein anderes Zertifikat als das akzeptierte. Klären Sie den Grund, bevor Sie es akzeptieren.</translation>
+    </message>
+    <message>
+        <source>A certificate cannot be used: it is damaged or has ended. Create a new one.</source>
+        <translation>Ein Zertifikat ist nicht verwendbar: es ist beschädigt oder abgelaufen. Erstellen Sie ein neues.</translation>
+    </message>
+    <message>
+        <source>The server does not trust the certificate of this computer. Accept it at the control, then connect again.</source>
+        <translation>Der Server vertraut dem Zertifikat dieses Rechners nicht. Akzeptieren Sie es an der Steuerung und verbinden Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>The server refuses user name or password. Check both.</source>
+        <translation>Der Server lehnt Benutzername oder Passwort ab. Prüfen Sie beides.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

@@ -1003,6 +1003,30 @@
         <source>A spectrum needs 16 samples or more between the cursors.</source>
         <translation>Un espectro necesita al menos 16 muestras entre los cursores.</translation>
     </message>
+    <message>
+        <source>The server does not offer the encryption that is required. Set it up on the control, or allow this machine to be reached without it.</source>
+        <translation>El servidor no ofrece el cifrado exigido. Configúrelo en el control, o permita para esta máquina una conexión sin cifrar.</translation>
+    </message>
+    <message>
+        <source>The server&apos;s certificate is not known yet. Compare its fingerprint with the one at the control, then accept it.</source>
+        <translation>El certificado del servidor aún no se conoce. Compare su huella con la del control y después acéptelo.</translation>
+    </message>
+    <message>
+        <source>The server shows another certificate than the one that was accepted. Find out why before you accept it.</source>
+        <translation>El servidor muestra un certificado distinto del aceptado. Averigüe el motivo antes de aceptarlo.</translation>
+    </message>
+    <message>
+        <source>A certificate cannot be used: it is damaged or has ended. Create a new one.</source>
+        <translation>Un certificado no se puede usar: está dañado o ha caducado. Cree uno nuevo.</translation>
+    </message>
+    <message>
+        <source>The server does not trust the certificate of this computer. Accept it at the control, then connect again.</source>
+        <translation>El servidor no confía en el certificado de este equipo. Acéptelo en el control y vuelva a conectar.</translation>
+    </message>
+    <message>
+        <source>The server refuses user name or password. Check both.</source>
+        <translation>El servidor rechaza el usuario o la contraseña. Compruebe ambos.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

@@ -1003,6 +1003,30 @@
         <source>A spectrum needs 16 samples or more between the cursors.</source>
         <translation>Un spectre demande au moins 16 échantillons entre les curseurs.</translation>
     </message>
+    <message>
+        <source>The server does not offer the encryption that is required. Set it up on the control, or allow this machine to be reached without it.</source>
+        <translation>Le serveur ne propose pas le chiffrement exigé. Configurez-le sur la commande, ou autorisez une connexion non chiffrée pour cette machine.</translation>
+    </message>
+    <message>
+        <source>The server&apos;s certificate is not known yet. Compare its fingerprint with the one at the control, then accept it.</source>
+        <translation>Le certificat du serveur n&apos;est pas encore connu. Comparez son empreinte avec celle de la commande, puis acceptez-le.</translation>
+    </message>
+    <message>
+        <source>The server shows another certificate than the one that was accepted. Find out why before you accept it.</source>
+        <translation>Le serveur présente un autre certificat que celui qui a été accepté. Cherchez-en la raison avant de l&apos;accepter.</translation>
+    </message>
+    <message>
+        <source>A certificate cannot be used: it is damaged or has ended. Create a new one.</source>
+        <translation>Un certificat est inutilisable : il est endommagé ou expiré. Créez-en un nouveau.</translation>
+    </message>
+    <message>
+        <source>The server does not trust the certificate of this computer. Accept it at the control, then connect again.</source>
+        <translation>Le serveur ne fait pas confiance au certificat de cet ordinateur. Acceptez-le sur la commande, puis reconnectez-vous.</translation>
+    </message>
+    <message>
+        <source>The server refuses user name or password. Check both.</source>
+        <translation>Le serveur refuse le nom d&apos;utilisateur ou le mot de passe. Vérifiez les deux.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

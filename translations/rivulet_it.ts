@@ -1003,6 +1003,30 @@
         <source>A spectrum needs 16 samples or more between the cursors.</source>
         <translation>Uno spettro richiede almeno 16 campioni tra i cursori.</translation>
     </message>
+    <message>
+        <source>The server does not offer the encryption that is required. Set it up on the control, or allow this machine to be reached without it.</source>
+        <translation>Il server non offre la crittografia richiesta. Configurarla sul controllo, oppure consentire per questa macchina una connessione non cifrata.</translation>
+    </message>
+    <message>
+        <source>The server&apos;s certificate is not known yet. Compare its fingerprint with the one at the control, then accept it.</source>
+        <translation>Il certificato del server non è ancora noto. Confrontare la sua impronta con quella sul controllo, poi accettarlo.</translation>
+    </message>
+    <message>
+        <source>The server shows another certificate than the one that was accepted. Find out why before you accept it.</source>
+        <translation>Il server presenta un certificato diverso da quello accettato. Chiarire il motivo prima di accettarlo.</translation>
+    </message>
+    <message>
+        <source>A certificate cannot be used: it is damaged or has ended. Create a new one.</source>
+        <translation>Un certificato non è utilizzabile: è danneggiato o scaduto. Crearne uno nuovo.</translation>
+    </message>
+    <message>
+        <source>The server does not trust the certificate of this computer. Accept it at the control, then connect again.</source>
+        <translation>Il server non considera attendibile il certificato di questo computer. Accettarlo sul controllo, poi collegarsi di nuovo.</translation>
+    </message>
+    <message>
+        <source>The server refuses user name or password. Check both.</source>
+        <translation>Il server rifiuta il nome utente o la password. Controllare entrambi.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

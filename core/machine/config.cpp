@@ -402,6 +402,31 @@ void readEquipment(Reader& reader, MachineConfig& config) {
   readPlaces(reader, config);
 }
 
+/// Once users are listed, nobody else is let in unless the preset says so.
+void readUsers(Reader& reader, UserManagement& management) {
+  if (reader.has("users.list")) {
+    management.anonymous = false;
+    for (std::size_t i = 0, count = reader.tables("users.list"); i < count; ++i) {
+      const std::string prefix = fmt::format("users.list[{}].", i);
+      User user;
+      user.name = reader.text(prefix + "name");
+      const auto password = passwordOfText(reader.text(prefix + "password"));
+      if (user.name.empty() || !password) {
+        reader.problem(prefix + (user.name.empty() ? "name" : "password"),
+                       user.name.empty() ? "must not be empty"
+                                         : "must be what rivulet-machine --hash-password prints",
+                       nullptr);
+      }
+      user.password = password.value_or(HashedPassword());
+      user.rights = reader.words(prefix + "rights", userRights());
+      management.users.push_back(std::move(user));
+    }
+  }
+  if (reader.has("users.anonymous")) {
+    management.anonymous = reader.flag("users.anonymous");
+  }
+}
+
 /// Presets have a few kilobytes.
 constexpr std::uintmax_t kPresetBytesMax = std::uintmax_t{1} << 20U;
 
@@ -491,6 +516,7 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
   readControl(reader, config);
   readAccess(reader, config.access);
   readEquipment(reader, config);
+  readUsers(reader, config.users);
   if (const std::string problem = reader.finish(); !problem.empty()) {
     return base::fail(MachineError::PresetMalformed,
                       fmt::format("The preset cannot be used: {}. Correct the file.", problem),

@@ -21,6 +21,7 @@
 #include "base/vec3.h"
 #include "machine/prepared.h"
 #include "machine/tool.h"
+#include "machine/user.h"
 
 namespace rivulet::machine {
 
@@ -151,6 +152,7 @@ struct MachineConfig {
   double defaultFeedMmPerS = 0.0;
   base::Duration traceLimit{};  ///< longest recording of the control's own trace
   AccessCost access;
+  UserManagement users;  ///< optional in a preset: without it, everybody is let in
 
   // What makes the part, each optional in a preset. Words for what a machine lacks have no effect.
   std::optional<SpindleConfig> spindle;

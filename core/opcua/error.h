@@ -5,6 +5,8 @@
 /// Failures of a connection to a control. OPC UA status codes end here.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string_view>
 #include <system_error>
 
@@ -23,7 +25,13 @@ enum class LinkError {
   ProgramMissing,     ///< no such program on the control
   ChannelNotInReset,  ///< a program can be selected and started only in reset
   FileExists,
-  TooManyItems,  ///< request larger than the link accepts
+  TooManyItems,        ///< request larger than the link accepts
+  EncryptionMissing,   ///< the server does not offer the protection that is asked for
+  CertificateUnknown,  ///< the server's certificate has never been accepted
+  CertificateChanged,  ///< another certificate has been accepted for this server
+  CertificateInvalid,  ///< unreadable, not yet valid, or ended
+  ClientNotTrusted,    ///< the server does not trust this computer's certificate
+  LoginRefused,        ///< user name or password are wrong, missing, or not taken
 };
 
 [[nodiscard]] std::error_code make_error_code(LinkError code);
@@ -34,6 +42,21 @@ enum class LinkError {
 
 /// What to do about a variable that was refused repeatedly.
 [[nodiscard]] std::string_view remedyForItem(const std::error_code& status);
+
+/// Why a server refuses with a status code of OPC UA (Part 6, A.2), and what to do about it.
+struct StatusAdvice {
+  std::uint32_t code = 0;
+  std::string_view name;  ///< "BadUserAccessDenied"
+  std::string_view cause;
+  std::string_view nextStep;
+  LinkError whileConnecting = LinkError::NotReachable;
+};
+
+/// All status codes that are known to occur while connecting and in requests of their own. What a
+/// code means for one variable or method depends on what was asked; see `linkErrorOf`.
+[[nodiscard]] std::span<const StatusAdvice> statusAdvice();
+/// The row of a code; null for one that is not in the table.
+[[nodiscard]] const StatusAdvice* adviceOn(std::uint32_t code);
 
 }  // namespace rivulet::opcua
 

@@ -102,6 +102,15 @@ class Control {
   /// Which server this is; empty if there is none, as in virtual time.
   virtual base::Result<ServerIdentity> identity() { return ServerIdentity{}; }
 
+  /// The rights that the server says this user has, as it names them, separated by semicolons.
+  /// @return MethodMissing if it does not tell
+  virtual base::Result<std::string> accessRights() {
+    return base::fail(LinkError::MethodMissing, "The server does not tell the rights of a user.");
+  }
+  /// Whether this user may write a variable, as the server says; nothing is written.
+  /// @return the error of the request
+  virtual base::Result<bool> mayWrite(const Variable& /*variable*/) { return true; }
+
   /// True if no real axis moves. Use it only for messages and confirmations; a run asks for the
   /// abilities instead.
   [[nodiscard]] virtual bool isVirtualMachine() const = 0;

@@ -29,6 +29,8 @@ inline constexpr std::string_view kFileMethodsObject = "/Methods/Filehandling";
 inline constexpr std::string_view kCopyToServer = "CopyFileToServer";
 inline constexpr std::string_view kCopyFromServer = "CopyFileFromServer";
 inline constexpr std::string_view kSelect = "Select";
+/// The rights of the user who asks, separated by semicolons.
+inline constexpr std::string_view kGetMyAccessRights = "GetMyAccessRights";
 
 /// Object of the virtual machine and its members, in `kVirtualNamespaceUri`.
 inline constexpr std::string_view kVirtualObject = "VirtualMachine";

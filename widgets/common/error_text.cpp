@@ -208,6 +208,26 @@ struct ErrorTexts {
         return tr("A program of this name is already on the control.");
       case LinkError::TooManyItems:
         return tr("The request is larger than the server accepts. Choose a smaller N.");
+      case LinkError::EncryptionMissing:
+        return tr(
+            "The server does not offer the encryption that is required. Set it up on the control, "
+            "or allow this machine to be reached without it.");
+      case LinkError::CertificateUnknown:
+        return tr(
+            "The server's certificate is not known yet. Compare its fingerprint with the one at "
+            "the control, then accept it.");
+      case LinkError::CertificateChanged:
+        return tr(
+            "The server shows another certificate than the one that was accepted. Find out why "
+            "before you accept it.");
+      case LinkError::CertificateInvalid:
+        return tr("A certificate cannot be used: it is damaged or has ended. Create a new one.");
+      case LinkError::ClientNotTrusted:
+        return tr(
+            "The server does not trust the certificate of this computer. Accept it at the "
+            "control, then connect again.");
+      case LinkError::LoginRefused:
+        return tr("The server refuses user name or password. Check both.");
     }
     return {};
   }

@@ -119,6 +119,17 @@ UA_StatusCode reset(Methods& methods, const UA_Variant* /*input*/, UA_Variant* /
   return UA_STATUSCODE_GOOD;
 }
 
+UA_StatusCode getMyAccessRights(Methods& methods, const UA_Variant* /*input*/, UA_Variant* output) {
+  std::string rights;
+  for (const std::string& right : userRights()) {
+    const bool needsFiles = right == "FsRead" || right == "FsWrite" || right == "ApWrite";
+    if (methods.mayCaller(right) && (!needsFiles || methods.hasFileRights())) {
+      rights += (rights.empty() ? "" : ";") + right;
+    }
+  }
+  return answer(output[0], opcua::borrow(rights), UA_TYPES_STRING);
+}
+
 UA_StatusCode fetchTrace(Methods& methods, const UA_Variant* input, UA_Variant* output) {
   const UA_UInt64 offset = argument<UA_UInt64>(input, 0);
   const std::string& text = methods.traceText(offset == 0);
@@ -141,19 +152,41 @@ std::string sessionKey(const UA_NodeId* sessionId) {
 
 namespace {
 
-enum class Right { Files, Anyone };
+enum class Right { ReadFiles, WriteFiles, Select, Start, Anyone };
+
+/// Whether the caller has been given it in the preset. Who may select a program may start it: a
+/// SINUMERIK has no right of its own for that, because there the operator presses the key.
+bool hasRight(const Methods& methods, Right right) {
+  switch (right) {
+    case Right::ReadFiles:
+      return methods.mayCaller("FsRead");
+    case Right::WriteFiles:
+      return methods.mayCaller("FsWrite");
+    case Right::Select:
+    case Right::Start:
+      return methods.mayCaller("ApWrite");
+    case Right::Anyone:
+      break;
+  }
+  return true;
+}
 
 /// The one place where the library enters a method.
 template <Work work, Right right>
-UA_StatusCode onCall(UA_Server* /*server*/, const UA_NodeId* sessionId, void* /*sessionContext*/,
+UA_StatusCode onCall(UA_Server* /*server*/, const UA_NodeId* sessionId, void* sessionContext,
                      const UA_NodeId* /*methodId*/, void* context, const UA_NodeId* /*objectId*/,
                      void* /*objectContext*/, std::size_t /*inputSize*/, const UA_Variant* input,
                      std::size_t /*outputSize*/, UA_Variant* output) noexcept {
   auto& methods = *static_cast<Methods*>(context);
   methods.advance();
-  methods.setCaller(sessionKey(sessionId));
-  if (right == Right::Files && !methods.hasFileRights()) {
+  methods.setCaller(sessionKey(sessionId), static_cast<const User*>(sessionContext));
+  const bool isOfControl =
+      right == Right::ReadFiles || right == Right::WriteFiles || right == Right::Select;
+  if (isOfControl && !methods.hasFileRights()) {
     return UA_STATUSCODE_BADNOTSUPPORTED;  // the control's word for a missing protection level
+  }
+  if (!hasRight(methods, right)) {
+    return UA_STATUSCODE_BADUSERACCESSDENIED;
   }
   return work(methods, input, output);
 }
@@ -233,25 +266,29 @@ struct Signature {
 base::Result<void> Methods::build(UA_UInt16 namespaceIndex) {
   const std::vector<Signature> control{
       {opcua::kCopyToServer,
-       &onCall<&copyFileToServer, Right::Files>,
+       &onCall<&copyFileToServer, Right::WriteFiles>,
        {{"TargetFilename", UA_TYPES_STRING},
         {"Data", UA_TYPES_BYTESTRING},
         {"Overwrite", UA_TYPES_BOOLEAN}},
        {}},
       {opcua::kCopyFromServer,
-       &onCall<&copyFileFromServer, Right::Files>,
+       &onCall<&copyFileFromServer, Right::ReadFiles>,
        {{"SourceFile", UA_TYPES_STRING}},
        {{"Data", UA_TYPES_BYTESTRING}}},
       {opcua::kSelect,
-       &onCall<&select, Right::Files>,
+       &onCall<&select, Right::Select>,
        {{"SourceFileNodeId", UA_TYPES_STRING}, {"ChannelNumber", UA_TYPES_UINT32}},
-       {{"Status", UA_TYPES_INT32}}}};
+       {{"Status", UA_TYPES_INT32}}},
+      {opcua::kGetMyAccessRights,
+       &onCall<&getMyAccessRights, Right::Anyone>,
+       {},
+       {{"Rights", UA_TYPES_STRING}}}};
   const std::vector<Signature> simulator{
       {opcua::kCycleStart,
-       &onCall<&cycleStart, Right::Anyone>,
+       &onCall<&cycleStart, Right::Start>,
        {},
        {{"Status", UA_TYPES_INT32}, {"Message", UA_TYPES_STRING}}},
-      {opcua::kReset, &onCall<&reset, Right::Anyone>, {}, {}},
+      {opcua::kReset, &onCall<&reset, Right::Start>, {}, {}},
       {opcua::kFetchTrace,
        &onCall<&fetchTrace, Right::Anyone>,
        {{"Offset", UA_TYPES_UINT64}},

@@ -38,9 +38,12 @@ class Methods {
   /// @param namespaceIndex of the control's variables @return SetUpFailed
   [[nodiscard]] base::Result<void> build(UA_UInt16 namespaceIndex);
 
-  /// Whether clients may use the methods of the control; those of the virtual machine are always
-  /// allowed.
+  /// Whether clients may use the methods of the control at all, whoever they are.
   [[nodiscard]] bool hasFileRights() const { return m_fileRights; }
+  /// Whether the caller has a right of `userRights`. Who has logged in without a name has them all.
+  [[nodiscard]] bool mayCaller(const std::string& right) const {
+    return m_user == nullptr || m_user->rights.contains(right);
+  }
   [[nodiscard]] Machine& machine() const { return m_service.machine(); }
   /// Moves the machine to the present; every method begins with it.
   void advance() { m_service.advance(); }
@@ -52,7 +55,11 @@ class Methods {
   }
 
   /// The session that calls a method, and whether the client of a session is still there.
-  void setCaller(std::string session) { m_caller = std::move(session); }
+  /// @param user  null: logged in without a name
+  void setCaller(std::string session, const User* user) {
+    m_caller = std::move(session);
+    m_user = user;
+  }
   void setSessionCheck(std::function<bool(const std::string&)> isConnected) {
     m_isConnected = std::move(isConnected);
   }
@@ -73,7 +80,8 @@ class Methods {
   std::string m_traceText;
   std::optional<base::Instant> m_answerDue;
   std::string m_caller;
-  std::string m_starter;  ///< session that pressed cycle start
+  const User* m_user = nullptr;  ///< of the caller
+  std::string m_starter;         ///< session that pressed cycle start
   std::function<bool(const std::string&)> m_isConnected;
 };
 

@@ -18,6 +18,7 @@
 #include "base/contract.h"
 #include "machine/front/address_space.h"
 #include "machine/front/array_store.h"
+#include "machine/front/client_gate.h"
 #include "machine/front/methods.h"
 #include "machine/front/port_probe.h"
 #include "machine/front/variable_service.h"
@@ -84,7 +85,8 @@ std::error_code make_error_code(FrontError code) {
 
 class Server::Impl {
  public:
-  explicit Impl(Machine& machine) : m_service(machine) {}
+  Impl(Machine& machine, const ServerOptions& options)
+      : m_service(machine), m_gate(m_service, options) {}
   ~Impl();
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
@@ -138,6 +140,7 @@ class Server::Impl {
 
   opcua::QuietLogger m_logger;  ///< outlives the server that logs into it
   VariableService m_service;
+  ClientGate m_gate;  ///< outlives the server that asks it
   ArrayStore m_arrayStore;
   UA_Server* m_server = nullptr;
   UA_EventLoop* m_loop = nullptr;
@@ -210,8 +213,9 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   UA_ServerConfig config;
   std::memset(&config, 0, sizeof config);
   config.logging = m_logger.handle();
-  if (UA_ServerConfig_setMinimal(&config, options.port, nullptr) != UA_STATUSCODE_GOOD) {
-    return setUpFailed("be configured");  // the library has released everything
+  if (m_gate.install(config, options) != UA_STATUSCODE_GOOD) {
+    UA_ServerConfig_clean(&config);
+    return setUpFailed("be configured");
   }
   const auto replace = [](UA_String& target, std::string_view text) {
     UA_String_clear(&target);
@@ -219,7 +223,10 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
     return UA_String_copy(&source, &target);
   };
   UA_StatusCode status = replace(config.serverUrls[0], urlOf(options.host, options.port));
-  status |= replace(config.applicationDescription.applicationUri, "urn:rivulet:machine");
+  // The library refuses to start if its certificate names another application.
+  status |= replace(config.applicationDescription.applicationUri,
+                    options.certificate ? std::string_view(options.certificate->applicationUri)
+                                        : "urn:rivulet:machine");
   status |= replace(config.applicationDescription.productUri, "urn:rivulet");
   status |= replace(config.applicationDescription.applicationName.text, "Rivulet virtual machine");
   status |= replace(config.buildInfo.productUri, "urn:rivulet");
@@ -334,6 +341,10 @@ UA_StatusCode Server::Impl::onActivate(UA_Server* server, UA_AccessControl* cont
                                        const UA_ByteString* certificate, const UA_NodeId* sessionId,
                                        const UA_ExtensionObject* token, void** context) noexcept {
   Impl& self = *static_cast<Impl*>(UA_Server_getConfig(server)->context);
+  if (!ClientGate::isKindTaken(*token)) {
+    return UA_STATUSCODE_BADIDENTITYTOKENREJECTED;
+  }
+  *context = nullptr;  // a session can be taken over by another user
   const UA_StatusCode status =
       self.m_activate(server, control, endpoint, certificate, sessionId, token, context);
   if (status == UA_STATUSCODE_GOOD) {
@@ -452,7 +463,7 @@ Server::~Server() = default;
 
 base::Result<std::unique_ptr<Server>> Server::start(Machine& machine,
                                                     const ServerOptions& options) {
-  auto impl = std::make_unique<Impl>(machine);
+  auto impl = std::make_unique<Impl>(machine, options);
   if (auto started = impl->start(options); !started) {
     return base::fail(started.error());
   }

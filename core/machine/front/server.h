@@ -13,12 +13,17 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "base/instant.h"
 #include "base/result.h"
 #include "machine/machine.h"
+#include "opcua/security.h"
 
 namespace rivulet::machine {
 
@@ -36,6 +41,16 @@ struct ServerOptions {
   /// False: clients may not write, read and select part programs, as on a control whose OPC UA user
   /// has not been given these rights.
   bool fileRights = true;
+
+  /// With it, clients can connect encrypted: Basic256Sha256, Aes128_Sha256_RsaOaep and
+  /// Aes256_Sha256_RsaPss, each with Sign and SignAndEncrypt.
+  std::optional<opcua::OwnCertificate> certificate;
+  /// Clients may connect without encryption. Needed if there is no certificate.
+  bool unencrypted = true;
+  /// Fingerprints of the clients that may connect encrypted; nothing: every client.
+  std::optional<std::set<std::string>> trustedClients;
+  /// Told about every client certificate that was refused. Called within `iterate`.
+  std::function<void(const opcua::CertificateFacts& facts, std::string_view der)> onRefusedClient;
 };
 
 class Server {

@@ -103,6 +103,21 @@ std::string sentenceOf(LinkError error) {
              "name.";
     case LinkError::TooManyItems:
       return "The request has more items than the link or the server accepts. Split it.";
+    case LinkError::EncryptionMissing:
+      return "The server does not offer the protection that is asked for. Set up encryption on it.";
+    case LinkError::CertificateUnknown:
+      return "The certificate of the server is not known. Compare its fingerprint with the one "
+             "that "
+             "the server shows, then accept it.";
+    case LinkError::CertificateChanged:
+      return "The server has another certificate than the one that was accepted. Find out why "
+             "before accepting it.";
+    case LinkError::CertificateInvalid:
+      return "The certificate cannot be used. Create a new one.";
+    case LinkError::ClientNotTrusted:
+      return "The server does not trust the certificate of this computer. Accept it on the server.";
+    case LinkError::LoginRefused:
+      return "The server refuses user name or password. Check both.";
   }
   base::contractViolated("every LinkError has a sentence", __FILE__, __LINE__);
 }

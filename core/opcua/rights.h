@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Which rights of an OPC UA user a run needs, which of them this user has, and which are more than
+/// needed. Named as on a SINUMERIK (Access MyMachine /OPC UA, GiveUserAccess).
+/// @threadsafety as the link.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/instant.h"
+#include "opcua/link.h"
+
+namespace rivulet::opcua {
+
+enum class RunRight { ReadVariables, WriteParameters, ReadPrograms, WritePrograms, SelectProgram };
+
+struct RightFinding {
+  RunRight right = RunRight::ReadVariables;
+  std::optional<bool> isGiven;  ///< nothing: the server does not tell, and a test would change it
+};
+
+struct RightsReport {
+  std::vector<RightFinding> findings;  ///< one per `RunRight`, in its order
+  std::vector<std::string> excess;     ///< rights that no run needs, as the server names them
+  bool isListed = false;               ///< the server has listed the user's rights
+};
+
+/// Asks without changing anything on the control.
+/// @return the error of the link if it is lost
+[[nodiscard]] base::Result<RightsReport> examineRights(Link& link, Control& control,
+                                                       base::Duration deadline);
+
+/// "read variables"
+[[nodiscard]] std::string_view rightTitle(RunRight right);
+/// What a run does with it, and what remains to the operator without it.
+[[nodiscard]] std::string_view rightPurpose(RunRight right);
+/// How it is given on a SINUMERIK.
+[[nodiscard]] std::string_view rightRemedy(RunRight right);
+/// Whether no run can do without it.
+[[nodiscard]] bool isEssential(RunRight right);
+
+}  // namespace rivulet::opcua
