@@ -231,6 +231,22 @@ struct EmulatorOptions {
 /// Prints what an emulator answers to the set points of a run.
 [[nodiscard]] Exit simulateEmulator(const EmulatorOptions& options);
 
+struct RightsOptions {
+  std::string endpoint;
+  bool json = false;
+};
+/// Says which rights a run needs and this user has. Wrong if one is missing that every run needs.
+[[nodiscard]] Exit rights(const RightsOptions& options);
+
+struct CertificateOptions {
+  bool renew = false;
+  std::string exportFile;  ///< empty: none
+  std::string forget;      ///< endpoint of a server that is not trusted any longer; empty: none
+  bool json = false;
+};
+/// Shows the certificate of this user and the servers that are trusted.
+[[nodiscard]] Exit certificate(const CertificateOptions& options);
+
 struct ExperimentCommandOptions {
   std::vector<std::string> names;  ///< or "all"
   std::size_t seeds = 0;           ///< 0: the usual number

@@ -8,12 +8,17 @@
 
 #include <atomic>
 #include <csignal>
+#include <iostream>
+#include <optional>
 
 #include "machine/machine.h"
 #include "streaming/simulation/simulated_link.h"
 
 #ifdef RIVULET_WITH_OPEN62541
-#include "opcua/open62541/ua_link.h"
+#include "log/log.h"
+#include "trust/connect.h"
+#include "trust/password.h"
+#include "trust/trust_store.h"
 #endif
 
 namespace rivulet::cli {
@@ -26,6 +31,11 @@ extern "C" void onInterrupt(int) {
   interrupted = true;
 }
 
+ConnectionOptions& connectionOptions() {
+  static ConnectionOptions options;
+  return options;
+}
+
 struct SimulatedCell {
   SimulatedCell(machine::MachineConfig config, std::uint64_t seed)
       : machine(std::move(config), seed), link(machine) {}
@@ -35,17 +45,94 @@ struct SimulatedCell {
 
 }  // namespace
 
-base::Result<Connection> connectTo([[maybe_unused]] const std::string& endpoint) {
+void setConnectionOptions(const ConnectionOptions& options) {
+  connectionOptions() = options;
+}
+
 #ifdef RIVULET_WITH_OPEN62541
-  opcua::ConnectOptions connect;
-  connect.endpoint = endpoint;
-  connect.name = "rivulet-cli";
-  return opcua::openConnection(connect);
+
+namespace {
+
+/// Asked for once, however often a command connects.
+base::Result<std::string> passwordOnce(const ConnectionOptions& options) {
+  static std::optional<std::string> kept;
+  if (!kept) {
+    auto password =
+        trust::readPassword(options.passwordFile, fmt::format("Password of {}: ", options.user));
+    if (!password) {
+      return password;
+    }
+    kept = std::move(*password);
+  }
+  return *kept;
+}
+
+bool askAboutServer(const opcua::CertificateFacts& facts) {
+  if (!isTerminal() || isatty(STDIN_FILENO) == 0) {
+    return false;
+  }
+  fmt::print(stderr,
+             "This server is not known yet. Its certificate:\n  {}\nIs this the fingerprint that "
+             "the control shows? Type yes to accept it: ",
+             trust::describe(facts));
+  std::string answer;
+  std::getline(std::cin, answer);
+  return answer == "yes";
+}
+
+/// Without a terminal, the next step is an option.
+base::Error withOption(base::Error error) {
+  if (error.code == opcua::LinkError::CertificateUnknown ||
+      error.code == opcua::LinkError::CertificateChanged) {
+    error.message += " To accept it, give its fingerprint with --trust.";
+  } else if (error.code == opcua::LinkError::EncryptionMissing) {
+    error.message += " The option is --security.";
+  } else if (error.code == opcua::LinkError::ClientNotTrusted) {
+    error.message += " The certificate of this computer: rivulet-cli certificate.";
+  } else if (error.code == opcua::LinkError::LoginRefused) {
+    error.message += " The option for the name is --user.";
+  }
+  return error;
+}
+
+}  // namespace
+
+base::Result<Connection> connectTo(const std::string& endpoint) {
+  const ConnectionOptions& options = connectionOptions();
+  trust::ConnectRequest request;
+  request.endpoint = endpoint;
+  request.sessionName = "rivulet-cli";
+  if (!options.security.empty()) {
+    request.security = opcua::securityChoiceOf(options.security);
+  }
+  request.fingerprint = options.fingerprint;
+  request.user = options.user;
+  request.ask = &askAboutServer;
+  if (!options.user.empty()) {
+    auto password = passwordOnce(options);
+    if (!password) {
+      return base::fail(password.error());
+    }
+    request.password = std::move(*password);
+  }
+  auto connection = trust::connect(request);
+  if (!connection) {
+    return tl::unexpected(withOption(connection.error()));
+  }
+  if (const std::string warning = trust::warningOn(*connection); !warning.empty()) {
+    log::logger().warn("{}: {}", endpoint, warning);
+  }
+  return connection;
+}
+
 #else
+
+base::Result<Connection> connectTo(const std::string& /*endpoint*/) {
   return base::fail(opcua::LinkError::NotReachable,
                     "This build has no OPC UA. Use --simulate, or build with open62541.");
-#endif
 }
+
+#endif
 
 base::Result<Connection> simulate(const std::string& preset, std::uint64_t seed) {
   auto config = machine::loadPreset(preset);

@@ -17,6 +17,19 @@ namespace rivulet::cli {
 
 using opcua::Connection;
 
+/// How every command connects; options of the program itself.
+struct ConnectionOptions {
+  std::string security;      ///< "strongest", "none", ...; empty: as remembered for the server
+  std::string fingerprint;   ///< of the server's certificate that is accepted
+  std::string user;          ///< empty: anonymous
+  std::string passwordFile;  ///< empty: asked for, or from the environment
+};
+
+/// For all connections from now on.
+void setConnectionOptions(const ConnectionOptions& options);
+
+/// Says on standard error if the connection is not protected, and asks on the terminal about the
+/// certificate of a server that is not known.
 /// @param endpoint  "opc.tcp://host:port"
 [[nodiscard]] base::Result<Connection> connectTo(const std::string& endpoint);
 

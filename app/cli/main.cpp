@@ -7,9 +7,11 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/connection.h"
 #include "experiments/catalogue.h"
 #include "gcode/feeds.h"
 #include "log/log.h"
+#include "opcua/security.h"
 #include "templates/cells.h"
 
 namespace {
@@ -659,6 +661,53 @@ void addExperimentCommand(CLI::App& app, Exit& exit) {
   });
 }
 
+#ifdef RIVULET_WITH_OPEN62541
+
+void addRightsCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::RightsOptions>();
+  CLI::App* command = app.add_subcommand(
+      "rights", "Say which rights a run needs, and which of them this user has on the control");
+  command->add_option("--endpoint", options->endpoint, "OPC UA server")->required();
+  addJson(command, options->json);
+  command->callback([options, &exit] { exit = rivulet::cli::rights(*options); });
+}
+
+void addCertificateCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::CertificateOptions>();
+  CLI::App* command = app.add_subcommand(
+      "certificate", "Show the certificate of this user and the servers that are trusted");
+  command->add_flag("--renew", options->renew,
+                    "Make a new one; every server has to accept it again");
+  command->add_option("--export", options->exportFile,
+                      "File for the certificate, as a control imports it (.der)");
+  command->add_option("--forget", options->forget, "Address of a server that is trusted no longer");
+  addJson(command, options->json);
+  command->callback([options, &exit] { exit = rivulet::cli::certificate(*options); });
+}
+
+/// How all commands connect; the names of the policies are those of the standard.
+void addConnection(CLI::App& app, rivulet::cli::ConnectionOptions& options) {
+  const CLI::Validator security(
+      [](std::string& text) {
+        return rivulet::opcua::securityChoiceOf(text)
+                   ? std::string()
+                   : "must be strongest, none, or a security policy of OPC UA, not " + text;
+      },
+      "SECURITY");
+  app.add_option("--security", options.security,
+                 "Protection of the connection, remembered for this server: strongest, none, or a "
+                 "policy such as Basic256Sha256/Sign")
+      ->check(security);
+  app.add_option("--trust", options.fingerprint,
+                 "Accept the server's certificate with this fingerprint (SHA-256)");
+  app.add_option("--user", options.user, "OPC UA user; without it, anonymous");
+  app.add_option("--password-file", options.passwordFile,
+                 "File of mode 0600 with the password; else RIVULET_PASSWORD, the systemd "
+                 "credential rivulet-password, or the terminal");
+}
+
+#endif
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -673,7 +722,11 @@ int main(int argc, char** argv) {
                  "What is logged on standard error (default: warning) and in the log file "
                  "(default: info)")
       ->check(CLI::IsMember(rivulet::log::levelNames()));
-  app.parse_complete_callback([&] { rivulet::cli::startLog(logLevel, argc, argv); });
+  rivulet::cli::ConnectionOptions connection;
+  app.parse_complete_callback([&] {
+    rivulet::cli::startLog(logLevel, argc, argv);
+    rivulet::cli::setConnectionOptions(connection);
+  });
   addCheckCommand(app, exit);
   addPointsCommand(app, exit);
   addFeasibilityCommand(app, exit);
@@ -688,6 +741,11 @@ int main(int argc, char** argv) {
   addEmulatorCommand(app, exit);
   addExperimentCommand(app, exit);
   addPetriCommand(app, exit);
+#ifdef RIVULET_WITH_OPEN62541
+  addRightsCommand(app, exit);
+  addCertificateCommand(app, exit);
+  addConnection(app, connection);
+#endif
 
   try {
     app.parse(argc, argv);

@@ -13,8 +13,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <optional>
+#include <random>
+#include <set>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include "base/file.h"
 #include "log/log.h"
@@ -22,12 +27,24 @@
 #include "machine/front/server.h"
 #include "machine/kept_state.h"
 #include "machine/machine.h"
+#include "machine/user.h"
+#include "opcua/open62541/encryption.h"
+#include "trust/own_certificate.h"
+#include "trust/password.h"
+#include "trust/private_file.h"
+#include "trust/trust_store.h"
 
 namespace {
 
 /// Clients are answered at once; this is how often the machine goes on without any, and how old
 /// the state on disk may be.
 constexpr rivulet::base::Duration kStep = std::chrono::milliseconds{4};
+
+/// Of a random salt, 32 bits each.
+constexpr int kSaltWords = 4;
+constexpr std::uintmax_t kCertificateBytesMax = 65536;
+/// A stranger can show as many certificates as he likes; only so many are kept.
+constexpr int kRejectedMax = 32;
 
 constexpr int kExitOk = 0;
 constexpr int kExitUsage = 2;
@@ -63,6 +80,12 @@ struct Arguments {
   bool noFileRights = false;
   std::string program;
   std::string stateFolder;
+  std::string certificates;  ///< folder; empty: the user's
+  bool encrypted = false;
+  bool insecure = false;
+  bool onlyTrustedClients = false;
+  bool hashPassword = false;
+  bool renewCertificate = false;
   std::string logLevel;
 };
 
@@ -85,6 +108,21 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--state", arguments.stateFolder,
                  "Folder that keeps R-parameters, part programs and the places of the axes, as a "
                  "control does when it is switched off");
+  app.add_flag("--encrypted", arguments.encrypted,
+               "Clients must connect encrypted; always so with an address other than this "
+               "computer's");
+  app.add_flag("--insecure", arguments.insecure,
+               "Clients on other computers may connect without encryption: everybody on the "
+               "network can then move the machine");
+  app.add_flag("--only-trusted-clients", arguments.onlyTrustedClients,
+               "Encrypted clients must have a certificate in the folder clients/trusted of "
+               "--certificates; others are kept in clients/rejected");
+  app.add_option("--certificates", arguments.certificates,
+                 "Folder of the machine's certificate (default: ~/.config/rivulet/trust)");
+  app.add_flag("--renew-certificate", arguments.renewCertificate,
+               "Make a new certificate; every client has to accept it again");
+  app.add_flag("--hash-password", arguments.hashPassword,
+               "Ask for a password, print what a preset holds in its place, and end");
   app.add_option("--log-level", arguments.logLevel,
                  "What is logged on standard error (default: warning) and in the log file "
                  "(default: info)")
@@ -103,6 +141,89 @@ rivulet::base::Result<void> select(rivulet::machine::Machine& machine, const std
     return stored;
   }
   return machine.selectProgram(name);
+}
+
+/// For a preset: the password of a user, which nobody can read back.
+int printHash() {
+  const auto password = rivulet::trust::readPassword({}, "Password: ");
+  if (!password) {
+    return complain(password.error(), kExitUsage);
+  }
+  std::random_device random;
+  std::string salt;
+  for (int i = 0; i < kSaltWords; ++i) {
+    salt += fmt::format("{:08x}", random());
+  }
+  fmt::print("{}\n",
+             rivulet::machine::passwordText(rivulet::machine::hashPassword(*password, salt)));
+  return kExitOk;
+}
+
+/// Reads the certificates of the clients that may connect.
+rivulet::base::Result<std::set<std::string>> trustedClients(const std::filesystem::path& folder) {
+  std::set<std::string> fingerprints;
+  if (auto made = rivulet::trust::makePrivateFolder(folder); !made) {
+    return tl::unexpected(made.error());
+  }
+  std::error_code status;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, status)) {
+    const auto text = rivulet::base::readFile(entry.path(), kCertificateBytesMax);
+    const auto facts = text ? rivulet::opcua::readCertificate(*text)
+                            : tl::unexpected<rivulet::base::Error>(text.error());
+    if (!facts) {
+      return rivulet::base::fail(facts.error().code, facts.error().message, entry.path().string());
+    }
+    fingerprints.insert(facts->fingerprint);
+  }
+  return fingerprints;
+}
+
+/// Keeps what a client showed, for whoever decides whether to trust it.
+void keepRejected(const std::filesystem::path& folder,
+                  const rivulet::opcua::CertificateFacts& facts, std::string_view der) {
+  rivulet::log::logger().warn("a client is not trusted: {}", rivulet::trust::describe(facts));
+  if (!rivulet::trust::makePrivateFolder(folder)) {
+    return;
+  }
+  std::error_code status;
+  const auto count = std::distance(std::filesystem::directory_iterator(folder, status),
+                                   std::filesystem::directory_iterator());
+  if (!status && count < kRejectedMax) {
+    (void)rivulet::base::writeFile(folder / (facts.fingerprint + ".der"), der);
+  }
+}
+
+/// Certificate, encryption and clients, as the options say.
+rivulet::base::Result<void> protect(Arguments& arguments) {
+  namespace trust = rivulet::trust;
+  const std::filesystem::path folder = arguments.certificates.empty()
+                                           ? trust::trustFolder()
+                                           : std::filesystem::path(arguments.certificates);
+  rivulet::machine::ServerOptions& server = arguments.server;
+  const bool isLocal =
+      rivulet::opcua::isLoopback("opc.tcp://" + server.host) || server.host == "::1";
+  server.unencrypted = !arguments.encrypted && (isLocal || arguments.insecure);
+  auto own = arguments.renewCertificate ? trust::renewCertificate(folder, trust::Owner::Machine)
+                                        : trust::ownCertificate(folder, trust::Owner::Machine);
+  if (!own) {
+    return tl::unexpected(own.error());
+  }
+  if (const auto facts = rivulet::opcua::readCertificate(own->certificate)) {
+    rivulet::log::logger().info("certificate: {}; encryption by {}", trust::describe(*facts),
+                                rivulet::opcua::encryptionLibrary());
+  }
+  server.certificate = std::move(*own);
+  if (arguments.onlyTrustedClients) {
+    auto clients = trustedClients(folder / "clients" / "trusted");
+    if (!clients) {
+      return tl::unexpected(clients.error());
+    }
+    server.trustedClients = std::move(*clients);
+    server.onRefusedClient = [rejected = folder / "clients" / "rejected"](
+                                 const rivulet::opcua::CertificateFacts& facts,
+                                 std::string_view der) { keepRejected(rejected, facts, der); };
+  }
+  return {};
 }
 
 /// Serves until the program is interrupted. @return the exit code
@@ -141,6 +262,9 @@ int main(int argc, char** argv) {
       !done) {
     rivulet::log::logger().info(done.error().text());
   }
+  if (arguments.hashPassword) {
+    return printHash();
+  }
   auto config = rivulet::machine::loadPreset(arguments.preset);
   if (!config) {
     return complain(config.error(), kExitUsage);
@@ -163,6 +287,9 @@ int main(int argc, char** argv) {
     }
   }
   arguments.server.fileRights = !arguments.noFileRights;
+  if (const auto done = protect(arguments); !done) {
+    return complain(done.error(), kExitUsage);
+  }
   const auto server = rivulet::machine::Server::start(machine, arguments.server);
   if (!server) {
     const bool isAddress = server.error().code == rivulet::machine::FrontError::AddressUnusable;

@@ -5,8 +5,8 @@
 
 #include <QDateTime>
 
-#include "opcua/open62541/ua_link.h"
 #include "session/session_worker.h"
+#include "trust/connect.h"
 
 namespace rivulet::session {
 
@@ -17,9 +17,7 @@ constexpr int kDrainIntervalMs = 33;
 }  // namespace
 
 base::Result<opcua::Connection> connectByOpcUa(const std::string& endpoint) {
-  opcua::ConnectOptions options;
-  options.endpoint = endpoint;
-  return opcua::openConnection(options);
+  return trust::connectAsKnown(endpoint);
 }
 
 StreamSession::StreamSession(opcua::Connector connector, report::MachineStore machines,

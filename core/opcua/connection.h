@@ -7,10 +7,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/result.h"
 #include "opcua/link.h"
+#include "opcua/security.h"
 
 namespace rivulet::opcua {
 
@@ -19,6 +21,10 @@ struct Connection {
   Link* link = nullptr;
   Control* control = nullptr;
   std::string name;  ///< the endpoint, or how the simulation was made
+  /// Of a connection over a network; nothing in virtual time.
+  std::optional<ChannelSecurity> security = std::nullopt;
+  /// Of the server; nothing without encryption.
+  std::optional<CertificateFacts> certificate = std::nullopt;
 
   explicit operator bool() const { return link != nullptr; }
 };

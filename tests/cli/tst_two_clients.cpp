@@ -230,6 +230,7 @@ class TestTwoClients : public QObject {
     const QString folder = m_folder.filePath(QStringLiteral("dead"));
     Client dying(folder, streamed(machine.endpoint()));
     opcua::ConnectOptions options;
+    options.security = opcua::unencrypted();
     options.endpoint = machine.endpoint().toStdString();
     const auto link = opcua::UaLink::connect(options);
     QVERIFY(link);

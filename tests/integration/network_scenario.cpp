@@ -221,6 +221,7 @@ class Exposure {
     Operator orders(m_scenario, m_proxy, isFirst);
     const opcua::MonotonicClock clock;
     opcua::ConnectOptions options;
+    options.security = opcua::unencrypted();
     options.endpoint = m_proxy.endpoint();
     const auto link = opcua::UaLink::connect(options);
     streaming::RunReport report;

@@ -123,7 +123,7 @@ class TestFront : public QObject {
     QCOMPARE(client.children(node("/Channel/Spindle")).size(), std::size_t{3});
     QCOMPARE(client.children(node("/Channel/ProgramInfo")).size(), std::size_t{4});
     QCOMPARE(client.children(node("/Channel/ChannelDiagnose")).size(), std::size_t{1});
-    QCOMPARE(client.children(node("/Methods")).size(), std::size_t{3});
+    QCOMPARE(client.children(node("/Methods")).size(), std::size_t{4});
   }
 
   void elementsThatAreNotListedExist() {

@@ -36,6 +36,7 @@ NetworkFault fault(FaultKind kind, base::Duration duration = {}, base::Duration 
 base::Result<std::unique_ptr<opcua::UaLink>> connectTo(const std::string& endpoint,
                                                        base::Duration deadline = 20s) {
   opcua::ConnectOptions options;
+  options.security = opcua::unencrypted();
   options.endpoint = endpoint;
   options.connectDeadline = deadline;
   return opcua::UaLink::connect(options);
@@ -89,6 +90,7 @@ class TestNetwork : public QObject {
     const LoopbackMachine cell;
     FaultProxy proxy(cell.endpoint());
     opcua::ConnectOptions options;
+    options.security = opcua::unencrypted();
     options.endpoint = proxy.endpoint();
     options.silenceMax = 1s;
     const auto link = opcua::UaLink::connect(options);
@@ -136,6 +138,7 @@ class TestNetwork : public QObject {
     const LoopbackMachine cell;
     FaultProxy proxy(cell.endpoint());
     opcua::ConnectOptions options;
+    options.security = opcua::unencrypted();
     options.endpoint = proxy.endpoint();
     options.silenceMax = 1s;
     auto link = opcua::UaLink::connect(options);

@@ -35,6 +35,7 @@ QString endpointOf(QProcess& process) {
 
 std::unique_ptr<opcua::UaLink> connectTo(const QString& endpoint) {
   opcua::ConnectOptions options;
+  options.security = opcua::unencrypted();
   options.endpoint = endpoint.toStdString();
   options.connectDeadline = std::chrono::milliseconds(kPatienceMs);
   auto link = opcua::UaLink::connect(options);

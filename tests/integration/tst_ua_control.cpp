@@ -184,6 +184,7 @@ class TestUaControl : public QObject {
     std::atomic<bool> stop{false};
     std::thread thread([&] { (*server)->run(stop); });
     opcua::ConnectOptions options;
+    options.security = opcua::unencrypted();
     options.endpoint = (*server)->endpoint();
     options.commandDeadline = kPatience;
     const auto again = opcua::UaLink::connect(options);

@@ -493,6 +493,7 @@ class TestUaLink : public QObject {
   void theHostIsUsedAsTyped() {
     const LoopbackMachine cell;  // announces itself as 127.0.0.1
     opcua::ConnectOptions options;
+    options.security = opcua::unencrypted();
     options.endpoint = "opc.tcp://localhost" + cell.endpoint().substr(cell.endpoint().rfind(':'));
     options.connectDeadline = kPatience;
     const auto link = opcua::UaLink::connect(options);
@@ -510,6 +511,7 @@ class TestUaLink : public QObject {
     for (const std::string& address : {endpoint, std::string("control.example:4840"),
                                        std::string("opc.tcp://host.invalid:4840"), std::string()}) {
       opcua::ConnectOptions options;
+      options.security = opcua::unencrypted();
       options.endpoint = address;
       options.connectDeadline = 10s;
       const auto link = opcua::UaLink::connect(options);
@@ -522,6 +524,7 @@ class TestUaLink : public QObject {
   void anotherServerIsNoControl() {
     const PlainServer plain;
     opcua::ConnectOptions options;
+    options.security = opcua::unencrypted();
     options.endpoint = plain.endpoint();
     options.connectDeadline = kPatience;
     const auto link = opcua::UaLink::connect(options);

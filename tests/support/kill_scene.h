@@ -215,6 +215,7 @@ class KillScene {
 
   [[nodiscard]] std::vector<double> read(const std::vector<opcua::Variable>& variables) const {
     opcua::ConnectOptions options;
+    options.security = opcua::unencrypted();
     options.endpoint = m_endpoint.toStdString();
     options.connectDeadline = std::chrono::seconds(20);
     options.commandDeadline = std::chrono::seconds(20);

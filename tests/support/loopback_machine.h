@@ -53,6 +53,7 @@ class LoopbackMachine {
   /// A new connection to it. It answers, so failure is a bug.
   [[nodiscard]] std::unique_ptr<opcua::UaLink> connect() const {
     opcua::ConnectOptions options;
+    options.security = opcua::unencrypted();
     options.endpoint = m_endpoint;
     options.connectDeadline = std::chrono::seconds(20);
     options.commandDeadline = std::chrono::seconds(20);

@@ -8,6 +8,7 @@
 #include <netinet/tcp.h>
 #include <open62541/client.h>
 #include <open62541/client_config_default.h>
+#include <open62541/plugin/securitypolicy_default.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -236,6 +237,185 @@ void appendReadings(const UA_DataValue& value, std::size_t length, std::vector<R
   return failed(LinkError::Rejected);
 }
 
+constexpr std::string_view kNoneUri = "http://opcfoundation.org/UA/SecurityPolicy#None";
+
+/// The endpoints of a server, in the library's own memory.
+struct Endpoints {
+  Endpoints() = default;
+  ~Endpoints() { UA_Array_delete(list, count, &UA_TYPES[UA_TYPES_ENDPOINTDESCRIPTION]); }
+  Endpoints(const Endpoints&) = delete;
+  Endpoints& operator=(const Endpoints&) = delete;
+
+  std::size_t count = 0;
+  UA_EndpointDescription* list = nullptr;
+};
+
+/// The endpoint that is used.
+struct SecureEndpoint {
+  Handle<UA_EndpointDescription, UA_TYPES_ENDPOINTDESCRIPTION> description;
+};
+
+/// The policy by which a login is encrypted; nothing for one that Rivulet does not know.
+[[nodiscard]] std::optional<SecurityPolicy> tokenPolicy(const UA_EndpointDescription& endpoint,
+                                                        const UA_UserTokenPolicy& token) {
+  return policyOfUri(view(token.securityPolicyUri.length > 0 ? token.securityPolicyUri
+                                                             : endpoint.securityPolicyUri));
+}
+
+/// How an endpoint takes this kind of user: null if it does not, or only with a password that can
+/// be read on its way.
+[[nodiscard]] const UA_UserTokenPolicy* findToken(const UA_EndpointDescription& endpoint,
+                                                  bool hasUser) {
+  const UA_UserTokenType wanted = hasUser ? UA_USERTOKENTYPE_USERNAME : UA_USERTOKENTYPE_ANONYMOUS;
+  for (std::size_t i = 0; i < endpoint.userIdentityTokensSize; ++i) {
+    const UA_UserTokenPolicy& token = endpoint.userIdentityTokens[i];
+    const auto policy = tokenPolicy(endpoint, token);
+    const bool isHidden = endpoint.securityMode == UA_MESSAGESECURITYMODE_SIGNANDENCRYPT ||
+                          (policy && *policy != SecurityPolicy::None);
+    if (token.tokenType == wanted && policy && (!hasUser || isHidden)) {
+      return &token;
+    }
+  }
+  return nullptr;
+}
+
+/// In the order of the list, so that an index means the same. What Rivulet cannot use takes nobody.
+[[nodiscard]] std::vector<EndpointOffer> offersOf(const Endpoints& endpoints) {
+  std::vector<EndpointOffer> offers;
+  for (std::size_t i = 0; i < endpoints.count; ++i) {
+    const UA_EndpointDescription& endpoint = endpoints.list[i];
+    const auto policy = policyOfUri(view(endpoint.securityPolicyUri));
+    const bool isModeKnown = endpoint.securityMode >= UA_MESSAGESECURITYMODE_NONE &&
+                             endpoint.securityMode <= UA_MESSAGESECURITYMODE_SIGNANDENCRYPT;
+    const std::string_view profile = view(endpoint.transportProfileUri);
+    // Siemens servers leave it empty.
+    const bool isBinary = profile.empty() || profile.find("uatcp-uasc-uabinary") != profile.npos;
+    EndpointOffer offer;
+    if (policy && isModeKnown && isBinary) {
+      offer.security = {*policy, static_cast<MessageMode>(endpoint.securityMode)};
+      offer.takesAnonymous = findToken(endpoint, false) != nullptr;
+      offer.takesUserName = findToken(endpoint, true) != nullptr;
+    } else {
+      offer.security = {SecurityPolicy::None,
+                        MessageMode::Sign};  // contradicts itself: never taken
+    }
+    offers.push_back(std::move(offer));
+  }
+  return offers;
+}
+
+using MakePolicy = UA_StatusCode (*)(UA_SecurityPolicy*, UA_ByteString, UA_ByteString,
+                                     const UA_Logger*);
+
+[[nodiscard]] MakePolicy makerOf(SecurityPolicy policy) {
+  switch (policy) {
+    case SecurityPolicy::Basic128Rsa15:
+      return &UA_SecurityPolicy_Basic128Rsa15;
+    case SecurityPolicy::Basic256:
+      return &UA_SecurityPolicy_Basic256;
+    case SecurityPolicy::Basic256Sha256:
+      return &UA_SecurityPolicy_Basic256Sha256;
+    case SecurityPolicy::Aes128Sha256RsaOaep:
+      return &UA_SecurityPolicy_Aes128Sha256RsaOaep;
+    case SecurityPolicy::Aes256Sha256RsaPss:
+      return &UA_SecurityPolicy_Aes256Sha256RsaPss;
+    case SecurityPolicy::None:
+      break;
+  }
+  return nullptr;
+}
+
+/// Adds a policy to a list of the library; None is always there.
+[[nodiscard]] UA_StatusCode addPolicy(std::size_t& count, UA_SecurityPolicy*& list,
+                                      SecurityPolicy policy, const OwnCertificate& own,
+                                      const UA_Logger* logger) {
+  const MakePolicy make = makerOf(policy);
+  if (make == nullptr) {
+    return UA_STATUSCODE_GOOD;
+  }
+  auto* grown =
+      static_cast<UA_SecurityPolicy*>(UA_realloc(list, (count + 1) * sizeof(UA_SecurityPolicy)));
+  if (grown == nullptr) {
+    return UA_STATUSCODE_BADOUTOFMEMORY;
+  }
+  list = grown;
+  const UA_StatusCode status =
+      make(&list[count], borrow(own.certificate), borrow(own.privateKey), logger);
+  count += status == UA_STATUSCODE_GOOD ? 1 : 0;
+  return status;
+}
+
+/// Only the very certificate of the endpoint is accepted; whether it is trusted has been decided.
+UA_StatusCode verifyServer(const UA_CertificateVerification* verification,
+                           const UA_ByteString* chain) noexcept {
+  const auto* expected = static_cast<const UA_ByteString*>(verification->context);
+  return leafOf(view(*chain)) == leafOf(view(*expected)) ? UA_STATUSCODE_GOOD
+                                                         : UA_STATUSCODE_BADCERTIFICATEUNTRUSTED;
+}
+
+/// The library asks this of our own certificate only.
+UA_StatusCode verifyUri(const UA_CertificateVerification* /*verification*/,
+                        const UA_ByteString* /*certificate*/,
+                        const UA_String* /*applicationUri*/) noexcept {
+  return UA_STATUSCODE_GOOD;
+}
+
+[[nodiscard]] UA_StatusCode setUser(UA_ClientConfig& config, const ConnectOptions& options) {
+  if (options.user.empty()) {
+    return UA_STATUSCODE_GOOD;
+  }
+  return UA_ClientConfig_setAuthenticationUsername(&config, options.user.c_str(),
+                                                   options.password.c_str());
+}
+
+/// Binds a configuration to one endpoint: this policy, this mode, this certificate, this kind of
+/// login. @param endpoint  outlives the client
+[[nodiscard]] UA_StatusCode protect(UA_ClientConfig& config, const SecureEndpoint& endpoint,
+                                    const ConnectOptions& options, const OwnCertificate& own) {
+  const UA_EndpointDescription& description = *endpoint.description.get();
+  const auto policy = policyOfUri(view(description.securityPolicyUri));
+  const UA_UserTokenPolicy* token = findToken(description, !options.user.empty());
+  RIVULET_ASSERT(policy && token != nullptr);
+  const SecurityPolicy login = *tokenPolicy(description, *token);
+
+  UA_StatusCode status =
+      addPolicy(config.securityPoliciesSize, config.securityPolicies, *policy, own, config.logging);
+  if (login != *policy) {
+    status |=
+        addPolicy(config.securityPoliciesSize, config.securityPolicies, login, own, config.logging);
+  }
+  status |= addPolicy(config.authSecurityPoliciesSize, config.authSecurityPolicies, login, own,
+                      config.logging);
+  status |= UA_copy(&description, &config.endpoint, &UA_TYPES[UA_TYPES_ENDPOINTDESCRIPTION]);
+  status |= UA_copy(token, &config.userTokenPolicy, &UA_TYPES[UA_TYPES_USERTOKENPOLICY]);
+  const UA_String uri = borrow(own.applicationUri);
+  UA_String_clear(&config.clientDescription.applicationUri);
+  status |= UA_String_copy(&uri, &config.clientDescription.applicationUri);
+  status |= setUser(config, options);
+
+  UA_CertificateVerification& verification = config.certificateVerification;
+  if (verification.clear != nullptr) {
+    verification.clear(&verification);
+  }
+  verification = {};
+  verification.context = const_cast<UA_ByteString*>(&description.serverCertificate);  // only read
+  verification.verifyCertificate = &verifyServer;
+  verification.verifyApplicationURI = &verifyUri;
+  verification.logging = config.logging;
+  return status;
+}
+
+/// Overwrites the password in the library's memory.
+void forgetPassword(UA_ClientConfig& config) {
+  UA_ExtensionObject& token = config.userIdentityToken;
+  if (token.encoding >= UA_EXTENSIONOBJECT_DECODED &&
+      token.content.decoded.type == &UA_TYPES[UA_TYPES_USERNAMEIDENTITYTOKEN]) {
+    UA_ByteString_memZero(
+        &static_cast<UA_UserNameIdentityToken*>(token.content.decoded.data)->password);
+  }
+  UA_ExtensionObject_clear(&token);
+}
+
 }  // namespace
 
 class UaLink::Impl {
@@ -251,6 +431,11 @@ class UaLink::Impl {
   [[nodiscard]] base::Result<ServerIdentity> identity();
   [[nodiscard]] bool isVirtual() const { return m_virtualNamespace.has_value(); }
   [[nodiscard]] const std::string& endpoint() const { return m_options.endpoint; }
+  [[nodiscard]] const ChannelSecurity& security() const { return m_security; }
+  [[nodiscard]] const std::optional<CertificateFacts>& serverCertificate() const {
+    return m_certificate;
+  }
+  [[nodiscard]] base::Result<bool> mayWrite(const Variable& variable);
 
   base::RequestId request(Operation operation, std::vector<Variable> variables,
                           std::vector<double> values, Duration deadline, Grouping grouping);
@@ -319,9 +504,16 @@ class UaLink::Impl {
   void limitSending();
   static UA_StatusCode onSend(UA_ConnectionManager* manager, std::uintptr_t connectionId,
                               const UA_KeyValueMap* parameters, UA_ByteString* message) noexcept;
+  /// A client that is not connected yet, in place of the present one.
+  /// @param endpoint  null: without encryption, whatever the server names
+  [[nodiscard]] base::Result<void> createClient(const SecureEndpoint* endpoint);
+  void deleteClient();
+  [[nodiscard]] base::Result<SecureEndpoint> discover();
+  [[nodiscard]] base::Result<void> checkServer(const SecureEndpoint& endpoint);
   [[nodiscard]] base::Result<void> handshake();
   /// After the server has closed the connection while connecting. @return the new status
   [[nodiscard]] UA_StatusCode reconnect(bool wasOpen, Instant deadline);
+  [[nodiscard]] bool pauseBefore(Instant deadline);
   void close();
   /// Notes that a service call is about to be made.
   [[nodiscard]] std::uint64_t nextSerial();
@@ -349,6 +541,10 @@ class UaLink::Impl {
                                                          Instant deadline);
 
   ConnectOptions m_options;
+  ChannelSecurity m_security;
+  std::optional<CertificateFacts> m_certificate;
+  OwnCertificate m_own;
+  std::optional<SecureEndpoint> m_secureEndpoint;  ///< the library refers to it
   MonotonicClock m_clock;
   QuietLogger m_logger;
   UA_Client* m_client = nullptr;
@@ -388,10 +584,15 @@ class UaLink::Impl {
 // --- connection ---------------------------------------------------------------------------------
 
 UaLink::Impl::~Impl() {
+  deleteClient();
+}
+
+void UaLink::Impl::deleteClient() {
   m_established = false;  // what the library reports while it closes is not a loss
   if (m_client != nullptr) {
     close();
     UA_Client_delete(m_client);
+    m_client = nullptr;
   }
 }
 
@@ -420,6 +621,42 @@ void UaLink::Impl::close() {
 }
 
 base::Result<void> UaLink::Impl::open() {
+  std::optional<SecureEndpoint>& endpoint = m_secureEndpoint;
+  if (m_options.security != unencrypted() || !m_options.user.empty()) {
+    auto found = discover();
+    if (!found) {
+      return base::fail(found.error());
+    }
+    endpoint = std::move(*found);
+    if (auto trusted = checkServer(*endpoint); !trusted) {
+      return trusted;
+    }
+  }
+  const bool isPlain = !endpoint || (m_security == ChannelSecurity{} && m_options.user.empty());
+  if (auto created = createClient(isPlain ? nullptr : &*endpoint); !created) {
+    return created;
+  }
+  if (auto connected = handshake(); !connected) {
+    if (!endpoint && connected.error().code == LinkError::LoginRefused) {
+      // The library found nothing to connect with; what the server offers says why.
+      if (auto offered = discover(); !offered) {
+        return base::fail(offered.error());
+      }
+    }
+    return connected;
+  }
+  UA_ClientConfig* config = UA_Client_getConfig(m_client);
+  config->noNewSession = true;
+  forgetPassword(*config);  // the session is never activated again
+  explicit_bzero(m_options.password.data(), m_options.password.size());
+  m_options.own = nullptr;
+  m_options.trust = nullptr;
+  m_established = true;
+  return resolveNamespaces(addSaturating(now(), 2 * m_options.connectDeadline));
+}
+
+base::Result<void> UaLink::Impl::createClient(const SecureEndpoint* endpoint) {
+  deleteClient();
   UA_ClientConfig config;
   std::memset(&config, 0, sizeof config);
   config.logging = m_logger.handle();
@@ -428,9 +665,14 @@ base::Result<void> UaLink::Impl::open() {
   config.connectivityCheckInterval = 0;  // its answer could come late, too
   config.stateCallback = &Impl::onState;
   config.clientContext = this;
-  if (UA_ClientConfig_setDefault(&config) != UA_STATUSCODE_GOOD) {
+  UA_StatusCode status = UA_ClientConfig_setDefault(&config);
+  if (status == UA_STATUSCODE_GOOD && endpoint != nullptr) {
+    status = protect(config, *endpoint, m_options, m_own);
+  }
+  if (status != UA_STATUSCODE_GOOD) {
     UA_ClientConfig_clear(&config);
-    return base::fail(LinkError::Rejected, "The OPC UA library cannot be set up.", endpoint());
+    return base::fail(LinkError::Rejected, "The OPC UA library cannot be set up.",
+                      this->endpoint());
   }
   // The library would connect again at once and without end. While connecting it has to, because
   // the server may name another endpoint; afterwards a lost connection stays lost, because a stream
@@ -440,14 +682,79 @@ base::Result<void> UaLink::Impl::open() {
   UA_String_copy(&name, &config.sessionName);
   m_client = UA_Client_newWithConfig(&config);
   RIVULET_ASSERT(m_client != nullptr);
-
   limitSending();
-  if (auto connected = handshake(); !connected) {
-    return connected;
+  return {};
+}
+
+/// Asks the server what it offers, on a connection of its own without encryption. Nothing of the
+/// answer is trusted: who falsifies it can prevent the connection, not weaken it.
+base::Result<SecureEndpoint> UaLink::Impl::discover() {
+  const Instant deadline = addSaturating(now(), m_options.connectDeadline);
+  Endpoints found;
+  UA_StatusCode status = UA_STATUSCODE_BADTIMEOUT;
+  do {
+    if (auto created = createClient(nullptr); !created) {
+      return base::fail(created.error());
+    }
+    UA_ClientConfig* config = UA_Client_getConfig(m_client);
+    config->timeout =
+        static_cast<UA_UInt32>(std::chrono::ceil<milliseconds>(m_options.connectDeadline).count());
+    config->noReconnect = false;
+    // With an endpoint of its own, the library does not look for one that it can open a session on.
+    config->endpoint.securityMode = UA_MESSAGESECURITYMODE_NONE;
+    const UA_String none = borrow(kNoneUri);
+    const UA_String url = borrow(m_options.endpoint);
+    UA_String_copy(&none, &config->endpoint.securityPolicyUri);
+    UA_String_copy(&url, &config->endpoint.endpointUrl);
+    status =
+        UA_Client_getEndpoints(m_client, m_options.endpoint.c_str(), &found.count, &found.list);
+  } while (status == UA_STATUSCODE_BADCONNECTIONCLOSED && pauseBefore(deadline));
+  deleteClient();
+  if (isBad(status)) {
+    return base::fail(connectError(status));
   }
-  UA_Client_getConfig(m_client)->noNewSession = true;
-  m_established = true;
-  return resolveNamespaces(addSaturating(now(), 2 * m_options.connectDeadline));
+  const std::vector<EndpointOffer> offers = offersOf(found);
+  const auto chosen = chooseOffer(offers, m_options.security, !m_options.user.empty());
+  if (!chosen) {
+    return base::fail(chosen.error().code, chosen.error().message, endpoint());
+  }
+  m_security = offers[*chosen].security;
+  SecureEndpoint endpoint;
+  UA_copy(&found.list[*chosen], endpoint.description.get(),
+          &UA_TYPES[UA_TYPES_ENDPOINTDESCRIPTION]);
+  // A server may send the certificates of its issuers along; the library compares the first only.
+  UA_ByteString& certificate = endpoint.description->serverCertificate;
+  if (const std::size_t length = leafOf(view(certificate)).size(); length > 0) {
+    certificate.length = length;
+  }
+  return endpoint;
+}
+
+base::Result<void> UaLink::Impl::checkServer(const SecureEndpoint& endpoint) {
+  if (m_security == ChannelSecurity{} && m_options.user.empty()) {
+    return {};
+  }
+  if (!m_options.own || !m_options.trust) {
+    return base::fail(LinkError::CertificateUnknown,
+                      "No certificates are set up on this computer, so nothing can be encrypted.",
+                      this->endpoint());
+  }
+  auto own = m_options.own();
+  if (!own) {
+    return base::fail(own.error());
+  }
+  m_own = std::move(*own);
+  // The password is encrypted for this certificate even where messages are not.
+  const std::string_view der = leafOf(view(endpoint.description->serverCertificate));
+  const auto facts = readCertificate(der);
+  if (!facts) {
+    return base::fail(facts.error().code, facts.error().message, this->endpoint());
+  }
+  if (auto trusted = m_options.trust(*facts, der); !trusted) {
+    return base::fail(trusted.error().code, trusted.error().message, this->endpoint());
+  }
+  m_certificate = *facts;
+  return {};
 }
 
 /// While the other side takes no data, the library tries to send for ever. So the system is told to
@@ -507,17 +814,23 @@ base::Result<void> UaLink::Impl::handshake() {
 }
 
 UA_StatusCode UaLink::Impl::reconnect(bool wasOpen, Instant deadline) {
-  if (!wasOpen || ++m_handshakes > kHandshakesMax) {
-    // Clients that were turned away together do not come back together.
-    base::Random random(static_cast<std::uint64_t>(now().time_since_epoch().count()));
-    const double factor = (0.5 + random.uniform()) * std::pow(2.0, m_retries++);
-    const Instant next = now() + base::fromSeconds(base::toSeconds(kRetryPause) * factor);
-    if (next >= deadline) {
-      return UA_STATUSCODE_BADCONNECTIONCLOSED;
-    }
-    m_clock.sleepUntil(next);
+  if ((!wasOpen || ++m_handshakes > kHandshakesMax) && !pauseBefore(deadline)) {
+    return UA_STATUSCODE_BADCONNECTIONCLOSED;
   }
   return UA_Client_connectAsync(m_client, m_options.endpoint.c_str());
+}
+
+/// @return false, without a pause, if the deadline would be missed
+bool UaLink::Impl::pauseBefore(Instant deadline) {
+  // Clients that were turned away together do not come back together.
+  base::Random random(static_cast<std::uint64_t>(now().time_since_epoch().count()));
+  const double factor = (0.5 + random.uniform()) * std::pow(2.0, m_retries++);
+  const Instant next = now() + base::fromSeconds(base::toSeconds(kRetryPause) * factor);
+  if (next >= deadline) {
+    return false;
+  }
+  m_clock.sleepUntil(next);
+  return true;
 }
 
 base::Result<void> UaLink::Impl::resolveNamespaces(Instant deadline) {
@@ -611,38 +924,42 @@ base::Result<ReadResponse> UaLink::Impl::readAttribute(const UA_NodeId& node,
   return response;
 }
 
+base::Result<bool> UaLink::Impl::mayWrite(const Variable& variable) {
+  const std::string name = identifier(Node{variable, 1, Grouping::List});
+  const auto answer = readAttribute(borrowNodeId(m_namespace, name), UA_ATTRIBUTEID_USERACCESSLEVEL,
+                                    addSaturating(now(), m_options.commandDeadline));
+  if (!answer) {
+    return base::fail(answer.error());
+  }
+  const UA_DataValue& value = (*answer)->results[0];
+  if (value.hasStatus && isBad(value.status)) {
+    return base::fail(requestError(value.status, Operation::Read, name));
+  }
+  const auto level = value.hasValue ? numberOf(value.value) : std::nullopt;
+  return level && (static_cast<unsigned>(*level) & UA_ACCESSLEVELMASK_WRITE) != 0;
+}
+
 base::Error UaLink::Impl::error(LinkError code) const {
   return base::makeError(code, sentenceOf(code), endpoint());
 }
 
 base::Error UaLink::Impl::connectError(UA_StatusCode status) const {
-  switch (status) {
-    case UA_STATUSCODE_BADTCPENDPOINTURLINVALID:
-      return base::makeError(LinkError::NotReachable,
-                             "This is not an OPC UA address. Example: opc.tcp://host:4840.",
-                             endpoint());
-    case UA_STATUSCODE_BADIDENTITYTOKENREJECTED:
-    case UA_STATUSCODE_BADIDENTITYTOKENINVALID:
-    case UA_STATUSCODE_BADUSERACCESSDENIED:
-    case UA_STATUSCODE_BADSECURITYCHECKSFAILED:
-    case UA_STATUSCODE_BADSECURITYMODEREJECTED:
-    case UA_STATUSCODE_BADSECURITYPOLICYREJECTED:
-      return base::makeError(
-          LinkError::Rejected,
-          fmt::format(
-              "The server does not accept a connection with these security and user settings ({}).",
-              UA_StatusCode_name(status)),
-          endpoint());
-    case UA_STATUSCODE_BADTOOMANYSESSIONS:
-      return base::makeError(LinkError::Rejected,
-                             "The server has no session left. Close another OPC UA client.",
-                             endpoint());
-    default:
-      return base::makeError(
-          LinkError::NotReachable,
-          fmt::format("{} ({})", sentenceOf(LinkError::NotReachable), UA_StatusCode_name(status)),
-          endpoint());
+  if (status == UA_STATUSCODE_BADTCPENDPOINTURLINVALID) {
+    return base::makeError(LinkError::NotReachable,
+                           "This is not an OPC UA address. Example: opc.tcp://host:4840.",
+                           endpoint());
   }
+  const StatusAdvice* advice = adviceOn(status);
+  if (advice == nullptr) {
+    return base::makeError(
+        LinkError::NotReachable,
+        fmt::format("{} ({})", sentenceOf(LinkError::NotReachable), UA_StatusCode_name(status)),
+        endpoint());
+  }
+  return base::makeError(
+      advice->whileConnecting,
+      fmt::format("Cannot connect: {}. {} ({})", advice->cause, advice->nextStep, advice->name),
+      endpoint());
 }
 
 // --- callbacks of the library -------------------------------------------------------------------
@@ -1174,7 +1491,8 @@ base::Result<Connection> openConnection(const ConnectOptions& options) {
     return base::fail(opened.error());
   }
   const std::shared_ptr<UaLink> link = std::move(*opened);
-  return Connection{link, link.get(), link.get(), options.endpoint};
+  return Connection{
+      link, link.get(), link.get(), options.endpoint, link->security(), link->serverCertificate()};
 }
 
 base::Instant UaLink::now() const {
@@ -1262,6 +1580,28 @@ base::Result<void> UaLink::selectProgram(const std::string& name) {
 
 base::Result<ServerIdentity> UaLink::identity() {
   return m_impl->identity();
+}
+
+base::Result<std::string> UaLink::accessRights() {
+  const auto answer = m_impl->callMethods(kGetMyAccessRights, {});
+  if (!answer) {
+    return base::fail(answer.error());
+  }
+  const auto rights = output<UA_String>(*answer, 0, UA_TYPES_STRING, kGetMyAccessRights);
+  return rights ? base::Result<std::string>(std::string(view(*rights)))
+                : base::fail(rights.error());
+}
+
+base::Result<bool> UaLink::mayWrite(const Variable& variable) {
+  return m_impl->mayWrite(variable);
+}
+
+const ChannelSecurity& UaLink::security() const {
+  return m_impl->security();
+}
+
+const std::optional<CertificateFacts>& UaLink::serverCertificate() const {
+  return m_impl->serverCertificate();
 }
 
 bool UaLink::isVirtualMachine() const {

@@ -7,9 +7,11 @@
 /// inside `wait` and inside the calls of `Control`.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "opcua/connection.h"
+#include "opcua/security.h"
 
 namespace rivulet::opcua {
 
@@ -25,13 +27,24 @@ struct ConnectOptions {
   /// A connection whose other side is silent for longer, although it was asked, is lost.
   base::Duration silenceMax = std::chrono::seconds(10);
   std::string name = "Rivulet";  ///< session name the server shows
+
+  /// What the user allows. Unless it is `unencrypted()` without a user, the server is first asked
+  /// what it offers.
+  SecurityChoice security;
+  /// The certificate of this computer, asked for when the first encrypted connection needs it.
+  std::function<base::Result<OwnCertificate>()> own;
+  /// Asked before an encrypted connection is opened; without it no server is trusted.
+  TrustCheck trust;
+  std::string user;  ///< empty: anonymous
+  std::string password;
 };
 
 class UaLink final : public Link, public Control {
  public:
   /// Connects, opens a session and resolves the namespaces. A server that closes the connection is
   /// tried again, each time after a longer pause.
-  /// @return NotReachable, Rejected, NamespaceMissing
+  /// @return NotReachable, Rejected, NamespaceMissing, EncryptionMissing, LoginRefused,
+  /// ClientNotTrusted, and what `ConnectOptions::trust` returns
   [[nodiscard]] static base::Result<std::unique_ptr<UaLink>> connect(const ConnectOptions& options);
 
   /// Closes the session; blocks a second at most, whatever the other side does.
@@ -57,6 +70,12 @@ class UaLink final : public Link, public Control {
   base::Result<std::string> downloadProgram(const std::string& name) override;
   base::Result<void> selectProgram(const std::string& name) override;
   base::Result<ServerIdentity> identity() override;
+  base::Result<std::string> accessRights() override;
+  base::Result<bool> mayWrite(const Variable& variable) override;
+  /// How this connection is protected.
+  [[nodiscard]] const ChannelSecurity& security() const;
+  /// The certificate of the server; nothing without encryption.
+  [[nodiscard]] const std::optional<CertificateFacts>& serverCertificate() const;
   [[nodiscard]] bool isVirtualMachine() const override;
   [[nodiscard]] Abilities abilities() const override;
   base::Result<void> cycleStart() override;

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "base/file.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "opcua/open62541/encryption.h"
+#include "trust/own_certificate.h"
+#include "trust/trust_store.h"
+
+namespace rivulet::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+base::UtcMs presentUtc() {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+ordered_json asJson(const opcua::CertificateFacts& facts, const std::string& file,
+                    const std::vector<trust::KnownServer>& servers) {
+  ordered_json json{{"file", file},
+                    {"subject", facts.subject},
+                    {"fingerprint", facts.fingerprint},
+                    {"valid_from", base::utcText(facts.validFrom)},
+                    {"valid_to", base::utcText(facts.validTo)},
+                    {"days_left", opcua::daysLeft(facts, presentUtc())},
+                    {"encryption", opcua::encryptionLibrary()},
+                    {"servers", ordered_json::array()}};
+  for (const trust::KnownServer& server : servers) {
+    json["servers"].push_back({{"endpoint", server.endpoint},
+                               {"fingerprint", server.fingerprint},
+                               {"security", server.security}});
+  }
+  return json;
+}
+
+void printText(const opcua::CertificateFacts& facts, const std::string& file,
+               const std::vector<trust::KnownServer>& servers) {
+  fmt::print("Certificate of this user: {}\n  {}\n  {} days left\n", file, trust::describe(facts),
+             opcua::daysLeft(facts, presentUtc()));
+  fmt::print("Encryption by {}\n", opcua::encryptionLibrary());
+  fmt::print("{}\n", servers.empty() ? "No server is trusted yet." : "Servers:");
+  for (const trust::KnownServer& server : servers) {
+    fmt::print("  {}\n    {}{}\n", server.endpoint,
+               server.fingerprint.empty() ? "no certificate accepted"
+                                          : opcua::fingerprintText(server.fingerprint),
+               server.security.empty() ? "" : fmt::format(", allowed: {}", server.security));
+  }
+}
+
+}  // namespace
+
+Exit certificate(const CertificateOptions& options) {
+  const std::filesystem::path folder = trust::trustFolder();
+  const trust::TrustStore store(folder);
+  if (!options.forget.empty()) {
+    const auto forgotten = store.forget(options.forget);
+    if (!forgotten) {
+      return reportError(forgotten.error(), options.json);
+    }
+    if (!*forgotten) {
+      return reportError(
+          base::makeError(base::FileError::Unreadable,
+                          "This server is not known. See rivulet-cli certificate.", options.forget),
+          options.json);
+    }
+  }
+  const auto own = options.renew ? trust::renewCertificate(folder, trust::Owner::Client)
+                                 : trust::ownCertificate(folder, trust::Owner::Client);
+  if (!own) {
+    return reportError(own.error(), options.json);
+  }
+  if (!options.exportFile.empty()) {
+    if (const auto done = base::writeFile(options.exportFile, own->certificate); !done) {
+      return reportError(done.error(), options.json);
+    }
+  }
+  const auto facts = opcua::readCertificate(own->certificate);
+  const auto servers = store.servers();
+  if (!facts || !servers) {
+    return reportError(!facts ? facts.error() : servers.error(), options.json);
+  }
+  const std::string file = trust::certificatePath(folder, trust::Owner::Client).string();
+  if (options.json) {
+    printJson(asJson(*facts, file, *servers));
+  } else {
+    printText(*facts, file, *servers);
+  }
+  return Exit::Done;
+}
+
+}  // namespace rivulet::cli

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Where a password comes from, in this order: a file that only its owner can read, the variable
+/// RIVULET_PASSWORD, the credential "rivulet-password" of systemd, the terminal. Never the command
+/// line, which every user of the computer can read. @threadsafety main thread.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "base/result.h"
+
+namespace rivulet::trust {
+
+/// @param file  empty: none  @param question  for the terminal, "Password of setter: "
+/// @return error Unreadable; LoginRefused if there is no password and nobody to ask
+[[nodiscard]] base::Result<std::string> readPassword(const std::filesystem::path& file,
+                                                     const std::string& question);
+
+/// Asks on the terminal without showing what is typed. @return LoginRefused if there is none
+[[nodiscard]] base::Result<std::string> askForPassword(const std::string& question);
+
+}  // namespace rivulet::trust

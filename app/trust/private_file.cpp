@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "trust/private_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "base/file.h"
+
+namespace rivulet::trust {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t kPrivateBytesMax = std::uintmax_t{1} << 20U;
+constexpr mode_t kOwnerOnly = S_IRUSR | S_IWUSR;
+
+tl::unexpected<base::Error> notWritable(const fs::path& path, int errorNumber) {
+  return base::fail(
+      base::FileError::NotWritable,
+      fmt::format("The file cannot be written: {}.", std::generic_category().message(errorNumber)),
+      path.string());
+}
+
+}  // namespace
+
+base::Result<void> makePrivateFolder(const fs::path& folder) {
+  std::error_code status;
+  fs::create_directories(folder, status);
+  if (!status) {
+    fs::permissions(folder, fs::perms::owner_all, status);
+  }
+  return status ? base::Result<void>(notWritable(folder, status.value())) : base::Result<void>();
+}
+
+base::Result<void> writePrivateFile(const fs::path& path, std::string_view bytes) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kOwnerOnly);
+  if (descriptor < 0) {
+    return notWritable(path, errno);
+  }
+  while (!bytes.empty()) {
+    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+    if (count <= 0) {
+      const int error = errno;
+      close(descriptor);
+      return notWritable(path, error);
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  fsync(descriptor);
+  return close(descriptor) == 0 ? base::Result<void>() : notWritable(path, errno);
+}
+
+base::Result<std::string> readPrivateFile(const fs::path& path) {
+  struct stat facts {};
+  if (stat(path.c_str(), &facts) == 0 && (facts.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
+    return base::fail(base::FileError::Unreadable,
+                      "Others may read this file. Allow it to its owner only (chmod 600).",
+                      path.string());
+  }
+  return base::readFile(path, kPrivateBytesMax);
+}
+
+}  // namespace rivulet::trust

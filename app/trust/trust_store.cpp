@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "trust/trust_store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "base/file.h"
+#include "opcua/error.h"
+#include "trust/private_file.h"
+
+namespace rivulet::trust {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using opcua::LinkError;
+
+namespace {
+
+constexpr const char* kFile = "servers.json";
+constexpr const char* kFormat = "rivulet-servers";
+constexpr int kVersion = 1;
+constexpr std::uintmax_t kListBytesMax = std::uintmax_t{1} << 20U;
+/// A stranger can show as many certificates as he likes; only so many are kept.
+constexpr std::size_t kRejectedMax = 32;
+
+std::string keyOf(std::string_view endpoint) {
+  std::string key(endpoint);
+  std::transform(key.begin(), key.end(), key.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  while (!key.empty() && key.back() == '/') {
+    key.pop_back();
+  }
+  return key;
+}
+
+tl::unexpected<base::Error> damaged(const fs::path& path) {
+  return base::fail(LinkError::CertificateInvalid,
+                    "The list of trusted servers is damaged. Move the file away; every server is "
+                    "then asked about again.",
+                    path.string());
+}
+
+std::string dateText(base::UtcMs at) {
+  constexpr std::size_t kDateLength = 10;
+  return base::utcText(at).substr(0, kDateLength);
+}
+
+}  // namespace
+
+std::string describe(const opcua::CertificateFacts& facts) {
+  return fmt::format("{}, valid from {} to {}, fingerprint {}", facts.subject,
+                     dateText(facts.validFrom), dateText(facts.validTo),
+                     opcua::fingerprintText(facts.fingerprint));
+}
+
+base::Result<std::vector<KnownServer>> TrustStore::servers() const {
+  const fs::path path = m_folder / kFile;
+  std::error_code status;
+  if (!fs::exists(path, status)) {
+    return std::vector<KnownServer>{};
+  }
+  const auto text = base::readFile(path, kListBytesMax);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  const json file = json::parse(*text, nullptr, false);
+  if (!file.is_object() || file.value("format", json()) != kFormat || !file.contains("servers") ||
+      !file["servers"].is_array()) {
+    return damaged(path);
+  }
+  std::vector<KnownServer> servers;
+  for (const json& entry : file["servers"]) {
+    const auto member = [&](const char* name) {
+      return entry.is_object() && entry.contains(name) && entry[name].is_string()
+                 ? entry[name].get<std::string>()
+                 : std::string();
+    };
+    const KnownServer server{member("endpoint"), member("fingerprint"), member("security")};
+    const bool isFingerprint = server.fingerprint.empty() ||
+                               opcua::fingerprintOf(server.fingerprint) == server.fingerprint;
+    const bool isSecurity =
+        server.security.empty() || opcua::securityChoiceOf(server.security).has_value();
+    if (server.endpoint.empty() || !isFingerprint || !isSecurity) {
+      return damaged(path);
+    }
+    servers.push_back(server);
+  }
+  return servers;
+}
+
+base::Result<std::optional<KnownServer>> TrustStore::find(std::string_view endpoint) const {
+  const auto known = servers();
+  if (!known) {
+    return base::fail(known.error());
+  }
+  const std::string key = keyOf(endpoint);
+  const auto server = std::find_if(known->begin(), known->end(),
+                                   [&](const KnownServer& one) { return one.endpoint == key; });
+  return server == known->end() ? std::nullopt : std::optional(*server);
+}
+
+base::Result<void> TrustStore::check(const std::string& endpoint,
+                                     const opcua::CertificateFacts& facts, std::string_view der,
+                                     base::UtcMs now) const {
+  const auto known = find(endpoint);
+  if (!known) {
+    return base::fail(known.error());
+  }
+  const std::string accepted = *known ? (*known)->fingerprint : std::string();
+  if (accepted != facts.fingerprint) {
+    keepRejected(facts.fingerprint, der);
+    if (accepted.empty()) {
+      return base::fail(LinkError::CertificateUnknown,
+                        fmt::format("This server is not known yet. Its certificate: {}. Compare "
+                                    "the fingerprint with the one that the control shows, then "
+                                    "accept it.",
+                                    describe(facts)));
+    }
+    return base::fail(
+        LinkError::CertificateChanged,
+        fmt::format("The server shows another certificate than the one that was accepted ({}). "
+                    "Either it was renewed, or somebody stands between. The new one: {}. Ask who "
+                    "looks after the control before accepting it.",
+                    opcua::fingerprintText(accepted), describe(facts)));
+  }
+  if (now < facts.validFrom || now > facts.validTo) {
+    return base::fail(LinkError::CertificateInvalid,
+                      fmt::format("The certificate of the server is valid from {} to {} only. Set "
+                                  "the clocks of both computers, or renew it on the control.",
+                                  dateText(facts.validFrom), dateText(facts.validTo)));
+  }
+  return {};
+}
+
+template <class Change>
+base::Result<void> TrustStore::change(const std::string& endpoint, Change change) const {
+  auto known = servers();
+  if (!known) {
+    return base::fail(known.error());
+  }
+  const std::string key = keyOf(endpoint);
+  auto server = std::lower_bound(
+      known->begin(), known->end(), key,
+      [](const KnownServer& one, const std::string& wanted) { return one.endpoint < wanted; });
+  if (server == known->end() || server->endpoint != key) {
+    server = known->insert(server, KnownServer{key, {}, {}});
+  }
+  change(*server);
+  return save(*known);
+}
+
+base::Result<void> TrustStore::accept(const std::string& endpoint,
+                                      const opcua::CertificateFacts& facts,
+                                      std::string_view der) const {
+  const fs::path folder = m_folder / "trusted";
+  if (auto made = makePrivateFolder(folder); !made) {
+    return made;
+  }
+  if (auto kept = base::writeFile(folder / (facts.fingerprint + ".der"), der); !kept) {
+    return kept;
+  }
+  return change(endpoint, [&](KnownServer& server) { server.fingerprint = facts.fingerprint; });
+}
+
+base::Result<void> TrustStore::allow(const std::string& endpoint,
+                                     const std::string& security) const {
+  return change(endpoint, [&](KnownServer& server) { server.security = security; });
+}
+
+base::Result<bool> TrustStore::forget(const std::string& endpoint) const {
+  auto known = servers();
+  if (!known) {
+    return base::fail(known.error());
+  }
+  const std::string key = keyOf(endpoint);
+  const auto count =
+      std::erase_if(*known, [&](const KnownServer& server) { return server.endpoint == key; });
+  if (count == 0) {
+    return false;
+  }
+  if (auto saved = save(*known); !saved) {
+    return base::fail(saved.error());
+  }
+  return true;
+}
+
+base::Result<void> TrustStore::save(const std::vector<KnownServer>& servers) const {
+  if (auto made = makePrivateFolder(m_folder); !made) {
+    return made;
+  }
+  json list = json::array();
+  for (const KnownServer& server : servers) {
+    json entry{{"endpoint", server.endpoint}};
+    if (!server.fingerprint.empty()) {
+      entry["fingerprint"] = server.fingerprint;
+    }
+    if (!server.security.empty()) {
+      entry["security"] = server.security;
+    }
+    list.push_back(entry);
+  }
+  const json file{{"format", kFormat}, {"version", kVersion}, {"servers", list}};
+  return base::writeFile(m_folder / kFile, file.dump(2) + "\n");
+}
+
+void TrustStore::keepRejected(const std::string& fingerprint, std::string_view der) const {
+  // Kept for whoever looks after the machine; the refusal does not depend on it.
+  const fs::path folder = m_folder / "rejected";
+  if (!makePrivateFolder(folder)) {
+    return;
+  }
+  std::error_code status;
+  const auto count =
+      std::distance(fs::directory_iterator(folder, status), fs::directory_iterator());
+  if (!status && static_cast<std::size_t>(count) < kRejectedMax) {
+    (void)base::writeFile(folder / (fingerprint + ".der"), der);
+  }
+}
+
+}  // namespace rivulet::trust

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Which servers this user trusts: trust on first use. Every server is known by its address and the
+/// fingerprint of the certificate that was accepted for it. @threadsafety reads and writes files.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "base/utc.h"
+#include "opcua/security.h"
+
+namespace rivulet::trust {
+
+struct KnownServer {
+  std::string endpoint;     ///< as `TrustStore` compares it: lower case, without a slash at its end
+  std::string fingerprint;  ///< of the accepted certificate; empty: none
+  std::string security;     ///< allowed by name (`opcua::securityChoiceText`); empty: the strongest
+};
+
+class TrustStore {
+ public:
+  explicit TrustStore(std::filesystem::path folder) : m_folder(std::move(folder)) {}
+
+  /// All servers, in the order of their addresses. @return CertificateInvalid if the file is
+  /// damaged: taking it for empty would forget what was accepted
+  [[nodiscard]] base::Result<std::vector<KnownServer>> servers() const;
+  /// What is known of one server; nothing if it is not known.
+  [[nodiscard]] base::Result<std::optional<KnownServer>> find(std::string_view endpoint) const;
+
+  /// Whether a server shows the certificate that was accepted for it. One that is refused is kept
+  /// in the folder "rejected". @param now  UTC
+  /// @return CertificateUnknown, CertificateChanged, CertificateInvalid
+  [[nodiscard]] base::Result<void> check(const std::string& endpoint,
+                                         const opcua::CertificateFacts& facts, std::string_view der,
+                                         base::UtcMs now) const;
+
+  /// From now on, this certificate and no other one is trusted at this address.
+  [[nodiscard]] base::Result<void> accept(const std::string& endpoint,
+                                          const opcua::CertificateFacts& facts,
+                                          std::string_view der) const;
+  /// What is allowed by name at this address; empty: the strongest only.
+  [[nodiscard]] base::Result<void> allow(const std::string& endpoint,
+                                         const std::string& security) const;
+  /// @return whether the server was known
+  [[nodiscard]] base::Result<bool> forget(const std::string& endpoint) const;
+
+ private:
+  [[nodiscard]] base::Result<void> save(const std::vector<KnownServer>& servers) const;
+  template <class Change>
+  [[nodiscard]] base::Result<void> change(const std::string& endpoint, Change change) const;
+  void keepRejected(const std::string& fingerprint, std::string_view der) const;
+
+  std::filesystem::path m_folder;
+};
+
+/// Fingerprint, subject and dates, as a person compares them.
+[[nodiscard]] std::string describe(const opcua::CertificateFacts& facts);
+
+}  // namespace rivulet::trust

@@ -1,0 +1,345 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Encryption, certificates and users, over real sockets.
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include "base/contract.h"
+#include "base/file.h"
+#include "machine/config.h"
+#include "machine/front/login.h"
+#include "machine/front/server.h"
+#include "machine/machine.h"
+#include "opcua/await.h"
+#include "opcua/open62541/encryption.h"
+#include "opcua/open62541/ua_link.h"
+#include "support/test_program.h"
+#include "trust/connect.h"
+#include "trust/trust_store.h"
+
+using namespace rivulet;
+using namespace std::chrono_literals;
+using opcua::LinkError;
+
+namespace {
+
+constexpr const char* kPassword = "correct horse";
+
+/// Keys take time; all tests of this file share these.
+const opcua::OwnCertificate& certificateOf(const std::string& name) {
+  static std::map<std::string, opcua::OwnCertificate> made;
+  if (!made.contains(name)) {
+    auto certificate = opcua::makeCertificate({name, "urn:test:" + name, {"localhost"}, 30});
+    RIVULET_ASSERT(certificate.has_value());
+    made[name] = *certificate;
+  }
+  return made[name];
+}
+
+machine::User user(const std::string& name, std::set<std::string> rights) {
+  return {name, machine::hashPassword(kPassword, "salt of " + name), std::move(rights)};
+}
+
+/// A virtual machine with a thread of its own.
+class Cell {
+ public:
+  explicit Cell(machine::ServerOptions options, machine::UserManagement users = {})
+      : m_machine(config(std::move(users)), 1) {
+    auto server = machine::Server::start(m_machine, options);
+    RIVULET_ASSERT(server.has_value());
+    m_server = std::move(*server);
+    m_thread = std::thread([this] { m_server->run(m_stop); });
+  }
+  ~Cell() {
+    m_stop = true;
+    m_thread.join();
+  }
+  Cell(const Cell&) = delete;
+  Cell& operator=(const Cell&) = delete;
+
+  [[nodiscard]] const std::string& endpoint() const { return m_server->endpoint(); }
+
+ private:
+  static machine::MachineConfig config(machine::UserManagement users) {
+    auto config = machine::loadPreset("ideal");
+    RIVULET_ASSERT(config.has_value());
+    config->users = std::move(users);
+    return std::move(*config);
+  }
+
+  machine::Machine m_machine;
+  std::unique_ptr<machine::Server> m_server;
+  std::atomic<bool> m_stop{false};
+  std::thread m_thread;
+};
+
+machine::ServerOptions encrypted() {
+  machine::ServerOptions options;
+  options.certificate = certificateOf("machine");
+  options.unencrypted = false;
+  return options;
+}
+
+base::Result<void> trustAll(const opcua::CertificateFacts&, std::string_view) {
+  return {};
+}
+
+opcua::ConnectOptions client(const Cell& cell, const std::string& security = "strongest") {
+  opcua::ConnectOptions options;
+  options.endpoint = cell.endpoint();
+  options.connectDeadline = 20s;
+  options.commandDeadline = 20s;
+  const auto choice = opcua::securityChoiceOf(security);
+  RIVULET_ASSERT(choice.has_value());
+  options.security = *choice;
+  options.own = [] { return base::Result<opcua::OwnCertificate>(certificateOf("client")); };
+  options.trust = &trustAll;
+  return options;
+}
+
+opcua::ConnectOptions login(opcua::ConnectOptions options, const std::string& name,
+                            const std::string& password) {
+  options.user = name;
+  options.password = password;
+  return options;
+}
+
+const opcua::Variable kFirst = opcua::rParameter(0);
+
+}  // namespace
+
+class TestSecurity : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void everyPolicyAndModeWorks_data() {
+    QTest::addColumn<QString>("security");
+    for (const char* policy : {"Basic256Sha256", "Aes128_Sha256_RsaOaep", "Aes256_Sha256_RsaPss"}) {
+      for (const char* mode : {"Sign", "SignAndEncrypt"}) {
+        const QString name =
+            QStringLiteral("%1/%2").arg(QLatin1String(policy), QLatin1String(mode));
+        QTest::newRow(qPrintable(name)) << name;
+      }
+    }
+  }
+
+  void everyPolicyAndModeWorks() {
+    QFETCH(QString, security);
+    const Cell cell(encrypted());
+    const auto link = opcua::UaLink::connect(client(cell, security.toStdString()));
+    QVERIFY2(link, link ? "" : link.error().text().c_str());
+    QCOMPARE(QString::fromStdString(opcua::securityText((*link)->security())),
+             QString(security).replace(QLatin1Char('/'), QStringLiteral(", ")));
+    const std::array assignment{opcua::Assignment{kFirst, 1.5}};
+    QVERIFY(opcua::writeNow(**link, assignment, 20s));
+    const auto numbers = opcua::readNumbers(**link, {&kFirst, 1}, 20s);
+    QVERIFY(numbers);
+    QCOMPARE(numbers->front(), 1.5);
+  }
+
+  void theStrongestIsTaken() {
+    machine::ServerOptions options = encrypted();
+    options.unencrypted = true;
+    const Cell cell(options);
+    const auto link = opcua::UaLink::connect(client(cell));
+    QVERIFY(link);
+    QCOMPARE(opcua::securityText((*link)->security()),
+             std::string("Aes256_Sha256_RsaPss, SignAndEncrypt"));
+    QVERIFY((*link)->serverCertificate());
+    QCOMPARE((*link)->serverCertificate()->subject, std::string("CN=machine, O=Rivulet"));
+  }
+
+  void withoutEncryptionNobodyIsLetIn() {
+    const Cell cell(encrypted());
+    opcua::ConnectOptions options = client(cell);
+    options.security = opcua::unencrypted();
+    const auto refused = opcua::UaLink::connect(options);
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, make_error_code(LinkError::EncryptionMissing));
+  }
+
+  void noneIsRefusedUnlessItIsNamed() {
+    machine::ServerOptions plain;
+    const Cell cell(plain);
+    const auto refused = opcua::UaLink::connect(client(cell));
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, make_error_code(LinkError::EncryptionMissing));
+    QVERIFY(refused.error().message.find("It offers: None") != std::string::npos);
+    QVERIFY(opcua::UaLink::connect(client(cell, "none")));
+  }
+
+  void anUntrustedServerIsNotConnected() {
+    const Cell cell(encrypted());
+    opcua::ConnectOptions options = client(cell);
+    std::string seen;
+    options.trust = [&](const opcua::CertificateFacts& facts,
+                        std::string_view) -> base::Result<void> {
+      seen = facts.fingerprint;
+      return base::fail(LinkError::CertificateUnknown, "not known");
+    };
+    const auto refused = opcua::UaLink::connect(options);
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, make_error_code(LinkError::CertificateUnknown));
+    QCOMPARE(seen, opcua::readCertificate(certificateOf("machine").certificate)->fingerprint);
+  }
+
+  void anUntrustedClientIsRefusedAndKept() {
+    std::string refusedFingerprint;
+    machine::ServerOptions options = encrypted();
+    options.trustedClients = std::set<std::string>{};
+    options.onRefusedClient = [&](const opcua::CertificateFacts& facts, std::string_view) {
+      refusedFingerprint = facts.fingerprint;
+    };
+    {
+      const Cell cell(options);
+      opcua::ConnectOptions asking = client(cell);
+      asking.connectDeadline = 2s;
+      const auto refused = opcua::UaLink::connect(asking);
+      QVERIFY(!refused);
+      QVERIFY2(refused.error().code == LinkError::ClientNotTrusted, refused.error().text().c_str());
+    }
+    const std::string expected =
+        opcua::readCertificate(certificateOf("client").certificate)->fingerprint;
+    QCOMPARE(refusedFingerprint, expected);
+
+    options.trustedClients = std::set<std::string>{expected};
+    const Cell cell(options);
+    QVERIFY(opcua::UaLink::connect(client(cell)));
+  }
+
+  void onlyUsersWithTheirPasswordAreLetIn() {
+    machine::UserManagement users;
+    users.anonymous = false;
+    users.users = {user("setter", machine::userRights())};
+    const Cell cell(encrypted(), users);
+    QVERIFY(opcua::UaLink::connect(login(client(cell), "setter", kPassword)));
+    for (const auto& [name, password] :
+         {std::pair("setter", "wrong"), std::pair("nobody", kPassword), std::pair("setter", "")}) {
+      const auto refused = opcua::UaLink::connect(login(client(cell), name, password));
+      QVERIFY(!refused);
+      QVERIFY2(refused.error().code == LinkError::LoginRefused, refused.error().text().c_str());
+      QVERIFY(refused.error().text().find(kPassword) == std::string::npos);
+    }
+    const auto anonymous = opcua::UaLink::connect(client(cell));
+    QVERIFY(!anonymous);
+    QCOMPARE(anonymous.error().code, make_error_code(LinkError::LoginRefused));
+  }
+
+  void aUserHasTheRightsOfThePreset() {
+    machine::UserManagement users;
+    users.anonymous = false;
+    users.users = {user("reader", {"SinuReadAll", "FsRead"}),
+                   user("setter", machine::userRights())};
+    const Cell cell(encrypted(), users);
+
+    const auto reader = opcua::UaLink::connect(login(client(cell), "reader", kPassword));
+    QVERIFY(reader);
+    QCOMPARE((*reader)->accessRights().value_or("?"), std::string("FsRead;SinuReadAll"));
+    QVERIFY(opcua::readNumbers(**reader, {&kFirst, 1}, 20s));
+    QCOMPARE((*reader)->mayWrite(kFirst).value_or(true), false);
+    const std::array assignment{opcua::Assignment{kFirst, 2.0}};
+    const auto written = opcua::writeNow(**reader, assignment, 20s);
+    QVERIFY(!written);
+    QCOMPARE(written.error().code, make_error_code(LinkError::NotWritable));
+    QVERIFY(!(*reader)->uploadProgram("A.MPF", "M30\n", true));
+    QVERIFY(!(*reader)->selectProgram("A.MPF"));
+    QVERIFY(!(*reader)->cycleStart());
+
+    const auto setter = opcua::UaLink::connect(login(client(cell), "setter", kPassword));
+    QVERIFY(setter);
+    QCOMPARE((*setter)->mayWrite(kFirst).value_or(false), true);
+    QVERIFY(opcua::writeNow(**setter, assignment, 20s));
+    QVERIFY((*setter)->uploadProgram("A.MPF", "M30\n", true));
+    QVERIFY((*setter)->selectProgram("A.MPF"));
+    QVERIFY((*reader)->downloadProgram("A.MPF"));
+  }
+
+  void theWindowConnectsAKnownServerEncryptedOnly() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.path().toStdString();
+    machine::ServerOptions options = encrypted();
+    options.unencrypted = true;
+    const Cell cell(options);
+    const auto unknown = trust::connectAsKnown(cell.endpoint(), path);
+    QVERIFY2(unknown, unknown ? "" : unknown.error().text().c_str());
+    QCOMPARE(*unknown->security, opcua::ChannelSecurity{});
+
+    trust::ConnectRequest request;
+    request.endpoint = cell.endpoint();
+    request.security = opcua::SecurityChoice{};
+    QVERIFY(!trust::connect(request, path));
+    int asked = 0;
+    request.ask = [&](const opcua::CertificateFacts&) { return ++asked == 1; };
+    QVERIFY(trust::connect(request, path));
+    const auto known = trust::connectAsKnown(cell.endpoint(), path);
+    QVERIFY2(known, known ? "" : known.error().text().c_str());
+    QCOMPARE(known->security->mode, opcua::MessageMode::SignAndEncrypt);
+    QCOMPARE(asked, 1);
+  }
+
+  void aServerWithoutEncryptionHasToBeNamedOnce() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.path().toStdString();
+    const Cell cell(machine::ServerOptions{});
+    trust::ConnectRequest request;
+    request.endpoint = cell.endpoint();
+    request.user = "setter";
+    const auto refused = trust::connect(request, path);
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, make_error_code(LinkError::EncryptionMissing));
+    request.user.clear();
+    request.security = opcua::unencrypted();
+    QVERIFY(trust::connect(request, path));
+    const auto known = trust::TrustStore(path).find(cell.endpoint());
+    QVERIFY(known && *known);
+    QCOMPARE((*known)->security, std::string("None"));
+  }
+
+  void aDamagedListOfServersIsNotTakenForEmpty() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.path().toStdString();
+    const trust::TrustStore store(path);
+    for (const char* text :
+         {"", "{", "[]", R"({"format":"rivulet-servers","servers":[{}]})",
+          R"({"format":"rivulet-servers","servers":[{"endpoint":"a","fingerprint":"b"}]})"}) {
+      QVERIFY(base::writeFile(path / "servers.json", text));
+      QVERIFY2(!store.servers(), text);
+    }
+  }
+
+  void wrongPasswordsLockAUser() {
+    machine::UserManagement users;
+    users.users = {user("setter", {})};
+    machine::Login book(users);
+    base::Instant now{};
+    for (int i = 0; i < machine::kWrongPasswordsMax; ++i) {
+      QVERIFY(book.check("setter", "wrong", now) == nullptr);
+    }
+    QVERIFY(book.check("setter", kPassword, now) == nullptr);
+    now += machine::kLockTime;
+    QVERIFY(book.check("setter", kPassword, now) != nullptr);
+  }
+
+  void wrongNamesDoNotLockAUser() {
+    machine::UserManagement users;
+    users.users = {user("setter", {})};
+    machine::Login book(users);
+    for (int i = 0; i < 2 * machine::kWrongPasswordsMax; ++i) {
+      QVERIFY(book.check("guess", "wrong", base::Instant{}) == nullptr);
+    }
+    QVERIFY(book.check("setter", kPassword, base::Instant{}) != nullptr);
+  }
+
+  void theLibraryThatEncryptsIsKnown() { QVERIFY(!opcua::encryptionLibrary().empty()); }
+};
+
+RIVULET_TEST(TestSecurity)
+#include "tst_security.moc"

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Encryption, trust and passwords as their user meets them: the programs, over real sockets.
+
+#include <QDirIterator>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <nlohmann/json.hpp>
+
+#include "machine/user.h"
+#include "support/machine_process.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+
+namespace {
+
+constexpr int kPatienceMs = 60'000;
+/// Occurs nowhere else.
+constexpr const char* kPassword = "Zwetschgenkuchen-4711";
+
+struct Outcome {
+  int exit = -1;
+  QString output;  ///< both channels
+  nlohmann::json json;
+
+  [[nodiscard]] std::string error() const {
+    return json.contains("error") ? json["error"]["message"].get<std::string>() : std::string();
+  }
+};
+
+}  // namespace
+
+class TestTrust : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+  QString m_preset;
+  QString m_program;
+
+  QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+
+  QString write(const char* name, const QByteArray& text) {
+    QFile file(path(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) {
+      qFatal("the test's folder cannot be written");
+    }
+    return file.fileName();
+  }
+
+  /// @param user  the folder of all files of this user
+  Outcome run(const char* user, const QStringList& arguments, const char* password = nullptr) {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME"}) {
+      environment.insert(QLatin1String(name), path(user) + QLatin1Char('/') + QLatin1String(name));
+    }
+    if (password != nullptr) {
+      environment.insert(QStringLiteral("RIVULET_PASSWORD"), QLatin1String(password));
+    }
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(RIVULET_CLI), arguments + QStringList{QStringLiteral("--json")});
+    Outcome outcome;
+    if (process.waitForFinished(kPatienceMs) && process.exitStatus() == QProcess::NormalExit) {
+      outcome.exit = process.exitCode();
+    }
+    const QByteArray text = process.readAllStandardOutput();
+    outcome.json = nlohmann::json::parse(text.toStdString(), nullptr, false);
+    outcome.output = QString::fromUtf8(text + process.readAllStandardError());
+    return outcome;
+  }
+
+  QStringList machineArguments(const char* certificates) {
+    return {QStringLiteral("--preset"), m_preset, QStringLiteral("--encrypted"),
+            QStringLiteral("--certificates"), path(certificates)};
+  }
+
+  static QString fingerprintIn(const Outcome& outcome) {
+    const QRegularExpression pattern(QStringLiteral("fingerprint ([0-9A-F:]{95})"));
+    return pattern.match(QString::fromStdString(outcome.error())).captured(1);
+  }
+
+  QStringList stream(const QString& endpoint, const QString& method) const {
+    return {QStringLiteral("stream"),     m_program,
+            QStringLiteral("--method"),   method,
+            QStringLiteral("--feed"),     QStringLiteral("400"),
+            QStringLiteral("--endpoint"), endpoint,
+            QStringLiteral("--user"),     QStringLiteral("setter"),
+            QStringLiteral("--record"),   path("run.rivulet")};
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QFile preset(QStringLiteral(RIVULET_SOURCE_DIR "/resources/presets/dmu75.toml"));
+    QVERIFY(preset.open(QIODevice::ReadOnly));
+    const std::string users =
+        "\n[[users.list]]\nname = \"setter\"\npassword = \"" +
+        machine::passwordText(machine::hashPassword(kPassword, "salt")) +
+        "\"\nrights = [\"StateRead\", \"StateWrite\", \"FsRead\", \"FsWrite\", \"ApWrite\"]\n" +
+        "\n[[users.list]]\nname = \"reader\"\npassword = \"" +
+        machine::passwordText(machine::hashPassword(kPassword, "pepper")) +
+        "\"\nrights = [\"SinuReadAll\"]\n";
+    m_preset = write("machine.toml", preset.readAll() + QByteArray::fromStdString(users));
+    QByteArray program("G90 G1 F1000\n");
+    for (int i = 1; i <= 20; ++i) {
+      program += "X" + QByteArray::number(0.4 * i) + " Y" + QByteArray::number(0.1 * i) + "\n";
+    }
+    m_program = write("line.nc", program + "M30\n");
+  }
+
+  void aServerIsTrustedOnFirstUseAndAChangedOneIsNot() {
+    QString port;
+    const auto first = std::make_unique<tests::MachineProcess>(
+        QStringLiteral(RIVULET_MACHINE_PROGRAM), machineArguments("first"));
+    auto machine = first.get();
+    const QString endpoint = machine->endpoint();
+    QVERIFY2(endpoint.startsWith(QLatin1String("opc.tcp://")), qPrintable(endpoint));
+    port = endpoint.mid(endpoint.lastIndexOf(QLatin1Char(':')) + 1);
+    const QStringList rights{QStringLiteral("rights"), QStringLiteral("--endpoint"), endpoint,
+                             QStringLiteral("--user"), QStringLiteral("setter")};
+
+    const Outcome unknown = run("anna", rights, kPassword);
+    QCOMPARE(unknown.exit, 3);
+    const QString fingerprint = fingerprintIn(unknown);
+    QVERIFY2(!fingerprint.isEmpty(), qPrintable(unknown.output));
+
+    const Outcome wrong =
+        run("anna", rights + QStringList{QStringLiteral("--trust"), QString(64, QLatin1Char('A'))},
+            kPassword);
+    QCOMPARE(wrong.exit, 3);
+    const Outcome accepted =
+        run("anna", rights + QStringList{QStringLiteral("--trust"), fingerprint}, kPassword);
+    QVERIFY2(accepted.exit == 0, qPrintable(accepted.output));
+    QCOMPARE(accepted.json["rights"].size(), std::size_t{5});
+    QCOMPARE(run("anna", rights, kPassword).exit, 0);
+
+    const Outcome refused = run("anna", rights, "wrong");
+    QCOMPARE(refused.exit, 3);
+    QVERIFY2(QString::fromStdString(refused.error()).contains(QLatin1String("password")),
+             qPrintable(refused.output));
+    const Outcome plain =
+        run("anna", QStringList(rights) << QStringLiteral("--security") << QStringLiteral("none"),
+            kPassword);
+    QCOMPARE(plain.exit, 3);
+
+    // The same address, another certificate.
+    machine->kill();
+    const tests::MachineProcess second(
+        QStringLiteral(RIVULET_MACHINE_PROGRAM),
+        machineArguments("second") + QStringList{QStringLiteral("--port"), port});
+    QCOMPARE(second.endpoint(), endpoint);
+    const Outcome changed = run("anna", rights, kPassword);
+    QCOMPARE(changed.exit, 3);
+    QVERIFY2(QString::fromStdString(changed.error()).contains(QLatin1String("another certificate")),
+             qPrintable(changed.output));
+    QVERIFY(QDir(path("anna") + QStringLiteral("/XDG_CONFIG_HOME/rivulet/trust/rejected"))
+                .entryList(QDir::Files)
+                .size() >= 1);
+  }
+
+  void theRightsOfAUserAreSaid() {
+    const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE_PROGRAM),
+                                        machineArguments("first"));
+    const QStringList rights{QStringLiteral("rights"), QStringLiteral("--endpoint"),
+                             machine.endpoint(), QStringLiteral("--user"),
+                             QStringLiteral("reader")};
+    const QString fingerprint = fingerprintIn(run("berta", rights, kPassword));
+    const Outcome report =
+        run("berta", rights + QStringList{QStringLiteral("--trust"), fingerprint}, kPassword);
+    QCOMPARE(report.exit, 1);
+    QCOMPARE(report.json["rights"][0]["given"], nlohmann::json(true));
+    for (std::size_t i = 1; i < 5; ++i) {
+      QCOMPARE(report.json["rights"][i]["given"], nlohmann::json(false));
+    }
+  }
+
+  void anEncryptedRunLeavesNoTraceOfThePassword() {
+    const tests::MachineProcess machine(
+        QStringLiteral(RIVULET_MACHINE_PROGRAM),
+        machineArguments("first") + QStringList{QStringLiteral("--state"), path("state")});
+    const QString fingerprint = fingerprintIn(
+        run("clara", stream(machine.endpoint(), QStringLiteral("window")), kPassword));
+    QVERIFY(!fingerprint.isEmpty());
+    const QStringList trust{QStringLiteral("--trust"), fingerprint};
+
+    const Outcome window =
+        run("clara", stream(machine.endpoint(), QStringLiteral("window")) + trust, kPassword);
+    QVERIFY2(window.exit == 0, qPrintable(window.output));
+    QVERIFY(window.json["faultless"].get<bool>());
+    QCOMPARE(window.json["executed"].get<int>(), 20);
+
+    const Outcome test =
+        run("clara",
+            {QStringLiteral("commission"), QStringLiteral("--endpoint"), machine.endpoint(),
+             QStringLiteral("--user"), QStringLiteral("setter")},
+            kPassword);
+    QVERIFY2(test.exit == 0, qPrintable(test.output));
+    const Outcome credit =
+        run("clara", stream(machine.endpoint(), QStringLiteral("credit")), kPassword);
+    QVERIFY2(credit.exit == 0, qPrintable(credit.output));
+    QVERIFY(credit.json["faultless"].get<bool>());
+
+    int files = 0;
+    for (QDirIterator each(m_folder.path(), QDir::Files | QDir::Hidden,
+                           QDirIterator::Subdirectories);
+         each.hasNext(); ++files) {
+      QFile file(each.next());
+      QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
+      QVERIFY2(!file.readAll().contains(kPassword), qPrintable(file.fileName()));
+    }
+    QVERIFY(files > 5);
+    for (const Outcome* outcome : {&window, &test, &credit}) {
+      QVERIFY(!outcome->output.contains(QLatin1String(kPassword)));
+    }
+  }
+
+  void aPasswordFileMustBePrivate() {
+    const QString file = write("password", QByteArray(kPassword) + "\n");
+    QFile(file).setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup);
+    const Outcome refused =
+        run("dora", {QStringLiteral("rights"), QStringLiteral("--endpoint"),
+                     QStringLiteral("opc.tcp://127.0.0.1:1"), QStringLiteral("--user"),
+                     QStringLiteral("setter"), QStringLiteral("--password-file"), file});
+    QCOMPARE(refused.exit, 2);
+    QVERIFY(QString::fromStdString(refused.error()).contains(QLatin1String("Others may read")));
+    QFile(file).remove();
+  }
+};
+
+RIVULET_TEST(TestTrust)
+#include "tst_trust.moc"

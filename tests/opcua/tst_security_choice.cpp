@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QFile>
+#include <QtTest>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "opcua/certificate.h"
+#include "opcua/error.h"
+#include "opcua/security.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+using opcua::EndpointOffer;
+using opcua::LinkError;
+using opcua::MessageMode;
+using opcua::SecurityChoice;
+using opcua::SecurityPolicy;
+
+namespace {
+
+EndpointOffer offer(SecurityPolicy policy, MessageMode mode) {
+  EndpointOffer made;
+  made.security = {policy, mode};
+  made.takesAnonymous = true;
+  made.takesUserName = true;
+  return made;
+}
+
+const EndpointOffer kNone = offer(SecurityPolicy::None, MessageMode::None);
+const EndpointOffer kOld = offer(SecurityPolicy::Basic128Rsa15, MessageMode::SignAndEncrypt);
+const EndpointOffer kSigned = offer(SecurityPolicy::Basic256Sha256, MessageMode::Sign);
+const EndpointOffer kGood = offer(SecurityPolicy::Basic256Sha256, MessageMode::SignAndEncrypt);
+const EndpointOffer kBest = offer(SecurityPolicy::Aes256Sha256RsaPss, MessageMode::SignAndEncrypt);
+
+SecurityChoice choice(const char* text) {
+  return opcua::securityChoiceOf(text).value_or(SecurityChoice());
+}
+
+}  // namespace
+
+class TestSecurityChoice : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void theStrongestIsTaken() {
+    const std::vector offers{kNone, kOld, kGood, kBest, kSigned};
+    QCOMPARE(opcua::chooseOffer(offers, {}, false).value_or(99), std::size_t{3});
+    QCOMPARE(opcua::chooseOffer(offers, choice("Basic256Sha256"), false).value_or(99),
+             std::size_t{2});
+    QCOMPARE(opcua::chooseOffer(offers, choice("basic256sha256/sign"), true).value_or(99),
+             std::size_t{4});
+    QCOMPARE(opcua::chooseOffer(offers, choice("Basic128Rsa15"), true).value_or(99),
+             std::size_t{1});
+    QCOMPARE(opcua::chooseOffer(offers, opcua::unencrypted(), false).value_or(99), std::size_t{0});
+  }
+
+  void weakProtectionIsNeverTakenUnasked() {
+    for (const EndpointOffer& weak : {kNone, kOld, kSigned}) {
+      const auto refused = opcua::chooseOffer({&weak, 1}, {}, false);
+      QVERIFY(!refused);
+      QVERIFY(refused.error().code == LinkError::EncryptionMissing);
+      QVERIFY(refused.error().message.find(opcua::securityText(weak.security)) !=
+              std::string::npos);
+    }
+  }
+
+  void thisComputerNeedsNoEncryption() {
+    SecurityChoice local;
+    local.prefersNone = true;
+    const std::vector both{kBest, kNone};
+    QCOMPARE(opcua::chooseOffer(both, local, false).value_or(99), std::size_t{1});
+    QCOMPARE(opcua::chooseOffer({&kBest, 1}, local, false).value_or(99), std::size_t{0});
+    QVERIFY(!opcua::chooseOffer({&kOld, 1}, local, false));
+  }
+
+  void aServerThatTakesNoSuchUserIsSaidSo() {
+    EndpointOffer users = kBest;
+    users.takesAnonymous = false;
+    const auto refused = opcua::chooseOffer({&users, 1}, {}, false);
+    QVERIFY(!refused);
+    QVERIFY(refused.error().code == LinkError::LoginRefused);
+    QVERIFY(opcua::chooseOffer({&users, 1}, {}, true));
+  }
+
+  void choicesAreText() {
+    for (const char* text :
+         {"strongest", "None", "Basic256Sha256", "Aes256_Sha256_RsaPss/Sign", "strongest/Sign"}) {
+      const auto read = opcua::securityChoiceOf(text);
+      QVERIFY2(read, text);
+      QCOMPARE(opcua::securityChoiceText(*read), std::string(text));
+    }
+    for (const char* text : {"", "nix", "None/Sign", "Basic256Sha256/None", "Basic256Sha256/"}) {
+      QVERIFY2(!opcua::securityChoiceOf(text), text);
+    }
+  }
+
+  void loopbackIsAnAddressNotAName() {
+    for (const char* local : {"opc.tcp://127.0.0.1:4840", "opc.tcp://127.8.9.1",
+                              "opc.tcp://[::1]:1", "opc.tcp://LOCALHOST:4840/x"}) {
+      QVERIFY2(opcua::isLoopback(local), local);
+    }
+    for (const char* other : {"opc.tcp://127.0.0.1.example.org:4840", "opc.tcp://10.0.0.1",
+                              "opc.tcp://localhost.lan", "opc.tcp://[fe80::1]", ""}) {
+      QVERIFY2(!opcua::isLoopback(other), other);
+    }
+  }
+
+  void fingerprintsAreReadInEveryForm() {
+    const std::string digits(64, 'a');
+    QCOMPARE(opcua::fingerprintOf(opcua::fingerprintText(digits)), digits);
+    QVERIFY(opcua::fingerprintOf("aa:bb").empty());
+    QVERIFY(opcua::fingerprintOf(digits + "g").empty());
+  }
+
+  void damagedCertificatesAreRefused() {
+    QVERIFY(!opcua::readCertificate(""));
+    QVERIFY(!opcua::readCertificate("\x30"));
+    QVERIFY(!opcua::readCertificate("\x30\x84\xFF\xFF\xFF\xFF"));
+    QVERIFY(!opcua::readCertificate("\x30\x03\x30\x01\x02"));
+  }
+
+  void everyStatusIsInTheTableOfTheManual() {
+    QFile manual(QStringLiteral(RIVULET_SOURCE_DIR "/docs/trust.md"));
+    QVERIFY(manual.open(QIODevice::ReadOnly));
+    const std::string text = manual.readAll().toStdString();
+    std::set<std::uint32_t> codes;
+    for (const opcua::StatusAdvice& advice : opcua::statusAdvice()) {
+      QVERIFY2(codes.insert(advice.code).second, advice.name.data());
+      const std::string row = "| " + std::string(advice.name) + " | " + std::string(advice.cause) +
+                              " | " + std::string(advice.nextStep) + " |";
+      QVERIFY2(text.find(row) != std::string::npos, row.c_str());
+    }
+  }
+};
+
+RIVULET_TEST(TestSecurityChoice)
+#include "tst_security_choice.moc"
