@@ -252,12 +252,12 @@ struct ExperimentCommandOptions {
   std::size_t seeds = 0;           ///< 0: the usual number
   std::string preset = machine::kDefaultPreset;
   std::string endpoint;    ///< empty: virtual time
-  std::string recordings;  ///< folder for experiment lookahead
+  std::string recordings;  ///< folder for experiments lookahead and p2
   unsigned threads = 0;    ///< 0: one per core
   std::string json;
   std::string csv;
   std::string plot;
-  std::string report;  ///< folder for fidelity.md
+  std::string report;  ///< folder for fidelity.md and emulator-p2.md
 };
 [[nodiscard]] Exit experiment(const ExperimentCommandOptions& options);
 

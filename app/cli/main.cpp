@@ -634,7 +634,7 @@ void addExperimentCommand(CLI::App& app, Exit& exit) {
   CLI::App* command = app.add_subcommand(
       "experiment", "Repeat the experiments of the paper and compare the figures");
   std::vector<std::string> experiments = rivulet::experiments::experimentNames();
-  experiments.insert(experiments.end(), {"lookahead", "emulator", "all"});
+  experiments.insert(experiments.end(), {"lookahead", "emulator", "p2", "all"});
   command->add_option("NAME", options->names, "Experiments, or all")
       ->required()
       ->check(CLI::IsMember(experiments));
@@ -645,16 +645,17 @@ void addExperimentCommand(CLI::App& app, Exit& exit) {
   command->add_option("--endpoint", options->endpoint,
                       "OPC UA server instead of virtual time (table1, figure2)");
   command->add_option("--recordings", options->recordings,
-                      "Recordings of another motion controller, for lookahead and emulator");
+                      "Recordings of another motion controller, for lookahead, emulator and p2");
   command->add_option("--threads", options->threads, "0: one per core")->check(CLI::Range(0, 1024));
   command->add_option("--json", options->json, "File for all figures");
   command->add_option("--csv", options->csv, "File for all figures");
   command->add_option("--plot", options->plot, "File for the plot, .svg");
-  command->add_option("--report", options->report, "Folder for fidelity.md and its pictures");
+  command->add_option("--report", options->report, "Folder for the pages and their pictures");
   command->callback([options, &exit] {
     if (options->recordings.empty() &&
-        (std::count(options->names.begin(), options->names.end(), "lookahead") > 0 ||
-         std::count(options->names.begin(), options->names.end(), "emulator") > 0)) {
+        std::ranges::any_of(options->names, [](const std::string& name) {
+          return name == "lookahead" || name == "emulator" || name == "p2";
+        })) {
       throw CLI::RequiredError("--recordings");
     }
     exit = rivulet::cli::experiment(*options);

@@ -11,8 +11,8 @@
 #include <numbers>
 
 #include "base/units.h"
+#include "experiments/planned_run.h"
 #include "experiments/recorded_run.h"
-#include "machine/path_planner.h"
 
 namespace rivulet::experiments {
 
@@ -21,51 +21,8 @@ namespace {
 using base::Result;
 using base::Vec3;
 
-/// With exact stops the recorded planner uses this share of the axes' acceleration.
-constexpr double kExactStopShare = 0.9;
 /// A set point slower than this is at standstill.
 constexpr double kStandingMmPerS = 1e-6;
-
-/// The machine that was recorded: its limits are part of the recordings' description.
-machine::MachineConfig recordedMachine(double accelerationShare) {
-  machine::MachineConfig config;
-  constexpr std::array<double, base::kAxisCount> kSpeeds{250.0, 200.0, 150.0};
-  constexpr std::array<double, base::kAxisCount> kAccelerations{600.0, 500.0, 350.0};
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    config.axes[axis].positionMmMin = -1e6;
-    config.axes[axis].positionMmMax = 1e6;
-    config.axes[axis].speedMmPerSMax = kSpeeds[axis];
-    config.axes[axis].accelerationMmPerS2Max = accelerationShare * kAccelerations[axis];
-    config.axes[axis].jerkMmPerS3Max = 1e9;
-  }
-  config.interpolationCycle = std::chrono::milliseconds{1};
-  config.positionCycle = config.interpolationCycle;
-  return config;
-}
-
-struct OurRun {
-  double seconds = 0.0;
-  std::vector<Vec3> commandsMm;
-  std::vector<double> speeds;
-};
-
-OurRun drive(const std::vector<machine::PreparedMotion>& blocks, Vec3 startMm,
-             const machine::MachineConfig& config) {
-  machine::PathPlanner planner(config, startMm);
-  for (const machine::PreparedMotion& block : blocks) {
-    planner.append(block);
-  }
-  OurRun run;
-  std::vector<trace::ExecutedBlock> executed;
-  base::Instant now{};
-  while (planner.blockCount() > 0) {
-    planner.step(now += config.interpolationCycle, executed);
-    run.commandsMm.push_back(planner.commandMm());
-    run.speeds.push_back(planner.speedMmPerS());
-  }
-  run.seconds = executed.empty() ? 0.0 : base::toSeconds(executed.back().to);
-  return run;
-}
 
 /// From the first to the last motion, without programmed dwells (G4).
 double movingSeconds(const std::vector<RecordedSample>& samples) {
@@ -79,7 +36,7 @@ double movingSeconds(const std::vector<RecordedSample>& samples) {
 }
 
 /// Greatest share of the limits used, 1 for all.
-double usageOf(const OurRun& run, const machine::MachineConfig& config) {
+double usageOf(const PlannedRun& run, const machine::MachineConfig& config) {
   const double h = base::toSeconds(config.interpolationCycle);
   double usage = 0.0;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
@@ -118,8 +75,8 @@ Result<void> compareTimes(const std::filesystem::path& folder, Experiment& resul
     if (!run) {
       return base::fail(run.error());
     }
-    const OurRun ours =
-        drive(run->blocks, run->samples.front().commandMm, recordedMachine(kExactStopShare));
+    const PlannedRun ours =
+        planRun(run->blocks, run->samples.front().commandMm, recordedMachine(kExactStopShare));
     const double recorded = movingSeconds(run->samples);
     table.rows.push_back({name, fmt::format("{}", run->blocks.size()),
                           fmt::format("{:.3f}", recorded), fmt::format("{:.3f}", ours.seconds),
@@ -151,7 +108,7 @@ Result<void> compareLimits(const std::filesystem::path& folder, Experiment& resu
     check.what = fmt::format("greatest use of an axis's speed or acceleration, {}", name);
     check.source = "limits of the recording";
     check.reference = 1.0;
-    check.ours = usageOf(drive(run->blocks, run->samples.front().commandMm, config), config);
+    check.ours = usageOf(planRun(run->blocks, run->samples.front().commandMm, config), config);
     check.lowest = 0.0;
     check.highest = 1.0 + 1e-6;
     result.checks.push_back(check);
@@ -164,7 +121,8 @@ Result<void> compareCorners(const std::filesystem::path& folder, Experiment& res
   if (!run) {
     return base::fail(run.error());
   }
-  const OurRun ours = drive(run->blocks, run->samples.front().commandMm, recordedMachine(1.0));
+  const PlannedRun ours =
+      planRun(run->blocks, run->samples.front().commandMm, recordedMachine(1.0));
   Table table{"Speed at corners between lines of 15 mm, F 3000, rounded within 0.01 mm",
               {"turn (°)", "recorded (mm/s)", "ours (mm/s)"},
               {}};

@@ -96,6 +96,55 @@ machine::ArcPath arcPath(Vec3 from, Vec3 to, Vec3 centre, bool clockwise) {
   return arc;
 }
 
+/// Five columns of a table with a heading, row by row.
+using RecordedRow = std::array<double, 5>;
+Result<std::vector<RecordedRow>> parseColumns(std::string_view text,
+                                    const std::array<std::string_view, 5>& columns) {
+  const auto takeLine = [&text] {
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    return line;
+  };
+  const auto split = [](std::string_view line) {
+    std::vector<std::string_view> fields;
+    for (;;) {
+      const std::size_t comma = line.find(',');
+      fields.push_back(base::trim(line.substr(0, comma)));
+      if (comma == std::string_view::npos) {
+        return fields;
+      }
+      line.remove_prefix(comma + 1);
+    }
+  };
+  const std::vector<std::string_view> heading = split(takeLine());
+  std::array<std::size_t, 5> places{};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto found = std::find(heading.begin(), heading.end(), columns[i]);
+    if (found == heading.end()) {
+      return base::fail(RecordedRunError::Malformed,
+                        fmt::format("The recording has no column {}.", columns[i]));
+    }
+    places[i] = static_cast<std::size_t>(found - heading.begin());
+  }
+  std::vector<RecordedRow> rows;
+  while (!text.empty()) {
+    const std::vector<std::string_view> fields = split(takeLine());
+    RecordedRow values{};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const std::optional<double> value =
+          places[i] < fields.size() ? base::parseNumber(fields[places[i]]) : std::nullopt;
+      if (!value) {
+        return base::fail(RecordedRunError::Malformed,
+                          fmt::format("Line {} of the recording cannot be read.", rows.size() + 2));
+      }
+      values[i] = *value;
+    }
+    rows.push_back(values);
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::error_code make_error_code(RecordedRunError code) {
@@ -151,52 +200,33 @@ Result<std::vector<machine::PreparedMotion>> parseRecordedProgram(std::string_vi
 }
 
 Result<std::vector<RecordedSample>> parseRecordedSamples(std::string_view text) {
-  static constexpr std::array<std::string_view, 5> kColumns{"t_s", "x_cmd", "y_cmd", "z_cmd",
-                                                            "v_path"};
-  const auto takeLine = [&text] {
-    const std::size_t end = text.find('\n');
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    return line;
-  };
-  const auto split = [](std::string_view line) {
-    std::vector<std::string_view> fields;
-    for (;;) {
-      const std::size_t comma = line.find(',');
-      fields.push_back(base::trim(line.substr(0, comma)));
-      if (comma == std::string_view::npos) {
-        return fields;
-      }
-      line.remove_prefix(comma + 1);
-    }
-  };
-  const std::vector<std::string_view> heading = split(takeLine());
-  std::array<std::size_t, kColumns.size()> places{};
-  for (std::size_t i = 0; i < kColumns.size(); ++i) {
-    const auto found = std::find(heading.begin(), heading.end(), kColumns[i]);
-    if (found == heading.end()) {
-      return base::fail(RecordedRunError::Malformed,
-                        fmt::format("The recording has no column {}.", kColumns[i]));
-    }
-    places[i] = static_cast<std::size_t>(found - heading.begin());
+  const auto rows = parseColumns(text, {"t_s", "x_cmd", "y_cmd", "z_cmd", "v_path"});
+  if (!rows) {
+    return base::fail(rows.error());
   }
   std::vector<RecordedSample> samples;
-  while (!text.empty()) {
-    const std::vector<std::string_view> fields = split(takeLine());
-    std::array<double, kColumns.size()> values{};
-    for (std::size_t i = 0; i < kColumns.size(); ++i) {
-      const std::optional<double> value =
-          places[i] < fields.size() ? base::parseNumber(fields[places[i]]) : std::nullopt;
-      if (!value) {
-        return base::fail(
-            RecordedRunError::Malformed,
-            fmt::format("Line {} of the recording cannot be read.", samples.size() + 2));
-      }
-      values[i] = *value;
-    }
-    samples.push_back({values[0], {values[1], values[2], values[3]}, values[4]});
+  for (const RecordedRow& row : *rows) {
+    samples.push_back({row[0], {row[1], row[2], row[3]}, row[4]});
   }
   return samples;
+}
+
+Result<std::vector<ObservedSample>> parseObservedSamples(std::string_view text) {
+  const auto rows = parseColumns(text, {"t_s", "x", "y", "vx", "vy"});
+  if (!rows) {
+    return base::fail(rows.error());
+  }
+  std::vector<ObservedSample> samples;
+  for (const RecordedRow& row : *rows) {
+    samples.push_back({row[0], row[1], row[2], row[3], row[4]});
+  }
+  return samples;
+}
+
+Result<std::vector<ObservedSample>> loadObservedSamples(const std::filesystem::path& folder,
+                                                        const std::string& name) {
+  const Result<std::string> text = readFile(folder / "data" / "opcua" / (name + ".csv"));
+  return text ? parseObservedSamples(*text) : base::fail(text.error());
 }
 
 Result<RecordedRun> loadRecordedRun(const std::filesystem::path& folder, const std::string& name) {

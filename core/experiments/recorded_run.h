@@ -44,6 +44,22 @@ struct RecordedRun {
 /// Columns t_s, x_cmd, y_cmd, z_cmd and v_path of a table with a heading.
 [[nodiscard]] base::Result<std::vector<RecordedSample>> parseRecordedSamples(std::string_view text);
 
+/// What a client saw of the axes X and Y.
+struct ObservedSample {
+  double timeS = 0.0;
+  double xMm = 0.0;
+  double yMm = 0.0;
+  double xMmPerS = 0.0;
+  double yMmPerS = 0.0;
+};
+
+/// Columns t_s, x, y, vx and vy of a table with a heading.
+[[nodiscard]] base::Result<std::vector<ObservedSample>> parseObservedSamples(std::string_view text);
+
+/// `data/opcua/NAME.csv` of a folder.
+[[nodiscard]] base::Result<std::vector<ObservedSample>> loadObservedSamples(
+    const std::filesystem::path& folder, const std::string& name);
+
 /// `programs/NAME.ngc` and `data/NAME*.csv.zst` of a folder.
 [[nodiscard]] base::Result<RecordedRun> loadRecordedRun(const std::filesystem::path& folder,
                                                         const std::string& name);

@@ -651,6 +651,7 @@ class TestCli : public QObject {
     QTest::newRow("no command") << QStringList() << 2;
     QTest::newRow("no such experiment") << words("experiment figure9") << 2;
     QTest::newRow("no recordings") << words("experiment lookahead") << 2;
+    QTest::newRow("nothing to learn from") << words("experiment p2") << 2;
     QTest::newRow("no cells") << words("calibrate --simulate") << 2;
     QTest::newRow("cells that are not there")
         << words("calibrate --simulate --first-cell 90 --last-cell 120") << 2;
