@@ -2065,6 +2065,14 @@
         <source>Window</source>
         <translation>Fenster</translation>
     </message>
+    <message>
+        <source>Begin with a stretch</source>
+        <translation>Mit einem Abschnitt beginnen</translation>
+    </message>
+    <message>
+        <source>Stretch (1 to %1). What the machine needs there is listed before anything moves.</source>
+        <translation>Abschnitt (1 bis %1). Was die Maschine dort braucht, wird aufgelistet, bevor sich etwas bewegt.</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2819,6 +2827,10 @@
         <source>The file of the program, %1, cannot be found. Open the program, then try again.</source>
         <translation>Die Datei des Programms, %1, ist nicht zu finden. Programm öffnen, dann noch einmal versuchen.</translation>
     </message>
+    <message>
+        <source>This run was a whole job, and its program cannot be run as one here now. The command rivulet-cli job --resume goes on with it.</source>
+        <translation>Dieser Lauf war ein ganzer Auftrag, und sein Programm kann hier jetzt nicht als solcher laufen. Der Befehl rivulet-cli job --resume setzt ihn fort.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::MachineModel</name>
@@ -3265,6 +3277,26 @@ GPL-3.0-or-later</translation>
         <source>Left out before this line, the last one first: %1. Set at the control what holds here.</source>
         <translation>Vor dieser Zeile ausgelassen, der letzte Satz zuerst: %1. An der Steuerung einstellen, was hier gilt.</translation>
     </message>
+    <message>
+        <source>Begin with a stretch …</source>
+        <translation>Mit einem Abschnitt beginnen …</translation>
+    </message>
+    <message>
+        <source>First the control executes</source>
+        <translation>Zuerst führt die Steuerung aus</translation>
+    </message>
+    <message>
+        <source>Then the job goes on in stretch %1 at point %2 of %3 (line %4).</source>
+        <translation>Dann geht der Auftrag in Abschnitt %1 bei Punkt %2 von %3 weiter (Zeile %4).</translation>
+    </message>
+    <message>
+        <source>Then the job goes on at line %1: %2</source>
+        <translation>Dann geht der Auftrag bei Zeile %1 weiter: %2</translation>
+    </message>
+    <message>
+        <source>Not done again, because only the control knows their effect: %1</source>
+        <translation>Nicht noch einmal ausgeführt, weil nur die Steuerung ihre Wirkung kennt: %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -3351,16 +3383,35 @@ GPL-3.0-or-later</translation>
         </translation>
     </message>
     <message>
-        <source>A whole job begins at its beginning. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
-        <translation>Ein ganzer Auftrag beginnt an seinem Anfang. Um an dieser Zeile zu beginnen, in der Einrichtung „Nur Bewegung“ wählen und Werkzeug, Spindel und Kühlmittel selbst einstellen.</translation>
-    </message>
-    <message>
         <source>Line %1 and those after it move nothing. Choose an earlier line.</source>
         <translation>Zeile %1 und die danach bewegen nichts. Eine frühere Zeile wählen.</translation>
     </message>
     <message>
         <source>The run starts at point %1.</source>
         <translation>Der Lauf beginnt bei Punkt %1.</translation>
+    </message>
+    <message>
+        <source>A whole job begins at its beginning, or with a stretch: press Start, then Begin with a stretch. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
+        <translation>Ein ganzer Auftrag beginnt an seinem Anfang oder mit einem Abschnitt: Start drücken, dann Mit einem Abschnitt beginnen. Um bei dieser Zeile zu beginnen, in der Einrichtung Nur Bewegung wählen und Werkzeug, Spindel und Kühlmittel selbst setzen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The job goes on at line %1, after %Ln blocks of the control.</source>
+        <translation>
+            <numerusform>Der Auftrag geht bei Zeile %1 weiter, nach %Ln Satz der Steuerung.</numerusform>
+            <numerusform>Der Auftrag geht bei Zeile %1 weiter, nach %Ln Sätzen der Steuerung.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tools and offsets of this machine are not known, so the state in which the job goes on cannot be computed. Start from the beginning.</source>
+        <translation>Werkzeuge und Verschiebungen dieser Maschine sind nicht bekannt, daher kann der Zustand, in dem der Auftrag weitergeht, nicht berechnet werden. Von vorn beginnen.</translation>
+    </message>
+    <message>
+        <source>The state before this stretch is not known: only the control knows what an earlier block does. Choose an earlier stretch, or start from the beginning.</source>
+        <translation>Der Zustand vor diesem Abschnitt ist nicht bekannt: Nur die Steuerung weiß, was ein früherer Satz bewirkt. Einen früheren Abschnitt wählen oder von vorn beginnen.</translation>
+    </message>
+    <message>
+        <source>It is not known for certain where the job was left. Press Start, then Begin with a stretch, or start from the beginning.</source>
+        <translation>Es ist nicht sicher bekannt, wo der Auftrag verlassen wurde. Start drücken, dann Mit einem Abschnitt beginnen, oder von vorn beginnen.</translation>
     </message>
 </context>
 <context>
@@ -6064,6 +6115,25 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
         <translation>Noch bewegt sich nichts. Der Lauf wird bei Punkt %1 von %2 beginnen, wo Zeile %3 anfängt: %4.</translation>
+    </message>
+    <message>
+        <source>Press and hold: go on with the job</source>
+        <translation>Gedrückt halten: Auftrag fortsetzen</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
+        <translation>Noch hat sich nichts bewegt. Der Auftrag geht in Abschnitt %1 bei Punkt %2 von %3 weiter, Zeile %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on at line %1: %2.</source>
+        <translation>Noch hat sich nichts bewegt. Der Auftrag geht bei Zeile %1 weiter: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Before that, the control executes %Ln blocks: see the list.</source>
+        <translation>
+            <numerusform>Davor führt die Steuerung %Ln Satz aus: siehe Liste.</numerusform>
+            <numerusform>Davor führt die Steuerung %Ln Sätze aus: siehe Liste.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -136,6 +136,13 @@
             <numerusform>%Ln stretches</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The job goes on at line %1, after %Ln blocks of the control.</source>
+        <translation>
+            <numerusform>The job goes on at line %1, after %Ln block of the control.</numerusform>
+            <numerusform>The job goes on at line %1, after %Ln blocks of the control.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AlarmPage</name>
@@ -198,6 +205,16 @@
         <translation>
             <numerusform>%1 with %Ln pause, which costs %2</numerusform>
             <numerusform>%1 with %Ln pauses, which cost %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ResumeBar</name>
+    <message numerus="yes">
+        <source>Before that, the control executes %Ln blocks: see the list.</source>
+        <translation>
+            <numerusform>Before that, the control executes %Ln block: see the list.</numerusform>
+            <numerusform>Before that, the control executes %Ln blocks: see the list.</numerusform>
         </translation>
     </message>
 </context>

@@ -2065,6 +2065,14 @@
         <source>Window</source>
         <translation>Ventana</translation>
     </message>
+    <message>
+        <source>Begin with a stretch</source>
+        <translation>Empezar por un tramo</translation>
+    </message>
+    <message>
+        <source>Stretch (1 to %1). What the machine needs there is listed before anything moves.</source>
+        <translation>Tramo (1 a %1). Lo que la máquina necesita allí se muestra en una lista antes de que nada se mueva.</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2819,6 +2827,10 @@
         <source>The file of the program, %1, cannot be found. Open the program, then try again.</source>
         <translation>No se encuentra el archivo del programa, %1. Abrir el programa y volver a intentarlo.</translation>
     </message>
+    <message>
+        <source>This run was a whole job, and its program cannot be run as one here now. The command rivulet-cli job --resume goes on with it.</source>
+        <translation>Esta ejecución era un trabajo completo y su programa no puede ejecutarse así aquí ahora. La orden rivulet-cli job --resume lo continúa.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::MachineModel</name>
@@ -3265,6 +3277,26 @@ GPL-3.0-or-later</translation>
         <source>Left out before this line, the last one first: %1. Set at the control what holds here.</source>
         <translation>Omitidas antes de esta línea, la última primero: %1. Ajustar en el control lo que vale aquí.</translation>
     </message>
+    <message>
+        <source>Begin with a stretch …</source>
+        <translation>Empezar por un tramo …</translation>
+    </message>
+    <message>
+        <source>First the control executes</source>
+        <translation>Primero el control ejecuta</translation>
+    </message>
+    <message>
+        <source>Then the job goes on in stretch %1 at point %2 of %3 (line %4).</source>
+        <translation>Después el trabajo continúa en el tramo %1, punto %2 de %3 (línea %4).</translation>
+    </message>
+    <message>
+        <source>Then the job goes on at line %1: %2</source>
+        <translation>Después el trabajo continúa en la línea %1: %2</translation>
+    </message>
+    <message>
+        <source>Not done again, because only the control knows their effect: %1</source>
+        <translation>No se repiten, porque solo el control conoce su efecto: %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -3351,16 +3383,35 @@ GPL-3.0-or-later</translation>
         </translation>
     </message>
     <message>
-        <source>A whole job begins at its beginning. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
-        <translation>Un trabajo completo empieza por su comienzo. Para empezar en esta línea, elegir «Solo movimiento» en la configuración y ajustar uno mismo herramienta, cabezal y refrigerante.</translation>
-    </message>
-    <message>
         <source>Line %1 and those after it move nothing. Choose an earlier line.</source>
         <translation>La línea %1 y las siguientes no mueven nada. Elegir una línea anterior.</translation>
     </message>
     <message>
         <source>The run starts at point %1.</source>
         <translation>La ejecución empieza en el punto %1.</translation>
+    </message>
+    <message>
+        <source>A whole job begins at its beginning, or with a stretch: press Start, then Begin with a stretch. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
+        <translation>Un trabajo completo empieza por su principio o por un tramo: pulse Inicio y después Empezar por un tramo. Para empezar en esta línea, elija Solo movimiento en la preparación y ajuste usted mismo herramienta, cabezal y refrigerante.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The job goes on at line %1, after %Ln blocks of the control.</source>
+        <translation>
+            <numerusform>El trabajo continúa en la línea %1, tras %Ln secuencia del control.</numerusform>
+            <numerusform>El trabajo continúa en la línea %1, tras %Ln secuencias del control.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tools and offsets of this machine are not known, so the state in which the job goes on cannot be computed. Start from the beginning.</source>
+        <translation>No se conocen las herramientas ni los decalajes de esta máquina, por lo que no se puede calcular el estado en que continúa el trabajo. Empiece desde el principio.</translation>
+    </message>
+    <message>
+        <source>The state before this stretch is not known: only the control knows what an earlier block does. Choose an earlier stretch, or start from the beginning.</source>
+        <translation>No se conoce el estado antes de este tramo: solo el control sabe qué hace una secuencia anterior. Elija un tramo anterior o empiece desde el principio.</translation>
+    </message>
+    <message>
+        <source>It is not known for certain where the job was left. Press Start, then Begin with a stretch, or start from the beginning.</source>
+        <translation>No se sabe con certeza dónde se dejó el trabajo. Pulse Inicio y después Empezar por un tramo, o empiece desde el principio.</translation>
     </message>
 </context>
 <context>
@@ -6064,6 +6115,25 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
         <translation>Todavía no se ha movido nada. La ejecución empezará en el punto %1 de %2, donde comienza la línea %3: %4.</translation>
+    </message>
+    <message>
+        <source>Press and hold: go on with the job</source>
+        <translation>Mantener pulsado: continuar el trabajo</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
+        <translation>Aún no se ha movido nada. El trabajo continuará en el tramo %1, punto %2 de %3, línea %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on at line %1: %2.</source>
+        <translation>Aún no se ha movido nada. El trabajo continuará en la línea %1: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Before that, the control executes %Ln blocks: see the list.</source>
+        <translation>
+            <numerusform>Antes, el control ejecuta %Ln secuencia: véase la lista.</numerusform>
+            <numerusform>Antes, el control ejecuta %Ln secuencias: véase la lista.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

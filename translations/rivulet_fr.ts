@@ -2065,6 +2065,14 @@
         <source>Window</source>
         <translation>Fenêtre</translation>
     </message>
+    <message>
+        <source>Begin with a stretch</source>
+        <translation>Commencer à un tronçon</translation>
+    </message>
+    <message>
+        <source>Stretch (1 to %1). What the machine needs there is listed before anything moves.</source>
+        <translation>Tronçon (1 à %1). Ce qu’il faut à la machine à cet endroit est listé avant tout mouvement.</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2819,6 +2827,10 @@
         <source>The file of the program, %1, cannot be found. Open the program, then try again.</source>
         <translation>Le fichier du programme, %1, est introuvable. Ouvrir le programme, puis réessayer.</translation>
     </message>
+    <message>
+        <source>This run was a whole job, and its program cannot be run as one here now. The command rivulet-cli job --resume goes on with it.</source>
+        <translation>Cette exécution était une tâche complète, et son programme ne peut pas être exécuté ainsi ici maintenant. La commande rivulet-cli job --resume la poursuit.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::MachineModel</name>
@@ -3265,6 +3277,26 @@ GPL-3.0-or-later</translation>
         <source>Left out before this line, the last one first: %1. Set at the control what holds here.</source>
         <translation>Omis avant cette ligne, le dernier en premier&#xa0;: %1. Régler sur la commande ce qui vaut ici.</translation>
     </message>
+    <message>
+        <source>Begin with a stretch …</source>
+        <translation>Commencer à un tronçon …</translation>
+    </message>
+    <message>
+        <source>First the control executes</source>
+        <translation>La commande exécute d’abord</translation>
+    </message>
+    <message>
+        <source>Then the job goes on in stretch %1 at point %2 of %3 (line %4).</source>
+        <translation>Puis la tâche reprend au tronçon %1, point %2 sur %3 (ligne %4).</translation>
+    </message>
+    <message>
+        <source>Then the job goes on at line %1: %2</source>
+        <translation>Puis la tâche reprend à la ligne %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Not done again, because only the control knows their effect: %1</source>
+        <translation>Non réexécutés, car seule la commande connaît leur effet&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -3351,16 +3383,35 @@ GPL-3.0-or-later</translation>
         </translation>
     </message>
     <message>
-        <source>A whole job begins at its beginning. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
-        <translation>Une tâche complète commence à son début. Pour commencer à cette ligne, choisir «&#xa0;Mouvement seul&#xa0;» dans la configuration et régler soi-même l’outil, la broche et l’arrosage.</translation>
-    </message>
-    <message>
         <source>Line %1 and those after it move nothing. Choose an earlier line.</source>
         <translation>La ligne %1 et les suivantes ne déplacent rien. Choisir une ligne antérieure.</translation>
     </message>
     <message>
         <source>The run starts at point %1.</source>
         <translation>L’exécution commence au point %1.</translation>
+    </message>
+    <message>
+        <source>A whole job begins at its beginning, or with a stretch: press Start, then Begin with a stretch. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
+        <translation>Une tâche complète commence à son début ou à un tronçon&#xa0;: appuyer sur Départ, puis sur Commencer à un tronçon. Pour commencer à cette ligne, choisir Mouvement seul dans la préparation et régler soi-même outil, broche et arrosage.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The job goes on at line %1, after %Ln blocks of the control.</source>
+        <translation>
+            <numerusform>La tâche reprend à la ligne %1, après %Ln bloc de la commande.</numerusform>
+            <numerusform>La tâche reprend à la ligne %1, après %Ln blocs de la commande.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tools and offsets of this machine are not known, so the state in which the job goes on cannot be computed. Start from the beginning.</source>
+        <translation>Les outils et décalages de cette machine ne sont pas connus&#xa0;: l’état dans lequel la tâche reprend ne peut pas être calculé. Recommencer depuis le début.</translation>
+    </message>
+    <message>
+        <source>The state before this stretch is not known: only the control knows what an earlier block does. Choose an earlier stretch, or start from the beginning.</source>
+        <translation>L’état avant ce tronçon n’est pas connu&#xa0;: seule la commande sait ce que fait un bloc précédent. Choisir un tronçon antérieur ou recommencer depuis le début.</translation>
+    </message>
+    <message>
+        <source>It is not known for certain where the job was left. Press Start, then Begin with a stretch, or start from the beginning.</source>
+        <translation>On ne sait pas avec certitude où la tâche a été interrompue. Appuyer sur Départ, puis sur Commencer à un tronçon, ou recommencer depuis le début.</translation>
     </message>
 </context>
 <context>
@@ -6064,6 +6115,25 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
         <translation>Rien n’a encore bougé. L’exécution commencera au point %1 sur %2, au début de la ligne %3&#xa0;: %4.</translation>
+    </message>
+    <message>
+        <source>Press and hold: go on with the job</source>
+        <translation>Maintenir appuyé&#xa0;: poursuivre la tâche</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
+        <translation>Rien n’a encore bougé. La tâche reprendra au tronçon %1, point %2 sur %3, ligne %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on at line %1: %2.</source>
+        <translation>Rien n’a encore bougé. La tâche reprendra à la ligne %1&#xa0;: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Before that, the control executes %Ln blocks: see the list.</source>
+        <translation>
+            <numerusform>Avant cela, la commande exécute %Ln bloc&#xa0;: voir la liste.</numerusform>
+            <numerusform>Avant cela, la commande exécute %Ln blocs&#xa0;: voir la liste.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -2065,6 +2065,14 @@
         <source>Window</source>
         <translation>Finestra</translation>
     </message>
+    <message>
+        <source>Begin with a stretch</source>
+        <translation>Iniziare da un tratto</translation>
+    </message>
+    <message>
+        <source>Stretch (1 to %1). What the machine needs there is listed before anything moves.</source>
+        <translation>Tratto (da 1 a %1). Ciò che serve alla macchina in quel punto è elencato prima di ogni movimento.</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2819,6 +2827,10 @@
         <source>The file of the program, %1, cannot be found. Open the program, then try again.</source>
         <translation>Il file del programma, %1, non si trova. Aprire il programma, poi riprovare.</translation>
     </message>
+    <message>
+        <source>This run was a whole job, and its program cannot be run as one here now. The command rivulet-cli job --resume goes on with it.</source>
+        <translation>Questa esecuzione era un lavoro completo e il suo programma non può essere eseguito come tale qui adesso. Il comando rivulet-cli job --resume lo continua.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::MachineModel</name>
@@ -3265,6 +3277,26 @@ GPL-3.0-or-later</translation>
         <source>Left out before this line, the last one first: %1. Set at the control what holds here.</source>
         <translation>Omessi prima di questa riga, l’ultimo per primo: %1. Impostare sul controllo ciò che vale qui.</translation>
     </message>
+    <message>
+        <source>Begin with a stretch …</source>
+        <translation>Iniziare da un tratto …</translation>
+    </message>
+    <message>
+        <source>First the control executes</source>
+        <translation>Prima il controllo esegue</translation>
+    </message>
+    <message>
+        <source>Then the job goes on in stretch %1 at point %2 of %3 (line %4).</source>
+        <translation>Poi il lavoro continua nel tratto %1 al punto %2 di %3 (riga %4).</translation>
+    </message>
+    <message>
+        <source>Then the job goes on at line %1: %2</source>
+        <translation>Poi il lavoro continua alla riga %1: %2</translation>
+    </message>
+    <message>
+        <source>Not done again, because only the control knows their effect: %1</source>
+        <translation>Non rieseguiti, perché solo il controllo ne conosce l’effetto: %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -3351,16 +3383,35 @@ GPL-3.0-or-later</translation>
         </translation>
     </message>
     <message>
-        <source>A whole job begins at its beginning. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
-        <translation>Un lavoro completo comincia dal suo inizio. Per cominciare da questa riga, scegliere «Solo movimento» nella configurazione e impostare utensile, mandrino e refrigerante da sé.</translation>
-    </message>
-    <message>
         <source>Line %1 and those after it move nothing. Choose an earlier line.</source>
         <translation>La riga %1 e quelle successive non muovono nulla. Scegliere una riga precedente.</translation>
     </message>
     <message>
         <source>The run starts at point %1.</source>
         <translation>L’esecuzione comincia dal punto %1.</translation>
+    </message>
+    <message>
+        <source>A whole job begins at its beginning, or with a stretch: press Start, then Begin with a stretch. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
+        <translation>Un lavoro completo inizia dal suo inizio o da un tratto: premere Inizio, poi Iniziare da un tratto. Per iniziare da questa riga, scegliere Solo movimento nella preparazione e impostare da sé utensile, mandrino e refrigerante.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The job goes on at line %1, after %Ln blocks of the control.</source>
+        <translation>
+            <numerusform>Il lavoro continua alla riga %1, dopo %Ln blocco del controllo.</numerusform>
+            <numerusform>Il lavoro continua alla riga %1, dopo %Ln blocchi del controllo.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The tools and offsets of this machine are not known, so the state in which the job goes on cannot be computed. Start from the beginning.</source>
+        <translation>Gli utensili e gli spostamenti di questa macchina non sono noti, quindi lo stato in cui il lavoro continua non può essere calcolato. Ricominciare dall’inizio.</translation>
+    </message>
+    <message>
+        <source>The state before this stretch is not known: only the control knows what an earlier block does. Choose an earlier stretch, or start from the beginning.</source>
+        <translation>Lo stato prima di questo tratto non è noto: solo il controllo sa che cosa fa un blocco precedente. Scegliere un tratto precedente o ricominciare dall’inizio.</translation>
+    </message>
+    <message>
+        <source>It is not known for certain where the job was left. Press Start, then Begin with a stretch, or start from the beginning.</source>
+        <translation>Non è certo dove il lavoro sia stato interrotto. Premere Inizio, poi Iniziare da un tratto, oppure ricominciare dall’inizio.</translation>
     </message>
 </context>
 <context>
@@ -6064,6 +6115,25 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
         <translation>Ancora non si è mosso nulla. L’esecuzione comincerà dal punto %1 di %2, dove inizia la riga %3: %4.</translation>
+    </message>
+    <message>
+        <source>Press and hold: go on with the job</source>
+        <translation>Tenere premuto: continuare il lavoro</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
+        <translation>Nulla si è ancora mosso. Il lavoro continuerà nel tratto %1 al punto %2 di %3, riga %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on at line %1: %2.</source>
+        <translation>Nulla si è ancora mosso. Il lavoro continuerà alla riga %1: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Before that, the control executes %Ln blocks: see the list.</source>
+        <translation>
+            <numerusform>Prima il controllo esegue %Ln blocco: vedere l’elenco.</numerusform>
+            <numerusform>Prima il controllo esegue %Ln blocchi: vedere l’elenco.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -23,7 +23,6 @@
 #include "job/main_program.h"
 #include "log/log.h"
 #include "machine/config.h"
-#include "opcua/await.h"
 #include "report/job_json.h"
 #include "report/machine_profile.h"
 #include "report/machine_store.h"
@@ -334,13 +333,7 @@ base::Result<void> JobCommand::restart() {
 
 base::Result<experiments::Restart> JobCommand::findRestart(const machine::MachineConfig& machine) {
   if (m_options.fromStretch > 0) {
-    const std::array<opcua::Variable, 3> position{{{opcua::VariableKind::ActualPosition, 0},
-                                                   {opcua::VariableKind::ActualPosition, 1},
-                                                   {opcua::VariableKind::ActualPosition, 2}}};
-    const auto numbers = opcua::readNumbers(*m_connection.link, position, m_settings.setupDeadline);
-    return numbers ? experiments::restartAtStretch(m_plan, machine, m_options.fromStretch,
-                                                   {(*numbers)[0], (*numbers)[1], (*numbers)[2]})
-                   : base::fail(numbers.error());
+    return experiments::restartAtStretch(m_plan, machine, m_options.fromStretch);
   }
   const auto run = report::readSavedRun(m_options.resume);
   if (!run) {

@@ -182,7 +182,8 @@ void FoundRuns::dismiss() {
 
 bool FoundRuns::isLoaded(const report::SavedRun& run) const {
   const QString file = QString::fromStdString(run.programFile);
-  return m_document.program() && !m_document.isJob() && !m_document.hasFileChanged() &&
+  return m_document.program() && m_document.isJob() == m_seen.isJob &&
+         !m_document.hasFileChanged() &&
          (m_document.path() == file ||
           (!QFileInfo::exists(file) && m_document.program()->name == run.programName));
 }
@@ -202,7 +203,11 @@ bool FoundRuns::load(const report::SavedRun& run) {
   reading.accepted = run.reading.accepted;
   reading.centres = run.reading.centres;
   reading.chordToleranceMm = run.reading.chordToleranceMm;
-  m_document.openMotion(file, reading);
+  if (m_seen.isJob) {
+    m_document.open(file, reading);
+  } else {
+    m_document.openMotion(file, reading);
+  }
   return true;
 }
 
@@ -225,6 +230,7 @@ void FoundRuns::resume() {
   } else {
     settings.feedMmPerS = run->settings.feedMmPerS;
   }
+  settings.wholeJob = settings.wholeJob || m_seen.isJob;
   m_document.setSettings(settings);
   if (isLoaded(*run)) {
     takeLoaded();
@@ -235,11 +241,23 @@ void FoundRuns::resume() {
 
 void FoundRuns::takeLoaded() {
   if (!m_resuming || !isLoaded(*m_resuming)) {
-    m_resuming.reset();  // another program has been opened instead
+    if (m_resuming && m_seen.isJob && !m_document.isJob() &&
+        m_document.path() == QString::fromStdString(m_resuming->programFile)) {
+      tell(Severity::Warning, [] {
+        return tr(
+            "This run was a whole job, and its program cannot be run as one here now. The "
+            "command rivulet-cli job --resume goes on with it.");
+      });
+    }
+    m_resuming.reset();  // or another program has been opened instead
     return;
   }
   session::ResumeQuestion question{m_document.program(), m_resuming->settings,
                                    m_resuming->checkpoint};
+  if (m_document.isJob()) {
+    question.plan = m_document.view()->plan;
+    question.machine = m_document.jobMachine();
+  }
   m_resuming.reset();
   m_asksSoon = true;
   m_runs.adopt(std::move(question));
@@ -251,7 +269,8 @@ void FoundRuns::askWhenPossible() {
     return;
   }
   const std::optional<streaming::Blocked> blocked = m_runs.resumeBlocked();
-  if (blocked && blocked->reason == streaming::BlockReason::NotRehearsed) {
+  if (blocked && (blocked->reason == streaming::BlockReason::NotRehearsed ||
+                  blocked->reason == streaming::BlockReason::JobNotChecked)) {
     return;  // it will be
   }
   m_asksSoon = false;

@@ -190,14 +190,15 @@ PreflightItem Preflight::jobItem() const {
   const widgets::JobOutline& outline = *m_document.outline();
   const auto& blocks = outline.needed();
   if (m_document.isJob()) {
-    return {Status::Good,
-            tr("Whole job"),
+    return {Status::Good, tr("Whole job"),
             tr("Streamed: %1; the control executes %Ln blocks: %2", nullptr,
                static_cast<int>(blocks.size()))
                 .arg(tr("%Ln stretches", nullptr, static_cast<int>(outline.stretches())),
                      blocksText(blocks)),
-            {},
-            0};
+            isForResume() || outline.stretches() < 2 || !m_runs.canChangeSettings()
+                ? QString()
+                : tr("Begin with a stretch …"),
+            ChooseStretch};
   }
   return {Status::Attention, tr("Motion only"),
           tr("%Ln blocks are left out: %1", nullptr, static_cast<int>(blocks.size()))
@@ -240,20 +241,22 @@ PreflightItem Preflight::firstMoveItem() const {
 PreflightItem Preflight::hazardItem() const {
   PreflightItem item{Status::Plain, tr("Travel, spindle and tools"), {}, {}, 0};
   const Findings& findings = m_document.findings();
-  if (!findings.isJobChecked) {
+  const session::JobRestart* restart = m_runs.restart();
+  const session::Hazards* hazards = restart != nullptr ? &restart->hazards : findings.hazards.get();
+  if (restart == nullptr && !findings.isJobChecked) {
     item.status = Status::Unknown;
     item.text = tr("Not checked: nobody has entered the limits of this machine.");
     item.remedy = tr("Enter …");
     item.remedyId = EnterLimits;
     return item;
   }
-  if (!findings.hazards) {
+  if (hazards == nullptr) {
     item.status = Status::Busy;
     item.text = tr("The job is being compared with the machine.");
     return item;
   }
-  const QString stops = hazardsText(*findings.hazards, true);
-  const QString others = hazardsText(*findings.hazards, false);
+  const QString stops = hazardsText(*hazards, true);
+  const QString others = hazardsText(*hazards, false);
   if (stops.isEmpty() && others.isEmpty()) {
     item.status = Status::Good;
     item.text =
@@ -312,8 +315,40 @@ PreflightItem Preflight::travelItem() const {
   return item;
 }
 
+PreflightItem Preflight::jobResumeItem() const {
+  const widgets::ResumePlace& place = *m_runs.place();
+  PreflightItem item{Status::Plain, tr("First the control executes"), {}, {}, 0};
+  QStringList lines;
+  for (std::size_t i = 0; i < place.steps.size(); ++i) {
+    lines.append(QStringLiteral("%1. %2").arg(widgets::countText(i + 1),
+                                              QString::fromStdString(place.steps[i])));
+  }
+  const QString line = widgets::countText(place.line.value);
+  lines.append(place.block.empty()
+                   ? tr("Then the job goes on in stretch %1 at point %2 of %3 (line %4).")
+                         .arg(widgets::countText(static_cast<std::size_t>(place.stretch)),
+                              widgets::countText(place.point + 1), widgets::countText(place.points),
+                              line)
+                   : tr("Then the job goes on at line %1: %2")
+                         .arg(line, QString::fromStdString(place.block)));
+  if (!place.notRestored.empty()) {
+    item.status = Status::Attention;
+    QStringList blocks;
+    for (const std::string& block : place.notRestored) {
+      blocks.append(QString::fromStdString(block));
+    }
+    lines.append(tr("Not done again, because only the control knows their effect: %1")
+                     .arg(blocks.join(QStringLiteral("; "))));
+  }
+  item.text = lines.join(QLatin1Char('\n'));
+  return item;
+}
+
 PreflightItem Preflight::resumeItem() const {
   const widgets::ResumePlace& place = *m_runs.place();
+  if (place.isJob) {
+    return jobResumeItem();
+  }
   PreflightItem item{Status::Plain, tr("First move"), {}, {}, 0};
   const QString point = tr("point %1 of %2 at %3")
                             .arg(widgets::countText(place.point + 1),
@@ -515,6 +550,10 @@ void Preflight::remedy(int remedyId) {
   }
   if (remedyId == RunWholeJob) {
     m_document.chooseJob(true);
+    return;
+  }
+  if (remedyId == ChooseStretch) {
+    Q_EMIT stretchRequested(static_cast<int>(m_document.outline()->stretches()));
     return;
   }
   if (remedyId == EnterLimits) {

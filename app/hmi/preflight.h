@@ -28,7 +28,8 @@ class Preflight final : public QObject {
     ReleaseJob,
     TakeBackRelease,
     RunWholeJob,
-    EnterLimits
+    EnterLimits,
+    ChooseStretch
   };
 
   Preflight(Document& document, MachineModel& machine, RunController& runs);
@@ -61,6 +62,8 @@ class Preflight final : public QObject {
   void changed();
   /// The operator wants to enter the limits of the machine.
   void limitsRequested();
+  /// An engineer wants to begin a job in the middle. @param stretches  that there are
+  void stretchRequested(int stretches);
 
  private:
   [[nodiscard]] widgets::PreflightItem programItem() const;
@@ -76,6 +79,8 @@ class Preflight final : public QObject {
   [[nodiscard]] widgets::PreflightItem chosenItem(const QString& point) const;
   /// What the program has set up to the chosen line, and nobody sets now.
   [[nodiscard]] widgets::PreflightItem stateItem() const;
+  /// What re-establishes the state in which a job goes on.
+  [[nodiscard]] widgets::PreflightItem jobResumeItem() const;
   [[nodiscard]] widgets::PreflightItem originItem() const;
   [[nodiscard]] widgets::PreflightItem feedItem() const;
   [[nodiscard]] widgets::PreflightItem programFeedItem() const;

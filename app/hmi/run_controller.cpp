@@ -109,20 +109,30 @@ streaming::StartFacts RunController::facts(Act act) const {
   facts.settingsError = findings.settingsError;
   facts.verdict = findings.verdict;
   facts.rehearsed = findings.rehearsed;
-  if (findings.isJobChecked) {
-    facts.jobCheck = streaming::JobCheck{findings.hazards != nullptr, {}};
-    if (const QString why = findings.hazards ? hazardsText(*findings.hazards, true) : QString();
-        !why.isEmpty()) {
-      facts.jobCheck->obstacle = base::makeError(
-          job::JobError::BeyondMachine, why.section(QLatin1Char('\n'), 0, 0).toStdString());
-    }
-  }
+  facts.jobCheck = jobCheck(act);
   facts.channelStatus = machine.channelStatus;
   facts.alarm = machine.alarmNumber;
   facts.controlAxes = machine.rotaryAxes;
-  facts.hasRunToResume = m_left.has_value();
+  facts.hasRunToResume = m_left || m_question;
   facts.refusal = refusal(act);
   return facts;
+}
+
+std::optional<streaming::JobCheck> RunController::jobCheck(Act act) const {
+  const Findings& findings = m_document.findings();
+  const bool isRestart = act == Act::Resume && m_restart;
+  if (!isRestart && !findings.isJobChecked) {
+    return std::nullopt;
+  }
+  streaming::JobCheck check{isRestart || findings.hazards != nullptr, {}};
+  if (check.isDone) {
+    const QString why = hazardsText(isRestart ? m_restart->hazards : *findings.hazards, true);
+    if (!why.isEmpty()) {
+      check.obstacle = base::makeError(job::JobError::BeyondMachine,
+                                       why.section(QLatin1Char('\n'), 0, 0).toStdString());
+    }
+  }
+  return check;
 }
 
 std::optional<streaming::Blocked> RunController::startBlocked() const {
@@ -205,23 +215,98 @@ void RunController::askResume() {
   if (refuses(resumeBlocked())) {
     return;
   }
+  ask(*m_left);
+}
+
+void RunController::ask(session::ResumeQuestion question) {
   forgetResume();
+  m_question = std::move(question);
   Q_EMIT resumeAsked();
-  m_session.askResume(*m_left);
+  m_session.askResume(*m_question);
   Q_EMIT permissionsChanged();
 }
 
+bool RunController::askFromStretch(int stretch) {
+  if (!m_document.isJob() || refuses(startBlocked())) {
+    return false;
+  }
+  if (refusal(Act::ChangeSettings)) {
+    return !refuses(streaming::Blocked{streaming::BlockReason::NeedsEngineer, {}, {}});
+  }
+  ask({m_document.program(),
+       m_document.runSettings(),
+       {},
+       m_document.view()->plan,
+       m_document.jobMachine(),
+       stretch});
+  return true;
+}
+
+widgets::ResumePlace RunController::placeOf(const session::JobRestart& restart) const {
+  widgets::ResumePlace place;
+  place.isJob = true;
+  place.stretch = restart.stretch;
+  place.steps = restart.restart.steps;
+  place.notRestored = restart.restart.notRestored;
+  const auto& points = m_document.points();
+  const auto& starts = m_document.view()->stretchStarts;
+  place.points = points.size();
+  place.point = restart.stretch == 0 ? points.size()
+                                     : starts.at(static_cast<std::size_t>(restart.stretch) - 1) +
+                                           (restart.resume ? restart.resume->point : 0);
+  if (place.point < points.size()) {
+    place.line = points[place.point].line;
+    place.positionMm = points[place.point].positionMm;
+  }
+  // After the steps, blocks of the control may come first.
+  for (const job::Part& part : restart.restart.plan.parts) {
+    const auto* const native = std::get_if<job::NativeBlock>(&part);
+    if (native == nullptr && std::get<job::Stretch>(part).number > 0) {
+      break;
+    }
+    if (native != nullptr && !native->isInserted) {
+      place.block = native->source;
+      place.line = native->place.line;
+      break;
+    }
+  }
+  return place;
+}
+
+QString RunController::jobRefusal(bool isMachineKnown, bool isChosen) {
+  return !isMachineKnown
+             ? tr("The tools and offsets of this machine are not known, so the state in which the "
+                  "job goes on cannot be computed. Start from the beginning.")
+         : isChosen
+             ? tr("The state before this stretch is not known: only the control knows what an "
+                  "earlier block does. Choose an earlier stretch, or start from the beginning.")
+             : tr("It is not known for certain where the job was left. Press Start, then Begin "
+                  "with a stretch, or start from the beginning.");
+}
+
 void RunController::takeResume(const session::ResumeFound& found) {
-  if (!m_left) {
+  if (!m_question) {
     forgetResume();
     return;
   }
+  if (found.job) {
+    m_restart = found.job;
+    m_place = placeOf(*found.job);
+    Q_EMIT placeFound(*m_place);
+    Q_EMIT permissionsChanged();
+    return;
+  }
   if (!found.resume) {
-    refuseResume([error = found.error] { return widgets::errorText(error); });
+    const bool isJob = m_question->plan && found.error.code == streaming::StreamError::CannotResume;
+    refuseResume([error = found.error, isJob, isMachineKnown = m_question->machine != nullptr,
+                  isChosen = m_question->fromStretch > 0] {
+      return isJob ? jobRefusal(isMachineKnown, isChosen) : widgets::errorText(error);
+    });
     return;
   }
   // The list of the run that was left: open coordinates as they were then.
-  const auto list = gcode::streamPoints(m_left->program->trajectory, found.resume->startMm).points;
+  const auto list =
+      gcode::streamPoints(m_question->program->trajectory, found.resume->startMm).points;
   m_resume = found.resume;
   widgets::ResumePlace place;
   place.point = m_resume->point;
@@ -250,8 +335,9 @@ void RunController::offerStartAtLine(std::size_t line) {
     // What the control executes before the line must not be left out without a word.
     m_messages.show(Severity::Warning, [] {
       return tr(
-          "A whole job begins at its beginning. To begin at this line, choose Motion only in "
-          "the set-up, and set tool, spindle and coolant yourself.");
+          "A whole job begins at its beginning, or with a stretch: press Start, then Begin with a "
+          "stretch. To begin at this line, choose Motion only in the set-up, and set tool, spindle "
+          "and coolant yourself.");
     });
     return;
   }
@@ -301,11 +387,16 @@ std::optional<streaming::Blocked> RunController::placeBlocked() const {
 
 void RunController::adopt(session::ResumeQuestion run) {
   m_left = std::move(run);
-  m_document.setHeld(true);
+  holdPoints();
   Q_EMIT permissionsChanged();
 }
 
+void RunController::holdPoints() {
+  m_document.setHeld(m_left && !m_left->plan);
+}
+
 void RunController::refuseResume(const Messages::Text& why) {
+  m_question.reset();
   m_messages.log(Severity::Warning, Source::Run, why);
   Q_EMIT resumeRefused(why());
   Q_EMIT permissionsChanged();
@@ -313,23 +404,26 @@ void RunController::refuseResume(const Messages::Text& why) {
 
 void RunController::forgetResume() {
   m_resume.reset();
+  m_restart.reset();
+  m_question.reset();
   m_place.reset();
-  m_document.setHeld(m_left.has_value());
+  holdPoints();
   Q_EMIT resumeForgotten();
   Q_EMIT permissionsChanged();
 }
 
 bool RunController::resume() {
-  if (!m_resume) {
+  if (!m_resume && !m_restart) {
     m_messages.show(Severity::Warning, [] {
       return tr("Press Resume first: it asks the control where the run was left.");
     });
     return false;
   }
-  return !refuses(placeBlocked()) && startRun(m_resume);
+  return !refuses(placeBlocked()) && startRun(m_resume, m_restart);
 }
 
-bool RunController::startRun(std::optional<streaming::Resume> resume) {
+bool RunController::startRun(std::optional<streaming::Resume> resume,
+                             std::shared_ptr<const session::JobRestart> restart) {
   streaming::RunSettings settings = m_document.runSettings();
   settings.resume = resume;
   m_firstPoint = resume ? resume->point : 0;
@@ -337,8 +431,10 @@ bool RunController::startRun(std::optional<streaming::Resume> resume) {
   if (isChosen || !resume) {
     m_runBegin = m_firstPoint;
   }
+  const std::size_t shownFrom = restart ? placeOf(*restart).point : m_firstPoint;
+  const std::optional<session::ResumeQuestion> question = m_question;
   forgetResume();
-  if (!resume) {
+  if (!resume && !restart) {
     m_document.followTool();
   }
   m_report.reset();
@@ -352,35 +448,46 @@ bool RunController::startRun(std::optional<streaming::Resume> resume) {
         alarm::Code::NotJudged, alarm::Code::NotRecorded}) {
     m_messages.settle(code);
   }
-  announceStart(settings, isChosen);
-  m_messages.didAct(resume && !isChosen ? Act::Resume : Act::Start,
+  announceStart(settings, restart.get(), isChosen);
+  m_messages.didAct((resume && !isChosen) || restart ? Act::Resume : Act::Start,
                     {{"program", m_document.program()->name},
                      {"hash", m_document.program()->hash},
                      {"machine", m_machine.endpoint().toStdString()},
-                     {"first_point", std::to_string(m_firstPoint + 1)}});
+                     {"first_point", std::to_string(shownFrom + 1)}});
   session::StartCommand command;
   command.program = m_document.program();
   command.source = m_document.source();
   command.settings = settings;
   if (m_document.isJob()) {
-    command.plan = m_document.view()->plan;
+    command.plan = restart ? std::shared_ptr<const job::Plan>(restart, &restart->restart.plan)
+                           : m_document.view()->plan;
+    command.restart = restart;
     command.stretchStarts = m_document.view()->stretchStarts;
     command.points = m_document.points().size();
   }
   command.recordingPath = newRecordingPath().toStdString();
-  if (resume && !isChosen) {
-    command.resumes = m_left;
+  if ((resume && !isChosen) || restart) {
+    command.resumes = question;
   }
+  m_plan = command.plan;
   m_session.start(std::move(command));
   m_document.setRunning(m_session.isRunning());
-  Q_EMIT started(m_firstPoint);
+  Q_EMIT started(shownFrom);
   Q_EMIT permissionsChanged();
   return true;
 }
 
-void RunController::announceStart(const streaming::RunSettings& settings, bool isChosen) {
+void RunController::announceStart(const streaming::RunSettings& settings,
+                                  const session::JobRestart* restart, bool isChosen) {
   const std::optional<base::Vec3>& toolMm = m_machine.view().positionMm;
-  if (settings.resume) {
+  if (restart != nullptr) {
+    m_messages.log(Severity::Note, Source::Run,
+                   [line = placeOf(*restart).line.value, steps = restart->restart.steps.size()] {
+                     return tr("The job goes on at line %1, after %Ln blocks of the control.",
+                               nullptr, static_cast<int>(steps))
+                         .arg(widgets::countText(line));
+                   });
+  } else if (settings.resume) {
     m_messages.log(Severity::Note, Source::Run, [point = m_firstPoint + 1, isChosen] {
       return (isChosen ? tr("The run starts at point %1.") : tr("The run resumes at point %1."))
           .arg(widgets::countText(point));
@@ -547,10 +654,10 @@ void RunController::takeFinished(const session::RunFinished& finished) {
   if (m_report->outcome == streaming::Outcome::Completed) {
     m_left.reset();
   } else if (m_report->checkpoint) {
-    m_left =
-        session::ResumeQuestion{m_document.program(), m_report->settings, *m_report->checkpoint};
+    m_left = session::ResumeQuestion{m_document.program(), m_report->settings,
+                                     *m_report->checkpoint, m_plan, m_document.jobMachine()};
   }
-  m_document.setHeld(m_left.has_value());
+  holdPoints();
   m_update.state = streaming::endState(m_report->outcome);
   m_update.counters = inProgram(m_report->counters, m_firstPoint);
   if (wasJob && m_report->outcome == streaming::Outcome::Completed) {

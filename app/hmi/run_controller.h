@@ -34,6 +34,9 @@ class RunController final : public QObject {
   [[nodiscard]] std::optional<streaming::Blocked> calibrationBlocked() const;
   /// A run that was left becomes the one that `askResume` asks for. @param run  with its program
   void adopt(session::ResumeQuestion run);
+  /// Asks how the job begins with one of its stretches. Nothing moves. `placeFound` answers.
+  /// @return false and says why if something stands in the way
+  bool askFromStretch(int stretch);
   /// Number of the run that `askResume` asks for; 0: none.
   [[nodiscard]] int leftRunNumber() const { return m_left ? m_left->checkpoint.runNumber : 0; }
   /// A run was left, and its method can resume it: that is offered before a new start.
@@ -63,6 +66,8 @@ class RunController final : public QObject {
   void offerStartAtLine(std::size_t line);
   /// Why a run may not begin at `place`.
   [[nodiscard]] std::optional<streaming::Blocked> placeBlocked() const;
+  /// How the job goes on at that place; null: it is no whole job.
+  [[nodiscard]] const session::JobRestart* restart() const { return m_restart.get(); }
   /// Says why the run that was left is not resumed. @param why  a sentence
   void refuseResume(const Messages::Text& why);
   /// The place found is no longer offered.
@@ -120,10 +125,22 @@ class RunController final : public QObject {
   }
   /// @return true if something stands in the way; it has been said
   bool refuses(const std::optional<streaming::Blocked>& blocked);
-  /// @param resume  by value: the start forgets the place that was found
-  bool startRun(std::optional<streaming::Resume> resume);
+  /// @param resume, restart  by value: the start forgets the place that was found
+  bool startRun(std::optional<streaming::Resume> resume,
+                std::shared_ptr<const session::JobRestart> restart = nullptr);
+  void ask(session::ResumeQuestion question);
+  /// Why a job does not go on. @param isChosen  with a stretch that was chosen
+  [[nodiscard]] static QString jobRefusal(bool isMachineKnown, bool isChosen);
+  /// The place at which a job goes on, as it is shown.
+  [[nodiscard]] widgets::ResumePlace placeOf(const session::JobRestart& restart) const;
+  [[nodiscard]] std::optional<streaming::JobCheck> jobCheck(permission::Act act) const;
+  /// The points of a run that was left are those of its list; a job's do not depend on where the
+  /// tool stands.
+  void holdPoints();
+  /// @param restart   of a whole job that goes on; null: it is none
   /// @param isChosen  it begins at a point that the operator has chosen
-  void announceStart(const streaming::RunSettings& settings, bool isChosen);
+  void announceStart(const streaming::RunSettings& settings, const session::JobRestart* restart,
+                     bool isChosen);
   void takeUpdate(const streaming::LiveUpdate& update);
   /// Where the run is, for when the axes cannot be read.
   void showExecuted();
@@ -153,9 +170,12 @@ class RunController final : public QObject {
   std::size_t m_firstPoint = 0;
   std::size_t m_runBegin = 0;
   std::shared_ptr<const streaming::RunReport> m_report;
-  std::optional<session::ResumeQuestion> m_left;  ///< the run that could be resumed
-  std::optional<streaming::Resume> m_resume;      ///< the place found
-  std::optional<widgets::ResumePlace> m_place;    ///< the same, as it is shown
+  std::optional<session::ResumeQuestion> m_left;         ///< the run that could be resumed
+  std::optional<session::ResumeQuestion> m_question;     ///< asked last, until something starts
+  std::shared_ptr<const job::Plan> m_plan;               ///< of the job in progress; null: none
+  std::optional<streaming::Resume> m_resume;             ///< the place found
+  std::shared_ptr<const session::JobRestart> m_restart;  ///< the same of a whole job
+  std::optional<widgets::ResumePlace> m_place;           ///< the same, as it is shown
 };
 
 }  // namespace rivulet::hmi

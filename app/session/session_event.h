@@ -13,9 +13,12 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/vec3.h"
+#include "experiments/job_restart.h"
 #include "gcode/program.h"
 #include "job/plan.h"
 #include "report/run_store.h"
+#include "session/job_check.h"
 #include "streaming/calibration_record.h"
 #include "streaming/job_times.h"
 #include "streaming/machine_facts.h"
@@ -66,9 +69,19 @@ struct RunFinished {
   std::optional<streaming::JobTimes> jobTimes{};  ///< of a whole job
 };
 
+/// How a whole job goes on that was left, or begins in the middle.
+struct JobRestart {
+  experiments::Restart restart;
+  std::optional<streaming::Resume> resume;  ///< within its first stretch
+  int stretch = 0;                          ///< with which it goes on, or that comes next; 0: none
+  std::optional<base::Vec3> toolMm;         ///< to which the tool goes first; nothing: nowhere
+  Hazards hazards;                          ///< of what is left
+};
+
 /// The answer to a `ResumeQuestion`.
 struct ResumeFound {
-  std::optional<streaming::Resume> resume;  ///< nothing: see `error`
+  std::optional<streaming::Resume> resume;  ///< of the motion alone
+  std::shared_ptr<const JobRestart> job;    ///< null and no `resume`: see `error`
   base::Error error;
 };
 
@@ -81,6 +94,7 @@ struct RunsSeen {
   std::shared_ptr<const std::vector<std::size_t>> pointsAfter;
   /// Without one on the control: the newest run of this computer that was left there.
   std::optional<report::SavedRun> left;
+  bool isJob = false;  ///< the run that is kept here is a whole job
 };
 
 /// The end of a run that this window did not start, on its request.
@@ -117,6 +131,11 @@ struct ResumeQuestion {
   std::shared_ptr<const gcode::Program> program;
   streaming::RunSettings settings;  ///< of the interrupted run
   streaming::Checkpoint checkpoint;
+  /// Of a whole job: what was run, and its machine, whose tools and offsets are re-established;
+  /// null: it is not known.
+  std::shared_ptr<const job::Plan> plan{};
+  std::shared_ptr<const machine::MachineConfig> machine{};
+  int fromStretch = 0;  ///< > 0: the job is to begin with it, wherever it was left
 };
 /// Where the program of a run came from: enough to load it again.
 struct ProgramSource {
@@ -134,6 +153,8 @@ struct StartCommand {
   streaming::RunSettings settings;
   std::string recordingPath;  ///< empty: no recording
   std::string startedAtUtc;
+  /// A job that goes on: `plan` is that of its restart. Null: from the beginning.
+  std::shared_ptr<const JobRestart> restart{};
   /// A run that is resumed: asked once more right before it starts. If the answer differs, the run
   /// does not start.
   std::optional<ResumeQuestion> resumes;

@@ -4,6 +4,7 @@
 #include "session/session_worker.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <iterator>
 #include <span>
@@ -13,6 +14,7 @@
 #include "job/main_program.h"
 #include "opcua/await.h"
 #include "recorder/recording_file.h"
+#include "streaming/job_resume.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
 #include "streaming/whole_job.h"
@@ -29,6 +31,20 @@ constexpr std::chrono::seconds kWatchDeadline{2};
 constexpr std::chrono::milliseconds kProgressInterval{50};
 /// How long the thread waits for room when the GUI is busy, per attempt.
 constexpr std::chrono::milliseconds kRoomInterval{2};
+
+/// Axes that stand are told so much off from one reading to the next, at most.
+constexpr double kStandsMm = 0.05;
+
+/// The same is done first, at the same place.
+bool isSame(const JobRestart& a, const JobRestart& b) {
+  const auto pointOf = [](const JobRestart& restart) {
+    return restart.resume ? std::optional(restart.resume->point) : std::nullopt;
+  };
+  return a.stretch == b.stretch && pointOf(a) == pointOf(b) &&
+         a.restart.plan.parts.size() == b.restart.plan.parts.size() &&
+         a.toolMm.has_value() == b.toolMm.has_value() &&
+         (!a.toolMm || base::distance(*a.toolMm, *b.toolMm) <= kStandsMm);
+}
 
 base::Error notConnected() {
   return base::makeError(opcua::LinkError::NotReachable,
@@ -133,8 +149,8 @@ class SessionWorker::JobSink final : public streaming::WholeJobSink {
   void stretchBegins(const job::Stretch& stretch, base::Vec3 /*startMm*/) override {
     m_isInStretch = true;
     m_now = {stretch.number, false, {}, {}, false, m_now.program};
-    m_begin = pointsBefore(stretch.number);
-    m_end = pointsBefore(stretch.number + 1);
+    m_begin = pointsBefore(stretch.number) + executedBefore(stretch.number);
+    m_end = std::max(m_begin, pointsBefore(stretch.number + 1));
     m_worker.tell(m_now);
   }
   bool waitsForCycleStart() override {
@@ -156,14 +172,15 @@ class SessionWorker::JobSink final : public streaming::WholeJobSink {
     report.duration = m_first ? m_last - *m_first : base::Duration{};
     for (const streaming::StretchReport& stretch : job.stretches) {
       const streaming::RunReport& run = stretch.run;
-      const std::size_t before = pointsBefore(stretch.number);
-      const std::size_t size = pointsBefore(stretch.number + 1) - before;
+      const std::size_t before = pointsBefore(stretch.number) + executedBefore(stretch.number);
+      const std::size_t size = std::max(before, pointsBefore(stretch.number + 1)) - before;
       report.counters.sent = before + std::min(run.counters.sent, size);
       report.counters.accepted = before + std::min(run.counters.accepted, size);
       report.counters.executed = before + std::min(run.counters.executed, size);
       report.settings.grouping = run.settings.grouping;
       report.stopConfirmedAfter = run.stopConfirmedAfter;
       report.wrong = report.wrong ? report.wrong : run.wrong;
+      report.checkpoint = run.checkpoint;
     }
     report.pauses = job.pauses;
     report.access = job.access;
@@ -187,6 +204,11 @@ class SessionWorker::JobSink final : public streaming::WholeJobSink {
     const auto index = static_cast<std::size_t>(std::max(stretch, 1)) - 1;
     return index < m_command.stretchStarts.size() ? m_command.stretchStarts[index]
                                                   : m_command.points;
+  }
+  /// Points of a stretch that were executed before the job went on in it.
+  [[nodiscard]] std::size_t executedBefore(int stretch) const {
+    const auto& restart = m_command.restart;
+    return restart && restart->resume && stretch == restart->stretch ? restart->resume->point : 0;
   }
   [[nodiscard]] streaming::Counters inJob(const streaming::Counters& counters) const {
     const std::size_t size = m_end - m_begin;
@@ -424,6 +446,10 @@ void SessionWorker::takeFound(const std::optional<streaming::RunOnControl>& foun
     if (m_seen.onControl || m_looksForLeft) {
       m_seen = {};
       m_seen.left = m_runs.leftOn(m_endpoint);
+      const auto job = m_jobs.leftOn(m_endpoint);
+      m_seen.isJob = job && (!m_seen.left || job->settings.origin.startedAtUtc >
+                                                 m_seen.left->settings.origin.startedAtUtc);
+      m_seen.left = m_seen.isJob ? job : m_seen.left;
       m_looksForLeft = false;
     }
     return;
@@ -438,7 +464,11 @@ void SessionWorker::takeFound(const std::optional<streaming::RunOnControl>& foun
         m_seen.onControl->saved->checkpoint.granted) {
       m_seen.onControl->saved.reset();  // a program that waits for its first run is not that one's
     }
-    if (m_seen.onControl->saved) {
+    if (!m_seen.onControl->saved && found->number != 0) {
+      m_seen.onControl->saved = m_jobs.find(found->number);
+      m_seen.isJob = m_seen.onControl->saved.has_value();
+    }
+    if (m_seen.onControl->saved && !m_seen.isJob) {
       m_seen.pointsAfter = std::make_shared<const std::vector<std::size_t>>(
           report::pointsAfterWindows(m_runs, *m_seen.onControl->saved));
     }
@@ -476,11 +506,80 @@ bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) 
 
 void SessionWorker::answer(const ResumeQuestion& question) {
   if (!m_connection) {
-    tell(ResumeFound{std::nullopt, notConnected()});
+    tell(ResumeFound{std::nullopt, nullptr, notConnected()});
+    return;
+  }
+  if (question.plan) {
+    auto job = askJob(question);
+    tell(job ? ResumeFound{std::nullopt, std::make_shared<const JobRestart>(*std::move(job)), {}}
+             : ResumeFound{std::nullopt, nullptr, job.error()});
     return;
   }
   const auto resume = askResume(question);
-  tell(resume ? ResumeFound{*resume, {}} : ResumeFound{std::nullopt, resume.error()});
+  tell(resume ? ResumeFound{*resume, nullptr, {}}
+              : ResumeFound{std::nullopt, nullptr, resume.error()});
+}
+
+base::Result<JobRestart> SessionWorker::askJob(const ResumeQuestion& question) {
+  if (!question.machine) {
+    return base::fail(streaming::StreamError::CannotResume,
+                      "The tools and offsets of this machine are not known, so the state in which "
+                      "the job goes on cannot be computed. Start from the beginning.");
+  }
+  const job::Plan& plan = *question.plan;
+  const machine::MachineConfig& machine = *question.machine;
+  JobRestart found;
+  if (question.fromStretch > 0) {
+    auto restart = experiments::restartAtStretch(plan, machine, question.fromStretch);
+    if (!restart) {
+      return base::fail(restart.error());
+    }
+    found.restart = *std::move(restart);
+  } else {
+    const auto rest = streaming::whereJobWasLeft(
+        *m_connection.link, plan, question.settings, question.checkpoint,
+        [&](std::size_t part) { return experiments::zeroAt(plan, machine, part); });
+    if (!rest) {
+      return base::fail(rest.error());
+    }
+    auto restart = experiments::restartAt(plan, machine, *rest);
+    if (!restart) {
+      return base::fail(restart.error());
+    }
+    found.restart = *std::move(restart);
+    found.resume = rest->resume;
+    found.toolMm = rest->toolMm;
+  }
+  for (const job::Part& part : found.restart.plan.parts) {
+    const auto* const stretch = std::get_if<job::Stretch>(&part);
+    if (stretch != nullptr && stretch->number > 0 && found.stretch == 0) {
+      found.stretch = stretch->number;
+    }
+  }
+  found.hazards = experiments::hazardsOf(found.restart.plan, machine, {machine.start()});
+  return found;
+}
+
+base::Result<void> SessionWorker::askAgain(const StartCommand& command) {
+  const auto changed = [] {
+    return base::fail(
+        streaming::StreamError::CannotResume,
+        "The state of the control has changed since it was asked. Press Resume again.");
+  };
+  if (command.restart) {
+    const auto job = askJob(*command.resumes);
+    if (!job) {
+      return base::fail(job.error());
+    }
+    return isSame(*job, *command.restart) ? base::Result<void>() : changed();
+  }
+  const auto resume = askResume(*command.resumes);
+  if (!resume) {
+    return base::fail(resume.error());
+  }
+  const bool isSame = command.settings.resume && resume->point == command.settings.resume->point &&
+                      resume->changedFrom == command.settings.resume->changedFrom;
+  return isSame ? base::Result<void>() : changed();
 }
 
 base::Result<streaming::Resume> SessionWorker::askResume(const ResumeQuestion& question) {
@@ -508,19 +607,7 @@ base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
     }
     m_proven = *text;
   }
-  if (command.resumes) {
-    const auto resume = askResume(*command.resumes);
-    if (!resume) {
-      return base::fail(resume.error());
-    }
-    if (!command.settings.resume || resume->point != command.settings.resume->point ||
-        resume->changedFrom != command.settings.resume->changedFrom) {
-      return base::fail(
-          streaming::StreamError::CannotResume,
-          "The state of the control has changed since it was asked. Press Resume again.");
-    }
-  }
-  return {};
+  return command.resumes ? askAgain(command) : base::Result<void>();
 }
 
 SessionWorker::Done SessionWorker::runMotion(const StartCommand& command,
@@ -548,8 +635,24 @@ SessionWorker::Done SessionWorker::runWholeJob(const StartCommand& command,
   streaming::WholeJobOptions options;
   options.writer = file.writer();
   options.start = runStart(command);
+  // A job that goes on has other programs: it cannot be found again by those of the source.
+  std::optional<report::RunKeeper> keeper;
+  if (!command.restart) {
+    keeper.emplace(m_jobs, savedRun(command));
+    options.keeper = &*keeper;
+  } else {
+    options.resume = command.restart->resume;
+    if (const auto kept = m_jobs.leftOn(m_endpoint)) {
+      m_jobs.remove(*kept);
+    }
+  }
   const streaming::WholeJobReport job = streaming::runWholeJob(
       *m_connection.link, *m_connection.control, *command.plan, settings, requests, sink, options);
+  if (keeper && job.outcome == streaming::Outcome::Completed) {
+    streaming::RunReport completed;
+    completed.outcome = streaming::Outcome::Completed;
+    keeper->finish(completed);
+  }
   return {sink.reportOf(job, settings), job.times, file.finish()};
 }
 

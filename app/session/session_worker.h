@@ -75,6 +75,8 @@ class SessionWorker {
   [[nodiscard]] report::SavedRun savedRun(const StartCommand& command) const;
   void answer(const ResumeQuestion& question);
   [[nodiscard]] base::Result<streaming::Resume> askResume(const ResumeQuestion& question);
+  [[nodiscard]] base::Result<JobRestart> askJob(const ResumeQuestion& question);
+  [[nodiscard]] base::Result<void> askAgain(const StartCommand& command);
   /// Checks that are possible only now, right before a start. The template is proved once per kind.
   [[nodiscard]] base::Result<void> checkBefore(const StartCommand& command,
                                                streaming::RunSink& sink);
@@ -110,6 +112,7 @@ class SessionWorker {
   opcua::Connector m_connector;
   report::MachineStore m_machines;
   report::RunStore m_runs;
+  report::RunStore m_jobs{report::RunStore::folderOfJobs()};
   report::RunHistory m_history;
   opcua::Connection m_connection;  // streaming thread only
   streaming::ControlAxes m_axes;   // of the control at the other end

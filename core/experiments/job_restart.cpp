@@ -53,15 +53,14 @@ Result<machine::DryRun> stateAt(const job::Plan& plan, machine::MachineConfig ma
 
 class Restarter {
  public:
-  /// @param heightMm  where the tool stands now, frame of the part; nothing: not known
-  Restarter(const job::Plan& plan, const machine::DryRun& state, const streaming::JobRest& rest,
-            std::optional<double> heightMm)
-      : m_plan(plan), m_state(state.equipment), m_rest(rest), m_heightMm(heightMm) {
+  Restarter(const job::Plan& plan, const machine::DryRun& state, const streaming::JobRest& rest)
+      : m_plan(plan), m_state(state.equipment), m_rest(rest) {
     m_restart.plan.program = plan.program;
     m_restart.plan.refusals = plan.refusals;
   }
 
   Restart make() {
+    setOffset();
     rise();
     setTool();
     setModes();
@@ -120,16 +119,22 @@ class Restarter {
     return fmt::format("{}{}", axis, base::formatFixed(mm, 6));
   }
 
-  void rise() {
+  void setOffset() {
     if (has(NativeReason::WorkOffset)) {
       add(NativeReason::WorkOffset, fmt::format("G{}", m_state.workOffset));
     }
     if (m_state.edge > 0) {
       add(NativeReason::Tool, fmt::format("D{}", m_state.edge));
     }
-    if (m_heightMm && *m_heightMm < safeMm()) {
-      add(NativeReason::OtherMotion, "G0 G90 " + number('Z', safeMm()));
+  }
+
+  /// A tool that stands higher stays there. The control knows how long the tool in it is.
+  void rise() {
+    if (safeMm() == std::numeric_limits<double>::lowest()) {
+      return;  // the program streams no height
     }
+    add(NativeReason::OtherMotion,
+        fmt::format("G0 G90 Z=MAXVAL($AA_IW[Z],{})", base::formatFixed(safeMm(), 6)));
   }
 
   static std::string toolWord(int number, const std::string& name) {
@@ -144,6 +149,7 @@ class Restarter {
     if (isIn) {
       add(NativeReason::Tool, toolWord(m_state.tool, m_state.toolName) + " M6");
       add(NativeReason::Tool, fmt::format("D{}", m_state.edge));
+      rise();  // it may be longer than the one before
     }
     const bool isNextOther =
         m_state.nextTool != m_state.tool || m_state.nextToolName != m_state.toolName;
@@ -200,7 +206,6 @@ class Restarter {
   const job::Plan& m_plan;
   const machine::EquipmentState m_state;
   const streaming::JobRest& m_rest;
-  std::optional<double> m_heightMm;
   Restart m_restart;
 };
 
@@ -218,13 +223,11 @@ Result<Restart> restartAt(const job::Plan& plan, const machine::MachineConfig& m
   if (!state) {
     return base::fail(state.error());
   }
-  const std::optional<double> heightMm =
-      rest.toolMm ? std::optional(rest.toolMm->z) : std::optional<double>();
-  return Restarter(plan, *state, rest, heightMm).make();
+  return Restarter(plan, *state, rest).make();
 }
 
 Result<Restart> restartAtStretch(const job::Plan& plan, const machine::MachineConfig& machine,
-                                 int stretch, base::Vec3 toolMm) {
+                                 int stretch) {
   const auto is = [stretch](const job::Part& part) {
     const auto* const each = std::get_if<job::Stretch>(&part);
     return each != nullptr && each->number == stretch && stretch > 0;
@@ -242,11 +245,7 @@ Result<Restart> restartAtStretch(const job::Plan& plan, const machine::MachineCo
   if (begins.startIsKnown()) {
     rest.toolMm = begins.startMm;
   }
-  const Result<machine::DryRun> state = stateAt(plan, machine, rest.part);
-  if (!state) {
-    return base::fail(state.error());
-  }
-  return Restarter(plan, *state, rest, toolMm.z - state->zeroMm.z).make();
+  return restartAt(plan, machine, rest);
 }
 
 }  // namespace rivulet::experiments

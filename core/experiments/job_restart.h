@@ -31,18 +31,18 @@ struct Restart {
                                               const machine::MachineConfig& machine,
                                               std::size_t part);
 
-/// The tool rises to the greatest height of the program's points, if it is below; work offset,
-/// tool, dynamics, spindle and coolant are set; the tool goes over the place where the part begins,
-/// and down to it.
+/// The work offset is set, and the tool rises to the greatest height of the program's points,
+/// unless it is above, and so does the tool of the program when it is in; dynamics, spindle and
+/// coolant are set; the tool goes over the place where the part begins, and down to it.
 /// @return CannotResume, see `zeroAt`  @pre plan.isWhole(); rest.part is a part
 [[nodiscard]] base::Result<Restart> restartAt(const job::Plan& plan,
                                               const machine::MachineConfig& machine,
                                               const streaming::JobRest& rest);
 
-/// From the beginning of a stretch. @param toolMm  of the axes, machine coordinates
+/// From the beginning of a stretch.
 /// @return CannotResume if there is no such stretch, or as `zeroAt`
 [[nodiscard]] base::Result<Restart> restartAtStretch(const job::Plan& plan,
                                                      const machine::MachineConfig& machine,
-                                                     int stretch, base::Vec3 toolMm);
+                                                     int stretch);
 
 }  // namespace rivulet::experiments

@@ -98,7 +98,7 @@ class Search {
     const int owner = runNumberOf((*numbers)[1]);
     const int begun = m_last.runNumber - (owner - stretch);
     if (std::abs(call) != JobProtocol::callNumber(programs->number, stretch) || begun < 1 ||
-        begun > stretch || stretch > static_cast<int>(m_plan.parts.size())) {
+        begun > stretch || partOfStretch(stretch) == m_plan.parts.size()) {
       return base::fail(StreamError::CannotResume,
                         std::string("The control does not know this job: it was switched off since "
                                     "then, or has run another program.") +

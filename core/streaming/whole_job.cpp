@@ -432,7 +432,7 @@ class WholeJob {
   /// Native blocks and stretches by turns, until the control has ended the program.
   Result<void> goThrough() {
     std::size_t next = 0;
-    m_sink.nativeBlocks(1);
+    m_sink.nativeBlocks(numberAt(next));
     m_accountedTo = m_link.now();
     while (!m_isOver) {
       const Result<State> state = look();
@@ -462,9 +462,16 @@ class WholeJob {
         return done;
       }
       ++next;
-      m_sink.nativeBlocks(static_cast<int>(next) + 1);
+      m_sink.nativeBlocks(numberAt(next));
     }
     return {};
+  }
+
+  /// Of a stretch. @param index  in `m_stretches`; after the last: one more than its number
+  [[nodiscard]] int numberAt(std::size_t index) const {
+    return index < m_stretches.size() ? m_stretches[index]->number
+           : m_stretches.empty()      ? 1
+                                      : m_stretches.back()->number + 1;
   }
 
   /// The time since the last look belongs to the native block that was due then.

@@ -11,6 +11,7 @@
 
 #include "base/random.h"
 #include "experiments/job_restart.h"
+#include "job/dry_plan.h"
 #include "machine/machine.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/simulated_link.h"
@@ -178,6 +179,14 @@ trace::ControlTrace traceOfSource(const std::string& text) {
     (void)link.wait(link.now() + std::chrono::milliseconds{100});
   }
   return *link.fetchTrace();
+}
+
+QString stepsText(const experiments::Restart& restart) {
+  QStringList steps;
+  for (const std::string& step : restart.steps) {
+    steps << QString::fromStdString(step);
+  }
+  return steps.join(QStringLiteral("; "));
 }
 
 std::string joined(const std::vector<std::string>& ends) {
@@ -486,17 +495,94 @@ class TestJobRestart : public QObject {
 
   /// The state is that of the source: what the machine turns, holds and cools with.
   void stateIsThatOfTheSource() {
-    const auto restart = experiments::restartAtStretch(m_plan, mill(), 4, {0.0, 0.0, 50.0});
+    const auto restart = experiments::restartAtStretch(m_plan, mill(), 4);
     QVERIFY2(restart, restart ? "" : restart.error().text().c_str());
-    QStringList steps;
-    for (const std::string& step : restart->steps) {
-      steps << QString::fromStdString(step);
-    }
-    QCOMPARE(steps.join(QStringLiteral("; ")),
-             QStringLiteral("G55; D1; T2 M6; D1; S5000 M4; G0 G90 X-21 Y-9; M8; "
+    QCOMPARE(stepsText(*restart),
+             QStringLiteral("G55; D1; G0 G90 Z=MAXVAL($AA_IW[Z],25); T2 M6; D1; "
+                            "G0 G90 Z=MAXVAL($AA_IW[Z],25); S5000 M4; G0 G90 X-21 Y-9; M8; "
                             "G1 G90 G94 Z-3 F500"));
     QVERIFY(restart->notRestored.empty());
-    QVERIFY(!experiments::restartAtStretch(m_plan, mill(), 99, {}));
+    QVERIFY(!experiments::restartAtStretch(m_plan, mill(), 99));
+  }
+
+  /// The tool in the spindle stands low and is shorter than the one that follows: neither goes
+  /// aside before it is above the path.
+  void noToolGoesAsideBelowThePath() {
+    machine::Machine machine(mill(), 1);
+    streaming::SimulatedLink link(machine);
+    QVERIFY(link.uploadProgram("LOW.MPF", "G54\nT1 D1 M6\nG0 X5 Y5 Z-1\nM30\n", true));
+    QVERIFY(link.selectProgram("LOW.MPF") && link.cycleStart());
+    awaitReset(machine);
+    const auto restart = experiments::restartAtStretch(m_plan, mill(), 4);
+    QVERIFY2(restart, restart ? "" : restart.error().text().c_str());
+    Watcher watcher;
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, restart->plan, settings(), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+    constexpr double kPathTopMm = 25.0;
+    std::vector<double> risenMm;
+    for (const trace::ExecutedBlock& block : report.controlTrace->blocks) {
+      if (std::abs(block.targetMm.x - -21.0) < 1e-6) {
+        // From 1 mm below the workpiece, then by what the second tool is longer.
+        QCOMPARE(risenMm, (std::vector<double>{26.0, 15.0}));
+        return;
+      }
+      QCOMPARE(block.targetMm.z, kPathTopMm);
+      risenMm.push_back(block.lengthMm);
+    }
+    QFAIL("the tool never went to the path");
+  }
+
+  /// A dry run that begins in the middle is dry from its first block.
+  void aDryRunStaysDry() {
+    constexpr double kRaiseMm = 50.0;
+    auto dry = job::dryPlan(m_plan, kRaiseMm);
+    QVERIFY(dry);
+    for (int stretch = 1; stretch <= static_cast<int>(m_plan.stretchCount()); ++stretch) {
+      const auto wet = experiments::restartAtStretch(m_plan, mill(), stretch);
+      const auto restart = experiments::restartAtStretch(*dry, mill(), stretch);
+      QVERIFY2(restart && wet, restart ? "" : restart.error().text().c_str());
+      const QString steps = stepsText(*restart);
+      QVERIFY2(!steps.contains(QLatin1Char('S')) && !steps.contains(QStringLiteral("M8")),
+               qPrintable(steps));
+      const auto run = [](const job::Plan& plan) {
+        machine::Machine machine(mill(), 1);
+        streaming::SimulatedLink link(machine);
+        Watcher watcher;
+        return streaming::runWholeJob(link, link, plan, settings(), watcher, watcher);
+      };
+      const streaming::WholeJobReport made = run(restart->plan);
+      const streaming::WholeJobReport other = run(wet->plan);
+      QVERIFY2(made.outcome == Outcome::Completed, made.error.text().c_str());
+      const auto lowest = [](const streaming::WholeJobReport& report) {
+        double lowestMm = 1e9;
+        for (const trace::ExecutedBlock& block : report.controlTrace->blocks) {
+          lowestMm = std::min(lowestMm, block.targetMm.z);
+        }
+        return lowestMm;
+      };
+      QCOMPARE(std::lround(1000.0 * (lowest(made) - lowest(other))),
+               std::lround(1000.0 * kRaiseMm));
+    }
+  }
+
+  /// Interrupted after the last stretch: only blocks of the control are left.
+  void onlyBlocksAreLeft() {
+    streaming::JobRest rest;
+    rest.part = m_plan.parts.size() - 1;
+    while (std::holds_alternative<job::NativeBlock>(m_plan.parts[rest.part - 1])) {
+      --rest.part;
+    }
+    QVERIFY(rest.part < m_plan.parts.size() - 1);
+    const auto restart = experiments::restartAt(m_plan, mill(), rest);
+    QVERIFY2(restart, restart ? "" : restart.error().text().c_str());
+    machine::Machine machine(mill(), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, restart->plan, settings(), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+    QVERIFY(report.stretches.empty());
   }
 
   /// After a loss of power the control knows nothing: only a stretch can be chosen.
@@ -508,7 +594,7 @@ class TestJobRestart : public QObject {
     const auto rest = streaming::whereJobWasLeft(link, m_plan, settings(), last, zeroAt());
     QVERIFY(!rest);
     QVERIFY(rest.error().text().find("--from-stretch") != std::string::npos);
-    const auto restart = experiments::restartAtStretch(m_plan, mill(), 3, {0.0, 0.0, 50.0});
+    const auto restart = experiments::restartAtStretch(m_plan, mill(), 3);
     QVERIFY(restart);
     Watcher watcher;
     const streaming::WholeJobReport report =

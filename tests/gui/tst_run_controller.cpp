@@ -292,6 +292,40 @@ class TestRunController : public QObject {
     QCOMPARE(read->summary.jobTimes->total(), kept.jobTimes->total());
   }
 
+  /// A job begins with a stretch: what the program has set before it is listed, and done first.
+  void aJobBeginsInTheMiddle() {
+    Models models;
+    models.openJob();
+    hmi::Preflight preflight(models.document, models.machine, models.runs);
+    QSignalSpy refused(&models.runs, &RunController::resumeRefused);
+    QVERIFY(models.runs.askFromStretch(3));
+    QVERIFY(refused.wait(kSoonMs));  // the tools of the machine are not known
+    QVERIFY(!models.runs.place());
+    models.document.setJobMachine(
+        std::make_shared<const machine::MachineConfig>(*machine::loadPreset("dmu75-mill")));
+    QTRY_VERIFY_WITH_TIMEOUT(!models.reason(), kSoonMs);
+    QVERIFY(models.runs.askFromStretch(3));
+    QTRY_VERIFY_WITH_TIMEOUT(models.runs.place(), kSoonMs);
+    const widgets::ResumePlace place = *models.runs.place();
+    QCOMPARE(place.stretch, 3);
+    QVERIFY(std::find(place.steps.begin(), place.steps.end(), "T2 M6") != place.steps.end());
+    QVERIFY(preflight.isOpen() && preflight.isForResume() && preflight.hasPassed());
+    const auto items = preflight.items();
+    QVERIFY(std::any_of(items.begin(), items.end(), [](const auto& item) {
+      return item.text.contains(QStringLiteral("T2 M6"));
+    }));
+    QSignalSpy finished(&models.runs, &RunController::finished);
+    QSignalSpy started(&models.runs, &RunController::started);
+    QVERIFY(models.runs.resume());
+    QCOMPARE(started.front().front().value<std::size_t>(), place.point);
+    QVERIFY(finished.wait(kSoonMs));
+    const auto report = models.runs.report();
+    QVERIFY2(report->outcome == streaming::Outcome::Completed, report->error.text().c_str());
+    QVERIFY(report->integrity.isFaultless());
+    QCOMPARE(report->counters.total, models.document.points().size() - place.point);
+    QVERIFY(!models.runs.hasRunToResume());
+  }
+
   /// Travel, spindle and tools are compared before the start; what is found is named with line,
   /// axis and limit.
   void aJobBeyondTheMachineIsNotStarted() {

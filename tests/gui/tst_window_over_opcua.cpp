@@ -5,9 +5,12 @@
 /// to it over OPC UA, in real time. What the window does is tested in virtual time, in
 /// tst_main_window; this shows that it also does it on a real connection.
 
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
+#include <optional>
 
 #include "base/units.h"
 #include "hmi/main_window.h"
@@ -15,6 +18,7 @@
 #include "support/machine_process.h"
 #include "support/test_program.h"
 #include "widgets/alarms/alarm_line.h"
+#include "widgets/streaming/resume_bar.h"
 
 using namespace rivulet;
 using hmi::MainWindow;
@@ -79,18 +83,20 @@ class TestWindowOverOpcua : public QObject {
     QCOMPARE(report->integrity.executed, report->counters.total);
   }
 
-  /// A whole job, stopped while the control changes the tool between two stretches.
-  void stopsAWholeJobAtATool() {
+  /// A whole job, stopped while the control waits between two stretches. Another window, as after a
+  /// restart, turns the spindle again and goes on.
+  void stopsAWholeJobAndGoesOn() {
     const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE),
                                         {QStringLiteral("--seed"), QStringLiteral("1"),
                                          QStringLiteral("--preset"), QStringLiteral("dmu75-mill")});
     QFile file(m_folder.filePath(QStringLiteral("JOB.MPF")));
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(
-        "G17 G90 G71\nG0 X0 Y0 Z45\nG1 Z40 F3000\nX20\nY10\nG0 Z50\nM5\n"
-        "T2 M6 D1\nG0 X30 Y0 Z20\nG1 Z15 F3000\nX40\nM5\nM30\n");
+        "G17 G90 G71\nG0 X0 Y0 Z45\nG1 Z40 F3000\nX20\nY10\nG0 Z45\nS500 M3\n"
+        "G4 F3\nG0 X30 Y0 Z44\nG1 Z40 F3000\nX40\nM5\nM30\n");
     file.close();
-    MainWindow window(settings(), false);
+    std::optional<MainWindow> first;
+    MainWindow& window = first.emplace(settings(), false);
     window.show();
     widgets::StreamSettings stream;
     stream.programFeeds = true;
@@ -114,6 +120,30 @@ class TestWindowOverOpcua : public QObject {
     const auto kept = report::RunHistory().list().runs;
     QVERIFY(!kept.empty() && kept.front().jobTimes && !kept.front().recording.empty());
     QVERIFY(kept.front().judged);
+    const std::size_t executed = report->counters.executed;
+    const std::size_t total = report->counters.total;
+    first.reset();
+    MainWindow again(settings(), false);
+    again.show();
+    again.setStreamSettings(stream);
+    again.connectTo(machine.endpoint());
+    auto* button = again.findChild<QPushButton*>(QStringLiteral("found-resume"));
+    QTRY_VERIFY_WITH_TIMEOUT(button->isVisible() && button->isEnabled(), kSoonMs);
+    button->click();
+    const auto* bar = again.findChild<widgets::ResumeBar*>();
+    QTRY_VERIFY_WITH_TIMEOUT(bar->place(), kSoonMs);
+    QCOMPARE(bar->place()->stretch, 2);
+    QCOMPARE(bar->place()->point, executed);
+    const auto& steps = bar->place()->steps;
+    QVERIFY(std::find(steps.begin(), steps.end(), "S500 M3") != steps.end());
+    QSignalSpy ended(&again, &MainWindow::runFinished);
+    QTRY_COMPARE_WITH_TIMEOUT(again.resumeBlockedReason(), QString(), kSoonMs);
+    QVERIFY(again.resume());
+    QVERIFY(ended.wait(kRunMs));
+    const auto rest = again.lastReport();
+    QVERIFY2(rest->outcome == streaming::Outcome::Completed, rest->error.text().c_str());
+    QVERIFY(rest->integrity.isFaultless());
+    QCOMPARE(rest->integrity.executed, total - executed);
   }
 
   /// The machine says over the connection what it is: a job that it cannot do is not started.

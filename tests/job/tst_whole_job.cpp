@@ -310,8 +310,8 @@ class TestWholeJob : public QObject {
     streaming::WholeJobOptions options;
     options.writer = &writer;
     options.start.endpoint = "here";
-    const streaming::WholeJobReport report = streaming::runWholeJob(
-        link, link, planOf(kPart), settingsOf(), watcher, watcher, options);
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, planOf(kPart), settingsOf(), watcher, watcher, options);
     QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
     std::size_t points = 0;
     for (const streaming::StretchReport& stretch : report.stretches) {
@@ -363,8 +363,8 @@ class TestWholeJob : public QObject {
       QVERIFY2(!main[static_cast<int>(line) - 1].contains(QStringLiteral("G0 X")),
                qPrintable(main[static_cast<int>(line) - 1]));
     }
-    QVERIFY(loop[static_cast<int>(programs->loop.handoverLine) - 1].startsWith(
-        QStringLiteral("G4 ")));
+    QVERIFY(
+        loop[static_cast<int>(programs->loop.handoverLine) - 1].startsWith(QStringLiteral("G4 ")));
   }
 
   /// Tools with lengths, work offsets, radius compensation and drilling cycles are the machine's:

@@ -65,9 +65,11 @@ void ResumeBar::retranslate() {
       break;
     case State::Place:
       setNotice(m_place->changedFrom ? Status::Attention : Status::Busy, placeText());
-      m_goOn->setText((m_place->isChosen ? tr("Press and hold: start at point %1")
-                                         : tr("Press and hold: resume at point %1"))
-                          .arg(countText(m_place->point + 1)));
+      m_goOn->setText(m_place->isJob
+                          ? tr("Press and hold: go on with the job")
+                          : (m_place->isChosen ? tr("Press and hold: start at point %1")
+                                               : tr("Press and hold: resume at point %1"))
+                                .arg(countText(m_place->point + 1)));
       m_goOn->setToolTip(tr("Hold for one second. Then the machine moves."));
       break;
     case State::Refusal:
@@ -76,7 +78,27 @@ void ResumeBar::retranslate() {
   }
 }
 
+QString ResumeBar::jobText() const {
+  const QString line = countText(m_place->line.value);
+  const QString place =
+      m_place->block.empty()
+          ? tr("Nothing has moved yet. The job will go on in stretch %1 at point %2 of %3, line "
+               "%4.")
+                .arg(countText(static_cast<std::size_t>(m_place->stretch)),
+                     countText(m_place->point + 1), countText(m_place->points), line)
+          : tr("Nothing has moved yet. The job will go on at line %1: %2.")
+                .arg(line, QString::fromStdString(m_place->block));
+  return m_place->steps.empty()
+             ? place
+             : place + QLatin1Char(' ') +
+                   tr("Before that, the control executes %Ln blocks: see the list.", nullptr,
+                      static_cast<int>(m_place->steps.size()));
+}
+
 QString ResumeBar::placeText() const {
+  if (m_place->isJob) {
+    return jobText();
+  }
   QString text =
       (m_place->isChosen
            ? tr("Nothing has moved yet. The run will start at point %1 of %2, where line %3 "

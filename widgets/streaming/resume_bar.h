@@ -8,6 +8,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/id.h"
 #include "base/vec3.h"
@@ -29,6 +31,12 @@ struct ResumePlace {
   bool isChosen = false;
   double feedMmPerS = 0.0;  ///< then: commanded for the move to the point
   bool isRapid = false;     ///< then: that move is a rapid
+  /// A whole job goes on; the rest is of such a job.
+  bool isJob = false;
+  int stretch = 0;                 ///< with which it goes on, or that comes next; 0: none is left
+  std::string block;               ///< of the control, with which it goes on; empty: with a point
+  std::vector<std::string> steps;  ///< what the control does first, one NC text each
+  std::vector<std::string> notRestored;  ///< earlier blocks whose effect only the control knows
 };
 
 class ResumeBar final : public NoticeBar {
@@ -57,6 +65,7 @@ class ResumeBar final : public NoticeBar {
   enum class State { Nothing, Asking, Place, Refusal };
   void setState(State state);
   [[nodiscard]] QString placeText() const;
+  [[nodiscard]] QString jobText() const;
 
   State m_state = State::Nothing;
   std::optional<ResumePlace> m_place;

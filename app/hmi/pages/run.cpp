@@ -4,6 +4,7 @@
 /// Parts that set a run up and drive it: method, online correction, resuming, start and stop.
 
 #include <QCoreApplication>
+#include <QInputDialog>
 
 #include "hmi/pages/pages.h"
 #include "session/correction_feed.h"
@@ -73,6 +74,11 @@ struct RunTexts {
                                   document.view()->plan->refusals.front().line.value));
     }
     return {};
+  }
+  static QString fromStretchTitle() { return tr("Begin with a stretch"); }
+  static QString fromStretch(int stretches) {
+    return tr("Stretch (1 to %1). What the machine needs there is listed before anything moves.")
+        .arg(stretches);
   }
   static QString title(const gcode::Program& program, bool isRunning) {
     return (isRunning ? tr("Running: %1, version %2") : tr("Program: %1, version %2"))
@@ -257,6 +263,16 @@ QWidget* makePreflightSheet(const Models& models, QWidget* parent) {
   QObject::connect(preflight, &Preflight::changed, sheet, show);
   QObject::connect(sheet, &PreflightSheet::closeRequested, preflight, &Preflight::dismiss);
   QObject::connect(sheet, &PreflightSheet::remedyRequested, preflight, &Preflight::remedy);
+  RunController* runs = &models.runs;
+  QObject::connect(preflight, &Preflight::stretchRequested, sheet, [sheet, runs](int stretches) {
+    bool isChosen = false;
+    const int stretch =
+        QInputDialog::getInt(sheet, RunTexts::fromStretchTitle(), RunTexts::fromStretch(stretches),
+                             1, 1, stretches, 1, &isChosen);
+    if (isChosen) {
+      runs->askFromStretch(stretch);
+    }
+  });
   QObject::connect(preflight, &Preflight::limitsRequested, sheet, [sheet] {
     if (auto* page = sheet->window()->findChild<widgets::ProfilePage*>()) {
       showPageOf(page);
