@@ -2282,6 +2282,10 @@
         <source>Changes between both</source>
         <translation>Wechsel zwischen beiden</translation>
     </message>
+    <message>
+        <source>%1, dry run %2 higher</source>
+        <translation>%1, Trockenlauf %2 höher</translation>
+    </message>
 </context>
 <context>
     <name>SignalTexts</name>
@@ -2804,6 +2808,14 @@
         <source>Line %1</source>
         <translation>Zeile %1</translation>
     </message>
+    <message>
+        <source>Only a whole job runs dry, and this program is motion alone. Choose Whole job.</source>
+        <translation>Nur ein ganzer Auftrag läuft trocken, und dieses Programm ist nur Bewegung. Ganzer Auftrag wählen.</translation>
+    </message>
+    <message>
+        <source>A dry run needs the whole job: choose method window or credit, and no online correction.</source>
+        <translation>Ein Trockenlauf braucht den ganzen Auftrag: Methode Fenster oder Kredit ohne Online-Korrektur wählen.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::FoundRuns</name>
@@ -3296,6 +3308,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Not done again, because only the control knows their effect: %1</source>
         <translation>Nicht noch einmal ausgeführt, weil nur die Steuerung ihre Wirkung kennt: %1</translation>
+    </message>
+    <message>
+        <source>Dry run</source>
+        <translation>Trockenlauf</translation>
+    </message>
+    <message>
+        <source>Everything takes place %1 higher than programmed. The spindle does not turn, and no coolant flows; tools are changed, and retracts in machine coordinates are made.</source>
+        <translation>Alles geschieht %1 höher als programmiert. Die Spindel dreht nicht, und kein Kühlmittel fließt; Werkzeuge werden gewechselt und Rückzüge in Maschinenkoordinaten ausgeführt.</translation>
     </message>
 </context>
 <context>
@@ -5188,8 +5208,16 @@ GPL-3.0-or-later</translation>
         <translation>Nur Bewegung</translation>
     </message>
     <message>
-        <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out.</source>
-        <translation>Ganzer Auftrag: Werkzeuge, Spindel, Kühlmittel, Zyklen und Rückzüge führt die Steuerung an ihrer Stelle aus, und Rivulet streamt die Bewegung dazwischen. Nur Bewegung: Diese Sätze werden ausgelassen.</translation>
+        <source>Dry run</source>
+        <translation>Trockenlauf</translation>
+    </message>
+    <message>
+        <source>Above the workpiece</source>
+        <translation>Über dem Werkstück</translation>
+    </message>
+    <message>
+        <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out. Dry run: the whole job above the workpiece, without spindle and coolant.</source>
+        <translation>Ganzer Auftrag: Werkzeuge, Spindel, Kühlmittel, Zyklen und Rückzüge führt die Steuerung an ihrer Stelle aus, und Rivulet streamt die Bewegung dazwischen. Nur Bewegung: Diese Sätze werden ausgelassen. Trockenlauf: der ganze Auftrag über dem Werkstück, ohne Spindel und Kühlmittel.</translation>
     </message>
 </context>
 <context>
@@ -6463,6 +6491,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Points that are known to be executed, from point %1 on</source>
         <translation>Punkte, die nachweislich ausgeführt sind, ab Punkt %1</translation>
+    </message>
+    <message>
+        <source>%1, dry run</source>
+        <translation>%1, Trockenlauf</translation>
     </message>
 </context>
 <context>

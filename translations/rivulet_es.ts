@@ -2282,6 +2282,10 @@
         <source>Changes between both</source>
         <translation>Cambios entre ambos</translation>
     </message>
+    <message>
+        <source>%1, dry run %2 higher</source>
+        <translation>%1, ensayo en vacío %2 más alto</translation>
+    </message>
 </context>
 <context>
     <name>SignalTexts</name>
@@ -2804,6 +2808,14 @@
         <source>Line %1</source>
         <translation>Línea %1</translation>
     </message>
+    <message>
+        <source>Only a whole job runs dry, and this program is motion alone. Choose Whole job.</source>
+        <translation>Solo un trabajo completo se ejecuta en vacío, y este programa es solo movimiento. Elija Trabajo completo.</translation>
+    </message>
+    <message>
+        <source>A dry run needs the whole job: choose method window or credit, and no online correction.</source>
+        <translation>Un ensayo en vacío necesita el trabajo completo: elija el método Ventana o Crédito, sin corrección en línea.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::FoundRuns</name>
@@ -3296,6 +3308,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Not done again, because only the control knows their effect: %1</source>
         <translation>No se repiten, porque solo el control conoce su efecto: %1</translation>
+    </message>
+    <message>
+        <source>Dry run</source>
+        <translation>Ensayo en vacío</translation>
+    </message>
+    <message>
+        <source>Everything takes place %1 higher than programmed. The spindle does not turn, and no coolant flows; tools are changed, and retracts in machine coordinates are made.</source>
+        <translation>Todo ocurre %1 más alto de lo programado. El cabezal no gira y no fluye refrigerante; se cambian las herramientas y se ejecutan las retiradas en coordenadas de máquina.</translation>
     </message>
 </context>
 <context>
@@ -5188,8 +5208,16 @@ GPL-3.0-or-later</translation>
         <translation>Solo movimiento</translation>
     </message>
     <message>
-        <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out.</source>
-        <translation>Trabajo completo: el control ejecuta herramientas, cabezal, refrigerante, ciclos y retiradas en su sitio, y Rivulet transmite el movimiento entre ellos. Solo movimiento: estas secuencias se omiten.</translation>
+        <source>Dry run</source>
+        <translation>Ensayo en vacío</translation>
+    </message>
+    <message>
+        <source>Above the workpiece</source>
+        <translation>Sobre la pieza</translation>
+    </message>
+    <message>
+        <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out. Dry run: the whole job above the workpiece, without spindle and coolant.</source>
+        <translation>Trabajo completo: el control ejecuta herramientas, cabezal, refrigerante, ciclos y retiradas en su sitio, y Rivulet transmite el movimiento entre ellos. Solo movimiento: estas secuencias se omiten. Ensayo en vacío: el trabajo completo sobre la pieza, sin cabezal ni refrigerante.</translation>
     </message>
 </context>
 <context>
@@ -6463,6 +6491,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Points that are known to be executed, from point %1 on</source>
         <translation>Puntos que constan como ejecutados, a partir del punto %1</translation>
+    </message>
+    <message>
+        <source>%1, dry run</source>
+        <translation>%1, ensayo en vacío</translation>
     </message>
 </context>
 <context>

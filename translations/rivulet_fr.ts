@@ -2282,6 +2282,10 @@
         <source>Changes between both</source>
         <translation>Passages de l’un à l’autre</translation>
     </message>
+    <message>
+        <source>%1, dry run %2 higher</source>
+        <translation>%1, essai à vide %2 plus haut</translation>
+    </message>
 </context>
 <context>
     <name>SignalTexts</name>
@@ -2804,6 +2808,14 @@
         <source>Line %1</source>
         <translation>Ligne %1</translation>
     </message>
+    <message>
+        <source>Only a whole job runs dry, and this program is motion alone. Choose Whole job.</source>
+        <translation>Seule une tâche complète s’exécute à vide, et ce programme n’est que mouvement. Choisir Tâche complète.</translation>
+    </message>
+    <message>
+        <source>A dry run needs the whole job: choose method window or credit, and no online correction.</source>
+        <translation>Un essai à vide exige la tâche complète&#xa0;: choisir la méthode Fenêtre ou Crédit, sans correction en ligne.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::FoundRuns</name>
@@ -3296,6 +3308,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Not done again, because only the control knows their effect: %1</source>
         <translation>Non réexécutés, car seule la commande connaît leur effet&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Dry run</source>
+        <translation>Essai à vide</translation>
+    </message>
+    <message>
+        <source>Everything takes place %1 higher than programmed. The spindle does not turn, and no coolant flows; tools are changed, and retracts in machine coordinates are made.</source>
+        <translation>Tout a lieu %1 plus haut que programmé. La broche ne tourne pas et l’arrosage reste coupé&#xa0;; les outils sont changés et les dégagements en coordonnées machine sont exécutés.</translation>
     </message>
 </context>
 <context>
@@ -5188,8 +5208,16 @@ GPL-3.0-or-later</translation>
         <translation>Mouvement seul</translation>
     </message>
     <message>
-        <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out.</source>
-        <translation>Tâche complète : la commande exécute outils, broche, arrosage, cycles et dégagements à leur place, et Rivulet transmet le mouvement entre eux. Mouvement seul : ces blocs sont omis.</translation>
+        <source>Dry run</source>
+        <translation>Essai à vide</translation>
+    </message>
+    <message>
+        <source>Above the workpiece</source>
+        <translation>Au-dessus de la pièce</translation>
+    </message>
+    <message>
+        <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out. Dry run: the whole job above the workpiece, without spindle and coolant.</source>
+        <translation>Tâche complète&#xa0;: la commande exécute outils, broche, arrosage, cycles et dégagements à leur place, et Rivulet transmet le mouvement entre eux. Mouvement seul&#xa0;: ces blocs sont omis. Essai à vide&#xa0;: la tâche complète au-dessus de la pièce, sans broche ni arrosage.</translation>
     </message>
 </context>
 <context>
@@ -6463,6 +6491,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Points that are known to be executed, from point %1 on</source>
         <translation>Points dont on sait qu’ils sont exécutés, à partir du point %1</translation>
+    </message>
+    <message>
+        <source>%1, dry run</source>
+        <translation>%1, essai à vide</translation>
     </message>
 </context>
 <context>

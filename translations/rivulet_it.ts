@@ -2282,6 +2282,10 @@
         <source>Changes between both</source>
         <translation>Passaggi tra i due</translation>
     </message>
+    <message>
+        <source>%1, dry run %2 higher</source>
+        <translation>%1, prova a vuoto %2 più in alto</translation>
+    </message>
 </context>
 <context>
     <name>SignalTexts</name>
@@ -2804,6 +2808,14 @@
         <source>Line %1</source>
         <translation>Riga %1</translation>
     </message>
+    <message>
+        <source>Only a whole job runs dry, and this program is motion alone. Choose Whole job.</source>
+        <translation>Solo un lavoro completo gira a vuoto, e questo programma è solo movimento. Scegliere Lavoro completo.</translation>
+    </message>
+    <message>
+        <source>A dry run needs the whole job: choose method window or credit, and no online correction.</source>
+        <translation>Una prova a vuoto richiede il lavoro completo: scegliere il metodo Finestra o Credito, senza correzione in linea.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::FoundRuns</name>
@@ -3296,6 +3308,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Not done again, because only the control knows their effect: %1</source>
         <translation>Non rieseguiti, perché solo il controllo ne conosce l’effetto: %1</translation>
+    </message>
+    <message>
+        <source>Dry run</source>
+        <translation>Prova a vuoto</translation>
+    </message>
+    <message>
+        <source>Everything takes place %1 higher than programmed. The spindle does not turn, and no coolant flows; tools are changed, and retracts in machine coordinates are made.</source>
+        <translation>Tutto avviene %1 più in alto del programmato. Il mandrino non gira e il refrigerante resta chiuso; gli utensili vengono cambiati e gli svincoli in coordinate macchina eseguiti.</translation>
     </message>
 </context>
 <context>
@@ -5188,8 +5208,16 @@ GPL-3.0-or-later</translation>
         <translation>Solo movimento</translation>
     </message>
     <message>
-        <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out.</source>
-        <translation>Lavoro completo: il controllo esegue utensili, mandrino, refrigerante, cicli e svincoli al loro posto, e Rivulet trasmette il movimento tra di essi. Solo movimento: questi blocchi sono omessi.</translation>
+        <source>Dry run</source>
+        <translation>Prova a vuoto</translation>
+    </message>
+    <message>
+        <source>Above the workpiece</source>
+        <translation>Sopra il pezzo</translation>
+    </message>
+    <message>
+        <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out. Dry run: the whole job above the workpiece, without spindle and coolant.</source>
+        <translation>Lavoro completo: il controllo esegue utensili, mandrino, refrigerante, cicli e svincoli al loro posto, e Rivulet trasmette il movimento tra di essi. Solo movimento: questi blocchi sono omessi. Prova a vuoto: il lavoro completo sopra il pezzo, senza mandrino né refrigerante.</translation>
     </message>
 </context>
 <context>
@@ -6463,6 +6491,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Points that are known to be executed, from point %1 on</source>
         <translation>Punti che risultano eseguiti, a partire dal punto %1</translation>
+    </message>
+    <message>
+        <source>%1, dry run</source>
+        <translation>%1, prova a vuoto</translation>
     </message>
 </context>
 <context>

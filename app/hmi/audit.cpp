@@ -22,6 +22,8 @@ namespace {
 
 constexpr int kRestMs = 2000;
 constexpr const char* kCorrection = "correction_mm";
+/// Before the height of a dry run.
+const std::string kDry = "dry ";
 
 }  // namespace
 
@@ -41,7 +43,9 @@ Audit::Details settingsFacts(const widgets::StreamSettings& settings) {
       {"base_cell", std::to_string(parameters.baseCell)},
       {"correction_limit", base::formatFixed(parameters.correctionLimitMm, kDecimals)},
       {"access", std::to_string(static_cast<int>(settings.access))},
-      {"job", settings.wholeJob ? "whole" : "motion only"},
+      {"job", !settings.wholeJob        ? "motion only"
+              : settings.dryRunMm > 0.0 ? kDry + base::formatFixed(settings.dryRunMm, kDecimals)
+                                        : "whole"},
       {"transfer_by_hand", settings.transferByHand ? "yes" : "no"},
   };
 }
@@ -76,7 +80,9 @@ void applySettings(widgets::StreamSettings& settings, const Audit::Details& fact
                *whole <= static_cast<int>(streaming::AccessPreference::Single)) {
       settings.access = static_cast<streaming::AccessPreference>(*whole);
     } else if (name == "job") {
-      settings.wholeJob = value == "whole";
+      const bool isDry = value.starts_with(kDry);
+      settings.wholeJob = isDry || value == "whole";
+      settings.dryRunMm = isDry ? base::parseNumber(value.substr(kDry.size())).value_or(0.0) : 0.0;
     } else if (name == "feed_per_point") {
       parameters.feedPerPoint = value == "yes";
     } else if (name == "transfer_by_hand") {

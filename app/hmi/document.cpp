@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "feasibility/client_turn.h"
+#include "job/main_program.h"
 #include "report/calibration_json.h"
 #include "report/machine_profile.h"
 #include "report/operating_point.h"
@@ -83,11 +84,17 @@ Document::Document(const widgets::StreamSettings& settings)
 
 void Document::open(const QString& path, const session::Reading& reading) {
   m_isMotionAlone = false;
+  if (QFileInfo(path).absoluteFilePath() != m_path) {
+    m_settings.dryRunMm = 0.0;  // chosen for another program
+    Q_EMIT settingsChanged();
+  }
   read(path, reading);
 }
 
 void Document::openMotion(const QString& path, const session::Reading& reading) {
   m_isMotionAlone = true;
+  m_settings.dryRunMm = 0.0;
+  Q_EMIT settingsChanged();
   read(path, reading);
 }
 
@@ -125,10 +132,31 @@ void Document::setRunsJobs(bool runsJobs) {
 
 void Document::followJob() {
   // A file that has changed is read when the operator says so.
-  if (outline() != nullptr && m_reading.asJob != wantsJob() && !m_isRunning && !m_isHeld &&
-      !hasFileChanged() && !m_loader.isBusy()) {
+  const double dryRunMm = wantsJob() ? m_settings.dryRunMm : 0.0;
+  const bool differs = m_reading.asJob != wantsJob() || m_reading.dryRunMm != dryRunMm;
+  if (outline() != nullptr && differs && !m_isRunning && !m_isHeld && !hasFileChanged() &&
+      !m_loader.isBusy()) {
     read(m_path, m_reading);
   }
+}
+
+std::optional<base::Error> Document::dryRunProblem() const {
+  // Until it has been read again, the program is the one that was not to be run.
+  const bool isAsWanted =
+      dryRunMm() == m_settings.dryRunMm && (m_settings.dryRunMm == 0.0 || wantsJob());
+  if (!m_view || isAsWanted) {
+    return std::nullopt;
+  }
+  if (m_dryRunError && m_reading.dryRunMm == m_settings.dryRunMm) {
+    return m_dryRunError;
+  }
+  return base::makeError(
+      job::JobError::NotDry,
+      (outline() == nullptr
+           ? tr("Only a whole job runs dry, and this program is motion alone. Choose Whole job.")
+           : tr("A dry run needs the whole job: choose method window or credit, and no online "
+                "correction."))
+          .toStdString());
 }
 
 session::ProgramSource Document::source() const {
@@ -151,6 +179,7 @@ void Document::read(const QString& path, const session::Reading& reading) {
   m_requestedPath = path;
   session::Reading whole = reading;
   whole.asJob = wantsJob();
+  whole.dryRunMm = whole.asJob ? m_settings.dryRunMm : 0.0;
   Q_EMIT readingProgressed(0.0);
   m_loader.load({path, std::move(whole), m_toolMm, std::max(2, m_settings.parameters.pointsPerLoop),
                  m_machineFeeds});
@@ -164,6 +193,7 @@ void Document::take(const session::LoadedProgram& loaded) {
   m_view = loaded.view;
   m_path = QFileInfo(loaded.request.path).absoluteFilePath();
   m_reading = loaded.request.reading;
+  m_dryRunError = loaded.dryRunError;
   m_watch.watch(m_path, loaded.stamp);
   m_nativeTimes.clear();
   if (isJob()) {
@@ -207,6 +237,7 @@ const std::vector<gcode::StreamPoint>& Document::points() const {
 
 void Document::setSettings(const widgets::StreamSettings& settings) {
   m_settings = settings;
+  m_isMotionAlone = m_isMotionAlone && settings.dryRunMm == 0.0;
   m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
   Q_EMIT settingsChanged();
   judge();
@@ -215,6 +246,7 @@ void Document::setSettings(const widgets::StreamSettings& settings) {
 
 void Document::editSettings(const widgets::StreamSettings& settings) {
   m_settings = settings;
+  m_isMotionAlone = m_isMotionAlone && settings.dryRunMm == 0.0;
   m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
   judge();
   followJob();
@@ -222,6 +254,7 @@ void Document::editSettings(const widgets::StreamSettings& settings) {
 
 void Document::chooseJob(bool isWhole) {
   m_settings.wholeJob = isWhole;
+  m_settings.dryRunMm = 0.0;
   m_isMotionAlone = false;
   Q_EMIT settingsChanged();
   judge();
@@ -389,6 +422,9 @@ void Document::judge() {
     found.templateText = *text;
   } else {
     found.settingsError = cells ? text.error() : cells.error();
+  }
+  if (auto problem = dryRunProblem()) {
+    found.settingsError = std::move(problem);
   }
   const int perLoop = found.operatingPoint.pointsPerLoop;
   if (points().size() >= kPointsMin) {

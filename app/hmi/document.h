@@ -78,6 +78,8 @@ class Document final : public QObject {
   /// The stretches of a whole job are streamed, and the control gets its blocks; else the motion
   /// alone.
   [[nodiscard]] bool isJob() const { return m_view && m_view->isJob(); }
+  /// > 0: the job runs dry, so much higher.
+  [[nodiscard]] double dryRunMm() const { return isJob() ? m_reading.dryRunMm : 0.0; }
   /// Null: there are no blocks that the machine needs beside the motion.
   [[nodiscard]] const widgets::JobOutline* outline() const;
   /// Why the program cannot be run as a whole job with the present settings; nothing: it can, or it
@@ -160,6 +162,8 @@ class Document final : public QObject {
   void read(const QString& path, const session::Reading& reading);
   void take(const session::LoadedProgram& loaded);
   [[nodiscard]] bool wantsJob() const;
+  /// Why a dry run that is wanted would not be one; nothing: it is, or none is wanted.
+  [[nodiscard]] std::optional<base::Error> dryRunProblem() const;
   /// Reads the program again if it is to be a job and is not, or the other way round.
   void followJob();
   void takePlaced(const std::shared_ptr<const widgets::ProgramView>& view,
@@ -205,6 +209,7 @@ class Document final : public QObject {
   QString m_path;
   QString m_requestedPath;
   session::Reading m_reading;
+  std::optional<base::Error> m_dryRunError;  ///< of the program as it was read
   Findings m_findings;
   std::vector<session::NativeTime> m_nativeTimes;  ///< of a job
   widgets::AccessSource m_source;

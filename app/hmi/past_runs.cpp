@@ -182,6 +182,7 @@ void PastRuns::applyRepeat() {
   settings.overrideFactor = feeds ? feeds->overrideFactor : settings.overrideFactor;
   // A run that left out the blocks for the control is repeated without them.
   settings.wholeJob = run.summary.jobTimes.has_value();
+  settings.dryRunMm = run.summary.dryRunMm;
   m_document.setSettings(settings);
   if (!program) {
     m_messages.show(Severity::Warning, [was] {

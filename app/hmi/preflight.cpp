@@ -189,6 +189,14 @@ PreflightItem Preflight::machineItem() const {
 PreflightItem Preflight::jobItem() const {
   const widgets::JobOutline& outline = *m_document.outline();
   const auto& blocks = outline.needed();
+  if (m_document.dryRunMm() > 0.0) {
+    return {
+        Status::Attention, tr("Dry run"),
+        tr("Everything takes place %1 higher than programmed. The spindle does not turn, and no "
+           "coolant flows; tools are changed, and retracts in machine coordinates are made.")
+            .arg(widgets::lengthText(m_document.dryRunMm(), 1)),
+        tr("Run the whole job"), RunWholeJob};
+  }
   if (m_document.isJob()) {
     return {Status::Good, tr("Whole job"),
             tr("Streamed: %1; the control executes %Ln blocks: %2", nullptr,

@@ -462,6 +462,7 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
     command.plan = restart ? std::shared_ptr<const job::Plan>(restart, &restart->restart.plan)
                            : m_document.view()->plan;
     command.restart = restart;
+    command.dryRunMm = m_document.dryRunMm();
     command.stretchStarts = m_document.view()->stretchStarts;
     command.points = m_document.points().size();
   }

@@ -12,6 +12,7 @@
 
 #include "base/file.h"
 #include "base/units.h"
+#include "job/dry_plan.h"
 #include "opcua/error.h"
 #include "report/job_json.h"
 #include "report/json_members.h"
@@ -216,6 +217,8 @@ streaming::RunSummary knownOf(Members& members) {
   members.ifThere("/recording", known.recording, text);
   members.ifThere("/owns_recording", known.ownsRecording,
                   [&members](const char* at) { return members.flag(at); });
+  members.ifThere("/dry_run_mm", known.dryRunMm,
+                  [&members](const char* at) { return members.number(at, 0.0, job::kRaiseMmMax); });
   if (members.has("/job_times")) {
     known.jobTimes = {
         seconds(members, "/job_times/streamed_s"), seconds(members, "/job_times/pauses_s"),
@@ -238,6 +241,9 @@ ordered_json knownJson(const streaming::RunSummary& known) {
       {"tool_version", known.toolVersion},
       {"recording", known.recording},
       {"owns_recording", known.ownsRecording}};
+  if (known.dryRunMm > 0.0) {
+    json["dry_run_mm"] = known.dryRunMm;
+  }
   if (known.jobTimes) {
     json["job_times"] = jobTimesJson(*known.jobTimes);
   }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "gcode/block_observer.h"
+#include "job/dry_plan.h"
 #include "job/plan.h"
 
 namespace rivulet::session {
@@ -27,25 +28,36 @@ constexpr double kSplitShare = 0.3;
 struct SplitProgram {
   std::shared_ptr<const gcode::Program> program;
   std::shared_ptr<const job::Plan> plan;  ///< null: it could not be split, or was cancelled
+  std::optional<base::Error> dryRunError{};
 };
 
 /// The same text again, block by block. A program that cannot be split stays as it is.
 SplitProgram split(gcode::Program program, gcode::LoadOptions options,
-                   const std::filesystem::path& path, bool asJob) {
+                   const std::filesystem::path& path, const Reading& reading) {
   options.subprogram = gcode::subprogramsBeside(path);
   auto made = job::makePlan(program.name, program.text, options);
   if (!made) {
     return {std::make_shared<const gcode::Program>(std::move(program)), nullptr};
   }
   auto plan = std::make_shared<job::Plan>(*std::move(made));
-  const bool isJob = asJob && plan->isWhole() && plan->stretchCount() > 0 &&
-                     !widgets::JobOutline(plan).needed().empty();
+  bool isJob = reading.asJob && plan->isWhole() && plan->stretchCount() > 0 &&
+               !widgets::JobOutline(plan).needed().empty();
+  std::optional<base::Error> dryRunError;
+  if (isJob && reading.dryRunMm > 0.0) {
+    if (auto dry = job::dryPlan(*plan, reading.dryRunMm)) {
+      plan = std::make_shared<job::Plan>(*std::move(dry));
+    } else {
+      dryRunError = dry.error();
+      isJob = false;
+    }
+  }
   if (isJob) {
     std::shared_ptr<const gcode::Program> streamed(plan, &plan->program);
     return {std::move(streamed), std::move(plan)};
   }
   plan->program = {};
-  return {std::make_shared<const gcode::Program>(std::move(program)), std::move(plan)};
+  return {std::make_shared<const gcode::Program>(std::move(program)), std::move(plan),
+          std::move(dryRunError)};
 }
 
 }  // namespace
@@ -117,7 +129,7 @@ void ProgramLoader::load(LoadRequest request) {
     }
     options.progress = [&](double share) { return progress(kReadShare + kSplitShare * share); };
     SplitProgram read =
-        split(*std::move(program), options, request.path.toStdString(), request.reading.asJob);
+        split(*std::move(program), options, request.path.toStdString(), request.reading);
     auto view = widgets::makeProgramView(
         std::move(read.program), request.startMm, request.pointsPerLoop,
         [&](double share) {
@@ -126,7 +138,8 @@ void ProgramLoader::load(LoadRequest request) {
         },
         request.feeds, std::move(read.plan));
     if (view) {
-      tell([loaded = LoadedProgram{request, stamp, std::move(view)}](ProgramLoader& loader) {
+      tell([loaded = LoadedProgram{request, stamp, std::move(view), read.dryRunError}](
+               ProgramLoader& loader) {
         loader.m_stop.reset();
         Q_EMIT loader.loaded(loaded);
       });

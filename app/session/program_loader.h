@@ -30,6 +30,7 @@ struct Reading {
   /// Stream what is left beside the blocks that the control executes itself; false: all motion.
   /// Programs without such blocks, and those that cannot be a job, are the same with both.
   bool asJob = false;
+  double dryRunMm = 0.0;  ///< > 0: a job is to run dry, so much higher (`job::dryPlan`)
 };
 
 struct LoadRequest {
@@ -45,6 +46,7 @@ struct LoadedProgram {
   LoadRequest request;
   FileStamp stamp;  ///< of the file as it was read
   std::shared_ptr<const widgets::ProgramView> view;
+  std::optional<base::Error> dryRunError{};  ///< why the job cannot run dry
 };
 
 class ProgramLoader final : public QObject {

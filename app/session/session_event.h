@@ -153,6 +153,7 @@ struct StartCommand {
   streaming::RunSettings settings;
   std::string recordingPath;  ///< empty: no recording
   std::string startedAtUtc;
+  double dryRunMm = 0.0;  ///< > 0: `plan` is a dry run
   /// A job that goes on: `plan` is that of its restart. Null: from the beginning.
   std::shared_ptr<const JobRestart> restart{};
   /// A run that is resumed: asked once more right before it starts. If the answer differs, the run

@@ -635,16 +635,17 @@ SessionWorker::Done SessionWorker::runWholeJob(const StartCommand& command,
   streaming::WholeJobOptions options;
   options.writer = file.writer();
   options.start = runStart(command);
-  // A job that goes on has other programs: it cannot be found again by those of the source.
+  // A job that goes on, and a dry run, have other programs: they cannot be found again by those of
+  // the source, and the control forgets what it has run before.
   std::optional<report::RunKeeper> keeper;
-  if (!command.restart) {
+  if (!command.restart && command.dryRunMm == 0.0) {
     keeper.emplace(m_jobs, savedRun(command));
     options.keeper = &*keeper;
-  } else {
+  } else if (const auto kept = m_jobs.leftOn(m_endpoint)) {
+    m_jobs.remove(*kept);
+  }
+  if (command.restart) {
     options.resume = command.restart->resume;
-    if (const auto kept = m_jobs.leftOn(m_endpoint)) {
-      m_jobs.remove(*kept);
-    }
   }
   const streaming::WholeJobReport job = streaming::runWholeJob(
       *m_connection.link, *m_connection.control, *command.plan, settings, requests, sink, options);
@@ -720,6 +721,7 @@ base::Error SessionWorker::archive(const StartCommand& command, const Done& done
   known.recording = done.isRecorded ? command.recordingPath : std::string();
   known.ownsRecording = true;
   known.jobTimes = done.jobTimes;
+  known.dryRunMm = command.dryRunMm;
   const base::Vec3 startMm = report.checkpoint ? report.checkpoint->startMm : base::Vec3{};
   const auto kept = m_history.add(report, std::move(known),
                                   gcode::streamPoints(command.program->trajectory, startMm).points);

@@ -25,6 +25,7 @@ struct RunSummary {
   /// The recording was made for the history, which removes it together with the run.
   bool ownsRecording = false;
   std::optional<JobTimes> jobTimes{};  ///< of a whole job; nothing: the motion alone was run
+  double dryRunMm = 0.0;               ///< > 0: it was a dry run, so much higher
 
   // Taken from its report.
   std::string programName;

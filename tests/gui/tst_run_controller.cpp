@@ -76,6 +76,16 @@ widgets::StreamSettings settings(base::MethodKind method, double feedMmPerMin) {
   return stream;
 }
 
+/// The newest whole job of the history; another test's run may be of the same second.
+/// @param dryRunMm  see `RunSummary`
+streaming::RunSummary keptJob(double dryRunMm) {
+  const auto runs = report::RunHistory().list().runs;
+  const auto found = std::find_if(runs.begin(), runs.end(), [dryRunMm](const auto& run) {
+    return run.jobTimes && run.dryRunMm == dryRunMm;
+  });
+  return found == runs.end() ? streaming::RunSummary{} : *found;
+}
+
 /// All models, with machine files in a folder of their own.
 struct Models {
   QTemporaryDir folder;
@@ -96,6 +106,7 @@ struct Models {
   void load(const char* text) {
     widgets::StreamSettings whole = document.settings();
     whole.wholeJob = true;
+    whole.parameters.method = base::MethodKind::Window;
     document.setSettings(whole);
     const QString path = folder.filePath(QStringLiteral("JOB.MPF"));
     QFile file(path);
@@ -274,13 +285,8 @@ class TestRunController : public QObject {
     // Judged by the trace of the control, recorded as one run, and in the history with its times.
     QVERIFY(report->integrity.isFaultless());
     QVERIFY(report->finding() == streaming::RunFinding::Faultless);
-    // Another test's run may be of the same second.
-    const auto history = report::RunHistory().list().runs;
-    const auto job = std::find_if(history.begin(), history.end(),
-                                  [](const auto& run) { return run.jobTimes.has_value(); });
-    QVERIFY(job != history.end());
-    const streaming::RunSummary& kept = *job;
-    QVERIFY(kept.jobTimes->toolChange > base::Duration{});
+    const streaming::RunSummary kept = keptJob(0.0);
+    QVERIFY(kept.jobTimes && kept.jobTimes->toolChange > base::Duration{});
     QCOMPARE(kept.executed, report->counters.total);
     const auto text = base::readFile(kept.recording);
     QVERIFY(text.has_value());
@@ -324,6 +330,49 @@ class TestRunController : public QObject {
     QVERIFY(report->integrity.isFaultless());
     QCOMPARE(report->counters.total, models.document.points().size() - place.point);
     QVERIFY(!models.runs.hasRunToResume());
+  }
+
+  /// A dry run is higher and dry, or does not start. Nothing starts while the choice takes effect.
+  void aDryRunIsDryOrIsNotStarted() {
+    Models models;
+    models.openJob();
+    hmi::Preflight preflight(models.document, models.machine, models.runs);
+    widgets::StreamSettings dry = models.document.settings();
+    dry.dryRunMm = 30.0;
+    models.document.setSettings(dry);
+    QVERIFY(models.reason() == BlockReason::SettingsInvalid);
+    QTRY_VERIFY_WITH_TIMEOUT(!models.reason(), kSoonMs);
+    QCOMPARE(models.document.dryRunMm(), 30.0);
+    QCOMPARE(models.document.points().front().positionMm.z, 35.0);
+    const auto items = preflight.items();
+    QVERIFY(std::any_of(items.begin(), items.end(), [](const auto& item) {
+      return item.name == QStringLiteral("Dry run") && item.status == widgets::Status::Attention;
+    }));
+    QSignalSpy finished(&models.runs, &RunController::finished);
+    QVERIFY(models.runs.start());
+    QVERIFY(finished.wait(kSoonMs));
+    const auto report = models.runs.report();
+    QVERIFY2(report->outcome == streaming::Outcome::Completed, report->error.text().c_str());
+    QVERIFY(report->integrity.isFaultless());
+    for (const trace::ControlEvent& event : report->controlTrace->events) {
+      QVERIFY(event.kind != trace::ControlEvent::Kind::Spindle || event.value == 0.0);
+      QVERIFY(event.kind != trace::ControlEvent::Kind::Coolant || event.value == 0.0);
+    }
+    QVERIFY(keptJob(30.0).jobTimes);
+    // A method that runs no jobs would run the motion where it is programmed.
+    dry = models.document.settings();
+    dry.parameters.method = base::MethodKind::Position;
+    models.document.setSettings(dry);
+    QVERIFY(models.reason() == BlockReason::SettingsInvalid);
+    QTRY_VERIFY_WITH_TIMEOUT(!models.document.isJob(), kSoonMs);
+    QVERIFY(models.reason() && models.document.findings().settingsError);
+    // What cannot be raised is named.
+    models.openJob();
+    QCOMPARE(models.document.dryRunMm(), 30.0);
+    models.load("T1 M6\nG0 X1 Y1 Z5\nG91 G0 Z-3 M8\nG90 G1 X5 F500\nM30\n");
+    QTRY_VERIFY_WITH_TIMEOUT(models.reason() == BlockReason::SettingsInvalid, kSoonMs);
+    const QString why = widgets::blockedText(models.runs.startBlocked());
+    QVERIFY2(why.contains(QStringLiteral("JOB.MPF:3")), qPrintable(why));
   }
 
   /// Travel, spindle and tools are compared before the start; what is found is named with line,

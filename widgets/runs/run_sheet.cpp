@@ -36,12 +36,16 @@ struct SheetTexts {
 
   static QList<paper::Fact> runLines(const RunSheet& sheet) {
     const streaming::RunSummary& run = sheet.summary;
-    return {{tr("Program"), orNone(run.programName)},
-            {tr("Version (hash)"), orNone(run.programHash)},
-            {tr("Machine"), machineText(run)},
-            {tr("Start"), startText(run)},
-            {tr("Started by"), originText(run.origin)},
-            {tr("Run number"), run.runNumber == 0 ? noValue() : QString::number(run.runNumber)}};
+    const QString program = orNone(run.programName);
+    return {
+        {tr("Program"), run.dryRunMm > 0.0
+                            ? tr("%1, dry run %2 higher").arg(program, lengthText(run.dryRunMm, 1))
+                            : program},
+        {tr("Version (hash)"), orNone(run.programHash)},
+        {tr("Machine"), machineText(run)},
+        {tr("Start"), startText(run)},
+        {tr("Started by"), originText(run.origin)},
+        {tr("Run number"), run.runNumber == 0 ? noValue() : QString::number(run.runNumber)}};
   }
   static QList<paper::Fact> settingLines(const RunSheet& sheet) {
     const streaming::RunSettings& settings = sheet.report.settings;

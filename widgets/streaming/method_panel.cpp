@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "job/dry_plan.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
@@ -35,6 +36,9 @@ constexpr int kOneFeed = 1;
 /// Places in the choice of what is run.
 constexpr int kWholeJob = 0;
 constexpr int kMotionOnly = 1;
+constexpr int kDryRun = 2;
+constexpr double kDryRunMm = 50.0;  ///< as it is offered first
+constexpr double kDryRunMmMin = 1.0;
 
 /// Smallest δ to be suggested: just above the limit, rounded up to 0.001 mm.
 double offeredDeltaMm(double deltaMmMin) {
@@ -124,6 +128,8 @@ MethodPanel::MethodPanel(QWidget* parent)
       m_layout(new QComboBox(this)),
       m_correctionLabel(new QLabel(this)),
       m_correction(new NumberField(this)),
+      m_heightLabel(new QLabel(this)),
+      m_height(new NumberField(this)),
       m_accessLabel(new QLabel(this)),
       m_access(new QComboBox(this)),
       m_transferLabel(new QLabel(this)),
@@ -184,7 +190,12 @@ void MethodPanel::buildSettings() {
   m_feed->setSingleStep(50.0);
   m_feed->setSuffix(QStringLiteral("\u00A0mm/min"));
   m_feedSource->addItems({QString(), QString()});
-  m_job->addItems({QString(), QString()});
+  m_job->addItems({QString(), QString(), QString()});
+  m_height->setDecimals(1);
+  m_height->setRange(kDryRunMmMin, job::kRaiseMmMax);
+  m_height->setSingleStep(10.0);
+  m_height->setSuffix(QStringLiteral("\u00A0mm"));
+  m_height->setValue(kDryRunMm);
   m_override->setDecimals(0);
   m_override->setRange(kPercent * gcode::kOverrideMin, kPercent * gcode::kOverrideMax);
   m_override->setSingleStep(5.0);
@@ -214,6 +225,11 @@ void MethodPanel::buildSettings() {
   addRow(m_correctionLabel, m_correction);
   addRow(m_accessLabel, m_access);
   addRow(m_transferLabel, m_byHand);
+  m_heightLabel->setMinimumHeight(kTouchHeightPx);
+  m_heightLabel->setBuddy(m_height);
+  form->insertRow(1, m_heightLabel, m_height);
+  setTabOrder(m_job, m_height);
+  setTabOrder(m_height, m_method);
 }
 
 void MethodPanel::buildVerdict() {
@@ -250,12 +266,8 @@ void MethodPanel::buildVerdict() {
 }
 
 void MethodPanel::connectFields() {
-  connect(m_job, &QComboBox::currentIndexChanged, this, [this](int index) {
-    if (!m_isShowing) {
-      m_isJob = index == kWholeJob;  // the program is read so
-      Q_EMIT jobChosen(m_isJob);
-    }
-  });
+  connect(m_job, &QComboBox::currentIndexChanged, this, &MethodPanel::takeJob);
+  connect(m_height, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeJob);
   connect(m_method, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
   connect(m_layout, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
   connect(m_access, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
@@ -359,6 +371,8 @@ void MethodPanel::retranslate() {
   m_jobLabel->setText(tr("Run"));
   m_job->setItemText(kWholeJob, tr("Whole job"));
   m_job->setItemText(kMotionOnly, tr("Motion only"));
+  m_job->setItemText(kDryRun, tr("Dry run"));
+  m_heightLabel->setText(tr("Above the workpiece"));
   m_methodLabel->setText(tr("Method"));
   m_method->setItemText(0, tr("Window"));
   m_method->setItemText(1, tr("Position"));
@@ -492,16 +506,39 @@ void MethodPanel::setJob(bool hasBlocks, bool isJob, const QString& obstacle) {
   showSettings();
 }
 
+void MethodPanel::takeJob() {
+  if (m_isShowing) {
+    return;
+  }
+  if (m_job->currentIndex() == kDryRun) {
+    m_settings.wholeJob = true;
+    m_settings.dryRunMm = m_height->value();
+    showSettings();
+    Q_EMIT settingsChanged(m_settings);
+    return;
+  }
+  m_settings.dryRunMm = 0.0;
+  m_isJob = m_job->currentIndex() == kWholeJob;  // the program is read so
+  Q_EMIT jobChosen(m_isJob);
+}
+
 void MethodPanel::showJob() {
-  m_form->setRowVisible(m_job, m_hasBlocks);
-  m_job->setCurrentIndex(m_isJob ? kWholeJob : kMotionOnly);
-  m_job->setEnabled(m_editable && m_jobObstacle.isEmpty());
+  const bool isDry = m_settings.dryRunMm > 0.0;
+  m_form->setRowVisible(m_job, m_hasBlocks || isDry);
+  m_form->setRowVisible(m_height, isDry);
+  m_height->setEnabled(m_editable);
+  if (isDry) {
+    m_height->setValue(m_settings.dryRunMm);
+  }
+  m_job->setCurrentIndex(isDry ? kDryRun : m_isJob ? kWholeJob : kMotionOnly);
+  m_job->setEnabled(m_editable && (m_jobObstacle.isEmpty() || isDry));
   m_job->setToolTip(
       !m_jobObstacle.isEmpty()
           ? m_jobObstacle
           : tr("Whole job: the control executes tools, spindle, coolant, cycles and retracts at "
                "their place, and Rivulet streams the motion between them. Motion only: these "
-               "blocks are left out."));
+               "blocks are left out. Dry run: the whole job above the workpiece, without spindle "
+               "and coolant."));
   m_jobLabel->setToolTip(m_job->toolTip());
 }
 

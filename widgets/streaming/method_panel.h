@@ -111,6 +111,7 @@ class MethodPanel final : public Page {
   void showOffer(const QString& reason);
   void showFeedFields();
   void showJob();
+  void takeJob();
   void showLimit();
   [[nodiscard]] bool hasFailedRehearsal() const { return m_rehearsal && m_rehearsal->hasFailed(); }
   void showPauses();
@@ -152,6 +153,8 @@ class MethodPanel final : public Page {
   QComboBox* m_layout;
   QLabel* m_correctionLabel;
   QDoubleSpinBox* m_correction;
+  QLabel* m_heightLabel;
+  QDoubleSpinBox* m_height;  ///< of a dry run
   QLabel* m_accessLabel;
   QComboBox* m_access;
   QLabel* m_transferLabel;

@@ -367,7 +367,8 @@ QString RunPanel::waitingText() const {
 }
 
 QString RunPanel::activeText() const {
-  const QString state = runStateText(m_update.state);
+  const QString name = runStateText(m_update.state);
+  const QString state = m_job && m_job->isDry ? tr("%1, dry run").arg(name) : name;
   if (!m_job || !isActive() || m_update.state == RunState::Armed) {
     return state;
   }

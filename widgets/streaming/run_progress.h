@@ -28,6 +28,7 @@ struct JobProgress {
   std::size_t line = 0;   ///< of the block in progress; 0: not known
   QString block;          ///< as the program has it
   bool waitsForCycleStart = false;
+  bool isDry = false;
 };
 
 struct RunProgress {

@@ -20,6 +20,8 @@ struct StreamSettings {
   /// A program with blocks that only the control can execute is run with them, where the connected
   /// machine can; false: its motion alone.
   bool wholeJob = false;
+  /// > 0: a whole job runs dry, so much higher; not remembered.
+  double dryRunMm = 0.0;
   bool transferByHand = false;  ///< a person brings the template to the control; not remembered
 
   /// The methods of [P1] have one feed, as published.

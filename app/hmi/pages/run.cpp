@@ -125,7 +125,8 @@ std::optional<widgets::JobProgress> jobProgress(const RunController& runs,
                               job.isNative,
                               job.line.value,
                               QString::fromStdString(job.block),
-                              job.waitsForCycleStart};
+                              job.waitsForCycleStart,
+                              document.dryRunMm() > 0.0};
 }
 
 void connectFeed(CorrectionPanel* panel, const Models& models) {
