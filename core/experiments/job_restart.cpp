@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -13,6 +14,8 @@
 #include "base/text.h"
 #include "job/main_program.h"
 #include "machine/dry_run.h"
+#include "nc/syntax/language.h"
+#include "nc/syntax/lexer.h"
 
 namespace rivulet::experiments {
 
@@ -51,6 +54,40 @@ Result<machine::DryRun> stateAt(const job::Plan& plan, machine::MachineConfig ma
   return run;
 }
 
+/// M and H functions that are the machine builder's: nobody else knows what they do.
+bool hasUnknownFunction(const std::string& text) {
+  static constexpr std::array<int, 17> kKnown{0, 1,  2,  3,  4,  5,  6,  7, 8,
+                                              9, 17, 30, 40, 41, 42, 43, 44};
+  const nc::Words words = nc::readWords(text, nc::languageOf(nc::Dialect::Sinumerik), {});
+  return std::any_of(words.tokens.begin(), words.tokens.end(), [](const nc::Token& token) {
+    if (token.kind != nc::TokenKind::Word || (token.address != 'M' && token.address != 'H')) {
+      return false;
+    }
+    return token.address == 'H' || std::none_of(kKnown.begin(), kKnown.end(),
+                                                [&](int known) { return token.value == known; });
+  });
+}
+
+/// The program has placed every axis before the part: where they stand does not depend on where
+/// they were at the start.
+bool isPlacedBefore(const job::Plan& plan, std::size_t until) {
+  std::array<bool, base::kAxisCount> isPlaced{};
+  for (std::size_t part = 0; part < until; ++part) {
+    const auto* const native = std::get_if<job::NativeBlock>(&plan.parts[part]);
+    const job::Stretch* const stretch = std::get_if<job::Stretch>(&plan.parts[part]);
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (native != nullptr) {
+        isPlaced[axis] = isPlaced[axis] || native->places[axis];
+      } else if (stretch->pointCount > 0) {
+        const std::size_t last = stretch->firstPoint + stretch->pointCount - 1;
+        isPlaced[axis] =
+            isPlaced[axis] || std::isfinite(plan.program.trajectory.points[last].positionMm[axis]);
+      }
+    }
+  }
+  return std::all_of(isPlaced.begin(), isPlaced.end(), [](bool placed) { return placed; });
+}
+
 class Restarter {
  public:
   Restarter(const job::Plan& plan, const machine::DryRun& state, const streaming::JobRest& rest)
@@ -78,13 +115,14 @@ class Restarter {
   }
 
  private:
-  /// @param text  for the control
-  void add(NativeReason reason, std::string text) {
+  /// @param text     for the control
+  /// @param checked  the same for a check; empty: the text itself
+  void add(NativeReason reason, std::string text, const std::string& checked = {}) {
     job::NativeBlock block;
     block.place = placeOf(m_plan.parts[m_rest.part]);
     block.reason = reason;
     block.text = text;
-    block.source = text;
+    block.source = checked.empty() ? text : checked;
     block.isInserted = true;
     block.moves = reason == NativeReason::OtherMotion;
     block.places.fill(block.moves);
@@ -133,8 +171,9 @@ class Restarter {
     if (safeMm() == std::numeric_limits<double>::lowest()) {
       return;  // the program streams no height
     }
-    add(NativeReason::OtherMotion,
-        fmt::format("G0 G90 Z=MAXVAL($AA_IW[Z],{})", base::formatFixed(safeMm(), 6)));
+    const std::string height = base::formatFixed(safeMm(), 6);
+    add(NativeReason::OtherMotion, fmt::format("G0 G90 Z=MAXVAL($AA_IW[Z],{})", height),
+        "G0 G90 Z" + height);
   }
 
   static std::string toolWord(int number, const std::string& name) {
@@ -167,7 +206,7 @@ class Restarter {
       }
       if (native->reason == NativeReason::Mode) {
         add(NativeReason::Mode, native->text);
-      } else if (native->reason == NativeReason::Other) {
+      } else if (native->reason == NativeReason::Other || hasUnknownFunction(native->text)) {
         m_restart.notRestored.push_back(
             fmt::format("line {}: {}", native->place.line.value, native->source));
       }
@@ -244,6 +283,24 @@ Result<Restart> restartAtStretch(const job::Plan& plan, const machine::MachineCo
   const auto& begins = std::get<job::Stretch>(*found);
   if (begins.startIsKnown()) {
     rest.toolMm = begins.startMm;
+  } else if (rest.part > 0) {
+    // Else the first points would begin where the tool happens to stand.
+    const Result<machine::DryRun> state = stateAt(plan, machine, rest.part);
+    if (!state) {
+      return base::fail(state.error());
+    }
+    const bool isPlaced = isPlacedBefore(plan, rest.part);
+    if (!isPlaced &&
+        !base::isFinite(plan.program.trajectory.points[begins.firstPoint].positionMm)) {
+      return base::fail(StreamError::CannotResume,
+                        fmt::format("Where the tool stands before stretch {} is not known. Choose "
+                                    "an earlier stretch.",
+                                    stretch),
+                        plan.program.name);
+    }
+    if (isPlaced) {
+      rest.toolMm = state->axesMm - state->zeroMm;
+    }
   }
   return restartAt(plan, machine, rest);
 }

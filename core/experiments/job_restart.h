@@ -40,7 +40,8 @@ struct Restart {
                                               const streaming::JobRest& rest);
 
 /// From the beginning of a stretch.
-/// @return CannotResume if there is no such stretch, or as `zeroAt`
+/// @return CannotResume if there is no such stretch, or it is not known where the tool stands
+///         before it; or as `zeroAt`
 [[nodiscard]] base::Result<Restart> restartAtStretch(const job::Plan& plan,
                                                      const machine::MachineConfig& machine,
                                                      int stretch);

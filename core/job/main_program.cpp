@@ -79,6 +79,10 @@ class PlanWriter {
   virtual void writeStreamed(const Stretch& stretch) = 0;
   /// Before a native block. @param number  of it, from 1
   virtual void writeDue(const NativeBlock& native, int number) = 0;
+  /// What is written of a native block.
+  [[nodiscard]] virtual const std::string& textOf(const NativeBlock& native) const {
+    return native.text;
+  }
   /// Just before the text of a native block.
   virtual void beforeText(const std::string& /*text*/) {}
   /// The text of a native block has just been written.
@@ -151,8 +155,8 @@ class PlanWriter {
       line("{}", modalWords(native.before));
       m_hasFrame = !native.frame.empty();
     }
-    beforeText(native.text);
-    lines(native.text);
+    beforeText(textOf(native));
+    lines(textOf(native));
     written(native, m_natives);
     m_hasFrame = m_hasFrame || native.setsFrame || native.reason == NativeReason::Subprogram;
   }
@@ -304,6 +308,10 @@ class OutlineWriter final : public PlanWriter {
   }
 
  private:
+  /// What was inserted may read the position of the axes, which is not known here.
+  [[nodiscard]] const std::string& textOf(const NativeBlock& native) const override {
+    return native.isInserted ? native.source : native.text;
+  }
   void writeStreamed(const Stretch& stretch) override {
     const gcode::Trajectory& trajectory = plan().program.trajectory;
     for (const std::size_t point : extremes(stretch)) {

@@ -54,6 +54,7 @@ class DryRunner {
     m_run.isComplete = m_hasEnded;
     m_run.equipment = m_equipment.state(m_now);
     m_run.zeroMm = interpreter.zeroMm();
+    m_run.axesMm = m_at.mm;
     return std::move(m_run);
   }
 

@@ -49,6 +49,7 @@ struct DryRun {
   // At the end.
   EquipmentState equipment;
   base::Vec3 zeroMm;        ///< of the workpiece frame, machine coordinates
+  base::Vec3 axesMm;        ///< where the axes stand, machine coordinates
   bool isComplete = false;  ///< no alarm has ended it before
 };
 

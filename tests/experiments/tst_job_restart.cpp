@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "experiments/job_forecast.h"
 #include "experiments/job_restart.h"
 #include "job/dry_plan.h"
 #include "machine/machine.h"
@@ -564,6 +565,29 @@ class TestJobRestart : public QObject {
       QCOMPARE(std::lround(1000.0 * (lowest(made) - lowest(other))),
                std::lround(1000.0 * kRaiseMm));
     }
+  }
+
+  /// Where a stretch begins after blocks that hide it from the reader of the program: the tool goes
+  /// there first, or the stretch is refused.
+  void aStretchBeginsAtItsPlace() {
+    const job::Plan plan = planOf(
+        "G54\nT1 D1 M6\nG0 X5 Y5 Z20\nG1 Z-1 F500\nX20\nG0 Z20\nG0 X40 Y30 M8 M81\nZ30 M82\n"
+        "Z2\nG1 Z-3 F500\nX50\nM30\n");
+    const auto last = static_cast<int>(plan.stretchCount());
+    const auto restart = experiments::restartAtStretch(plan, mill(), last);
+    QVERIFY2(restart, restart ? "" : restart.error().text().c_str());
+    const QString steps = stepsText(*restart);
+    QVERIFY2(steps.contains(QStringLiteral("G0 G90 X40 Y30")), qPrintable(steps));
+    QCOMPARE(restart->notRestored.size(), std::size_t{2});
+    // What is left can be checked against the machine, and can be restarted itself.
+    machine::MachineConfig machine = mill();
+    QVERIFY(experiments::hazardsOf(restart->plan, machine, {machine.start()}).empty());
+    QVERIFY(experiments::zeroAt(restart->plan, machine, restart->plan.parts.size() - 1));
+    const job::Plan unknown =
+        planOf("G54\nT1 D1 M6\nG0 X5 Y5\nG1 X20 F500\nG0 X40 Y30 M81\nZ2\nG1 Z-3\nX50\nM30\n");
+    const auto refused =
+        experiments::restartAtStretch(unknown, mill(), static_cast<int>(unknown.stretchCount()));
+    QVERIFY(!refused && refused.error().code == streaming::StreamError::CannotResume);
   }
 
   /// Interrupted after the last stretch: only blocks of the control are left.
