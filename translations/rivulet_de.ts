@@ -5526,16 +5526,16 @@ GPL-3.0-or-later</translation>
         <translation>Nicht jetzt</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. Hold the button with the point below for one second: then the machine moves.</source>
-        <translation>Noch bewegt sich nichts. Den Knopf mit dem Punkt unten eine Sekunde lang halten: Dann fährt die Maschine.</translation>
-    </message>
-    <message>
         <source>Resuming is not possible yet.</source>
         <translation>Fortsetzen ist noch nicht möglich.</translation>
     </message>
     <message>
         <source>Before the run is resumed</source>
         <translation>Vor dem Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
+        <translation>Noch bewegt sich nichts. Den Knopf unten eine Sekunde lang halten: Dann fährt die Maschine.</translation>
     </message>
 </context>
 <context>

@@ -5526,16 +5526,16 @@ GPL-3.0-or-later</translation>
         <translation>Ahora no</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. Hold the button with the point below for one second: then the machine moves.</source>
-        <translation>Todavía no se ha movido nada. Mantener pulsado un segundo el botón con el punto de abajo: entonces la máquina se mueve.</translation>
-    </message>
-    <message>
         <source>Resuming is not possible yet.</source>
         <translation>Todavía no se puede reanudar.</translation>
     </message>
     <message>
         <source>Before the run is resumed</source>
         <translation>Antes de reanudar la ejecución</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
+        <translation>Todavía no se ha movido nada. Mantener pulsado un segundo el botón de abajo: entonces la máquina se mueve.</translation>
     </message>
 </context>
 <context>

@@ -5526,16 +5526,16 @@ GPL-3.0-or-later</translation>
         <translation>Pas maintenant</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. Hold the button with the point below for one second: then the machine moves.</source>
-        <translation>Rien n’a encore bougé. Maintenir une seconde le bouton avec le point ci-dessous&#xa0;: alors la machine se déplace.</translation>
-    </message>
-    <message>
         <source>Resuming is not possible yet.</source>
         <translation>La reprise n’est pas encore possible.</translation>
     </message>
     <message>
         <source>Before the run is resumed</source>
         <translation>Avant la reprise de l’exécution</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
+        <translation>Rien n’a encore bougé. Maintenir une seconde le bouton ci-dessous&#xa0;: alors la machine se déplace.</translation>
     </message>
 </context>
 <context>

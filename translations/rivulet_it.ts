@@ -5526,16 +5526,16 @@ GPL-3.0-or-later</translation>
         <translation>Non ora</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. Hold the button with the point below for one second: then the machine moves.</source>
-        <translation>Ancora non si è mosso nulla. Tenere premuto per un secondo il pulsante con il punto in basso: poi la macchina si muove.</translation>
-    </message>
-    <message>
         <source>Resuming is not possible yet.</source>
         <translation>La ripresa non è ancora possibile.</translation>
     </message>
     <message>
         <source>Before the run is resumed</source>
         <translation>Prima di riprendere l’esecuzione</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
+        <translation>Ancora non si è mosso nulla. Tenere premuto per un secondo il pulsante in basso: poi la macchina si muove.</translation>
     </message>
 </context>
 <context>
