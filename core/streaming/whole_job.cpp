@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -58,13 +59,16 @@ class StretchLink final : public opcua::ForwardingLink, public opcua::Control {
   base::RequestId read(std::span<const Variable> variables, Duration deadline,
                        opcua::Grouping grouping) override {
     const auto status = std::find_if(variables.begin(), variables.end(), isStatus);
-    if (status == variables.end()) {
-      return m_link.read(variables, deadline, grouping);
-    }
     std::vector<Variable> all(variables.begin(), variables.end());
+    if (status == variables.end()) {
+      const base::RequestId id = m_link.read(variables, deadline, grouping);
+      m_reads.push_back({id, std::move(all), std::nullopt});
+      return id;
+    }
+    const auto at = static_cast<std::size_t>(status - variables.begin());
     all.insert(all.end(), m_state.begin(), m_state.end());
     const base::RequestId id = m_link.read(all, deadline, opcua::Grouping::List);
-    m_reads.push_back({id, static_cast<std::size_t>(status - variables.begin())});
+    m_reads.push_back({id, std::move(all), at});
     return id;
   }
   base::RequestId write(std::span<const opcua::Assignment> assignments, Duration deadline,
@@ -101,7 +105,8 @@ class StretchLink final : public opcua::ForwardingLink, public opcua::Control {
  private:
   struct Read {
     base::RequestId id;
-    std::size_t status = 0;
+    std::vector<Variable> variables;
+    std::optional<std::size_t> status;  ///< place of the channel's status; then the job's follow
   };
 
   static bool isStatus(const Variable& variable) {
@@ -115,6 +120,9 @@ class StretchLink final : public opcua::ForwardingLink, public opcua::Control {
       return;
     }
     if (event.kind == opcua::EventKind::ReadDone) {
+      holdPlace(read->variables, event.readings);
+    }
+    if (event.kind == opcua::EventKind::ReadDone && read->status) {
       const opcua::Reading state = event.readings.back();
       const opcua::Reading call = event.readings[event.readings.size() - m_state.size()];
       event.readings.resize(event.readings.size() - m_state.size());
@@ -122,13 +130,25 @@ class StretchLink final : public opcua::ForwardingLink, public opcua::Control {
       const bool runs = m_isStarted && call.number == m_call &&
                         state.number == static_cast<double>(templates::WindowState::Runs);
       if (isRead && !runs) {
-        event.readings[read->status].number = opcua::kChannelReset;
+        event.readings[*read->status].number = opcua::kChannelReset;
       }
     }
     m_reads.erase(read);
   }
 
+  /// Axes that have arrived still settle by some nanometres. Until the start they stand where they
+  /// were first seen: what is streamed is what was checked, recorded and is judged.
+  void holdPlace(const std::vector<Variable>& variables, std::vector<opcua::Reading>& readings) {
+    for (std::size_t i = 0; !m_isStarted && i < std::min(variables.size(), readings.size()); ++i) {
+      if (variables[i].kind == VariableKind::ActualPosition && !readings[i].status) {
+        readings[i].number =
+            m_place.try_emplace(variables[i].index, readings[i].number).first->second;
+      }
+    }
+  }
+
   opcua::Control& m_control;
+  std::map<int, double> m_place;  ///< of the axes, by their index
   std::array<Variable, 2> m_state;
   double m_call;
   opcua::Assignment m_end;

@@ -344,6 +344,24 @@ class TestWholeJob : public QObject {
     QCOMPARE(trace::judgeRun(recording->points.points, wrong, {}).foreign, std::size_t{1});
   }
 
+  /// After a long way the axes still settle when a stretch begins with an axis that it does not
+  /// name: what is judged are the points that were streamed.
+  void axesThatSettleAreNoWrongMotion() {
+    for (int wayMm = 40; wayMm < 340; wayMm += 20) {
+      machine::Machine machine(*machine::loadPreset("dmu75-mill"), 1);
+      streaming::SimulatedLink link(machine);
+      Watcher watcher;
+      const std::string way = "SUPA G0 X" + std::to_string(wayMm);
+      const job::Plan plan =
+          planOf("G17 G90 G71\nG0 X0 Y0 Z20\nG1 X1 F3000\n" + way + " Y30 M8\nG0 Z10\nM9\nM30\n");
+      QVERIFY(plan.stretchCount() == 2 && plan.isWhole());
+      const streaming::WholeJobReport report =
+          streaming::runWholeJob(link, link, plan, settingsOf(), watcher, watcher);
+      QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+      QVERIFY2(report.integrity.isFaultless(), way.c_str());
+    }
+  }
+
   /// The trace of a control names lines alone: of all blocks in lines in which the loop moves, none
   /// is one of the main program.
   void theMainProgramMovesInLinesOfItsOwn() {
