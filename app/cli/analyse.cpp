@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 #include <optional>
 
 #include "base/file.h"
@@ -12,6 +13,7 @@
 #include "cli/commands.h"
 #include "report/report_json.h"
 #include "report/rule.h"
+#include "report/run_trend.h"
 #include "report/stream_quality.h"
 #include "report/trace_json.h"
 #include "report/trace_source.h"
@@ -39,6 +41,7 @@ struct Analysed {
   streaming::Outcome outcome = Outcome::Completed;  ///< of a recording
   RunFinding finding = RunFinding::NotJudged;
   std::optional<report::StreamQuality> stream;
+  std::optional<report::RunFigures> figures;  ///< of a recording
 };
 
 /// The report of a recorded run, as far as the finding depends on it.
@@ -175,6 +178,11 @@ Analysed analyseRecording(const trace::Recording& recording, const trace::TraceA
                                 {"p95", base::toMilliseconds(access.p95)},
                                 {"p99", base::toMilliseconds(access.p99)},
                                 {"max", base::toMilliseconds(access.max)}};
+  analysed.figures = {recording.start.endpoint,
+                      {},
+                      report::daysOf(recording.start.startedAtUtc),
+                      base::toMilliseconds(access.mean),
+                      analysed.json["paused_s"].get<double>()};
   analysed.text = recordingText(recording, run.integrity, pauses);
   if (!recording.accesses.empty()) {
     analysed.stream = report::judgeStream(recording, analysis);
@@ -290,9 +298,12 @@ base::Result<void> writeReport([[maybe_unused]] const AnalyseOptions& options,
 
 base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions& options,
                                    const gcode::Program* program) {
-  const auto source = report::openTrace(file, options.columns, options.rateHz);
+  auto source = report::openTrace(file, options.columns, options.rateHz);
   if (!source) {
     return base::fail(source.error());
+  }
+  if (options.hasWindow()) {
+    source->cut(options.fromS, options.untilS);
   }
   trace::TraceSubject subject = source->subject();
   subject.program = program;
@@ -343,6 +354,24 @@ void printSummary(const std::vector<ordered_json>& results, bool asCsv) {
   }
 }
 
+/// The table is also printed, below that of the files.
+base::Result<void> writeTrend(const AnalyseOptions& options,
+                              std::vector<report::RunFigures> figures) {
+  const auto trends = report::trendsOf(std::move(figures));
+  const std::string suffix = std::filesystem::path(options.trend).extension().string();
+  if (suffix != ".html" && suffix != ".svg" && suffix != ".json") {
+    return base::fail(base::FileError::NotWritable,
+                      "A trend is written as .html, .svg or .json: choose one of them.",
+                      options.trend);
+  }
+  if (!options.json && !options.csv) {
+    fmt::print("\n{}", report::trendText(trends));
+  }
+  return base::writeFile(options.trend, suffix == ".json"
+                                            ? report::trendJson(trends).dump(2) + "\n"
+                                            : report::trendPicture(trends, suffix == ".html"));
+}
+
 std::string ruleText(const report::Rule::Verdict& verdict) {
   return verdict.applies ? "applies" : verdict.unknown.empty() ? "does not apply" : "unknown";
 }
@@ -364,6 +393,7 @@ Exit analyse(const AnalyseOptions& options) {
   }
   const bool isBatch = options.files.size() > 1 || options.summary;
   std::vector<ordered_json> results;
+  std::vector<report::RunFigures> figures;
   Exit exit = Exit::Done;
   bool applies = false;
   for (const std::string& file : options.files) {
@@ -381,6 +411,10 @@ Exit analyse(const AnalyseOptions& options) {
     exit = analysed->isWrong && exit == Exit::Done ? Exit::Wrong : exit;
     ordered_json result{{"file", file}};
     result.update(analysed->json);
+    if (analysed->figures) {
+      analysed->figures->file = file;
+      figures.push_back(std::move(*analysed->figures));
+    }
     if (rule) {
       const report::Rule::Verdict verdict = rule->judge(result);
       // What is not known is not allowed either.
@@ -400,6 +434,11 @@ Exit analyse(const AnalyseOptions& options) {
     printSummary(results, options.csv);
   } else if (options.json) {
     printJson(isBatch ? ordered_json(results) : results.front());
+  }
+  if (!options.trend.empty()) {
+    if (const auto done = writeTrend(options, std::move(figures)); !done) {
+      return reportError(done.error(), options.json);
+    }
   }
   return applies ? Exit::RuleApplies : exit;
 }

@@ -6,7 +6,9 @@
 /// @threadsafety main thread.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -171,15 +173,20 @@ struct AnalyseOptions {
   std::string columns;       ///< `trace::parseColumnRoles`; empty: as remembered, or guessed
   double rateHz = 0.0;       ///< of a table without time; 0: not said
   double toleranceMm = 0.0;  ///< of the path; 0: the usual one
-  bool overview = false;     ///< only what the index of a recording says
-  bool summary = false;      ///< one table of all files
-  bool csv = false;          ///< the summary as CSV
-  std::string compare;       ///< "time", "path", "point"; empty: files are not compared
+  double fromS = 0.0;        ///< only what happens from then on, from the first sample
+  double untilS = std::numeric_limits<double>::infinity();  ///< and until then
+  bool overview = false;                ///< only what the index of a recording says
+  bool summary = false;                 ///< one table of all files
+  bool csv = false;                     ///< the summary as CSV
+  std::string trend;                    ///< HTML, SVG or JSON file; empty: none
+  std::string compare;                  ///< "time", "path", "point"; empty: files are not compared
   std::vector<std::string> signalList;  ///< formulas to compare; empty: the usual ones
   std::string failIf;                   ///< rule; empty: none
   std::string report;                   ///< PDF or HTML file for a page on one trace; empty: none
   std::string language = "en";          ///< of the report
   bool json = false;
+
+  [[nodiscard]] bool hasWindow() const { return fromS > 0.0 || std::isfinite(untilS); }
 };
 /// What recordings hold, without reading them as a whole.
 [[nodiscard]] Exit overview(const AnalyseOptions& options);

@@ -21,9 +21,12 @@ using Runs = std::vector<std::shared_ptr<const trace::ShownTrace>>;
 base::Result<Runs> openRuns(const AnalyseOptions& options, const gcode::Program* program) {
   Runs runs;
   for (const std::string& file : options.files) {
-    const auto source = report::openTrace(file, options.columns, options.rateHz);
+    auto source = report::openTrace(file, options.columns, options.rateHz);
     if (!source) {
       return base::fail(source.error());
+    }
+    if (options.hasWindow()) {
+      source->cut(options.fromS, options.untilS);
     }
     trace::TraceSubject subject = source->subject();
     subject.program = program;

@@ -460,6 +460,10 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
                       "of the same layout");
   command->add_option("--rate", options->rateHz, "Samples per second of a table without time, Hz")
       ->check(kPositive);
+  command->add_option("--from", options->fromS, "Only from this time on, s from the first sample")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--until", options->untilS, "Only until this time, s from the first sample")
+      ->check(CLI::NonNegativeNumber);
   command
       ->add_option("--tolerance", options->toleranceMm,
                    "Distance from the path that still is on it, mm (0.05)")
@@ -468,6 +472,11 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
                     "Only what the index of recordings says; hours are opened at once");
   auto* summary = command->add_flag("--summary", options->summary, "One table of all files");
   command->add_flag("--csv", options->csv, "The summary as comma-separated values")->needs(summary);
+  command
+      ->add_option("--trend", options->trend,
+                   "File for access time and pauses over the runs of each machine: .html, .svg or "
+                   ".json")
+      ->needs(summary);
   auto* page = command->add_option("--report", options->report,
                                    "File for one page with pictures, to be read or printed: .pdf "
                                    "or .html");
@@ -492,6 +501,9 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
   command->callback([options, &exit] {
     if (!options->report.empty() && options->files.size() > 1) {
       throw CLI::ValidationError("--report", "makes a page of one file");
+    }
+    if (options->fromS > options->untilS) {
+      throw CLI::ValidationError("--until", "is before --from");
     }
     if (!options->compare.empty() && options->files.size() < 2) {
       throw CLI::ValidationError("--compare", "needs two files or more");

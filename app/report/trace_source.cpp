@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
@@ -78,6 +79,54 @@ base::Result<trace::ImportedTrace> import(const std::string& bytes, const std::s
 }
 
 }  // namespace
+
+void TraceSource::cut(double fromS, double untilS) {
+  const trace::Motion motion = trace::motionOf(subject());
+  const base::Instant origin = motion.samples.empty() ? base::Instant{} : motion.samples.front().at;
+  const base::Instant from{origin + base::fromSeconds(fromS)};
+  const base::Instant until{origin + base::fromSeconds(untilS)};
+  const auto keep = [&](auto& list, auto instantOf) {
+    std::erase_if(list,
+                  [&](const auto& one) { return instantOf(one) < from || instantOf(one) > until; });
+  };
+  const auto at = [](const auto& one) { return one.at; };
+  const auto cutTrace = [&](trace::ControlTrace& control) {
+    keep(control.samples, at);
+    keep(control.blocks, [](const auto& block) { return block.from; });
+    keep(control.events, [](const auto& event) { return event.from; });
+    control.truncated = true;
+  };
+  if (controlTrace) {
+    cutTrace(*controlTrace);
+  }
+  if (recording) {
+    keep(recording->samples, at);
+    keep(recording->notes, at);
+    keep(recording->accesses, [](const auto& access) { return access.sent; });
+    keep(recording->pauses, [](const auto& pause) { return pause.start; });
+    if (recording->controlTrace) {
+      cutTrace(*recording->controlTrace);
+    }
+  }
+  if (imported) {
+    trace::SignalTrace& file = imported->trace;
+    for (std::size_t base = 0; base < file.timeBases.size(); ++base) {
+      std::vector<base::Instant>& times = file.timeBases[base].at;
+      const auto first = std::lower_bound(times.begin(), times.end(), from) - times.begin();
+      const auto last = std::upper_bound(times.begin(), times.end(), until) - times.begin();
+      const auto cutList = [&](auto& list) {
+        list.erase(list.begin() + std::max(first, last), list.end());
+        list.erase(list.begin(), list.begin() + first);
+      };
+      cutList(times);
+      for (trace::Signal& signal : file.signalList) {
+        if (signal.timeBase == base) {
+          cutList(signal.values);
+        }
+      }
+    }
+  }
+}
 
 trace::TraceSubject TraceSource::subject() const {
   trace::TraceSubject subject;

@@ -29,6 +29,10 @@ struct TraceSource {
   std::optional<trace::ControlTrace> controlTrace;
   std::optional<trace::ImportedTrace> imported;
 
+  /// Leaves nothing but what happened between two times from the first sample. Blocks are not
+  /// judged then: those before and after would be missing. @param fromS <= untilS
+  void cut(double fromS, double untilS);
+
   /// Borrows what is there.
   [[nodiscard]] trace::TraceSubject subject() const;
 };

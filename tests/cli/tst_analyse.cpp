@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/rule.h"
+#include "report/run_trend.h"
 #include "report/stream_quality.h"
 #include "streaming/driver.h"
 #include "support/test_program.h"
@@ -167,6 +168,66 @@ class TestAnalyse : public QObject {
     QCOMPARE(unknown.exit, 2);
     QVERIFY2(unknown.errors.find("which NC program") != std::string::npos, unknown.errors.c_str());
     QVERIFY(run({a, QStringLiteral("--compare"), QStringLiteral("time")}).exit != 0);
+  }
+
+  /// Two machines; the access of one becomes slower by 2 ms a day.
+  void showsTrends() {
+    QStringList files;
+    for (int day = 1; day <= 5; ++day) {
+      for (const char* machine : {"opc.tcp://mill:4840", "opc.tcp://lathe:4840"}) {
+        const bool isMill = std::string(machine).find("mill") != std::string::npos;
+        const int took = 10'000'000 + (isMill ? 2'000'000 * day : 0);
+        const std::string text = fmt::format(
+            "rivulet-recording 1\nrun method=\"window\" program=\"part.mpf\" endpoint=\"{}\" "
+            "started_utc=\"2026-11-{:02d}T12:00:00Z\"\npoints count=0 merged=0\n"
+            "l 0 1 2 3 10\na 1000000 {} r 1\nl 1500000000 5 -2 3 10\n"
+            "end outcome=\"completed\" duration_ns=1600000000\n",
+            machine, day, took);
+        files.prepend(file(fmt::format("{}{}.rivulet", isMill ? "mill" : "lathe", day).c_str(),
+                           QByteArray::fromStdString(text)));
+      }
+    }
+    const QString path = m_folder.filePath("trend.json");
+    const QStringList options{QStringLiteral("--summary"), QStringLiteral("--trend")};
+    const Outcome outcome = run(files + options + QStringList{path});
+    QVERIFY2(outcome.errors.empty(), outcome.errors.c_str());
+    QVERIFY2(outcome.output.find("per_day") != std::string::npos, outcome.output.c_str());
+    QFile written(path);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    const json trends = json::parse(written.readAll().toStdString(), nullptr, false);
+    QCOMPARE(trends.size(), std::size_t{2});
+    QCOMPARE(trends[1]["machine"].get<std::string>(), std::string("opc.tcp://mill:4840"));
+    QCOMPARE(trends[1]["runs"].get<int>(), 5);
+    QVERIFY(std::abs(trends[1]["span_days"].get<double>() - 4.0) < 1e-9);
+    QVERIFY(std::abs(trends[1]["access_ms"]["mean"].get<double>() - 16.0) < 1e-9);
+    QVERIFY(std::abs(trends[1]["access_ms"]["per_day"].get<double>() - 2.0) < 1e-9);
+    QVERIFY(std::abs(trends[1]["access_ms"]["per_run"].get<double>() - 2.0) < 1e-9);
+    QVERIFY(std::abs(trends[0]["access_ms"]["per_run"].get<double>()) < 1e-9);
+    const QString page = m_folder.filePath("trend.html");
+    QCOMPARE(run(files + options + QStringList{page}).exit, outcome.exit);
+    QFile html(page);
+    QVERIFY(html.open(QIODevice::ReadOnly));
+    QCOMPARE(html.readAll().count("<svg"), 2);
+    QCOMPARE(run(files + options + QStringList{m_folder.filePath("trend.txt")}).exit, 2);
+    QVERIFY(!report::daysOf("yesterday") && !report::daysOf("2026-13-01T00:00:00Z"));
+    QCOMPARE(*report::daysOf("1970-01-02T12:00:00Z"), 1.5);
+  }
+
+  /// Half of the motion: the other half is not missing.
+  void analysesAPartOfTheTime() {
+    const QString program = file("part.mpf", kProgram);
+    const QString whole = file("whole.csv", traceText("t_s;x_cmd;y_cmd\n", false));
+    const Outcome part = run({whole, QStringLiteral("--program"), program, QStringLiteral("--from"),
+                              QStringLiteral("0.5"), QStringLiteral("--until"),
+                              QStringLiteral("1.2"), QStringLiteral("--json")});
+    const json shown = part.parsed();
+    QCOMPARE(shown["samples"].get<int>(), 71);
+    QCOMPARE(shown["executed"].get<int>(), 1);
+    QCOMPARE(shown["skipped"].get<int>(), 0);
+    QCOMPARE(run({whole, QStringLiteral("--from"), QStringLiteral("2"), QStringLiteral("--until"),
+                  QStringLiteral("1")})
+                 .exit,
+             2);
   }
 
   /// The overview of a recording is that of the whole file, also if it was cut off.

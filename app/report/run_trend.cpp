@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "report/run_trend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+
+#include "report/markup.h"
+#include "report/svg_plot.h"
+
+namespace rivulet::report {
+
+namespace {
+
+using Figure = double RunFigures::*;
+
+constexpr double kSecondsPerDay = 86400.0;
+
+/// @return slope of the line of least squares; 0 if all x are the same
+double slopeOf(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto count = static_cast<double>(x.size());
+  double meanX = 0.0;
+  double meanY = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    meanX += x[i] / count;
+    meanY += y[i] / count;
+  }
+  double xx = 0.0;
+  double xy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - meanX) * (x[i] - meanX);
+    xy += (x[i] - meanX) * (y[i] - meanY);
+  }
+  return xx > 0.0 ? xy / xx : 0.0;
+}
+
+Slope slopeOf(const MachineTrend& trend, Figure figure) {
+  std::vector<double> numbers;
+  std::vector<double> days;
+  std::vector<double> values;
+  bool hasDays = true;
+  Slope slope;
+  for (const RunFigures& run : trend.runs) {
+    numbers.push_back(static_cast<double>(numbers.size()));
+    values.push_back(run.*figure);
+    days.push_back(run.atDay.value_or(0.0));
+    hasDays = hasDays && run.atDay;
+    slope.mean += run.*figure / static_cast<double>(trend.runs.size());
+  }
+  slope.perRun = slopeOf(numbers, values);
+  // Over less than a day, the hour of the day is what changes.
+  if (hasDays && trend.spanDays >= 1.0) {
+    slope.perDay = slopeOf(days, values);
+  }
+  return slope;
+}
+
+std::string perDayText(const Slope& slope) {
+  return slope.perDay ? fmt::format("{:+.4g}", *slope.perDay) : std::string("-");
+}
+
+nlohmann::ordered_json slopeJson(const Slope& slope) {
+  return {{"mean", slope.mean},
+          {"per_run", slope.perRun},
+          {"per_day",
+           slope.perDay ? nlohmann::ordered_json(*slope.perDay) : nlohmann::ordered_json(nullptr)}};
+}
+
+experiments::Plot plotOf(const std::vector<MachineTrend>& trends, const char* title,
+                         const char* label, Figure figure) {
+  experiments::Plot plot{title, "Run of the machine", label, {}};
+  for (const MachineTrend& trend : trends) {
+    experiments::Series runs;
+    runs.name = trend.machine;
+    runs.style = experiments::SeriesStyle::Points;
+    experiments::Series line;
+    line.name = trend.machine + ", trend";
+    const Slope slope = slopeOf(trend, figure);
+    for (const RunFigures& run : trend.runs) {
+      const auto number = static_cast<double>(runs.x.size() + 1);
+      runs.x.push_back(number);
+      runs.y.push_back(run.*figure);
+      line.x.push_back(number);
+      line.y.push_back(slope.mean +
+                       slope.perRun * (number - (static_cast<double>(trend.runs.size()) + 1) / 2));
+    }
+    plot.series.push_back(std::move(runs));
+    plot.series.push_back(std::move(line));
+  }
+  return plot;
+}
+
+}  // namespace
+
+std::optional<double> daysOf(std::string_view utc) {
+  int year = 0;
+  unsigned month = 0;
+  unsigned day = 0;
+  unsigned hour = 0;
+  unsigned minute = 0;
+  double second = 0.0;
+  const std::string text(utc);
+  if (std::sscanf(text.c_str(), "%d-%u-%uT%u:%u:%lf", &year, &month, &day, &hour, &minute,
+                  &second) != 6) {
+    return std::nullopt;
+  }
+  const std::chrono::year_month_day date{std::chrono::year{year}, std::chrono::month{month},
+                                         std::chrono::day{day}};
+  if (!date.ok() || hour > 23 || minute > 59 || !(second >= 0.0 && second < 61.0)) {
+    return std::nullopt;
+  }
+  const auto days = std::chrono::sys_days{date}.time_since_epoch().count();
+  return static_cast<double>(days) + (3600.0 * hour + 60.0 * minute + second) / kSecondsPerDay;
+}
+
+std::vector<MachineTrend> trendsOf(std::vector<RunFigures> runs) {
+  std::map<std::string, MachineTrend> byMachine;
+  for (RunFigures& run : runs) {
+    MachineTrend& trend = byMachine[run.machine];
+    trend.machine = run.machine;
+    trend.runs.push_back(std::move(run));
+  }
+  std::vector<MachineTrend> trends;
+  for (auto& [machine, trend] : byMachine) {
+    const bool hasDays = std::all_of(trend.runs.begin(), trend.runs.end(),
+                                     [](const RunFigures& run) { return run.atDay.has_value(); });
+    if (hasDays) {
+      std::stable_sort(
+          trend.runs.begin(), trend.runs.end(),
+          [](const RunFigures& a, const RunFigures& b) { return *a.atDay < *b.atDay; });
+      trend.spanDays = *trend.runs.back().atDay - *trend.runs.front().atDay;
+    }
+    trend.accessMs = slopeOf(trend, &RunFigures::accessMs);
+    trend.pausedS = slopeOf(trend, &RunFigures::pausedS);
+    trends.push_back(std::move(trend));
+  }
+  return trends;
+}
+
+std::string trendText(const std::vector<MachineTrend>& trends) {
+  std::string text = fmt::format("{:40} {:>6} {:>8} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12}\n",
+                                 "machine", "runs", "days", "access_ms", "per_run", "per_day",
+                                 "paused_s", "per_run", "per_day");
+  for (const MachineTrend& trend : trends) {
+    text += fmt::format(
+        "{:40} {:>6} {:>8.1f} {:>12.4g} {:>+12.4g} {:>12} {:>12.4g} {:>+12.4g} {:>12}\n",
+        trend.machine, trend.runs.size(), trend.spanDays, trend.accessMs.mean,
+        trend.accessMs.perRun, perDayText(trend.accessMs), trend.pausedS.mean, trend.pausedS.perRun,
+        perDayText(trend.pausedS));
+  }
+  return text;
+}
+
+nlohmann::ordered_json trendJson(const std::vector<MachineTrend>& trends) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const MachineTrend& trend : trends) {
+    json.push_back({{"machine", trend.machine},
+                    {"runs", trend.runs.size()},
+                    {"span_days", trend.spanDays},
+                    {"access_ms", slopeJson(trend.accessMs)},
+                    {"paused_s", slopeJson(trend.pausedS)}});
+  }
+  return json;
+}
+
+std::string trendPicture(const std::vector<MachineTrend>& trends, bool isHtml) {
+  const std::string access =
+      svgPlot(plotOf(trends, "Access time per run", "Mean access time, ms", &RunFigures::accessMs));
+  if (!isHtml) {
+    return access;
+  }
+  std::string rows;
+  for (const MachineTrend& trend : trends) {
+    rows += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td>{:.1f}</td><td>{:.4g}</td><td>{:+.4g}</td><td>{}</td>"
+        "<td>{:.4g}</td><td>{:+.4g}</td><td>{}</td></tr>\n",
+        markupText(trend.machine), trend.runs.size(), trend.spanDays, trend.accessMs.mean,
+        trend.accessMs.perRun, perDayText(trend.accessMs), trend.pausedS.mean, trend.pausedS.perRun,
+        perDayText(trend.pausedS));
+  }
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Trend of the "
+      "runs</title><style>body{{font-family:sans-serif;margin:2em}}table{{border-collapse:"
+      "collapse;margin-bottom:2em}}td,th{{border-bottom:1px solid #bbb;padding:4px 12px;"
+      "text-align:right}}td:first-child,th:first-child{{text-align:left}}</style></head><body>\n"
+      "<h1>Trend of the runs</h1>\n<table><tr><th>Machine</th><th>Runs</th><th>Days</th>"
+      "<th>Access, ms</th><th>per run</th><th>per day</th><th>Paused, s</th><th>per run</th>"
+      "<th>per day</th></tr>\n{}</table>\n{}\n{}\n</body></html>\n",
+      rows, access,
+      svgPlot(plotOf(trends, "Pauses per run", "Time in pauses, s", &RunFigures::pausedS)));
+}
+
+}  // namespace rivulet::report
