@@ -5787,8 +5787,8 @@ GPL-3.0-or-later</translation>
         <translation>Abstände benachbarter Punkte, mm</translation>
     </message>
     <message>
-        <source>%1 (%2 repeated ones left out)</source>
-        <translation>%1 (%2 wiederholte ausgelassen)</translation>
+        <source>%1 (repetitions left out: %2)</source>
+        <translation>%1 (Wiederholungen weggelassen: %2)</translation>
     </message>
     <message>
         <source>not stated</source>

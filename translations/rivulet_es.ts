@@ -5787,8 +5787,8 @@ GPL-3.0-or-later</translation>
         <translation>Distancias entre puntos vecinos, mm</translation>
     </message>
     <message>
-        <source>%1 (%2 repeated ones left out)</source>
-        <translation>%1 (%2 puntos repetidos omitidos)</translation>
+        <source>%1 (repetitions left out: %2)</source>
+        <translation>%1 (repeticiones omitidas: %2)</translation>
     </message>
     <message>
         <source>not stated</source>

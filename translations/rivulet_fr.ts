@@ -5787,8 +5787,8 @@ GPL-3.0-or-later</translation>
         <translation>Distances entre points voisins, mm</translation>
     </message>
     <message>
-        <source>%1 (%2 repeated ones left out)</source>
-        <translation>%1 (%2 points répétés omis)</translation>
+        <source>%1 (repetitions left out: %2)</source>
+        <translation>%1 (répétitions omises&#xa0;: %2)</translation>
     </message>
     <message>
         <source>not stated</source>

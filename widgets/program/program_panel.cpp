@@ -430,7 +430,7 @@ void ProgramPanel::fillFigures(std::vector<QString>& values) const {
   const gcode::PointList& points = m_program->points;
   values[Points] = points.merged == 0
                        ? countText(points.points.size())
-                       : tr("%1 (%2 repeated ones left out)")
+                       : tr("%1 (repetitions left out: %2)")
                              .arg(countText(points.points.size()), countText(points.merged));
   values[Units] = unitsText(program.facts.units);
   values[BoundsX] = boundsText(statistics.minMm.x, statistics.maxMm.x);
