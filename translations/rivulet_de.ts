@@ -7164,6 +7164,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>Saved: %1</source>
         <translation>Gesichert: %1</translation>
     </message>
+    <message>
+        <source>Shown beside the panes</source>
+        <translation>Neben den Kurven gezeigt</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::UserButton</name>

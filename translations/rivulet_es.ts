@@ -7164,6 +7164,10 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>Saved: %1</source>
         <translation>Guardado: %1</translation>
     </message>
+    <message>
+        <source>Shown beside the panes</source>
+        <translation>Mostrado junto a las curvas</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::UserButton</name>

@@ -2436,7 +2436,7 @@
     </message>
     <message>
         <source>Hold: override 0</source>
-        <translation>Suspension : override 0</translation>
+        <translation>Suspension&#xa0;: override 0</translation>
     </message>
     <message>
         <source>Waiting for data of the client</source>
@@ -7163,6 +7163,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Saved: %1</source>
         <translation>Enregistré : %1</translation>
+    </message>
+    <message>
+        <source>Shown beside the panes</source>
+        <translation>Affiché à côté des courbes</translation>
     </message>
 </context>
 <context>

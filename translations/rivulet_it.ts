@@ -2299,7 +2299,7 @@
     </message>
     <message>
         <source>Lag (set point minus actual)</source>
-        <translation>Errore d’inseguimento (nominale meno reale)</translation>
+        <translation>Errore d’inseguimento (nom. − reale)</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -7163,6 +7163,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Saved: %1</source>
         <translation>Salvato: %1</translation>
+    </message>
+    <message>
+        <source>Shown beside the panes</source>
+        <translation>Mostrato accanto alle curve</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,7 @@ ComparePanel::ComparePanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors
   m_axis->setMinimumHeight(kTouchHeightPx);
   m_axis->addItems({QString(), QString(), QString()});
   m_axisName->setBuddy(m_axis);
+  m_axisName->setWordWrap(true);
   m_differences->setObjectName(QStringLiteral("compareDifferences"));
   m_differences->setMinimumHeight(kTouchHeightPx);
   m_note->setObjectName(QStringLiteral("compareNote"));

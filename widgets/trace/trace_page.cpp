@@ -15,7 +15,6 @@
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSplitter>
-#include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QUrl>
@@ -27,6 +26,7 @@
 #include "base/units.h"
 #include "trace/export.h"
 #include "trace/formula.h"
+#include "widgets/common/folding_tabs.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
@@ -47,7 +47,6 @@ namespace rivulet::widgets {
 namespace {
 
 constexpr int kPanelPx = 350;
-constexpr double kTabPt = 9.5;
 /// Narrower, panel and panes take turns.
 constexpr int kBothPx = 660;
 /// Narrower, the buttons show their icons alone.
@@ -95,7 +94,7 @@ TracePage::TracePage(QWidget* parent)
       m_layoutMenu(new LayoutMenu(this)),
       m_save(makeTouchButton(this)),
       m_legend(new LegendStrip(this)),
-      m_panel(new QTabWidget(this)),
+      m_panel(new FoldingTabs(this)),
       m_signals(
           new SignalPanel([this](const QString& formula) { return m_view->shows(formula); }, this)),
       m_cursorPanel(new CursorPanel(m_curves, m_window, m_cursors, m_view, this)),
@@ -112,15 +111,15 @@ TracePage::TracePage(QWidget* parent)
   m_layout->setObjectName(QStringLiteral("traceLayout"));
   m_layout->setMenu(m_layoutMenu);
   m_save->setObjectName(QStringLiteral("traceSave"));
-  m_panel->setObjectName(QStringLiteral("tracePanel"));
+  m_panel->tabs()->setObjectName(QStringLiteral("tracePanel"));
   m_live->setCheckable(true);
   m_live->setChecked(true);
   m_list->setCheckable(true);
-  m_panel->addTab(makeStopPanel(), QString());
-  m_panel->addTab(m_signals, QString());
-  m_panel->addTab(m_cursorPanel, QString());
-  m_panel->addTab(m_comparePanel, QString());
-  m_panel->addTab(m_spectrumPanel, QString());
+  m_panel->tabs()->addTab(makeStopPanel(), QString());
+  m_panel->tabs()->addTab(m_signals, QString());
+  m_panel->tabs()->addTab(m_cursorPanel, QString());
+  m_panel->tabs()->addTab(m_comparePanel, QString());
+  m_panel->tabs()->addTab(m_spectrumPanel, QString());
   layOut();
 
   connect(m_open, &QPushButton::clicked, this, &TracePage::chooseFiles);
@@ -198,10 +197,6 @@ void TracePage::layOut() {
     top->addWidget(button);
   }
   m_panel->setMinimumWidth(kPanelPx);
-  // All five tabs are seen at once.
-  QFont small = m_panel->tabBar()->font();
-  small.setPointSizeF(kTabPt);
-  m_panel->tabBar()->setFont(small);
   auto* body = new QSplitter(Qt::Horizontal, this);
   body->setObjectName(QStringLiteral("traceBody"));
   body->setChildrenCollapsible(false);
@@ -587,11 +582,8 @@ void TracePage::retranslate() {
   m_save->setAccessibleName(tr("Save…"));
   m_save->setToolTip(
       tr("Save what the panes show: the samples as a table (CSV), or a picture (PNG, SVG, PDF)"));
-  m_panel->setTabText(0, tr("Stops"));
-  m_panel->setTabText(1, tr("Signals"));
-  m_panel->setTabText(2, tr("Cursors"));
-  m_panel->setTabText(3, tr("Compare"));
-  m_panel->setTabText(4, tr("Spectrum"));
+  m_panel->setTexts({tr("Stops"), tr("Signals"), tr("Cursors"), tr("Compare"), tr("Spectrum")},
+                    tr("Shown beside the panes"));
   m_table->setAccessibleName(tr("Stops"));
   m_summaryNames[0]->setText(tr("Number"));
   m_summaryNames[1]->setText(tr("Mean"));

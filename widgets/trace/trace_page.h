@@ -23,13 +23,13 @@
 class QLabel;
 class QPushButton;
 class QSplitter;
-class QTabWidget;
 class QTableView;
 
 namespace rivulet::widgets {
 
 class ComparePanel;
 class CursorPanel;
+class FoldingTabs;
 class LayoutMenu;
 class LegendStrip;
 class ScopeCursors;
@@ -145,7 +145,7 @@ class TracePage final : public Page {
   LayoutMenu* m_layoutMenu;
   QPushButton* m_save;
   LegendStrip* m_legend;
-  QTabWidget* m_panel;
+  FoldingTabs* m_panel;
   SignalPanel* m_signals;
   CursorPanel* m_cursorPanel;
   ComparePanel* m_comparePanel;

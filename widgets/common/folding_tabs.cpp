@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/common/folding_tabs.h"
+
+#include <QComboBox>
+#include <QSignalBlocker>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "widgets/common/theme.h"
+
+namespace rivulet::widgets {
+
+FoldingTabs::FoldingTabs(QWidget* parent)
+    : QWidget(parent), m_list(new QComboBox(this)), m_tabs(new QTabWidget(this)) {
+  m_list->setObjectName(QStringLiteral("tabList"));
+  m_list->setMinimumHeight(kTouchHeightPx);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_list);
+  layout->addWidget(m_tabs, 1);
+  connect(m_list, &QComboBox::activated, m_tabs, &QTabWidget::setCurrentIndex);
+  connect(m_tabs, &QTabWidget::currentChanged, m_list, &QComboBox::setCurrentIndex);
+}
+
+void FoldingTabs::setTexts(const QStringList& texts, const QString& name) {
+  {
+    const QSignalBlocker blocker(m_list);
+    m_list->clear();
+    m_list->addItems(texts);
+    m_list->setCurrentIndex(m_tabs->currentIndex());
+  }
+  m_list->setAccessibleName(name);
+  for (int i = 0; i < texts.size(); ++i) {
+    m_tabs->setTabText(i, texts[i]);
+  }
+  fold();
+}
+
+void FoldingTabs::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fold();
+}
+
+void FoldingTabs::fold() {
+  const bool fits = m_tabs->tabBar()->sizeHint().width() <= width();
+  m_tabs->tabBar()->setVisible(fits);
+  m_list->setVisible(!fits);
+}
+
+}  // namespace rivulet::widgets
