@@ -202,19 +202,15 @@ base::Result<Table> readings(Experiment& experiment) {
       }
     }
   }
-  experiment.notes.push_back(
-      fmt::format("Table 1 of [P3] contradicts itself: tasks 2 to 5 take 10 ms each time and have "
-                  "a cycle of 5 ms. "
-                  "Its text decides: at 10 ms the other tasks are as fast as position control. "
-                  "With an execution "
-                  "of 10 ms and five processors this is so (B5 holds {:.1f}, position control "
-                  "waits {:.0f} %), and "
-                  "starts at multiples of 5 ms change little (B5 {:.1f}, waits {:.0f} %). With 5 "
-                  "ms they are twice "
-                  "as fast, B5 fills to {:.1f} on average, and nothing is balanced: 10 ms is the "
-                  "reading that gives "
-                  "the figure.",
-                  made[0], 100.0 * waits[0], made[1], 100.0 * waits[1], made[2]));
+  experiment.notes.push_back(fmt::format(
+      "Table 1 of [P3] contradicts itself: tasks 2 to 5 take 10 ms each time and have "
+      "a cycle of 5 ms. "
+      "Its text decides: at 10 ms the other tasks are about as fast as position control. "
+      "With an execution of 10 ms and five processors they are a little slower (B5 holds "
+      "{:.1f}, position control waits {:.0f} % of the time), and starts at multiples of "
+      "5 ms change little (B5 {:.1f}, waits {:.0f} %). With 5 ms they are twice as fast, "
+      "and B5 fills to {:.1f} on average: 10 ms is the reading that comes nearer.",
+      made[0], 100.0 * waits[0], made[1], 100.0 * waits[1], made[2]));
   return table;
 }
 
