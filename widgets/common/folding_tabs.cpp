@@ -9,6 +9,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "widgets/common/folding_columns.h"
 #include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
@@ -23,6 +24,10 @@ FoldingTabs::FoldingTabs(QWidget* parent)
   layout->addWidget(m_tabs, 1);
   connect(m_list, &QComboBox::activated, m_tabs, &QTabWidget::setCurrentIndex);
   connect(m_tabs, &QTabWidget::currentChanged, m_list, &QComboBox::setCurrentIndex);
+}
+
+void FoldingTabs::addPage(QWidget* page) {
+  m_tabs->addTab(makeScrolling(page, this), QString());
 }
 
 void FoldingTabs::setTexts(const QStringList& texts, const QString& name) {

@@ -19,7 +19,8 @@ class FoldingTabs final : public QWidget {
  public:
   explicit FoldingTabs(QWidget* parent = nullptr);
 
-  /// The pages; their texts are set by `setTexts`.
+  /// A page that scrolls where it is higher than its place.
+  void addPage(QWidget* page);
   [[nodiscard]] QTabWidget* tabs() const { return m_tabs; }
   /// @param texts  one for each tab @param name  of the list, for a screen reader
   void setTexts(const QStringList& texts, const QString& name);

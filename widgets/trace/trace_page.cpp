@@ -115,11 +115,11 @@ TracePage::TracePage(QWidget* parent)
   m_live->setCheckable(true);
   m_live->setChecked(true);
   m_list->setCheckable(true);
-  m_panel->tabs()->addTab(makeStopPanel(), QString());
-  m_panel->tabs()->addTab(m_signals, QString());
-  m_panel->tabs()->addTab(m_cursorPanel, QString());
-  m_panel->tabs()->addTab(m_comparePanel, QString());
-  m_panel->tabs()->addTab(m_spectrumPanel, QString());
+  m_panel->addPage(makeStopPanel());
+  m_panel->addPage(m_signals);
+  m_panel->addPage(m_cursorPanel);
+  m_panel->addPage(m_comparePanel);
+  m_panel->addPage(m_spectrumPanel);
   layOut();
 
   connect(m_open, &QPushButton::clicked, this, &TracePage::chooseFiles);
