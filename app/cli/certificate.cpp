@@ -3,26 +3,19 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "base/file.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "opcua/open62541/encryption.h"
 #include "trust/own_certificate.h"
 #include "trust/trust_store.h"
+#include "utc/now.h"
 
 namespace rivulet::cli {
 
 namespace {
 
 using nlohmann::ordered_json;
-
-base::UtcMs presentUtc() {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 ordered_json asJson(const opcua::CertificateFacts& facts, const std::string& file,
                     const std::vector<trust::KnownServer>& servers) {
@@ -31,7 +24,7 @@ ordered_json asJson(const opcua::CertificateFacts& facts, const std::string& fil
                     {"fingerprint", facts.fingerprint},
                     {"valid_from", base::utcText(facts.validFrom)},
                     {"valid_to", base::utcText(facts.validTo)},
-                    {"days_left", opcua::daysLeft(facts, presentUtc())},
+                    {"days_left", opcua::daysLeft(facts, utc::now())},
                     {"encryption", opcua::encryptionLibrary()},
                     {"servers", ordered_json::array()}};
   for (const trust::KnownServer& server : servers) {
@@ -45,7 +38,7 @@ ordered_json asJson(const opcua::CertificateFacts& facts, const std::string& fil
 void printText(const opcua::CertificateFacts& facts, const std::string& file,
                const std::vector<trust::KnownServer>& servers) {
   fmt::print("Certificate of this user: {}\n  {}\n  {} days left\n", file, trust::describe(facts),
-             opcua::daysLeft(facts, presentUtc()));
+             opcua::daysLeft(facts, utc::now()));
   fmt::print("Encryption by {}\n", opcua::encryptionLibrary());
   fmt::print("{}\n", servers.empty() ? "No server is trusted yet." : "Servers:");
   for (const trust::KnownServer& server : servers) {

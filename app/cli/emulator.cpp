@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
@@ -16,7 +15,8 @@
 #include "emulator/emulator.h"
 #include "emulator/emulator_error.h"
 #include "report/trace_source.h"
-#include "trace/motion.h"
+#include "trace/analysis/trace_analysis.h"
+#include "utc/now.h"
 
 namespace rivulet::cli {
 
@@ -37,15 +37,7 @@ base::Result<TrainingRun> loadRun(const std::string& file, const std::string& co
   if (!source) {
     return base::fail(source.error());
   }
-  trace::Motion motion;
-  if (source->imported) {
-    motion = trace::motionOf(*source->imported);
-  } else if (source->controlTrace) {
-    motion = trace::motionOf(*source->controlTrace);
-  } else if (source->recording && source->recording->controlTrace) {
-    motion = trace::motionOf(*source->recording->controlTrace);
-  }
-  return emulator::trainingRunOf(motion, runName(file));
+  return emulator::trainingRunOf(trace::motionOf(source->subject()), runName(file));
 }
 
 base::Result<Emulator> loadEmulator(const std::string& file) {
@@ -75,13 +67,6 @@ void printAxis(const emulator::LearnedAxis& axis) {
     fmt::print("  {:18} {:>10.5g} {:6} [{:.5g}, {:.5g}]  {}\n", facts.key, estimate.value,
                facts.unit, estimate.low, estimate.high, facts.meaning);
   }
-}
-
-/// The clock of the computer, read here because core has none.
-base::UtcMs nowUtc() {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
 }
 
 }  // namespace
@@ -119,7 +104,7 @@ Exit learnEmulator(const EmulatorOptions& options) {
   }
   learned.axes = std::move(*axes);
   learned.dataHash = base::sha256Hex(hashes);
-  learned.date = base::utcText(nowUtc());
+  learned.date = base::utcText(utc::now());
   if (!options.output.empty()) {
     const std::string head =
         "# An emulator learned by rivulet-cli. docs/emulator.md explains it.\n";

@@ -5,7 +5,6 @@
 
 #include <QMetaObject>
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "report/run_store.h"
@@ -40,12 +39,6 @@ Alarms::Alarms(Messages& messages, const std::filesystem::path& folder, Clock cl
     m_writer = std::make_unique<journal::Writer>();
     restore();
   }
-}
-
-base::UtcMs Alarms::utcNow() {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
 }
 
 void Alarms::restore() {

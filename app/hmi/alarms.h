@@ -18,6 +18,7 @@
 #include "hmi/messages.h"
 #include "journal/alarm_history.h"
 #include "journal/writer.h"
+#include "utc/now.h"
 
 namespace rivulet::hmi {
 
@@ -30,8 +31,7 @@ class Alarms final : public QObject {
   static constexpr std::size_t kHistoryMax = 2000;
 
   /// @param folder  of the history; empty: it is not kept
-  Alarms(Messages& messages, const std::filesystem::path& folder, Clock clock = utcNow);
-  [[nodiscard]] static base::UtcMs utcNow();
+  Alarms(Messages& messages, const std::filesystem::path& folder, Clock clock = utc::now);
 
   /// Who acknowledges and shelves.
   void setUser(std::string user) { m_user = std::move(user); }

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/utc.h"
-#include "hmi/alarms.h"
 #include "report/machine_profile.h"
 #include "report/run_store.h"
+#include "utc/now.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -65,7 +65,7 @@ void MachineProfiles::save(streaming::MachineProfile profile) {
   }
   profile.endpoint = m_machine.endpoint().trimmed().toStdString();
   profile.server = m_machine.link().server;
-  profile.enteredAtUtc = base::utcText(Alarms::utcNow());
+  profile.enteredAtUtc = base::utcText(utc::now());
   profile.enteredBy = report::thisUser().user;
   if (const auto saved = m_store.save(profile); !saved) {
     m_messages.show(Severity::Error, [error = saved.error()] { return widgets::errorText(error); });

@@ -23,6 +23,7 @@
 
 #include "hmi/input_guard.h"
 #include "report/run_store.h"
+#include "utc/now.h"
 #include "widgets/alarms/alarm_page.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/blocked_text.h"
@@ -61,7 +62,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       m_persistent(persistent),
       m_alarms(m_messages, m_settings.stateFolder),
       m_users(m_settings.usersFile, QString::fromStdString(report::thisUser().user)),
-      m_audit(m_messages, m_settings.stateFolder, Alarms::utcNow),
+      m_audit(m_messages, m_settings.stateFolder, utc::now),
       m_session(std::move(connector), report::MachineStore()),
       m_document(m_settings.stream),
       m_machine(m_session, report::MachineStore(), m_messages),

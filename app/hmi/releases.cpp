@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "hmi/alarms.h"
 #include "hmi/audit.h"
 #include "journal/line_file.h"
+#include "utc/now.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -124,8 +124,7 @@ void Releases::give() {
   if (!present || m_users.refusal(Act::Release)) {
     return;
   }
-  append({*present, m_document.program()->name, m_users.name().toStdString(), Alarms::utcNow(),
-          false});
+  append({*present, m_document.program()->name, m_users.name().toStdString(), utc::now(), false});
   m_messages.didAct(Act::Release, {{"program", m_document.program()->name},
                                    {"hash", present->programHash},
                                    {"settings", present->settings},
@@ -139,7 +138,7 @@ void Releases::takeBack() {
   }
   Release back = *present;
   back.by = m_users.name().toStdString();
-  back.at = Alarms::utcNow();
+  back.at = utc::now();
   back.isTakenBack = true;
   m_messages.didAct(Act::TakeBackRelease,
                     {{"program", back.programName}, {"hash", back.job.programHash}});

@@ -5,23 +5,16 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "opcua/error.h"
 #include "opcua/open62541/ua_link.h"
 #include "trust/trust_store.h"
+#include "utc/now.h"
 
 namespace rivulet::trust {
 
 namespace {
 
 using opcua::LinkError;
-
-base::UtcMs utcNow() {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 opcua::SecurityChoice choiceFor(const ConnectRequest& request,
                                 const std::optional<KnownServer>& known) {
@@ -47,13 +40,13 @@ base::Result<void> judge(const TrustStore& store, const ConnectRequest& request,
       return accepted;
     }
   }
-  auto checked = store.check(request.endpoint, facts, der, utcNow());
+  auto checked = store.check(request.endpoint, facts, der, utc::now());
   if (!checked && checked.error().code == LinkError::CertificateUnknown && request.ask &&
       request.ask(facts)) {
     if (auto accepted = store.accept(request.endpoint, facts, der); !accepted) {
       return accepted;
     }
-    checked = store.check(request.endpoint, facts, der, utcNow());
+    checked = store.check(request.endpoint, facts, der, utc::now());
   }
   return checked;
 }
