@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <iterator>
 #include <optional>
 #include <random>
 #include <set>
@@ -42,9 +41,7 @@ constexpr rivulet::base::Duration kStep = std::chrono::milliseconds{4};
 
 /// Of a random salt, 32 bits each.
 constexpr int kSaltWords = 4;
-constexpr std::uintmax_t kCertificateBytesMax = 65536;
 /// A stranger can show as many certificates as he likes; only so many are kept.
-constexpr int kRejectedMax = 32;
 
 constexpr int kExitOk = 0;
 constexpr int kExitUsage = 2;
@@ -167,7 +164,7 @@ rivulet::base::Result<std::set<std::string>> trustedClients(const std::filesyste
   }
   std::error_code status;
   for (const auto& entry : std::filesystem::directory_iterator(folder, status)) {
-    const auto text = rivulet::base::readFile(entry.path(), kCertificateBytesMax);
+    const auto text = rivulet::base::readFile(entry.path(), rivulet::trust::kCertificateBytesMax);
     const auto facts = text ? rivulet::opcua::readCertificate(*text)
                             : tl::unexpected<rivulet::base::Error>(text.error());
     if (!facts) {
@@ -176,21 +173,6 @@ rivulet::base::Result<std::set<std::string>> trustedClients(const std::filesyste
     fingerprints.insert(facts->fingerprint);
   }
   return fingerprints;
-}
-
-/// Keeps what a client showed, for whoever decides whether to trust it.
-void keepRejected(const std::filesystem::path& folder,
-                  const rivulet::opcua::CertificateFacts& facts, std::string_view der) {
-  rivulet::log::logger().warn("a client is not trusted: {}", rivulet::trust::describe(facts));
-  if (!rivulet::trust::makePrivateFolder(folder)) {
-    return;
-  }
-  std::error_code status;
-  const auto count = std::distance(std::filesystem::directory_iterator(folder, status),
-                                   std::filesystem::directory_iterator());
-  if (!status && count < kRejectedMax) {
-    (void)rivulet::base::writeFile(folder / (facts.fingerprint + ".der"), der);
-  }
 }
 
 /// Certificate, encryption and clients, as the options say.
@@ -221,7 +203,10 @@ rivulet::base::Result<void> protect(Arguments& arguments) {
     server.trustedClients = std::move(*clients);
     server.onRefusedClient = [rejected = folder / "clients" / "rejected"](
                                  const rivulet::opcua::CertificateFacts& facts,
-                                 std::string_view der) { keepRejected(rejected, facts, der); };
+                                 std::string_view der) {
+      rivulet::log::logger().warn("a client is not trusted: {}", trust::describe(facts));
+      trust::keepRejected(rejected, facts, der);
+    };
   }
   return {};
 }

@@ -23,7 +23,6 @@ namespace {
 
 constexpr const char* kCertificateFile = "certificate.der";
 constexpr const char* kKeyFile = "key.der";
-constexpr std::uintmax_t kCertificateBytesMax = 65536;
 
 std::string hostName() {
   std::array<char, 256> name{};

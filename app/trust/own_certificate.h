@@ -6,6 +6,7 @@
 /// needed and stays until it is renewed. @threadsafety reads and writes files; shares nothing.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -15,6 +16,9 @@
 namespace rivulet::trust {
 
 /// Of which program the certificate is.
+/// Larger files are not read as certificates.
+inline constexpr std::uintmax_t kCertificateBytesMax = 65536;
+
 enum class Owner {
   Client,   ///< rivulet and rivulet-cli
   Machine,  ///< rivulet-machine

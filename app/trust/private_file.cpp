@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "base/descriptor.h"
 #include "base/file.h"
 
 namespace rivulet::trust {
@@ -45,17 +46,14 @@ base::Result<void> writePrivateFile(const fs::path& path, std::string_view bytes
   if (descriptor < 0) {
     return notWritable(path, errno);
   }
-  while (!bytes.empty()) {
-    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
-    if (count <= 0) {
-      const int error = errno;
-      close(descriptor);
-      return notWritable(path, error);
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(count));
+  int error = base::writeWhole(descriptor, bytes);
+  if (error == 0) {
+    error = base::syncToDisk(descriptor);
   }
-  fsync(descriptor);
-  return close(descriptor) == 0 ? base::Result<void>() : notWritable(path, errno);
+  if (close(descriptor) != 0 && error == 0) {
+    error = errno;
+  }
+  return error == 0 ? base::Result<void>() : notWritable(path, error);
 }
 
 base::Result<std::string> readPrivateFile(const fs::path& path) {

@@ -60,6 +60,19 @@ std::string describe(const opcua::CertificateFacts& facts) {
                      opcua::fingerprintText(facts.fingerprint));
 }
 
+void keepRejected(const fs::path& folder, const opcua::CertificateFacts& facts,
+                  std::string_view der) {
+  if (!makePrivateFolder(folder)) {
+    return;
+  }
+  std::error_code status;
+  const auto count =
+      std::distance(fs::directory_iterator(folder, status), fs::directory_iterator());
+  if (!status && static_cast<std::size_t>(count) < kRejectedMax) {
+    (void)base::writeFile(folder / (facts.fingerprint + ".der"), der);
+  }
+}
+
 base::Result<std::vector<KnownServer>> TrustStore::servers() const {
   const fs::path path = m_folder / kFile;
   std::error_code status;
@@ -115,7 +128,7 @@ base::Result<void> TrustStore::check(const std::string& endpoint,
   }
   const std::string accepted = *known ? (*known)->fingerprint : std::string();
   if (accepted != facts.fingerprint) {
-    keepRejected(facts.fingerprint, der);
+    keepRejected(m_folder / "rejected", facts, der);
     if (accepted.empty()) {
       return base::fail(LinkError::CertificateUnknown,
                         fmt::format("This server is not known yet. Its certificate: {}. Compare "
@@ -208,20 +221,6 @@ base::Result<void> TrustStore::save(const std::vector<KnownServer>& servers) con
   }
   const json file{{"format", kFormat}, {"version", kVersion}, {"servers", list}};
   return base::writeFile(m_folder / kFile, file.dump(2) + "\n");
-}
-
-void TrustStore::keepRejected(const std::string& fingerprint, std::string_view der) const {
-  // Kept for whoever looks after the machine; the refusal does not depend on it.
-  const fs::path folder = m_folder / "rejected";
-  if (!makePrivateFolder(folder)) {
-    return;
-  }
-  std::error_code status;
-  const auto count =
-      std::distance(fs::directory_iterator(folder, status), fs::directory_iterator());
-  if (!status && static_cast<std::size_t>(count) < kRejectedMax) {
-    (void)base::writeFile(folder / (fingerprint + ".der"), der);
-  }
 }
 
 }  // namespace rivulet::trust

@@ -24,6 +24,11 @@ struct KnownServer {
   std::string security;     ///< allowed by name (`opcua::securityChoiceText`); empty: the strongest
 };
 
+/// Keeps a certificate that was refused, for whoever decides whether to trust it; at most 32 in a
+/// folder. The refusal does not depend on it, so an error is not reported.
+void keepRejected(const std::filesystem::path& folder, const opcua::CertificateFacts& facts,
+                  std::string_view der);
+
 class TrustStore {
  public:
   explicit TrustStore(std::filesystem::path folder) : m_folder(std::move(folder)) {}
@@ -55,7 +60,6 @@ class TrustStore {
   [[nodiscard]] base::Result<void> save(const std::vector<KnownServer>& servers) const;
   template <class Change>
   [[nodiscard]] base::Result<void> change(const std::string& endpoint, Change change) const;
-  void keepRejected(const std::string& fingerprint, std::string_view der) const;
 
   std::filesystem::path m_folder;
 };
