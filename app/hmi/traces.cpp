@@ -3,15 +3,14 @@
 
 #include "hmi/traces.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QPointer>
-#include <QThreadPool>
 #include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "gcode/program.h"
+#include "hmi/background.h"
 #include "report/trace_source.h"
 #include "trace/analysis/trace_analysis.h"
 
@@ -36,11 +35,6 @@ struct ProgramToCompare {
 };
 
 }  // namespace
-
-void runInBackground(std::function<std::function<void()>()> work) {
-  QThreadPool::globalInstance()->start(
-      [work = std::move(work)] { QMetaObject::invokeMethod(qApp, work(), Qt::QueuedConnection); });
-}
 
 /// One trace, in whatever form it came.
 struct Traces::Subject {

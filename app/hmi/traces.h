@@ -58,7 +58,4 @@ class Traces final : public QObject {
   int m_request = 0;
 };
 
-/// Runs work in the global pool and hands its result over on the GUI thread.
-void runInBackground(std::function<std::function<void()>()> work);
-
 }  // namespace rivulet::hmi

@@ -9,17 +9,16 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QMetaObject>
 #include <QPasswordDigestor>
 #include <QPointer>
 #include <QRandomGenerator>
-#include <QThreadPool>
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "base/file.h"
 #include "folders/user_folders.h"
+#include "hmi/background.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -212,17 +211,13 @@ void Users::logIn(const QString& name, const QString& pin) {
 
 void Users::hashPin(const QString& pin, const QByteArray& salt,
                     std::function<void(const QByteArray& hash)> then) {
-  QThreadPool::globalInstance()->start(
-      [users = QPointer<Users>(this), pin, salt, then = std::move(then)] {
-        QMetaObject::invokeMethod(
-            QCoreApplication::instance(),
-            [users, hash = pinHash(pin, salt), then] {
-              if (users) {
-                then(hash);
-              }
-            },
-            Qt::QueuedConnection);
-      });
+  runInBackground([users = QPointer<Users>(this), pin, salt, then = std::move(then)] {
+    return [users, hash = pinHash(pin, salt), then] {
+      if (users) {
+        then(hash);
+      }
+    };
+  });
 }
 
 void Users::takeAnswer(const QString& name, bool isRight) {

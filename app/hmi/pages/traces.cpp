@@ -3,6 +3,7 @@
 
 /// The page Traces: the run in progress, the last run, runs of the past, and files.
 
+#include "hmi/background.h"
 #include "hmi/pages/pages.h"
 #include "hmi/past_runs.h"
 #include "hmi/trace_layouts.h"
