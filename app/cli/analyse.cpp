@@ -11,6 +11,7 @@
 #include "base/sha256.h"
 #include "base/units.h"
 #include "cli/commands.h"
+#include "cli/trace_files.h"
 #include "report/report_json.h"
 #include "report/rule.h"
 #include "report/run_trend.h"
@@ -298,16 +299,11 @@ base::Result<void> writeReport([[maybe_unused]] const AnalyseOptions& options,
 
 base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions& options,
                                    const gcode::Program* program) {
-  auto source = report::openTrace(file, options.columns, options.rateHz);
+  const auto source = openTrace(file, options);
   if (!source) {
     return base::fail(source.error());
   }
-  if (options.hasWindow()) {
-    source->cut(options.fromS, options.untilS);
-  }
-  trace::TraceSubject subject = source->subject();
-  subject.program = program;
-  subject.toleranceMm = options.toleranceMm > 0.0 ? options.toleranceMm : subject.toleranceMm;
+  const trace::TraceSubject subject = subjectOf(*source, options, program);
   const trace::TraceAnalysis analysis = trace::analyseTrace(subject);
   Analysed analysed = subject.recording != nullptr ? analyseRecording(*subject.recording, analysis)
                       : subject.controlTrace != nullptr

@@ -259,7 +259,7 @@ struct ExperimentCommandOptions {
   std::size_t seeds = 0;           ///< 0: the usual number
   std::string preset = machine::kDefaultPreset;
   std::string endpoint;    ///< empty: virtual time
-  std::string recordings;  ///< folder for experiments lookahead and p2
+  std::string recordings;  ///< folder for experiments lookahead, emulator and p2
   unsigned threads = 0;    ///< 0: one per core
   std::string json;
   std::string csv;

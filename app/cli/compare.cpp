@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
-#include "report/trace_source.h"
-#include "trace/analysis/trace_analysis.h"
+#include "cli/trace_files.h"
 
 namespace rivulet::cli {
 
@@ -21,16 +20,11 @@ using Runs = std::vector<std::shared_ptr<const trace::ShownTrace>>;
 base::Result<Runs> openRuns(const AnalyseOptions& options, const gcode::Program* program) {
   Runs runs;
   for (const std::string& file : options.files) {
-    auto source = report::openTrace(file, options.columns, options.rateHz);
+    const auto source = openTrace(file, options);
     if (!source) {
       return base::fail(source.error());
     }
-    if (options.hasWindow()) {
-      source->cut(options.fromS, options.untilS);
-    }
-    trace::TraceSubject subject = source->subject();
-    subject.program = program;
-    subject.toleranceMm = options.toleranceMm > 0.0 ? options.toleranceMm : subject.toleranceMm;
+    const trace::TraceSubject subject = subjectOf(*source, options, program);
     const trace::TraceAnalysis analysis = trace::analyseTrace(subject);
     trace::ShownTrace shown = trace::makeShownTrace(subject, analysis.motion, &analysis);
     shown.name = file;
