@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "base/contract.h"
+#include "trace/signals.h"
 
 namespace rivulet::trace {
 
@@ -23,7 +23,6 @@ constexpr double kTrembleMm = 0.01;
 /// Two programs of this many equal points and lengths are the same one.
 constexpr double kSameLengthMm = 1e-3;
 
-constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, 3> kAxisNames{"time", "path", "point"};
 
 Instant axisInstant(double place) {

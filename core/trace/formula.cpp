@@ -8,13 +8,13 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
 
 #include "base/contract.h"
 #include "base/units.h"
+#include "trace/signals.h"
 
 namespace rivulet::trace {
 
@@ -123,11 +123,10 @@ bool isBinary(Operation operation) {
 void differentiate(Values& values, const std::vector<base::Instant>& at) {
   for (std::size_t i = values.size(); i-- > 1;) {
     const double seconds = base::toSeconds(at[i] - at[i - 1]);
-    values[i] = seconds > 0.0 ? (values[i] - values[i - 1]) / seconds
-                              : std::numeric_limits<double>::quiet_NaN();
+    values[i] = seconds > 0.0 ? (values[i] - values[i - 1]) / seconds : kNoValue;
   }
   if (!values.empty()) {
-    values.front() = std::numeric_limits<double>::quiet_NaN();
+    values.front() = kNoValue;
   }
 }
 

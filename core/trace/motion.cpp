@@ -6,14 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <utility>
+
+#include "base/median.h"
+#include "trace/signals.h"
 
 namespace rivulet::trace {
 
 namespace {
-
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 base::Duration medianStepOf(const std::vector<MotionSample>& samples) {
   std::vector<base::Duration> steps;
@@ -23,9 +24,7 @@ base::Duration medianStepOf(const std::vector<MotionSample>& samples) {
   if (steps.empty()) {
     return {};
   }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return base::median(std::move(steps));
 }
 
 /// A signal with its times and its factor to internal units, read at ascending instants.
@@ -41,7 +40,7 @@ class SignalReader {
   [[nodiscard]] double at(base::Instant instant) {
     advance(instant);
     if (m_next == m_at->size() || m_at->empty() || instant < m_at->front()) {
-      return kUnknown;
+      return kNoValue;
     }
     const double later = m_factor * m_signal->values[m_next];
     if ((*m_at)[m_next] == instant || m_next == 0) {
@@ -58,7 +57,7 @@ class SignalReader {
     if (m_next < m_at->size() && (*m_at)[m_next] == instant) {
       return m_factor * m_signal->values[m_next];
     }
-    return m_next == 0 ? kUnknown : m_factor * m_signal->values[m_next - 1];
+    return m_next == 0 ? kNoValue : m_factor * m_signal->values[m_next - 1];
   }
 
  private:
@@ -175,7 +174,7 @@ Motion motionOf(const ImportedTrace& imported) {
     if (!set || !actual || std::isnan(speed)) {
       continue;
     }
-    MotionSample sample{at, *set, *actual, speed, kUnknown, 1.0, 0};
+    MotionSample sample{at, *set, *actual, speed, kNoValue, 1.0, 0};
     if (motion.hasFeed) {
       sample.feedMmPerS = readerOf(readers, SignalRole::ProgrammedFeed)->lastAt(at);
     }
@@ -201,7 +200,7 @@ Motion motionOf(const ControlTrace& trace) {
   motion.samples.reserve(trace.samples.size());
   for (const ControlSample& sample : trace.samples) {
     motion.samples.push_back({sample.at, sample.commandMm, sample.actualMm, sample.feedMmPerS,
-                              kUnknown, 1.0, sample.line.value});
+                              kNoValue, 1.0, sample.line.value});
   }
   motion.events = trace.events;
   motion.step = medianStepOf(motion.samples);

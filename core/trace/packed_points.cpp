@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "base/contract.h"
+#include "trace/signals.h"
 
 namespace rivulet::trace {
 
@@ -200,7 +201,7 @@ double PackedPoints::valueAt(std::size_t index) const {
     return std::bit_cast<double>(code);
   }
   if (block.hasGaps && code == (std::uint64_t{1} << block.valueBits) - 1) {
-    return std::numeric_limits<double>::quiet_NaN();
+    return kNoValue;
   }
   return static_cast<double>(block.base + static_cast<std::int64_t>(code)) /
          kPowers[block.decimals];

@@ -7,10 +7,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
 
 #include "base/axes.h"
+#include "base/quantile.h"
+#include "trace/signals.h"
 
 namespace rivulet::trace {
 
@@ -18,7 +19,6 @@ namespace {
 
 using base::Instant;
 
-constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kRankedMax = 1'000'000;
 
 std::string axisName(std::size_t axis, std::string_view suffix) {
@@ -396,16 +396,12 @@ SampleStatistics sampleStatistics(const Envelope& samples, Instant from, Instant
   figures.mean = sum / count;
   figures.rms = std::sqrt(squares / count);
   std::sort(ranked.begin(), ranked.end());
-  const auto quantile = [&ranked, &figures](double share) {
-    if (ranked.empty()) {
-      return figures.min;
-    }
-    const double rank = std::ceil(share * static_cast<double>(ranked.size()));
-    return ranked[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+  const auto quantile = [&ranked, &figures](std::size_t perMille) {
+    return ranked.empty() ? figures.min : base::quantile(ranked, perMille);
   };
-  figures.p50 = quantile(0.50);
-  figures.p95 = quantile(0.95);
-  figures.p99 = quantile(0.99);
+  figures.p50 = quantile(500);
+  figures.p95 = quantile(950);
+  figures.p99 = quantile(990);
   return figures;
 }
 

@@ -7,12 +7,16 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "base/instant.h"
 
 namespace rivulet::trace {
+
+/// In place of a value that is not there.
+inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// When the samples of one or more signals were taken: strictly ascending.
 struct TimeBase {

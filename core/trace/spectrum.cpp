@@ -9,8 +9,10 @@
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
+#include <utility>
 
 #include "base/contract.h"
+#include "base/median.h"
 
 namespace rivulet::trace {
 
@@ -47,9 +49,7 @@ double medianStepS(const std::vector<SeriesPoint>& points) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     steps.push_back(base::toSeconds(points[i].at - points[i - 1].at));
   }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return base::median(std::move(steps));
 }
 
 bool isRegular(const std::vector<SeriesPoint>& points, double stepS) {

@@ -4,9 +4,9 @@
 #include "trace/analysis/trace_analysis.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "gcode/feeds.h"
+#include "trace/signals.h"
 
 namespace rivulet::trace {
 
@@ -28,7 +28,7 @@ Motion motionOfLive(const Recording& recording) {
     MotionSample sample;
     sample.at = live.at;
     sample.actualMm = *live.positionMm;
-    sample.feedMmPerS = std::numeric_limits<double>::quiet_NaN();
+    sample.feedMmPerS = kNoValue;
     if (!motion.samples.empty()) {
       const MotionSample& before = motion.samples.back();
       sample.pathMmPerS =

@@ -9,8 +9,10 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "base/error.h"
+#include "base/median.h"
 #include "base/text.h"
 #include "trace/import/compression.h"
 #include "trace/import/import_error.h"
@@ -184,9 +186,7 @@ double medianStep(const std::vector<double>& values) {
   if (steps.empty()) {
     return 0.0;
   }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return base::median(std::move(steps));
 }
 
 /// The unit of a time that says none, from its steps: a control samples at 1 Hz to 10 kHz.

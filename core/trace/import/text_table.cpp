@@ -9,19 +9,18 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <optional>
 
 #include "base/text.h"
 #include "trace/import/import_error.h"
 #include "trace/lines.h"
+#include "trace/signals.h"
 
 namespace rivulet::trace {
 
 namespace {
 
-constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 /// Lines from which the layout is recognised.
 constexpr std::size_t kLayoutLines = 400;
 /// A head may hold that many lines.
