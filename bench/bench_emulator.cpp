@@ -8,14 +8,15 @@
 // has to be quiet for them.
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <vector>
 
+#include "base/median.h"
 #include "emulator/paper/learning.h"
+#include "measuring.h"
 #include "parallel/thread_executor.h"
 
 namespace {
@@ -24,19 +25,8 @@ using namespace rivulet;
 using emulator::TrainingRun;
 using namespace emulator::paper;
 
-double processorS() {
-  timespec spent{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &spent);
-  return static_cast<double>(spent.tv_sec) + 1e-9 * static_cast<double>(spent.tv_nsec);
-}
-
 double passedS() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double medianOf(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
 }
 
 /// A staircase: segments of 12 mm in X and Y in turn.
@@ -79,15 +69,15 @@ void measureRun(const Course& course, const PlantSettings& plant) {
   constexpr int kRuns = 51;
   std::vector<double> times;
   for (int i = 0; i < kRuns; ++i) {
-    const double before = processorS();
+    const double before = bench::processorS();
     const Emulation emulation = emulate(course, nominalParameters(), plant);
-    times.push_back(processorS() - before);
+    times.push_back(bench::processorS() - before);
     if (emulation.diverged()) {
       fmt::print("ran away\n");
     }
   }
-  fmt::print("one run of {}: {:.2f} ms ({:.1f} s of motion)\n", course.name, 1e3 * medianOf(times),
-             course.points.back().atS);
+  fmt::print("one run of {}: {:.2f} ms ({:.1f} s of motion)\n", course.name,
+             1e3 * base::median(times), course.points.back().atS);
 }
 
 /// @return median time of a generation, s
@@ -105,7 +95,7 @@ double generationS(const Course& course, unsigned threads) {
     last = now;
     return true;
   });
-  return learned ? medianOf(times) : std::nan("");
+  return learned ? base::median(times) : std::nan("");
 }
 
 }  // namespace
@@ -127,11 +117,11 @@ int main() {
       1e3 * one, 1e3 * two, one / two);
   for (const Course& course : courses) {
     base::SerialExecutor executor;
-    const double before = processorS();
+    const double before = bench::processorS();
     const auto learned = learn(course, {}, executor);
     if (learned) {
       fmt::print("learning from {}, 100 generations: {:.1f} s on one thread\n", course.name,
-                 processorS() - before);
+                 bench::processorS() - before);
     }
   }
   return 0;

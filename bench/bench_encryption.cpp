@@ -18,9 +18,11 @@
 #include <thread>
 #include <vector>
 
+#include "base/median.h"
 #include "machine/config.h"
 #include "machine/front/server.h"
 #include "machine/machine.h"
+#include "measuring.h"
 #include "opcua/await.h"
 #include "opcua/open62541/encryption.h"
 #include "opcua/open62541/ua_link.h"
@@ -59,11 +61,6 @@ double microseconds(const Work& work) {
   work();
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start)
       .count();
-}
-
-double quantile(std::vector<double> values, double part) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
 }
 
 void connect(Kind& kind, const std::string& endpoint, const opcua::OwnCertificate& own) {
@@ -126,8 +123,8 @@ int main() {
              "read us", "p99");
   for (const Kind& kind : kinds) {
     fmt::print("{:<28} {:>11.1f} {:>9.0f} {:>9.0f} {:>9.0f} {:>9.0f}\n", kind.security,
-               kind.connectMs, quantile(kind.writeUs, 0.5), quantile(kind.writeUs, 0.99),
-               quantile(kind.readUs, 0.5), quantile(kind.readUs, 0.99));
+               kind.connectMs, base::median(kind.writeUs), bench::quantileOf(kind.writeUs, 990),
+               base::median(kind.readUs), bench::quantileOf(kind.readUs, 990));
   }
   kinds.clear();
   stop = true;

@@ -17,7 +17,9 @@
 #include <string>
 #include <vector>
 
+#include "base/median.h"
 #include "gcode/program.h"
+#include "measuring.h"
 
 namespace {
 
@@ -67,19 +69,6 @@ std::size_t scanLines(const std::filesystem::path& path) {
   return lines;
 }
 
-double residentMb() {
-  std::ifstream statm("/proc/self/statm");
-  long pages = 0;
-  long resident = 0;
-  statm >> pages >> resident;
-  return static_cast<double>(resident * sysconf(_SC_PAGESIZE)) / 1e6;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -99,21 +88,21 @@ int main(int argc, char** argv) {
     const int rounds = lines > 1'000'000 ? 5 : 11;
     for (int round = 0; round < rounds; ++round) {
       scanS.push_back(secondsOf([&] { counted += scanLines(path); }));
-      const double before = residentMb();
+      const double before = bench::residentMb();
       readS.push_back(secondsOf([&] {
         const auto program = gcode::loadProgram(path);
         if (!program || program->trajectory.points.size() != static_cast<std::size_t>(lines) + 2) {
           fmt::print(stderr, "the program was not read as it was written\n");
           std::exit(1);
         }
-        aboveMb = std::max(aboveMb, residentMb() - before - fileMb);
+        aboveMb = std::max(aboveMb, bench::residentMb() - before - fileMb);
       }));
     }
     if (counted == 0) {
       return 1;
     }
-    const double read = median(readS);
-    const double scan = median(scanS);
+    const double read = base::median(readS);
+    const double scan = base::median(scanS);
     fmt::print("{:>9} {:>8.1f} {:>10.4f} {:>10.4f} {:>7.1f} {:>9.3f} {:>14.1f}\n", lines, fileMb,
                read, scan, read / scan, 1e6 * read / lines, aboveMb);
     std::filesystem::remove(path);

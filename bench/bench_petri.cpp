@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/median.h"
 #include "petri/net_file.h"
 #include "petri/simulator.h"
 
@@ -59,8 +60,7 @@ int measure(const std::string& name, const base::Result<petri::Net>& net) {
   }
   std::sort(perSecond.begin(), perSecond.end());
   fmt::print("{:<24} {:>6.2f} million firings per second ({:.2f} to {:.2f})\n", name,
-             perSecond[perSecond.size() / 2] / 1e6, perSecond.front() / 1e6,
-             perSecond.back() / 1e6);
+             base::median(perSecond) / 1e6, perSecond.front() / 1e6, perSecond.back() / 1e6);
   return 0;
 }
 

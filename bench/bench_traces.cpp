@@ -6,8 +6,6 @@
 // Times are those of the processor.
 
 #include <fmt/format.h>
-#include <time.h>
-#include <unistd.h>
 
 #include <QApplication>
 #include <QChart>
@@ -18,11 +16,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "base/median.h"
+#include "measuring.h"
 #include "widgets/plots/time_window.h"
 #include "widgets/scope/scope_view.h"
 
@@ -36,26 +35,11 @@ constexpr int kWidth = 1600;
 constexpr int kHeight = 900;
 constexpr double kChartsBudgetS = 60.0;
 
-/// Of this process: all work is done on one thread, and a busy machine makes no difference.
-double processorMs() {
-  timespec spent{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &spent);
-  return 1e3 * static_cast<double>(spent.tv_sec) + 1e-6 * static_cast<double>(spent.tv_nsec);
-}
-
 template <class Work>
 double millisecondsOf(const Work& work) {
-  const double before = processorMs();
+  const double before = 1e3 * bench::processorS();
   work();
-  return processorMs() - before;
-}
-
-double residentMb() {
-  std::ifstream statm("/proc/self/statm");
-  long pages = 0;
-  long resident = 0;
-  statm >> pages >> resident;
-  return static_cast<double>(resident * sysconf(_SC_PAGESIZE)) / 1e6;
+  return 1e3 * bench::processorS() - before;
 }
 
 /// A contour with the resolution of a control: 0.1 µm, up to 60 mm/s, and some noise.
@@ -98,11 +82,11 @@ void print(const char* name, double madeMs, std::vector<double> frames, double m
     return;
   }
   fmt::print("{:12} {:9.0f} {:11.1f} {:9.1f} {:9.1f} {:9} {:9.0f}\n", name, madeMs, first,
-             frames[frames.size() / 2], frames.back(), frames.size(), mb);
+             base::median(frames), frames.back(), frames.size(), mb);
 }
 
 void measurePanes(int samples, const std::vector<View>& views) {
-  const double before = residentMb();
+  const double before = bench::residentMb();
   trace::ShownTrace shown;
   const double madeMs = millisecondsOf([&] {
     for (int signal = 0; signal < kSignals; ++signal) {
@@ -137,13 +121,13 @@ void measurePanes(int samples, const std::vector<View>& views) {
       static_cast<void>(view.grab());
     }));
   }
-  print("panes", madeMs, frames, residentMb() - before);
+  print("panes", madeMs, frames, bench::residentMb() - before);
   fmt::print("             signals packed in {:.0f} MB, {:.2f} bytes per sample\n", packedMb,
              packedMb * 1e6 / kSignals / samples);
 }
 
 void measureCharts(int samples, const std::vector<View>& views) {
-  const double before = residentMb();
+  const double before = bench::residentMb();
   QChart chart;
   auto* timeAxis = new QValueAxis(&chart);
   auto* valueAxis = new QValueAxis(&chart);
@@ -180,7 +164,7 @@ void measureCharts(int samples, const std::vector<View>& views) {
     }));
     spentMs += frames.back();
   }
-  print("Qt Charts", madeMs, frames, residentMb() - before);
+  print("Qt Charts", madeMs, frames, bench::residentMb() - before);
   chartView.setChart(new QChart);  // the view would delete ours
 }
 
