@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "base/file.h"
@@ -253,13 +254,15 @@ base::Result<void> addSparse(Experiment& result, const std::vector<TrainingRun>&
         {fit.name, number(1e3 * fit.positionRmsMm), number(1e3 * fit.positionMaxMm)});
     return fit.positionRmsMm;
   };
-  double worstMm = 0.0;
+  // Not a number until a run was tested: without one, no check passes.
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  double worstMm = kNone;
   for (const TrainingRun& run : tested) {
     if (const auto fit = emulator::testRun(*all, run)) {
-      worstMm = std::max(worstMm, add(others, *fit));
+      worstMm = std::fmax(worstMm, add(others, *fit));
     }
   }
-  double worstSparseMm = 0.0;
+  double worstSparseMm = kNone;
   for (const std::string_view design : {"G1", "G2", "G3"}) {
     std::vector<TrainingRun> rest;
     for (const TrainingRun& run : sparse) {
@@ -278,7 +281,7 @@ base::Result<void> addSparse(Experiment& result, const std::vector<TrainingRun>&
       if (run.name.starts_with(design)) {
         align(run, *emulator, kClockReachS);
         if (const auto fit = emulator::testRun(*emulator, run)) {
-          worstSparseMm = std::max(worstSparseMm, add(matrix, *fit));
+          worstSparseMm = std::fmax(worstSparseMm, add(matrix, *fit));
         }
       }
     }
