@@ -4106,7 +4106,7 @@ GPL-3.0-or-later</translation>
         <translation>Unterschiede als Kurven zeigen</translation>
     </message>
     <message>
-        <source>Each pane shows what the other traces have more than the first</source>
+        <source>Each pane shows the other traces minus the first one</source>
         <translation>Jedes Feld zeigt, was die anderen Verläufe mehr haben als der erste</translation>
     </message>
     <message>

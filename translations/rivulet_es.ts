@@ -4106,7 +4106,7 @@ GPL-3.0-or-later</translation>
         <translation>Mostrar las diferencias como curvas</translation>
     </message>
     <message>
-        <source>Each pane shows what the other traces have more than the first</source>
+        <source>Each pane shows the other traces minus the first one</source>
         <translation>Cada panel muestra lo que los otros registros tienen de más que el primero</translation>
     </message>
     <message>

@@ -4106,7 +4106,7 @@ GPL-3.0-or-later</translation>
         <translation>Montrer les écarts en courbes</translation>
     </message>
     <message>
-        <source>Each pane shows what the other traces have more than the first</source>
+        <source>Each pane shows the other traces minus the first one</source>
         <translation>Chaque zone montre ce que les autres tracés ont de plus que le premier</translation>
     </message>
     <message>

@@ -4106,7 +4106,7 @@ GPL-3.0-or-later</translation>
         <translation>Mostra le differenze come curve</translation>
     </message>
     <message>
-        <source>Each pane shows what the other traces have more than the first</source>
+        <source>Each pane shows the other traces minus the first one</source>
         <translation>Ogni riquadro mostra quanto le altre tracce hanno in più della prima</translation>
     </message>
     <message>

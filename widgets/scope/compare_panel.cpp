@@ -211,7 +211,7 @@ void ComparePanel::retranslate() {
   m_axis->setItemText(static_cast<int>(trace::RunAxis::Path), tr("length of path"));
   m_axis->setItemText(static_cast<int>(trace::RunAxis::Point), tr("point of the program"));
   m_differences->setText(tr("Show the differences as curves"));
-  m_differences->setToolTip(tr("Each pane shows what the other traces have more than the first"));
+  m_differences->setToolTip(tr("Each pane shows the other traces minus the first one"));
   m_table->setAccessibleName(tr("Differences"));
   m_table->setHorizontalHeaderLabels({tr("Signal"), tr("Largest"), tr("At"), tr("RMS")});
   showAxis();
