@@ -54,17 +54,18 @@ Result<machine::DryRun> stateAt(const job::Plan& plan, machine::MachineConfig ma
   return run;
 }
 
-/// M and H functions that are the machine builder's: nobody else knows what they do.
-bool hasUnknownFunction(const std::string& text) {
-  static constexpr std::array<int, 17> kKnown{0, 1,  2,  3,  4,  5,  6,  7, 8,
-                                              9, 17, 30, 40, 41, 42, 43, 44};
+/// Has an M or H function whose effect outlasts its block and that is not established again: gears and
+/// what is the machine builder's. Spindle, tool and coolant are; stops and ends leave nothing.
+bool leavesUnknownState(const std::string& text) {
+  static constexpr std::array<int, 12> kSettled{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 17, 30};
   const nc::Words words = nc::readWords(text, nc::languageOf(nc::Dialect::Sinumerik), {});
   return std::any_of(words.tokens.begin(), words.tokens.end(), [](const nc::Token& token) {
     if (token.kind != nc::TokenKind::Word || (token.address != 'M' && token.address != 'H')) {
       return false;
     }
-    return token.address == 'H' || std::none_of(kKnown.begin(), kKnown.end(),
-                                                [&](int known) { return token.value == known; });
+    return token.address == 'H' ||
+           std::none_of(kSettled.begin(), kSettled.end(),
+                        [&](int settled) { return token.value == settled; });
   });
 }
 
@@ -206,7 +207,7 @@ class Restarter {
       }
       if (native->reason == NativeReason::Mode) {
         add(NativeReason::Mode, native->text);
-      } else if (native->reason == NativeReason::Other || hasUnknownFunction(native->text)) {
+      } else if (native->reason == NativeReason::Other || leavesUnknownState(native->text)) {
         m_restart.notRestored.push_back(
             fmt::format("line {}: {}", native->place.line.value, native->source));
       }

@@ -590,6 +590,19 @@ class TestJobRestart : public QObject {
     QVERIFY(!refused && refused.error().code == streaming::StreamError::CannotResume);
   }
 
+  /// The gear of a spindle and its orientation are not established again, so the operator is told.
+  void aGearIsNotRestored() {
+    const job::Plan plan = planOf(
+        "G54\nT1 D1 M6\nM41\nS800 M3\nM8\nG0 X5 Y5 Z20\nG1 Z-1 F500\nX20\nM19\nG4 F1\nS800 M3\n"
+        "G1 X30\nM30\n");
+    const auto last = static_cast<int>(plan.stretchCount());
+    const auto restart = experiments::restartAtStretch(plan, mill(), last);
+    QVERIFY2(restart, restart ? "" : restart.error().text().c_str());
+    QCOMPARE(restart->notRestored.size(), std::size_t{2});
+    QCOMPARE(restart->notRestored.front(), std::string("line 3: M41"));
+    QCOMPARE(restart->notRestored.back(), std::string("line 9: M19"));
+  }
+
   /// Interrupted after the last stretch: only blocks of the control are left.
   void onlyBlocksAreLeft() {
     streaming::JobRest rest;
