@@ -17,7 +17,7 @@ namespace {
 /// How the index of a variable appears in its identifier.
 enum class Indexing {
   None,      ///< one value per channel
-  FromZero,  ///< the number is the index: R0 is R[u1,0]
+  FromZero,  ///< the number is the index: R0 is R[u1,0], G group 8 is [u1,8]
   FromOne,   ///< axes count from 1 on the control, from 0 here
 };
 
@@ -43,6 +43,14 @@ constexpr std::array kRows{
     Row{VariableKind::Message, "/Channel/ProgramInfo/msg", Indexing::None},
     Row{VariableKind::Alarm, "/Channel/State/chanAlarm", Indexing::None},
     Row{VariableKind::AxisName, "/Channel/GeometricAxis/name", Indexing::FromOne},
+    Row{VariableKind::ToolNumber, "/Channel/State/actTNumber", Indexing::None},
+    Row{VariableKind::ToolName, "/Channel/State/actToolIdent", Indexing::None},
+    Row{VariableKind::EdgeNumber, "/Channel/State/actDNumber", Indexing::None},
+    Row{VariableKind::SpindleSpeed, "/Channel/Spindle/actSpeed", Indexing::FromOne},
+    Row{VariableKind::SpindleSpeedSet, "/Channel/Spindle/cmdSpeed", Indexing::FromOne},
+    Row{VariableKind::SpindleTurn, "/Channel/Spindle/turnState", Indexing::FromOne},
+    Row{VariableKind::GFunction, "/Channel/SelectedFunctions/ncFktAct", Indexing::FromZero},
+    Row{VariableKind::MFunction, "/Channel/AuxiliaryFunctions/acAuxfuMValue", Indexing::FromZero},
 };
 
 /// The longest name a SINUMERIK program can have, extension included.

@@ -119,8 +119,8 @@ class TestFront : public QObject {
              std::vector<std::string>{"/Channel/Parameter/R"}));
     QCOMPARE(client.children(node("/Channel/GeometricAxis")).size(), std::size_t{6});
     QCOMPARE(client.children(node("/Channel/MachineAxis")).size(), std::size_t{3});
-    QCOMPARE(client.children(node("/Channel/State")).size(), std::size_t{8});
-    QCOMPARE(client.children(node("/Channel/Spindle")).size(), std::size_t{3});
+    QCOMPARE(client.children(node("/Channel/State")).size(), std::size_t{5});
+    QCOMPARE(client.children(node("/Channel/Spindle")).size(), std::size_t{0});
     QCOMPARE(client.children(node("/Channel/ProgramInfo")).size(), std::size_t{4});
     QCOMPARE(client.children(node("/Channel/ChannelDiagnose")).size(), std::size_t{1});
     QCOMPARE(client.children(node("/Methods")).size(), std::size_t{4});
@@ -134,8 +134,7 @@ class TestFront : public QObject {
           "/Channel/Parameter/R", "/Channel/GeometricAxis/aaAcsRel[u1,3]",
           "/Channel/GeometricAxis/toolBaseDistToGo[2]", "/Channel/MachineAxis/measPos1[u1,1]",
           "/Channel/State/actFeedRateIpo", "/Channel/ProgramInfo/progName",
-          "/Channel/State/actTNumber", "/Channel/Spindle/actSpeed[u1,1]",
-          "/Channel/Spindle/cmdSpeed"}) {
+          "/Channel/SelectedFunctions/ncFktAct[u1,8]"}) {
       QVERIFY2(client.read(identifier) == UA_STATUSCODE_GOOD, identifier);
     }
     for (const char* identifier :
@@ -143,6 +142,25 @@ class TestFront : public QObject {
           "/Channel/Parameter/R[u2,1]", "/Channel/GeometricAxis/aaAcsRel[u1,0]",
           "/Channel/GeometricAxis/aaAcsRel[u1,4]"}) {
       QVERIFY2(client.read(identifier) == UA_STATUSCODE_BADNODEIDUNKNOWN, identifier);
+    }
+  }
+
+  /// A machine serves what it has: one without tools and spindle has no variables for them.
+  void toolsAndSpindleAreServedWhereTheyAre() {
+    const LoopbackMachine mill({.preset = "dmu75-mill"});
+    const LoopbackMachine bare;
+    const RawClient client(mill.endpoint());
+    const RawClient other(bare.endpoint());
+    const auto node = [](const char* identifier) { return opcua::borrowNodeId(2, identifier); };
+    QCOMPARE(client.children(node("/Channel/State")).size(), std::size_t{8});
+    QCOMPARE(client.children(node("/Channel/Spindle")).size(), std::size_t{3});
+    for (const char* identifier :
+         {"/Channel/State/actTNumber", "/Channel/State/actDNumber", "/Channel/State/actToolIdent",
+          "/Channel/Spindle/actSpeed[u1,1]", "/Channel/Spindle/cmdSpeed",
+          "/Channel/Spindle/turnState[u1,1]", "/Channel/AuxiliaryFunctions/acAuxfuMValue[u1,5]",
+          "/Channel/AuxiliaryFunctions/acAuxfuMValue[u1,6]"}) {
+      QVERIFY2(client.read(identifier) == UA_STATUSCODE_GOOD, identifier);
+      QVERIFY2(other.read(identifier) == UA_STATUSCODE_BADNODEIDUNKNOWN, identifier);
     }
   }
 

@@ -34,6 +34,15 @@ class TestNodeMap : public QObject {
     row("/Channel/ProgramInfo/msg", VariableKind::Message, 0);
     row("/Channel/GeometricAxis/name[u1,4]", VariableKind::AxisName, 3);
     row("/Channel/GeometricAxis/aaAcsRel[u1,5]", VariableKind::ActualPosition, 4);
+    row("/Channel/State/actTNumber", VariableKind::ToolNumber, 0);
+    row("/Channel/State/actToolIdent", VariableKind::ToolName, 0);
+    row("/Channel/State/actDNumber", VariableKind::EdgeNumber, 0);
+    row("/Channel/Spindle/actSpeed[u1,1]", VariableKind::SpindleSpeed, 0);
+    row("/Channel/Spindle/cmdSpeed[u1,1]", VariableKind::SpindleSpeedSet, 0);
+    row("/Channel/Spindle/turnState[u1,1]", VariableKind::SpindleTurn, 0);
+    row("/Channel/SelectedFunctions/ncFktAct[u1,8]", VariableKind::GFunction, kWorkOffsetGroup);
+    row("/Channel/AuxiliaryFunctions/acAuxfuMValue[u1,5]", VariableKind::MFunction, kFloodGroup);
+    row("/Channel/AuxiliaryFunctions/acAuxfuMValue[u1,6]", VariableKind::MFunction, kMistGroup);
   }
 
   void namesAreThoseOfTheControl() {

@@ -25,7 +25,8 @@ struct VariableRow {
   bool perAxis = false;                ///< those of the spindle have the number 1
   std::size_t type = UA_TYPES_DOUBLE;  ///< of the node, as on the control
   double (*number)(const MachineState&, std::size_t axis) = nullptr;
-  std::string_view (*text)(const MachineState&, std::size_t axis) = nullptr;
+  std::string (*text)(const MachineState&, std::size_t axis) = nullptr;
+  bool (*isThere)(const MachineConfig&) = nullptr;  ///< null: at every machine
 };
 
 namespace {
@@ -56,7 +57,7 @@ double toolNumber(const MachineState& state, std::size_t /*axis*/) {
 double edgeNumber(const MachineState& state, std::size_t /*axis*/) {
   return state.equipment.edge;
 }
-std::string_view toolName(const MachineState& state, std::size_t /*axis*/) {
+std::string toolName(const MachineState& state, std::size_t /*axis*/) {
   return state.equipment.toolName;
 }
 double spindleSpeed(const MachineState& state, std::size_t /*axis*/) {
@@ -65,10 +66,26 @@ double spindleSpeed(const MachineState& state, std::size_t /*axis*/) {
 double spindleCommand(const MachineState& state, std::size_t /*axis*/) {
   return std::abs(state.equipment.spindleCommandPerMin);
 }
-/// 0 it stands, 1 clockwise, 2 counterclockwise; the numbers are assumed, as in OPC 40502.
 double spindleTurn(const MachineState& state, std::size_t /*axis*/) {
-  const double perMin = state.equipment.spindlePerMin;
-  return perMin == 0.0 ? 0.0 : perMin > 0.0 ? 1.0 : 2.0;
+  return static_cast<double>(opcua::turnOf(state.equipment.spindlePerMin));
+}
+std::string workOffset(const MachineState& state, std::size_t /*axis*/) {
+  return fmt::format("G{}", state.equipment.workOffset);
+}
+double floodFunction(const MachineState& state, std::size_t /*axis*/) {
+  return state.equipment.flood ? opcua::kFloodOn : opcua::kCoolantOff;
+}
+double mistFunction(const MachineState& state, std::size_t /*axis*/) {
+  return state.equipment.mist ? opcua::kMistOn : opcua::kCoolantOff;
+}
+bool hasTools(const MachineConfig& config) {
+  return config.tools.has_value();
+}
+bool hasSpindle(const MachineConfig& config) {
+  return config.spindle.has_value();
+}
+bool hasCoolant(const MachineConfig& config) {
+  return config.coolantTime.has_value();
 }
 double feed(const MachineState& state, std::size_t /*axis*/) {
   return base::mmPerMinFromMmPerS(state.feedMmPerS);
@@ -91,30 +108,31 @@ double line(const MachineState& state, std::size_t /*axis*/) {
 double bufferLevel(const MachineState& state, std::size_t /*axis*/) {
   return state.bufferedBlocks;
 }
-std::string_view programName(const MachineState& state, std::size_t /*axis*/) {
+std::string programName(const MachineState& state, std::size_t /*axis*/) {
   return state.programName;
 }
-std::string_view message(const MachineState& state, std::size_t /*axis*/) {
+std::string message(const MachineState& state, std::size_t /*axis*/) {
   return state.message;
 }
-std::string_view axisName(const MachineState& /*state*/, std::size_t axis) {
-  return std::string_view("XYZABC").substr(axis, 1);
+std::string axisName(const MachineState& /*state*/, std::size_t axis) {
+  return std::string(1, std::string_view("XYZABC")[axis]);
 }
 
 /// A number of the channel.
 constexpr VariableRow scalar(std::string_view folder, std::string_view name, std::size_t type,
-                             double (*number)(const MachineState&, std::size_t)) {
-  return {folder, name, false, type, number, nullptr};
+                             double (*number)(const MachineState&, std::size_t),
+                             bool (*isThere)(const MachineConfig&) = nullptr) {
+  return {folder, name, false, type, number, nullptr, isThere};
 }
 /// A length or an angle per axis.
 constexpr VariableRow axes(std::string_view folder, std::string_view name,
                            double (*number)(const MachineState&, std::size_t)) {
-  return {folder, name, true, UA_TYPES_DOUBLE, number, nullptr};
+  return {folder, name, true, UA_TYPES_DOUBLE, number, nullptr, nullptr};
 }
 constexpr VariableRow text(std::string_view folder, std::string_view name,
-                           std::string_view (*value)(const MachineState&, std::size_t),
-                           bool perAxis = false) {
-  return {folder, name, perAxis, UA_TYPES_STRING, nullptr, value};
+                           std::string (*value)(const MachineState&, std::size_t),
+                           bool perAxis = false, bool (*isThere)(const MachineConfig&) = nullptr) {
+  return {folder, name, perAxis, UA_TYPES_STRING, nullptr, value, isThere};
 }
 
 constexpr std::array kRows{
@@ -132,17 +150,31 @@ constexpr std::array kRows{
     scalar("State", "progStatus", UA_TYPES_UINT16, programStatus),
     scalar("State", "chanStatus", UA_TYPES_UINT16, channelStatus),
     scalar("State", "chanAlarm", UA_TYPES_UINT32, alarm),
-    scalar("State", "actTNumber", UA_TYPES_UINT32, toolNumber),
-    scalar("State", "actDNumber", UA_TYPES_UINT32, edgeNumber),
-    text("State", "actToolIdent", toolName),
-    scalar("Spindle", "actSpeed", UA_TYPES_DOUBLE, spindleSpeed),
-    scalar("Spindle", "cmdSpeed", UA_TYPES_DOUBLE, spindleCommand),
-    scalar("Spindle", "turnState", UA_TYPES_UINT16, spindleTurn),
+    scalar("State", "actTNumber", UA_TYPES_UINT32, toolNumber, hasTools),
+    scalar("State", "actDNumber", UA_TYPES_UINT32, edgeNumber, hasTools),
+    text("State", "actToolIdent", toolName, false, hasTools),
+    scalar("Spindle", "actSpeed", UA_TYPES_DOUBLE, spindleSpeed, hasSpindle),
+    scalar("Spindle", "cmdSpeed", UA_TYPES_DOUBLE, spindleCommand, hasSpindle),
+    scalar("Spindle", "turnState", UA_TYPES_UINT16, spindleTurn, hasSpindle),
     text("ProgramInfo", "progName", programName),
     text("ProgramInfo", "selectedWorkPProg", programName),
     scalar("ProgramInfo", "actLineNumber", UA_TYPES_UINT32, line),
     text("ProgramInfo", "msg", message),
     scalar("ChannelDiagnose", "ipoBufLevel", UA_TYPES_UINT16, bufferLevel),
+};
+
+/// Variables of which only some elements are served; none is the first, so none is listed.
+struct ElementRow {
+  opcua::Variable variable;
+  VariableRow row;
+};
+constexpr std::array kElements{
+    ElementRow{{opcua::VariableKind::GFunction, opcua::kWorkOffsetGroup},
+               text({}, "ncFktAct", workOffset)},
+    ElementRow{{opcua::VariableKind::MFunction, opcua::kFloodGroup},
+               scalar({}, "acAuxfuMValue", UA_TYPES_DOUBLE, floodFunction, hasCoolant)},
+    ElementRow{{opcua::VariableKind::MFunction, opcua::kMistGroup},
+               scalar({}, "acAuxfuMValue", UA_TYPES_DOUBLE, mistFunction, hasCoolant)},
 };
 
 constexpr std::string_view kSpindle = "Spindle";
@@ -199,8 +231,8 @@ UA_StatusCode onRead(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/,
   } else {
     const MachineState state = machine.state();
     if (node.row->text != nullptr) {
-      const UA_String string =
-          opcua::borrow(node.row->text(state, static_cast<std::size_t>(node.index)));
+      const std::string shown = node.row->text(state, static_cast<std::size_t>(node.index));
+      const UA_String string = opcua::borrow(shown);
       status = UA_Variant_setScalarCopy(&value->value, &string, &UA_TYPES[UA_TYPES_STRING]);
     } else {
       const double number = node.row->number(state, static_cast<std::size_t>(node.index));
@@ -286,9 +318,19 @@ base::Result<void> AddressSpace::build() {
   if (status == UA_STATUSCODE_GOOD) {
     status = addParameters();
   }
+  const MachineConfig& config = m_service.machine().config();
+  const auto isThere = [&config](const VariableRow& row) {
+    return row.isThere == nullptr || row.isThere(config);
+  };
   for (const VariableRow& row : kRows) {
-    if (status == UA_STATUSCODE_GOOD) {
+    if (status == UA_STATUSCODE_GOOD && isThere(row)) {
       status = addVariable(row);
+    }
+  }
+  for (const ElementRow& element : kElements) {
+    if (status == UA_STATUSCODE_GOOD && isThere(element.row)) {
+      status =
+          addNode({}, opcua::nodeIdentifier(element.variable), element.row.name, &element.row, 0);
     }
   }
   if (status != UA_STATUSCODE_GOOD) {

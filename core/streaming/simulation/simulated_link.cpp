@@ -3,6 +3,8 @@
 
 #include "streaming/simulation/simulated_link.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -276,6 +278,66 @@ opcua::Reading SimulatedLink::readVariable(const opcua::Variable& variable) cons
     case opcua::VariableKind::AxisName:
       reading.text = rotary ? base::kRotaryAxisNames[*rotary] : base::kAxisNames[axis];
       break;
+    case opcua::VariableKind::ToolNumber:
+    case opcua::VariableKind::ToolName:
+    case opcua::VariableKind::EdgeNumber:
+    case opcua::VariableKind::SpindleSpeed:
+    case opcua::VariableKind::SpindleSpeedSet:
+    case opcua::VariableKind::SpindleTurn:
+    case opcua::VariableKind::GFunction:
+    case opcua::VariableKind::MFunction:
+      return readEquipment(variable);
+  }
+  return reading;
+}
+
+/// What a machine has not, it does not serve; nor does it serve other groups of functions.
+opcua::Reading SimulatedLink::readEquipment(const opcua::Variable& variable) const {
+  const machine::MachineConfig& config = m_machine.config();
+  const machine::EquipmentState state = m_machine.state().equipment;
+  opcua::Reading reading;
+  bool isThere = false;
+  switch (variable.kind) {
+    case opcua::VariableKind::ToolNumber:
+      isThere = config.tools.has_value();
+      reading.number = state.tool;
+      break;
+    case opcua::VariableKind::ToolName:
+      isThere = config.tools.has_value();
+      reading.text = state.toolName;
+      break;
+    case opcua::VariableKind::EdgeNumber:
+      isThere = config.tools.has_value();
+      reading.number = state.edge;
+      break;
+    case opcua::VariableKind::SpindleSpeed:
+      isThere = config.spindle && variable.index == 0;
+      reading.number = std::abs(state.spindlePerMin);
+      break;
+    case opcua::VariableKind::SpindleSpeedSet:
+      isThere = config.spindle && variable.index == 0;
+      reading.number = std::abs(state.spindleCommandPerMin);
+      break;
+    case opcua::VariableKind::SpindleTurn:
+      isThere = config.spindle && variable.index == 0;
+      reading.number = static_cast<double>(opcua::turnOf(state.spindlePerMin));
+      break;
+    case opcua::VariableKind::GFunction:
+      isThere = variable.index == opcua::kWorkOffsetGroup;
+      reading.text = fmt::format("G{}", state.workOffset);
+      break;
+    case opcua::VariableKind::MFunction:
+      isThere = config.coolantTime &&
+                (variable.index == opcua::kFloodGroup || variable.index == opcua::kMistGroup);
+      reading.number = variable.index == opcua::kFloodGroup
+                           ? (state.flood ? opcua::kFloodOn : opcua::kCoolantOff)
+                           : (state.mist ? opcua::kMistOn : opcua::kCoolantOff);
+      break;
+    default:
+      break;
+  }
+  if (!isThere) {
+    return {LinkError::VariableMissing, 0.0, {}};
   }
   return reading;
 }

@@ -84,6 +84,7 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
   [[nodiscard]] bool offers(opcua::Grouping grouping) const;
   [[nodiscard]] std::error_code writeVariable(const Request& request, std::size_t item);
   [[nodiscard]] opcua::Reading readVariable(const opcua::Variable& variable) const;
+  [[nodiscard]] opcua::Reading readEquipment(const opcua::Variable& variable) const;
 
   machine::Machine& m_machine;
   ServiceLoad m_served;
