@@ -292,6 +292,12 @@ bool Driver::wantsDisplay() const {
   return isOverdue || hasSlackFor(static_cast<int>(m_display.size()));
 }
 
+bool Driver::wantsEquipment() const {
+  const std::size_t count = m_equipment.variables().size();
+  return m_settings.monitor && !m_abandonedAt && count > 0 && m_link.now() >= m_nextEquipment &&
+         hasSlackFor(static_cast<int>(count));
+}
+
 Duration Driver::patient(Duration deadline) const {
   return m_patience * deadline;
 }
@@ -305,18 +311,22 @@ void Driver::submitMonitor() {
   if (submitCorrection()) {
     m_methodsTurn = true;
   } else if (wantsStatus()) {
-    submitMonitorRead(true);
+    m_monitor = Monitor::Status;
+    m_nextStatus = m_link.now() + kStatusInterval;
+    submitMonitorRead(m_status);
+  } else if (wantsEquipment()) {
+    m_monitor = Monitor::Equipment;
+    m_nextEquipment = m_link.now() + EquipmentWatch::kInterval;
+    submitMonitorRead(m_equipment.variables());
   } else if (wantsDisplay()) {
-    submitMonitorRead(false);
+    m_monitor = Monitor::Display;
+    m_nextDisplay = m_link.now() + kDisplayInterval;
+    submitMonitorRead(m_display);
   }
 }
 
-void Driver::submitMonitorRead(bool isStatus) {
+void Driver::submitMonitorRead(const std::vector<opcua::Variable>& variables) {
   m_methodsTurn = true;
-  m_monitor = isStatus ? Monitor::Status : Monitor::Display;
-  (isStatus ? m_nextStatus : m_nextDisplay) =
-      m_link.now() + (isStatus ? kStatusInterval : kDisplayInterval);
-  const std::vector<opcua::Variable>& variables = isStatus ? m_status : m_display;
   m_monitorPending =
       Pending{m_link.read(variables, patient(m_settings.requestDeadline), opcua::Grouping::List),
               false, static_cast<int>(variables.size()), 0};
@@ -379,6 +389,7 @@ void Driver::handle(const opcua::Event& event) {
   const Pending pending = forMethod ? *m_methodPending : *m_monitorPending;
   (forMethod ? m_methodPending : m_monitorPending).reset();
   const bool isCorrection = !forMethod && m_monitor == Monitor::Correction;
+  const bool isEquipment = !forMethod && m_monitor == Monitor::Equipment;
   if (event.kind == opcua::EventKind::RequestFailed) {
     const bool isFalsified = opcua::mayBeFalsified(event.error.code) && repeats(event, forMethod);
     if (!isFalsified && !forgives(event, forMethod)) {
@@ -391,6 +402,10 @@ void Driver::handle(const opcua::Event& event) {
     return;
   }
   noteAccess(event, pending);
+  if (isEquipment) {  // a control need not serve all of it
+    publish(std::nullopt, m_equipment.take(event.readings));
+    return;
+  }
   if (const std::error_code refused = refusedItem(event)) {
     if (!repeats(event, forMethod)) {
       abandon(itemError(refused, event.kind == opcua::EventKind::ReadDone));
@@ -657,7 +672,8 @@ void Driver::submitStop() {
       m_link.write({&m_stop, 1}, patient(m_settings.requestDeadline), opcua::Grouping::List);
 }
 
-void Driver::publish(std::optional<trace::LiveSample> sample) {
+void Driver::publish(std::optional<trace::LiveSample> sample,
+                     std::optional<EquipmentSeen> equipment) {
   LiveUpdate update;
   update.state = state();
   update.at = m_link.now();
@@ -667,6 +683,7 @@ void Driver::publish(std::optional<trace::LiveSample> sample) {
     update.correction = m_correction.value();
   }
   update.sample = std::move(sample);
+  update.equipment = std::move(equipment);
   if (m_source != nullptr) {
     update.source = m_source->level();
     update.waitingFor = update.source->waiting == 0 ? "source" : "";

@@ -15,6 +15,7 @@
 
 #include "base/recent_values.h"
 #include "streaming/correction.h"
+#include "streaming/equipment_watch.h"
 #include "streaming/method.h"
 #include "streaming/path_watch.h"
 #include "trace/analysis/pauses.h"
@@ -102,10 +103,10 @@ class Driver {
   static constexpr std::size_t kSlownessCount = 10;
 
   void submitMethod();
-  /// Reads status or display. Between two such reads the method has its turn, however slow the
-  /// control is.
+  /// Reads status, tool and spindle, or display. Between two such reads the method has its turn,
+  /// however slow the control is.
   void submitMonitor();
-  void submitMonitorRead(bool isStatus);
+  void submitMonitorRead(const std::vector<opcua::Variable>& variables);
   /// Of a request, from its usual one: longer while answers come late.
   [[nodiscard]] base::Duration patient(base::Duration deadline) const;
   void noticeSilence();
@@ -138,7 +139,10 @@ class Driver {
   [[nodiscard]] std::optional<base::Duration> slowAccess() const;
   [[nodiscard]] bool wantsStatus() const;
   [[nodiscard]] bool wantsDisplay() const;
-  void publish(std::optional<trace::LiveSample> sample = std::nullopt);
+  /// Tool, spindle and coolant: only where the stream has time, whatever their age.
+  [[nodiscard]] bool wantsEquipment() const;
+  void publish(std::optional<trace::LiveSample> sample = std::nullopt,
+               std::optional<EquipmentSeen> equipment = std::nullopt);
   void publishPause(const trace::Pause& pause);
   /// Looks whether the tool has left the path.
   void checkPlace(base::Vec3 positionMm);
@@ -160,7 +164,7 @@ class Driver {
   opcua::Assignment m_stop;
   std::optional<Pending> m_methodPending;
   std::optional<Pending> m_monitorPending;
-  enum class Monitor { Display, Status, Correction };
+  enum class Monitor { Display, Status, Equipment, Correction };
   Monitor m_monitor = Monitor::Display;
   CorrectionCells m_correction;
   base::Vec3 m_notedMm;
@@ -168,10 +172,12 @@ class Driver {
   std::vector<opcua::Variable> m_display;    // what a display read asks for; the feed last
   std::vector<std::size_t> m_displayRotary;  // axes it asks for behind X, Y and Z
   std::vector<opcua::Variable> m_status;
+  EquipmentWatch m_equipment;
   base::Instant m_nextDisplay{};
   base::Instant m_nextSample{};  ///< of the positions that the method reads
   base::Instant m_shownAt{};     ///< when the axes' position was last read
   base::Instant m_nextStatus{};
+  base::Instant m_nextEquipment{};
   bool m_methodsTurn = false;  ///< the last access was not the method's
   int m_patience = 1;          ///< factor of the deadlines
   int m_refusals = 0;          ///< answers in a row with a refused item

@@ -24,6 +24,7 @@
 #include "live/summary.h"
 #include "opcua/link.h"
 #include "streaming/access_forms.h"
+#include "streaming/equipment_watch.h"
 #include "streaming/pause_placement.h"
 #include "streaming/program_transfer.h"
 #include "templates/cells.h"
@@ -225,8 +226,9 @@ struct LiveUpdate {
   base::Instant at{};
   Counters counters;
   std::optional<trace::LiveSample> sample;
-  std::optional<trace::Pause> pause;     ///< a newly detected pause
-  std::optional<base::Duration> margin;  ///< time until the next point is needed minus p99
+  std::optional<EquipmentSeen> equipment;  ///< just read
+  std::optional<trace::Pause> pause;       ///< a newly detected pause
+  std::optional<base::Duration> margin;    ///< time until the next point is needed minus p99
   std::string waitingFor;  ///< English key of what the run is waiting for; may be empty
   std::optional<base::Duration> stopConfirmedAfter;
   std::optional<Correction> correction;  ///< nothing: the program has none

@@ -18,6 +18,7 @@
 #include "opcua/forwarding_link.h"
 #include "streaming/access_probe.h"
 #include "streaming/control_alarm.h"
+#include "streaming/equipment_watch.h"
 #include "streaming/job.h"
 #include "streaming/job_trace.h"
 #include "streaming/ledger.h"
@@ -42,6 +43,8 @@ using templates::WindowProtocol;
 constexpr double kStartToleranceMm = 0.05;
 constexpr Duration kPartPoll = std::chrono::milliseconds{20};
 constexpr Duration kShowInterval = std::chrono::milliseconds{100};
+/// Of tool and spindle: now they change.
+constexpr Duration kEquipmentInterval = std::chrono::milliseconds{500};
 
 /// Presents one stretch as if it were a program of its own: the channel is in reset before and
 /// after it, and what prepares a program has been done. Everything else goes to the control.
@@ -580,6 +583,15 @@ class WholeJob {
     update.sample->at = update.at;
     update.sample->positionMm = base::Vec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     update.sample->feedMmPerS = base::mmPerSFromMmPerMin((*numbers)[3]);
+    if (!m_equipment.variables().empty() && m_link.now() >= m_nextEquipment) {
+      m_nextEquipment = m_link.now() + kEquipmentInterval;
+      const auto readings =
+          opcua::readNow(m_claim.link(), m_equipment.variables(), m_settings.setupDeadline);
+      if (!readings) {
+        return base::fail(readings.error());
+      }
+      update.equipment = m_equipment.take(*readings);
+    }
     m_ledger.update(update);
     return {};
   }
@@ -821,6 +833,8 @@ class WholeJob {
   bool m_isHeld = false;
   bool m_isInterrupted = false;
   Instant m_nextShown{};
+  EquipmentWatch m_equipment;
+  Instant m_nextEquipment{};
   int m_shownDue = 0;
   bool m_isOver = false;
   int m_due = 0;            ///< native block that was due at the last look, from 1; 0: none yet
