@@ -5506,6 +5506,62 @@ GPL-3.0-or-later</translation>
         <source>Up to 1 s old: no time to read more often</source>
         <translation>Bis zu 1 s alt: keine Zeit, öfter zu lesen</translation>
     </message>
+    <message>
+        <source>No tool in the spindle</source>
+        <translation>Kein Werkzeug in der Spindel</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Werkzeug %1</translation>
+    </message>
+    <message>
+        <source>cutting edge D%1</source>
+        <translation>Schneide D%1</translation>
+    </message>
+    <message>
+        <source>work offset %1</source>
+        <translation>Nullpunktverschiebung %1</translation>
+    </message>
+    <message>
+        <source>Spindle: actual %1, commanded %2 1/min</source>
+        <translation>Spindel: Ist %1, Soll %2 1/min</translation>
+    </message>
+    <message>
+        <source>clockwise (M3)</source>
+        <translation>Rechtslauf (M3)</translation>
+    </message>
+    <message>
+        <source>counterclockwise (M4)</source>
+        <translation>Linkslauf (M4)</translation>
+    </message>
+    <message>
+        <source>direction not known</source>
+        <translation>Drehrichtung nicht bekannt</translation>
+    </message>
+    <message>
+        <source>coolant off</source>
+        <translation>Kühlmittel aus</translation>
+    </message>
+    <message>
+        <source>coolant on (%1)</source>
+        <translation>Kühlmittel ein (%1)</translation>
+    </message>
+    <message>
+        <source>coolant not known</source>
+        <translation>Kühlmittel nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1. The control reports it, about once a second.</source>
+        <translation>%1. Die Steuerung meldet es, etwa einmal je Sekunde.</translation>
+    </message>
+    <message>
+        <source>%1. Read %2 ago: it may have changed since.</source>
+        <translation>%1. Vor %2 gelesen: Es kann sich seitdem geändert haben.</translation>
+    </message>
+    <message>
+        <source>Live, but tool and spindle: read %1 ago</source>
+        <translation>Live, aber Werkzeug und Spindel: vor %1 gelesen</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PreflightSheet</name>

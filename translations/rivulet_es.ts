@@ -5506,6 +5506,62 @@ GPL-3.0-or-later</translation>
         <source>Up to 1 s old: no time to read more often</source>
         <translation>Hasta 1 s de antigüedad: sin tiempo para leer más</translation>
     </message>
+    <message>
+        <source>No tool in the spindle</source>
+        <translation>Ninguna herramienta en el cabezal</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Herramienta %1</translation>
+    </message>
+    <message>
+        <source>cutting edge D%1</source>
+        <translation>filo D%1</translation>
+    </message>
+    <message>
+        <source>work offset %1</source>
+        <translation>decalaje de origen %1</translation>
+    </message>
+    <message>
+        <source>Spindle: actual %1, commanded %2 1/min</source>
+        <translation>Cabezal: real %1, ordenado %2 r/min</translation>
+    </message>
+    <message>
+        <source>clockwise (M3)</source>
+        <translation>giro a derechas (M3)</translation>
+    </message>
+    <message>
+        <source>counterclockwise (M4)</source>
+        <translation>giro a izquierdas (M4)</translation>
+    </message>
+    <message>
+        <source>direction not known</source>
+        <translation>sentido de giro desconocido</translation>
+    </message>
+    <message>
+        <source>coolant off</source>
+        <translation>refrigerante apagado</translation>
+    </message>
+    <message>
+        <source>coolant on (%1)</source>
+        <translation>refrigerante encendido (%1)</translation>
+    </message>
+    <message>
+        <source>coolant not known</source>
+        <translation>refrigerante desconocido</translation>
+    </message>
+    <message>
+        <source>%1. The control reports it, about once a second.</source>
+        <translation>%1. El control lo comunica, más o menos una vez por segundo.</translation>
+    </message>
+    <message>
+        <source>%1. Read %2 ago: it may have changed since.</source>
+        <translation>%1. Leído hace %2: puede haber cambiado desde entonces.</translation>
+    </message>
+    <message>
+        <source>Live, but tool and spindle: read %1 ago</source>
+        <translation>En vivo, pero herramienta y cabezal: leídos hace %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PreflightSheet</name>

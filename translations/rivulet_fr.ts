@@ -5506,6 +5506,62 @@ GPL-3.0-or-later</translation>
         <source>Up to 1 s old: no time to read more often</source>
         <translation>Âgé de 1 s au plus&#xa0;: pas le temps de lire plus souvent</translation>
     </message>
+    <message>
+        <source>No tool in the spindle</source>
+        <translation>Aucun outil dans la broche</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Outil %1</translation>
+    </message>
+    <message>
+        <source>cutting edge D%1</source>
+        <translation>arête de coupe D%1</translation>
+    </message>
+    <message>
+        <source>work offset %1</source>
+        <translation>décalage d’origine %1</translation>
+    </message>
+    <message>
+        <source>Spindle: actual %1, commanded %2 1/min</source>
+        <translation>Broche : réelle %1, commandée %2 tr/min</translation>
+    </message>
+    <message>
+        <source>clockwise (M3)</source>
+        <translation>sens horaire (M3)</translation>
+    </message>
+    <message>
+        <source>counterclockwise (M4)</source>
+        <translation>sens antihoraire (M4)</translation>
+    </message>
+    <message>
+        <source>direction not known</source>
+        <translation>sens de rotation inconnu</translation>
+    </message>
+    <message>
+        <source>coolant off</source>
+        <translation>arrosage arrêté</translation>
+    </message>
+    <message>
+        <source>coolant on (%1)</source>
+        <translation>arrosage en marche (%1)</translation>
+    </message>
+    <message>
+        <source>coolant not known</source>
+        <translation>arrosage inconnu</translation>
+    </message>
+    <message>
+        <source>%1. The control reports it, about once a second.</source>
+        <translation>%1. La commande le signale, environ une fois par seconde.</translation>
+    </message>
+    <message>
+        <source>%1. Read %2 ago: it may have changed since.</source>
+        <translation>%1. Lu il y a %2 : cela a pu changer depuis.</translation>
+    </message>
+    <message>
+        <source>Live, but tool and spindle: read %1 ago</source>
+        <translation>En direct, mais outil et broche : lus il y a %1</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PreflightSheet</name>

@@ -5506,6 +5506,62 @@ GPL-3.0-or-later</translation>
         <source>Up to 1 s old: no time to read more often</source>
         <translation>Vecchio fino a 1 s: non c’è tempo per leggere di più</translation>
     </message>
+    <message>
+        <source>No tool in the spindle</source>
+        <translation>Nessun utensile nel mandrino</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Utensile %1</translation>
+    </message>
+    <message>
+        <source>cutting edge D%1</source>
+        <translation>tagliente D%1</translation>
+    </message>
+    <message>
+        <source>work offset %1</source>
+        <translation>spostamento origine %1</translation>
+    </message>
+    <message>
+        <source>Spindle: actual %1, commanded %2 1/min</source>
+        <translation>Mandrino: effettivo %1, comandato %2 giri/min</translation>
+    </message>
+    <message>
+        <source>clockwise (M3)</source>
+        <translation>rotazione oraria (M3)</translation>
+    </message>
+    <message>
+        <source>counterclockwise (M4)</source>
+        <translation>rotazione antioraria (M4)</translation>
+    </message>
+    <message>
+        <source>direction not known</source>
+        <translation>senso di rotazione non noto</translation>
+    </message>
+    <message>
+        <source>coolant off</source>
+        <translation>refrigerante spento</translation>
+    </message>
+    <message>
+        <source>coolant on (%1)</source>
+        <translation>refrigerante acceso (%1)</translation>
+    </message>
+    <message>
+        <source>coolant not known</source>
+        <translation>refrigerante non noto</translation>
+    </message>
+    <message>
+        <source>%1. The control reports it, about once a second.</source>
+        <translation>%1. Lo comunica il controllo, circa una volta al secondo.</translation>
+    </message>
+    <message>
+        <source>%1. Read %2 ago: it may have changed since.</source>
+        <translation>%1. Letto %2 fa: nel frattempo può essere cambiato.</translation>
+    </message>
+    <message>
+        <source>Live, but tool and spindle: read %1 ago</source>
+        <translation>In diretta, ma utensile e mandrino: letti %1 fa</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PreflightSheet</name>

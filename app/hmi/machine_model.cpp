@@ -66,6 +66,7 @@ void MachineModel::showAges() {
   m_view.isPositionRare = m_positionRead.isRare(nowS);
   m_view.feedAgeS = m_feedRead.ageS(nowS);
   m_view.isFeedRare = m_feedRead.isRare(nowS);
+  m_view.equipmentAgeS = m_equipmentAtS ? std::optional(nowS - *m_equipmentAtS) : std::nullopt;
   m_view.stateAgeS = m_stateAtS ? std::optional(nowS - *m_stateAtS) : std::nullopt;
   if (m_view.executed) {
     m_view.executed->ageS = nowS - m_executedAtS;
@@ -180,6 +181,9 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
   if (seen.toGoMm) {
     m_view.toGo = widgets::MachineView::ToGo{*seen.toGoMm, seen.toGoDeg};
   }
+  if (seen.equipment) {
+    showEquipment(*seen.equipment);
+  }
   m_stateAtS = m_clock();
   m_positionRead.take(*m_stateAtS, false);
   m_feedRead.take(*m_stateAtS, false);
@@ -229,6 +233,12 @@ void MachineModel::showSample(const trace::LiveSample& sample,
     m_view.feedMmPerS = sample.feedMmPerS;
     m_feedRead.take(nowS, true);
   }
+  showAges();
+}
+
+void MachineModel::showEquipment(const streaming::EquipmentSeen& equipment) {
+  m_view.equipment = equipment;
+  m_equipmentAtS = m_clock();
   showAges();
 }
 

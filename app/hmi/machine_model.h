@@ -54,6 +54,9 @@ class MachineModel final : public QObject {
   void showSample(const trace::LiveSample& sample,
                   const std::optional<widgets::MachineView::ToGo>& toGo);
 
+  /// Tool, spindle, coolant and work offset, just read.
+  void showEquipment(const streaming::EquipmentSeen& equipment);
+
   /// Null: this machine was never calibrated.
   [[nodiscard]] const std::shared_ptr<const streaming::CalibrationRecord>& calibration() const {
     return m_calibration;
@@ -107,6 +110,7 @@ class MachineModel final : public QObject {
   QTimer m_ageTimer;
   ReadTimes m_positionRead;
   ReadTimes m_feedRead;
+  std::optional<double> m_equipmentAtS;
   std::optional<double> m_stateAtS;
   double m_executedAtS = 0.0;
 };

@@ -540,6 +540,9 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
   if (update.sample) {
     takeSample(*update.sample, origin);
   }
+  if (update.equipment) {
+    m_machine.showEquipment(*update.equipment);
+  }
   if (update.pause) {
     trace::Pause pause = *update.pause;
     pause.start = base::Instant{pause.start - origin};

@@ -20,6 +20,7 @@
 #include "report/run_store.h"
 #include "session/job_check.h"
 #include "streaming/calibration_record.h"
+#include "streaming/equipment_watch.h"
 #include "streaming/job_times.h"
 #include "streaming/machine_facts.h"
 #include "streaming/run.h"
@@ -49,7 +50,8 @@ struct MachineSeen {
   base::RotaryDeg rotaryDeg{};
   /// Distance to go of each axis; nothing: the control does not report it.
   std::optional<base::Vec3> toGoMm;
-  base::RotaryDeg toGoDeg{};  ///< with `toGoMm`
+  base::RotaryDeg toGoDeg{};                          ///< with `toGoMm`
+  std::optional<streaming::EquipmentSeen> equipment;  ///< nothing: not read this time
 };
 
 /// Where a whole job is, beside its counters.

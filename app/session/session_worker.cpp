@@ -347,6 +347,8 @@ void SessionWorker::connect(const ConnectCommand& command) {
   // A server that does not identify itself can be used all the same.
   m_server = m_connection.control->identity().value_or(opcua::ServerIdentity{});
   m_watch = {};
+  m_equipment = {};
+  m_nextEquipment = {};
   m_seen = {};
   m_looksForLeft = true;
   tell(LinkChanged{LinkState::Connected, {}, m_connection.control->isVirtualMachine(), m_server});
@@ -391,6 +393,12 @@ base::Result<void> SessionWorker::lookAtControl() {
   for (const int axis : rotary) {
     watched.push_back({VariableKind::DistanceToGo, axis});
   }
+  const std::size_t firstEquipment = watched.size();
+  const bool readsEquipment = m_connection.link->now() >= m_nextEquipment;
+  if (readsEquipment) {
+    m_nextEquipment = m_connection.link->now() + streaming::EquipmentWatch::kInterval;
+    watched.insert(watched.end(), m_equipment.variables().begin(), m_equipment.variables().end());
+  }
   const auto readings = opcua::readNow(*m_connection.link, watched, kWatchDeadline);
   if (!readings) {
     return base::fail(readings.error());
@@ -404,7 +412,7 @@ base::Result<void> SessionWorker::lookAtControl() {
   seen.positionMm = {(*readings)[5].number, (*readings)[6].number, (*readings)[7].number};
   seen.feedMmPerS = base::mmPerSFromMmPerMin((*readings)[8].number);
   seen.rotaryAxes = m_axes.set();
-  const std::span toGo = std::span(*readings).subspan(firstToGo);
+  const std::span toGo = std::span(*readings).subspan(firstToGo, firstEquipment - firstToGo);
   if (std::none_of(toGo.begin(), toGo.end(),
                    [](const opcua::Reading& one) { return one.status.operator bool(); })) {
     seen.toGoMm = {toGo[0].number, toGo[1].number, toGo[2].number};
@@ -416,6 +424,9 @@ base::Result<void> SessionWorker::lookAtControl() {
       seen.toGoDeg[axis] = toGo[base::kAxisCount + next].number;
       ++next;
     }
+  }
+  if (readsEquipment) {
+    seen.equipment = m_equipment.take(std::span(*readings).subspan(firstEquipment));
   }
   tellIfRoom(seen);
   return lookForRuns(seen.channelStatus != opcua::kChannelReset);

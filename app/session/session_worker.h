@@ -114,13 +114,15 @@ class SessionWorker {
   report::RunStore m_runs;
   report::RunStore m_jobs{report::RunStore::folderOfJobs()};
   report::RunHistory m_history;
-  opcua::Connection m_connection;  // streaming thread only
-  streaming::ControlAxes m_axes;   // of the control at the other end
-  streaming::RunWatch m_watch;     // of the control at the other end
-  RunsSeen m_seen;                 // as told last
-  bool m_looksForLeft = false;     // the store may have changed
-  std::string m_proven;            // text of the template proved last; streaming thread only
-  std::string m_endpoint;          // of `m_connection`
+  opcua::Connection m_connection;         // streaming thread only
+  streaming::ControlAxes m_axes;          // of the control at the other end
+  streaming::EquipmentWatch m_equipment;  // of the control at the other end
+  base::Instant m_nextEquipment{};
+  streaming::RunWatch m_watch;  // of the control at the other end
+  RunsSeen m_seen;              // as told last
+  bool m_looksForLeft = false;  // the store may have changed
+  std::string m_proven;         // text of the template proved last; streaming thread only
+  std::string m_endpoint;       // of `m_connection`
   opcua::ServerIdentity m_server;
   std::thread m_thread;
 };

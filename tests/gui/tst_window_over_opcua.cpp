@@ -5,6 +5,7 @@
 /// to it over OPC UA, in real time. What the window does is tested in virtual time, in
 /// tst_main_window; this shows that it also does it on a real connection.
 
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -144,6 +145,59 @@ class TestWindowOverOpcua : public QObject {
     QVERIFY2(rest->outcome == streaming::Outcome::Completed, rest->error.text().c_str());
     QVERIFY(rest->integrity.isFaultless());
     QCOMPARE(rest->integrity.executed, total - executed);
+  }
+
+  /// Tool, spindle, coolant and work offset, as the control has them at each moment of a job; when
+  /// the connection is gone, they are not shown as present any more.
+  void showsToolAndSpindle() {
+    std::optional<tests::MachineProcess> machine;
+    machine.emplace(QStringLiteral(RIVULET_MACHINE),
+                    QStringList{QStringLiteral("--preset"), QStringLiteral("dmu75-mill")});
+    QFile file(m_folder.filePath(QStringLiteral("TOOLS.MPF")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        "G17 G90 G71 G500\nT1 M6\nD1 G0 X0 Y0 Z45\nS1500 M3 M8\nG1 Z44 F300\nX10\nX0\nX10\n"
+        "M5 M9\nT2 M6\nD1 S800 M4 M7\nG4 F2\nG0 X5\nG1 X6 F300\nM5 M9\nM30\n");
+    file.close();
+    MainWindow window(settings(), false);
+    window.show();
+    widgets::StreamSettings stream;
+    stream.programFeeds = true;
+    stream.wholeJob = true;
+    window.setStreamSettings(stream);
+    auto* tool = window.findChild<QWidget*>(QStringLiteral("tool"));
+    auto* number = window.findChild<QLabel*>(QStringLiteral("tool-number"));
+    auto* edge = window.findChild<QLabel*>(QStringLiteral("tool-detail"));
+    auto* speed = window.findChild<QLabel*>(QStringLiteral("spindle-speed"));
+    auto* set = window.findChild<QLabel*>(QStringLiteral("spindle-detail"));
+    QVERIFY(!tool->isVisible());  // nothing is known yet
+    window.openProgram(file.fileName());
+    window.connectTo(machine->endpoint());
+    QTRY_VERIFY_WITH_TIMEOUT(tool->isVisible(), kSoonMs);
+    QTRY_COMPARE_WITH_TIMEOUT(window.startBlockedReason(), QString(), kSoonMs);
+    QSignalSpy finished(&window, &MainWindow::runFinished);
+    QVERIFY(window.start());
+    // While the first stretch is streamed.
+    const auto isShown = [](const QLabel* label, const char* text) {
+      return label->text() == QString::fromUtf8(text) && !label->font().strikeOut();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isShown(number, "1") && edge->text().startsWith(u"D1 · G500") &&
+                                 isShown(speed, "↻ 1,500") && isShown(set, "set 1,500 · M8"),
+                             kRunMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        isShown(number, "2") && isShown(speed, "↺ 800") && isShown(set, "set 800 · M7"), kRunMs);
+    QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
+    const auto report = window.lastReport();
+    QVERIFY2(report->outcome == streaming::Outcome::Completed, report->error.text().c_str());
+    QVERIFY(report->integrity.isFaultless());
+    QTRY_VERIFY_WITH_TIMEOUT(
+        isShown(speed, "0") && isShown(set, "set 0 · M9") && edge->text().startsWith(u"D0"),
+        kSoonMs);
+    machine.reset();
+    QTRY_VERIFY_WITH_TIMEOUT(
+        number->font().strikeOut() && speed->font().strikeOut() && set->font().strikeOut(),
+        kSoonMs);
+    QVERIFY(tool->toolTip().contains(QStringLiteral("may have changed")));
   }
 
   /// The machine says over the connection what it is: a job that it cannot do is not started.

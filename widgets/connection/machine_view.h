@@ -12,6 +12,7 @@
 
 #include "base/axes.h"
 #include "base/vec3.h"
+#include "streaming/equipment_watch.h"
 
 namespace rivulet::widgets {
 
@@ -28,6 +29,10 @@ inline constexpr double kFreshS = 0.5;
 /// A stream that leaves no time reads position and feed every 0.9 s
 /// (`feasibility::kDisplayIntervalMax`): up to this age they are no older than planned.
 inline constexpr double kPlannedS = 1.2;
+
+/// Tool, spindle, coolant and work offset change seldom and are read once a second
+/// (`streaming::EquipmentWatch::kInterval`): up to this age they are shown as present.
+inline constexpr double kEquipmentFreshS = 1.5;
 
 [[nodiscard]] inline bool isFresh(std::optional<double> ageS) {
   return ageS && *ageS <= kFreshS;
@@ -67,9 +72,13 @@ struct MachineView {
   };
   std::optional<ToGo> toGo;  ///< nothing: not known
 
+  /// What the control serves of tool, spindle, coolant and work offset; nothing: never read.
+  std::optional<streaming::EquipmentSeen> equipment;
+
   /// How long ago each group was read, in s; nothing: never, or before the connection was lost.
   std::optional<double> positionAgeS;
   std::optional<double> feedAgeS;
+  std::optional<double> equipmentAgeS;
   std::optional<double> stateAgeS;  ///< channel, program, alarm
   /// The latest reads have come more than `kFreshS` apart, as often as the stream permits. It lasts
   /// from one read to the next, so that what is shown does not change with each of them.
@@ -80,6 +89,11 @@ struct MachineView {
     return freshness(positionAgeS, isPositionRare);
   }
   [[nodiscard]] Freshness feedFreshness() const { return freshness(feedAgeS, isFeedRare); }
+
+  [[nodiscard]] Freshness equipmentFreshness() const {
+    return !isGone && equipmentAgeS && *equipmentAgeS <= kEquipmentFreshS ? Freshness::Live
+                                                                          : Freshness::Old;
+  }
 
   /// The last point of the run in progress that the stream knows to be executed.
   struct Executed {

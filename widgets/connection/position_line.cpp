@@ -9,8 +9,10 @@
 #include <QPainter>
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "base/units.h"
+#include "widgets/common/elided_label.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
@@ -34,6 +36,19 @@ const QString kLongestAxis = QStringLiteral("\u22120000.000");
 const QString kLongestFeed = QStringLiteral("00000 mm/min");
 const QString kLongestFeedSet = QStringLiteral("00,000");
 const QString kLongestOverride = QStringLiteral("000");
+const QString kLongestTool = QStringLiteral("0000");
+const QString kLongestSpeed = QStringLiteral("\u21BB 00,000");
+/// Beside these, the name of the tool has the room that is left.
+const QString kLongestEdge = QStringLiteral("D00 \u00B7 G500");
+const QString kUsualName = QStringLiteral(" \u00B7 END_MILL_10");
+const QString kLongestCoolant = QStringLiteral(" \u00B7 M8 M7");
+/// Narrower lines have less room between the readouts, and none for the name of the tool.
+constexpr int kNarrowPx = 1200;
+constexpr int kNarrowGapPx = 6;
+
+void setGap(QWidget* group, int leftPx, int rightPx) {
+  group->layout()->setContentsMargins(leftPx, 0, rightPx, 0);
+}
 
 QFont sized(QFont font, double pointSize) {
   font.setPointSizeF(pointSize);
@@ -69,6 +84,28 @@ PositionLine::PositionLine(QWidget* parent)
     grid->addWidget(readout.detail, 1, 0, 1, 2);
     layout->addWidget(readout.group);
   }
+  for (Equipment* const shown : {&m_tool, &m_spindle}) {
+    *shown = {new QWidget(this), new QLabel(this), makeValueLabel(this), new ElidedLabel(1, this)};
+    shown->value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    shown->detail->setAlignment(Qt::AlignRight | Qt::AlignTop);
+    auto* grid = new QGridLayout(shown->group);
+    grid->setContentsMargins(kGroupGapPx, 0, kGroupGapPx, 0);
+    grid->setHorizontalSpacing(kGapPx);
+    grid->setVerticalSpacing(0);
+    grid->addWidget(shown->name, 0, 0, Qt::AlignBottom);
+    grid->addWidget(shown->value, 0, 1, Qt::AlignBottom);
+    grid->addWidget(shown->detail, 1, 0, 1, 2);
+    grid->setColumnStretch(1, 1);
+    layout->addWidget(shown->group);
+  }
+  m_tool.name->setText(QStringLiteral("T"));
+  m_spindle.name->setText(QStringLiteral("S"));
+  m_tool.group->setObjectName(QStringLiteral("tool"));
+  m_tool.value->setObjectName(QStringLiteral("tool-number"));
+  m_tool.detail->setObjectName(QStringLiteral("tool-detail"));
+  m_spindle.group->setObjectName(QStringLiteral("spindle"));
+  m_spindle.value->setObjectName(QStringLiteral("spindle-speed"));
+  m_spindle.detail->setObjectName(QStringLiteral("spindle-detail"));
   layout->addSpacing(kGroupGapPx);
   layout->addWidget(m_freshness, 1);
   setFixedHeight(kHeightPxMin);
@@ -82,9 +119,14 @@ QSize PositionLine::minimumSizeHint() const {
 }
 
 void PositionLine::setMachineState(const MachineView& machine) {
-  const bool sameWidth = machine.rotaryAxes == m_machine.rotaryAxes;
+  const auto shown = [this] {
+    return std::pair(m_tool.group->isVisibleTo(this), m_spindle.group->isVisibleTo(this));
+  };
+  const auto before = shown();
+  const bool sameAxes = machine.rotaryAxes == m_machine.rotaryAxes;
   m_machine = machine;
   showAll();
+  const bool sameWidth = sameAxes && shown() == before;
   if (!sameWidth) {
     fitFonts();
   }
@@ -100,6 +142,8 @@ void PositionLine::restyle() {
   for (const Readout& readout : m_readouts) {
     setMuted(readout.name, palette());
   }
+  setMuted(m_tool.name, palette());
+  setMuted(m_spindle.name, palette());
   showAll();
   update();
 }
@@ -142,7 +186,109 @@ void PositionLine::showAll() {
             m_machine.feedFreshness(), color);
   showToGo();
   showFeedSet();
+  showTool();
+  showSpindle();
   showFreshness();
+}
+
+void PositionLine::showTool() {
+  const streaming::EquipmentSeen seen = m_machine.equipment.value_or(streaming::EquipmentSeen{});
+  const bool isServed = seen.tool || seen.toolName || seen.edge;
+  m_tool.group->setVisible(isServed);
+  if (!isServed) {
+    m_tool.value->clear();
+    m_tool.detail->clear();
+    return;
+  }
+  const bool hasName = seen.toolName && !seen.toolName->empty();
+  const QString name = hasName ? QString::fromStdString(*seen.toolName) : QString();
+  const bool isNamedOnly = hasName && seen.tool.value_or(0) == 0;
+  // A tool that has only a name: there is no number to show.
+  const QString number = seen.tool && !isNamedOnly ? QString::number(*seen.tool) : noValue();
+  QStringList parts;
+  QStringList words;
+  if (seen.tool || hasName) {
+    words.append(seen.tool == 0 && !hasName ? tr("No tool in the spindle")
+                                            : tr("Tool %1").arg(isNamedOnly ? name : number));
+  }
+  if (seen.edge) {
+    parts.append(QStringLiteral("D%1").arg(*seen.edge));
+    words.append(tr("cutting edge D%1").arg(*seen.edge));
+  }
+  if (seen.workOffset) {
+    parts.append(QString::fromStdString(*seen.workOffset));
+    words.append(tr("work offset %1").arg(parts.back()));
+  }
+  if (hasName) {
+    parts.append(name);
+    if (!isNamedOnly) {
+      words.insert(1, name);
+    }
+  }
+  const ThemeColors& colors = themeColors(palette());
+  showValue(m_tool.value, number, m_machine.equipmentFreshness(), colors.text);
+  showValue(m_tool.detail, parts.join(QStringLiteral(" \u00B7 ")), m_machine.equipmentFreshness(),
+            colors.mutedText);
+  describe(m_tool, words.join(QStringLiteral(", ")));
+}
+
+void PositionLine::showSpindle() {
+  using opcua::SpindleTurn;
+  const streaming::EquipmentSeen seen = m_machine.equipment.value_or(streaming::EquipmentSeen{});
+  const bool isServed = seen.spindlePerMin || seen.spindleSetPerMin || seen.flood || seen.mist;
+  m_spindle.group->setVisible(isServed);
+  if (!isServed) {
+    m_spindle.value->clear();
+    m_spindle.detail->clear();
+    return;
+  }
+  const auto speed = [](const std::optional<double>& perMin) {
+    return perMin ? numberText(*perMin, 0) : noValue();
+  };
+  QString value = speed(seen.spindlePerMin);
+  QStringList words{
+      tr("Spindle: actual %1, commanded %2 1/min").arg(value, speed(seen.spindleSetPerMin))};
+  if (seen.turn == SpindleTurn::Clockwise) {
+    value.prepend(QStringLiteral("\u21BB "));
+    words.append(tr("clockwise (M3)"));
+  } else if (seen.turn == SpindleTurn::Counterclockwise) {
+    value.prepend(QStringLiteral("\u21BA "));
+    words.append(tr("counterclockwise (M4)"));
+  } else if (!seen.turn && seen.spindlePerMin.value_or(0.0) > 0.0) {
+    words.append(tr("direction not known"));
+  }
+  QStringList parts{tr("set %1").arg(speed(seen.spindleSetPerMin))};
+  QStringList coolant;
+  if (seen.flood.value_or(false)) {
+    coolant.append(QStringLiteral("M8"));
+  }
+  if (seen.mist.value_or(false)) {
+    coolant.append(QStringLiteral("M7"));
+  }
+  if (coolant.isEmpty() && seen.flood && seen.mist) {
+    coolant.append(QStringLiteral("M9"));
+    words.append(tr("coolant off"));
+  } else if (!coolant.isEmpty()) {
+    words.append(tr("coolant on (%1)").arg(coolant.join(QLatin1Char(' '))));
+  } else {
+    words.append(tr("coolant not known"));
+  }
+  parts.append(coolant);
+  const ThemeColors& colors = themeColors(palette());
+  showValue(m_spindle.value, value, m_machine.equipmentFreshness(), colors.text);
+  showValue(m_spindle.detail, parts.join(QStringLiteral(" \u00B7 ")),
+            m_machine.equipmentFreshness(), colors.mutedText);
+  describe(m_spindle, words.join(QStringLiteral(", ")));
+}
+
+void PositionLine::describe(const Equipment& shown, const QString& text) {
+  const QString age = m_machine.equipmentAgeS ? ageText(*m_machine.equipmentAgeS) : noValue();
+  const QString tip = m_machine.equipmentFreshness() == Freshness::Live
+                          ? tr("%1. The control reports it, about once a second.").arg(text)
+                          : tr("%1. Read %2 ago: it may have changed since.").arg(text, age);
+  shown.group->setToolTip(tip);
+  shown.detail->setToolTip(tip);
+  shown.group->setAccessibleName(text);
 }
 
 void PositionLine::showToGo() {
@@ -208,7 +354,14 @@ void PositionLine::showFreshness() {
     return;
   }
   const QString age = m_machine.positionAgeS ? ageText(*m_machine.positionAgeS) : noValue();
-  if (m_machine.positionFreshness() == Freshness::Live) {
+  const bool isEquipmentOld =
+      (m_tool.group->isVisibleTo(this) || m_spindle.group->isVisibleTo(this)) &&
+      m_machine.equipmentFreshness() == Freshness::Old;
+  if (m_machine.positionFreshness() == Freshness::Live && isEquipmentOld) {
+    m_freshness->setStatus(
+        Status::Busy,
+        tr("Live, but tool and spindle: read %1 ago").arg(ageText(*m_machine.equipmentAgeS)));
+  } else if (m_machine.positionFreshness() == Freshness::Live) {
     m_freshness->setStatus(Status::Good, tr("Live"));
   } else if (m_machine.positionFreshness() == Freshness::Planned) {
     m_freshness->setStatus(Status::Busy, tr("Up to 1 s old: no time to read more often"));
@@ -224,46 +377,74 @@ void PositionLine::fitFonts() {
   // As large as the width permits, measured at one size and scaled.
   constexpr double kProbePt = 10.0;
   const QFontMetrics metrics(sized(font(), kProbePt));
+  const bool hasTool = m_tool.group->isVisibleTo(this);
+  const bool hasSpindle = m_spindle.group->isVisibleTo(this);
+  const int groupGapPx =
+      width() < kNarrowPx && (hasTool || hasSpindle) ? kNarrowGapPx : kGroupGapPx;
   double atProbe = 0.0;
   double fixed = 2.0 * kMarginPx + kGroupGapPx;
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
-    if (i >= base::kAxisCount && i < kAxisReadouts && !m_machine.rotaryAxes[i - base::kAxisCount]) {
-      continue;
+    const bool isShown =
+        i < base::kAxisCount || i == kFeed || m_machine.rotaryAxes[i - base::kAxisCount];
+    setGap(m_readouts[i].group, i == 0 ? 0 : groupGapPx, groupGapPx);
+    if (isShown) {
+      atProbe += metrics.horizontalAdvance(m_readouts[i].name->text()) +
+                 metrics.horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis);
+      fixed += 2.0 * groupGapPx + kGapPx;
     }
-    atProbe += metrics.horizontalAdvance(m_readouts[i].name->text()) +
-               metrics.horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis);
-    fixed += 2.0 * kGroupGapPx + kGapPx;
   }
-  // A fifth of the line says how old it is.
-  const double room = 0.8 * width() - fixed;
+  QFont small = font();
+  small.setPointSizeF(kDetailPtMin);
+  const QString longestSet = tr("set %1").arg(kLongestFeedSet);
+  const auto edgePx = [](const QFont& one) {
+    return QFontMetrics(one).horizontalAdvance(kLongestEdge);
+  };
+  const auto setPx = [&longestSet](const QFont& one) {
+    return QFontMetrics(one).horizontalAdvance(longestSet + kLongestCoolant);
+  };
+  fixed += hasTool ? 2.0 * groupGapPx + edgePx(small) : 0.0;
+  fixed += hasSpindle ? 2.0 * groupGapPx + setPx(small) : 0.0;
+  // The rest of the line says how old it is.
+  const double room = (hasTool || hasSpindle ? 0.9 : 0.8) * width() - fixed;
   const double byHeight = kProbePt * 0.58 * height() / metrics.height();
   const double pointSize =
       std::clamp(std::min(kProbePt * room / atProbe, byHeight), kFontPtMin, kFontPtMax);
   const QFont fitting = sized(font(), pointSize);
   const QFontMetrics digits(fitting);
-  QFont small = font();
   small.setPointSizeF(std::clamp(kDetailShare * pointSize, kDetailPtMin, kDetailPtMax));
   const QFontMetrics details(small);
   m_hasWords = details.horizontalAdvance(tr("to go %1").arg(kLongestAxis)) <=
                digits.horizontalAdvance(kLongestAxis) +
                    digits.horizontalAdvance(m_readouts.front().name->text()) + kGapPx;
-  for (std::size_t i = 0; i < m_readouts.size(); ++i) {
-    const Readout& readout = m_readouts[i];
+  const auto setFonts = [&](const auto& readout) {
     const auto setFont = [](QLabel* label, QFont next) {
       next.setStrikeOut(label->font().strikeOut());
       label->setFont(next);
     };
     setFont(readout.value, fitting);
     setFont(readout.detail, small);
-    // The same width whatever the value is: digits that move cannot be read.
-    readout.value->setFixedWidth(
-        digits.horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis) + 2);
     readout.name->setFont(fitting);
+  };
+  for (std::size_t i = 0; i < m_readouts.size(); ++i) {
+    setFonts(m_readouts[i]);
+    // The same width whatever the value is: digits that move cannot be read.
+    m_readouts[i].value->setFixedWidth(
+        digits.horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis) + 2);
   }
   m_readouts[kFeed].detail->setMinimumWidth(
-      details.horizontalAdvance(tr("set %1").arg(kLongestFeedSet) + QStringLiteral(" · ") +
-                                kLongestOverride + QStringLiteral(" %")) +
+      details.horizontalAdvance(longestSet + QStringLiteral(" \u00B7 ") + kLongestOverride +
+                                QStringLiteral(" %")) +
       2);
+  const auto setWidth = [&](const Equipment& shown, const QString& longest, int detailPx) {
+    setFonts(shown);
+    setGap(shown.group, groupGapPx, groupGapPx);
+    const int valuePx =
+        digits.horizontalAdvance(shown.name->text()) + kGapPx + digits.horizontalAdvance(longest);
+    shown.group->setFixedWidth(std::max(valuePx, detailPx) + 2 * groupGapPx + 2);
+  };
+  setWidth(m_tool, kLongestTool,
+           edgePx(small) + (width() < kNarrowPx ? 0 : details.horizontalAdvance(kUsualName)));
+  setWidth(m_spindle, kLongestSpeed, setPx(small));
   showAll();
 }
 
@@ -283,12 +464,17 @@ void PositionLine::paintEvent(QPaintEvent* /*event*/) {
   painter.fillRect(rect(), colors.surface);
   painter.setPen(colors.line);
   painter.drawLine(0, height() - 1, width(), height() - 1);
-  for (const Readout& readout : m_readouts) {
-    if (readout.group->isVisible()) {
-      const int x = readout.group->geometry().right();
+  const auto drawEdge = [&](const QWidget* group) {
+    if (group->isVisible()) {
+      const int x = group->geometry().right();
       painter.drawLine(x, height() / 4, x, height() - height() / 4);
     }
+  };
+  for (const Readout& readout : m_readouts) {
+    drawEdge(readout.group);
   }
+  drawEdge(m_tool.group);
+  drawEdge(m_spindle.group);
 }
 
 }  // namespace rivulet::widgets

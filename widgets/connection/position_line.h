@@ -3,9 +3,11 @@
 
 /// @file
 /// Where the tool is and how fast it moves, in one line on every page; below the position what is
-/// to go, below the feed what is commanded. The digits are as large as the width permits. What is
-/// older than half a second is grey, crossed out, and has its age; a point that stands in for the
-/// position of the axes says so. What is not known is a dash, and its tool tip says why.
+/// to go, below the feed what is commanded. Then tool and spindle, with cutting edge, work offset
+/// and coolant, as far as the control serves them: what it does not is left out. The digits are as
+/// large as the width permits. What is older than half a second is grey, crossed out, and has its
+/// age; a point that stands in for the position of the axes says so. What is not known is a dash,
+/// and its tool tip says why.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -42,11 +44,21 @@ class PositionLine final : public Page {
     QLabel* value;
     QLabel* detail;  ///< to go; of the feed, what is commanded
   };
+  struct Equipment {
+    QWidget* group;
+    QLabel* name;
+    QLabel* value;
+    ElidedLabel* detail;
+  };
 
   void showAll();
   void showFreshness();
   void showToGo();
   void showFeedSet();
+  void showTool();
+  void showSpindle();
+  /// Of tool and spindle: what it means, where it is from, and how old it is.
+  void describe(const Equipment& shown, const QString& text);
   /// Why the distance to go is not known, or where it is from.
   [[nodiscard]] QString toGoHint() const;
   void showValue(QLabel* label, const QString& text, Freshness freshness, const QColor& color);
@@ -57,6 +69,8 @@ class PositionLine final : public Page {
   static constexpr std::size_t kAxisReadouts = base::kAxisCount + base::kRotaryAxisCount;
   static constexpr std::size_t kFeed = kAxisReadouts;
   std::array<Readout, kAxisReadouts + 1> m_readouts{};
+  Equipment m_tool{};
+  Equipment m_spindle{};
   StatusLabel* m_freshness;
   bool m_hasWords = true;  ///< there is room for "to go"
 };

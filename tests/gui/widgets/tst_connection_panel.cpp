@@ -181,6 +181,63 @@ class TestConnectionPanel : public QObject {
     QVERIFY(test::visibleText(line).contains("Last executed point, 437") && isStruck(line));
   }
 
+  /// What the control serves of tool and spindle, with its age; what it does not has no place.
+  void toolAndSpindleAreShownAsTheControlServesThem() {
+    using opcua::SpindleTurn;
+    test::Language language;
+    PositionLine line;
+    line.resize(1280, 56);
+    line.show();
+    auto* tool = line.findChild<QWidget*>("tool");
+    auto* spindle = line.findChild<QWidget*>("spindle");
+    auto* number = line.findChild<QLabel*>("tool-number");
+    auto* edge = line.findChild<QLabel*>("tool-detail");
+    auto* speed = line.findChild<QLabel*>("spindle-speed");
+    auto* set = line.findChild<QLabel*>("spindle-detail");
+    MachineView machine = test::runningMachine();
+    line.setMachineState(machine);
+    QVERIFY(!tool->isVisible() && !spindle->isVisible());
+    machine.equipment = streaming::EquipmentSeen{
+        7, "MILL", 1, "G54", 2998.0, 3000.0, SpindleTurn::Clockwise, true, false};
+    machine.equipmentAgeS = 1.4;
+    line.setMachineState(machine);
+    QVERIFY(tool->isVisible() && spindle->isVisible() && !isStruck(line));
+    QCOMPARE(number->text(), QString("7"));
+    QCOMPARE(edge->text(), QString("D1 · G54 · MILL"));
+    QCOMPARE(speed->text(), QString("↻ 2,998"));
+    QCOMPARE(set->text(), QString("set 3,000 · M8"));
+    QCOMPARE(tool->accessibleName(), QString("Tool 7, MILL, cutting edge D1, work offset G54"));
+    QVERIFY(spindle->accessibleName().contains("clockwise (M3)"));
+    QVERIFY(test::visibleText(line).contains("Live"));
+    // Older than what is planned: crossed out, and how old it is.
+    machine.equipmentAgeS = 1.6;
+    line.setMachineState(machine);
+    for (const QLabel* label : {number, edge, speed, set}) {
+      QVERIFY(label->font().strikeOut());
+    }
+    QVERIFY(test::visibleText(line).contains("tool and spindle: read 1.6"));
+    QVERIFY(tool->toolTip().contains("may have changed"));
+    // A lost connection says nothing of the present, however new the values are.
+    machine.equipmentAgeS = 0.1;
+    machine.isGone = true;
+    line.setMachineState(machine);
+    QVERIFY(number->font().strikeOut() && speed->font().strikeOut());
+    machine.isGone = false;
+    // Unknown is not off, and no direction.
+    machine.equipment->turn.reset();
+    machine.equipment->mist.reset();
+    machine.equipment->flood = false;
+    line.setMachineState(machine);
+    QCOMPARE(speed->text(), QString("2,998"));
+    QCOMPARE(set->text(), QString("set 3,000"));
+    QVERIFY(spindle->accessibleName().contains("direction not known"));
+    QVERIFY(spindle->accessibleName().contains("coolant not known"));
+    machine.equipment = streaming::EquipmentSeen{};
+    machine.equipment->workOffset = "G54";
+    line.setMachineState(machine);
+    QVERIFY(!tool->isVisible() && !spindle->isVisible());
+  }
+
   void speaksBothLanguages() {
     test::Language language;
     ConnectionPanel panel;
