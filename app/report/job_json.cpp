@@ -64,6 +64,29 @@ ordered_json partJson(const job::Part& part, const streaming::JobTimes& times) {
   return json;
 }
 
+ordered_json toolsJson(const trace::ControlTrace& trace) {
+  ordered_json tools = ordered_json::array();
+  for (const trace::ToolUse& use : trace::toolUses(trace)) {
+    ordered_json offsets = ordered_json::array();
+    for (const int offset : use.workOffsets) {
+      offsets.push_back(fmt::format("G{}", offset));
+    }
+    tools.push_back({{"tool", use.number ? ordered_json(*use.number) : ordered_json()},
+                     {"name", use.name},
+                     {"change_s", toSeconds(use.change)},
+                     {"in_spindle_s", toSeconds(use.inSpindle)},
+                     {"turning_s", toSeconds(use.turning)},
+                     {"coolant_s", toSeconds(use.cooling)},
+                     {"per_min", {use.perMinLeast, use.perMinMost}},
+                     {"clockwise", use.clockwise},
+                     {"counterclockwise", use.counterclockwise},
+                     {"flood", use.flood},
+                     {"mist", use.mist},
+                     {"work_offsets", offsets}});
+  }
+  return tools;
+}
+
 }  // namespace
 
 ordered_json wholeJobJson(const job::Plan& plan, const streaming::WholeJobReport& report) {
@@ -93,8 +116,40 @@ ordered_json wholeJobJson(const job::Plan& plan, const streaming::WholeJobReport
                     {"times", jobTimesJson(report.times)},
                     {"runs", runs},
                     {"parts", parts}};
+  if (report.controlTrace) {
+    json["tools"] = toolsJson(*report.controlTrace);
+  }
+  json["judged"] = report.integrity.judged;
+  if (report.integrity.judged) {
+    json["repeated"] = report.integrity.repeated;
+    json["skipped"] = report.integrity.skipped;
+    json["foreign"] = report.integrity.foreign;
+  }
   json["error"] = report.error.code ? errorJson(report.error) : ordered_json();
   return json;
+}
+
+std::string describe(const trace::ToolUse& use) {
+  std::string text =
+      use.number || !use.name.empty()
+          ? fmt::format("tool {}{}: {:.1f} s change, {:.1f} s in the spindle",
+                        use.number.value_or(0), use.name.empty() ? "" : " " + use.name,
+                        toSeconds(use.change), toSeconds(use.inSpindle))
+          : fmt::format("before the first change: {:.1f} s", toSeconds(use.inSpindle));
+  if (use.perMinMost > 0.0) {
+    text += use.perMinLeast < use.perMinMost
+                ? fmt::format(", turning {:.1f} s at {:.0f} to {:.0f} 1/min",
+                              toSeconds(use.turning), use.perMinLeast, use.perMinMost)
+                : fmt::format(", turning {:.1f} s at {:.0f} 1/min", toSeconds(use.turning),
+                              use.perMinMost);
+  }
+  if (use.cooling > base::Duration{}) {
+    text += fmt::format(", coolant {:.1f} s", toSeconds(use.cooling));
+  }
+  for (const int offset : use.workOffsets) {
+    text += fmt::format(", G{}", offset);
+  }
+  return text;
 }
 
 std::string describe(const streaming::JobTimes& times) {

@@ -14,6 +14,7 @@
 #include "job/plan.h"
 #include "streaming/job_times.h"
 #include "streaming/whole_job.h"
+#include "trace/analysis/tool_use.h"
 
 namespace rivulet::report {
 
@@ -27,5 +28,8 @@ namespace rivulet::report {
 /// "12.3 s streamed, 4.0 s pauses, 8.1 s blocks of the control, 10.0 s tool changes, 2.0 s
 /// handovers; 36.4 s in all"
 [[nodiscard]] std::string describe(const streaming::JobTimes& times);
+
+/// "tool 5 MILL: 4.0 s change, 61.2 s in the spindle, turning 58.0 s at 3000 1/min, G54"
+[[nodiscard]] std::string describe(const trace::ToolUse& use);
 
 }  // namespace rivulet::report

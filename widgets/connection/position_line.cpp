@@ -40,7 +40,7 @@ const QString kLongestTool = QStringLiteral("0000");
 const QString kLongestSpeed = QStringLiteral("\u21BB 00,000");
 /// Beside these, the name of the tool has the room that is left.
 const QString kLongestEdge = QStringLiteral("D00 \u00B7 G500");
-const QString kUsualName = QStringLiteral(" \u00B7 END_MILL_10");
+const QString kUsualName = QStringLiteral(" \u00B7 MILL_10");
 const QString kLongestCoolant = QStringLiteral(" \u00B7 M8 M7");
 /// Narrower lines have less room between the readouts, and none for the name of the tool.
 constexpr int kNarrowPx = 1200;
@@ -94,6 +94,8 @@ PositionLine::PositionLine(QWidget* parent)
     grid->setVerticalSpacing(0);
     grid->addWidget(shown->name, 0, 0, Qt::AlignBottom);
     grid->addWidget(shown->value, 0, 1, Qt::AlignBottom);
+    // As high as the lines of the other readouts, so that all stand on one line.
+    shown->detail->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     grid->addWidget(shown->detail, 1, 0, 1, 2);
     grid->setColumnStretch(1, 1);
     layout->addWidget(shown->group);
@@ -396,8 +398,10 @@ void PositionLine::fitFonts() {
   QFont small = font();
   small.setPointSizeF(kDetailPtMin);
   const QString longestSet = tr("set %1").arg(kLongestFeedSet);
-  const auto edgePx = [](const QFont& one) {
-    return QFontMetrics(one).horizontalAdvance(kLongestEdge);
+  const auto edgePx = [this](const QFont& one) {
+    const QFontMetrics lines(one);
+    return lines.horizontalAdvance(kLongestEdge) +
+           (width() < kNarrowPx ? 0 : lines.horizontalAdvance(kUsualName));
   };
   const auto setPx = [&longestSet](const QFont& one) {
     return QFontMetrics(one).horizontalAdvance(longestSet + kLongestCoolant);
@@ -442,8 +446,7 @@ void PositionLine::fitFonts() {
         digits.horizontalAdvance(shown.name->text()) + kGapPx + digits.horizontalAdvance(longest);
     shown.group->setFixedWidth(std::max(valuePx, detailPx) + 2 * groupGapPx + 2);
   };
-  setWidth(m_tool, kLongestTool,
-           edgePx(small) + (width() < kNarrowPx ? 0 : details.horizontalAdvance(kUsualName)));
+  setWidth(m_tool, kLongestTool, edgePx(small));
   setWidth(m_spindle, kLongestSpeed, setPx(small));
   showAll();
 }
