@@ -120,6 +120,9 @@ struct StreamOptions {
   std::vector<std::string> command;  ///< the words of the command line
   bool json = false;
   LiveOptions live;
+  bool namesMachine = false;  ///< `preset` was given
+  bool motionOnly = false;    ///< leaves out what the control executes itself
+  std::string motionOption;   ///< one that was given and is for the motion alone; empty: none
 };
 [[nodiscard]] Exit stream(const StreamOptions& options);
 /// The same with points of a live source.
@@ -137,6 +140,8 @@ struct JobOptions {
   bool namesMachine = false;  ///< else one that is large enough takes the place of the preset
   std::uint64_t seed = 1;
   double stopAfterS = 0.0;           ///< 0: not
+  std::string record;                ///< file; empty: none
+  bool noMonitor = false;            ///< no reads for the display within stretches
   std::string resume;                ///< file of a job that was left; empty: from the beginning
   int fromStretch = 0;               ///< 0: from the beginning
   double dryRunMm = 0.0;             ///< > 0: a dry run, so much higher

@@ -12,6 +12,7 @@
 
 #include "base/file.h"
 #include "base/units.h"
+#include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/found_run.h"
@@ -23,6 +24,7 @@
 #include "job/main_program.h"
 #include "log/log.h"
 #include "machine/config.h"
+#include "recorder/recording_file.h"
 #include "report/job_json.h"
 #include "report/machine_profile.h"
 #include "report/machine_store.h"
@@ -37,6 +39,8 @@
 #include "streaming/simulation/fitted_machine.h"
 #include "streaming/simulation/job_proof.h"
 #include "streaming/whole_job.h"
+#include "trace/analysis/tool_use.h"
+#include "trace/recording.h"
 
 namespace rivulet::cli {
 
@@ -133,6 +137,7 @@ class JobCommand {
   base::Result<void> restart();
   /// Compares the job with the machine, and estimates its time.
   base::Result<void> look();
+  base::Result<void> openRecording();
   [[nodiscard]] Exit run();
   [[nodiscard]] Exit verify();
   [[nodiscard]] const std::vector<experiments::Hazard>& hazards() const { return m_hazards; }
@@ -158,6 +163,8 @@ class JobCommand {
   Connection m_connection;
   std::optional<experiments::Restart> m_restart;
   streaming::WholeJobOptions m_start;
+  std::unique_ptr<recorder::RecordingFile> m_file;
+  std::unique_ptr<trace::RecordingWriter> m_writer;
   std::vector<experiments::Hazard> m_hazards;
   std::optional<experiments::JobForecast> m_forecast;
 };
@@ -203,6 +210,7 @@ base::Result<void> JobCommand::prepare() {
       streaming::accessPlan(streaming::AccessPreference::Automatic, m_settings.parameters.method);
   m_settings.access = access.choice;
   m_settings.grouping = access.grouping;
+  m_settings.monitor = !m_options.noMonitor;
   if (base::Result<void> feeds = planFeeds(); !feeds) {
     return feeds;
   }
@@ -409,6 +417,23 @@ base::Result<void> JobCommand::look() {
   return {};
 }
 
+base::Result<void> JobCommand::openRecording() {
+  if (m_options.record.empty()) {
+    return {};
+  }
+  auto file = recorder::RecordingFile::open(m_options.record);
+  if (!file) {
+    return base::fail(file.error());
+  }
+  m_file = std::move(*file);
+  m_writer = std::make_unique<trace::RecordingWriter>(m_file->sink());
+  m_start.writer = m_writer.get();
+  m_start.start.toolVersion = RIVULET_VERSION;
+  m_start.start.endpoint = m_connection.name;
+  m_start.start.startedAtUtc = utcNow();
+  return {};
+}
+
 void JobCommand::print(const streaming::WholeJobReport& done) const {
   std::size_t executed = 0;
   for (const streaming::StretchReport& stretch : done.stretches) {
@@ -420,7 +445,20 @@ void JobCommand::print(const streaming::WholeJobReport& done) const {
   if (done.outcome != streaming::Outcome::Completed) {
     fmt::print("it ended {}\n", streaming::describe(done.reached));
   }
+  if (done.integrity.judged) {
+    fmt::print("{} repeated, {} skipped, {} foreign\n", done.integrity.repeated,
+               done.integrity.skipped, done.integrity.foreign);
+  } else {
+    fmt::print("not judged: {}\n", done.controlTrace
+                                       ? "the trace of the control does not show all points"
+                                       : "no trace of the control");
+  }
   fmt::print("measured: {}\n", report::describe(done.times));
+  if (done.controlTrace) {
+    for (const trace::ToolUse& use : trace::toolUses(*done.controlTrace)) {
+      fmt::print("  {}\n", report::describe(use));
+    }
+  }
 }
 
 Exit JobCommand::verify() {
@@ -476,6 +514,7 @@ Exit JobCommand::run() {
     keeper->finish(completed);
   }
   const auto left = keeper ? keeper->file() : std::nullopt;
+  const base::Result<void> recorded = m_file ? m_file->finish() : base::Result<void>();
   if (m_options.json) {
     nlohmann::ordered_json json = report::wholeJobJson(m_plan, done);
     json["job"] = m_programs.number;
@@ -485,6 +524,10 @@ Exit JobCommand::run() {
     json["hazards"] = report::hazardsJson(m_hazards);
     if (left) {
       json["saved_job"] = left->string();
+    }
+    if (m_file) {
+      json["recording"] = m_options.record;
+      json["recording_complete"] = recorded.has_value();
     }
     if (m_restart) {
       json["restart"] = m_restart->steps;
@@ -503,8 +546,12 @@ Exit JobCommand::run() {
                     : fmt::format("rivulet-cli job {} ... --from-stretch {}",
                                   shellWord(m_options.file), done.reached.stretch));
   }
+  if (!recorded) {
+    log::logger().error(recorded.error().text());
+  }
   if (!done.error.code) {
-    return Exit::Done;
+    return recorded && (!done.integrity.judged || done.integrity.isFaultless()) ? Exit::Done
+                                                                                : Exit::Wrong;
   }
   if (!m_options.json) {
     log::logger().error(done.error.text());
@@ -527,7 +574,7 @@ Exit job(const JobOptions& options) {
   const bool runs = options.simulate || !options.endpoint.empty();
   if (done && runs) {
     done = command.connect();
-    for (const auto step : {&JobCommand::restart, &JobCommand::look}) {
+    for (const auto step : {&JobCommand::restart, &JobCommand::look, &JobCommand::openRecording}) {
       done = done ? (command.*step)() : done;
     }
   }

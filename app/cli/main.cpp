@@ -284,6 +284,19 @@ void addLive(CLI::App* command, rivulet::cli::LiveOptions& live) {
   add("--end-after", live.endAfterS, "The run ends after this much silence, s");
 }
 
+/// Options of `stream` that a whole job does not have.
+constexpr std::array kForMotionAlone{"--thin",
+                                     "--split",
+                                     "--delta",
+                                     "--passed-by",
+                                     "--resume",
+                                     "--access",
+                                     "--transfer",
+                                     "--correct",
+                                     "--even-pauses",
+                                     "--accept-changes",
+                                     "--accept-infeasible"};
+
 void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   const auto options = std::make_shared<rivulet::cli::StreamOptions>();
   options->command = std::move(words);
@@ -340,19 +353,31 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
           "--correct", options->correct,
           "Live source of corrections, with lines like X 0.01 Y -0.02; - is standard input")
       ->needs(command->get_option("--correction-limit"));
+  command->add_flag("--motion-only", options->motionOnly,
+                    "Without tools, spindle, coolant and all else that the control executes "
+                    "itself: set them there");
   command->add_flag("--no-monitor", options->noMonitor, "No reads for the display");
   command->add_flag("--even-pauses", options->evenPauses,
                     "Method window: windows of M points each, wherever they end");
   command->add_flag("--accept-infeasible", options->acceptInfeasible,
                     "Start on a real control although the verdict is not feasible");
   addJson(command, options->json);
-  command->callback([options, &exit] {
+  command->callback([options, command, &exit] {
     if (!options->simulate && options->endpoint.empty()) {
       throw CLI::RequiredError("--endpoint or --simulate");
     }
     const bool isLive = !options->live.source.empty();
     if (isLive != options->file.empty()) {
       throw CLI::RequiredError("FILE or --live, one of them");
+    }
+    options->namesMachine = command->get_option("--preset")->count() > 0;
+    for (const char* const name : kForMotionAlone) {
+      if (command->get_option(name)->count() > 0) {
+        options->motionOption = name;
+      }
+    }
+    if (options->point.method != "window" && options->point.method != "credit") {
+      options->motionOption = "--method " + options->point.method;
     }
     exit = isLive ? rivulet::cli::streamLive(*options) : rivulet::cli::stream(*options);
   });
@@ -390,6 +415,8 @@ void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
               "Not given: as large as the job needs")
           ->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
+  command->add_option("--record", options->record, "File for the recording of the job");
+  command->add_flag("--no-monitor", options->noMonitor, "No reads for the display in stretches");
   command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
   auto* resume = command->add_option("--resume", options->resume,

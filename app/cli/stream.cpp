@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -17,7 +18,10 @@
 #include "cli/found_run.h"
 #include "cli/stream_settings.h"
 #include "feasibility/verdict.h"
+#include "gcode/block_observer.h"
 #include "gcode/program.h"
+#include "job/main_program.h"
+#include "job/plan.h"
 #include "log/log.h"
 #include "machine/config.h"
 #include "recorder/recording_file.h"
@@ -658,10 +662,94 @@ Exit StreamCommand::show(const streaming::RunReport& done, const base::Result<vo
   return done.finding() != streaming::RunFinding::Faulty && recorded ? Exit::Done : Exit::Wrong;
 }
 
+/// The same as a whole job.
+JobOptions jobOf(const StreamOptions& options) {
+  JobOptions job;
+  job.point = options.point;
+  job.file = options.file;
+  job.loading = options.loading;
+  job.endpoint = options.endpoint;
+  job.simulate = options.simulate;
+  if (options.namesMachine) {
+    job.preset = options.preset;
+    job.namesMachine = true;
+  }
+  job.seed = options.seed;
+  job.stopAfterS = options.stopAfterS;
+  job.record = options.record;
+  job.noMonitor = options.noMonitor;
+  job.command = options.command;
+  std::replace(job.command.begin(), job.command.end(), std::string("stream"), std::string("job"));
+  job.json = options.json;
+  return job;
+}
+
+/// Whether the machine executes whole jobs.
+base::Result<bool> runsJobs(const StreamOptions& options) {
+  if (options.simulate) {
+    return true;
+  }
+  auto connection = connectTo(options.endpoint);
+  if (!connection) {
+    return base::fail(connection.error());
+  }
+  return connection->control->isVirtualMachine();
+}
+
+/// Says which blocks are left out, if the program has such.
+/// @return true if the program is to be run as a whole job
+base::Result<bool> isWholeJob(const StreamOptions& options) {
+  if (options.motionOnly) {
+    return false;
+  }
+  gcode::LoadOptions loading = options.loading.loadOptions();
+  loading.subprogram = gcode::subprogramsBeside(options.file);
+  auto program = gcode::loadProgram(options.file, options.loading.loadOptions());
+  if (!program) {
+    return false;  // said when it is loaded for its motion
+  }
+  const auto plan = job::makePlan(program->name, program->text, loading);
+  const std::size_t blocks = plan ? plan->actionCount() : 0;
+  if (blocks == 0) {
+    return false;
+  }
+  const auto leaveOut = [blocks](const std::string& why) {
+    log::logger().warn(
+        "Only the motion is streamed: {}. {} blocks for the control are left out; set tool, "
+        "spindle and coolant there (--motion-only does not say so).",
+        why, blocks);
+    return false;
+  };
+  if (!options.motionOption.empty()) {
+    return leaveOut(options.motionOption + " is for the motion alone");
+  }
+  const base::Result<bool> runs = runsJobs(options);
+  if (!runs) {
+    return base::fail(runs.error());
+  }
+  if (!*runs) {
+    return leaveOut("whole jobs run on virtual machines only so far");
+  }
+  if (!plan->refusals.empty()) {
+    return base::fail(
+        job::JobError::NotWhole,
+        job::describe(plan->refusals.front()) + " To stream the motion alone, give --motion-only.",
+        program->name);
+  }
+  return true;
+}
+
 }  // namespace
 
 Exit stream(const StreamOptions& options) {
   watchForInterrupt();
+  const base::Result<bool> isWhole = isWholeJob(options);
+  if (!isWhole) {
+    return reportError(isWhole.error(), options.json);
+  }
+  if (*isWhole) {
+    return job(jobOf(options));
+  }
   StreamCommand command(options);
   if (const base::Result<void> prepared = command.prepare(); !prepared) {
     return reportError(prepared.error(), options.json);

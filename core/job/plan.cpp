@@ -50,4 +50,11 @@ std::size_t Plan::nativeCount() const {
   }));
 }
 
+std::size_t Plan::actionCount() const {
+  return static_cast<std::size_t>(std::count_if(parts.begin(), parts.end(), [](const Part& part) {
+    const auto* const native = std::get_if<NativeBlock>(&part);
+    return native != nullptr && native->reason != NativeReason::End;
+  }));
+}
+
 }  // namespace rivulet::job

@@ -87,7 +87,7 @@ struct Plan {
   gcode::Program program;
   std::vector<Part> parts;
   std::vector<Refusal> refusals;  ///< at most `gcode::kDiagnosticsMax`
-  int lastEdge = 0;  ///< greatest D of a SINUMERIK
+  int lastEdge = 0;               ///< greatest D of a SINUMERIK
   /// What all moves reach, native ones too, as far as they are known; workpiece frame, mm; NaN: the
   /// axis is not named.
   base::Vec3 minMm{kNowhere, kNowhere, kNowhere};
@@ -97,6 +97,8 @@ struct Plan {
   [[nodiscard]] bool isWhole() const { return refusals.empty() && program.isUnderstood(); }
   [[nodiscard]] std::size_t stretchCount() const;
   [[nodiscard]] std::size_t nativeCount() const;
+  /// Native blocks beside the end of the program: what is missing if the motion alone is streamed.
+  [[nodiscard]] std::size_t actionCount() const;
 };
 
 /// What a machine has for words that its control spells differently.

@@ -26,6 +26,11 @@ namespace {
 
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
+/// The motion alone of a program that also changes the tool and turns the spindle.
+QStringList streamMotion() {
+  return {QStringLiteral("stream"), kScorpion, QStringLiteral("--motion-only")};
+}
+
 struct Outcome {
   int exit = -1;
   QString output;
@@ -237,10 +242,10 @@ class TestCli : public QObject {
 
   void streamsAndAnalyses() {
     const QString path = m_folder.filePath(QStringLiteral("run.rivulet"));
-    const Outcome stream = run(QStringList{QStringLiteral("stream"), kScorpion}
-                               << words("--method signal --points 7 --delta 0.3 --feed 3000 "
-                                        "--simulate --seed 2 --json --record")
-                               << path);
+    const Outcome stream =
+        run(streamMotion() << words("--method signal --points 7 --delta 0.3 --feed 3000 "
+                                    "--simulate --seed 2 --json --record")
+                           << path);
     QCOMPARE(stream.exit, 0);
     const json report = stream.parsed();
     QCOMPARE(report["outcome"].get<std::string>(), std::string("completed"));
@@ -269,9 +274,8 @@ class TestCli : public QObject {
     text.replace(at, text.indexOf('\n', at) - at, "traceMinutes = 0.05");
     const QString forgetful = file("forgetful.toml", text);
     const QString path = m_folder.filePath(QStringLiteral("long.rivulet"));
-    const Outcome stream = run(QStringList{QStringLiteral("stream"), kScorpion}
-                               << words("--feed 3000 --simulate --json --record") << path
-                               << QStringLiteral("--preset") << forgetful);
+    const Outcome stream = run(streamMotion() << words("--feed 3000 --simulate --json --record")
+                                              << path << QStringLiteral("--preset") << forgetful);
     QCOMPARE(stream.exit, 0);
     const json report = stream.parsed();
     QVERIFY(!report["judged"].get<bool>());
@@ -283,8 +287,8 @@ class TestCli : public QObject {
       QVERIFY2(analysed[key] == report[key], key);
     }
 
-    const Outcome full = run(QStringList{QStringLiteral("stream"), kScorpion}
-                             << words("--feed 3000 --simulate --json --record /dev/full"));
+    const Outcome full =
+        run(streamMotion() << words("--feed 3000 --simulate --json --record /dev/full"));
     QCOMPARE(full.exit, 1);
     QVERIFY(!full.parsed()["recording_complete"].get<bool>());
     QVERIFY(full.errors.contains(QStringLiteral("incomplete")));
@@ -306,8 +310,8 @@ class TestCli : public QObject {
     QCOMPARE(mkfifo(pipe.toUtf8().constData(), 0600), 0);
     const int reader = ::open(pipe.toUtf8().constData(), O_RDONLY | O_NONBLOCK);
     QVERIFY(reader >= 0);
-    const Outcome stream = run(QStringList{QStringLiteral("stream"), kScorpion}
-                               << words("--feed 3000 --simulate --json --record") << pipe);
+    const Outcome stream =
+        run(streamMotion() << words("--feed 3000 --simulate --json --record") << pipe);
     ::close(reader);
     QCOMPARE(stream.exit, 1);
     QCOMPARE(stream.parsed()["outcome"].get<std::string>(), std::string("completed"));
@@ -319,8 +323,8 @@ class TestCli : public QObject {
     const Outcome test = run(words("commission --simulate --json"));
     QCOMPARE(test.exit, 0);
     QVERIFY(test.parsed()["passed"].get<bool>());
-    const QStringList credit = QStringList{QStringLiteral("stream"), kScorpion} +
-                               words("--method credit --feed 400 --simulate --json");
+    const QStringList credit =
+        streamMotion() + words("--method credit --feed 400 --simulate --json");
     const Outcome stream = run(credit);
     QCOMPARE(stream.exit, 0);
     QCOMPARE(stream.parsed()["executed"].get<int>(), 270);
@@ -371,8 +375,7 @@ class TestCli : public QObject {
     QCOMPARE(made["name"].get<std::string>(), std::string("RIVULET_WINDOW_5X3B5.MPF"));
     QCOMPARE(made["cells"]["run"].get<int>(), 5);
     QCOMPARE(made["cells"]["windows"].get<int>(), 3);
-    const Outcome outcome = run(QStringList{QStringLiteral("stream"), kScorpion}
-                                << words("--feed 20000 --simulate --json"));
+    const Outcome outcome = run(streamMotion() << words("--feed 20000 --simulate --json"));
     QCOMPARE(outcome.exit, 0);
     const json report = outcome.parsed();
     QCOMPARE(report["method"].get<std::string>(), std::string("window"));
@@ -385,8 +388,7 @@ class TestCli : public QObject {
   /// Without --feed each move has the feed of its own block; the one that limits is named.
   void feedsOfTheProgramAreTheDefault() {
     const auto stream = [](const char* options) {
-      return run(QStringList{QStringLiteral("stream"), kScorpion} << words("--simulate --json")
-                                                                  << words(options));
+      return run(streamMotion() << words("--simulate --json") << words(options));
     };
     const Outcome plain = stream("");
     QCOMPARE(plain.exit, 0);
@@ -432,8 +434,7 @@ class TestCli : public QObject {
 
   void takesTheBestFormOfAccess() {
     const auto stream = [](const char* options) {
-      return run(QStringList{QStringLiteral("stream"), kScorpion}
-                 << words("--feed 3000 --simulate --json") << words(options));
+      return run(streamMotion() << words("--feed 3000 --simulate --json") << words(options));
     };
     const json best = stream("--preset dmu75-arrays").parsed();
     QCOMPARE(best["settings"]["grouping"].get<std::string>(), std::string("array-count"));
@@ -525,26 +526,26 @@ class TestCli : public QObject {
 
   void resumesOnlyFromAReport() {
     const QString path = file("none.json", "{\"checkpoint\": {\"run_number\": 3}}");
-    const Outcome refused = run(QStringList{QStringLiteral("stream"), kScorpion}
-                                << words("--feed 3000 --simulate --json --resume") << path);
+    const Outcome refused =
+        run(streamMotion() << words("--feed 3000 --simulate --json --resume") << path);
     QCOMPARE(refused.exit, 2);
     QVERIFY(refused.parsed()["error"]["message"].get<std::string>().find("not the report") !=
             std::string::npos);
     // A machine that has never run it cannot say where it was left.
-    const Outcome report = run(QStringList{QStringLiteral("stream"), kScorpion}
-                               << words("--feed 3000 --simulate --json --stop-after 20"));
-    const Outcome other = run(QStringList{QStringLiteral("stream"), kScorpion}
-                              << words("--feed 3000 --simulate --json --resume")
-                              << file("report.json", report.output.toUtf8().constData()));
+    const Outcome report =
+        run(streamMotion() << words("--feed 3000 --simulate --json --stop-after 20"));
+    const Outcome other =
+        run(streamMotion() << words("--feed 3000 --simulate --json --resume")
+                           << file("report.json", report.output.toUtf8().constData()));
     QCOMPARE(other.exit, 2);
     QVERIFY(other.parsed()["error"]["message"].get<std::string>().find("does not know") !=
             std::string::npos);
   }
 
   void wrongMotionIsExitOne() {
-    const Outcome outcome = run(QStringList{QStringLiteral("stream"), kScorpion}
-                                << words("--method position --points 7 --delta 0.02 --feed 3000 "
-                                         "--simulate --json"));
+    const Outcome outcome =
+        run(streamMotion() << words("--method position --points 7 --delta 0.02 --feed 3000 "
+                                    "--simulate --json"));
     QCOMPARE(outcome.exit, 1);
     QVERIFY(outcome.parsed()["repeated"].get<int>() > 0);
     QCOMPARE(outcome.parsed()["feasible"].get<bool>(), false);
@@ -610,7 +611,7 @@ class TestCli : public QObject {
     const QString source =
         file("live.txt", "X 0.01\nwhat\n{\"y\": -0.02, \"x\": 0.9}\nneither\nZ 0.");
     const QString recording = m_folder.filePath(QStringLiteral("corrected.rivulet"));
-    QStringList arguments{QStringLiteral("stream"), kScorpion};
+    QStringList arguments = streamMotion();
     arguments << words("--feed 1000 --simulate --json --correction-limit 0.05 --correct") << source
               << QStringLiteral("--record") << recording;
     const Outcome outcome = run(arguments);

@@ -58,11 +58,14 @@ class TestWholeJobs : public QObject {
     QByteArray errors;
   };
   static Outcome run(const QStringList& arguments, const QProcessEnvironment& environment = {}) {
+    return runCli(QStringList{QStringLiteral("job")} + arguments, environment);
+  }
+  static Outcome runCli(const QStringList& arguments, const QProcessEnvironment& environment = {}) {
     QProcess process;
     if (!environment.isEmpty()) {
       process.setProcessEnvironment(environment);
     }
-    process.start(QStringLiteral(RIVULET_CLI), QStringList{QStringLiteral("job")} + arguments);
+    process.start(QStringLiteral(RIVULET_CLI), arguments);
     if (!process.waitForFinished(kRunMs)) {
       process.kill();
       process.waitForFinished(kRunMs);
@@ -112,6 +115,59 @@ class TestWholeJobs : public QObject {
       QVERIFY(name == QStringLiteral("README.txt") || name == QStringLiteral("job.json") ||
               text.contains(name.toUtf8()));
     }
+  }
+
+  /// `stream` runs all of a program, unless the motion alone is asked for or there is nothing else.
+  void streamRunsWholeJobs() {
+    const QString program = part("T1 M6\nS1000 M3\nG0 X0 Y0 Z45\nG1 Z40 F1000\nX5\nM5\nX9\nM30\n");
+    const auto stream = [](const QStringList& arguments) {
+      return runCli(QStringList{QStringLiteral("stream")} + arguments +
+                    QStringList{QStringLiteral("--simulate"), QStringLiteral("--json")});
+    };
+    const QString recording = m_folder.filePath(QStringLiteral("whole.rivulet"));
+    const Outcome whole = stream({program, QStringLiteral("--record"), recording});
+    QVERIFY2(whole.exit == 0, whole.errors.constData());
+    const json job = json::parse(whole.output.toStdString());
+    QCOMPARE(job["outcome"].get<std::string>(), std::string("completed"));
+    QVERIFY(job["job"].get<int>() > 0);
+    QVERIFY(job["recording_complete"].get<bool>());
+    const Outcome analysed =
+        runCli({QStringLiteral("analyse"), recording, QStringLiteral("--json")});
+    QVERIFY2(analysed.exit == 0, analysed.errors.constData());
+    const json judged = json::parse(analysed.output.toStdString());
+    QVERIFY(judged["faultless"].get<bool>());
+
+    const Outcome motion = stream({program, QStringLiteral("--motion-only")});
+    QVERIFY2(motion.exit == 0, motion.errors.constData());
+    const json moved = json::parse(motion.output.toStdString());
+    QVERIFY(!moved.contains("job"));
+    QVERIFY(moved["executed"].get<int>() >= 4);
+    QVERIFY(!motion.errors.contains("Only the motion"));
+    // An option that the motion alone has says so by itself.
+    const Outcome thinned = stream({program, QStringLiteral("--thin"), QStringLiteral("0.001")});
+    QVERIFY2(thinned.exit == 0, thinned.errors.constData());
+    QVERIFY(!json::parse(thinned.output.toStdString()).contains("job"));
+    QVERIFY2(thinned.errors.contains("Only the motion is streamed: --thin"),
+             thinned.errors.constData());
+    const Outcome plain = stream({part("G0 X0 Y0 Z45\nG1 X5 F1000\nX9\nM30\n")});
+    QVERIFY2(plain.exit == 0, plain.errors.constData());
+    QVERIFY(!json::parse(plain.output.toStdString()).contains("job"));
+  }
+
+  /// What cannot be a job is refused, and the way to stream its motion is named.
+  void streamNamesTheMotionOnly() {
+    QFile file(m_folder.filePath(QStringLiteral("other.tap")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("G21\nM10\nG0 X0 Y0 Z45\nG1 X5 F1000\nM30\n");
+    file.close();
+    const QStringList arguments{QStringLiteral("stream"), file.fileName(),
+                                QStringLiteral("--simulate")};
+    const Outcome refused = runCli(arguments);
+    QCOMPARE(refused.exit, 2);
+    QVERIFY2(refused.errors.contains("M10") && refused.errors.contains("--motion-only"),
+             refused.errors.constData());
+    const Outcome motion = runCli(arguments + QStringList{QStringLiteral("--motion-only")});
+    QVERIFY2(motion.exit == 0, motion.errors.constData());
   }
 
   void refusesWhatIsNoJob() {
