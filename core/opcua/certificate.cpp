@@ -3,6 +3,9 @@
 
 #include "opcua/certificate.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -28,6 +31,8 @@ constexpr unsigned char kVersion = 0xA0;
 constexpr unsigned char kExtensions = 0xA3;
 constexpr unsigned char kDnsName = 0x82;
 constexpr unsigned char kUri = 0x86;
+constexpr unsigned char kIpAddress = 0x87;
+constexpr std::size_t kIpv4Length = 4;
 
 constexpr std::string_view kSubjectAltName{"\x55\x1D\x11", 3};  // 2.5.29.17
 
@@ -167,6 +172,11 @@ void readAlternativeNames(std::string_view extension, CertificateFacts& facts) {
       facts.applicationUris.push_back(printable(name->content));
     } else if (name->tag == kDnsName) {
       facts.hostNames.push_back(printable(name->content));
+    } else if (name->tag == kIpAddress && name->content.size() == kIpv4Length) {
+      const auto part = [&](std::size_t at) {
+        return static_cast<unsigned char>(name->content[at]);
+      };
+      facts.hostNames.push_back(fmt::format("{}.{}.{}.{}", part(0), part(1), part(2), part(3)));
     }
   }
 }
@@ -263,6 +273,12 @@ std::string fingerprintOf(std::string_view text) {
     }
   }
   return digits.size() == kDigits ? digits : std::string();
+}
+
+bool isForHost(const CertificateFacts& facts, std::string_view host) {
+  const std::string wanted = base::toUpper(host);
+  return std::any_of(facts.hostNames.begin(), facts.hostNames.end(),
+                     [&](const std::string& name) { return base::toUpper(name) == wanted; });
 }
 
 int daysLeft(const CertificateFacts& facts, base::UtcMs now) {

@@ -24,7 +24,7 @@ struct CertificateFacts {
   base::UtcMs validFrom = 0;
   base::UtcMs validTo = 0;
   std::vector<std::string> applicationUris;  ///< of the subject's alternative names
-  std::vector<std::string> hostNames;        ///< of the subject's alternative names
+  std::vector<std::string> hostNames;        ///< there, too: names, and addresses of IPv4
 
   friend bool operator==(const CertificateFacts&, const CertificateFacts&) = default;
 };
@@ -41,6 +41,14 @@ struct CertificateFacts {
 [[nodiscard]] std::string fingerprintText(std::string_view fingerprint);
 /// 64 lower-case digits from a fingerprint with or without colons and blanks; empty if it is none.
 [[nodiscard]] std::string fingerprintOf(std::string_view text);
+
+/// Whether the certificate was made for this host; a certificate without hosts was made for none.
+[[nodiscard]] bool isForHost(const CertificateFacts& facts, std::string_view host);
+
+/// Whether the certificate has begun and not ended.
+[[nodiscard]] inline bool isValidAt(const CertificateFacts& facts, base::UtcMs now) {
+  return now >= facts.validFrom && now <= facts.validTo;
+}
 
 /// Whole days until the certificate ends; negative if it has ended.
 [[nodiscard]] int daysLeft(const CertificateFacts& facts, base::UtcMs now);

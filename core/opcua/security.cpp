@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "base/text.h"
@@ -169,20 +170,59 @@ base::Result<std::size_t> chooseOffer(std::span<const EndpointOffer> offers,
                   securityChoiceText(choice), offeredText(offers)));
 }
 
-bool isLoopback(std::string_view endpoint) {
+std::vector<SecurityChoice> choicesByName(std::span<const EndpointOffer> offers, bool hasUser) {
+  std::vector<ChannelSecurity> found;
+  for (const EndpointOffer& offer : offers) {
+    const bool letsIn = hasUser ? offer.takesUserName : offer.takesAnonymous;
+    const SecurityChoice named{offer.security.policy, offer.security.mode, false};
+    if (letsIn && rankOf(offer.security, named) > 0 &&
+        std::find(found.begin(), found.end(), offer.security) == found.end()) {
+      found.push_back(offer.security);
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const auto& left, const auto& right) {
+    return std::pair(left.policy, left.mode) > std::pair(right.policy, right.mode);
+  });
+  std::vector<SecurityChoice> choices;
+  for (const ChannelSecurity& security : found) {
+    SecurityChoice choice;
+    choice.policy = security.policy;
+    if (security.mode == MessageMode::Sign) {
+      choice.mode = security.mode;
+    }
+    choices.push_back(choice);
+  }
+  return choices;
+}
+
+std::string hostOf(std::string_view endpoint) {
   const std::size_t scheme = endpoint.find("://");
   std::string_view host = scheme == std::string_view::npos ? endpoint : endpoint.substr(scheme + 3);
   host = host.substr(0, host.find('/'));
   if (!host.empty() && host.front() == '[') {
-    return host.substr(0, host.find(']')) == "[::1";
+    return std::string(host.substr(1, host.find(']') - 1));
   }
-  host = host.substr(0, host.find(':'));
-  if (sameWord(host, "localhost")) {
+  return std::string(host.substr(0, host.find(':')));
+}
+
+bool isLoopback(std::string_view endpoint) {
+  const std::string host = hostOf(endpoint);
+  if (sameWord(host, "localhost") || host == "::1") {
     return true;
   }
   // 127.0.0.0/8, written as four numbers: a name may begin with "127." as well.
   return host.substr(0, 4) == "127." &&
          host.find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
+Protection protectionOf(const ChannelSecurity& security, std::string_view endpoint) {
+  if (security.policy == SecurityPolicy::None || security.mode == MessageMode::None) {
+    return isLoopback(endpoint) ? Protection::LocalOnly : Protection::None;
+  }
+  if (isWeak(security.policy)) {
+    return Protection::Weak;
+  }
+  return security.mode == MessageMode::SignAndEncrypt ? Protection::Encrypted : Protection::Signed;
 }
 
 }  // namespace rivulet::opcua

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 #include "opcua/certificate.h"
@@ -90,9 +91,27 @@ struct SecurityChoice {
 [[nodiscard]] base::Result<std::size_t> chooseOffer(std::span<const EndpointOffer> offers,
                                                     const SecurityChoice& choice, bool hasUser);
 
+/// What can be allowed by name where the strongest is not offered: every offer that lets in this
+/// kind of user and is taken once it is named, from strong to weak.
+[[nodiscard]] std::vector<SecurityChoice> choicesByName(std::span<const EndpointOffer> offers,
+                                                        bool hasUser);
+
+/// The host of an endpoint, "cell-4" of "opc.tcp://cell-4:4840/path", without the brackets of IPv6.
+[[nodiscard]] std::string hostOf(std::string_view endpoint);
+
 /// Whether the host of an endpoint is this computer by its very address ("127.0.0.1", "[::1]",
 /// "localhost"): what is sent to it does not leave the computer.
 [[nodiscard]] bool isLoopback(std::string_view endpoint);
+
+/// What a person has to know about how a connection is protected.
+enum class Protection {
+  Encrypted,
+  Signed,     ///< nobody changes what is sent, but everybody on the network can read it
+  Weak,       ///< a withdrawn policy
+  LocalOnly,  ///< none, and what is sent does not leave this computer
+  None,
+};
+[[nodiscard]] Protection protectionOf(const ChannelSecurity& security, std::string_view endpoint);
 
 /// A certificate and its key, DER.
 struct OwnCertificate {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/file.h"
 #include "opcua/certificate.h"
 #include "opcua/error.h"
 #include "opcua/security.h"
@@ -133,6 +134,55 @@ class TestSecurityChoice : public QObject {
                               " | " + std::string(advice.nextStep) + " |";
       QVERIFY2(text.find(row) != std::string::npos, row.c_str());
     }
+  }
+
+  void whatCanBeAllowedByNameIsListedFromStrongToWeak() {
+    EndpointOffer contradiction = offer(SecurityPolicy::None, MessageMode::Sign);
+    std::vector offers{kNone, kOld, kSigned, kOld, contradiction};
+    std::vector<std::string> names;
+    for (const opcua::SecurityChoice& choice : opcua::choicesByName(offers, false)) {
+      names.push_back(opcua::securityChoiceText(choice));
+      QVERIFY(opcua::chooseOffer(offers, choice, false));
+    }
+    QCOMPARE(names, (std::vector<std::string>{"Basic256Sha256/Sign", "Basic128Rsa15", "None"}));
+    for (EndpointOffer& one : offers) {
+      one.takesUserName = false;  // or only with a password that can be read
+    }
+    QVERIFY(opcua::choicesByName(offers, true).empty());
+  }
+
+  void theProtectionOfAConnectionIsNamed() {
+    using opcua::Protection;
+    const char* far = "opc.tcp://192.168.214.1:4840";
+    const opcua::ChannelSecurity none{};
+    QCOMPARE(opcua::protectionOf(none, far), Protection::None);
+    QCOMPARE(opcua::protectionOf(none, "opc.tcp://127.0.0.1:4840"), Protection::LocalOnly);
+    QCOMPARE(opcua::protectionOf({SecurityPolicy::Basic256, MessageMode::SignAndEncrypt}, far),
+             Protection::Weak);
+    QCOMPARE(opcua::protectionOf({SecurityPolicy::Basic256Sha256, MessageMode::Sign}, far),
+             Protection::Signed);
+    QCOMPARE(
+        opcua::protectionOf({SecurityPolicy::Aes256Sha256RsaPss, MessageMode::SignAndEncrypt}, far),
+        Protection::Encrypted);
+  }
+
+  void theHostOfAnEndpointIsTheOneOfItsCertificate() {
+    QCOMPARE(opcua::hostOf("opc.tcp://Cell-4.shop:4840/path"), std::string("Cell-4.shop"));
+    QCOMPARE(opcua::hostOf("opc.tcp://[fe80::1]:4840"), std::string("fe80::1"));
+    QCOMPARE(opcua::hostOf("opc.tcp://[fe80::1"), std::string("fe80::1"));
+    QCOMPARE(opcua::hostOf(""), std::string());
+    const auto der =
+        base::readFile(RIVULET_SOURCE_DIR "/tests/fuzz/seeds/certificate/self-signed.der", 65536);
+    QVERIFY(der);
+    const auto facts = opcua::readCertificate(*der);
+    QVERIFY(facts);
+    QCOMPARE(facts->applicationUris, std::vector<std::string>{"urn:cell-4:opcua"});
+    QVERIFY(opcua::isForHost(*facts, "CELL-4.shop.example"));
+    QVERIFY(opcua::isForHost(*facts, "192.168.214.1"));
+    QVERIFY(!opcua::isForHost(*facts, "192.168.214.11"));
+    QVERIFY(!opcua::isForHost(*facts, ""));
+    QVERIFY(opcua::isValidAt(*facts, facts->validFrom) && opcua::isValidAt(*facts, facts->validTo));
+    QVERIFY(!opcua::isValidAt(*facts, facts->validTo + 1));
   }
 };
 
