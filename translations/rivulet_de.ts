@@ -367,6 +367,10 @@
         <source>Watch</source>
         <translation>Beobachten</translation>
     </message>
+    <message>
+        <source>Trust</source>
+        <translation>Vertrauen</translation>
+    </message>
 </context>
 <context>
     <name>BlockedTexts</name>
@@ -468,6 +472,21 @@
     </message>
 </context>
 <context>
+    <name>CertificateTexts</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>itself</source>
+        <translation>sich selbst</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>nicht angegeben</translation>
+    </message>
+</context>
+<context>
     <name>ConnectionTexts</name>
     <message>
         <source>Not connected</source>
@@ -508,6 +527,42 @@
     <message>
         <source>Unknown (%1)</source>
         <translation>Unbekannt (%1)</translation>
+    </message>
+    <message>
+        <source>encrypted</source>
+        <translation>verschlüsselt</translation>
+    </message>
+    <message>
+        <source>Nobody on the network can read or change what is sent.</source>
+        <translation>Niemand im Netz kann mitlesen oder ändern, was gesendet wird.</translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <translation>signiert</translation>
+    </message>
+    <message>
+        <source>Nobody can change what is sent, but everybody on the network can read it.</source>
+        <translation>Niemand kann ändern, was gesendet wird, aber jeder im Netz kann mitlesen.</translation>
+    </message>
+    <message>
+        <source>weakly encrypted</source>
+        <translation>schwach verschlüsselt</translation>
+    </message>
+    <message>
+        <source>This encryption was withdrawn: it can be broken with the means of today.</source>
+        <translation>Diese Verschlüsselung wurde zurückgezogen: Sie lässt sich mit heutigen Mitteln brechen.</translation>
+    </message>
+    <message>
+        <source>not protected</source>
+        <translation>ungeschützt</translation>
+    </message>
+    <message>
+        <source>Not encrypted. What is sent does not leave this computer.</source>
+        <translation>Unverschlüsselt. Was gesendet wird, verlässt diesen Rechner nicht.</translation>
+    </message>
+    <message>
+        <source>Everybody on the network can read what is sent, and move the machine.</source>
+        <translation>Jeder im Netz kann mitlesen und die Maschine bewegen.</translation>
     </message>
 </context>
 <context>
@@ -1933,6 +1988,88 @@
     </message>
 </context>
 <context>
+    <name>RejectedModel</name>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Issued to</source>
+        <translation>Ausgestellt für</translation>
+    </message>
+    <message>
+        <source>Valid</source>
+        <translation>Gültig</translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation>Fingerabdruck</translation>
+    </message>
+</context>
+<context>
+    <name>RightTexts</name>
+    <message>
+        <source>read variables</source>
+        <translation>Variablen lesen</translation>
+    </message>
+    <message>
+        <source>follows the run</source>
+        <translation>verfolgt den Lauf</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with StateRead; if that is not enough, with SinuReadAll.</source>
+        <translation>GiveUserAccess mit StateRead aufrufen; reicht das nicht, mit SinuReadAll.</translation>
+    </message>
+    <message>
+        <source>write R-parameters</source>
+        <translation>R-Parameter schreiben</translation>
+    </message>
+    <message>
+        <source>sends the points</source>
+        <translation>sendet die Punkte</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with StateWrite; if that is not enough, with SinuWriteAll. The protection level of R-parameters (MD51051) must allow it, too.</source>
+        <translation>GiveUserAccess mit StateWrite aufrufen; reicht das nicht, mit SinuWriteAll. Auch die Schutzstufe der R-Parameter (MD51051) muss es erlauben.</translation>
+    </message>
+    <message>
+        <source>read programs</source>
+        <translation>Programme lesen</translation>
+    </message>
+    <message>
+        <source>checks which program is on the control; without it the operator does</source>
+        <translation>prüft, welches Programm auf der Steuerung ist; sonst tut es der Bediener</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with FsRead.</source>
+        <translation>GiveUserAccess mit FsRead aufrufen.</translation>
+    </message>
+    <message>
+        <source>write programs</source>
+        <translation>Programme schreiben</translation>
+    </message>
+    <message>
+        <source>brings its program to the control; without it the operator copies it</source>
+        <translation>bringt sein Programm auf die Steuerung; sonst kopiert es der Bediener</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with FsWrite.</source>
+        <translation>GiveUserAccess mit FsWrite aufrufen.</translation>
+    </message>
+    <message>
+        <source>select a program</source>
+        <translation>ein Programm anwählen</translation>
+    </message>
+    <message>
+        <source>selects its program; without it the operator does</source>
+        <translation>wählt sein Programm an; sonst tut es der Bediener</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with ApWrite.</source>
+        <translation>GiveUserAccess mit ApWrite aufrufen.</translation>
+    </message>
+</context>
+<context>
     <name>RunStateTexts</name>
     <message>
         <source>Idle</source>
@@ -2098,6 +2235,52 @@
     </message>
 </context>
 <context>
+    <name>ServerModel</name>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Zertifikat</translation>
+    </message>
+    <message>
+        <source>none accepted</source>
+        <translation>keines angenommen</translation>
+    </message>
+    <message>
+        <source>accepted, not kept</source>
+        <translation>angenommen, nicht aufbewahrt</translation>
+    </message>
+    <message>
+        <source>has ended</source>
+        <translation>abgelaufen</translation>
+    </message>
+    <message numerus="yes">
+        <source>valid for %Ln days</source>
+        <translation>
+            <numerusform>noch %Ln Tag gültig</numerusform>
+            <numerusform>noch %Ln Tage gültig</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Protection</source>
+        <translation>Schutz</translation>
+    </message>
+    <message>
+        <source>the strongest</source>
+        <translation>der stärkste</translation>
+    </message>
+    <message>
+        <source>allowed: %1</source>
+        <translation>erlaubt: %1</translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation>Fingerabdruck</translation>
+    </message>
+</context>
+<context>
     <name>SetUpTexts</name>
     <message>
         <source>Connect first: limits belong to one machine.</source>
@@ -2126,6 +2309,14 @@
     <message>
         <source>Credit test</source>
         <translation>Kredit-Test</translation>
+    </message>
+    <message>
+        <source>Certificates</source>
+        <translation>Zertifikate</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Rechte</translation>
     </message>
 </context>
 <context>
@@ -2770,6 +2961,21 @@
     </message>
 </context>
 <context>
+    <name>TrustTexts</name>
+    <message>
+        <source>Only an engineer can do this.</source>
+        <translation>Das kann nur ein Einrichter.</translation>
+    </message>
+    <message>
+        <source>Connect first.</source>
+        <translation>Zuerst verbinden.</translation>
+    </message>
+    <message>
+        <source>During a run there is no time for it.</source>
+        <translation>Während eines Laufs ist dafür keine Zeit.</translation>
+    </message>
+</context>
+<context>
     <name>UserTexts</name>
     <message>
         <source>At least one user must be an engineer.</source>
@@ -2793,6 +2999,13 @@
     <message>
         <source>%1: %2 damaged lines of the history of alarms were left out.</source>
         <translation>%1: %2 beschädigte Zeilen des Alarmverlaufs wurden ausgelassen.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Certificates</name>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -3936,6 +4149,104 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CertificatesPage</name>
+    <message>
+        <source>Save this computer&apos;s certificate</source>
+        <translation>Zertifikat dieses Rechners speichern</translation>
+    </message>
+    <message>
+        <source>A certificate is being made …</source>
+        <translation>Ein Zertifikat wird erzeugt …</translation>
+    </message>
+    <message>
+        <source>There is none yet. It is made when it is first needed.</source>
+        <translation>Es gibt noch keines. Es wird erzeugt, sobald es gebraucht wird.</translation>
+    </message>
+    <message>
+        <source>It has ended (%1). Renew it.</source>
+        <translation>Es ist abgelaufen (%1). Erneuern.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Valid for %Ln more days (%1)</source>
+        <translation>
+            <numerusform>Noch %Ln Tag gültig (%1)</numerusform>
+            <numerusform>Noch %Ln Tage gültig (%1)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Encryption by %1</source>
+        <translation>Verschlüsselung durch %1</translation>
+    </message>
+    <message>
+        <source>Certificate of this computer</source>
+        <translation>Zertifikat dieses Rechners</translation>
+    </message>
+    <message>
+        <source>Fingerprint (SHA-256)</source>
+        <translation>Fingerabdruck (SHA-256)</translation>
+    </message>
+    <message>
+        <source>Save …</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Writes the certificate, without its key, for the control&apos;s list of trusted clients.</source>
+        <translation>Schreibt das Zertifikat ohne seinen Schlüssel, für die Liste vertrauter Clients der Steuerung.</translation>
+    </message>
+    <message>
+        <source>Hold: renew</source>
+        <translation>Halten: erneuern</translation>
+    </message>
+    <message>
+        <source>Makes a new one. Every control has to trust it anew.</source>
+        <translation>Erzeugt ein neues. Jede Steuerung muss ihm neu vertrauen.</translation>
+    </message>
+    <message>
+        <source>Machines that are known</source>
+        <translation>Bekannte Maschinen</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>At the next connection the machine is new.</source>
+        <translation>Bei der nächsten Verbindung ist die Maschine neu.</translation>
+    </message>
+    <message>
+        <source>Protect again</source>
+        <translation>Wieder schützen</translation>
+    </message>
+    <message>
+        <source>Takes back what was allowed by name: the strongest encryption or no connection.</source>
+        <translation>Nimmt zurück, was namentlich erlaubt wurde: die stärkste Verschlüsselung oder keine Verbindung.</translation>
+    </message>
+    <message>
+        <source>Certificates that were refused</source>
+        <translation>Abgelehnte Zertifikate</translation>
+    </message>
+    <message>
+        <source>Hold: accept</source>
+        <translation>Halten: annehmen</translation>
+    </message>
+    <message>
+        <source>From then on it is trusted at its address, in place of any other one.</source>
+        <translation>Von da an gilt es an seiner Adresse als vertraut, anstelle jedes anderen.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes it from the list. It stays refused.</source>
+        <translation>Entfernt es aus der Liste. Es bleibt abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Only the very certificates that were accepted are trusted, not who issued them. So revocation lists are not needed: forget the machine instead.</source>
+        <translation>Vertraut wird genau den angenommenen Zertifikaten, nicht ihren Ausstellern. Sperrlisten sind deshalb nicht nötig: stattdessen die Maschine vergessen.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::CloseBar</name>
     <message>
         <source>Keep the window open</source>
@@ -4866,6 +5177,57 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln Meldung</numerusform>
             <numerusform>%Ln Meldungen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LoginFields</name>
+    <message>
+        <source>This machine lets nobody in without a user. Type user and password.</source>
+        <translation>Diese Maschine lässt niemanden ohne Benutzer zu. Benutzer und Passwort eingeben.</translation>
+    </message>
+    <message>
+        <source>Type the password of this user.</source>
+        <translation>Das Passwort dieses Benutzers eingeben.</translation>
+    </message>
+    <message>
+        <source>The machine refuses user or password. Check both. After several wrong ones it locks the user for some time.</source>
+        <translation>Die Maschine lehnt Benutzer oder Passwort ab. Beides prüfen. Nach mehreren falschen sperrt sie den Benutzer für einige Zeit.</translation>
+    </message>
+    <message>
+        <source>There is no keyring on this computer: the password is asked for each time.</source>
+        <translation>Auf diesem Rechner gibt es keinen Schlüsselbund: Das Passwort wird jedes Mal erfragt.</translation>
+    </message>
+    <message>
+        <source>Log in as a user of the machine</source>
+        <translation>Als Benutzer der Maschine anmelden</translation>
+    </message>
+    <message>
+        <source>Without it, the connection is anonymous.</source>
+        <translation>Sonst ist die Verbindung anonym.</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>User of the OPC UA server, as it is set up on the control.</source>
+        <translation>Benutzer des OPC-UA-Servers, wie er auf der Steuerung eingerichtet ist.</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>It is sent encrypted only, and is in no setting, log or recording.</source>
+        <translation>Es wird nur verschlüsselt gesendet und steht in keiner Einstellung, keinem Protokoll und keiner Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Keep it in the keyring</source>
+        <translation>Im Schlüsselbund aufbewahren</translation>
+    </message>
+    <message>
+        <source>The keyring of this computer&apos;s user keeps it encrypted; it is not asked for again.</source>
+        <translation>Der Schlüsselbund des Benutzers dieses Rechners bewahrt es verschlüsselt auf; es wird nicht mehr erfragt.</translation>
     </message>
 </context>
 <context>
@@ -6221,6 +6583,53 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::RightsPage</name>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>vorhanden</translation>
+    </message>
+    <message>
+        <source>Asking the control …</source>
+        <translation>Die Steuerung wird befragt …</translation>
+    </message>
+    <message>
+        <source>A run is not possible with these rights.</source>
+        <translation>Mit diesen Rechten ist kein Lauf möglich.</translation>
+    </message>
+    <message>
+        <source>A run is possible; some steps remain to the operator.</source>
+        <translation>Ein Lauf ist möglich; einige Schritte bleiben beim Bediener.</translation>
+    </message>
+    <message>
+        <source>This user has all rights that a run needs.</source>
+        <translation>Dieser Benutzer hat alle Rechte, die ein Lauf braucht.</translation>
+    </message>
+    <message>
+        <source>More than a run needs: %1. Call DeleteUserAccess with them, or use a user of its own for Rivulet.</source>
+        <translation>Mehr als ein Lauf braucht: %1. DeleteUserAccess damit aufrufen, oder für Rivulet einen eigenen Benutzer verwenden.</translation>
+    </message>
+    <message>
+        <source>The server does not tell which other rights this user has. Look at the list of users on the control.</source>
+        <translation>Der Server sagt nicht, welche anderen Rechte dieser Benutzer hat. In der Liste der Benutzer auf der Steuerung nachsehen.</translation>
+    </message>
+    <message>
+        <source>Asks the control which of the rights that a run needs the user of this connection has. Nothing is changed.</source>
+        <translation>Fragt die Steuerung, welche der Rechte, die ein Lauf braucht, der Benutzer dieser Verbindung hat. Nichts wird geändert.</translation>
+    </message>
+    <message>
+        <source>Check the rights</source>
+        <translation>Rechte prüfen</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::RunPanel</name>
     <message>
         <source>Stop</source>
@@ -7223,6 +7632,113 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Shown beside the panes</source>
         <translation>Neben den Kurven gezeigt</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TrustSheet</name>
+    <message>
+        <source>Is this the right machine?</source>
+        <translation>Ist das die richtige Maschine?</translation>
+    </message>
+    <message>
+        <source>The machine shows another certificate</source>
+        <translation>Die Maschine zeigt ein anderes Zertifikat</translation>
+    </message>
+    <message>
+        <source>The machine offers no encryption as it should be</source>
+        <translation>Die Maschine bietet keine ausreichende Verschlüsselung an</translation>
+    </message>
+    <message>
+        <source>This computer meets it for the first time. Compare the fingerprint with the one that the control shows. If they are equal, accept it: from then on, only this certificate is trusted at this address.</source>
+        <translation>Dieser Rechner begegnet ihr zum ersten Mal. Den Fingerabdruck mit dem vergleichen, den die Steuerung zeigt. Sind sie gleich, annehmen: Von da an wird an dieser Adresse nur diesem Zertifikat vertraut.</translation>
+    </message>
+    <message>
+        <source>Either somebody has renewed the certificate of the control, or another computer answers at its address and would get all commands. Ask who looks after the control. Do not connect if nobody has changed anything.</source>
+        <translation>Entweder hat jemand das Zertifikat der Steuerung erneuert, oder unter ihrer Adresse antwortet ein anderer Rechner und bekäme alle Befehle. Den Betreuer der Steuerung fragen. Nicht verbinden, wenn niemand etwas geändert hat.</translation>
+    </message>
+    <message>
+        <source>Better: switch encryption on at the control, then connect again. What you allow here is remembered for this machine until you take it back, and is marked as long as it is connected.</source>
+        <translation>Besser: die Verschlüsselung an der Steuerung einschalten, dann neu verbinden. Was hier erlaubt wird, wird für diese Maschine gemerkt, bis es zurückgenommen wird, und ist gekennzeichnet, solange sie verbunden ist.</translation>
+    </message>
+    <message>
+        <source>Until now this machine was connected encrypted. Somebody who stands between could hide the encryption.</source>
+        <translation>Bisher war diese Maschine verschlüsselt verbunden. Jemand dazwischen könnte die Verschlüsselung verbergen.</translation>
+    </message>
+    <message>
+        <source>Nothing that it offers lets this user in with an encrypted password.</source>
+        <translation>Nichts davon lässt diesen Benutzer mit verschlüsseltem Passwort zu.</translation>
+    </message>
+    <message>
+        <source>The certificate is not valid today, so it cannot be accepted. Set the clocks of both computers, or renew it on the control.</source>
+        <translation>Das Zertifikat ist heute nicht gültig und kann nicht angenommen werden. Die Uhren beider Rechner stellen, oder es auf der Steuerung erneuern.</translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>nicht aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Shown now</source>
+        <translation>Jetzt gezeigt</translation>
+    </message>
+    <message>
+        <source>Accepted before</source>
+        <translation>Früher angenommen</translation>
+    </message>
+    <message>
+        <source>Fingerprint (SHA-256)</source>
+        <translation>Fingerabdruck (SHA-256)</translation>
+    </message>
+    <message>
+        <source>Issued to</source>
+        <translation>Ausgestellt für</translation>
+    </message>
+    <message>
+        <source>Issued by</source>
+        <translation>Ausgestellt von</translation>
+    </message>
+    <message>
+        <source>Application</source>
+        <translation>Anwendung</translation>
+    </message>
+    <message>
+        <source>Made for</source>
+        <translation>Gemacht für</translation>
+    </message>
+    <message>
+        <source>%1: not for %2</source>
+        <translation>%1: nicht für %2</translation>
+    </message>
+    <message>
+        <source>Valid</source>
+        <translation>Gültig</translation>
+    </message>
+    <message>
+        <source>The control has to trust this computer, too. On a SINUMERIK, switch on in the dialog of the OPC UA server that client certificates are accepted by themselves, connect, and switch it off again; or import the file of this computer&apos;s certificate there. Its fingerprint: %1</source>
+        <translation>Auch die Steuerung muss diesem Rechner vertrauen. Auf einer SINUMERIK im Dialog des OPC-UA-Servers einschalten, dass Client-Zertifikate automatisch angenommen werden, verbinden und wieder ausschalten; oder dort die Datei mit dem Zertifikat dieses Rechners importieren. Sein Fingerabdruck: %1</translation>
+    </message>
+    <message>
+        <source>Do not connect</source>
+        <translation>Nicht verbinden</translation>
+    </message>
+    <message>
+        <source>Save this computer&apos;s certificate …</source>
+        <translation>Zertifikat dieses Rechners speichern …</translation>
+    </message>
+    <message>
+        <source>Hold: allow and connect</source>
+        <translation>Halten: erlauben und verbinden</translation>
+    </message>
+    <message>
+        <source>Hold: accept and connect</source>
+        <translation>Halten: annehmen und verbinden</translation>
+    </message>
+    <message>
+        <source>Hold it for one second, with the mouse, a finger or the space bar.</source>
+        <translation>Eine Sekunde lang halten, mit Maus, Finger oder Leertaste.</translation>
     </message>
 </context>
 <context>

@@ -69,6 +69,16 @@
     </message>
 </context>
 <context>
+    <name>ServerModel</name>
+    <message numerus="yes">
+        <source>valid for %Ln days</source>
+        <translation>
+            <numerusform>valid for %Ln day</numerusform>
+            <numerusform>valid for %Ln days</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>rivulet::hmi::Preflight</name>
     <message numerus="yes">
         <source>%1, version %2, %Ln points</source>
@@ -158,6 +168,16 @@
         <translation>
             <numerusform>For %n hour</numerusform>
             <numerusform>For %n hours</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::CertificatesPage</name>
+    <message numerus="yes">
+        <source>Valid for %Ln more days (%1)</source>
+        <translation>
+            <numerusform>Valid for %Ln more day (%1)</numerusform>
+            <numerusform>Valid for %Ln more days (%1)</numerusform>
         </translation>
     </message>
 </context>

@@ -367,6 +367,10 @@
         <source>Watch</source>
         <translation>Observar</translation>
     </message>
+    <message>
+        <source>Trust</source>
+        <translation>Confianza</translation>
+    </message>
 </context>
 <context>
     <name>BlockedTexts</name>
@@ -468,6 +472,21 @@
     </message>
 </context>
 <context>
+    <name>CertificateTexts</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>itself</source>
+        <translation>sí mismo</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>no indicado</translation>
+    </message>
+</context>
+<context>
     <name>ConnectionTexts</name>
     <message>
         <source>Not connected</source>
@@ -508,6 +527,42 @@
     <message>
         <source>Unknown (%1)</source>
         <translation>Desconocido (%1)</translation>
+    </message>
+    <message>
+        <source>encrypted</source>
+        <translation>cifrada</translation>
+    </message>
+    <message>
+        <source>Nobody on the network can read or change what is sent.</source>
+        <translation>Nadie en la red puede leer ni cambiar lo que se envía.</translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <translation>firmada</translation>
+    </message>
+    <message>
+        <source>Nobody can change what is sent, but everybody on the network can read it.</source>
+        <translation>Nadie puede cambiar lo que se envía, pero todos en la red pueden leerlo.</translation>
+    </message>
+    <message>
+        <source>weakly encrypted</source>
+        <translation>cifrado débil</translation>
+    </message>
+    <message>
+        <source>This encryption was withdrawn: it can be broken with the means of today.</source>
+        <translation>Este cifrado fue retirado: se puede romper con los medios de hoy.</translation>
+    </message>
+    <message>
+        <source>not protected</source>
+        <translation>sin protección</translation>
+    </message>
+    <message>
+        <source>Not encrypted. What is sent does not leave this computer.</source>
+        <translation>Sin cifrar. Lo que se envía no sale de este ordenador.</translation>
+    </message>
+    <message>
+        <source>Everybody on the network can read what is sent, and move the machine.</source>
+        <translation>Todos en la red pueden leer lo que se envía y mover la máquina.</translation>
     </message>
 </context>
 <context>
@@ -1933,6 +1988,88 @@
     </message>
 </context>
 <context>
+    <name>RejectedModel</name>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Issued to</source>
+        <translation>Emitido para</translation>
+    </message>
+    <message>
+        <source>Valid</source>
+        <translation>Válido</translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation>Huella</translation>
+    </message>
+</context>
+<context>
+    <name>RightTexts</name>
+    <message>
+        <source>read variables</source>
+        <translation>leer variables</translation>
+    </message>
+    <message>
+        <source>follows the run</source>
+        <translation>sigue la ejecución</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with StateRead; if that is not enough, with SinuReadAll.</source>
+        <translation>Llamar a GiveUserAccess con StateRead; si no basta, con SinuReadAll.</translation>
+    </message>
+    <message>
+        <source>write R-parameters</source>
+        <translation>escribir parámetros R</translation>
+    </message>
+    <message>
+        <source>sends the points</source>
+        <translation>envía los puntos</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with StateWrite; if that is not enough, with SinuWriteAll. The protection level of R-parameters (MD51051) must allow it, too.</source>
+        <translation>Llamar a GiveUserAccess con StateWrite; si no basta, con SinuWriteAll. También el nivel de protección de los parámetros R (MD51051) debe permitirlo.</translation>
+    </message>
+    <message>
+        <source>read programs</source>
+        <translation>leer programas</translation>
+    </message>
+    <message>
+        <source>checks which program is on the control; without it the operator does</source>
+        <translation>comprueba qué programa está en el control; si no, lo hace el operario</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with FsRead.</source>
+        <translation>Llamar a GiveUserAccess con FsRead.</translation>
+    </message>
+    <message>
+        <source>write programs</source>
+        <translation>escribir programas</translation>
+    </message>
+    <message>
+        <source>brings its program to the control; without it the operator copies it</source>
+        <translation>lleva su programa al control; si no, lo copia el operario</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with FsWrite.</source>
+        <translation>Llamar a GiveUserAccess con FsWrite.</translation>
+    </message>
+    <message>
+        <source>select a program</source>
+        <translation>seleccionar un programa</translation>
+    </message>
+    <message>
+        <source>selects its program; without it the operator does</source>
+        <translation>selecciona su programa; si no, lo hace el operario</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with ApWrite.</source>
+        <translation>Llamar a GiveUserAccess con ApWrite.</translation>
+    </message>
+</context>
+<context>
     <name>RunStateTexts</name>
     <message>
         <source>Idle</source>
@@ -2098,6 +2235,52 @@
     </message>
 </context>
 <context>
+    <name>ServerModel</name>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Certificado</translation>
+    </message>
+    <message>
+        <source>none accepted</source>
+        <translation>ninguno aceptado</translation>
+    </message>
+    <message>
+        <source>accepted, not kept</source>
+        <translation>aceptado, no guardado</translation>
+    </message>
+    <message>
+        <source>has ended</source>
+        <translation>ha caducado</translation>
+    </message>
+    <message numerus="yes">
+        <source>valid for %Ln days</source>
+        <translation>
+            <numerusform>válido %Ln día más</numerusform>
+            <numerusform>válido %Ln días más</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Protection</source>
+        <translation>Protección</translation>
+    </message>
+    <message>
+        <source>the strongest</source>
+        <translation>la más fuerte</translation>
+    </message>
+    <message>
+        <source>allowed: %1</source>
+        <translation>permitido: %1</translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation>Huella</translation>
+    </message>
+</context>
+<context>
     <name>SetUpTexts</name>
     <message>
         <source>Connect first: limits belong to one machine.</source>
@@ -2126,6 +2309,14 @@
     <message>
         <source>Credit test</source>
         <translation>Prueba crédito</translation>
+    </message>
+    <message>
+        <source>Certificates</source>
+        <translation>Certificados</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Derechos</translation>
     </message>
 </context>
 <context>
@@ -2770,6 +2961,21 @@
     </message>
 </context>
 <context>
+    <name>TrustTexts</name>
+    <message>
+        <source>Only an engineer can do this.</source>
+        <translation>Solo puede hacerlo un preparador.</translation>
+    </message>
+    <message>
+        <source>Connect first.</source>
+        <translation>Conectar primero.</translation>
+    </message>
+    <message>
+        <source>During a run there is no time for it.</source>
+        <translation>Durante una ejecución no hay tiempo para ello.</translation>
+    </message>
+</context>
+<context>
     <name>UserTexts</name>
     <message>
         <source>At least one user must be an engineer.</source>
@@ -2793,6 +2999,13 @@
     <message>
         <source>%1: %2 damaged lines of the history of alarms were left out.</source>
         <translation>%1: se omitieron %2 líneas dañadas del historial de alarmas.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Certificates</name>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 guardado.</translation>
     </message>
 </context>
 <context>
@@ -3936,6 +4149,104 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CertificatesPage</name>
+    <message>
+        <source>Save this computer&apos;s certificate</source>
+        <translation>Guardar el certificado de este ordenador</translation>
+    </message>
+    <message>
+        <source>A certificate is being made …</source>
+        <translation>Se está creando un certificado…</translation>
+    </message>
+    <message>
+        <source>There is none yet. It is made when it is first needed.</source>
+        <translation>Aún no hay ninguno. Se crea cuando hace falta.</translation>
+    </message>
+    <message>
+        <source>It has ended (%1). Renew it.</source>
+        <translation>Ha caducado (%1). Renovarlo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Valid for %Ln more days (%1)</source>
+        <translation>
+            <numerusform>Válido %Ln día más (%1)</numerusform>
+            <numerusform>Válido %Ln días más (%1)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Encryption by %1</source>
+        <translation>Cifrado por %1</translation>
+    </message>
+    <message>
+        <source>Certificate of this computer</source>
+        <translation>Certificado de este ordenador</translation>
+    </message>
+    <message>
+        <source>Fingerprint (SHA-256)</source>
+        <translation>Huella (SHA-256)</translation>
+    </message>
+    <message>
+        <source>Save …</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Writes the certificate, without its key, for the control&apos;s list of trusted clients.</source>
+        <translation>Escribe el certificado, sin su clave, para la lista de clientes de confianza del control.</translation>
+    </message>
+    <message>
+        <source>Hold: renew</source>
+        <translation>Mantener: renovar</translation>
+    </message>
+    <message>
+        <source>Makes a new one. Every control has to trust it anew.</source>
+        <translation>Crea uno nuevo. Cada control debe volver a confiar en él.</translation>
+    </message>
+    <message>
+        <source>Machines that are known</source>
+        <translation>Máquinas conocidas</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Olvidar</translation>
+    </message>
+    <message>
+        <source>At the next connection the machine is new.</source>
+        <translation>En la próxima conexión la máquina es nueva.</translation>
+    </message>
+    <message>
+        <source>Protect again</source>
+        <translation>Volver a proteger</translation>
+    </message>
+    <message>
+        <source>Takes back what was allowed by name: the strongest encryption or no connection.</source>
+        <translation>Retira lo que se permitió por su nombre: el cifrado más fuerte o ninguna conexión.</translation>
+    </message>
+    <message>
+        <source>Certificates that were refused</source>
+        <translation>Certificados rechazados</translation>
+    </message>
+    <message>
+        <source>Hold: accept</source>
+        <translation>Mantener: aceptar</translation>
+    </message>
+    <message>
+        <source>From then on it is trusted at its address, in place of any other one.</source>
+        <translation>Desde entonces se confía en él en su dirección, en lugar de cualquier otro.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Removes it from the list. It stays refused.</source>
+        <translation>Lo quita de la lista. Sigue rechazado.</translation>
+    </message>
+    <message>
+        <source>Only the very certificates that were accepted are trusted, not who issued them. So revocation lists are not needed: forget the machine instead.</source>
+        <translation>Solo se confía en los certificados aceptados, no en quien los emitió. Por eso no hacen falta listas de revocación: basta con olvidar la máquina.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::CloseBar</name>
     <message>
         <source>Keep the window open</source>
@@ -4866,6 +5177,57 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln aviso</numerusform>
             <numerusform>%Ln avisos</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LoginFields</name>
+    <message>
+        <source>This machine lets nobody in without a user. Type user and password.</source>
+        <translation>Esta máquina no deja entrar a nadie sin usuario. Escribir usuario y contraseña.</translation>
+    </message>
+    <message>
+        <source>Type the password of this user.</source>
+        <translation>Escribir la contraseña de este usuario.</translation>
+    </message>
+    <message>
+        <source>The machine refuses user or password. Check both. After several wrong ones it locks the user for some time.</source>
+        <translation>La máquina rechaza el usuario o la contraseña. Comprobar ambos. Tras varios errores bloquea al usuario durante un tiempo.</translation>
+    </message>
+    <message>
+        <source>There is no keyring on this computer: the password is asked for each time.</source>
+        <translation>En este ordenador no hay ningún llavero: la contraseña se pide cada vez.</translation>
+    </message>
+    <message>
+        <source>Log in as a user of the machine</source>
+        <translation>Entrar como usuario de la máquina</translation>
+    </message>
+    <message>
+        <source>Without it, the connection is anonymous.</source>
+        <translation>Si no, la conexión es anónima.</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Usuario</translation>
+    </message>
+    <message>
+        <source>User of the OPC UA server, as it is set up on the control.</source>
+        <translation>Usuario del servidor OPC UA, tal como está configurado en el control.</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Contraseña</translation>
+    </message>
+    <message>
+        <source>It is sent encrypted only, and is in no setting, log or recording.</source>
+        <translation>Solo se envía cifrada y no está en ningún ajuste, registro ni grabación.</translation>
+    </message>
+    <message>
+        <source>Keep it in the keyring</source>
+        <translation>Guardarla en el llavero</translation>
+    </message>
+    <message>
+        <source>The keyring of this computer&apos;s user keeps it encrypted; it is not asked for again.</source>
+        <translation>El llavero del usuario de este ordenador la guarda cifrada; no se vuelve a pedir.</translation>
     </message>
 </context>
 <context>
@@ -6221,6 +6583,53 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::RightsPage</name>
+    <message>
+        <source>not known</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>falta</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>concedido</translation>
+    </message>
+    <message>
+        <source>Asking the control …</source>
+        <translation>Consultando el control…</translation>
+    </message>
+    <message>
+        <source>A run is not possible with these rights.</source>
+        <translation>Con estos derechos no es posible ninguna ejecución.</translation>
+    </message>
+    <message>
+        <source>A run is possible; some steps remain to the operator.</source>
+        <translation>Es posible una ejecución; algunos pasos quedan para el operario.</translation>
+    </message>
+    <message>
+        <source>This user has all rights that a run needs.</source>
+        <translation>Este usuario tiene todos los derechos que necesita una ejecución.</translation>
+    </message>
+    <message>
+        <source>More than a run needs: %1. Call DeleteUserAccess with them, or use a user of its own for Rivulet.</source>
+        <translation>Más de lo que necesita una ejecución: %1. Llamar a DeleteUserAccess con ellos, o usar un usuario propio para Rivulet.</translation>
+    </message>
+    <message>
+        <source>The server does not tell which other rights this user has. Look at the list of users on the control.</source>
+        <translation>El servidor no dice qué otros derechos tiene este usuario. Mirar la lista de usuarios en el control.</translation>
+    </message>
+    <message>
+        <source>Asks the control which of the rights that a run needs the user of this connection has. Nothing is changed.</source>
+        <translation>Pregunta al control cuáles de los derechos que necesita una ejecución tiene el usuario de esta conexión. No se cambia nada.</translation>
+    </message>
+    <message>
+        <source>Check the rights</source>
+        <translation>Comprobar los derechos</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::RunPanel</name>
     <message>
         <source>Stop</source>
@@ -7223,6 +7632,113 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Shown beside the panes</source>
         <translation>Mostrado junto a las curvas</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TrustSheet</name>
+    <message>
+        <source>Is this the right machine?</source>
+        <translation>¿Es la máquina correcta?</translation>
+    </message>
+    <message>
+        <source>The machine shows another certificate</source>
+        <translation>La máquina muestra otro certificado</translation>
+    </message>
+    <message>
+        <source>The machine offers no encryption as it should be</source>
+        <translation>La máquina no ofrece un cifrado suficiente</translation>
+    </message>
+    <message>
+        <source>This computer meets it for the first time. Compare the fingerprint with the one that the control shows. If they are equal, accept it: from then on, only this certificate is trusted at this address.</source>
+        <translation>Este ordenador la encuentra por primera vez. Comparar la huella con la que muestra el control. Si son iguales, aceptar: desde entonces, en esta dirección solo se confía en este certificado.</translation>
+    </message>
+    <message>
+        <source>Either somebody has renewed the certificate of the control, or another computer answers at its address and would get all commands. Ask who looks after the control. Do not connect if nobody has changed anything.</source>
+        <translation>O alguien ha renovado el certificado del control, o en su dirección responde otro ordenador que recibiría todas las órdenes. Preguntar a quien cuida del control. No conectar si nadie ha cambiado nada.</translation>
+    </message>
+    <message>
+        <source>Better: switch encryption on at the control, then connect again. What you allow here is remembered for this machine until you take it back, and is marked as long as it is connected.</source>
+        <translation>Mejor: activar el cifrado en el control y volver a conectar. Lo que se permite aquí se recuerda para esta máquina hasta que se retire, y se señala mientras está conectada.</translation>
+    </message>
+    <message>
+        <source>Until now this machine was connected encrypted. Somebody who stands between could hide the encryption.</source>
+        <translation>Hasta ahora esta máquina se conectaba cifrada. Alguien en medio podría ocultar el cifrado.</translation>
+    </message>
+    <message>
+        <source>Nothing that it offers lets this user in with an encrypted password.</source>
+        <translation>Nada de lo que ofrece deja entrar a este usuario con una contraseña cifrada.</translation>
+    </message>
+    <message>
+        <source>The certificate is not valid today, so it cannot be accepted. Set the clocks of both computers, or renew it on the control.</source>
+        <translation>El certificado no es válido hoy y no puede aceptarse. Ajustar los relojes de ambos ordenadores, o renovarlo en el control.</translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>no guardado</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Shown now</source>
+        <translation>Mostrado ahora</translation>
+    </message>
+    <message>
+        <source>Accepted before</source>
+        <translation>Aceptado antes</translation>
+    </message>
+    <message>
+        <source>Fingerprint (SHA-256)</source>
+        <translation>Huella (SHA-256)</translation>
+    </message>
+    <message>
+        <source>Issued to</source>
+        <translation>Emitido para</translation>
+    </message>
+    <message>
+        <source>Issued by</source>
+        <translation>Emitido por</translation>
+    </message>
+    <message>
+        <source>Application</source>
+        <translation>Aplicación</translation>
+    </message>
+    <message>
+        <source>Made for</source>
+        <translation>Hecho para</translation>
+    </message>
+    <message>
+        <source>%1: not for %2</source>
+        <translation>%1: no para %2</translation>
+    </message>
+    <message>
+        <source>Valid</source>
+        <translation>Válido</translation>
+    </message>
+    <message>
+        <source>The control has to trust this computer, too. On a SINUMERIK, switch on in the dialog of the OPC UA server that client certificates are accepted by themselves, connect, and switch it off again; or import the file of this computer&apos;s certificate there. Its fingerprint: %1</source>
+        <translation>También el control debe confiar en este ordenador. En una SINUMERIK, activar en el diálogo del servidor OPC UA la aceptación automática de certificados de cliente, conectar y volver a desactivarla; o importar allí el archivo del certificado de este ordenador. Su huella: %1</translation>
+    </message>
+    <message>
+        <source>Do not connect</source>
+        <translation>No conectar</translation>
+    </message>
+    <message>
+        <source>Save this computer&apos;s certificate …</source>
+        <translation>Guardar el certificado de este ordenador…</translation>
+    </message>
+    <message>
+        <source>Hold: allow and connect</source>
+        <translation>Mantener: permitir y conectar</translation>
+    </message>
+    <message>
+        <source>Hold: accept and connect</source>
+        <translation>Mantener: aceptar y conectar</translation>
+    </message>
+    <message>
+        <source>Hold it for one second, with the mouse, a finger or the space bar.</source>
+        <translation>Mantener un segundo, con el ratón, un dedo o la barra espaciadora.</translation>
     </message>
 </context>
 <context>

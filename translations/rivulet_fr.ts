@@ -367,6 +367,10 @@
         <source>Watch</source>
         <translation>Observer</translation>
     </message>
+    <message>
+        <source>Trust</source>
+        <translation>Confiance</translation>
+    </message>
 </context>
 <context>
     <name>BlockedTexts</name>
@@ -468,6 +472,21 @@
     </message>
 </context>
 <context>
+    <name>CertificateTexts</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>itself</source>
+        <translation>lui-même</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>non indiqué</translation>
+    </message>
+</context>
+<context>
     <name>ConnectionTexts</name>
     <message>
         <source>Not connected</source>
@@ -508,6 +527,42 @@
     <message>
         <source>Unknown (%1)</source>
         <translation>Inconnu (%1)</translation>
+    </message>
+    <message>
+        <source>encrypted</source>
+        <translation>chiffrée</translation>
+    </message>
+    <message>
+        <source>Nobody on the network can read or change what is sent.</source>
+        <translation>Personne sur le réseau ne peut lire ni modifier ce qui est envoyé.</translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <translation>signée</translation>
+    </message>
+    <message>
+        <source>Nobody can change what is sent, but everybody on the network can read it.</source>
+        <translation>Personne ne peut modifier ce qui est envoyé, mais tous sur le réseau peuvent le lire.</translation>
+    </message>
+    <message>
+        <source>weakly encrypted</source>
+        <translation>faiblement chiffrée</translation>
+    </message>
+    <message>
+        <source>This encryption was withdrawn: it can be broken with the means of today.</source>
+        <translation>Ce chiffrement a été retiré&#xa0;: il peut être cassé avec les moyens d’aujourd’hui.</translation>
+    </message>
+    <message>
+        <source>not protected</source>
+        <translation>non protégée</translation>
+    </message>
+    <message>
+        <source>Not encrypted. What is sent does not leave this computer.</source>
+        <translation>Non chiffrée. Ce qui est envoyé ne quitte pas cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>Everybody on the network can read what is sent, and move the machine.</source>
+        <translation>Tous sur le réseau peuvent lire ce qui est envoyé et déplacer la machine.</translation>
     </message>
 </context>
 <context>
@@ -1933,6 +1988,88 @@
     </message>
 </context>
 <context>
+    <name>RejectedModel</name>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Issued to</source>
+        <translation>Délivré à</translation>
+    </message>
+    <message>
+        <source>Valid</source>
+        <translation>Valable</translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation>Empreinte</translation>
+    </message>
+</context>
+<context>
+    <name>RightTexts</name>
+    <message>
+        <source>read variables</source>
+        <translation>lire des variables</translation>
+    </message>
+    <message>
+        <source>follows the run</source>
+        <translation>suit l’exécution</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with StateRead; if that is not enough, with SinuReadAll.</source>
+        <translation>Appeler GiveUserAccess avec StateRead&#xa0;; si cela ne suffit pas, avec SinuReadAll.</translation>
+    </message>
+    <message>
+        <source>write R-parameters</source>
+        <translation>écrire des paramètres R</translation>
+    </message>
+    <message>
+        <source>sends the points</source>
+        <translation>envoie les points</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with StateWrite; if that is not enough, with SinuWriteAll. The protection level of R-parameters (MD51051) must allow it, too.</source>
+        <translation>Appeler GiveUserAccess avec StateWrite&#xa0;; si cela ne suffit pas, avec SinuWriteAll. Le niveau de protection des paramètres R (MD51051) doit aussi le permettre.</translation>
+    </message>
+    <message>
+        <source>read programs</source>
+        <translation>lire des programmes</translation>
+    </message>
+    <message>
+        <source>checks which program is on the control; without it the operator does</source>
+        <translation>vérifie quel programme est sur la commande&#xa0;; sinon l’opérateur le fait</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with FsRead.</source>
+        <translation>Appeler GiveUserAccess avec FsRead.</translation>
+    </message>
+    <message>
+        <source>write programs</source>
+        <translation>écrire des programmes</translation>
+    </message>
+    <message>
+        <source>brings its program to the control; without it the operator copies it</source>
+        <translation>apporte son programme à la commande&#xa0;; sinon l’opérateur le copie</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with FsWrite.</source>
+        <translation>Appeler GiveUserAccess avec FsWrite.</translation>
+    </message>
+    <message>
+        <source>select a program</source>
+        <translation>sélectionner un programme</translation>
+    </message>
+    <message>
+        <source>selects its program; without it the operator does</source>
+        <translation>sélectionne son programme&#xa0;; sinon l’opérateur le fait</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with ApWrite.</source>
+        <translation>Appeler GiveUserAccess avec ApWrite.</translation>
+    </message>
+</context>
+<context>
     <name>RunStateTexts</name>
     <message>
         <source>Idle</source>
@@ -2098,6 +2235,52 @@
     </message>
 </context>
 <context>
+    <name>ServerModel</name>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Certificat</translation>
+    </message>
+    <message>
+        <source>none accepted</source>
+        <translation>aucun accepté</translation>
+    </message>
+    <message>
+        <source>accepted, not kept</source>
+        <translation>accepté, non conservé</translation>
+    </message>
+    <message>
+        <source>has ended</source>
+        <translation>a expiré</translation>
+    </message>
+    <message numerus="yes">
+        <source>valid for %Ln days</source>
+        <translation>
+            <numerusform>valable %Ln jour</numerusform>
+            <numerusform>valable %Ln jours</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Protection</source>
+        <translation>Protection</translation>
+    </message>
+    <message>
+        <source>the strongest</source>
+        <translation>la plus forte</translation>
+    </message>
+    <message>
+        <source>allowed: %1</source>
+        <translation>autorisé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation>Empreinte</translation>
+    </message>
+</context>
+<context>
     <name>SetUpTexts</name>
     <message>
         <source>Connect first: limits belong to one machine.</source>
@@ -2126,6 +2309,14 @@
     <message>
         <source>Credit test</source>
         <translation>Test crédit</translation>
+    </message>
+    <message>
+        <source>Certificates</source>
+        <translation>Certificats</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Droits</translation>
     </message>
 </context>
 <context>
@@ -2770,6 +2961,21 @@
     </message>
 </context>
 <context>
+    <name>TrustTexts</name>
+    <message>
+        <source>Only an engineer can do this.</source>
+        <translation>Seul un régleur peut le faire.</translation>
+    </message>
+    <message>
+        <source>Connect first.</source>
+        <translation>Connecter d’abord.</translation>
+    </message>
+    <message>
+        <source>During a run there is no time for it.</source>
+        <translation>Pendant une exécution, il n’y a pas de temps pour cela.</translation>
+    </message>
+</context>
+<context>
     <name>UserTexts</name>
     <message>
         <source>At least one user must be an engineer.</source>
@@ -2793,6 +2999,13 @@
     <message>
         <source>%1: %2 damaged lines of the history of alarms were left out.</source>
         <translation>%1&#xa0;: %2 lignes endommagées de l’historique des alarmes ont été omises.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Certificates</name>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 enregistré.</translation>
     </message>
 </context>
 <context>
@@ -3936,6 +4149,104 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CertificatesPage</name>
+    <message>
+        <source>Save this computer&apos;s certificate</source>
+        <translation>Enregistrer le certificat de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>A certificate is being made …</source>
+        <translation>Un certificat est en cours de création…</translation>
+    </message>
+    <message>
+        <source>There is none yet. It is made when it is first needed.</source>
+        <translation>Il n’y en a pas encore. Il est créé dès qu’il est nécessaire.</translation>
+    </message>
+    <message>
+        <source>It has ended (%1). Renew it.</source>
+        <translation>Il a expiré (%1). Le renouveler.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Valid for %Ln more days (%1)</source>
+        <translation>
+            <numerusform>Valable encore %Ln jour (%1)</numerusform>
+            <numerusform>Valable encore %Ln jours (%1)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Encryption by %1</source>
+        <translation>Chiffrement par %1</translation>
+    </message>
+    <message>
+        <source>Certificate of this computer</source>
+        <translation>Certificat de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Fingerprint (SHA-256)</source>
+        <translation>Empreinte (SHA-256)</translation>
+    </message>
+    <message>
+        <source>Save …</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Writes the certificate, without its key, for the control&apos;s list of trusted clients.</source>
+        <translation>Écrit le certificat, sans sa clé, pour la liste des clients de confiance de la commande.</translation>
+    </message>
+    <message>
+        <source>Hold: renew</source>
+        <translation>Maintenir&#xa0;: renouveler</translation>
+    </message>
+    <message>
+        <source>Makes a new one. Every control has to trust it anew.</source>
+        <translation>En crée un nouveau. Chaque commande doit de nouveau lui faire confiance.</translation>
+    </message>
+    <message>
+        <source>Machines that are known</source>
+        <translation>Machines connues</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Oublier</translation>
+    </message>
+    <message>
+        <source>At the next connection the machine is new.</source>
+        <translation>À la prochaine connexion, la machine est nouvelle.</translation>
+    </message>
+    <message>
+        <source>Protect again</source>
+        <translation>Protéger de nouveau</translation>
+    </message>
+    <message>
+        <source>Takes back what was allowed by name: the strongest encryption or no connection.</source>
+        <translation>Retire ce qui a été autorisé nommément&#xa0;: le chiffrement le plus fort ou aucune connexion.</translation>
+    </message>
+    <message>
+        <source>Certificates that were refused</source>
+        <translation>Certificats refusés</translation>
+    </message>
+    <message>
+        <source>Hold: accept</source>
+        <translation>Maintenir&#xa0;: accepter</translation>
+    </message>
+    <message>
+        <source>From then on it is trusted at its address, in place of any other one.</source>
+        <translation>Dès lors, il est de confiance à son adresse, à la place de tout autre.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Removes it from the list. It stays refused.</source>
+        <translation>Le supprime de la liste. Il reste refusé.</translation>
+    </message>
+    <message>
+        <source>Only the very certificates that were accepted are trusted, not who issued them. So revocation lists are not needed: forget the machine instead.</source>
+        <translation>Seuls les certificats acceptés sont de confiance, pas ceux qui les délivrent. Les listes de révocation sont donc inutiles&#xa0;: oublier la machine à la place.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::CloseBar</name>
     <message>
         <source>Keep the window open</source>
@@ -4866,6 +5177,57 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln message</numerusform>
             <numerusform>%Ln messages</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LoginFields</name>
+    <message>
+        <source>This machine lets nobody in without a user. Type user and password.</source>
+        <translation>Cette machine ne laisse entrer personne sans utilisateur. Saisir utilisateur et mot de passe.</translation>
+    </message>
+    <message>
+        <source>Type the password of this user.</source>
+        <translation>Saisir le mot de passe de cet utilisateur.</translation>
+    </message>
+    <message>
+        <source>The machine refuses user or password. Check both. After several wrong ones it locks the user for some time.</source>
+        <translation>La machine refuse l’utilisateur ou le mot de passe. Vérifier les deux. Après plusieurs erreurs, elle bloque l’utilisateur pendant un certain temps.</translation>
+    </message>
+    <message>
+        <source>There is no keyring on this computer: the password is asked for each time.</source>
+        <translation>Il n’y a pas de trousseau sur cet ordinateur&#xa0;: le mot de passe est demandé à chaque fois.</translation>
+    </message>
+    <message>
+        <source>Log in as a user of the machine</source>
+        <translation>Se connecter comme utilisateur de la machine</translation>
+    </message>
+    <message>
+        <source>Without it, the connection is anonymous.</source>
+        <translation>Sinon, la connexion est anonyme.</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Utilisateur</translation>
+    </message>
+    <message>
+        <source>User of the OPC UA server, as it is set up on the control.</source>
+        <translation>Utilisateur du serveur OPC UA, tel qu’il est configuré sur la commande.</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Mot de passe</translation>
+    </message>
+    <message>
+        <source>It is sent encrypted only, and is in no setting, log or recording.</source>
+        <translation>Il n’est envoyé que chiffré et ne figure dans aucun réglage, journal ni enregistrement.</translation>
+    </message>
+    <message>
+        <source>Keep it in the keyring</source>
+        <translation>Le conserver dans le trousseau</translation>
+    </message>
+    <message>
+        <source>The keyring of this computer&apos;s user keeps it encrypted; it is not asked for again.</source>
+        <translation>Le trousseau de l’utilisateur de cet ordinateur le conserve chiffré&#xa0;; il n’est plus demandé.</translation>
     </message>
 </context>
 <context>
@@ -6221,6 +6583,53 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::RightsPage</name>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>manque</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>accordé</translation>
+    </message>
+    <message>
+        <source>Asking the control …</source>
+        <translation>Interrogation de la commande…</translation>
+    </message>
+    <message>
+        <source>A run is not possible with these rights.</source>
+        <translation>Aucune exécution n’est possible avec ces droits.</translation>
+    </message>
+    <message>
+        <source>A run is possible; some steps remain to the operator.</source>
+        <translation>Une exécution est possible&#xa0;; quelques étapes restent à l’opérateur.</translation>
+    </message>
+    <message>
+        <source>This user has all rights that a run needs.</source>
+        <translation>Cet utilisateur a tous les droits dont une exécution a besoin.</translation>
+    </message>
+    <message>
+        <source>More than a run needs: %1. Call DeleteUserAccess with them, or use a user of its own for Rivulet.</source>
+        <translation>Plus que ce dont une exécution a besoin&#xa0;: %1. Appeler DeleteUserAccess avec eux, ou donner à Rivulet son propre utilisateur.</translation>
+    </message>
+    <message>
+        <source>The server does not tell which other rights this user has. Look at the list of users on the control.</source>
+        <translation>Le serveur ne dit pas quels autres droits a cet utilisateur. Consulter la liste des utilisateurs sur la commande.</translation>
+    </message>
+    <message>
+        <source>Asks the control which of the rights that a run needs the user of this connection has. Nothing is changed.</source>
+        <translation>Demande à la commande lesquels des droits dont une exécution a besoin possède l’utilisateur de cette connexion. Rien n’est modifié.</translation>
+    </message>
+    <message>
+        <source>Check the rights</source>
+        <translation>Vérifier les droits</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::RunPanel</name>
     <message>
         <source>Stop</source>
@@ -7223,6 +7632,113 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Shown beside the panes</source>
         <translation>Affiché à côté des courbes</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TrustSheet</name>
+    <message>
+        <source>Is this the right machine?</source>
+        <translation>Est-ce la bonne machine&#xa0;?</translation>
+    </message>
+    <message>
+        <source>The machine shows another certificate</source>
+        <translation>La machine présente un autre certificat</translation>
+    </message>
+    <message>
+        <source>The machine offers no encryption as it should be</source>
+        <translation>La machine n’offre pas de chiffrement suffisant</translation>
+    </message>
+    <message>
+        <source>This computer meets it for the first time. Compare the fingerprint with the one that the control shows. If they are equal, accept it: from then on, only this certificate is trusted at this address.</source>
+        <translation>Cet ordinateur la rencontre pour la première fois. Comparer l’empreinte avec celle que montre la commande. Si elles sont égales, accepter&#xa0;: dès lors, seul ce certificat est de confiance à cette adresse.</translation>
+    </message>
+    <message>
+        <source>Either somebody has renewed the certificate of the control, or another computer answers at its address and would get all commands. Ask who looks after the control. Do not connect if nobody has changed anything.</source>
+        <translation>Soit quelqu’un a renouvelé le certificat de la commande, soit un autre ordinateur répond à son adresse et recevrait tous les ordres. Demander à qui s’occupe de la commande. Ne pas connecter si personne n’a rien changé.</translation>
+    </message>
+    <message>
+        <source>Better: switch encryption on at the control, then connect again. What you allow here is remembered for this machine until you take it back, and is marked as long as it is connected.</source>
+        <translation>Mieux&#xa0;: activer le chiffrement sur la commande, puis reconnecter. Ce qui est autorisé ici est retenu pour cette machine jusqu’à son retrait, et reste signalé tant qu’elle est connectée.</translation>
+    </message>
+    <message>
+        <source>Until now this machine was connected encrypted. Somebody who stands between could hide the encryption.</source>
+        <translation>Jusqu’ici, cette machine était connectée de façon chiffrée. Quelqu’un placé entre les deux pourrait cacher le chiffrement.</translation>
+    </message>
+    <message>
+        <source>Nothing that it offers lets this user in with an encrypted password.</source>
+        <translation>Rien de ce qu’elle offre ne laisse entrer cet utilisateur avec un mot de passe chiffré.</translation>
+    </message>
+    <message>
+        <source>The certificate is not valid today, so it cannot be accepted. Set the clocks of both computers, or renew it on the control.</source>
+        <translation>Le certificat n’est pas valable aujourd’hui et ne peut pas être accepté. Régler les horloges des deux ordinateurs, ou le renouveler sur la commande.</translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>non conservé</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Shown now</source>
+        <translation>Présenté maintenant</translation>
+    </message>
+    <message>
+        <source>Accepted before</source>
+        <translation>Accepté auparavant</translation>
+    </message>
+    <message>
+        <source>Fingerprint (SHA-256)</source>
+        <translation>Empreinte (SHA-256)</translation>
+    </message>
+    <message>
+        <source>Issued to</source>
+        <translation>Délivré à</translation>
+    </message>
+    <message>
+        <source>Issued by</source>
+        <translation>Délivré par</translation>
+    </message>
+    <message>
+        <source>Application</source>
+        <translation>Application</translation>
+    </message>
+    <message>
+        <source>Made for</source>
+        <translation>Fait pour</translation>
+    </message>
+    <message>
+        <source>%1: not for %2</source>
+        <translation>%1&#xa0;: pas pour %2</translation>
+    </message>
+    <message>
+        <source>Valid</source>
+        <translation>Valable</translation>
+    </message>
+    <message>
+        <source>The control has to trust this computer, too. On a SINUMERIK, switch on in the dialog of the OPC UA server that client certificates are accepted by themselves, connect, and switch it off again; or import the file of this computer&apos;s certificate there. Its fingerprint: %1</source>
+        <translation>La commande doit aussi faire confiance à cet ordinateur. Sur une SINUMERIK, activer dans le dialogue du serveur OPC UA l’acceptation automatique des certificats clients, connecter, puis la désactiver&#xa0;; ou y importer le fichier du certificat de cet ordinateur. Son empreinte&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Do not connect</source>
+        <translation>Ne pas connecter</translation>
+    </message>
+    <message>
+        <source>Save this computer&apos;s certificate …</source>
+        <translation>Enregistrer le certificat de cet ordinateur…</translation>
+    </message>
+    <message>
+        <source>Hold: allow and connect</source>
+        <translation>Maintenir&#xa0;: autoriser et connecter</translation>
+    </message>
+    <message>
+        <source>Hold: accept and connect</source>
+        <translation>Maintenir&#xa0;: accepter et connecter</translation>
+    </message>
+    <message>
+        <source>Hold it for one second, with the mouse, a finger or the space bar.</source>
+        <translation>Maintenir une seconde, avec la souris, un doigt ou la barre d’espace.</translation>
     </message>
 </context>
 <context>

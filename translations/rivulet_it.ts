@@ -367,6 +367,10 @@
         <source>Watch</source>
         <translation>Osserva</translation>
     </message>
+    <message>
+        <source>Trust</source>
+        <translation>Fiducia</translation>
+    </message>
 </context>
 <context>
     <name>BlockedTexts</name>
@@ -468,6 +472,21 @@
     </message>
 </context>
 <context>
+    <name>CertificateTexts</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>da %1 a %2</translation>
+    </message>
+    <message>
+        <source>itself</source>
+        <translation>sé stesso</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>non indicato</translation>
+    </message>
+</context>
+<context>
     <name>ConnectionTexts</name>
     <message>
         <source>Not connected</source>
@@ -508,6 +527,42 @@
     <message>
         <source>Unknown (%1)</source>
         <translation>Sconosciuto (%1)</translation>
+    </message>
+    <message>
+        <source>encrypted</source>
+        <translation>cifrata</translation>
+    </message>
+    <message>
+        <source>Nobody on the network can read or change what is sent.</source>
+        <translation>Nessuno in rete può leggere o modificare ciò che viene inviato.</translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <translation>firmata</translation>
+    </message>
+    <message>
+        <source>Nobody can change what is sent, but everybody on the network can read it.</source>
+        <translation>Nessuno può modificare ciò che viene inviato, ma tutti in rete possono leggerlo.</translation>
+    </message>
+    <message>
+        <source>weakly encrypted</source>
+        <translation>cifratura debole</translation>
+    </message>
+    <message>
+        <source>This encryption was withdrawn: it can be broken with the means of today.</source>
+        <translation>Questa cifratura è stata ritirata: si può violare con i mezzi di oggi.</translation>
+    </message>
+    <message>
+        <source>not protected</source>
+        <translation>non protetta</translation>
+    </message>
+    <message>
+        <source>Not encrypted. What is sent does not leave this computer.</source>
+        <translation>Non cifrata. Ciò che viene inviato non lascia questo computer.</translation>
+    </message>
+    <message>
+        <source>Everybody on the network can read what is sent, and move the machine.</source>
+        <translation>Tutti in rete possono leggere ciò che viene inviato e muovere la macchina.</translation>
     </message>
 </context>
 <context>
@@ -1933,6 +1988,88 @@
     </message>
 </context>
 <context>
+    <name>RejectedModel</name>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Issued to</source>
+        <translation>Rilasciato a</translation>
+    </message>
+    <message>
+        <source>Valid</source>
+        <translation>Valido</translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation>Impronta</translation>
+    </message>
+</context>
+<context>
+    <name>RightTexts</name>
+    <message>
+        <source>read variables</source>
+        <translation>leggere variabili</translation>
+    </message>
+    <message>
+        <source>follows the run</source>
+        <translation>segue l’esecuzione</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with StateRead; if that is not enough, with SinuReadAll.</source>
+        <translation>Chiamare GiveUserAccess con StateRead; se non basta, con SinuReadAll.</translation>
+    </message>
+    <message>
+        <source>write R-parameters</source>
+        <translation>scrivere parametri R</translation>
+    </message>
+    <message>
+        <source>sends the points</source>
+        <translation>invia i punti</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with StateWrite; if that is not enough, with SinuWriteAll. The protection level of R-parameters (MD51051) must allow it, too.</source>
+        <translation>Chiamare GiveUserAccess con StateWrite; se non basta, con SinuWriteAll. Anche il livello di protezione dei parametri R (MD51051) deve consentirlo.</translation>
+    </message>
+    <message>
+        <source>read programs</source>
+        <translation>leggere programmi</translation>
+    </message>
+    <message>
+        <source>checks which program is on the control; without it the operator does</source>
+        <translation>verifica quale programma è sul controllo; altrimenti lo fa l’operatore</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with FsRead.</source>
+        <translation>Chiamare GiveUserAccess con FsRead.</translation>
+    </message>
+    <message>
+        <source>write programs</source>
+        <translation>scrivere programmi</translation>
+    </message>
+    <message>
+        <source>brings its program to the control; without it the operator copies it</source>
+        <translation>porta il suo programma sul controllo; altrimenti lo copia l’operatore</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with FsWrite.</source>
+        <translation>Chiamare GiveUserAccess con FsWrite.</translation>
+    </message>
+    <message>
+        <source>select a program</source>
+        <translation>selezionare un programma</translation>
+    </message>
+    <message>
+        <source>selects its program; without it the operator does</source>
+        <translation>seleziona il suo programma; altrimenti lo fa l’operatore</translation>
+    </message>
+    <message>
+        <source>Call GiveUserAccess with ApWrite.</source>
+        <translation>Chiamare GiveUserAccess con ApWrite.</translation>
+    </message>
+</context>
+<context>
     <name>RunStateTexts</name>
     <message>
         <source>Idle</source>
@@ -2098,6 +2235,52 @@
     </message>
 </context>
 <context>
+    <name>ServerModel</name>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Certificato</translation>
+    </message>
+    <message>
+        <source>none accepted</source>
+        <translation>nessuno accettato</translation>
+    </message>
+    <message>
+        <source>accepted, not kept</source>
+        <translation>accettato, non conservato</translation>
+    </message>
+    <message>
+        <source>has ended</source>
+        <translation>è scaduto</translation>
+    </message>
+    <message numerus="yes">
+        <source>valid for %Ln days</source>
+        <translation>
+            <numerusform>valido ancora %Ln giorno</numerusform>
+            <numerusform>valido ancora %Ln giorni</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Protection</source>
+        <translation>Protezione</translation>
+    </message>
+    <message>
+        <source>the strongest</source>
+        <translation>la più forte</translation>
+    </message>
+    <message>
+        <source>allowed: %1</source>
+        <translation>consentito: %1</translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation>Impronta</translation>
+    </message>
+</context>
+<context>
     <name>SetUpTexts</name>
     <message>
         <source>Connect first: limits belong to one machine.</source>
@@ -2126,6 +2309,14 @@
     <message>
         <source>Credit test</source>
         <translation>Test credito</translation>
+    </message>
+    <message>
+        <source>Certificates</source>
+        <translation>Certificati</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Diritti</translation>
     </message>
 </context>
 <context>
@@ -2770,6 +2961,21 @@
     </message>
 </context>
 <context>
+    <name>TrustTexts</name>
+    <message>
+        <source>Only an engineer can do this.</source>
+        <translation>Può farlo solo un attrezzista.</translation>
+    </message>
+    <message>
+        <source>Connect first.</source>
+        <translation>Prima connettere.</translation>
+    </message>
+    <message>
+        <source>During a run there is no time for it.</source>
+        <translation>Durante un’esecuzione non c’è tempo.</translation>
+    </message>
+</context>
+<context>
     <name>UserTexts</name>
     <message>
         <source>At least one user must be an engineer.</source>
@@ -2793,6 +2999,13 @@
     <message>
         <source>%1: %2 damaged lines of the history of alarms were left out.</source>
         <translation>%1: omesse %2 righe danneggiate dello storico degli allarmi.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::Certificates</name>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 salvato.</translation>
     </message>
 </context>
 <context>
@@ -3936,6 +4149,104 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::CertificatesPage</name>
+    <message>
+        <source>Save this computer&apos;s certificate</source>
+        <translation>Salva il certificato di questo computer</translation>
+    </message>
+    <message>
+        <source>A certificate is being made …</source>
+        <translation>Creazione del certificato in corso…</translation>
+    </message>
+    <message>
+        <source>There is none yet. It is made when it is first needed.</source>
+        <translation>Non c’è ancora. Viene creato quando serve.</translation>
+    </message>
+    <message>
+        <source>It has ended (%1). Renew it.</source>
+        <translation>È scaduto (%1). Rinnovarlo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Valid for %Ln more days (%1)</source>
+        <translation>
+            <numerusform>Valido ancora %Ln giorno (%1)</numerusform>
+            <numerusform>Valido ancora %Ln giorni (%1)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Encryption by %1</source>
+        <translation>Cifratura di %1</translation>
+    </message>
+    <message>
+        <source>Certificate of this computer</source>
+        <translation>Certificato di questo computer</translation>
+    </message>
+    <message>
+        <source>Fingerprint (SHA-256)</source>
+        <translation>Impronta (SHA-256)</translation>
+    </message>
+    <message>
+        <source>Save …</source>
+        <translation>Salva…</translation>
+    </message>
+    <message>
+        <source>Writes the certificate, without its key, for the control&apos;s list of trusted clients.</source>
+        <translation>Scrive il certificato, senza la chiave, per l’elenco dei client fidati del controllo.</translation>
+    </message>
+    <message>
+        <source>Hold: renew</source>
+        <translation>Tenere: rinnova</translation>
+    </message>
+    <message>
+        <source>Makes a new one. Every control has to trust it anew.</source>
+        <translation>Ne crea uno nuovo. Ogni controllo deve fidarsene di nuovo.</translation>
+    </message>
+    <message>
+        <source>Machines that are known</source>
+        <translation>Macchine conosciute</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Dimentica</translation>
+    </message>
+    <message>
+        <source>At the next connection the machine is new.</source>
+        <translation>Alla prossima connessione la macchina è nuova.</translation>
+    </message>
+    <message>
+        <source>Protect again</source>
+        <translation>Proteggi di nuovo</translation>
+    </message>
+    <message>
+        <source>Takes back what was allowed by name: the strongest encryption or no connection.</source>
+        <translation>Ritira ciò che è stato consentito per nome: la cifratura più forte o nessuna connessione.</translation>
+    </message>
+    <message>
+        <source>Certificates that were refused</source>
+        <translation>Certificati rifiutati</translation>
+    </message>
+    <message>
+        <source>Hold: accept</source>
+        <translation>Tenere: accetta</translation>
+    </message>
+    <message>
+        <source>From then on it is trusted at its address, in place of any other one.</source>
+        <translation>Da allora è fidato al suo indirizzo, al posto di qualsiasi altro.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Rimuovi</translation>
+    </message>
+    <message>
+        <source>Removes it from the list. It stays refused.</source>
+        <translation>Lo rimuove dall’elenco. Resta rifiutato.</translation>
+    </message>
+    <message>
+        <source>Only the very certificates that were accepted are trusted, not who issued them. So revocation lists are not needed: forget the machine instead.</source>
+        <translation>Sono fidati solo i certificati accettati, non chi li ha rilasciati. Perciò le liste di revoca non servono: dimenticare invece la macchina.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::CloseBar</name>
     <message>
         <source>Keep the window open</source>
@@ -4866,6 +5177,57 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln messaggio</numerusform>
             <numerusform>%Ln messaggi</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LoginFields</name>
+    <message>
+        <source>This machine lets nobody in without a user. Type user and password.</source>
+        <translation>Questa macchina non fa entrare nessuno senza utente. Inserire utente e password.</translation>
+    </message>
+    <message>
+        <source>Type the password of this user.</source>
+        <translation>Inserire la password di questo utente.</translation>
+    </message>
+    <message>
+        <source>The machine refuses user or password. Check both. After several wrong ones it locks the user for some time.</source>
+        <translation>La macchina rifiuta utente o password. Controllare entrambi. Dopo vari errori blocca l’utente per un certo tempo.</translation>
+    </message>
+    <message>
+        <source>There is no keyring on this computer: the password is asked for each time.</source>
+        <translation>Su questo computer non c’è un portachiavi: la password viene chiesta ogni volta.</translation>
+    </message>
+    <message>
+        <source>Log in as a user of the machine</source>
+        <translation>Accedi come utente della macchina</translation>
+    </message>
+    <message>
+        <source>Without it, the connection is anonymous.</source>
+        <translation>Altrimenti la connessione è anonima.</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Utente</translation>
+    </message>
+    <message>
+        <source>User of the OPC UA server, as it is set up on the control.</source>
+        <translation>Utente del server OPC UA, come configurato sul controllo.</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Password</translation>
+    </message>
+    <message>
+        <source>It is sent encrypted only, and is in no setting, log or recording.</source>
+        <translation>Viene inviata solo cifrata e non è in nessuna impostazione, registro o registrazione.</translation>
+    </message>
+    <message>
+        <source>Keep it in the keyring</source>
+        <translation>Conserva nel portachiavi</translation>
+    </message>
+    <message>
+        <source>The keyring of this computer&apos;s user keeps it encrypted; it is not asked for again.</source>
+        <translation>Il portachiavi dell’utente di questo computer la conserva cifrata; non viene più chiesta.</translation>
     </message>
 </context>
 <context>
@@ -6221,6 +6583,53 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::RightsPage</name>
+    <message>
+        <source>not known</source>
+        <translation>non noto</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>manca</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>concesso</translation>
+    </message>
+    <message>
+        <source>Asking the control …</source>
+        <translation>Interrogazione del controllo…</translation>
+    </message>
+    <message>
+        <source>A run is not possible with these rights.</source>
+        <translation>Con questi diritti nessuna esecuzione è possibile.</translation>
+    </message>
+    <message>
+        <source>A run is possible; some steps remain to the operator.</source>
+        <translation>Un’esecuzione è possibile; alcuni passi restano all’operatore.</translation>
+    </message>
+    <message>
+        <source>This user has all rights that a run needs.</source>
+        <translation>Questo utente ha tutti i diritti necessari a un’esecuzione.</translation>
+    </message>
+    <message>
+        <source>More than a run needs: %1. Call DeleteUserAccess with them, or use a user of its own for Rivulet.</source>
+        <translation>Più di quanto serve a un’esecuzione: %1. Chiamare DeleteUserAccess con essi, o usare un utente proprio per Rivulet.</translation>
+    </message>
+    <message>
+        <source>The server does not tell which other rights this user has. Look at the list of users on the control.</source>
+        <translation>Il server non dice quali altri diritti ha questo utente. Vedere l’elenco degli utenti sul controllo.</translation>
+    </message>
+    <message>
+        <source>Asks the control which of the rights that a run needs the user of this connection has. Nothing is changed.</source>
+        <translation>Chiede al controllo quali dei diritti necessari a un’esecuzione ha l’utente di questa connessione. Nulla viene modificato.</translation>
+    </message>
+    <message>
+        <source>Check the rights</source>
+        <translation>Controlla i diritti</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::RunPanel</name>
     <message>
         <source>Stop</source>
@@ -7223,6 +7632,113 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Shown beside the panes</source>
         <translation>Mostrato accanto alle curve</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TrustSheet</name>
+    <message>
+        <source>Is this the right machine?</source>
+        <translation>È la macchina giusta?</translation>
+    </message>
+    <message>
+        <source>The machine shows another certificate</source>
+        <translation>La macchina mostra un altro certificato</translation>
+    </message>
+    <message>
+        <source>The machine offers no encryption as it should be</source>
+        <translation>La macchina non offre una cifratura sufficiente</translation>
+    </message>
+    <message>
+        <source>This computer meets it for the first time. Compare the fingerprint with the one that the control shows. If they are equal, accept it: from then on, only this certificate is trusted at this address.</source>
+        <translation>Questo computer la incontra per la prima volta. Confrontare l’impronta con quella mostrata dal controllo. Se sono uguali, accettare: da allora, a questo indirizzo è fidato solo questo certificato.</translation>
+    </message>
+    <message>
+        <source>Either somebody has renewed the certificate of the control, or another computer answers at its address and would get all commands. Ask who looks after the control. Do not connect if nobody has changed anything.</source>
+        <translation>O qualcuno ha rinnovato il certificato del controllo, o al suo indirizzo risponde un altro computer che riceverebbe tutti i comandi. Chiedere a chi cura il controllo. Non connettere se nessuno ha cambiato nulla.</translation>
+    </message>
+    <message>
+        <source>Better: switch encryption on at the control, then connect again. What you allow here is remembered for this machine until you take it back, and is marked as long as it is connected.</source>
+        <translation>Meglio: attivare la cifratura sul controllo, poi riconnettere. Ciò che si consente qui viene ricordato per questa macchina finché non viene ritirato, ed è segnalato finché è connessa.</translation>
+    </message>
+    <message>
+        <source>Until now this machine was connected encrypted. Somebody who stands between could hide the encryption.</source>
+        <translation>Finora questa macchina era connessa con cifratura. Qualcuno nel mezzo potrebbe nascondere la cifratura.</translation>
+    </message>
+    <message>
+        <source>Nothing that it offers lets this user in with an encrypted password.</source>
+        <translation>Nulla di ciò che offre fa entrare questo utente con una password cifrata.</translation>
+    </message>
+    <message>
+        <source>The certificate is not valid today, so it cannot be accepted. Set the clocks of both computers, or renew it on the control.</source>
+        <translation>Il certificato oggi non è valido e non può essere accettato. Regolare gli orologi dei due computer, o rinnovarlo sul controllo.</translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>non conservato</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Indirizzo</translation>
+    </message>
+    <message>
+        <source>Shown now</source>
+        <translation>Mostrato ora</translation>
+    </message>
+    <message>
+        <source>Accepted before</source>
+        <translation>Accettato prima</translation>
+    </message>
+    <message>
+        <source>Fingerprint (SHA-256)</source>
+        <translation>Impronta (SHA-256)</translation>
+    </message>
+    <message>
+        <source>Issued to</source>
+        <translation>Rilasciato a</translation>
+    </message>
+    <message>
+        <source>Issued by</source>
+        <translation>Rilasciato da</translation>
+    </message>
+    <message>
+        <source>Application</source>
+        <translation>Applicazione</translation>
+    </message>
+    <message>
+        <source>Made for</source>
+        <translation>Fatto per</translation>
+    </message>
+    <message>
+        <source>%1: not for %2</source>
+        <translation>%1: non per %2</translation>
+    </message>
+    <message>
+        <source>Valid</source>
+        <translation>Valido</translation>
+    </message>
+    <message>
+        <source>The control has to trust this computer, too. On a SINUMERIK, switch on in the dialog of the OPC UA server that client certificates are accepted by themselves, connect, and switch it off again; or import the file of this computer&apos;s certificate there. Its fingerprint: %1</source>
+        <translation>Anche il controllo deve fidarsi di questo computer. Su una SINUMERIK, attivare nella finestra del server OPC UA l’accettazione automatica dei certificati client, connettere e disattivarla; oppure importarvi il file del certificato di questo computer. La sua impronta: %1</translation>
+    </message>
+    <message>
+        <source>Do not connect</source>
+        <translation>Non connettere</translation>
+    </message>
+    <message>
+        <source>Save this computer&apos;s certificate …</source>
+        <translation>Salva il certificato di questo computer…</translation>
+    </message>
+    <message>
+        <source>Hold: allow and connect</source>
+        <translation>Tenere: consenti e connetti</translation>
+    </message>
+    <message>
+        <source>Hold: accept and connect</source>
+        <translation>Tenere: accetta e connetti</translation>
+    </message>
+    <message>
+        <source>Hold it for one second, with the mouse, a finger or the space bar.</source>
+        <translation>Tenere per un secondo, con mouse, dito o barra spaziatrice.</translation>
     </message>
 </context>
 <context>

@@ -67,7 +67,7 @@ base::Result<std::string> passwordOnce(const ConnectionOptions& options) {
   return *kept;
 }
 
-bool askAboutServer(const opcua::CertificateFacts& facts) {
+bool isAccepted(const opcua::CertificateFacts& facts) {
   if (!isTerminal() || isatty(STDIN_FILENO) == 0) {
     return false;
   }
@@ -99,7 +99,7 @@ base::Error withOption(base::Error error) {
 
 base::Result<Connection> connectTo(const std::string& endpoint) {
   const ConnectionOptions& options = connectionOptions();
-  trust::ConnectRequest request;
+  opcua::ConnectRequest request;
   request.endpoint = endpoint;
   request.sessionName = "rivulet-cli";
   if (!options.security.empty()) {
@@ -107,7 +107,6 @@ base::Result<Connection> connectTo(const std::string& endpoint) {
   }
   request.fingerprint = options.fingerprint;
   request.user = options.user;
-  request.ask = &askAboutServer;
   if (!options.user.empty()) {
     auto password = passwordOnce(options);
     if (!password) {
@@ -115,14 +114,21 @@ base::Result<Connection> connectTo(const std::string& endpoint) {
     }
     request.password = std::move(*password);
   }
-  auto connection = trust::connect(request);
+  opcua::Attempt attempt = trust::connect(request);
+  // A certificate that has changed is never asked about: its fingerprint has to be given.
+  if (attempt.question && attempt.question->kind == opcua::TrustQuestion::Kind::NewServer &&
+      isAccepted(attempt.question->shown)) {
+    request.fingerprint = attempt.question->shown.fingerprint;
+    attempt = trust::connect(request);
+  }
+  base::Result<Connection>& connection = attempt.connection;
   if (!connection) {
     return tl::unexpected(withOption(connection.error()));
   }
   if (const std::string warning = trust::warningOn(*connection); !warning.empty()) {
     log::logger().warn("{}: {}", endpoint, warning);
   }
-  return connection;
+  return std::move(connection);
 }
 
 #else

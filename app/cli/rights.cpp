@@ -16,8 +16,6 @@ namespace rivulet::cli {
 
 namespace {
 
-constexpr base::Duration kRightsDeadline = std::chrono::seconds(5);
-
 std::string_view answerOf(const opcua::RightFinding& finding) {
   return finding.isGiven ? (*finding.isGiven ? "yes" : "no") : "not known";
 }
@@ -61,8 +59,7 @@ Exit rights(const RightsOptions& options) {
   if (!connection) {
     return reportError(connection.error(), options.json);
   }
-  const auto report =
-      opcua::examineRights(*connection->link, *connection->control, kRightsDeadline);
+  const auto report = opcua::examineRights(*connection->link, *connection->control);
   if (!report) {
     return reportError(report.error(), options.json);
   }

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "widgets/common/error_text.h"
+#include "widgets/connection/trust_sheet.h"
 
 namespace rivulet::hmi {
 
@@ -52,6 +53,7 @@ MachineModel::MachineModel(session::StreamSession& session, report::MachineStore
   m_ageTimer.start();
   connect(&m_session, &session::StreamSession::linkChanged, this, &MachineModel::takeLink);
   connect(&m_session, &session::StreamSession::machineSeen, this, &MachineModel::takeSeen);
+  connect(&m_session, &session::StreamSession::rightsSeen, this, &MachineModel::rightsSeen);
   connect(&m_session, &session::StreamSession::calibrationFinished, this,
           &MachineModel::takeCalibration);
 }
@@ -90,13 +92,83 @@ widgets::ConnectionState MachineModel::connectionState() const {
 
 void MachineModel::setEndpoint(const QString& endpoint) {
   m_endpoint = endpoint;
+  if (m_logins != nullptr) {
+    m_logins->show(endpoint);
+  }
   Q_EMIT endpointChanged();
 }
 
 void MachineModel::connectTo(const QString& endpoint) {
+  widgets::Login login;
+  if (m_logins != nullptr) {
+    login.user = m_logins->userOf(endpoint);
+  }
+  connectAs(endpoint, login);
+}
+
+void MachineModel::connectAs(const QString& endpoint, const widgets::Login& login) {
   setEndpoint(endpoint);
   m_messages.didAct(permission::Act::Connect, {{"machine", endpoint.toStdString()}});
-  m_session.connectTo(endpoint);
+  m_request = {};
+  m_request.endpoint = endpoint.trimmed().toStdString();
+  m_request.user = login.user.toStdString();
+  m_request.password = login.password.toStdString();
+  m_login = login;
+  if (login.user.isEmpty() || !login.password.isEmpty() || m_logins == nullptr) {
+    m_session.connectTo(m_request);
+    return;
+  }
+  m_logins->findPassword(endpoint, login.user, [this, asked = m_request](const QString& password) {
+    if (asked.endpoint != m_request.endpoint || asked.user != m_request.user) {
+      return;  // somebody wants another machine meanwhile
+    }
+    if (password.isEmpty()) {
+      m_logins->ask(widgets::LoginView::Reason::NeedsPassword, m_login.user);
+      return;
+    }
+    m_request.password = password.toStdString();
+    m_session.connectTo(m_request);
+  });
+}
+
+std::optional<opcua::Protection> MachineModel::protection() const {
+  if (!isConnected() || !m_link.security) {
+    return std::nullopt;
+  }
+  return opcua::protectionOf(*m_link.security, m_endpoint.trimmed().toStdString());
+}
+
+void MachineModel::acceptCertificate() {
+  if (question() == nullptr) {
+    return;
+  }
+  m_request.fingerprint = question()->shown.fingerprint;
+  m_messages.didAct(permission::Act::Trust,
+                    {{"machine", m_request.endpoint}, {"certificate", m_request.fingerprint}});
+  connectAgain();
+}
+
+void MachineModel::allow(const opcua::SecurityChoice& choice) {
+  if (question() == nullptr) {
+    return;
+  }
+  m_request.security = choice;
+  m_messages.didAct(permission::Act::Trust, {{"machine", m_request.endpoint},
+                                             {"allowed", opcua::securityChoiceText(choice)}});
+  connectAgain();
+}
+
+void MachineModel::connectAgain() {
+  m_link.question.reset();
+  m_session.connectTo(m_request);
+  Q_EMIT linkChanged();
+}
+
+void MachineModel::dropQuestion() {
+  m_request = {};
+  m_login = {};
+  m_link.question.reset();
+  Q_EMIT linkChanged();
 }
 
 void MachineModel::disconnectFrom() {
@@ -124,6 +196,17 @@ void MachineModel::takeLink(const session::LinkChanged& change) {
     m_view.feedSetMmPerS.reset();
     m_view.overrideFactor.reset();
     m_stateAtS.reset();
+  }
+  if (m_logins != nullptr && isConnected()) {
+    m_logins->remember(m_endpoint, m_login);
+  } else if (m_logins != nullptr && question() != nullptr &&
+             question()->kind == opcua::TrustQuestion::Kind::Login) {
+    using Reason = widgets::LoginView::Reason;
+    m_logins->ask(m_login.user.isEmpty() ? Reason::NeedsUser : Reason::Refused, m_login.user);
+  }
+  if (isConnected()) {
+    m_request = {};  // with its password
+    m_login = {};
   }
   showAges();
   sayLink();
@@ -155,7 +238,8 @@ void MachineModel::sayLink() {
     case session::LinkState::Disconnected:
       m_messages.settle(alarm::Code::ConnectionLost);
       m_messages.settle(alarm::Code::ControlAlarm);
-      if (m_link.error.code) {
+      // What is asked on a sheet of its own is no alarm.
+      if (m_link.error.code && (question() == nullptr || !widgets::isOnSheet(*question()))) {
         m_messages.raise(alarm::Code::NotConnected, {endpoint}, m_link.error);
       }
       return;

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 
+#include "hmi/logins.h"
 #include "hmi/messages.h"
 #include "report/machine_store.h"
 #include "session/stream_session.h"
@@ -31,8 +32,24 @@ class MachineModel final : public QObject {
 
   void setEndpoint(const QString& endpoint);
   [[nodiscard]] const QString& endpoint() const { return m_endpoint; }
+  /// As whom machines are connected; without, everywhere anonymous. Outlives this.
+  void setLogins(Logins& logins) { m_logins = &logins; }
+  /// As whom it was connected last.
   void connectTo(const QString& endpoint);
+  /// A password that was not typed is looked for in the keyring.
+  void connectAs(const QString& endpoint, const widgets::Login& login);
   void disconnectFrom();
+  /// Asks for the rights of the user of this connection; answered by `rightsSeen`.
+  void examineRights() { m_session.examineRights(); }
+  /// How the connection is protected; nothing: there is none, or no network between.
+  [[nodiscard]] std::optional<opcua::Protection> protection() const;
+  /// What has to be decided before the machine can be connected; null: nothing.
+  [[nodiscard]] const opcua::TrustQuestion* question() const { return m_link.question.get(); }
+  /// These answer the question. The first two connect again: with the certificate that was shown,
+  /// or as it is allowed by name.
+  void acceptCertificate();
+  void allow(const opcua::SecurityChoice& choice);
+  void dropQuestion();
 
   [[nodiscard]] const session::LinkChanged& link() const { return m_link; }
   [[nodiscard]] widgets::ConnectionState connectionState() const;
@@ -68,6 +85,7 @@ class MachineModel final : public QObject {
   void endpointChanged();
   void linkChanged();
   void viewChanged();
+  void rightsSeen(const rivulet::session::RightsSeen& seen);
   /// The control was looked at between runs.
   void seen();
   void calibrationChanged();
@@ -76,6 +94,7 @@ class MachineModel final : public QObject {
 
  private:
   void takeLink(const session::LinkChanged& change);
+  void connectAgain();
   /// Says what has become of the connection.
   void sayLink();
   void takeSeen(const session::MachineSeen& seen);
@@ -88,6 +107,9 @@ class MachineModel final : public QObject {
   report::MachineStore m_store;
   Messages& m_messages;
   QString m_endpoint;
+  Logins* m_logins = nullptr;
+  widgets::Login m_login;           ///< of `m_request`
+  opcua::ConnectRequest m_request;  ///< of the attempt in progress, or that is asked about
   session::LinkChanged m_link;
   widgets::MachineView m_view;
   std::shared_ptr<const streaming::CalibrationRecord> m_calibration;

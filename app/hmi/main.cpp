@@ -73,13 +73,18 @@ int main(int argc, char** argv) {
       QStringLiteral("What is logged on standard error (default: warning) and in the log file "
                      "(default: info): trace, debug, info, warning, error, critical or off."),
       QStringLiteral("LEVEL"));
+  const QCommandLineOption passwordOption(
+      QStringLiteral("password-file"),
+      QStringLiteral("Where no keyring has it, read the password of the machine's user from this "
+                     "file (mode 0600)."),
+      QStringLiteral("FILE"));
   const QCommandLineOption tracesOption(
       QStringLiteral("traces"), QStringLiteral("Compare the files: show them on one time axis."));
   parser.addPositionalArgument(QStringLiteral("FILE"),
                                QStringLiteral("Recordings and traces to open on the page Traces."),
                                QStringLiteral("[FILE...]"));
-  parser.addOptions({tracesOption, logOption, connectOption, openOption, demoOption, languageOption,
-                     themeOption});
+  parser.addOptions({tracesOption, passwordOption, logOption, connectOption, openOption, demoOption,
+                     languageOption, themeOption});
   parser.process(application);
   startLog(parser.value(logOption).toStdString());
 
@@ -98,6 +103,7 @@ int main(int argc, char** argv) {
   if (parser.isSet(themeOption)) {
     settings.theme = rivulet::widgets::themeFromName(parser.value(themeOption));
   }
+  settings.passwordFile = parser.value(passwordOption).toStdString();
   rivulet::hmi::MainWindow window(settings, !isDemo);
   if (!isDemo) {
     // Stop must be on the screen, also where no window manager cares.

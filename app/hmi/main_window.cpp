@@ -35,6 +35,7 @@
 #include "widgets/common/side_tabs.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/machines_page.h"
+#include "widgets/connection/trust_sheet.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/streaming/close_bar.h"
@@ -65,6 +66,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       m_audit(m_messages, m_settings.stateFolder, utc::now),
       m_session(std::move(connector), report::MachineStore()),
       m_document(m_settings.stream),
+      m_logins(systemKeyring(), m_settings.passwordFile),
       m_machine(m_session, report::MachineStore(), m_messages),
       m_runs(m_session, m_document, m_machine, m_messages),
       m_releases(m_settings.stateFolder, m_users, m_document, m_machine, m_messages),
@@ -74,10 +76,12 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       m_credit(m_session, m_machine, m_runs, report::MachineStore()),
       m_profiles(m_document, m_machine, m_runs, m_messages, report::MachineStore()),
       m_machines(m_document, m_machine, m_runs, m_pastRuns, report::MachineStore()),
-      m_traces(m_document) {
+      m_traces(m_document),
+      m_certificates(m_messages) {
   m_translator.setLanguage(m_settings.language);
   widgets::applyTheme(m_settings.theme);
   setAcceptDrops(true);
+  m_machine.setLogins(m_logins);
   m_machine.setEndpoint(m_settings.endpoint);
   // Before there are fields: they are polished as soon as a layout asks for their size.
   new InputGuard(
@@ -125,9 +129,9 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildPages() {
-  const Models models{m_settings, m_messages, m_alarms,   m_users,     m_audit,
-                      m_machine,  m_document, m_runs,     m_preflight, m_found,
-                      m_pastRuns, m_credit,   m_profiles, m_machines,  m_traces};
+  const Models models{m_settings, m_messages, m_alarms,    m_users,        m_audit,    m_machine,
+                      m_document, m_runs,     m_preflight, m_found,        m_pastRuns, m_credit,
+                      m_profiles, m_machines, m_traces,    m_certificates, m_logins};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -144,6 +148,8 @@ void MainWindow::buildPages() {
   }
   m_centre->addWidget(m_tabs);
   m_centre->addWidget(widgets::makeColumn(makePreflightSheet(models, nullptr)));
+  m_trustSheet = makeTrustSheet(models, nullptr);
+  m_centre->addWidget(widgets::makeColumn(m_trustSheet));
   m_help = new widgets::HelpPage(QStringLiteral(":/rivulet/docs"));
   m_centre->addWidget(m_help);
   connect(m_help, &widgets::HelpPage::closeRequested, this, &MainWindow::showCentre);
@@ -171,6 +177,7 @@ void MainWindow::buildPages() {
   }
   connect(m_columns, &widgets::FoldingColumns::changed, this, &MainWindow::showColumns);
   connect(&m_preflight, &Preflight::openChanged, this, &MainWindow::showCentre);
+  connect(&m_machine, &MachineModel::linkChanged, this, &MainWindow::showQuestion);
 
   m_closeBar = new widgets::CloseBar(central);
   connect(m_closeBar, &widgets::CloseBar::stopAndCloseRequested, this, &MainWindow::stopAndClose);
@@ -228,9 +235,24 @@ void MainWindow::showColumns() {
 }
 
 void MainWindow::showCentre() {
-  m_centre->setCurrentIndex(m_preflight.isOpen() ? 1 : 0);
-  if (m_preflight.isOpen()) {
+  constexpr int kPages = 0;
+  constexpr int kPreflight = 1;
+  constexpr int kQuestion = 2;
+  const bool isAsked = m_machine.question() != nullptr && widgets::isOnSheet(*m_machine.question());
+  m_centre->setCurrentIndex(isAsked ? kQuestion : m_preflight.isOpen() ? kPreflight : kPages);
+  if (isAsked || m_preflight.isOpen()) {
     m_columns->uncover();
+  }
+}
+
+void MainWindow::showQuestion() {
+  if (m_machine.question() == m_question) {
+    return;  // something else of the connection has changed
+  }
+  m_question = m_machine.question();
+  showCentre();
+  if (m_trustSheet->isVisible()) {
+    m_trustSheet->findChild<QWidget*>(QStringLiteral("trust-decline"))->setFocus();
   }
 }
 

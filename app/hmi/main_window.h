@@ -12,8 +12,10 @@
 
 #include "hmi/alarms.h"
 #include "hmi/audit.h"
+#include "hmi/certificates.h"
 #include "hmi/document.h"
 #include "hmi/found_runs.h"
+#include "hmi/logins.h"
 #include "hmi/machine_model.h"
 #include "hmi/machine_profiles.h"
 #include "hmi/machines.h"
@@ -67,6 +69,8 @@ class MainWindow final : public QMainWindow {
     m_isMachineChosen = true;
     m_machine.connectTo(endpoint);
   }
+  /// Shown where the operator connects; nothing is connected.
+  void setEndpoint(const QString& endpoint) { m_machine.setEndpoint(endpoint); }
   void setStreamSettings(const widgets::StreamSettings& settings) {
     m_document.setSettings(settings);
   }
@@ -130,6 +134,8 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] QWidget* makeHeader(const Models& models, QWidget* parent);
   void showColumns();
   void showCentre();
+  /// What has to be decided comes to the front; what is safe has the focus.
+  void showQuestion();
   void showAlarms();
   /// Where the window begins: with the machines if there are several.
   void showFirstPage();
@@ -149,6 +155,7 @@ class MainWindow final : public QMainWindow {
   Audit m_audit;
   session::StreamSession m_session;
   Document m_document;
+  Logins m_logins;
   MachineModel m_machine;
   RunController m_runs;
   Releases m_releases;
@@ -159,6 +166,8 @@ class MainWindow final : public QMainWindow {
   MachineProfiles m_profiles;
   Machines m_machines;
   Traces m_traces;
+  Certificates m_certificates;
+  const opcua::TrustQuestion* m_question = nullptr;  ///< shown; for comparison only
 
   bool m_closesAfterRun = false;
   bool m_isMachineChosen = false;  ///< the page Machines does not come first
@@ -169,8 +178,9 @@ class MainWindow final : public QMainWindow {
   QWidget* m_resumeBar = nullptr;
   QWidget* m_foundBar = nullptr;
   widgets::FoldingColumns* m_columns = nullptr;
-  QStackedWidget* m_centre = nullptr;  ///< the pages, the preflight or the manual
+  QStackedWidget* m_centre = nullptr;  ///< pages, preflight, what is asked, manual
   widgets::HelpPage* m_help = nullptr;
+  QWidget* m_trustSheet = nullptr;
   widgets::SideTabs* m_tabs = nullptr;
   QToolButton* m_menuButton = nullptr;
   widgets::CloseBar* m_closeBar = nullptr;

@@ -25,6 +25,8 @@ struct Settings {
   /// Where alarms, audit trail and releases are kept; empty: nowhere.
   std::filesystem::path stateFolder;
   std::filesystem::path usersFile;  ///< empty: no users
+  /// Of mode 0600, with the password of a user of the machine; given at the start, not remembered.
+  std::filesystem::path passwordFile;
 
   static constexpr int kRecentFilesMax = 8;
   void addRecentFile(const QString& path);

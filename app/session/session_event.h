@@ -17,6 +17,8 @@
 #include "experiments/job_restart.h"
 #include "gcode/program.h"
 #include "job/plan.h"
+#include "opcua/connection.h"
+#include "opcua/rights.h"
 #include "report/run_store.h"
 #include "session/job_check.h"
 #include "streaming/calibration_record.h"
@@ -34,7 +36,11 @@ struct LinkChanged {
   LinkState state = LinkState::Disconnected;
   base::Error error;  ///< why, for Disconnected and Lost; code clear otherwise
   bool isVirtualMachine = false;
-  opcua::ServerIdentity server;  ///< for Connected
+  opcua::ServerIdentity server{};  ///< for Connected
+  /// For Connected, how it is protected; nothing in virtual time.
+  std::optional<opcua::ChannelSecurity> security{};
+  /// For Disconnected, what a person can decide; null: nothing.
+  std::shared_ptr<const opcua::TrustQuestion> question{};
 };
 
 /// The control as read between runs.
@@ -99,6 +105,12 @@ struct RunsSeen {
   bool isJob = false;  ///< the run that is kept here is a whole job
 };
 
+/// Which rights the user of the connection has.
+struct RightsSeen {
+  std::optional<opcua::RightsReport> report;  ///< nothing: see `error`
+  base::Error error;
+};
+
 /// The end of a run that this window did not start, on its request.
 struct RunEnded {
   std::optional<base::Duration> confirmedAfter;  ///< nothing: see `error`
@@ -122,10 +134,11 @@ struct CommissioningFinished {
 using SessionEvent =
     std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate, JobUpdate,
                  trace::Note, RunFinished, streaming::CalibrationProgress, CalibrationFinished,
-                 CommissioningProgress, CommissioningFinished, ResumeFound, RunsSeen, RunEnded>;
+                 CommissioningProgress, CommissioningFinished, ResumeFound, RunsSeen, RunEnded,
+                 RightsSeen>;
 
 struct ConnectCommand {
-  std::string endpoint;
+  opcua::ConnectRequest request;
 };
 struct DisconnectCommand {};
 /// Where was this run left? The control is asked; nothing moves.
@@ -173,6 +186,9 @@ struct EndRunCommand {
   streaming::RunOnControl run;
 };
 
+/// Asks for the rights of the user; changes nothing on the control.
+struct RightsCommand {};
+
 /// The test of method credit, on ten cells that nobody else uses.
 struct CommissionCommand {
   int firstCell = 0;
@@ -182,6 +198,6 @@ struct CommissionCommand {
 
 using SessionCommand =
     std::variant<std::monostate, ConnectCommand, DisconnectCommand, StartCommand, CalibrateCommand,
-                 CommissionCommand, ResumeQuestion, EndRunCommand>;
+                 CommissionCommand, ResumeQuestion, EndRunCommand, RightsCommand>;
 
 }  // namespace rivulet::session

@@ -324,6 +324,8 @@ void SessionWorker::work() {
         calibrate(*calibrateCommand);
       } else if (const auto* commissionCommand = std::get_if<CommissionCommand>(&*command)) {
         commission(*commissionCommand);
+      } else if (std::holds_alternative<RightsCommand>(*command)) {
+        examineRights();
       }
     }
     watch();
@@ -334,16 +336,24 @@ void SessionWorker::work() {
 void SessionWorker::connect(const ConnectCommand& command) {
   m_connection = {};
   tell(LinkChanged{LinkState::Connecting, {}, false, {}});
-  auto connection = m_connector(command.endpoint);
-  if (!connection) {
-    tell(LinkChanged{LinkState::Disconnected, connection.error(), false, {}});
+  opcua::Attempt attempt = m_connector(command.request);
+  if (!attempt.connection) {
+    tell(LinkChanged{LinkState::Disconnected,
+                     attempt.connection.error(),
+                     false,
+                     {},
+                     {},
+                     std::move(attempt.question)});
     return;
   }
-  m_connection = std::move(*connection);
+  m_connection = std::move(*attempt.connection);
   // A control that does not report any has none; if it is gone again, the next read notices it.
   m_axes = streaming::readControlAxes(*m_connection.link, kWatchDeadline)
                .value_or(streaming::ControlAxes{});
-  m_endpoint = command.endpoint;
+  m_request = command.request;
+  // What was decided now is remembered, and is not to be decided again by a later connection.
+  m_request.security.reset();
+  m_request.fingerprint.clear();
   // A server that does not identify itself can be used all the same.
   m_server = m_connection.control->identity().value_or(opcua::ServerIdentity{});
   m_watch = {};
@@ -351,7 +361,11 @@ void SessionWorker::connect(const ConnectCommand& command) {
   m_nextEquipment = {};
   m_seen = {};
   m_looksForLeft = true;
-  tell(LinkChanged{LinkState::Connected, {}, m_connection.control->isVirtualMachine(), m_server});
+  tell(LinkChanged{LinkState::Connected,
+                   {},
+                   m_connection.control->isVirtualMachine(),
+                   m_server,
+                   m_connection.security});
 }
 
 void SessionWorker::disconnect() {
@@ -456,8 +470,8 @@ void SessionWorker::takeFound(const std::optional<streaming::RunOnControl>& foun
   if (!found) {
     if (m_seen.onControl || m_looksForLeft) {
       m_seen = {};
-      m_seen.left = m_runs.leftOn(m_endpoint);
-      const auto job = m_jobs.leftOn(m_endpoint);
+      m_seen.left = m_runs.leftOn(m_request.endpoint);
+      const auto job = m_jobs.leftOn(m_request.endpoint);
       m_seen.isJob = job && (!m_seen.left || job->settings.origin.startedAtUtc >
                                                  m_seen.left->settings.origin.startedAtUtc);
       m_seen.left = m_seen.isJob ? job : m_seen.left;
@@ -470,7 +484,7 @@ void SessionWorker::takeFound(const std::optional<streaming::RunOnControl>& foun
     m_seen = {};
     m_seen.onControl.emplace();
     m_seen.onControl->saved =
-        found->number != 0 ? m_runs.find(found->number) : m_runs.leftOn(m_endpoint);
+        found->number != 0 ? m_runs.find(found->number) : m_runs.leftOn(m_request.endpoint);
     if (found->number == 0 && m_seen.onControl->saved &&
         m_seen.onControl->saved->checkpoint.granted) {
       m_seen.onControl->saved.reset();  // a program that waits for its first run is not that one's
@@ -511,8 +525,17 @@ bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) 
   if (!identity) {
     return false;
   }
-  const auto test = m_machines.creditTest(m_endpoint, *identity);
-  return test && streaming::requireCreditTest(*test, m_endpoint, *identity);
+  const auto test = m_machines.creditTest(m_request.endpoint, *identity);
+  return test && streaming::requireCreditTest(*test, m_request.endpoint, *identity);
+}
+
+void SessionWorker::examineRights() {
+  if (!m_connection) {
+    tell(RightsSeen{std::nullopt, notConnected()});
+    return;
+  }
+  auto report = opcua::examineRights(*m_connection.link, *m_connection.control);
+  tell(report ? RightsSeen{std::move(*report), {}} : RightsSeen{std::nullopt, report.error()});
 }
 
 void SessionWorker::answer(const ResumeQuestion& question) {
@@ -652,7 +675,7 @@ SessionWorker::Done SessionWorker::runWholeJob(const StartCommand& command,
   if (!command.restart && command.dryRunMm == 0.0) {
     keeper.emplace(m_jobs, savedRun(command));
     options.keeper = &*keeper;
-  } else if (const auto kept = m_jobs.leftOn(m_endpoint)) {
+  } else if (const auto kept = m_jobs.leftOn(m_request.endpoint)) {
     m_jobs.remove(*kept);
   }
   if (command.restart) {
@@ -671,7 +694,7 @@ SessionWorker::Done SessionWorker::runWholeJob(const StartCommand& command,
 trace::RunStart SessionWorker::runStart(const StartCommand& command) const {
   trace::RunStart start;
   start.toolVersion = RIVULET_VERSION;
-  start.endpoint = m_endpoint;
+  start.endpoint = m_request.endpoint;
   start.startedAtUtc = command.startedAtUtc;
   return start;
 }
@@ -681,7 +704,7 @@ report::SavedRun SessionWorker::savedRun(const StartCommand& command) const {
   saved.programName = command.program->name;
   saved.programFile = command.source.file;
   saved.reading = command.source.reading;
-  saved.endpoint = m_endpoint;
+  saved.endpoint = m_request.endpoint;
   saved.toolVersion = RIVULET_VERSION;
   saved.recording = command.recordingPath;
   return saved;
@@ -727,7 +750,7 @@ base::Error SessionWorker::archive(const StartCommand& command, const Done& done
   streaming::RunSummary known;
   known.programFile = command.source.file;
   known.programHash = command.program->hash;
-  known.endpoint = m_endpoint;
+  known.endpoint = m_request.endpoint;
   known.toolVersion = RIVULET_VERSION;
   known.recording = done.isRecorded ? command.recordingPath : std::string();
   known.ownsRecording = true;
@@ -770,7 +793,7 @@ void SessionWorker::commission(const CommissionCommand& command) {
     tell(CommissioningFinished{std::nullopt, error});
     return;
   }
-  streaming::CreditTest test{m_endpoint, *identity, command.startedAtUtc, RIVULET_VERSION,
+  streaming::CreditTest test{m_request.endpoint, *identity, command.startedAtUtc, RIVULET_VERSION,
                              std::move(*result)};
   const base::Result<void> saved = m_machines.save(test);
   tell(CommissioningFinished{std::move(test), saved ? base::Error{} : saved.error()});
@@ -793,15 +816,16 @@ void SessionWorker::calibrate(const CalibrateCommand& command) {
     return !m_stopRun.load() && !m_quit.load();
   };
   hooks.reconnect = [&]() -> opcua::Link* {
-    if (auto connection = m_connector(m_endpoint)) {
-      again = std::move(*connection);
+    opcua::Attempt attempt = m_connector(m_request);
+    if (attempt.connection) {
+      again = std::move(*attempt.connection);
     }
     return again.link;
   };
   auto calibration = streaming::calibrate(*m_connection.link, command.plan, hooks);
   if (calibration) {
     auto record = std::make_shared<streaming::CalibrationRecord>();
-    record->endpoint = m_endpoint;
+    record->endpoint = m_request.endpoint;
     record->server = m_server;
     record->measuredAtUtc = command.startedAtUtc;
     record->toolVersion = RIVULET_VERSION;

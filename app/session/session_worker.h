@@ -96,6 +96,7 @@ class SessionWorker {
   /// What is known here about a run on the control.
   void takeFound(const std::optional<streaming::RunOnControl>& found);
   void endRun(const EndRunCommand& command);
+  void examineRights();
   /// Live values may be lost when the GUI does not keep up; everything else waits for room.
   void tell(SessionEvent event);
   void tellIfRoom(SessionEvent event);
@@ -122,7 +123,7 @@ class SessionWorker {
   RunsSeen m_seen;              // as told last
   bool m_looksForLeft = false;  // the store may have changed
   std::string m_proven;         // text of the template proved last; streaming thread only
-  std::string m_endpoint;       // of `m_connection`
+  opcua::ConnectRequest m_request;  // that `m_connection` was made for
   opcua::ServerIdentity m_server;
   std::thread m_thread;
 };

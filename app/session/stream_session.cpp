@@ -16,8 +16,8 @@ constexpr int kDrainIntervalMs = 33;
 
 }  // namespace
 
-base::Result<opcua::Connection> connectByOpcUa(const std::string& endpoint) {
-  return trust::connectAsKnown(endpoint);
+opcua::Attempt connectByOpcUa(const opcua::ConnectRequest& request) {
+  return trust::connect(request);
 }
 
 StreamSession::StreamSession(opcua::Connector connector, report::MachineStore machines,
@@ -31,8 +31,8 @@ StreamSession::StreamSession(opcua::Connector connector, report::MachineStore ma
 
 StreamSession::~StreamSession() = default;
 
-void StreamSession::connectTo(const QString& endpoint) {
-  m_worker->post(ConnectCommand{endpoint.trimmed().toStdString()});
+void StreamSession::connectTo(opcua::ConnectRequest request) {
+  m_worker->post(ConnectCommand{std::move(request)});
 }
 
 void StreamSession::disconnectFrom() {
@@ -89,6 +89,12 @@ void StreamSession::endRun(const streaming::RunOnControl& run) {
   }
 }
 
+void StreamSession::examineRights() {
+  if (!m_running && !m_asking && !m_calibrating && !m_ending && !m_commissioning) {
+    m_worker->post(RightsCommand{});
+  }
+}
+
 void StreamSession::drain() {
   while (const std::optional<SessionEvent> event = m_worker->take()) {
     if (const auto* change = std::get_if<LinkChanged>(&*event)) {
@@ -112,6 +118,8 @@ void StreamSession::drain() {
     } else if (const auto* ended = std::get_if<RunEnded>(&*event)) {
       m_ending = false;
       Q_EMIT runEnded(*ended);
+    } else if (const auto* rights = std::get_if<RightsSeen>(&*event)) {
+      Q_EMIT rightsSeen(*rights);
     } else if (const auto* progress = std::get_if<streaming::CalibrationProgress>(&*event)) {
       Q_EMIT calibrationProgressed(*progress);
     } else if (const auto* tested = std::get_if<CommissioningProgress>(&*event)) {

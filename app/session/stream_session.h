@@ -20,7 +20,7 @@ namespace rivulet::session {
 class SessionWorker;
 
 /// The connection of the released program.
-[[nodiscard]] base::Result<opcua::Connection> connectByOpcUa(const std::string& endpoint);
+[[nodiscard]] opcua::Attempt connectByOpcUa(const opcua::ConnectRequest& request);
 
 class StreamSession final : public QObject {
   Q_OBJECT
@@ -34,7 +34,7 @@ class StreamSession final : public QObject {
   /// Ends a run in progress (with a stop, waiting for its confirmation) and the connection.
   ~StreamSession() override;
 
-  void connectTo(const QString& endpoint);
+  void connectTo(opcua::ConnectRequest request);
   void disconnectFrom();
   /// Starts a run; the time of the start is added. Ignored during a run.
   void start(StartCommand command);
@@ -47,6 +47,9 @@ class StreamSession final : public QObject {
   /// Commands a run that was found on the control to end; answered by `runEnded`. Ignored during a
   /// run.
   void endRun(const streaming::RunOnControl& run);
+
+  /// Answered by `rightsSeen`. Ignored while anything else is done with the control.
+  void examineRights();
 
   /// Measures the cost of access, on cells that the operator has confirmed. `stop` cancels.
   void calibrate(const streaming::CalibrationPlan& plan);
@@ -70,6 +73,7 @@ class StreamSession final : public QObject {
   void resumeFound(const rivulet::session::ResumeFound& found);
   void runsSeen(const rivulet::session::RunsSeen& seen);
   void runEnded(const rivulet::session::RunEnded& ended);
+  void rightsSeen(const rivulet::session::RightsSeen& seen);
   void calibrationProgressed(const rivulet::streaming::CalibrationProgress& progress);
   void commissioningProgressed(const rivulet::session::CommissioningProgress& progress);
   void commissioningFinished(const rivulet::session::CommissioningFinished& finished);

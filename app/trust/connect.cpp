@@ -14,7 +14,9 @@ namespace rivulet::trust {
 
 namespace {
 
+using opcua::ConnectRequest;
 using opcua::LinkError;
+using opcua::TrustQuestion;
 
 opcua::SecurityChoice choiceFor(const ConnectRequest& request,
                                 const std::optional<KnownServer>& known) {
@@ -30,8 +32,13 @@ opcua::SecurityChoice choiceFor(const ConnectRequest& request,
   return choice;
 }
 
-/// The certificate of a server is judged by the store; a new one can be accepted by its fingerprint
-/// or, on first use, by a person.
+/// What the server has shown during an attempt.
+struct Seen {
+  std::optional<opcua::CertificateFacts> certificate;
+  std::vector<opcua::EndpointOffer> offers;
+};
+
+/// The certificate of a server is judged by the store; one is accepted by its fingerprint.
 base::Result<void> judge(const TrustStore& store, const ConnectRequest& request,
                          const opcua::CertificateFacts& facts, std::string_view der) {
   const std::string wanted = opcua::fingerprintOf(request.fingerprint);
@@ -40,32 +47,52 @@ base::Result<void> judge(const TrustStore& store, const ConnectRequest& request,
       return accepted;
     }
   }
-  auto checked = store.check(request.endpoint, facts, der, utc::now());
-  if (!checked && checked.error().code == LinkError::CertificateUnknown && request.ask &&
-      request.ask(facts)) {
-    if (auto accepted = store.accept(request.endpoint, facts, der); !accepted) {
-      return accepted;
-    }
-    checked = store.check(request.endpoint, facts, der, utc::now());
+  return store.check(request.endpoint, facts, der, utc::now());
+}
+
+/// What a person can decide about an attempt that was refused; null: nothing.
+std::shared_ptr<const TrustQuestion> questionOn(const base::Error& error, const Seen& seen,
+                                                const ConnectRequest& request,
+                                                const TrustStore& store,
+                                                const std::optional<KnownServer>& known) {
+  TrustQuestion question;
+  question.endpoint = request.endpoint;
+  question.acceptedFingerprint = known ? known->fingerprint : std::string();
+  question.wasEncrypted = !question.acceptedFingerprint.empty();
+  if (error.code == LinkError::EncryptionMissing) {
+    question.kind = TrustQuestion::Kind::Protection;
+    question.choices = opcua::choicesByName(seen.offers, !request.user.empty());
+  } else if (error.code == LinkError::LoginRefused) {
+    question.kind = TrustQuestion::Kind::Login;
+  } else if (seen.certificate && (error.code == LinkError::CertificateUnknown ||
+                                  error.code == LinkError::CertificateChanged)) {
+    question.kind = error.code == LinkError::CertificateUnknown
+                        ? TrustQuestion::Kind::NewServer
+                        : TrustQuestion::Kind::ChangedServer;
+    question.shown = *seen.certificate;
+    question.isValidNow = opcua::isValidAt(*seen.certificate, utc::now());
+    question.accepted = store.keptFacts(question.acceptedFingerprint);
+  } else {
+    return nullptr;
   }
-  return checked;
+  return std::make_shared<const TrustQuestion>(std::move(question));
 }
 
 }  // namespace
 
-base::Result<opcua::Connection> connect(const ConnectRequest& request,
-                                        const std::filesystem::path& folder) {
+opcua::Attempt connect(const ConnectRequest& request, const std::filesystem::path& folder) {
   const TrustStore store(folder);
   const auto known = store.find(request.endpoint);
   if (!known) {
-    return base::fail(known.error());
+    return {base::fail(known.error())};
   }
   if (!request.fingerprint.empty() && opcua::fingerprintOf(request.fingerprint).empty()) {
-    return base::fail(LinkError::CertificateInvalid,
-                      "This is no fingerprint: 64 hexadecimal digits are expected, with or without "
-                      "colons.",
-                      request.fingerprint);
+    return {base::fail(LinkError::CertificateInvalid,
+                       "This is no fingerprint: 64 hexadecimal digits are expected, with or "
+                       "without colons.",
+                       request.fingerprint)};
   }
+  Seen seen;
   opcua::ConnectOptions options;
   options.endpoint = request.endpoint;
   options.name = request.sessionName;
@@ -73,51 +100,46 @@ base::Result<opcua::Connection> connect(const ConnectRequest& request,
   options.user = request.user;
   options.password = request.password;
   options.own = [&] { return ownCertificate(folder, Owner::Client); };
+  options.offered = [&](std::span<const opcua::EndpointOffer> offers) {
+    seen.offers.assign(offers.begin(), offers.end());
+  };
   options.trust = [&](const opcua::CertificateFacts& facts, std::string_view der) {
+    seen.certificate = facts;
     return judge(store, request, facts, der);
   };
   auto connection = opcua::openConnection(options);
-  if (connection && request.security) {
+  if (!connection) {
+    return {base::fail(connection.error()),
+            questionOn(connection.error(), seen, request, store, *known)};
+  }
+  if (request.security) {
     const bool isDefault = *request.security == opcua::SecurityChoice{};
     const std::string text = isDefault ? "" : opcua::securityChoiceText(*request.security);
     if (auto remembered = store.allow(request.endpoint, text); !remembered) {
-      return base::fail(remembered.error());
+      return {base::fail(remembered.error())};
     }
   }
-  return connection;
-}
-
-base::Result<opcua::Connection> connectAsKnown(const std::string& endpoint,
-                                               const std::filesystem::path& folder) {
-  const auto known = TrustStore(folder).find(endpoint);
-  if (!known) {
-    return base::fail(known.error());
-  }
-  ConnectRequest request;
-  request.endpoint = endpoint;
-  if (!*known) {
-    opcua::ConnectOptions options;
-    options.endpoint = endpoint;
-    options.security = opcua::unencrypted();
-    return opcua::openConnection(options);
-  }
-  return connect(request, folder);
+  return {std::move(connection)};
 }
 
 std::string warningOn(const opcua::Connection& connection) {
-  if (!connection.security || !opcua::isWeak(connection.security->policy)) {
+  if (!connection.security) {
     return {};
   }
-  if (connection.security->policy == opcua::SecurityPolicy::None) {
-    return opcua::isLoopback(connection.name) ? std::string()
-                                              : "This connection is not encrypted: everybody on "
-                                                "the network can read what is sent, "
-                                                "and move the machine.";
+  switch (opcua::protectionOf(*connection.security, connection.name)) {
+    case opcua::Protection::Encrypted:
+    case opcua::Protection::Signed:
+    case opcua::Protection::LocalOnly:
+      return {};
+    case opcua::Protection::Weak:
+      return fmt::format(
+          "This connection is badly encrypted ({}): it can be broken with the means of today.",
+          opcua::policyName(connection.security->policy));
+    case opcua::Protection::None:
+      break;
   }
-  return fmt::format(
-      "This connection is badly encrypted ({}): it can be broken with the means of "
-      "today.",
-      opcua::policyName(connection.security->policy));
+  return "This connection is not encrypted: everybody on the network can read what is sent, and "
+         "move the machine.";
 }
 
 }  // namespace rivulet::trust

@@ -89,19 +89,29 @@ base::Result<std::string> askForPassword(const std::string& question) {
   return password;
 }
 
-base::Result<std::string> readPassword(const fs::path& file, const std::string& question) {
+base::Result<std::optional<std::string>> givenPassword(const fs::path& file) {
+  std::optional<fs::path> path = systemdCredential();
   if (!file.empty()) {
-    auto text = readPrivateFile(file);
-    return text ? base::Result<std::string>(firstLine(std::move(*text))) : text;
-  }
-  if (const char* variable = std::getenv("RIVULET_PASSWORD")) {
+    path = file;
+  } else if (const char* variable = std::getenv("RIVULET_PASSWORD")) {
     return std::string(variable);
   }
-  if (const auto path = systemdCredential()) {
-    auto text = readPrivateFile(*path);
-    return text ? base::Result<std::string>(firstLine(std::move(*text))) : text;
+  if (!path) {
+    return std::nullopt;
   }
-  return askForPassword(question);
+  auto text = readPrivateFile(*path);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  return firstLine(std::move(*text));
+}
+
+base::Result<std::string> readPassword(const fs::path& file, const std::string& question) {
+  auto given = givenPassword(file);
+  if (!given) {
+    return base::fail(given.error());
+  }
+  return *given ? base::Result<std::string>(std::move(**given)) : askForPassword(question);
 }
 
 }  // namespace rivulet::trust

@@ -8,11 +8,17 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "base/result.h"
 
 namespace rivulet::trust {
+
+/// A password that is given without asking anybody; nothing if there is none.
+/// @param file  empty: none  @return error Unreadable
+[[nodiscard]] base::Result<std::optional<std::string>> givenPassword(
+    const std::filesystem::path& file);
 
 /// @param file  empty: none  @param question  for the terminal, "Password of setter: "
 /// @return error Unreadable; LoginRefused if there is no password and nobody to ask

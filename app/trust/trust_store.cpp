@@ -12,6 +12,7 @@
 
 #include "base/file.h"
 #include "opcua/error.h"
+#include "trust/own_certificate.h"
 #include "trust/private_file.h"
 
 namespace rivulet::trust {
@@ -23,6 +24,11 @@ using opcua::LinkError;
 namespace {
 
 constexpr const char* kFile = "servers.json";
+constexpr const char* kDer = ".der";
+constexpr const char* kAddress = ".address";
+constexpr std::uintmax_t kAddressBytesMax = 4096;
+constexpr const char* kTrusted = "trusted";
+constexpr const char* kRejected = "rejected";
 constexpr const char* kFormat = "rivulet-servers";
 constexpr int kVersion = 1;
 constexpr std::uintmax_t kListBytesMax = std::uintmax_t{1} << 20U;
@@ -66,10 +72,12 @@ void keepRejected(const fs::path& folder, const opcua::CertificateFacts& facts,
     return;
   }
   std::error_code status;
-  const auto count =
-      std::distance(fs::directory_iterator(folder, status), fs::directory_iterator());
-  if (!status && static_cast<std::size_t>(count) < kRejectedMax) {
-    (void)base::writeFile(folder / (facts.fingerprint + ".der"), der);
+  const auto count = std::count_if(
+      fs::directory_iterator(folder, status), fs::directory_iterator(),
+      [](const fs::directory_entry& entry) { return entry.path().extension() == kDer; });
+  const fs::path file = folder / (facts.fingerprint + kDer);
+  if (!status && (fs::exists(file, status) || static_cast<std::size_t>(count) < kRejectedMax)) {
+    (void)base::writeFile(file, der);
   }
 }
 
@@ -95,7 +103,8 @@ base::Result<std::vector<KnownServer>> TrustStore::servers() const {
                  ? entry[name].get<std::string>()
                  : std::string();
     };
-    const KnownServer server{member("endpoint"), member("fingerprint"), member("security")};
+    const KnownServer server{member("endpoint"), member("fingerprint"), member("security"),
+                             member("user")};
     const bool isFingerprint = server.fingerprint.empty() ||
                                opcua::fingerprintOf(server.fingerprint) == server.fingerprint;
     const bool isSecurity =
@@ -128,7 +137,12 @@ base::Result<void> TrustStore::check(const std::string& endpoint,
   }
   const std::string accepted = *known ? (*known)->fingerprint : std::string();
   if (accepted != facts.fingerprint) {
-    keepRejected(m_folder / "rejected", facts, der);
+    const fs::path kept = m_folder / kRejected;
+    keepRejected(kept, facts, der);
+    std::error_code status;
+    if (fs::exists(kept / (facts.fingerprint + kDer), status)) {
+      (void)base::writeFile(kept / (facts.fingerprint + kAddress), endpoint);
+    }
     if (accepted.empty()) {
       return base::fail(LinkError::CertificateUnknown,
                         fmt::format("This server is not known yet. Its certificate: {}. Compare "
@@ -143,13 +157,66 @@ base::Result<void> TrustStore::check(const std::string& endpoint,
                     "looks after the control before accepting it.",
                     opcua::fingerprintText(accepted), describe(facts)));
   }
-  if (now < facts.validFrom || now > facts.validTo) {
+  if (!opcua::isValidAt(facts, now)) {
     return base::fail(LinkError::CertificateInvalid,
                       fmt::format("The certificate of the server is valid from {} to {} only. Set "
                                   "the clocks of both computers, or renew it on the control.",
                                   dateText(facts.validFrom), dateText(facts.validTo)));
   }
   return {};
+}
+
+std::optional<opcua::CertificateFacts> TrustStore::keptFacts(const std::string& fingerprint) const {
+  if (fingerprint.empty()) {
+    return std::nullopt;
+  }
+  const auto der = base::readFile(m_folder / kTrusted / (fingerprint + kDer), kCertificateBytesMax);
+  const auto facts = der ? opcua::readCertificate(*der) : base::fail(der.error());
+  return facts && facts->fingerprint == fingerprint ? std::optional(*facts) : std::nullopt;
+}
+
+std::vector<RejectedServer> TrustStore::rejected() const {
+  std::vector<RejectedServer> list;
+  std::error_code status;
+  for (const fs::directory_entry& entry : fs::directory_iterator(m_folder / kRejected, status)) {
+    const fs::path& path = entry.path();
+    if (path.extension() != kDer) {
+      continue;
+    }
+    const auto der = base::readFile(path, kCertificateBytesMax);
+    const auto facts = der ? opcua::readCertificate(*der) : base::fail(der.error());
+    const auto address =
+        base::readFile(fs::path(path).replace_extension(kAddress), kAddressBytesMax);
+    // Without its address it cannot be accepted, and says nothing.
+    if (facts && address && path.stem() == facts->fingerprint) {
+      list.push_back({*address, *facts});
+    }
+  }
+  std::sort(list.begin(), list.end(), [](const RejectedServer& left, const RejectedServer& right) {
+    return left.facts.fingerprint < right.facts.fingerprint;
+  });
+  return list;
+}
+
+base::Result<void> TrustStore::acceptRejected(const std::string& fingerprint) const {
+  const fs::path file = m_folder / kRejected / (opcua::fingerprintOf(fingerprint) + kDer);
+  const auto der = base::readFile(file, kCertificateBytesMax);
+  if (!der) {
+    return base::fail(der.error());
+  }
+  const auto facts = opcua::readCertificate(*der);
+  const auto address = base::readFile(fs::path(file).replace_extension(kAddress), kAddressBytesMax);
+  if (!facts || !address) {
+    return base::fail(!facts ? facts.error() : address.error());
+  }
+  return accept(*address, *facts, *der);
+}
+
+void TrustStore::dropRejected(const std::string& fingerprint) const {
+  std::error_code ignored;
+  for (const char* ending : {kDer, kAddress}) {
+    fs::remove(m_folder / kRejected / (fingerprint + ending), ignored);
+  }
 }
 
 template <class Change>
@@ -163,7 +230,7 @@ base::Result<void> TrustStore::change(const std::string& endpoint, Change change
       known->begin(), known->end(), key,
       [](const KnownServer& one, const std::string& wanted) { return one.endpoint < wanted; });
   if (server == known->end() || server->endpoint != key) {
-    server = known->insert(server, KnownServer{key, {}, {}});
+    server = known->insert(server, KnownServer{key, {}, {}, {}});
   }
   change(*server);
   return save(*known);
@@ -172,19 +239,28 @@ base::Result<void> TrustStore::change(const std::string& endpoint, Change change
 base::Result<void> TrustStore::accept(const std::string& endpoint,
                                       const opcua::CertificateFacts& facts,
                                       std::string_view der) const {
-  const fs::path folder = m_folder / "trusted";
+  const fs::path folder = m_folder / kTrusted;
   if (auto made = makePrivateFolder(folder); !made) {
     return made;
   }
-  if (auto kept = base::writeFile(folder / (facts.fingerprint + ".der"), der); !kept) {
+  if (auto kept = base::writeFile(folder / (facts.fingerprint + kDer), der); !kept) {
     return kept;
   }
-  return change(endpoint, [&](KnownServer& server) { server.fingerprint = facts.fingerprint; });
+  auto accepted =
+      change(endpoint, [&](KnownServer& server) { server.fingerprint = facts.fingerprint; });
+  if (accepted) {
+    dropRejected(facts.fingerprint);
+  }
+  return accepted;
 }
 
 base::Result<void> TrustStore::allow(const std::string& endpoint,
                                      const std::string& security) const {
   return change(endpoint, [&](KnownServer& server) { server.security = security; });
+}
+
+base::Result<void> TrustStore::setUser(const std::string& endpoint, const std::string& user) const {
+  return change(endpoint, [&](KnownServer& server) { server.user = user; });
 }
 
 base::Result<bool> TrustStore::forget(const std::string& endpoint) const {
@@ -216,6 +292,9 @@ base::Result<void> TrustStore::save(const std::vector<KnownServer>& servers) con
     }
     if (!server.security.empty()) {
       entry["security"] = server.security;
+    }
+    if (!server.user.empty()) {
+      entry["user"] = server.user;
     }
     list.push_back(entry);
   }

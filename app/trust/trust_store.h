@@ -22,6 +22,13 @@ struct KnownServer {
   std::string endpoint;     ///< as `TrustStore` compares it: lower case, without a slash at its end
   std::string fingerprint;  ///< of the accepted certificate; empty: none
   std::string security;     ///< allowed by name (`opcua::securityChoiceText`); empty: the strongest
+  std::string user;         ///< as whom the window connected last; empty: anonymous
+};
+
+/// A certificate that was refused, and is kept.
+struct RejectedServer {
+  std::string endpoint;  ///< where it was shown
+  opcua::CertificateFacts facts;
 };
 
 /// Keeps a certificate that was refused, for whoever decides whether to trust it; at most 32 in a
@@ -46,6 +53,18 @@ class TrustStore {
                                          const opcua::CertificateFacts& facts, std::string_view der,
                                          base::UtcMs now) const;
 
+  /// A certificate that was accepted once; nothing if it is not kept any more.
+  [[nodiscard]] std::optional<opcua::CertificateFacts> keptFacts(
+      const std::string& fingerprint) const;
+
+  /// Servers whose certificates were refused, in the order of their fingerprints.
+  [[nodiscard]] std::vector<RejectedServer> rejected() const;
+  /// Accepts one of them for the address where it was shown, whatever was accepted there before.
+  /// @return Unreadable if it is not kept any more
+  [[nodiscard]] base::Result<void> acceptRejected(const std::string& fingerprint) const;
+  /// Removes one of them from what is kept.
+  void dropRejected(const std::string& fingerprint) const;
+
   /// From now on, this certificate and no other one is trusted at this address.
   [[nodiscard]] base::Result<void> accept(const std::string& endpoint,
                                           const opcua::CertificateFacts& facts,
@@ -53,6 +72,9 @@ class TrustStore {
   /// What is allowed by name at this address; empty: the strongest only.
   [[nodiscard]] base::Result<void> allow(const std::string& endpoint,
                                          const std::string& security) const;
+  /// As whom the window connects next time. Passwords are kept elsewhere.
+  [[nodiscard]] base::Result<void> setUser(const std::string& endpoint,
+                                           const std::string& user) const;
   /// @return whether the server was known
   [[nodiscard]] base::Result<bool> forget(const std::string& endpoint) const;
 

@@ -9,6 +9,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/result.h"
 #include "opcua/link.h"
@@ -29,7 +31,50 @@ struct Connection {
   explicit operator bool() const { return link != nullptr; }
 };
 
-/// Opens a connection. @return as the maker of the link says: NotReachable, Rejected, ...
-using Connector = std::function<base::Result<Connection>(const std::string& endpoint)>;
+/// What a connection is asked for.
+struct ConnectRequest {
+  std::string endpoint;
+  std::string sessionName = "Rivulet";
+  /// Chosen now; remembered for this server once the connection is open. Nothing: as it was
+  /// allowed before; else the strongest. A server on this computer that has never been connected
+  /// encrypted is then connected without encryption, if it offers that and no user is given: what
+  /// is sent does not leave the computer.
+  std::optional<SecurityChoice> security = std::nullopt;
+  /// A certificate that is accepted now, whatever was accepted before.
+  std::string fingerprint = {};
+  std::string user = {};  ///< empty: anonymous
+  std::string password = {};
+};
+
+/// What a person can decide after an attempt was refused. The answer is another attempt.
+struct TrustQuestion {
+  enum class Kind {
+    NewServer,      ///< its certificate has never been accepted; answer: `fingerprint`
+    ChangedServer,  ///< another one has been accepted; answer: `fingerprint`
+    Protection,     ///< the strongest is not offered; answer: `security`, one of `choices`
+    Login,          ///< user or password are missing, wrong or not taken; answer: both
+  };
+  Kind kind = Kind::NewServer;
+  std::string endpoint;
+  CertificateFacts shown{};           ///< by the server that is new or changed
+  bool isValidNow = false;            ///< `shown` has begun and not ended
+  std::string acceptedFingerprint{};  ///< of the server that has changed
+  std::optional<CertificateFacts> accepted = std::nullopt;  ///< nothing: not kept
+  std::vector<SecurityChoice> choices{};                    ///< from strong to weak; may be empty
+  bool wasEncrypted = false;  ///< a certificate of this server is known
+};
+
+/// How an attempt to connect has ended.
+struct Attempt {
+  // NOLINTNEXTLINE(google-explicit-constructor): most makers of connections ask nothing
+  Attempt(base::Result<Connection> result, std::shared_ptr<const TrustQuestion> asked = nullptr)
+      : connection(std::move(result)), question(std::move(asked)) {}
+
+  base::Result<Connection> connection;
+  std::shared_ptr<const TrustQuestion> question;  ///< null: a person can decide nothing
+};
+
+/// Opens a connection. The error is that of the maker of the link: NotReachable, Rejected, ...
+using Connector = std::function<Attempt(const ConnectRequest&)>;
 
 }  // namespace rivulet::opcua

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/sentence.h"
 #include "opcua/await.h"
 
 namespace rivulet::opcua {
@@ -24,34 +25,40 @@ struct RightFacts {
 
 constexpr std::array<RightFacts, 5> kRights{
     {{RunRight::ReadVariables,
-      "read variables",
-      "follows the run",
-      "Call GiveUserAccess with StateRead; if that is not enough, with SinuReadAll.",
+      RIVULET_SENTENCE("RightTexts", "read variables"),
+      RIVULET_SENTENCE("RightTexts", "follows the run"),
+      RIVULET_SENTENCE("RightTexts",
+                       "Call GiveUserAccess with StateRead; if that is not enough, with "
+                       "SinuReadAll."),
       {"StateRead", "SinuReadAll"},
       true},
      {RunRight::WriteParameters,
-      "write R-parameters",
-      "sends the points",
-      "Call GiveUserAccess with StateWrite; if that is not enough, with SinuWriteAll. The "
-      "protection level of R-parameters (MD51051) must allow it, too.",
+      RIVULET_SENTENCE("RightTexts", "write R-parameters"),
+      RIVULET_SENTENCE("RightTexts", "sends the points"),
+      RIVULET_SENTENCE("RightTexts",
+                       "Call GiveUserAccess with StateWrite; if that is not enough, with "
+                       "SinuWriteAll. The protection level of R-parameters (MD51051) must allow "
+                       "it, too."),
       {"StateWrite", "SinuWriteAll"},
       true},
      {RunRight::ReadPrograms,
-      "read programs",
-      "checks which program is on the control; without it the operator does",
-      "Call GiveUserAccess with FsRead.",
+      RIVULET_SENTENCE("RightTexts", "read programs"),
+      RIVULET_SENTENCE("RightTexts",
+                       "checks which program is on the control; without it the operator does"),
+      RIVULET_SENTENCE("RightTexts", "Call GiveUserAccess with FsRead."),
       {"FsRead", ""},
       false},
      {RunRight::WritePrograms,
-      "write programs",
-      "brings its program to the control; without it the operator copies it",
-      "Call GiveUserAccess with FsWrite.",
+      RIVULET_SENTENCE("RightTexts", "write programs"),
+      RIVULET_SENTENCE("RightTexts",
+                       "brings its program to the control; without it the operator copies it"),
+      RIVULET_SENTENCE("RightTexts", "Call GiveUserAccess with FsWrite."),
       {"FsWrite", ""},
       false},
      {RunRight::SelectProgram,
-      "select a program",
-      "selects its program; without it the operator does",
-      "Call GiveUserAccess with ApWrite.",
+      RIVULET_SENTENCE("RightTexts", "select a program"),
+      RIVULET_SENTENCE("RightTexts", "selects its program; without it the operator does"),
+      RIVULET_SENTENCE("RightTexts", "Call GiveUserAccess with ApWrite."),
       {"ApWrite", ""},
       false}}};
 

@@ -30,10 +30,13 @@ struct RightsReport {
   bool isListed = false;               ///< the server has listed the user's rights
 };
 
+/// How long one question of `examineRights` waits for its answer.
+inline constexpr base::Duration kRightsDeadline = std::chrono::seconds(5);
+
 /// Asks without changing anything on the control.
 /// @return the error of the link if it is lost
 [[nodiscard]] base::Result<RightsReport> examineRights(Link& link, Control& control,
-                                                       base::Duration deadline);
+                                                       base::Duration deadline = kRightsDeadline);
 
 /// "read variables"
 [[nodiscard]] std::string_view rightTitle(RunRight right);

@@ -19,7 +19,7 @@ struct Facts {
   bool worksLocked;
 };
 
-constexpr std::array<Facts, 22> kFacts{{
+constexpr std::array<Facts, 23> kFacts{{
     {Act::Stop, "stop", false, true},
     {Act::Hold, "hold", false, false},
     {Act::Continue, "continue", false, false},
@@ -31,6 +31,7 @@ constexpr std::array<Facts, 22> kFacts{{
     {Act::ChangeSettings, "change-settings", true, false},
     {Act::Connect, "connect", false, false},
     {Act::Disconnect, "disconnect", false, false},
+    {Act::Trust, "trust", true, false},
     {Act::Calibrate, "calibrate", true, false},
     {Act::Release, "release", true, false},
     {Act::TakeBackRelease, "take-back-release", true, false},

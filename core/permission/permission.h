@@ -33,6 +33,7 @@ enum class Act {
   ChangeSettings,
   Connect,
   Disconnect,
+  Trust,  ///< a server, its certificate, or a connection without encryption
   Calibrate,
   Release,
   TakeBackRelease,

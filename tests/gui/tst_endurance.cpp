@@ -63,9 +63,8 @@ class TestEndurance : public QObject {
     settings.language = QStringLiteral("en");
     settings.stream.parameters.method = base::MethodKind::Window;
     settings.stream.feedMmPerS = 2.0;
-    MainWindow window(settings, false, [&machine](const std::string& endpoint) {
-      return machine.connect(endpoint);
-    });
+    MainWindow window(settings, false,
+                      [&machine](const auto& asked) { return machine.connect(asked.endpoint); });
     window.show();
     window.openProgram(kScorpion);
     window.connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));

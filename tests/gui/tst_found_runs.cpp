@@ -79,9 +79,8 @@ class TestFoundRuns : public QObject {
   void openWindow() {
     hmi::Settings settings = ::settings();
     settings.stateFolder = m_folder.filePath(QStringLiteral("audit")).toStdString();
-    m_window = std::make_unique<MainWindow>(settings, false, [this](const std::string& endpoint) {
-      return m_machine->connect(endpoint);
-    });
+    m_window = std::make_unique<MainWindow>(
+        settings, false, [this](const auto& asked) { return m_machine->connect(asked.endpoint); });
     m_window->resize(1440, 900);
     m_window->show();
     m_window->connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));

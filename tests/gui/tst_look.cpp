@@ -10,17 +10,24 @@
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QTranslator>
 #include <QtTest>
 
 #include "base/units.h"
+#include "base/utc.h"
 #include "gui/look_check.h"
 #include "hmi/main_window.h"
 #include "hmi/translator.h"
+#include "opcua/error.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
 #include "widgets/common/focus_frame.h"
 #include "widgets/common/help_page.h"
+#include "widgets/connection/certificates_page.h"
+#include "widgets/connection/machine_button.h"
+#include "widgets/connection/rights_page.h"
+#include "widgets/connection/trust_sheet.h"
 #include "widgets/setup/set_up_page.h"
 #include "widgets/trace/trace_page.h"
 
@@ -77,6 +84,36 @@ std::vector<Look> looks() {
     }
   }
   return all;
+}
+
+opcua::CertificateFacts certificate(char digit) {
+  opcua::CertificateFacts facts;
+  facts.fingerprint = std::string(62, digit) + "42";
+  facts.subject = "CN=SINUMERIK OPC UA Server@cell-4, O=Siemens AG, OU=Machine tools, C=DE";
+  facts.issuer = facts.subject;
+  facts.validFrom = *base::utcOfText("2026-01-02T03:04:05.000Z");
+  facts.validTo = *base::utcOfText("2031-01-01T03:04:05.000Z");
+  facts.applicationUris = {"urn:cell-4:Siemens:SinumerikOpcUaServer"};
+  facts.hostNames = {"cell-4", "192.168.214.241"};
+  return facts;
+}
+
+opcua::TrustQuestion questionOf(opcua::TrustQuestion::Kind kind) {
+  opcua::TrustQuestion question;
+  question.kind = kind;
+  question.endpoint = "opc.tcp://192.168.214.242:4840";
+  question.shown = certificate('a');
+  question.isValidNow = true;
+  if (kind == opcua::TrustQuestion::Kind::ChangedServer) {
+    question.accepted = certificate('b');
+    question.acceptedFingerprint = question.accepted->fingerprint;
+  } else if (kind == opcua::TrustQuestion::Kind::Protection) {
+    question.wasEncrypted = true;
+    for (const char* text : {"Basic256Sha256/Sign", "Basic128Rsa15", "None"}) {
+      question.choices.push_back(*opcua::securityChoiceOf(text));
+    }
+  }
+  return question;
 }
 
 }  // namespace
@@ -189,9 +226,8 @@ class TestLook : public QObject {
     hmi::Settings settings;
     settings.language = QStringLiteral("en");
     settings.theme = Theme::Light;
-    m_window = std::make_unique<MainWindow>(settings, false, [this](const std::string& endpoint) {
-      return m_machine->connect(endpoint);
-    });
+    m_window = std::make_unique<MainWindow>(
+        settings, false, [this](const auto& asked) { return m_machine->connect(asked.endpoint); });
     m_window->show();
   }
 
@@ -293,6 +329,78 @@ class TestLook : public QObject {
     for (const Look& look : looks()) {
       dress(look);
       inspect(look, QStringLiteral("lost"));
+    }
+    verifyNoFaults();
+  }
+
+  /// What is asked before a machine is connected.
+  void trustIsAsked() {
+    for (const auto kind :
+         {opcua::TrustQuestion::Kind::NewServer, opcua::TrustQuestion::Kind::ChangedServer,
+          opcua::TrustQuestion::Kind::Protection, opcua::TrustQuestion::Kind::Login}) {
+      const auto question = std::make_shared<const opcua::TrustQuestion>(questionOf(kind));
+      hmi::Settings settings;
+      settings.language = QStringLiteral("en");
+      m_window = std::make_unique<MainWindow>(settings, false, [question](const auto&) {
+        return opcua::Attempt(base::fail(opcua::LinkError::CertificateUnknown, "asked"), question);
+      });
+      m_window->show();
+      m_window->connectTo(QString::fromStdString(question->endpoint));
+      auto* sheet = m_window->findChild<widgets::TrustSheet*>();
+      sheet->setOwnCertificate(certificate('c'));
+      auto* machine = m_window->findChild<QToolButton*>(QStringLiteral("machine"));
+      if (widgets::isOnSheet(*question)) {
+        QTRY_VERIFY_WITH_TIMEOUT(sheet->isVisible(), kSoonMs);
+      } else {
+        machine->click();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            m_window->findChild<QWidget*>(QStringLiteral("login-user"))->isVisible(), kSoonMs);
+      }
+      for (const Look& look : looks()) {
+        dress(look);
+        inspect(look, QStringLiteral("trust-%1").arg(static_cast<int>(kind)));
+      }
+    }
+    verifyNoFaults();
+  }
+
+  /// Certificates and rights with something in them, and the protection of the connection.
+  void trustIsShown() {
+    open();
+    widgets::CertificatesView view;
+    view.own = certificate('c');
+    view.ownDaysLeft = 1801;
+    view.library = QStringLiteral("/usr/lib/x86_64-linux-gnu/libmbedcrypto.so.16");
+    view.servers = {
+        {"opc.tcp://192.168.214.241:4840", certificate('a').fingerprint, certificate('a'), 364, ""},
+        {"opc.tcp://cell-4.shop.example:4840", "", std::nullopt, 0, "Basic128Rsa15"}};
+    view.rejected = {{"opc.tcp://192.168.214.241:4840", certificate('b')}};
+    opcua::RightsReport report;
+    using opcua::RunRight;
+    report.findings = {{RunRight::ReadVariables, true},
+                       {RunRight::WriteParameters, false},
+                       {RunRight::ReadPrograms, true},
+                       {RunRight::WritePrograms, std::nullopt},
+                       {RunRight::SelectProgram, false}};
+    report.excess = {"SinuWriteAll", "AlarmDelete"};
+    auto* setUp = m_window->findChild<widgets::SetUpPage*>();
+    auto* certificates = m_window->findChild<widgets::CertificatesPage*>();
+    auto* rights = m_window->findChild<widgets::RightsPage*>();
+    auto* machine = m_window->findChild<widgets::MachineButton*>();
+    m_window->pages()->setCurrentIndex(8);
+    QVERIFY(setUp->isVisible());
+    for (const Look& look : looks()) {
+      dress(look);
+      machine->setConnectionState(widgets::ConnectionState::Connected, opcua::Protection::Weak,
+                                  QStringLiteral("Basic128Rsa15, SignAndEncrypt"));
+      certificates->setCertificates(view);
+      rights->setReport(report);
+      setUp->steps()->setCurrentIndex(5);
+      inspect(look, QStringLiteral("certificates"));
+      machine->setConnectionState(widgets::ConnectionState::Connected, opcua::Protection::Encrypted,
+                                  QStringLiteral("Aes256_Sha256_RsaPss, SignAndEncrypt"));
+      setUp->steps()->setCurrentIndex(6);
+      inspect(look, QStringLiteral("rights"));
     }
     verifyNoFaults();
   }

@@ -43,9 +43,8 @@ class TestMachineProfiles : public QObject {
     settings.language = QStringLiteral("en");
     settings.stream.parameters.method = base::MethodKind::Window;
     settings.stream.programFeeds = true;
-    m_window = std::make_unique<MainWindow>(settings, false, [this](const std::string& endpoint) {
-      return m_machine->connect(endpoint);
-    });
+    m_window = std::make_unique<MainWindow>(
+        settings, false, [this](const auto& asked) { return m_machine->connect(asked.endpoint); });
     m_window->resize(1440, 900);
     m_window->show();
     m_window->openProgram(kScorpion);
@@ -157,9 +156,8 @@ class TestMachineProfiles : public QObject {
     m_window.reset();
     hmi::Settings settings;
     settings.language = QStringLiteral("en");
-    m_window = std::make_unique<MainWindow>(settings, false, [this](const std::string& endpoint) {
-      return m_machine->connect(endpoint);
-    });
+    m_window = std::make_unique<MainWindow>(
+        settings, false, [this](const auto& asked) { return m_machine->connect(asked.endpoint); });
     m_window->resize(1440, 900);
     m_window->show();
     auto* machines = m_window->findChild<widgets::MachinesPage*>();

@@ -158,8 +158,8 @@ class TestMainWindow : public QObject {
   }
 
   void openWindow() {
-    m_window = std::make_unique<MainWindow>(settings(), false, [this](const std::string& endpoint) {
-      return m_machine->connect(endpoint);
+    m_window = std::make_unique<MainWindow>(settings(), false, [this](const auto& asked) {
+      return m_machine->connect(asked.endpoint);
     });
     m_window->resize(1440, 900);
     m_window->show();

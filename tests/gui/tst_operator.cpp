@@ -67,7 +67,7 @@ struct Cell {
     settings.stateFolder = in(folder, "state");
     settings.usersFile = in(folder, "users.json");
     window = std::make_unique<hmi::MainWindow>(
-        settings, false, [this](const std::string& endpoint) { return machine.connect(endpoint); });
+        settings, false, [this](const auto& asked) { return machine.connect(asked.endpoint); });
     window->resize(1280, 800);
     window->show();
     window->connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));

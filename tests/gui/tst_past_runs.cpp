@@ -30,9 +30,9 @@ struct Cell {
   streaming::SimulatedLink link{machine};
 };
 
-base::Result<opcua::Connection> connectToCell(const std::string& endpoint) {
+base::Result<opcua::Connection> connectToCell(const opcua::ConnectRequest& asked) {
   auto cell = std::make_shared<Cell>();
-  return opcua::Connection{cell, &cell->link, &cell->link, endpoint};
+  return opcua::Connection{cell, &cell->link, &cell->link, asked.endpoint};
 }
 
 widgets::StreamSettings settings(base::MethodKind method, int points, double feedMmPerMin) {

@@ -150,9 +150,8 @@ class TestResponsiveness : public QObject {
     settings.language = QStringLiteral("en");
     settings.theme = widgets::Theme::Light;
     const double beforeMs = workedMs();
-    MainWindow window(settings, false, [&machine](const std::string& endpoint) {
-      return machine.connect(endpoint);
-    });
+    MainWindow window(settings, false,
+                      [&machine](const auto& asked) { return machine.connect(asked.endpoint); });
     window.resize(1440, 900);
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));

@@ -64,9 +64,10 @@ struct Cell {
   streaming::SimulatedLink link{machine};
 };
 
-base::Result<opcua::Connection> connectToCell(const std::string& endpoint) {
-  auto cell = std::make_shared<Cell>(endpoint == kMill.toStdString() ? "dmu75-mill" : "dmu75");
-  return opcua::Connection{cell, &cell->link, &cell->link, endpoint};
+base::Result<opcua::Connection> connectToCell(const opcua::ConnectRequest& asked) {
+  auto cell =
+      std::make_shared<Cell>(asked.endpoint == kMill.toStdString() ? "dmu75-mill" : "dmu75");
+  return opcua::Connection{cell, &cell->link, &cell->link, asked.endpoint};
 }
 
 widgets::StreamSettings settings(base::MethodKind method, double feedMmPerMin) {

@@ -50,9 +50,8 @@ class TestRunFromHere : public QObject {
     settings.stream.wholeJob = wholeJob;
     settings.stream.deltaMm = 0.1;
     settings.stream.feedMmPerS = 2.0;
-    m_window = std::make_unique<MainWindow>(settings, false, [this](const std::string& endpoint) {
-      return m_machine->connect(endpoint);
-    });
+    m_window = std::make_unique<MainWindow>(
+        settings, false, [this](const auto& asked) { return m_machine->connect(asked.endpoint); });
     m_window->resize(1440, 900);
     m_window->show();
     m_window->openProgram(kScorpion);

@@ -94,9 +94,8 @@ class TestWrongMotion : public QObject {
     tests::SimulatedControl machine(slowMachine(), kInteractivePace);
     hmi::Settings settings = settingsOf(static_cast<base::MethodKind>(method));
     settings.theme = isDark ? widgets::Theme::Dark : widgets::Theme::Light;
-    MainWindow window(settings, false, [&machine](const std::string& endpoint) {
-      return machine.connect(endpoint);
-    });
+    MainWindow window(settings, false,
+                      [&machine](const auto& asked) { return machine.connect(asked.endpoint); });
     window.resize(1280, 800);
     window.show();
     window.connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));

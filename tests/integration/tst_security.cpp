@@ -262,42 +262,81 @@ class TestSecurity : public QObject {
     QVERIFY((*reader)->downloadProgram("A.MPF"));
   }
 
-  void theWindowConnectsAKnownServerEncryptedOnly() {
+  void aNewServerIsAskedAboutOnce() {
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.path().toStdString();
     machine::ServerOptions options = encrypted();
     options.unencrypted = true;
     const Cell cell(options);
-    const auto unknown = trust::connectAsKnown(cell.endpoint(), path);
-    QVERIFY2(unknown, unknown ? "" : unknown.error().text().c_str());
-    QCOMPARE(*unknown->security, opcua::ChannelSecurity{});
+    // On this computer, what was never encrypted need not be.
+    const opcua::Attempt local = trust::connect({cell.endpoint()}, path);
+    QVERIFY2(local.connection, local.connection ? "" : local.connection.error().text().c_str());
+    QCOMPARE(*local.connection->security, opcua::ChannelSecurity{});
+    QCOMPARE(opcua::protectionOf(*local.connection->security, cell.endpoint()),
+             opcua::Protection::LocalOnly);
 
-    trust::ConnectRequest request;
-    request.endpoint = cell.endpoint();
+    opcua::ConnectRequest request{cell.endpoint()};
     request.security = opcua::SecurityChoice{};
-    QVERIFY(!trust::connect(request, path));
-    int asked = 0;
-    request.ask = [&](const opcua::CertificateFacts&) { return ++asked == 1; };
-    QVERIFY(trust::connect(request, path));
-    const auto known = trust::connectAsKnown(cell.endpoint(), path);
-    QVERIFY2(known, known ? "" : known.error().text().c_str());
-    QCOMPARE(known->security->mode, opcua::MessageMode::SignAndEncrypt);
-    QCOMPARE(asked, 1);
+    const opcua::Attempt unknown = trust::connect(request, path);
+    QVERIFY(!unknown.connection);
+    QVERIFY(unknown.question);
+    QCOMPARE(unknown.question->kind, opcua::TrustQuestion::Kind::NewServer);
+    QVERIFY(unknown.question->isValidNow);
+    QCOMPARE(trust::TrustStore(path).rejected().size(), std::size_t{1});
+    request.fingerprint = std::string(64, 'a');
+    QVERIFY(!trust::connect(request, path).connection);
+    request.fingerprint = unknown.question->shown.fingerprint;
+    QVERIFY(trust::connect(request, path).connection);
+    QVERIFY(trust::TrustStore(path).rejected().empty());
+    const opcua::Attempt known = trust::connect({cell.endpoint()}, path);
+    QVERIFY2(known.connection, known.connection ? "" : known.connection.error().text().c_str());
+    QCOMPARE(known.connection->security->mode, opcua::MessageMode::SignAndEncrypt);
+  }
+
+  void aChangedServerIsAskedAboutWithBothCertificates() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.path().toStdString();
+    const Cell cell(encrypted());
+    const std::string& before = certificateOf("before").certificate;
+    const auto facts = opcua::readCertificate(before);
+    QVERIFY(facts);
+    const trust::TrustStore store(path);
+    QVERIFY(store.accept(cell.endpoint(), *facts, before));
+    const opcua::Attempt changed = trust::connect({cell.endpoint()}, path);
+    QVERIFY(!changed.connection && changed.question);
+    QCOMPARE(changed.question->kind, opcua::TrustQuestion::Kind::ChangedServer);
+    QCOMPARE(changed.question->acceptedFingerprint, facts->fingerprint);
+    QCOMPARE(changed.question->accepted, facts);
+    QVERIFY(changed.question->wasEncrypted);
+    const std::string shown = changed.question->shown.fingerprint;
+    QVERIFY(shown != facts->fingerprint);
+    const auto rejected = store.rejected();
+    QCOMPARE(rejected.size(), std::size_t{1});
+    QCOMPARE(rejected.front().endpoint, cell.endpoint());
+    QVERIFY(store.acceptRejected(shown));
+    QVERIFY(store.rejected().empty());
+    QVERIFY(trust::connect({cell.endpoint()}, path).connection);
+    QVERIFY(!store.acceptRejected("../servers"));
   }
 
   void aServerWithoutEncryptionHasToBeNamedOnce() {
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.path().toStdString();
     const Cell cell(machine::ServerOptions{});
-    trust::ConnectRequest request;
-    request.endpoint = cell.endpoint();
-    request.user = "setter";
-    const auto refused = trust::connect(request, path);
-    QVERIFY(!refused);
-    QCOMPARE(refused.error().code, make_error_code(LinkError::EncryptionMissing));
+    opcua::ConnectRequest request{cell.endpoint()};
+    request.security = opcua::SecurityChoice{};
+    const opcua::Attempt refused = trust::connect(request, path);
+    QVERIFY(!refused.connection && refused.question);
+    QCOMPARE(refused.connection.error().code, make_error_code(LinkError::EncryptionMissing));
+    QCOMPARE(refused.question->kind, opcua::TrustQuestion::Kind::Protection);
+    QCOMPARE(refused.question->choices, std::vector{opcua::unencrypted()});
+    request.user = "setter";  // its password could be read
+    const opcua::Attempt withUser = trust::connect(request, path);
+    QVERIFY(!withUser.connection && withUser.question);
+    QVERIFY(withUser.question->choices.empty());
     request.user.clear();
-    request.security = opcua::unencrypted();
-    QVERIFY(trust::connect(request, path));
+    request.security = refused.question->choices.front();
+    QVERIFY(trust::connect(request, path).connection);
     const auto known = trust::TrustStore(path).find(cell.endpoint());
     QVERIFY(known && *known);
     QCOMPARE((*known)->security, std::string("None"));

@@ -14,7 +14,8 @@ namespace {
 constexpr std::array kActs{Act::Stop,           Act::Hold,        Act::Continue,   Act::Start,
                            Act::Resume,         Act::Watch,       Act::Correct,    Act::OpenProgram,
                            Act::ChangeSettings, Act::Connect,     Act::Disconnect, Act::Calibrate,
-                           Act::Release,        Act::Acknowledge, Act::Shelve,     Act::SetUpUsers};
+                           Act::Release,        Act::Acknowledge, Act::Shelve,     Act::SetUpUsers,
+                           Act::Trust};
 
 }  // namespace
 
@@ -49,7 +50,8 @@ class TestPermission : public QObject {
       QVERIFY(!refusal(standing, act, true));
       QVERIFY(refusal(standing, act, false) == Refusal::NotReleased);
     }
-    for (const Act act : {Act::ChangeSettings, Act::Calibrate, Act::Release, Act::SetUpUsers}) {
+    for (const Act act :
+         {Act::ChangeSettings, Act::Calibrate, Act::Release, Act::SetUpUsers, Act::Trust}) {
       QVERIFY(refusal(standing, act) == Refusal::NeedsEngineer);
     }
     for (const Act act : {Act::Hold, Act::Continue, Act::OpenProgram, Act::Acknowledge}) {

@@ -52,6 +52,8 @@ struct AuditTexts {
         return tr("Connect");
       case Act::Disconnect:
         return tr("Disconnect");
+      case Act::Trust:
+        return tr("Trust");
       case Act::Calibrate:
         return tr("Calibration");
       case Act::Release:

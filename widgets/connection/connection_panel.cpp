@@ -26,6 +26,8 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
       m_connect(makeTouchButton(this)),
       m_connectionStatus(new StatusLabel(this)),
       m_virtualBadge(new StatusLabel(this)),
+      m_protection(new StatusLabel(this)),
+      m_login(new LoginFields(this)),
       m_machineGroup(new QGroupBox(this)),
       m_channelLabel(new QLabel(this)),
       m_channel(new StatusLabel(this)),
@@ -49,15 +51,17 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
     if (m_state == ConnectionState::Connected || m_state == ConnectionState::Connecting) {
       Q_EMIT disconnectRequested();
     } else {
-      Q_EMIT connectRequested(endpoint());
+      Q_EMIT connectRequested(endpoint(), m_login->take());
     }
   };
   connect(m_connect, &QPushButton::clicked, this, request);
-  connect(m_endpoint, &QLineEdit::returnPressed, this, [this] {
+  const auto submit = [this] {
     if (m_endpoint->isEnabled() && !endpoint().isEmpty()) {
-      Q_EMIT connectRequested(endpoint());
+      Q_EMIT connectRequested(endpoint(), m_login->take());
     }
-  });
+  };
+  connect(m_endpoint, &QLineEdit::returnPressed, this, submit);
+  connect(m_login, &LoginFields::submitted, this, submit);
   connect(m_endpoint, &QLineEdit::textChanged, this, [this] { showConnection(); });
   retranslate();
   restyle();
@@ -70,12 +74,16 @@ void ConnectionPanel::buildConnection() {
   m_connectionStatus->setEmphasis(11.0, true);
   m_connectionStatus->setWordWrap(true);
   m_virtualBadge->setWordWrap(true);
+  m_protection->setWordWrap(true);
+  m_protection->setObjectName(QStringLiteral("protection"));
   auto* connection = new QGridLayout(m_connectionGroup);
   connection->addWidget(m_endpointLabel, 0, 0, 1, 2);
   connection->addWidget(m_endpoint, 1, 0);
   connection->addWidget(m_connect, 1, 1);
   connection->addWidget(m_connectionStatus, 2, 0, 1, 2);
-  connection->addWidget(m_virtualBadge, 3, 0, 1, 2);
+  connection->addWidget(m_protection, 3, 0, 1, 2);
+  connection->addWidget(m_virtualBadge, 4, 0, 1, 2);
+  connection->addWidget(m_login, 5, 0, 1, 2);
   connection->setColumnStretch(0, 1);
 }
 
@@ -109,6 +117,13 @@ void ConnectionPanel::setConnectionState(ConnectionState state, const QString& d
   showMachine();
 }
 
+void ConnectionPanel::setProtection(std::optional<opcua::Protection> protection,
+                                    const std::optional<opcua::ChannelSecurity>& security) {
+  m_protectionKind = protection;
+  m_security = security;
+  showProtection();
+}
+
 void ConnectionPanel::setMachineState(const MachineView& machine) {
   m_machine = machine;
   showMachine();
@@ -129,6 +144,7 @@ void ConnectionPanel::retranslate() {
   m_alarmLabel->setText(tr("Alarm"));
   m_messageLabel->setText(tr("Message"));
   showConnection();
+  showProtection();
   showMachine();
 }
 
@@ -154,6 +170,17 @@ void ConnectionPanel::showConnection() {
   m_connect->setText(connects ? tr("Connect") : tr("Disconnect"));
   m_connect->setEnabled(connects ? !endpoint().isEmpty() : m_disconnectEnabled);
   m_endpoint->setEnabled(connects);
+  m_login->setEnabled(connects);
+}
+
+void ConnectionPanel::showProtection() {
+  m_protection->setVisible(m_protectionKind.has_value() && m_security.has_value());
+  if (m_protectionKind && m_security) {
+    const ProtectionText text = protectionText(*m_protectionKind);
+    m_protection->setStatus(
+        text.status, QStringLiteral("%1: %2").arg(
+                         QString::fromStdString(opcua::securityText(*m_security)), text.sentence));
+  }
 }
 
 void ConnectionPanel::showMachine() {

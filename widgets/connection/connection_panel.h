@@ -6,7 +6,11 @@
 /// @threadsafety GUI thread.
 #pragma once
 
+#include <optional>
+
+#include "opcua/security.h"
 #include "widgets/common/page.h"
+#include "widgets/connection/login_fields.h"
 #include "widgets/connection/machine_view.h"
 
 class QFormLayout;
@@ -29,12 +33,16 @@ class ConnectionPanel final : public Page {
   [[nodiscard]] QString endpoint() const;
   /// @param detail  one sentence on why, for Lost; may be empty
   void setConnectionState(ConnectionState state, const QString& detail = {});
+  void setLogin(const LoginView& login) { m_login->setLogin(login); }
+  /// @param protection  nothing: not connected, or there is no network between
+  void setProtection(std::optional<opcua::Protection> protection,
+                     const std::optional<opcua::ChannelSecurity>& security);
   void setMachineState(const MachineView& machine);
   /// During a run, disconnecting is not possible.
   void setDisconnectEnabled(bool enabled);
 
  Q_SIGNALS:
-  void connectRequested(const QString& endpoint);
+  void connectRequested(const QString& endpoint, const rivulet::widgets::Login& login);
   void disconnectRequested();
 
  protected:
@@ -45,11 +53,14 @@ class ConnectionPanel final : public Page {
   void buildConnection();
   void buildMachine();
   void showConnection();
+  void showProtection();
   void showMachine();
   void showChannel();
 
   ConnectionState m_state = ConnectionState::Disconnected;
   QString m_detail;
+  std::optional<opcua::Protection> m_protectionKind;
+  std::optional<opcua::ChannelSecurity> m_security;
   MachineView m_machine;
   bool m_disconnectEnabled = true;
 
@@ -59,6 +70,8 @@ class ConnectionPanel final : public Page {
   QPushButton* m_connect;
   StatusLabel* m_connectionStatus;
   StatusLabel* m_virtualBadge;
+  StatusLabel* m_protection;
+  LoginFields* m_login;
 
   QGroupBox* m_machineGroup;
   QLabel* m_channelLabel;

@@ -29,6 +29,28 @@ struct ConnectionTexts {
     return {};
   }
 
+  static ProtectionText protection(opcua::Protection protection) {
+    using opcua::Protection;
+    switch (protection) {
+      case Protection::Encrypted:
+        return {Status::Good, QStringLiteral("locked"), tr("encrypted"),
+                tr("Nobody on the network can read or change what is sent.")};
+      case Protection::Signed:
+        return {Status::Good, QStringLiteral("signed"), tr("signed"),
+                tr("Nobody can change what is sent, but everybody on the network can read it.")};
+      case Protection::Weak:
+        return {Status::Attention, QStringLiteral("unlocked"), tr("weakly encrypted"),
+                tr("This encryption was withdrawn: it can be broken with the means of today.")};
+      case Protection::LocalOnly:
+        return {Status::Plain, QStringLiteral("unlocked"), tr("not protected"),
+                tr("Not encrypted. What is sent does not leave this computer.")};
+      case Protection::None:
+        break;
+    }
+    return {Status::Attention, QStringLiteral("unlocked"), tr("not protected"),
+            tr("Everybody on the network can read what is sent, and move the machine.")};
+  }
+
   static ProgramStatusText programStatus(std::optional<int> status) {
     if (!status) {
       return {Status::Unknown, noValue()};
@@ -54,6 +76,10 @@ struct ConnectionTexts {
 
 QString connectionText(ConnectionState state) {
   return ConnectionTexts::text(state);
+}
+
+ProtectionText protectionText(opcua::Protection protection) {
+  return ConnectionTexts::protection(protection);
 }
 
 ProgramStatusText programStatusText(std::optional<int> programStatus) {

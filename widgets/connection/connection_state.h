@@ -6,6 +6,7 @@
 /// @threadsafety GUI thread.
 #pragma once
 
+#include "opcua/security.h"
 #include "widgets/common/status_label.h"
 #include "widgets/connection/machine_view.h"
 
@@ -14,6 +15,15 @@ namespace rivulet::widgets {
 /// "Connected", "Connection lost", …
 [[nodiscard]] QString connectionText(ConnectionState state);
 [[nodiscard]] Status connectionStatus(ConnectionState state);
+
+/// How a connection is protected.
+struct ProtectionText {
+  Status status = Status::Good;
+  QString icon;      ///< name of an icon
+  QString word;      ///< "encrypted", "not protected"
+  QString sentence;  ///< what it means
+};
+[[nodiscard]] ProtectionText protectionText(opcua::Protection protection);
 
 struct ProgramStatusText {
   Status status = Status::Unknown;

@@ -4,6 +4,7 @@
 #include "widgets/connection/machine_button.h"
 
 #include <QEvent>
+#include <QPainter>
 #include <algorithm>
 
 #include "widgets/common/icons.h"
@@ -13,6 +14,8 @@
 namespace rivulet::widgets {
 
 namespace {
+
+constexpr int kIconPx = 20;
 
 /// The newest of what was read, whole seconds. Never anything: 0, there is nothing to be old.
 int silenceS(const MachineView& machine) {
@@ -34,12 +37,15 @@ MachineButton::MachineButton(QWidget* parent) : QToolButton(parent) {
   setObjectName(QStringLiteral("machine"));
   setCheckable(true);
   setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  setIconSize(QSize(20, 20));
   show();
 }
 
-void MachineButton::setConnectionState(ConnectionState state) {
+void MachineButton::setConnectionState(ConnectionState state,
+                                       std::optional<opcua::Protection> protection,
+                                       const QString& security) {
   m_state = state;
+  m_protection = state == ConnectionState::Connected ? protection : std::nullopt;
+  m_security = security;
   show();
 }
 
@@ -72,9 +78,38 @@ void MachineButton::show() {
       text = tr("%1, silent for %2 s").arg(text).arg(m_silentS);
     }
   }
-  setText(text);
-  setIcon(themedIcon(statusIconName(status), statusColor(status, palette())));
-  setToolTip(tr("Connection and state of the machine"));
+  QString tip = tr("Connection and state of the machine");
+  if (!m_protection) {
+    setText(text);
+    setIconSize(QSize(kIconPx, kIconPx));
+    setIcon(icon(status, nullptr));
+  } else {
+    const ProtectionText protection = protectionText(*m_protection);
+    setText(text + QLatin1Char('\n') + protection.word);
+    setIconSize(QSize(kIconPx, 2 * kIconPx));
+    setIcon(icon(status, &protection));
+    tip += QStringLiteral("\n%1: %2").arg(m_security, protection.sentence);
+  }
+  setAccessibleName(text + (m_protection ? QStringLiteral(", ") + protectionText(*m_protection).word
+                                         : QString()));
+  setToolTip(tip);
+}
+
+QIcon MachineButton::icon(Status status, const ProtectionText* protection) const {
+  const QColor color = statusColor(status, palette());
+  if (protection == nullptr) {
+    return themedIcon(statusIconName(status), color);
+  }
+  const qreal ratio = devicePixelRatioF();
+  QPixmap both(QSize(kIconPx, 2 * kIconPx) * ratio);
+  both.setDevicePixelRatio(ratio);
+  both.fill(Qt::transparent);
+  QPainter painter(&both);
+  painter.drawPixmap(0, 0, iconPixmap(statusIconName(status), color, kIconPx, ratio));
+  painter.drawPixmap(
+      0, kIconPx,
+      iconPixmap(protection->icon, statusColor(protection->status, palette()), kIconPx, ratio));
+  return {both};
 }
 
 }  // namespace rivulet::widgets

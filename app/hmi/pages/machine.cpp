@@ -40,7 +40,11 @@ QWidget* makeConnectionPanel(const Models& models) {
   auto* panel = new ConnectionPanel;
   MachineModel* machine = &models.machine;
   panel->setEndpoint(machine->endpoint());
-  QObject::connect(panel, &ConnectionPanel::connectRequested, machine, &MachineModel::connectTo);
+  QObject::connect(panel, &ConnectionPanel::connectRequested, machine, &MachineModel::connectAs);
+  const Logins* logins = &models.logins;
+  QObject::connect(logins, &Logins::changed, panel,
+                   [panel, logins] { panel->setLogin(logins->view()); });
+  panel->setLogin(logins->view());
   QObject::connect(panel, &ConnectionPanel::disconnectRequested, machine,
                    &MachineModel::disconnectFrom);
   QObject::connect(machine, &MachineModel::endpointChanged, panel,
@@ -49,6 +53,7 @@ QWidget* makeConnectionPanel(const Models& models) {
     const base::Error& error = machine->link().error;
     panel->setConnectionState(machine->connectionState(),
                               error.code ? widgets::errorText(error) : QString());
+    panel->setProtection(machine->protection(), machine->link().security);
   });
   QObject::connect(machine, &MachineModel::viewChanged, panel,
                    [panel, machine] { panel->setMachineState(machine->view()); });
@@ -62,8 +67,12 @@ QWidget* makeConnectionPanel(const Models& models) {
 QToolButton* makeMachineButton(const Models& models, QWidget* parent) {
   auto* button = new widgets::MachineButton(parent);
   const MachineModel* machine = &models.machine;
-  QObject::connect(machine, &MachineModel::linkChanged, button,
-                   [button, machine] { button->setConnectionState(machine->connectionState()); });
+  QObject::connect(machine, &MachineModel::linkChanged, button, [button, machine] {
+    const auto& security = machine->link().security;
+    button->setConnectionState(
+        machine->connectionState(), machine->protection(),
+        security ? QString::fromStdString(opcua::securityText(*security)) : QString());
+  });
   QObject::connect(machine, &MachineModel::viewChanged, button,
                    [button, machine] { button->setMachineState(machine->view()); });
   return button;

@@ -10,9 +10,11 @@
 
 #include "hmi/alarms.h"
 #include "hmi/audit.h"
+#include "hmi/certificates.h"
 #include "hmi/credit_commissioning.h"
 #include "hmi/document.h"
 #include "hmi/found_runs.h"
+#include "hmi/logins.h"
 #include "hmi/machine_model.h"
 #include "hmi/machine_profiles.h"
 #include "hmi/machines.h"
@@ -50,6 +52,8 @@ struct Models {
   MachineProfiles& profiles;
   Machines& machines;
   Traces& traces;
+  Certificates& certificates;
+  Logins& logins;
 };
 
 /// A page of the tab widget.
@@ -68,6 +72,8 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeTemplatePage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeCalibrationPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeCommissioningPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeCertificatesPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeRightsPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeMachinesPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeSetUpPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeRunsPage(const Models& models, QWidget* parent);
@@ -90,6 +96,7 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeFoundRunBar(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeResumeBar(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makePreflightSheet(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeTrustSheet(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeRunPanel(const Models& models, QWidget* parent);
 
 /// The simulation among the findings, as pages show it.

@@ -74,14 +74,20 @@ void showStatus(SetUpPage* page, const Models& models, const std::vector<QWidget
 
 QWidget* makeSetUpPage(const Models& models, QWidget* parent) {
   auto* page = new SetUpPage(parent);
-  const std::vector<QWidget*> steps{
-      makeConnectionPanel(models), makeProfilePage(models), makeTemplatePage(models, nullptr),
-      makeCalibrationPage(models, nullptr), makeCommissioningPage(models, nullptr)};
+  const std::vector<QWidget*> steps{makeConnectionPanel(models),
+                                    makeProfilePage(models),
+                                    makeTemplatePage(models, nullptr),
+                                    makeCalibrationPage(models, nullptr),
+                                    makeCommissioningPage(models, nullptr),
+                                    makeCertificatesPage(models, nullptr),
+                                    makeRightsPage(models, nullptr)};
   page->addStep(steps[0], [] { return SetUpTexts::tr("Connection"); });
   page->addStep(steps[1], [] { return SetUpTexts::tr("Limits"); });
   page->addStep(steps[2], [] { return SetUpTexts::tr("Template"); });
   page->addStep(steps[3], [] { return SetUpTexts::tr("Calibration"); });
   page->addStep(steps[4], [] { return SetUpTexts::tr("Credit test"); });
+  page->addStep(steps[5], [] { return SetUpTexts::tr("Certificates"); });
+  page->addStep(steps[6], [] { return SetUpTexts::tr("Rights"); });
   const auto show = [page, models, steps] { showStatus(page, models, steps); };
   QObject::connect(&models.machine, &MachineModel::linkChanged, page, show);
   QObject::connect(&models.machine, &MachineModel::calibrationChanged, page, show);

@@ -651,6 +651,7 @@ base::Result<void> UaLink::Impl::open() {
   explicit_bzero(m_options.password.data(), m_options.password.size());
   m_options.own = nullptr;
   m_options.trust = nullptr;
+  m_options.offered = nullptr;
   m_established = true;
   return resolveNamespaces(addSaturating(now(), 2 * m_options.connectDeadline));
 }
@@ -714,6 +715,9 @@ base::Result<SecureEndpoint> UaLink::Impl::discover() {
     return base::fail(connectError(status));
   }
   const std::vector<EndpointOffer> offers = offersOf(found);
+  if (m_options.offered) {
+    m_options.offered(offers);
+  }
   const auto chosen = chooseOffer(offers, m_options.security, !m_options.user.empty());
   if (!chosen) {
     return base::fail(chosen.error().code, chosen.error().message, endpoint());

@@ -33,6 +33,8 @@ struct ConnectOptions {
   SecurityChoice security;
   /// The certificate of this computer, asked for when the first encrypted connection needs it.
   std::function<base::Result<OwnCertificate>()> own;
+  /// Told what the server offers, if it is asked. May be empty.
+  std::function<void(std::span<const EndpointOffer>)> offered;
   /// Asked before an encrypted connection is opened; without it no server is trusted.
   TrustCheck trust;
   std::string user;  ///< empty: anonymous
