@@ -7258,6 +7258,13 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::SetUpPage</name>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::SignalPanel</name>
     <message>
         <source>shown</source>

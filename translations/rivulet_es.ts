@@ -7258,6 +7258,13 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::SetUpPage</name>
+    <message>
+        <source>Step</source>
+        <translation>Paso</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::SignalPanel</name>
     <message>
         <source>shown</source>

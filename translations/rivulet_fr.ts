@@ -7258,6 +7258,13 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::SetUpPage</name>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::SignalPanel</name>
     <message>
         <source>shown</source>

@@ -21,6 +21,7 @@
 #include <QMenuBar>
 #include <QPlainTextEdit>
 #include <QRadioButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
@@ -217,7 +218,9 @@ class Inspector {
       }
       // A word longer than the line is cut.
       if (label->textFormat() == Qt::PlainText) {
-        for (const QString& word : label->text().split(QLatin1Char(' '))) {
+        // A line may end at a blank, a line feed and a space without width.
+        for (const QString& word :
+             label->text().split(QRegularExpression(QStringLiteral("[ \n\u200B]")))) {
           if (label->fontMetrics().horizontalAdvance(word) > room.width()) {
             complain(label, QStringLiteral("cuts the word \"%1\"").arg(word));
           }
@@ -240,8 +243,7 @@ class Inspector {
       return;
     }
     const QString text = QString(button->text()).remove(QLatin1Char('&'));
-    const QSize needed =
-        button->fontMetrics().size(Qt::TextSingleLine | Qt::TextShowMnemonic, button->text());
+    const QSize needed = button->fontMetrics().size(Qt::TextShowMnemonic, button->text());
     int room = button->width();
     if (!button->icon().isNull()) {
       room -= button->iconSize().width() + 4;

@@ -347,10 +347,10 @@ class TestLook : public QObject {
       m_window->show();
       m_window->connectTo(QString::fromStdString(question->endpoint));
       auto* sheet = m_window->findChild<widgets::TrustSheet*>();
-      sheet->setOwnCertificate(certificate('c'));
       auto* machine = m_window->findChild<QToolButton*>(QStringLiteral("machine"));
       if (widgets::isOnSheet(*question)) {
         QTRY_VERIFY_WITH_TIMEOUT(sheet->isVisible(), kSoonMs);
+        sheet->setOwnCertificate(certificate('c'));
       } else {
         machine->click();
         QTRY_VERIFY_WITH_TIMEOUT(

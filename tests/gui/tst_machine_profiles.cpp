@@ -16,7 +16,6 @@
 #include "widgets/common/number_field.h"
 #include "widgets/connection/machines_page.h"
 #include "widgets/setup/profile_page.h"
-#include "widgets/setup/set_up_page.h"
 #include "widgets/streaming/preflight_sheet.h"
 
 using namespace rivulet;
@@ -134,8 +133,7 @@ class TestMachineProfiles : public QObject {
     QVERIFY(button(QStringLiteral("Discard changes"))->isEnabled());
     button(QStringLiteral("Discard changes"))->click();
     QCOMPARE(field(QStringLiteral("Rapid, mm/min"))->value(), 12000.0);
-    m_window->findChild<widgets::SetUpPage*>()->steps()->setCurrentWidget(page());
-    m_window->pages()->setCurrentIndex(m_window->pages()->count() - 2);
+    hmi::showPageOf(page());
     QCoreApplication::processEvents();
     QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/limits-light.png")));

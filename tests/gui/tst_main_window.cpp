@@ -45,7 +45,6 @@
 #include "widgets/program/file_bars.h"
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_page.h"
-#include "widgets/setup/set_up_page.h"
 #include "widgets/streaming/correction_panel.h"
 #include "widgets/streaming/found_run_bar.h"
 #include "widgets/streaming/preflight_sheet.h"
@@ -65,7 +64,6 @@ constexpr int kSoonMs = 20000;
 constexpr int kRunMs = 300000;
 constexpr std::size_t kScorpionPoints = 270;
 constexpr std::size_t kScorpionLines = 276;
-constexpr int kSetUpPage = 8;
 
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
@@ -178,9 +176,7 @@ class TestMainWindow : public QObject {
   void openCalibration() {
     QDir(m_folder.filePath(QStringLiteral("rivulet/machines"))).removeRecursively();
     startMachine("dmu75-arrays");
-    m_window->pages()->setCurrentIndex(kSetUpPage);
-    auto* steps = m_window->findChild<widgets::SetUpPage*>()->steps();
-    steps->setCurrentWidget(m_window->calibrationPage());
+    hmi::showPageOf(m_window->calibrationPage());
     streaming::CalibrationPlan plan;
     plan.firstCell = 80;
     plan.lastCell = 99;

@@ -306,7 +306,7 @@ class TestSecurity : public QObject {
     QVERIFY(!changed.connection && changed.question);
     QCOMPARE(changed.question->kind, opcua::TrustQuestion::Kind::ChangedServer);
     QCOMPARE(changed.question->acceptedFingerprint, facts->fingerprint);
-    QCOMPARE(changed.question->accepted, facts);
+    QVERIFY(changed.question->accepted && *changed.question->accepted == *facts);
     QVERIFY(changed.question->wasEncrypted);
     const std::string shown = changed.question->shown.fingerprint;
     QVERIFY(shown != facts->fingerprint);

@@ -44,6 +44,12 @@ void FoldingTabs::setTexts(const QStringList& texts, const QString& name) {
   fold();
 }
 
+void FoldingTabs::setIcon(int index, const QIcon& icon) {
+  m_tabs->setTabIcon(index, icon);
+  m_list->setItemIcon(index, icon);
+  fold();
+}
+
 void FoldingTabs::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   fold();

@@ -9,6 +9,7 @@
 #include <QWidget>
 
 class QComboBox;
+class QIcon;
 class QTabWidget;
 
 namespace rivulet::widgets {
@@ -24,6 +25,8 @@ class FoldingTabs final : public QWidget {
   [[nodiscard]] QTabWidget* tabs() const { return m_tabs; }
   /// @param texts  one for each tab @param name  of the list, for a screen reader
   void setTexts(const QStringList& texts, const QString& name);
+  /// Of one tab, and of its line in the list.
+  void setIcon(int index, const QIcon& icon);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -145,7 +145,6 @@ QWidget* CertificatesPage::makeServers() {
   m_serverTable->setModel(m_servers);
   styleTable(m_serverTable);
   m_serverTable->setMinimumHeight(kTableHeightPx);
-  m_serverTable->horizontalHeader()->setStretchLastSection(true);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(m_forget);
   buttons->addWidget(m_strengthen);
@@ -175,7 +174,6 @@ QWidget* CertificatesPage::makeRejected() {
   m_rejectedTable->setModel(m_rejected);
   styleTable(m_rejectedTable);
   m_rejectedTable->setMinimumHeight(kTableHeightPx);
-  m_rejectedTable->horizontalHeader()->setStretchLastSection(true);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(m_accept);
   buttons->addWidget(m_drop);
@@ -209,12 +207,16 @@ void CertificatesPage::setCertificates(const CertificatesView& view) {
   m_view = view;
   m_servers->setRows(view.servers);
   m_rejected->setRows(view.rejected);
-  for (QTableView* table : {m_serverTable, m_rejectedTable}) {
-    table->resizeColumnsToContents();
-    table->horizontalHeader()->setStretchLastSection(true);
-  }
+  fitColumns();
   showOwn();
   showButtons();
+}
+
+void CertificatesPage::fitColumns() {
+  for (QTableView* table : {m_serverTable, m_rejectedTable}) {
+    table->horizontalHeader()->setStretchLastSection(false);  // rather scroll than cut
+    table->resizeColumnsToContents();
+  }
 }
 
 void CertificatesPage::setBlocked(const QString& reason) {
@@ -292,6 +294,7 @@ void CertificatesPage::retranslate() {
          "revocation lists are not needed: forget the machine instead."));
   m_servers->refresh();
   m_rejected->refresh();
+  fitColumns();
   showOwn();
   showButtons();
 }

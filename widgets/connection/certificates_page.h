@@ -90,6 +90,7 @@ class CertificatesPage final : public Page {
   QWidget* makeRejected();
   void showOwn();
   void showButtons();
+  void fitColumns();
   void chooseFile();
   [[nodiscard]] const CertificatesView::Server* chosenServer() const;
   [[nodiscard]] const CertificatesView::Rejected* chosenRejected() const;

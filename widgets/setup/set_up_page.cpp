@@ -3,18 +3,18 @@
 
 #include "widgets/setup/set_up_page.h"
 
-#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "widgets/common/folding_tabs.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
 
-SetUpPage::SetUpPage(QWidget* parent) : Page(parent), m_steps(new QTabWidget(this)) {
-  m_steps->setDocumentMode(true);
-  m_steps->setIconSize(QSize(16, 16));
+SetUpPage::SetUpPage(QWidget* parent) : Page(parent), m_steps(new FoldingTabs(this)) {
+  steps()->setDocumentMode(true);
+  steps()->setIconSize(QSize(16, 16));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_steps);
@@ -22,9 +22,14 @@ SetUpPage::SetUpPage(QWidget* parent) : Page(parent), m_steps(new QTabWidget(thi
   restyle();
 }
 
+QTabWidget* SetUpPage::steps() const {
+  return m_steps->tabs();
+}
+
 void SetUpPage::addStep(QWidget* step, std::function<QString()> title) {
-  m_steps->addTab(step, title());
+  m_steps->addPage(step);
   m_list.push_back({step, std::move(title)});
+  retranslate();
 }
 
 void SetUpPage::setStatus(const QWidget* step, Status status) {
@@ -37,18 +42,21 @@ void SetUpPage::setStatus(const QWidget* step, Status status) {
 }
 
 void SetUpPage::retranslate() {
-  for (std::size_t i = 0; i < m_list.size(); ++i) {
-    m_steps->setTabText(static_cast<int>(i), m_list[i].title());
+  QStringList titles;
+  for (const Step& step : m_list) {
+    titles.append(step.title());
   }
+  m_steps->setTexts(titles, tr("Step"));
+  restyle();
 }
 
 void SetUpPage::restyle() {
   for (std::size_t i = 0; i < m_list.size(); ++i) {
     const Status status = m_list[i].status;
-    m_steps->setTabIcon(static_cast<int>(i),
-                        status == Status::Plain
-                            ? QIcon()
-                            : themedIcon(statusIconName(status), statusColor(status, palette())));
+    m_steps->setIcon(static_cast<int>(i),
+                     status == Status::Plain
+                         ? QIcon()
+                         : themedIcon(statusIconName(status), statusColor(status, palette())));
   }
 }
 

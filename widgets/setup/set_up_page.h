@@ -16,6 +16,8 @@ class QTabWidget;
 
 namespace rivulet::widgets {
 
+class FoldingTabs;
+
 class SetUpPage final : public Page {
   Q_OBJECT
 
@@ -26,7 +28,7 @@ class SetUpPage final : public Page {
   void addStep(QWidget* step, std::function<QString()> title);
   /// @param status  Good: done; Attention: does not hold any more; Unknown: not done
   void setStatus(const QWidget* step, Status status);
-  [[nodiscard]] QTabWidget* steps() const { return m_steps; }
+  [[nodiscard]] QTabWidget* steps() const;
 
  protected:
   void retranslate() override;
@@ -38,7 +40,7 @@ class SetUpPage final : public Page {
     std::function<QString()> title;
     Status status = Status::Plain;
   };
-  QTabWidget* m_steps;
+  FoldingTabs* m_steps;
   std::vector<Step> m_list;
 };
 
