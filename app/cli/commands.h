@@ -13,8 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "base/units.h"
 #include "cli/console.h"
 #include "gcode/program.h"
+#include "live/setup.h"
 #include "machine/config.h"
 
 namespace rivulet::cli {
@@ -86,14 +88,10 @@ struct TemplateOptions {
 struct LiveOptions {
   std::string source;         ///< see `sources::openSource`; empty: a program is streamed
   std::vector<double> boxMm;  ///< least and largest X, Y, Z
-  double stepMmMax = 5.0;
-  double turnDegMax = 5.0;
-  double feedMmPerMinMax = 1000.0;
-  double mergeMm = 0.001;
-  double startMmMax = 1.0;
-  double fullWithinMs = 100.0;
-  double holdAfterS = 5.0;
-  double endAfterS = 60.0;
+  live::Agreement agreed;     ///< without the box
+  double fullWithinMs = base::toMilliseconds(live::Limits{}.fullWithin);
+  double holdAfterS = base::toSeconds(live::Limits{}.holdAfter);
+  double endAfterS = base::toSeconds(live::Limits{}.endAfter);
 };
 
 struct StreamOptions {

@@ -71,27 +71,18 @@ class LiveConsole final : public streaming::RunSink, public streaming::RunOrders
   std::optional<base::Instant> m_first;
 };
 
-live::Agreement agreementOf(const LiveOptions& live) {
-  live::Agreement agreed;
+live::Setup setupOf(const LiveOptions& live) {
+  live::Setup setup;
+  setup.address = live.source;
+  setup.agreement = live.agreed;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    agreed.lowestMm.set(axis, live.boxMm[2 * axis]);
-    agreed.highestMm.set(axis, live.boxMm[2 * axis + 1]);
+    setup.agreement.lowestMm.set(axis, live.boxMm[2 * axis]);
+    setup.agreement.highestMm.set(axis, live.boxMm[2 * axis + 1]);
   }
-  agreed.stepMmMax = live.stepMmMax;
-  agreed.turnDegMax = live.turnDegMax;
-  agreed.feedMmPerMinMax = live.feedMmPerMinMax;
-  agreed.distanceMmMin = live.mergeMm;
-  agreed.startMmMax = live.startMmMax;
-  return agreed;
-}
-
-live::Limits limitsOf(const LiveOptions& live, int pointsPerWindow) {
-  live::Limits limits;
-  limits.fullWithin = base::fromSeconds(live.fullWithinMs / 1000.0);
-  limits.holdAfter = base::fromSeconds(live.holdAfterS);
-  limits.endAfter = base::fromSeconds(live.endAfterS);
-  limits.queuedMax = 2 * static_cast<std::size_t>(pointsPerWindow);
-  return limits;
+  setup.limits.fullWithin = base::fromSeconds(live.fullWithinMs / 1000.0);
+  setup.limits.holdAfter = base::fromSeconds(live.holdAfterS);
+  setup.limits.endAfter = base::fromSeconds(live.endAfterS);
+  return setup;
 }
 
 class LiveCommand {
@@ -107,6 +98,7 @@ class LiveCommand {
   [[nodiscard]] Exit show(const streaming::RunReport& done, const Result<void>& recorded) const;
 
   const StreamOptions& m_options;
+  live::Setup m_setup;
   streaming::RunSettings m_settings;
   std::unique_ptr<live::Source> m_source;
   Connection m_connection;
@@ -120,7 +112,7 @@ Result<void> LiveCommand::prepare() {
       return done;
     }
   }
-  auto source = sources::openSource(m_options.live.source);
+  auto source = sources::openSource(m_setup.address);
   if (!source) {
     return base::fail(source.error());
   }
@@ -130,9 +122,13 @@ Result<void> LiveCommand::prepare() {
 }
 
 Result<void> LiveCommand::plan() {
+  m_setup = setupOf(m_options.live);
+  if (Result<void> sound = live::requireSound(m_setup); !sound) {
+    return sound;
+  }
   m_settings = settingsOf(m_options, {});
   if (m_options.point.feedMmPerMin <= 0.0) {
-    m_settings.feedMmPerS = base::mmPerSFromMmPerMin(m_options.live.feedMmPerMinMax);
+    m_settings.feedMmPerS = base::mmPerSFromMmPerMin(m_setup.agreement.feedMmPerMinMax);
   }
   const auto cells = templates::planCells(m_settings.parameters);
   return cells ? Result<void>() : Result<void>(base::fail(cells.error()));
@@ -177,8 +173,7 @@ Exit LiveCommand::run() {
   recorder.start.toolVersion = RIVULET_VERSION;
   recorder.start.endpoint = m_connection.name;
   recorder.start.startedAtUtc = m_settings.origin.startedAtUtc;
-  live::PointStream points(*m_source, agreementOf(m_options.live),
-                           limitsOf(m_options.live, m_settings.parameters.pointsPerLoop));
+  live::PointStream points(*m_source, m_setup.agreement, m_setup.limits);
   PacedLink paced(*m_connection.link);
   opcua::Link& link = m_options.simulate ? static_cast<opcua::Link&>(paced) : *m_connection.link;
   streaming::RunReport done;

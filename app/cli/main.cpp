@@ -260,8 +260,8 @@ void addTemplateCommand(CLI::App& app, Exit& exit) {
 void addLive(CLI::App* command, rivulet::cli::LiveOptions& live) {
   auto* source = command->add_option(
       "--live", live.source,
-      "Points that arrive while the machine moves: - (standard input), unix:PATH, tcp:PORT, "
-      "udp:PORT or opcua:ENDPOINT#N=R50,X=R51,Y=R52 (docs/live.md)");
+      "Points that arrive while the machine moves: - (standard input), unix:PATH, tcp:PORT or "
+      "udp:PORT (docs/live.md)");
   auto* box = command
                   ->add_option("--box", live.boxMm,
                                "Agreed with the source: least and largest X, Y and Z, mm")
@@ -271,11 +271,14 @@ void addLive(CLI::App* command, rivulet::cli::LiveOptions& live) {
   const auto add = [&](const char* name, double& value, const char* text) {
     command->add_option(name, value, text)->needs(source)->check(kPositive)->capture_default_str();
   };
-  add("--step-max", live.stepMmMax, "Agreed: largest distance of two points, mm");
-  add("--turn-max", live.turnDegMax, "Agreed: largest turn of a rotary axis, degrees");
-  add("--feed-max", live.feedMmPerMinMax, "Agreed: largest F, mm/min");
-  add("--start-within", live.startMmMax, "Agreed: distance of the first point from the tool, mm");
-  command->add_option("--merge-below", live.mergeMm, "Points that are closer are merged, mm")
+  add("--step-max", live.agreed.stepMmMax, "Agreed: largest distance of two points, mm");
+  add("--turn-max", live.agreed.turnDegMax, "Agreed: largest turn of a rotary axis, degrees");
+  add("--feed-max", live.agreed.feedMmPerMinMax, "Agreed: largest F, mm/min");
+  add("--start-within", live.agreed.startMmMax,
+      "Agreed: distance of the first point from the tool, mm");
+  command
+      ->add_option("--merge-below", live.agreed.distanceMmMin,
+                   "Points that are closer are merged, mm")
       ->needs(source)
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

@@ -76,6 +76,10 @@ inline constexpr std::array<MethodKind, 2> kPaperMethods{MethodKind::Position, M
 [[nodiscard]] constexpr bool sendsBlocks(MethodKind method) {
   return methodTraits(method).sendsBlocks;
 }
+/// The points may arrive while the machine moves, because it waits for numbered points.
+[[nodiscard]] constexpr bool takesLivePoints(MethodKind method) {
+  return hasWindows(method) && !sendsBlocks(method);
+}
 [[nodiscard]] constexpr std::string_view methodName(MethodKind method) {
   return methodTraits(method).name;
 }

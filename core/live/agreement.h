@@ -25,6 +25,8 @@ struct Agreement {
   double feedMmPerMinMax = 1000.0;  ///< > 0
   double distanceMmMin = 0.001;     ///< points that are closer are merged, >= 0
   double startMmMax = 1.0;          ///< from the tool to the first point, >= 0
+
+  friend bool operator==(const Agreement&, const Agreement&) = default;
 };
 
 /// Lets pass what has been agreed.

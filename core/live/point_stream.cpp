@@ -26,6 +26,10 @@ constexpr std::size_t kReadBytes = 256;
 constexpr int kReadsMax = 1024;
 /// Points that such a source may be ahead of the machine.
 constexpr std::size_t kAheadMax = 100'000;
+/// Windows of points that wait here.
+constexpr std::size_t kWindowsQueued = 2;
+/// A source that has said nothing for so long is shown as silent.
+constexpr Duration kSilenceShown = std::chrono::seconds{1};
 /// The source is told how far the run is this often at most.
 constexpr Duration kReportInterval = std::chrono::milliseconds{10};
 
@@ -47,8 +51,9 @@ void PointStream::begin(Gate gate, const base::AxisPosition& tool, const WindowP
   m_gate.emplace(std::move(gate));
   m_tool = tool;
   m_plan = plan;
-  m_limits.queuedMax = std::max(m_limits.queuedMax, plan.pointsMax);
-  m_heardAt = now;
+  m_limits.queuedMax = m_limits.queuedMax == 0 ? kWindowsQueued * plan.pointsMax
+                                               : std::max(m_limits.queuedMax, plan.pointsMax);
+  m_heardAt = m_now = now;
 }
 
 bool PointStream::hasRoom() const {
@@ -59,6 +64,7 @@ void PointStream::turn(Instant now) {
   if (!m_gate) {
     return;
   }
+  m_now = now;
   for (int reads = 0; !m_summary.hasEnded;) {
     if (!hasRoom() && m_source.canWait()) {
       m_heardAt = now;  // it was not asked
@@ -77,6 +83,8 @@ void PointStream::turn(Instant now) {
     }
   }
   checkSilence(now);
+  m_acceptedRate.add(now, m_summary.accepted);
+  m_executedRate.add(now, m_executed);
   report(now);
 }
 
@@ -231,6 +239,7 @@ void PointStream::windowBegins(Instant now) {
   Instant begins = now;
   for (std::size_t i = m_begins[m_begun]; i < end; ++i) {
     m_delays.add(begins - m_arrivals.front());
+    m_recentDelays.add(begins - m_arrivals.front());
     m_arrivals.pop_front();
     const base::AxisPosition from =
         i == 0 ? m_tool : base::AxisPosition{m_points[i - 1].positionMm, m_points[i - 1].rotaryDeg};
@@ -283,19 +292,50 @@ Summary PointStream::summary() const {
   Summary summary = m_summary;
   summary.lastLine = m_executed == 0 ? 0 : m_points[m_executed - 1].line.value;
   summary.delay = m_delays.statistics();
-  if (m_begun > 1) {
-    summary.windowTime = (m_lastBegun - *m_firstBegun) / static_cast<Duration::rep>(m_begun - 1);
-    const std::size_t queued = m_limits.queuedMax / m_plan.pointsMax;
-    summary.leastDelay = std::min(summary.windowTime, m_limits.fullWithin);
-    summary.mostDelay =
-        summary.windowTime * static_cast<Duration::rep>(1 + m_plan.windowsMax + queued);
-  }
+  addTheory(summary.windowTime, summary.leastDelay, summary.mostDelay);
   return summary;
 }
 
+void PointStream::addTheory(Duration& windowTime, Duration& least, Duration& most) const {
+  if (m_begun <= 1) {
+    return;
+  }
+  windowTime = (m_lastBegun - *m_firstBegun) / static_cast<Duration::rep>(m_begun - 1);
+  const std::size_t queued = m_limits.queuedMax / m_plan.pointsMax;
+  least = std::min(windowTime, m_limits.fullWithin);
+  most = windowTime * static_cast<Duration::rep>(1 + m_plan.windowsMax + queued);
+}
+
+SourceState PointStream::state() const {
+  if (m_summary.hasEnded) {
+    return m_summary.refusal.code ? SourceState::Refused : SourceState::Ended;
+  }
+  if (m_summary.lines == 0) {
+    return SourceState::Waiting;
+  }
+  return m_now - m_heardAt >= kSilenceShown ? SourceState::Silent : SourceState::Receiving;
+}
+
 Level PointStream::level() const {
-  return {m_summary.lines, m_summary.accepted, m_queue.size() + m_points.size() - m_executed,
-          m_limits.queuedMax + m_plan.windowsMax * m_plan.pointsMax};
+  Level level;
+  level.state = state();
+  level.silence = m_now - m_heardAt;
+  level.lines = m_summary.lines;
+  level.accepted = m_summary.accepted;
+  level.merged = m_summary.merged;
+  level.waiting = m_queue.size() + m_points.size() - m_executed;
+  level.capacity = m_limits.queuedMax + m_plan.windowsMax * m_plan.pointsMax;
+  level.acceptedPerS = m_acceptedRate.perS();
+  level.executedPerS = m_executedRate.perS();
+  level.delays = std::min(m_delays.count(), kRecentDelays);
+  if (level.delays > 0) {
+    level.delayMedian = m_recentDelays.quantile(500);
+    level.delayP99 = m_recentDelays.quantile(990);
+  }
+  Duration windowTime{};
+  addTheory(windowTime, level.leastDelay, level.mostDelay);
+  level.refusal = m_summary.refusal;
+  return level;
 }
 
 }  // namespace rivulet::live

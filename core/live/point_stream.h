@@ -16,8 +16,10 @@
 #include <vector>
 
 #include "base/instant.h"
+#include "base/recent_values.h"
 #include "live/agreement.h"
 #include "live/line_reader.h"
+#include "live/rate.h"
 #include "live/source.h"
 #include "live/summary.h"
 
@@ -27,7 +29,10 @@ struct Limits {
   base::Duration fullWithin = std::chrono::milliseconds{100};  ///< else a window goes as it is
   base::Duration holdAfter = std::chrono::seconds{5};          ///< of silence the run holds
   base::Duration endAfter = std::chrono::seconds{60};          ///< of silence it ends
-  std::size_t queuedMax = 28;  ///< points that wait for a window, >= those of a window
+  /// Points that wait for a window, at least those of one. 0: those of two windows.
+  std::size_t queuedMax = 0;
+
+  friend bool operator==(const Limits&, const Limits&) = default;
 };
 
 /// What a method makes windows of.
@@ -70,9 +75,14 @@ class PointStream {
   void finish(std::string_view outcome, const std::string& error);
 
   [[nodiscard]] Summary summary() const;
+  /// Points that have passed, without those that were merged.
+  [[nodiscard]] std::size_t accepted() const { return m_summary.accepted; }
   [[nodiscard]] Level level() const;
 
  private:
+  /// Points whose delays a display shows.
+  static constexpr std::size_t kRecentDelays = 500;
+
   struct Queued {
     gcode::StreamPoint point;
     base::Instant arrived{};
@@ -93,6 +103,9 @@ class PointStream {
   void checkSilence(base::Instant now);
   void closed();
   void report(base::Instant now);
+  [[nodiscard]] SourceState state() const;
+  /// Times of windows and what follows from them.
+  void addTheory(base::Duration& windowTime, base::Duration& least, base::Duration& most) const;
 
   Source& m_source;
   Agreement m_agreement;
@@ -103,6 +116,7 @@ class PointStream {
   LineReader m_reader;
   base::Instant m_readAt{};   ///< of the newest bytes
   base::Instant m_heardAt{};  ///< the source was last seen to live, or was not asked
+  base::Instant m_now{};      ///< of the last turn
   std::deque<Queued> m_queue;
   std::vector<gcode::StreamPoint> m_points;
   std::vector<std::size_t> m_begins{0};
@@ -114,6 +128,9 @@ class PointStream {
   bool m_holdAsked = false;  ///< and no point has come since
   std::optional<double> m_number;
   trace::DurationCounter m_delays;
+  base::RecentValues<base::Duration> m_recentDelays{kRecentDelays};
+  Rate m_acceptedRate;
+  Rate m_executedRate;
   Summary m_summary;
   bool m_hasReported = false;  ///< the sender has been told where the tool is
   base::Instant m_reportedAt{};

@@ -35,12 +35,33 @@ struct Summary {
   base::Duration mostDelay{};
 };
 
+enum class SourceState : unsigned char {
+  Waiting,    ///< no line has come yet
+  Receiving,  ///< or not asked, because as many points wait as there is room for
+  Silent,     ///< for a second or longer
+  Ended,      ///< by `end`, or by closing where that is the same
+  Refused,    ///< see `Level::refusal`
+};
+
 /// The state of the source, for a display.
 struct Level {
+  SourceState state = SourceState::Waiting;
+  base::Duration silence{};  ///< since something has come, or since the source was last not asked
+  /// The run holds because of the source, and goes on by itself with the next point.
+  bool holdsRun = false;
   std::size_t lines = 0;
   std::size_t accepted = 0;
-  std::size_t waiting = 0;   ///< points that have arrived, but are not executed
-  std::size_t capacity = 0;  ///< largest `waiting` before the source is read no further
+  std::size_t merged = 0;
+  std::size_t waiting = 0;    ///< points that have arrived, but are not executed
+  std::size_t capacity = 0;   ///< largest `waiting` before the source is read no further
+  double acceptedPerS = 0.0;  ///< of the last two seconds
+  double executedPerS = 0.0;
+  std::size_t delays = 0;        ///< points that `delayMedian` and `delayP99` stand for
+  base::Duration delayMedian{};  ///< of these, which are the last ones; see `Summary::delay`
+  base::Duration delayP99{};
+  base::Duration leastDelay{};  ///< see `Summary`; 0: not known yet
+  base::Duration mostDelay{};
+  base::Error refusal;  ///< as `Summary::refusal`
 };
 
 }  // namespace rivulet::live

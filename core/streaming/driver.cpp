@@ -185,13 +185,14 @@ RunState Driver::state() const {
 void Driver::readSource() {
   if (m_source != nullptr && !m_stopWantedAt && !m_abandonedAt) {
     m_source->turn(m_link.now());
-    m_counters.total = m_source->level().accepted;
+    m_counters.total = m_source->accepted();
   }
 }
 
 void Driver::checkOrders() {
-  const bool hold = m_orders.holdRequested(m_link.now()) ||
-                    (m_source != nullptr && m_source->wantsHold(m_link.now()));
+  const bool isOrdered = m_orders.holdRequested(m_link.now());
+  m_sourceHolds = !isOrdered && m_source != nullptr && m_source->wantsHold(m_link.now());
+  const bool hold = isOrdered || m_sourceHolds;
   if (hold != m_holding && !m_stopWantedAt) {
     m_holding = hold;
     m_method.requestHold(hold);
@@ -686,6 +687,7 @@ void Driver::publish(std::optional<trace::LiveSample> sample,
   update.equipment = std::move(equipment);
   if (m_source != nullptr) {
     update.source = m_source->level();
+    update.source->holdsRun = m_holding && m_sourceHolds;
     update.waitingFor = update.source->waiting == 0 ? "source" : "";
   }
   if (m_isSilent) {

@@ -188,6 +188,7 @@ class Driver {
   std::optional<base::RequestId> m_stopPending;
   bool m_stopSent = false;
   bool m_holding = false;
+  bool m_sourceHolds = false;  ///< the source has asked for it, or is silent
   trace::LivePauseDetector m_detector;
   trace::StandstillByPosition m_standstill;
   std::optional<PathWatch> m_path;

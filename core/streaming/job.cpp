@@ -584,13 +584,10 @@ class LiveJob final : public Job {
 
  protected:
   Result<void> mayStart() override {
-    const base::MethodKind method = m_settings.parameters.method;
-    if (method != base::MethodKind::Window && method != base::MethodKind::Credit) {
-      return base::fail(StreamError::ProgramNotStreamable,
-                        "Points of a live source need a machine that waits for them: choose method "
-                        "window or credit.");
-    }
-    return Job::mayStart();
+    return base::takesLivePoints(m_settings.parameters.method)
+               ? Job::mayStart()
+               : Result<void>(
+                     base::fail(blockedError({BlockReason::LiveNeedsWindows, {}, std::nullopt})));
   }
 
   Result<void> look() override {

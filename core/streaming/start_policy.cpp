@@ -105,6 +105,23 @@ Reason settingsBlocked(const StartFacts& facts) {
   return std::nullopt;
 }
 
+Reason sourceBlocked(const StartFacts& facts) {
+  if (facts.live->obstacle) {
+    return Blocked{BlockReason::SourceNotOpen, {}, facts.live->obstacle};
+  }
+  return base::takesLivePoints(facts.method) ? std::nullopt
+                                             : Reason(because(BlockReason::LiveNeedsWindows));
+}
+
+/// What is to be run cannot be.
+Reason pathBlocked(const StartFacts& facts) {
+  if (facts.live) {
+    return sourceBlocked(facts);
+  }
+  return facts.program == nullptr ? Reason(because(BlockReason::NoProgram))
+                                  : programBlocked(*facts.program);
+}
+
 /// All but the state of the channel.
 Reason runBlocked(const StartFacts& facts) {
   if (Reason reason = permissionBlocked(facts)) {
@@ -113,10 +130,7 @@ Reason runBlocked(const StartFacts& facts) {
   if (Reason reason = linkBlocked(facts)) {
     return reason;
   }
-  if (facts.program == nullptr) {
-    return because(BlockReason::NoProgram);
-  }
-  if (Reason reason = programBlocked(*facts.program)) {
+  if (Reason reason = pathBlocked(facts)) {
     return reason;
   }
   if (Reason reason = axesBlocked(facts)) {
@@ -165,6 +179,8 @@ StreamError codeOf(BlockReason reason) {
     case BlockReason::Locked:
     case BlockReason::NeedsEngineer:
     case BlockReason::NotReleased:
+    case BlockReason::LiveNeedsWindows:
+    case BlockReason::SourceNotOpen:
       break;
   }
   return StreamError::ProgramNotStreamable;
@@ -235,6 +251,11 @@ std::string sentence(const Blocked& blocked) {
       return "The job is being compared with the machine. Wait for the result.";
     case BlockReason::BeyondMachine:
       return "The machine cannot do this job.";
+    case BlockReason::LiveNeedsWindows:
+      return "Points of a live source need a machine that waits for them: choose method window or "
+             "credit.";
+    case BlockReason::SourceNotOpen:
+      return "The live source is not open. Open it again.";
     case BlockReason::SettingsInvalid:
       break;
   }

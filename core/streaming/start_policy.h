@@ -57,12 +57,15 @@ enum class BlockReason {
   MethodCannotResume,   ///< only methods with numbered windows go on where a run was left
   JobNotChecked,        ///< the comparison of the whole job with the machine is in progress
   BeyondMachine,        ///< the machine cannot do the job; see `Blocked::cause`
+  LiveNeedsWindows,     ///< a live source needs a machine that waits for its points
+  SourceNotOpen,        ///< the live source cannot be opened; see `Blocked::cause`
 };
 
 struct Blocked {
   BlockReason reason = BlockReason::NotConnected;
   std::vector<std::string> arguments;
-  std::optional<base::Error> cause;  ///< SettingsInvalid and BeyondMachine only
+  /// SettingsInvalid, BeyondMachine and SourceNotOpen only
+  std::optional<base::Error> cause;
 };
 
 /// A simulation of the program that is to be started, with the settings it is to be started with.
@@ -79,12 +82,18 @@ struct JobCheck {
   std::optional<base::Error> obstacle;
 };
 
+/// A source whose points arrive during the run.
+struct LiveFacts {
+  std::optional<base::Error> obstacle;  ///< why it is not open; nothing: it is
+};
+
 /// What is known when somebody wants to start something. What is not known blocks nothing: the run
 /// finds out.
 struct StartFacts {
   Activity activity = Activity::Idle;
   bool isConnected = false;
   const gcode::Program* program = nullptr;  ///< null: none is loaded
+  std::optional<LiveFacts> live;            ///< in place of `program`; nothing: there is none
   bool hasFileChanged = false;              ///< since the program was read from it
   base::RotarySet turnedAxes{};             ///< rotary axes the program turns
   base::MethodKind method = base::MethodKind::Window;

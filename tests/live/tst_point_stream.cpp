@@ -4,9 +4,11 @@
 /// A live source becomes windows: when they are given out, when the run holds, what ends it.
 
 #include <QtTest>
+#include <cmath>
 
 #include "live/error.h"
 #include "live/point_stream.h"
+#include "live/setup.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -40,8 +42,8 @@ class TextSource final : public live::Source {
 
 struct Bench {
   explicit Bench(std::size_t pointsPerWindow = 4) : stream(source, agreement(), limits()) {
-    stream.begin({agreement(), {}, 600.0, {true, true, true}, {}}, {},
-                 {pointsPerWindow, 3, false}, at);
+    stream.begin({agreement(), {}, 600.0, {true, true, true}, {}}, {}, {pointsPerWindow, 3, false},
+                 at);
   }
   static live::Agreement agreement() {
     live::Agreement agreed;
@@ -168,7 +170,8 @@ class TestPointStream : public QObject {
     QTest::newRow("text") << "hello\n" << static_cast<int>(LiveError::NotALine);
     QTest::newRow("step") << "X99\n" << static_cast<int>(LiveError::StepTooLong);
     QTest::newRow("huge") << QString(5000, u'1') << static_cast<int>(LiveError::TooLong);
-    QTest::newRow("huge line") << QString(3000, u'1') + "\n" << static_cast<int>(LiveError::TooLong);
+    QTest::newRow("huge line") << QString(3000, u'1') + "\n"
+                               << static_cast<int>(LiveError::TooLong);
     QTest::newRow("number") << "N1 X3.1\nN3 X3.2\n" << static_cast<int>(LiveError::NumberWrong);
   }
 
@@ -235,6 +238,88 @@ class TestPointStream : public QObject {
     QCOMPARE(delay.count, 4U);
     QVERIFY(delay.max == 350ms);
     QVERIFY(delay.mean == (100ms + 200ms + 250ms + 350ms) / 4);
+  }
+
+  void theStateOfTheSourceIsKnown() {
+    Bench bench;
+    using live::SourceState;
+    QVERIFY(bench.stream.level().state == SourceState::Waiting);
+    bench.wait(3s);
+    QVERIFY(bench.stream.level().state == SourceState::Waiting);
+    QVERIFY(bench.stream.level().silence == 3s);
+    bench.sendPoints(4);
+    QVERIFY(bench.stream.level().state == SourceState::Receiving);
+    bench.wait(999ms);
+    QVERIFY(bench.stream.level().state == SourceState::Receiving);
+    bench.wait(1ms);
+    QVERIFY(bench.stream.level().state == SourceState::Silent);
+    bench.send("end\n");
+    QVERIFY(bench.stream.level().state == SourceState::Ended);
+    Bench bad;
+    bad.send("X1\nrubbish\n");
+    QVERIFY(bad.stream.level().state == SourceState::Refused);
+    QVERIFY(bad.stream.level().refusal.code == LiveError::NotALine);
+  }
+
+  void theLevelHasDelayAndTheory() {
+    Bench bench;
+    QCOMPARE(bench.stream.level().delays, 0U);
+    bench.sendPoints(8);
+    QCOMPARE(bench.window(), 4U);
+    QCOMPARE(bench.window(), 4U);
+    bench.wait(50ms);
+    bench.stream.windowBegins(bench.at);
+    bench.wait(400ms);
+    bench.stream.windowBegins(bench.at);
+    const live::Level level = bench.stream.level();
+    QCOMPARE(level.delays, 8U);
+    // 50, 150, 250, 350 ms, then 450 to 750 ms: 600 mm/min, points 1 mm apart.
+    QVERIFY(level.delayMedian == 350ms);
+    QVERIFY(level.delayP99 == 750ms);
+    QVERIFY(level.leastDelay == 100ms);     // a window goes as it is
+    QVERIFY(level.mostDelay == 6 * 400ms);  // its own, three on the control, two that wait
+    QCOMPARE(level.capacity, 8U + 3U * 4U);
+  }
+
+  void ratesAreThoseOfTheLastTwoSeconds() {
+    live::Rate rate;
+    QCOMPARE(rate.perS(), 0.0);
+    Instant at{5s};
+    std::size_t count = 0;
+    for (int i = 0; i < 1000; ++i, at += 10ms) {
+      rate.add(at, count += 2);
+    }
+    QVERIFY(std::abs(rate.perS() - 200.0) < 1.0);
+    for (int i = 0; i < 500; ++i, at += 10ms) {
+      rate.add(at, count);
+    }
+    QCOMPARE(rate.perS(), 0.0);
+    // Asked seldom, it is the mean since then.
+    rate.add(at + 10s, count + 50);
+    QVERIFY(std::abs(rate.perS() - 5.0) < 0.1);
+  }
+
+  void whatNobodyCanKeepIsNotAgreed() {
+    const auto refuses = [](auto change) {
+      live::Setup setup;
+      change(setup);
+      const auto sound = live::requireSound(setup);
+      return !sound && sound.error().code == LiveError::NotAgreed;
+    };
+    QVERIFY(live::requireSound(live::Setup{}));
+    QVERIFY(refuses([](live::Setup& setup) { setup.agreement.lowestMm.set(1, 10.5); }));
+    QVERIFY(refuses([](live::Setup& setup) { setup.agreement.highestMm.set(2, NAN); }));
+    QVERIFY(refuses([](live::Setup& setup) { setup.agreement.lowestMm.set(0, -INFINITY); }));
+    QVERIFY(refuses([](live::Setup& setup) { setup.agreement.stepMmMax = 0.0; }));
+    QVERIFY(refuses([](live::Setup& setup) { setup.agreement.feedMmPerMinMax = NAN; }));
+    QVERIFY(refuses([](live::Setup& setup) { setup.agreement.distanceMmMin = 5.0; }));
+    QVERIFY(refuses([](live::Setup& setup) { setup.agreement.startMmMax = -1.0; }));
+    QVERIFY(refuses([](live::Setup& setup) { setup.limits.fullWithin = {}; }));
+    QVERIFY(refuses([](live::Setup& setup) { setup.limits.endAfter = 4s; }));
+    // A release is for exactly what was agreed.
+    live::Setup other;
+    other.agreement.stepMmMax = 5.001;
+    QVERIFY(live::textOf(other) != live::textOf(live::Setup{}));
   }
 
   void theSourceIsToldHowFarTheRunIs() {

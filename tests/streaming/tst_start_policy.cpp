@@ -6,6 +6,7 @@
 #include <QtTest>
 #include <set>
 
+#include "live/error.h"
 #include "streaming/access_policy.h"
 #include "streaming/calibration.h"
 #include "streaming/run.h"
@@ -56,6 +57,29 @@ class TestStartPolicy : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void aLiveSourceTakesThePlaceOfAProgram() {
+    StartFacts facts;
+    facts.isConnected = true;
+    facts.live.emplace();
+    QVERIFY(!streaming::startBlocked(facts));
+    for (const base::MethodTraits& traits : base::kMethods) {
+      facts.method = traits.kind;
+      const bool waits = traits.kind == MethodKind::Window || traits.kind == MethodKind::Credit;
+      QVERIFY(reasonOf(streaming::startBlocked(facts)) ==
+              (waits ? std::nullopt : std::optional(BlockReason::LiveNeedsWindows)));
+    }
+    facts.method = MethodKind::Window;
+    facts.live->obstacle = base::makeError(live::LiveError::NotOpened, "The port is taken.");
+    const auto blocked = streaming::startBlocked(facts);
+    QVERIFY(reasonOf(blocked) == BlockReason::SourceNotOpen);
+    QVERIFY(streaming::blockedError(*blocked).code == live::LiveError::NotOpened);
+    // A point may turn what the control does not have.
+    facts.live->obstacle.reset();
+    facts.turnedAxes = {true, false, false};
+    facts.controlAxes = base::RotarySet{};
+    QVERIFY(reasonOf(streaming::startBlocked(facts)) == BlockReason::AxesMissing);
+  }
+
   void startsWhenNothingIsInTheWay() {
     const gcode::Program program = programOf("G1 X1 Y2 Z3 F100\nX2\n");
     QVERIFY(!streaming::startBlocked(ready(program)));

@@ -73,6 +73,11 @@ struct BlockedTexts {
         return tr("The job is being compared with the machine.");
       case BlockReason::BeyondMachine:
         return blocked.cause ? errorText(*blocked.cause) : QString();
+      case BlockReason::SourceNotOpen:
+        return blocked.cause ? errorText(*blocked.cause) : QString();
+      case BlockReason::LiveNeedsWindows:
+        return tr(
+            "Live points need a machine that waits for them: choose method window or credit.");
       case BlockReason::MethodCannotResume:
         return tr("Only method window can resume an interrupted run.");
     }

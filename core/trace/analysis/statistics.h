@@ -33,6 +33,7 @@ class DurationCounter {
   static constexpr std::size_t kValuesMax = 65'536;
 
   void add(base::Duration duration);
+  [[nodiscard]] std::size_t count() const { return m_count; }
   [[nodiscard]] DurationStatistics statistics() const;
 
  private:
