@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 
 #include "live/error.h"
@@ -32,7 +33,8 @@ constexpr std::size_t kDatagramMax = 65'536;
 constexpr int kDatagramBuffer = 4 << 20;
 /// A sender that hears the end closes its side within this time.
 constexpr int kGoodbyeMs = 200;
-constexpr int kGoodbyeReads = 100;
+/// One that goes on sending is not waited for any longer.
+constexpr std::chrono::seconds kGoodbyeMost{1};
 
 Result<Descriptor> cannotOpen(const std::string& name) {
   return base::fail(
@@ -124,7 +126,8 @@ Result<SourcePtr> StreamSocketSource::listenTcp(int port) {
 void StreamSocketSource::sayGoodbye() {
   ::shutdown(m_sender.number(), SHUT_WR);
   std::array<char, kDatagramMax> bytes;
-  for (int reads = 0; reads < kGoodbyeReads; ++reads) {
+  const auto until = std::chrono::steady_clock::now() + kGoodbyeMost;
+  while (std::chrono::steady_clock::now() < until) {
     pollfd asked{m_sender.number(), POLLIN, 0};
     if (::poll(&asked, 1, kGoodbyeMs) <= 0 ||
         ::read(m_sender.number(), bytes.data(), bytes.size()) <= 0) {
