@@ -470,6 +470,10 @@
         <source>The job is being compared with the machine.</source>
         <translation>Der Auftrag wird mit der Maschine verglichen.</translation>
     </message>
+    <message>
+        <source>Live points need a machine that waits for them: choose method window or credit.</source>
+        <translation>Live-Punkte brauchen eine Maschine, die auf sie wartet: Methode Fenster oder Kredit wählen.</translation>
+    </message>
 </context>
 <context>
     <name>CertificateTexts</name>
@@ -1082,6 +1086,82 @@
         <source>The server refuses user name or password. Check both.</source>
         <translation>Der Server lehnt Benutzername oder Passwort ab. Prüfen Sie beides.</translation>
     </message>
+    <message>
+        <source>The line is neither a point nor end, hold or comment.</source>
+        <translation>Die Zeile ist weder ein Punkt noch end, hold oder comment.</translation>
+    </message>
+    <message>
+        <source>A word of the line has no number.</source>
+        <translation>Ein Wort der Zeile hat keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The line is too long.</source>
+        <translation>Die Zeile ist zu lang.</translation>
+    </message>
+    <message>
+        <source>The source was closed in the middle of the line.</source>
+        <translation>Die Quelle wurde mitten in der Zeile geschlossen.</translation>
+    </message>
+    <message>
+        <source>The point is outside the agreed box.</source>
+        <translation>Der Punkt liegt außerhalb des vereinbarten Quaders.</translation>
+    </message>
+    <message>
+        <source>The step to the point is longer than agreed.</source>
+        <translation>Der Schritt zum Punkt ist länger als vereinbart.</translation>
+    </message>
+    <message>
+        <source>A rotary axis would turn farther in one step than agreed.</source>
+        <translation>Eine Rundachse würde in einem Schritt weiter drehen als vereinbart.</translation>
+    </message>
+    <message>
+        <source>F is larger than agreed, or not above 0.</source>
+        <translation>F ist größer als vereinbart oder nicht über 0.</translation>
+    </message>
+    <message>
+        <source>The first point is farther from the tool than agreed. Move the tool there, or begin where it is.</source>
+        <translation>Der erste Punkt ist weiter vom Werkzeug entfernt als vereinbart. Das Werkzeug dorthin fahren oder dort beginnen, wo es steht.</translation>
+    </message>
+    <message>
+        <source>The point names an axis that is not one of this run.</source>
+        <translation>Der Punkt nennt eine Achse, die nicht zu diesem Lauf gehört.</translation>
+    </message>
+    <message>
+        <source>A UDP source has to number its points: N1 X0.5, then N2.</source>
+        <translation>Eine UDP-Quelle muss ihre Punkte nummerieren: N1 X0.5, dann N2.</translation>
+    </message>
+    <message>
+        <source>A point is missing or came twice: the numbers are not in order.</source>
+        <translation>Ein Punkt fehlt oder kam doppelt: Die Nummern folgen nicht aufeinander.</translation>
+    </message>
+    <message>
+        <source>The source was closed without end.</source>
+        <translation>Die Quelle wurde ohne end geschlossen.</translation>
+    </message>
+    <message>
+        <source>The source was silent for longer than agreed.</source>
+        <translation>Die Quelle schwieg länger als vereinbart.</translation>
+    </message>
+    <message>
+        <source>The source was faster than the machine and cannot wait. Send fewer points, or use TCP.</source>
+        <translation>Die Quelle war schneller als die Maschine und kann nicht warten. Weniger Punkte senden oder TCP verwenden.</translation>
+    </message>
+    <message>
+        <source>The source ended before its first point. Nothing has moved.</source>
+        <translation>Die Quelle endete vor ihrem ersten Punkt. Nichts hat sich bewegt.</translation>
+    </message>
+    <message>
+        <source>The source cannot be opened. Choose another port or path.</source>
+        <translation>Die Quelle kann nicht geöffnet werden. Anderen Port oder Pfad wählen.</translation>
+    </message>
+    <message>
+        <source>These values cannot be kept together. Check box, step and times.</source>
+        <translation>Diese Werte passen nicht zusammen. Quader, Schritt und Zeiten prüfen.</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1656,6 +1736,36 @@
     </message>
 </context>
 <context>
+    <name>LiveTexts</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>hold after %1, end after %2</source>
+        <translation>Halt nach %1, Ende nach %2</translation>
+    </message>
+    <message>
+        <source>median %1, 99 % %2</source>
+        <translation>Median %1, 99&#xa0;% %2</translation>
+    </message>
+    <message>
+        <source>in theory %1</source>
+        <translation>theoretisch %1</translation>
+    </message>
+    <message>
+        <source>%1 from %2, executed to line %3</source>
+        <translation>%1 von %2, ausgeführt bis Zeile %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln points merged</source>
+        <translation>
+            <numerusform>%Ln Punkt zusammengefasst</numerusform>
+            <numerusform>%Ln Punkte zusammengefasst</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>MachineCard</name>
     <message>
         <source>No run is known.</source>
@@ -2210,6 +2320,14 @@
         <source>Stretch (1 to %1). What the machine needs there is listed before anything moves.</source>
         <translation>Abschnitt (1 bis %1). Was die Maschine dort braucht, wird aufgelistet, bevor sich etwas bewegt.</translation>
     </message>
+    <message>
+        <source>A live source needs no verdict: the machine waits for points that are late.</source>
+        <translation>Eine Live-Quelle braucht kein Urteil: Die Maschine wartet auf Punkte, die spät kommen.</translation>
+    </message>
+    <message>
+        <source>Live points from %1</source>
+        <translation>Live-Punkte von %1</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2476,6 +2594,14 @@
     <message>
         <source>%1, dry run %2 higher</source>
         <translation>%1, Trockenlauf %2 höher</translation>
+    </message>
+    <message>
+        <source>Live lines</source>
+        <translation>Live-Zeilen</translation>
+    </message>
+    <message>
+        <source>Delay from arrival to motion</source>
+        <translation>Verzug von Ankunft bis Bewegung</translation>
     </message>
 </context>
 <context>
@@ -3058,6 +3184,17 @@
     </message>
 </context>
 <context>
+    <name>rivulet::hmi::LiveSource</name>
+    <message>
+        <source>A run is in progress. Open a live source after it has ended.</source>
+        <translation>Ein Lauf ist im Gang. Eine Live-Quelle nach seinem Ende öffnen.</translation>
+    </message>
+    <message>
+        <source>Listening for live points on %1.</source>
+        <translation>Live-Punkte werden an %1 erwartet.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::hmi::MachineModel</name>
     <message>
         <source>Connected to the virtual machine at %1.</source>
@@ -3162,6 +3299,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>High contrast</source>
         <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Li&amp;ve points …</source>
+        <translation>&amp;Live-Punkte …</translation>
     </message>
 </context>
 <context>
@@ -3530,6 +3671,46 @@ GPL-3.0-or-later</translation>
         <source>Everything takes place %1 higher than programmed. The spindle does not turn, and no coolant flows; tools are changed, and retracts in machine coordinates are made.</source>
         <translation>Alles geschieht %1 höher als programmiert. Die Spindel dreht nicht, und kein Kühlmittel fließt; Werkzeuge werden gewechselt und Rückzüge in Maschinenkoordinaten ausgeführt.</translation>
     </message>
+    <message>
+        <source>Live source</source>
+        <translation>Live-Quelle</translation>
+    </message>
+    <message>
+        <source>Change …</source>
+        <translation>Ändern …</translation>
+    </message>
+    <message>
+        <source>%1 is open. What it sends is read from the start on.</source>
+        <translation>%1 ist geöffnet. Was sie sendet, wird ab dem Start gelesen.</translation>
+    </message>
+    <message>
+        <source>Agreed</source>
+        <translation>Vereinbart</translation>
+    </message>
+    <message>
+        <source>No point is outside %1. No step is longer than %2. Anything else ends the run after the last good point.</source>
+        <translation>Kein Punkt liegt außerhalb von %1. Kein Schritt ist länger als %2. Alles andere beendet den Lauf nach dem letzten guten Punkt.</translation>
+    </message>
+    <message>
+        <source>The F of the points, at most %1; that is also the feed before the first F.</source>
+        <translation>Das F der Punkte, höchstens %1; das ist auch der Vorschub vor dem ersten F.</translation>
+    </message>
+    <message>
+        <source>No points</source>
+        <translation>Ohne Punkte</translation>
+    </message>
+    <message>
+        <source>The machine waits at the end of the last window: %1.</source>
+        <translation>Die Maschine wartet am Ende des letzten Fensters: %1.</translation>
+    </message>
+    <message>
+        <source>From %1 in a straight line to the first point, which may be %2 away.</source>
+        <translation>Von %1 in gerader Linie zum ersten Punkt, der bis zu %2 entfernt sein darf.</translation>
+    </message>
+    <message>
+        <source>The tool is so far outside the box that no first point can be in it. Move the tool, or change the box.</source>
+        <translation>Das Werkzeug steht so weit außerhalb des Quaders, dass kein erster Punkt darin liegen kann. Das Werkzeug verfahren oder den Quader ändern.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -3645,6 +3826,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>It is not known for certain where the job was left. Press Start, then Begin with a stretch, or start from the beginning.</source>
         <translation>Es ist nicht sicher bekannt, wo der Auftrag verlassen wurde. Start drücken, dann Mit einem Abschnitt beginnen, oder von vorn beginnen.</translation>
+    </message>
+    <message>
+        <source>Start. The points come from %1.</source>
+        <translation>Start. Die Punkte kommen von %1.</translation>
     </message>
 </context>
 <context>
@@ -5061,6 +5246,344 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::LiveDialog</name>
+    <message>
+        <source>Live points</source>
+        <translation>Live-Punkte</translation>
+    </message>
+    <message>
+        <source>A program or script computes the path while the machine moves and sends its points as lines, such as X1.5 Y2 F500. Nothing moves that is outside what is agreed here.</source>
+        <translation>Ein Programm oder Skript berechnet die Bahn, während die Maschine fährt, und sendet ihre Punkte als Zeilen wie X1.5 Y2 F500. Nichts bewegt sich außerhalb dessen, was hier vereinbart ist.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Listens from now on. Nothing moves before the start.</source>
+        <translation>Hört von jetzt an zu. Vor dem Start bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>TCP port of this computer</source>
+        <translation>TCP-Port dieses Rechners</translation>
+    </message>
+    <message>
+        <source>UDP port of this computer</source>
+        <translation>UDP-Port dieses Rechners</translation>
+    </message>
+    <message>
+        <source>UNIX socket</source>
+        <translation>UNIX-Socket</translation>
+    </message>
+    <message>
+        <source>Standard input of this window</source>
+        <translation>Standardeingabe dieses Fensters</translation>
+    </message>
+    <message>
+        <source>Only programs on this computer can send.</source>
+        <translation>Nur Programme auf diesem Rechner können senden.</translation>
+    </message>
+    <message>
+        <source>0: any that is free</source>
+        <translation>0: irgendein freier</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>File name of the socket, which only this user can write to</source>
+        <translation>Dateiname des Sockets; nur dieser Benutzer kann hineinschreiben</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Pfad</translation>
+    </message>
+    <message>
+        <source>Box of all points</source>
+        <translation>Quader aller Punkte</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Least coordinate, workpiece frame</source>
+        <translation>Kleinste Koordinate, Werkstückkoordinaten</translation>
+    </message>
+    <message>
+        <source>Largest coordinate, workpiece frame</source>
+        <translation>Größte Koordinate, Werkstückkoordinaten</translation>
+    </message>
+    <message>
+        <source>%1 from</source>
+        <translation>%1 von</translation>
+    </message>
+    <message>
+        <source>%1 to</source>
+        <translation>%1 bis</translation>
+    </message>
+    <message>
+        <source>Agreed with the source</source>
+        <translation>Mit der Quelle vereinbart</translation>
+    </message>
+    <message>
+        <source>First point within</source>
+        <translation>Erster Punkt innerhalb</translation>
+    </message>
+    <message>
+        <source>Largest distance of the first point from the tool</source>
+        <translation>Größter Abstand des ersten Punkts vom Werkzeug</translation>
+    </message>
+    <message>
+        <source>Largest step</source>
+        <translation>Größter Schritt</translation>
+    </message>
+    <message>
+        <source>Largest distance of two points</source>
+        <translation>Größter Abstand zweier Punkte</translation>
+    </message>
+    <message>
+        <source>Largest F</source>
+        <translation>Größtes F</translation>
+    </message>
+    <message>
+        <source>It is also the feed of points before the first F.</source>
+        <translation>Es ist auch der Vorschub der Punkte vor dem ersten F.</translation>
+    </message>
+    <message>
+        <source>Merge below</source>
+        <translation>Zusammenfassen unter</translation>
+    </message>
+    <message>
+        <source>Points that are closer are merged with the one before.</source>
+        <translation>Nähere Punkte werden mit dem vorigen zusammengefasst.</translation>
+    </message>
+    <message>
+        <source>Largest turn</source>
+        <translation>Größte Drehung</translation>
+    </message>
+    <message>
+        <source>Largest turn of a rotary axis between two points</source>
+        <translation>Größte Drehung einer Rundachse zwischen zwei Punkten</translation>
+    </message>
+    <message>
+        <source>Points may turn this axis (method window).</source>
+        <translation>Punkte dürfen diese Achse drehen (Methode Fenster).</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1</source>
+        <translation>Rundachse %1</translation>
+    </message>
+    <message>
+        <source>Rotary axes</source>
+        <translation>Rundachsen</translation>
+    </message>
+    <message>
+        <source>When no points come</source>
+        <translation>Wenn keine Punkte kommen</translation>
+    </message>
+    <message>
+        <source>Window within</source>
+        <translation>Fenster binnen</translation>
+    </message>
+    <message>
+        <source>A window that is not full is sent after this time.</source>
+        <translation>Ein Fenster, das nicht voll ist, wird nach dieser Zeit gesendet.</translation>
+    </message>
+    <message>
+        <source>Hold after</source>
+        <translation>Halt nach</translation>
+    </message>
+    <message>
+        <source>After this much silence the run holds; it goes on with the next point.</source>
+        <translation>Nach so langem Schweigen hält der Lauf; er geht mit dem nächsten Punkt weiter.</translation>
+    </message>
+    <message>
+        <source>End after</source>
+        <translation>Ende nach</translation>
+    </message>
+    <message>
+        <source>After this much silence the run ends with an error.</source>
+        <translation>Nach so langem Schweigen endet der Lauf mit einem Fehler.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LivePanel</name>
+    <message>
+        <source>It is read as soon as the control runs the program.</source>
+        <translation>Sie wird gelesen, sobald die Steuerung das Programm ausführt.</translation>
+    </message>
+    <message>
+        <source>The run has ended. It listens for the next one.</source>
+        <translation>Der Lauf ist zu Ende. Die Quelle wartet auf den nächsten.</translation>
+    </message>
+    <message>
+        <source>Listening. Nothing is read before the start.</source>
+        <translation>Hört zu. Vor dem Start wird nichts gelesen.</translation>
+    </message>
+    <message>
+        <source>Waiting for the first line, for %1</source>
+        <translation>Wartet seit %1 auf die erste Zeile</translation>
+    </message>
+    <message>
+        <source>Receiving</source>
+        <translation>Empfängt</translation>
+    </message>
+    <message>
+        <source>Silent for %1; %2</source>
+        <translation>Schweigt seit %1; %2</translation>
+    </message>
+    <message>
+        <source>Ended by the source</source>
+        <translation>Von der Quelle beendet</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 von %2 Punkten</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Live points …</source>
+        <translation>Live-Punkte …</translation>
+    </message>
+    <message>
+        <source>Another source, or something else agreed with it</source>
+        <translation>Andere Quelle oder andere Vereinbarung</translation>
+    </message>
+    <message>
+        <source>Open program …</source>
+        <translation>Programm öffnen …</translation>
+    </message>
+    <message>
+        <source>A program takes the place of the live source.</source>
+        <translation>Ein Programm tritt an die Stelle der Live-Quelle.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Agreed with the source</source>
+        <translation>Mit der Quelle vereinbart</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Puffer</translation>
+    </message>
+    <message>
+        <source>Points that have arrived and are not executed. When it is full, the source is made to wait.</source>
+        <translation>Punkte, die angekommen und nicht ausgeführt sind. Ist er voll, muss die Quelle warten.</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Out</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Angenommen</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ausgeführt</translation>
+    </message>
+    <message>
+        <source>Merged</source>
+        <translation>Vereint</translation>
+    </message>
+    <message>
+        <source>Delay, median</source>
+        <translation>Verzug, Median</translation>
+    </message>
+    <message>
+        <source>Delay, 99 %</source>
+        <translation>Verzug, 99&#xa0;%</translation>
+    </message>
+    <message>
+        <source>In theory</source>
+        <translation>Theoretisch</translation>
+    </message>
+    <message>
+        <source>Points from the source, mean of the last two seconds</source>
+        <translation>Punkte von der Quelle, Mittel der letzten zwei Sekunden</translation>
+    </message>
+    <message>
+        <source>Points executed, mean of the last two seconds</source>
+        <translation>Ausgeführte Punkte, Mittel der letzten zwei Sekunden</translation>
+    </message>
+    <message>
+        <source>Points of the source that keep what was agreed</source>
+        <translation>Punkte der Quelle, die das Vereinbarte einhalten</translation>
+    </message>
+    <message>
+        <source>Points that are known to be executed</source>
+        <translation>Punkte, die sicher ausgeführt sind</translation>
+    </message>
+    <message>
+        <source>Points too close to the one before, which are left out</source>
+        <translation>Punkte zu nahe am vorigen, die weggelassen werden</translation>
+    </message>
+    <message>
+        <source>From the arrival of a point to the beginning of its move; during a run, of the last 500 points</source>
+        <translation>Von der Ankunft eines Punkts bis zum Beginn seiner Bewegung; während eines Laufs der letzten 500 Punkte</translation>
+    </message>
+    <message>
+        <source>Of a hundred points, one was later than this.</source>
+        <translation>Von hundert Punkten kam einer später.</translation>
+    </message>
+    <message>
+        <source>Least delay, and the delay when all buffers are full</source>
+        <translation>Kleinster Verzug, und der Verzug, wenn alle Puffer voll sind</translation>
+    </message>
+    <message>
+        <source>First point within</source>
+        <translation>Erster Punkt innerhalb</translation>
+    </message>
+    <message>
+        <source>Largest step</source>
+        <translation>Größter Schritt</translation>
+    </message>
+    <message>
+        <source>Largest F</source>
+        <translation>Größtes F</translation>
+    </message>
+    <message>
+        <source>Merge below</source>
+        <translation>Zusammenfassen unter</translation>
+    </message>
+    <message>
+        <source>When it is silent</source>
+        <translation>Wenn sie schweigt</translation>
+    </message>
+    <message>
+        <source>Send lines such as X1.5 Y2 F500 to 127.0.0.1, port %1. The line “end” ends the run.</source>
+        <translation>Zeilen wie X1.5 Y2 F500 an 127.0.0.1, Port %1, senden. Die Zeile „end“ beendet den Lauf.</translation>
+    </message>
+    <message>
+        <source>Send lines such as X1.5 Y2 F500 to it. The line “end” ends the run.</source>
+        <translation>Zeilen wie X1.5 Y2 F500 an sie senden. Die Zeile „end“ beendet den Lauf.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::LoadBar</name>
     <message>
         <source>Reading %1</source>
@@ -5581,6 +6104,10 @@ GPL-3.0-or-later</translation>
         <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out. Dry run: the whole job above the workpiece, without spindle and coolant.</source>
         <translation>Ganzer Auftrag: Werkzeuge, Spindel, Kühlmittel, Zyklen und Rückzüge führt die Steuerung an ihrer Stelle aus, und Rivulet streamt die Bewegung dazwischen. Nur Bewegung: Diese Sätze werden ausgelassen. Trockenlauf: der ganze Auftrag über dem Werkstück, ohne Spindel und Kühlmittel.</translation>
     </message>
+    <message>
+        <source>The points of a live source have feeds of their own.</source>
+        <translation>Die Punkte einer Live-Quelle haben eigene Vorschübe.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NumberField</name>
@@ -5796,6 +6323,10 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln Pause außerhalb des Schnitts</numerusform>
             <numerusform>%Ln Pausen außerhalb des Schnitts</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The points appear here as they come</source>
+        <translation>Hier erscheinen die Punkte, wie sie kommen</translation>
     </message>
 </context>
 <context>
@@ -6342,6 +6873,14 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
             <numerusform>%1 mit %Ln Pausen, die %2 kosten</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Live …</source>
+        <translation>Live …</translation>
+    </message>
+    <message>
+        <source>Points that another program computes while the machine moves</source>
+        <translation>Punkte, die ein anderes Programm berechnet, während die Maschine fährt</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProgramTextView</name>
@@ -6514,6 +7053,14 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Time spent</source>
         <translation>Zeitaufteilung</translation>
+    </message>
+    <message>
+        <source>Live lines</source>
+        <translation>Live-Zeilen</translation>
+    </message>
+    <message>
+        <source>Delay from arrival to motion</source>
+        <translation>Verzug von Ankunft bis Bewegung</translation>
     </message>
 </context>
 <context>
@@ -6960,6 +7507,22 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>%1, dry run</source>
         <translation>%1, Trockenlauf</translation>
+    </message>
+    <message>
+        <source>The live source is silent or wants a hold. The run goes on with its next point.</source>
+        <translation>Die Live-Quelle schweigt oder will einen Halt. Der Lauf geht mit ihrem nächsten Punkt weiter.</translation>
+    </message>
+    <message>
+        <source>Waiting for points of the live source</source>
+        <translation>Wartet auf Punkte der Live-Quelle</translation>
+    </message>
+    <message>
+        <source>Line of the live source that the last executed point comes from</source>
+        <translation>Zeile der Live-Quelle, aus der der zuletzt ausgeführte Punkt stammt</translation>
+    </message>
+    <message>
+        <source>A live source does not say when it ends.</source>
+        <translation>Eine Live-Quelle sagt nicht, wann sie endet.</translation>
     </message>
 </context>
 <context>

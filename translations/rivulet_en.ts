@@ -39,6 +39,16 @@
     </message>
 </context>
 <context>
+    <name>LiveTexts</name>
+    <message numerus="yes">
+        <source>%Ln points merged</source>
+        <translation>
+            <numerusform>%Ln point merged</numerusform>
+            <numerusform>%Ln points merged</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>MachineCard</name>
     <message numerus="yes">
         <source>%n alarms</source>

@@ -470,6 +470,10 @@
         <source>The job is being compared with the machine.</source>
         <translation>El trabajo se está comparando con la máquina.</translation>
     </message>
+    <message>
+        <source>Live points need a machine that waits for them: choose method window or credit.</source>
+        <translation>Los puntos en vivo necesitan una máquina que los espere: elegir el método Ventana o Crédito.</translation>
+    </message>
 </context>
 <context>
     <name>CertificateTexts</name>
@@ -1082,6 +1086,82 @@
         <source>The server refuses user name or password. Check both.</source>
         <translation>El servidor rechaza el usuario o la contraseña. Compruebe ambos.</translation>
     </message>
+    <message>
+        <source>The line is neither a point nor end, hold or comment.</source>
+        <translation>La línea no es un punto ni end, hold o comment.</translation>
+    </message>
+    <message>
+        <source>A word of the line has no number.</source>
+        <translation>Una palabra de la línea no tiene número.</translation>
+    </message>
+    <message>
+        <source>The line is too long.</source>
+        <translation>La línea es demasiado larga.</translation>
+    </message>
+    <message>
+        <source>The source was closed in the middle of the line.</source>
+        <translation>La fuente se cerró en medio de la línea.</translation>
+    </message>
+    <message>
+        <source>The point is outside the agreed box.</source>
+        <translation>El punto está fuera del volumen acordado.</translation>
+    </message>
+    <message>
+        <source>The step to the point is longer than agreed.</source>
+        <translation>El paso hasta el punto es más largo de lo acordado.</translation>
+    </message>
+    <message>
+        <source>A rotary axis would turn farther in one step than agreed.</source>
+        <translation>Un eje rotativo giraría en un paso más de lo acordado.</translation>
+    </message>
+    <message>
+        <source>F is larger than agreed, or not above 0.</source>
+        <translation>F es mayor de lo acordado, o no está por encima de 0.</translation>
+    </message>
+    <message>
+        <source>The first point is farther from the tool than agreed. Move the tool there, or begin where it is.</source>
+        <translation>El primer punto está más lejos de la herramienta de lo acordado. Llevar allí la herramienta o empezar donde está.</translation>
+    </message>
+    <message>
+        <source>The point names an axis that is not one of this run.</source>
+        <translation>El punto nombra un eje que no es de esta ejecución.</translation>
+    </message>
+    <message>
+        <source>A UDP source has to number its points: N1 X0.5, then N2.</source>
+        <translation>Una fuente UDP tiene que numerar sus puntos: N1 X0.5, después N2.</translation>
+    </message>
+    <message>
+        <source>A point is missing or came twice: the numbers are not in order.</source>
+        <translation>Falta un punto o ha llegado dos veces: los números no están en orden.</translation>
+    </message>
+    <message>
+        <source>The source was closed without end.</source>
+        <translation>La fuente se cerró sin end.</translation>
+    </message>
+    <message>
+        <source>The source was silent for longer than agreed.</source>
+        <translation>La fuente estuvo en silencio más tiempo de lo acordado.</translation>
+    </message>
+    <message>
+        <source>The source was faster than the machine and cannot wait. Send fewer points, or use TCP.</source>
+        <translation>La fuente era más rápida que la máquina y no puede esperar. Enviar menos puntos o usar TCP.</translation>
+    </message>
+    <message>
+        <source>The source ended before its first point. Nothing has moved.</source>
+        <translation>La fuente terminó antes de su primer punto. No se ha movido nada.</translation>
+    </message>
+    <message>
+        <source>The source cannot be opened. Choose another port or path.</source>
+        <translation>La fuente no se puede abrir. Elegir otro puerto u otra ruta.</translation>
+    </message>
+    <message>
+        <source>These values cannot be kept together. Check box, step and times.</source>
+        <translation>Estos valores no son compatibles. Comprobar volumen, paso y tiempos.</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, línea %2</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1656,6 +1736,36 @@
     </message>
 </context>
 <context>
+    <name>LiveTexts</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>hold after %1, end after %2</source>
+        <translation>suspensión tras %1, fin tras %2</translation>
+    </message>
+    <message>
+        <source>median %1, 99 % %2</source>
+        <translation>mediana %1, 99&#xa0;% %2</translation>
+    </message>
+    <message>
+        <source>in theory %1</source>
+        <translation>en teoría %1</translation>
+    </message>
+    <message>
+        <source>%1 from %2, executed to line %3</source>
+        <translation>%1 de %2, ejecutadas hasta la línea %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln points merged</source>
+        <translation>
+            <numerusform>%Ln punto unido</numerusform>
+            <numerusform>%Ln puntos unidos</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>MachineCard</name>
     <message>
         <source>No run is known.</source>
@@ -2210,6 +2320,14 @@
         <source>Stretch (1 to %1). What the machine needs there is listed before anything moves.</source>
         <translation>Tramo (1 a %1). Lo que la máquina necesita allí se muestra en una lista antes de que nada se mueva.</translation>
     </message>
+    <message>
+        <source>A live source needs no verdict: the machine waits for points that are late.</source>
+        <translation>Una fuente en vivo no necesita veredicto: la máquina espera los puntos que llegan tarde.</translation>
+    </message>
+    <message>
+        <source>Live points from %1</source>
+        <translation>Puntos en vivo de %1</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2476,6 +2594,14 @@
     <message>
         <source>%1, dry run %2 higher</source>
         <translation>%1, ensayo en vacío %2 más alto</translation>
+    </message>
+    <message>
+        <source>Live lines</source>
+        <translation>Líneas en vivo</translation>
+    </message>
+    <message>
+        <source>Delay from arrival to motion</source>
+        <translation>Retardo de la llegada al movimiento</translation>
     </message>
 </context>
 <context>
@@ -3058,6 +3184,17 @@
     </message>
 </context>
 <context>
+    <name>rivulet::hmi::LiveSource</name>
+    <message>
+        <source>A run is in progress. Open a live source after it has ended.</source>
+        <translation>Hay una ejecución en curso. Abrir una fuente en vivo cuando haya terminado.</translation>
+    </message>
+    <message>
+        <source>Listening for live points on %1.</source>
+        <translation>Se esperan puntos en vivo en %1.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::hmi::MachineModel</name>
     <message>
         <source>Connected to the virtual machine at %1.</source>
@@ -3162,6 +3299,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>High contrast</source>
         <translation>Alto contraste</translation>
+    </message>
+    <message>
+        <source>Li&amp;ve points …</source>
+        <translation>Puntos en &amp;vivo…</translation>
     </message>
 </context>
 <context>
@@ -3530,6 +3671,46 @@ GPL-3.0-or-later</translation>
         <source>Everything takes place %1 higher than programmed. The spindle does not turn, and no coolant flows; tools are changed, and retracts in machine coordinates are made.</source>
         <translation>Todo ocurre %1 más alto de lo programado. El cabezal no gira y no fluye refrigerante; se cambian las herramientas y se ejecutan las retiradas en coordenadas de máquina.</translation>
     </message>
+    <message>
+        <source>Live source</source>
+        <translation>Fuente en vivo</translation>
+    </message>
+    <message>
+        <source>Change …</source>
+        <translation>Cambiar…</translation>
+    </message>
+    <message>
+        <source>%1 is open. What it sends is read from the start on.</source>
+        <translation>%1 está abierta. Lo que envía se lee a partir del inicio.</translation>
+    </message>
+    <message>
+        <source>Agreed</source>
+        <translation>Acordado</translation>
+    </message>
+    <message>
+        <source>No point is outside %1. No step is longer than %2. Anything else ends the run after the last good point.</source>
+        <translation>Ningún punto está fuera de %1. Ningún paso es más largo que %2. Todo lo demás termina la ejecución tras el último punto bueno.</translation>
+    </message>
+    <message>
+        <source>The F of the points, at most %1; that is also the feed before the first F.</source>
+        <translation>La F de los puntos, como máximo %1; es también el avance antes de la primera F.</translation>
+    </message>
+    <message>
+        <source>No points</source>
+        <translation>Sin puntos</translation>
+    </message>
+    <message>
+        <source>The machine waits at the end of the last window: %1.</source>
+        <translation>La máquina espera al final de la última ventana: %1.</translation>
+    </message>
+    <message>
+        <source>From %1 in a straight line to the first point, which may be %2 away.</source>
+        <translation>De %1 en línea recta al primer punto, que puede estar a %2.</translation>
+    </message>
+    <message>
+        <source>The tool is so far outside the box that no first point can be in it. Move the tool, or change the box.</source>
+        <translation>La herramienta está tan lejos del volumen que ningún primer punto puede estar dentro. Mover la herramienta o cambiar el volumen.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -3645,6 +3826,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>It is not known for certain where the job was left. Press Start, then Begin with a stretch, or start from the beginning.</source>
         <translation>No se sabe con certeza dónde se dejó el trabajo. Pulse Inicio y después Empezar por un tramo, o empiece desde el principio.</translation>
+    </message>
+    <message>
+        <source>Start. The points come from %1.</source>
+        <translation>Inicio. Los puntos llegan de %1.</translation>
     </message>
 </context>
 <context>
@@ -5061,6 +5246,344 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::LiveDialog</name>
+    <message>
+        <source>Live points</source>
+        <translation>Puntos en vivo</translation>
+    </message>
+    <message>
+        <source>A program or script computes the path while the machine moves and sends its points as lines, such as X1.5 Y2 F500. Nothing moves that is outside what is agreed here.</source>
+        <translation>Un programa o script calcula la trayectoria mientras la máquina se mueve y envía sus puntos como líneas, por ejemplo X1.5 Y2 F500. Nada se mueve fuera de lo acordado aquí.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Listens from now on. Nothing moves before the start.</source>
+        <translation>Escucha desde ahora. Nada se mueve antes del inicio.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Fuente</translation>
+    </message>
+    <message>
+        <source>TCP port of this computer</source>
+        <translation>Puerto TCP de este ordenador</translation>
+    </message>
+    <message>
+        <source>UDP port of this computer</source>
+        <translation>Puerto UDP de este ordenador</translation>
+    </message>
+    <message>
+        <source>UNIX socket</source>
+        <translation>Socket UNIX</translation>
+    </message>
+    <message>
+        <source>Standard input of this window</source>
+        <translation>Entrada estándar de esta ventana</translation>
+    </message>
+    <message>
+        <source>Only programs on this computer can send.</source>
+        <translation>Solo los programas de este ordenador pueden enviar.</translation>
+    </message>
+    <message>
+        <source>0: any that is free</source>
+        <translation>0: uno libre</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Puerto</translation>
+    </message>
+    <message>
+        <source>File name of the socket, which only this user can write to</source>
+        <translation>Nombre de archivo del socket, en el que solo puede escribir este usuario</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Ruta</translation>
+    </message>
+    <message>
+        <source>Box of all points</source>
+        <translation>Volumen de todos los puntos</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>Least coordinate, workpiece frame</source>
+        <translation>Coordenada mínima, sistema de la pieza</translation>
+    </message>
+    <message>
+        <source>Largest coordinate, workpiece frame</source>
+        <translation>Coordenada máxima, sistema de la pieza</translation>
+    </message>
+    <message>
+        <source>%1 from</source>
+        <translation>%1 de</translation>
+    </message>
+    <message>
+        <source>%1 to</source>
+        <translation>%1 a</translation>
+    </message>
+    <message>
+        <source>Agreed with the source</source>
+        <translation>Acordado con la fuente</translation>
+    </message>
+    <message>
+        <source>First point within</source>
+        <translation>Primer punto a menos de</translation>
+    </message>
+    <message>
+        <source>Largest distance of the first point from the tool</source>
+        <translation>Distancia máxima del primer punto a la herramienta</translation>
+    </message>
+    <message>
+        <source>Largest step</source>
+        <translation>Paso máximo</translation>
+    </message>
+    <message>
+        <source>Largest distance of two points</source>
+        <translation>Distancia máxima entre dos puntos</translation>
+    </message>
+    <message>
+        <source>Largest F</source>
+        <translation>F máxima</translation>
+    </message>
+    <message>
+        <source>It is also the feed of points before the first F.</source>
+        <translation>Es también el avance de los puntos antes de la primera F.</translation>
+    </message>
+    <message>
+        <source>Merge below</source>
+        <translation>Unir por debajo de</translation>
+    </message>
+    <message>
+        <source>Points that are closer are merged with the one before.</source>
+        <translation>Los puntos más cercanos se unen al anterior.</translation>
+    </message>
+    <message>
+        <source>Largest turn</source>
+        <translation>Giro máximo</translation>
+    </message>
+    <message>
+        <source>Largest turn of a rotary axis between two points</source>
+        <translation>Giro máximo de un eje rotativo entre dos puntos</translation>
+    </message>
+    <message>
+        <source>Points may turn this axis (method window).</source>
+        <translation>Los puntos pueden girar este eje (método Ventana).</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1</source>
+        <translation>Eje rotativo %1</translation>
+    </message>
+    <message>
+        <source>Rotary axes</source>
+        <translation>Ejes rotativos</translation>
+    </message>
+    <message>
+        <source>When no points come</source>
+        <translation>Cuando no llegan puntos</translation>
+    </message>
+    <message>
+        <source>Window within</source>
+        <translation>Ventana en</translation>
+    </message>
+    <message>
+        <source>A window that is not full is sent after this time.</source>
+        <translation>Una ventana que no está llena se envía tras este tiempo.</translation>
+    </message>
+    <message>
+        <source>Hold after</source>
+        <translation>Suspender tras</translation>
+    </message>
+    <message>
+        <source>After this much silence the run holds; it goes on with the next point.</source>
+        <translation>Tras este silencio la ejecución se suspende; continúa con el punto siguiente.</translation>
+    </message>
+    <message>
+        <source>End after</source>
+        <translation>Terminar tras</translation>
+    </message>
+    <message>
+        <source>After this much silence the run ends with an error.</source>
+        <translation>Tras este silencio la ejecución termina con un error.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LivePanel</name>
+    <message>
+        <source>It is read as soon as the control runs the program.</source>
+        <translation>Se lee en cuanto el control ejecuta el programa.</translation>
+    </message>
+    <message>
+        <source>The run has ended. It listens for the next one.</source>
+        <translation>La ejecución ha terminado. La fuente espera la siguiente.</translation>
+    </message>
+    <message>
+        <source>Listening. Nothing is read before the start.</source>
+        <translation>A la escucha. No se lee nada antes del inicio.</translation>
+    </message>
+    <message>
+        <source>Waiting for the first line, for %1</source>
+        <translation>Espera la primera línea desde hace %1</translation>
+    </message>
+    <message>
+        <source>Receiving</source>
+        <translation>Recibiendo</translation>
+    </message>
+    <message>
+        <source>Silent for %1; %2</source>
+        <translation>En silencio desde hace %1; %2</translation>
+    </message>
+    <message>
+        <source>Ended by the source</source>
+        <translation>Terminado por la fuente</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 de %2 puntos</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Live points …</source>
+        <translation>Puntos en vivo…</translation>
+    </message>
+    <message>
+        <source>Another source, or something else agreed with it</source>
+        <translation>Otra fuente u otro acuerdo con ella</translation>
+    </message>
+    <message>
+        <source>Open program …</source>
+        <translation>Abrir programa…</translation>
+    </message>
+    <message>
+        <source>A program takes the place of the live source.</source>
+        <translation>Un programa ocupa el lugar de la fuente en vivo.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Puntos</translation>
+    </message>
+    <message>
+        <source>Agreed with the source</source>
+        <translation>Acordado con la fuente</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Búfer</translation>
+    </message>
+    <message>
+        <source>Points that have arrived and are not executed. When it is full, the source is made to wait.</source>
+        <translation>Puntos que han llegado y no se han ejecutado. Cuando está lleno, la fuente tiene que esperar.</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>Entrada</translation>
+    </message>
+    <message>
+        <source>Out</source>
+        <translation>Salida</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Aceptados</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Ejecutados</translation>
+    </message>
+    <message>
+        <source>Merged</source>
+        <translation>Unidos</translation>
+    </message>
+    <message>
+        <source>Delay, median</source>
+        <translation>Retardo, mediana</translation>
+    </message>
+    <message>
+        <source>Delay, 99 %</source>
+        <translation>Retardo, 99&#xa0;%</translation>
+    </message>
+    <message>
+        <source>In theory</source>
+        <translation>En teoría</translation>
+    </message>
+    <message>
+        <source>Points from the source, mean of the last two seconds</source>
+        <translation>Puntos de la fuente, media de los dos últimos segundos</translation>
+    </message>
+    <message>
+        <source>Points executed, mean of the last two seconds</source>
+        <translation>Puntos ejecutados, media de los dos últimos segundos</translation>
+    </message>
+    <message>
+        <source>Points of the source that keep what was agreed</source>
+        <translation>Puntos de la fuente que cumplen lo acordado</translation>
+    </message>
+    <message>
+        <source>Points that are known to be executed</source>
+        <translation>Puntos cuya ejecución es conocida</translation>
+    </message>
+    <message>
+        <source>Points too close to the one before, which are left out</source>
+        <translation>Puntos demasiado cercanos al anterior, que se omiten</translation>
+    </message>
+    <message>
+        <source>From the arrival of a point to the beginning of its move; during a run, of the last 500 points</source>
+        <translation>De la llegada de un punto al comienzo de su movimiento; durante una ejecución, de los últimos 500 puntos</translation>
+    </message>
+    <message>
+        <source>Of a hundred points, one was later than this.</source>
+        <translation>De cien puntos, uno llegó más tarde.</translation>
+    </message>
+    <message>
+        <source>Least delay, and the delay when all buffers are full</source>
+        <translation>Retardo mínimo, y el retardo con todos los búferes llenos</translation>
+    </message>
+    <message>
+        <source>First point within</source>
+        <translation>Primer punto a menos de</translation>
+    </message>
+    <message>
+        <source>Largest step</source>
+        <translation>Paso máximo</translation>
+    </message>
+    <message>
+        <source>Largest F</source>
+        <translation>F máxima</translation>
+    </message>
+    <message>
+        <source>Merge below</source>
+        <translation>Unir por debajo de</translation>
+    </message>
+    <message>
+        <source>When it is silent</source>
+        <translation>Cuando calla</translation>
+    </message>
+    <message>
+        <source>Send lines such as X1.5 Y2 F500 to 127.0.0.1, port %1. The line “end” ends the run.</source>
+        <translation>Enviar líneas como X1.5 Y2 F500 a 127.0.0.1, puerto %1. La línea «end» termina la ejecución.</translation>
+    </message>
+    <message>
+        <source>Send lines such as X1.5 Y2 F500 to it. The line “end” ends the run.</source>
+        <translation>Enviarle líneas como X1.5 Y2 F500. La línea «end» termina la ejecución.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::LoadBar</name>
     <message>
         <source>Reading %1</source>
@@ -5581,6 +6104,10 @@ GPL-3.0-or-later</translation>
         <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out. Dry run: the whole job above the workpiece, without spindle and coolant.</source>
         <translation>Trabajo completo: el control ejecuta herramientas, cabezal, refrigerante, ciclos y retiradas en su sitio, y Rivulet transmite el movimiento entre ellos. Solo movimiento: estas secuencias se omiten. Ensayo en vacío: el trabajo completo sobre la pieza, sin cabezal ni refrigerante.</translation>
     </message>
+    <message>
+        <source>The points of a live source have feeds of their own.</source>
+        <translation>Los puntos de una fuente en vivo tienen avances propios.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NumberField</name>
@@ -5796,6 +6323,10 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln pausa fuera del corte</numerusform>
             <numerusform>%Ln pausas fuera del corte</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The points appear here as they come</source>
+        <translation>Los puntos aparecen aquí según llegan</translation>
     </message>
 </context>
 <context>
@@ -6342,6 +6873,14 @@ Is it certain that %1 does not change the path of the tool?</source>
             <numerusform>%1 con %Ln pausas, que cuestan %2</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Live …</source>
+        <translation>En vivo…</translation>
+    </message>
+    <message>
+        <source>Points that another program computes while the machine moves</source>
+        <translation>Puntos que otro programa calcula mientras la máquina se mueve</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProgramTextView</name>
@@ -6514,6 +7053,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Time spent</source>
         <translation>Reparto del tiempo</translation>
+    </message>
+    <message>
+        <source>Live lines</source>
+        <translation>Líneas en vivo</translation>
+    </message>
+    <message>
+        <source>Delay from arrival to motion</source>
+        <translation>Retardo de la llegada al movimiento</translation>
     </message>
 </context>
 <context>
@@ -6960,6 +7507,22 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1, dry run</source>
         <translation>%1, ensayo en vacío</translation>
+    </message>
+    <message>
+        <source>The live source is silent or wants a hold. The run goes on with its next point.</source>
+        <translation>La fuente en vivo calla o quiere una suspensión. La ejecución continúa con su próximo punto.</translation>
+    </message>
+    <message>
+        <source>Waiting for points of the live source</source>
+        <translation>Espera puntos de la fuente en vivo</translation>
+    </message>
+    <message>
+        <source>Line of the live source that the last executed point comes from</source>
+        <translation>Línea de la fuente en vivo de la que procede el último punto ejecutado</translation>
+    </message>
+    <message>
+        <source>A live source does not say when it ends.</source>
+        <translation>Una fuente en vivo no dice cuándo termina.</translation>
     </message>
 </context>
 <context>

@@ -470,6 +470,10 @@
         <source>The job is being compared with the machine.</source>
         <translation>La tâche est comparée à la machine.</translation>
     </message>
+    <message>
+        <source>Live points need a machine that waits for them: choose method window or credit.</source>
+        <translation>Des points en direct demandent une machine qui les attend&#xa0;: choisir la méthode Fenêtre ou Crédit.</translation>
+    </message>
 </context>
 <context>
     <name>CertificateTexts</name>
@@ -1082,6 +1086,82 @@
         <source>The server refuses user name or password. Check both.</source>
         <translation>Le serveur refuse le nom d&apos;utilisateur ou le mot de passe. Vérifiez les deux.</translation>
     </message>
+    <message>
+        <source>The line is neither a point nor end, hold or comment.</source>
+        <translation>La ligne n’est ni un point, ni end, hold ou comment.</translation>
+    </message>
+    <message>
+        <source>A word of the line has no number.</source>
+        <translation>Un mot de la ligne n’a pas de nombre.</translation>
+    </message>
+    <message>
+        <source>The line is too long.</source>
+        <translation>La ligne est trop longue.</translation>
+    </message>
+    <message>
+        <source>The source was closed in the middle of the line.</source>
+        <translation>La source a été fermée au milieu de la ligne.</translation>
+    </message>
+    <message>
+        <source>The point is outside the agreed box.</source>
+        <translation>Le point est hors du pavé convenu.</translation>
+    </message>
+    <message>
+        <source>The step to the point is longer than agreed.</source>
+        <translation>Le pas vers le point est plus long que convenu.</translation>
+    </message>
+    <message>
+        <source>A rotary axis would turn farther in one step than agreed.</source>
+        <translation>Un axe rotatif tournerait plus que convenu en un pas.</translation>
+    </message>
+    <message>
+        <source>F is larger than agreed, or not above 0.</source>
+        <translation>F est plus grand que convenu, ou n’est pas supérieur à 0.</translation>
+    </message>
+    <message>
+        <source>The first point is farther from the tool than agreed. Move the tool there, or begin where it is.</source>
+        <translation>Le premier point est plus loin de l’outil que convenu. Y amener l’outil, ou commencer là où il est.</translation>
+    </message>
+    <message>
+        <source>The point names an axis that is not one of this run.</source>
+        <translation>Le point nomme un axe qui n’est pas de cette exécution.</translation>
+    </message>
+    <message>
+        <source>A UDP source has to number its points: N1 X0.5, then N2.</source>
+        <translation>Une source UDP doit numéroter ses points&#xa0;: N1 X0.5, puis N2.</translation>
+    </message>
+    <message>
+        <source>A point is missing or came twice: the numbers are not in order.</source>
+        <translation>Un point manque ou est arrivé deux fois&#xa0;: les numéros ne se suivent pas.</translation>
+    </message>
+    <message>
+        <source>The source was closed without end.</source>
+        <translation>La source a été fermée sans end.</translation>
+    </message>
+    <message>
+        <source>The source was silent for longer than agreed.</source>
+        <translation>La source est restée muette plus longtemps que convenu.</translation>
+    </message>
+    <message>
+        <source>The source was faster than the machine and cannot wait. Send fewer points, or use TCP.</source>
+        <translation>La source était plus rapide que la machine et ne peut pas attendre. Envoyer moins de points, ou utiliser TCP.</translation>
+    </message>
+    <message>
+        <source>The source ended before its first point. Nothing has moved.</source>
+        <translation>La source s’est terminée avant son premier point. Rien n’a bougé.</translation>
+    </message>
+    <message>
+        <source>The source cannot be opened. Choose another port or path.</source>
+        <translation>La source ne peut pas être ouverte. Choisir un autre port ou chemin.</translation>
+    </message>
+    <message>
+        <source>These values cannot be kept together. Check box, step and times.</source>
+        <translation>Ces valeurs ne vont pas ensemble. Vérifier pavé, pas et temps.</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, ligne %2</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1656,6 +1736,36 @@
     </message>
 </context>
 <context>
+    <name>LiveTexts</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>hold after %1, end after %2</source>
+        <translation>suspension après %1, fin après %2</translation>
+    </message>
+    <message>
+        <source>median %1, 99 % %2</source>
+        <translation>médiane %1, 99&#xa0;% %2</translation>
+    </message>
+    <message>
+        <source>in theory %1</source>
+        <translation>en théorie %1</translation>
+    </message>
+    <message>
+        <source>%1 from %2, executed to line %3</source>
+        <translation>%1 de %2, exécutées jusqu’à la ligne %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln points merged</source>
+        <translation>
+            <numerusform>%Ln point fusionné</numerusform>
+            <numerusform>%Ln points fusionnés</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>MachineCard</name>
     <message>
         <source>No run is known.</source>
@@ -2210,6 +2320,14 @@
         <source>Stretch (1 to %1). What the machine needs there is listed before anything moves.</source>
         <translation>Tronçon (1 à %1). Ce qu’il faut à la machine à cet endroit est listé avant tout mouvement.</translation>
     </message>
+    <message>
+        <source>A live source needs no verdict: the machine waits for points that are late.</source>
+        <translation>Une source en direct n’a pas besoin de verdict&#xa0;: la machine attend les points en retard.</translation>
+    </message>
+    <message>
+        <source>Live points from %1</source>
+        <translation>Points en direct de %1</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2476,6 +2594,14 @@
     <message>
         <source>%1, dry run %2 higher</source>
         <translation>%1, essai à vide %2 plus haut</translation>
+    </message>
+    <message>
+        <source>Live lines</source>
+        <translation>Lignes en direct</translation>
+    </message>
+    <message>
+        <source>Delay from arrival to motion</source>
+        <translation>Délai de l’arrivée au mouvement</translation>
     </message>
 </context>
 <context>
@@ -3058,6 +3184,17 @@
     </message>
 </context>
 <context>
+    <name>rivulet::hmi::LiveSource</name>
+    <message>
+        <source>A run is in progress. Open a live source after it has ended.</source>
+        <translation>Une exécution est en cours. Ouvrir une source en direct quand elle sera terminée.</translation>
+    </message>
+    <message>
+        <source>Listening for live points on %1.</source>
+        <translation>Des points en direct sont attendus sur %1.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::hmi::MachineModel</name>
     <message>
         <source>Connected to the virtual machine at %1.</source>
@@ -3162,6 +3299,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>High contrast</source>
         <translation>Contraste élevé</translation>
+    </message>
+    <message>
+        <source>Li&amp;ve points …</source>
+        <translation>Points en &amp;direct…</translation>
     </message>
 </context>
 <context>
@@ -3530,6 +3671,46 @@ GPL-3.0-or-later</translation>
         <source>Everything takes place %1 higher than programmed. The spindle does not turn, and no coolant flows; tools are changed, and retracts in machine coordinates are made.</source>
         <translation>Tout a lieu %1 plus haut que programmé. La broche ne tourne pas et l’arrosage reste coupé&#xa0;; les outils sont changés et les dégagements en coordonnées machine sont exécutés.</translation>
     </message>
+    <message>
+        <source>Live source</source>
+        <translation>Source en direct</translation>
+    </message>
+    <message>
+        <source>Change …</source>
+        <translation>Modifier…</translation>
+    </message>
+    <message>
+        <source>%1 is open. What it sends is read from the start on.</source>
+        <translation>%1 est ouverte. Ce qu’elle envoie est lu à partir du démarrage.</translation>
+    </message>
+    <message>
+        <source>Agreed</source>
+        <translation>Convenu</translation>
+    </message>
+    <message>
+        <source>No point is outside %1. No step is longer than %2. Anything else ends the run after the last good point.</source>
+        <translation>Aucun point n’est hors de %1. Aucun pas n’est plus long que %2. Tout le reste termine l’exécution après le dernier bon point.</translation>
+    </message>
+    <message>
+        <source>The F of the points, at most %1; that is also the feed before the first F.</source>
+        <translation>Le F des points, au plus %1&#xa0;; c’est aussi l’avance avant le premier F.</translation>
+    </message>
+    <message>
+        <source>No points</source>
+        <translation>Sans points</translation>
+    </message>
+    <message>
+        <source>The machine waits at the end of the last window: %1.</source>
+        <translation>La machine attend à la fin de la dernière fenêtre&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>From %1 in a straight line to the first point, which may be %2 away.</source>
+        <translation>De %1 en ligne droite vers le premier point, qui peut être à %2.</translation>
+    </message>
+    <message>
+        <source>The tool is so far outside the box that no first point can be in it. Move the tool, or change the box.</source>
+        <translation>L’outil est si loin du pavé qu’aucun premier point ne peut s’y trouver. Déplacer l’outil ou modifier le pavé.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -3645,6 +3826,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>It is not known for certain where the job was left. Press Start, then Begin with a stretch, or start from the beginning.</source>
         <translation>On ne sait pas avec certitude où la tâche a été interrompue. Appuyer sur Départ, puis sur Commencer à un tronçon, ou recommencer depuis le début.</translation>
+    </message>
+    <message>
+        <source>Start. The points come from %1.</source>
+        <translation>Démarrage. Les points viennent de %1.</translation>
     </message>
 </context>
 <context>
@@ -5061,6 +5246,344 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::LiveDialog</name>
+    <message>
+        <source>Live points</source>
+        <translation>Points en direct</translation>
+    </message>
+    <message>
+        <source>A program or script computes the path while the machine moves and sends its points as lines, such as X1.5 Y2 F500. Nothing moves that is outside what is agreed here.</source>
+        <translation>Un programme ou un script calcule la trajectoire pendant que la machine bouge et envoie ses points en lignes telles que X1.5 Y2 F500. Rien ne bouge hors de ce qui est convenu ici.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Listens from now on. Nothing moves before the start.</source>
+        <translation>Écoute dès maintenant. Rien ne bouge avant le démarrage.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>TCP port of this computer</source>
+        <translation>Port TCP de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>UDP port of this computer</source>
+        <translation>Port UDP de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>UNIX socket</source>
+        <translation>Socket UNIX</translation>
+    </message>
+    <message>
+        <source>Standard input of this window</source>
+        <translation>Entrée standard de cette fenêtre</translation>
+    </message>
+    <message>
+        <source>Only programs on this computer can send.</source>
+        <translation>Seuls les programmes de cet ordinateur peuvent envoyer.</translation>
+    </message>
+    <message>
+        <source>0: any that is free</source>
+        <translation>0&#xa0;: un port libre</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>File name of the socket, which only this user can write to</source>
+        <translation>Nom de fichier du socket, où seul cet utilisateur peut écrire</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Chemin</translation>
+    </message>
+    <message>
+        <source>Box of all points</source>
+        <translation>Pavé de tous les points</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>Least coordinate, workpiece frame</source>
+        <translation>Plus petite coordonnée, repère pièce</translation>
+    </message>
+    <message>
+        <source>Largest coordinate, workpiece frame</source>
+        <translation>Plus grande coordonnée, repère pièce</translation>
+    </message>
+    <message>
+        <source>%1 from</source>
+        <translation>%1 de</translation>
+    </message>
+    <message>
+        <source>%1 to</source>
+        <translation>%1 à</translation>
+    </message>
+    <message>
+        <source>Agreed with the source</source>
+        <translation>Convenu avec la source</translation>
+    </message>
+    <message>
+        <source>First point within</source>
+        <translation>Premier point à moins de</translation>
+    </message>
+    <message>
+        <source>Largest distance of the first point from the tool</source>
+        <translation>Plus grande distance du premier point à l’outil</translation>
+    </message>
+    <message>
+        <source>Largest step</source>
+        <translation>Plus grand pas</translation>
+    </message>
+    <message>
+        <source>Largest distance of two points</source>
+        <translation>Plus grande distance de deux points</translation>
+    </message>
+    <message>
+        <source>Largest F</source>
+        <translation>Plus grand F</translation>
+    </message>
+    <message>
+        <source>It is also the feed of points before the first F.</source>
+        <translation>C’est aussi l’avance des points avant le premier F.</translation>
+    </message>
+    <message>
+        <source>Merge below</source>
+        <translation>Fusionner sous</translation>
+    </message>
+    <message>
+        <source>Points that are closer are merged with the one before.</source>
+        <translation>Les points plus proches sont fusionnés avec le précédent.</translation>
+    </message>
+    <message>
+        <source>Largest turn</source>
+        <translation>Plus grande rotation</translation>
+    </message>
+    <message>
+        <source>Largest turn of a rotary axis between two points</source>
+        <translation>Plus grande rotation d’un axe rotatif entre deux points</translation>
+    </message>
+    <message>
+        <source>Points may turn this axis (method window).</source>
+        <translation>Les points peuvent tourner cet axe (méthode Fenêtre).</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1</source>
+        <translation>Axe rotatif %1</translation>
+    </message>
+    <message>
+        <source>Rotary axes</source>
+        <translation>Axes rotatifs</translation>
+    </message>
+    <message>
+        <source>When no points come</source>
+        <translation>Quand aucun point n’arrive</translation>
+    </message>
+    <message>
+        <source>Window within</source>
+        <translation>Fenêtre en</translation>
+    </message>
+    <message>
+        <source>A window that is not full is sent after this time.</source>
+        <translation>Une fenêtre qui n’est pas pleine est envoyée après ce temps.</translation>
+    </message>
+    <message>
+        <source>Hold after</source>
+        <translation>Suspendre après</translation>
+    </message>
+    <message>
+        <source>After this much silence the run holds; it goes on with the next point.</source>
+        <translation>Après ce silence, l’exécution est suspendue&#xa0;; elle continue avec le point suivant.</translation>
+    </message>
+    <message>
+        <source>End after</source>
+        <translation>Terminer après</translation>
+    </message>
+    <message>
+        <source>After this much silence the run ends with an error.</source>
+        <translation>Après ce silence, l’exécution se termine par une erreur.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LivePanel</name>
+    <message>
+        <source>It is read as soon as the control runs the program.</source>
+        <translation>Elle est lue dès que la commande exécute le programme.</translation>
+    </message>
+    <message>
+        <source>The run has ended. It listens for the next one.</source>
+        <translation>L’exécution est terminée. La source attend la suivante.</translation>
+    </message>
+    <message>
+        <source>Listening. Nothing is read before the start.</source>
+        <translation>À l’écoute. Rien n’est lu avant le démarrage.</translation>
+    </message>
+    <message>
+        <source>Waiting for the first line, for %1</source>
+        <translation>Attend la première ligne depuis %1</translation>
+    </message>
+    <message>
+        <source>Receiving</source>
+        <translation>Reçoit</translation>
+    </message>
+    <message>
+        <source>Silent for %1; %2</source>
+        <translation>Muette depuis %1&#xa0;; %2</translation>
+    </message>
+    <message>
+        <source>Ended by the source</source>
+        <translation>Terminé par la source</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 points sur %2</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Live points …</source>
+        <translation>Points en direct…</translation>
+    </message>
+    <message>
+        <source>Another source, or something else agreed with it</source>
+        <translation>Une autre source, ou un autre accord avec elle</translation>
+    </message>
+    <message>
+        <source>Open program …</source>
+        <translation>Ouvrir un programme…</translation>
+    </message>
+    <message>
+        <source>A program takes the place of the live source.</source>
+        <translation>Un programme prend la place de la source en direct.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Agreed with the source</source>
+        <translation>Convenu avec la source</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Tampon</translation>
+    </message>
+    <message>
+        <source>Points that have arrived and are not executed. When it is full, the source is made to wait.</source>
+        <translation>Points arrivés et pas encore exécutés. Quand il est plein, la source doit attendre.</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Out</source>
+        <translation>Sortie</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Acceptés</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Exécutés</translation>
+    </message>
+    <message>
+        <source>Merged</source>
+        <translation>Fusionnés</translation>
+    </message>
+    <message>
+        <source>Delay, median</source>
+        <translation>Délai, médiane</translation>
+    </message>
+    <message>
+        <source>Delay, 99 %</source>
+        <translation>Délai, 99&#xa0;%</translation>
+    </message>
+    <message>
+        <source>In theory</source>
+        <translation>En théorie</translation>
+    </message>
+    <message>
+        <source>Points from the source, mean of the last two seconds</source>
+        <translation>Points de la source, moyenne des deux dernières secondes</translation>
+    </message>
+    <message>
+        <source>Points executed, mean of the last two seconds</source>
+        <translation>Points exécutés, moyenne des deux dernières secondes</translation>
+    </message>
+    <message>
+        <source>Points of the source that keep what was agreed</source>
+        <translation>Points de la source qui respectent ce qui est convenu</translation>
+    </message>
+    <message>
+        <source>Points that are known to be executed</source>
+        <translation>Points dont l’exécution est connue</translation>
+    </message>
+    <message>
+        <source>Points too close to the one before, which are left out</source>
+        <translation>Points trop proches du précédent, qui sont omis</translation>
+    </message>
+    <message>
+        <source>From the arrival of a point to the beginning of its move; during a run, of the last 500 points</source>
+        <translation>De l’arrivée d’un point au début de son mouvement&#xa0;; pendant une exécution, des 500 derniers points</translation>
+    </message>
+    <message>
+        <source>Of a hundred points, one was later than this.</source>
+        <translation>Sur cent points, un était plus tard.</translation>
+    </message>
+    <message>
+        <source>Least delay, and the delay when all buffers are full</source>
+        <translation>Plus petit délai, et le délai quand tous les tampons sont pleins</translation>
+    </message>
+    <message>
+        <source>First point within</source>
+        <translation>Premier point à moins de</translation>
+    </message>
+    <message>
+        <source>Largest step</source>
+        <translation>Plus grand pas</translation>
+    </message>
+    <message>
+        <source>Largest F</source>
+        <translation>Plus grand F</translation>
+    </message>
+    <message>
+        <source>Merge below</source>
+        <translation>Fusionner sous</translation>
+    </message>
+    <message>
+        <source>When it is silent</source>
+        <translation>Quand elle est muette</translation>
+    </message>
+    <message>
+        <source>Send lines such as X1.5 Y2 F500 to 127.0.0.1, port %1. The line “end” ends the run.</source>
+        <translation>Envoyer des lignes telles que X1.5 Y2 F500 à 127.0.0.1, port %1. La ligne «&#xa0;end&#xa0;» termine l’exécution.</translation>
+    </message>
+    <message>
+        <source>Send lines such as X1.5 Y2 F500 to it. The line “end” ends the run.</source>
+        <translation>Lui envoyer des lignes telles que X1.5 Y2 F500. La ligne «&#xa0;end&#xa0;» termine l’exécution.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::LoadBar</name>
     <message>
         <source>Reading %1</source>
@@ -5581,6 +6104,10 @@ GPL-3.0-or-later</translation>
         <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out. Dry run: the whole job above the workpiece, without spindle and coolant.</source>
         <translation>Tâche complète&#xa0;: la commande exécute outils, broche, arrosage, cycles et dégagements à leur place, et Rivulet transmet le mouvement entre eux. Mouvement seul&#xa0;: ces blocs sont omis. Essai à vide&#xa0;: la tâche complète au-dessus de la pièce, sans broche ni arrosage.</translation>
     </message>
+    <message>
+        <source>The points of a live source have feeds of their own.</source>
+        <translation>Les points d’une source en direct ont leurs propres avances.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NumberField</name>
@@ -5796,6 +6323,10 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln pause hors coupe</numerusform>
             <numerusform>%Ln pauses hors coupe</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The points appear here as they come</source>
+        <translation>Les points apparaissent ici à leur arrivée</translation>
     </message>
 </context>
 <context>
@@ -6342,6 +6873,14 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
             <numerusform>%1 avec %Ln pauses, qui coûtent %2</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Live …</source>
+        <translation>En direct…</translation>
+    </message>
+    <message>
+        <source>Points that another program computes while the machine moves</source>
+        <translation>Points qu’un autre programme calcule pendant que la machine bouge</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProgramTextView</name>
@@ -6514,6 +7053,14 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Time spent</source>
         <translation>Répartition du temps</translation>
+    </message>
+    <message>
+        <source>Live lines</source>
+        <translation>Lignes en direct</translation>
+    </message>
+    <message>
+        <source>Delay from arrival to motion</source>
+        <translation>Délai de l’arrivée au mouvement</translation>
     </message>
 </context>
 <context>
@@ -6960,6 +7507,22 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>%1, dry run</source>
         <translation>%1, essai à vide</translation>
+    </message>
+    <message>
+        <source>The live source is silent or wants a hold. The run goes on with its next point.</source>
+        <translation>La source en direct est muette ou veut une suspension. L’exécution continue avec son prochain point.</translation>
+    </message>
+    <message>
+        <source>Waiting for points of the live source</source>
+        <translation>Attend des points de la source en direct</translation>
+    </message>
+    <message>
+        <source>Line of the live source that the last executed point comes from</source>
+        <translation>Ligne de la source en direct d’où vient le dernier point exécuté</translation>
+    </message>
+    <message>
+        <source>A live source does not say when it ends.</source>
+        <translation>Une source en direct ne dit pas quand elle se termine.</translation>
     </message>
 </context>
 <context>

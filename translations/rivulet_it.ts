@@ -470,6 +470,10 @@
         <source>The job is being compared with the machine.</source>
         <translation>Il lavoro viene confrontato con la macchina.</translation>
     </message>
+    <message>
+        <source>Live points need a machine that waits for them: choose method window or credit.</source>
+        <translation>I punti in diretta richiedono una macchina che li attenda: scegliere il metodo Finestra o Credito.</translation>
+    </message>
 </context>
 <context>
     <name>CertificateTexts</name>
@@ -1082,6 +1086,82 @@
         <source>The server refuses user name or password. Check both.</source>
         <translation>Il server rifiuta il nome utente o la password. Controllare entrambi.</translation>
     </message>
+    <message>
+        <source>The line is neither a point nor end, hold or comment.</source>
+        <translation>La riga non è né un punto né end, hold o comment.</translation>
+    </message>
+    <message>
+        <source>A word of the line has no number.</source>
+        <translation>Una parola della riga non ha un numero.</translation>
+    </message>
+    <message>
+        <source>The line is too long.</source>
+        <translation>La riga è troppo lunga.</translation>
+    </message>
+    <message>
+        <source>The source was closed in the middle of the line.</source>
+        <translation>La sorgente è stata chiusa a metà della riga.</translation>
+    </message>
+    <message>
+        <source>The point is outside the agreed box.</source>
+        <translation>Il punto è fuori dal volume concordato.</translation>
+    </message>
+    <message>
+        <source>The step to the point is longer than agreed.</source>
+        <translation>Il passo verso il punto è più lungo di quanto concordato.</translation>
+    </message>
+    <message>
+        <source>A rotary axis would turn farther in one step than agreed.</source>
+        <translation>Un asse rotativo girerebbe in un passo più di quanto concordato.</translation>
+    </message>
+    <message>
+        <source>F is larger than agreed, or not above 0.</source>
+        <translation>F è maggiore di quanto concordato, o non è sopra 0.</translation>
+    </message>
+    <message>
+        <source>The first point is farther from the tool than agreed. Move the tool there, or begin where it is.</source>
+        <translation>Il primo punto è più lontano dall’utensile di quanto concordato. Portarvi l’utensile, o iniziare da dove si trova.</translation>
+    </message>
+    <message>
+        <source>The point names an axis that is not one of this run.</source>
+        <translation>Il punto nomina un asse che non fa parte di questa esecuzione.</translation>
+    </message>
+    <message>
+        <source>A UDP source has to number its points: N1 X0.5, then N2.</source>
+        <translation>Una sorgente UDP deve numerare i suoi punti: N1 X0.5, poi N2.</translation>
+    </message>
+    <message>
+        <source>A point is missing or came twice: the numbers are not in order.</source>
+        <translation>Un punto manca o è arrivato due volte: i numeri non sono in ordine.</translation>
+    </message>
+    <message>
+        <source>The source was closed without end.</source>
+        <translation>La sorgente è stata chiusa senza end.</translation>
+    </message>
+    <message>
+        <source>The source was silent for longer than agreed.</source>
+        <translation>La sorgente è rimasta muta più a lungo di quanto concordato.</translation>
+    </message>
+    <message>
+        <source>The source was faster than the machine and cannot wait. Send fewer points, or use TCP.</source>
+        <translation>La sorgente era più veloce della macchina e non può attendere. Inviare meno punti, o usare TCP.</translation>
+    </message>
+    <message>
+        <source>The source ended before its first point. Nothing has moved.</source>
+        <translation>La sorgente è finita prima del suo primo punto. Non si è mosso nulla.</translation>
+    </message>
+    <message>
+        <source>The source cannot be opened. Choose another port or path.</source>
+        <translation>La sorgente non può essere aperta. Scegliere un’altra porta o un altro percorso.</translation>
+    </message>
+    <message>
+        <source>These values cannot be kept together. Check box, step and times.</source>
+        <translation>Questi valori non sono compatibili. Controllare volume, passo e tempi.</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, riga %2</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1656,6 +1736,36 @@
     </message>
 </context>
 <context>
+    <name>LiveTexts</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>da %1 a %2</translation>
+    </message>
+    <message>
+        <source>hold after %1, end after %2</source>
+        <translation>sospensione dopo %1, fine dopo %2</translation>
+    </message>
+    <message>
+        <source>median %1, 99 % %2</source>
+        <translation>mediana %1, 99&#xa0;% %2</translation>
+    </message>
+    <message>
+        <source>in theory %1</source>
+        <translation>in teoria %1</translation>
+    </message>
+    <message>
+        <source>%1 from %2, executed to line %3</source>
+        <translation>%1 da %2, eseguite fino alla riga %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln points merged</source>
+        <translation>
+            <numerusform>%Ln punto unito</numerusform>
+            <numerusform>%Ln punti uniti</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>MachineCard</name>
     <message>
         <source>No run is known.</source>
@@ -2210,6 +2320,14 @@
         <source>Stretch (1 to %1). What the machine needs there is listed before anything moves.</source>
         <translation>Tratto (da 1 a %1). Ciò che serve alla macchina in quel punto è elencato prima di ogni movimento.</translation>
     </message>
+    <message>
+        <source>A live source needs no verdict: the machine waits for points that are late.</source>
+        <translation>Una sorgente in diretta non ha bisogno di esito: la macchina attende i punti in ritardo.</translation>
+    </message>
+    <message>
+        <source>Live points from %1</source>
+        <translation>Punti in diretta da %1</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2476,6 +2594,14 @@
     <message>
         <source>%1, dry run %2 higher</source>
         <translation>%1, prova a vuoto %2 più in alto</translation>
+    </message>
+    <message>
+        <source>Live lines</source>
+        <translation>Righe in diretta</translation>
+    </message>
+    <message>
+        <source>Delay from arrival to motion</source>
+        <translation>Ritardo dall’arrivo al movimento</translation>
     </message>
 </context>
 <context>
@@ -3058,6 +3184,17 @@
     </message>
 </context>
 <context>
+    <name>rivulet::hmi::LiveSource</name>
+    <message>
+        <source>A run is in progress. Open a live source after it has ended.</source>
+        <translation>Un’esecuzione è in corso. Aprire una sorgente in diretta quando sarà finita.</translation>
+    </message>
+    <message>
+        <source>Listening for live points on %1.</source>
+        <translation>Punti in diretta attesi su %1.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::hmi::MachineModel</name>
     <message>
         <source>Connected to the virtual machine at %1.</source>
@@ -3162,6 +3299,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>High contrast</source>
         <translation>Contrasto elevato</translation>
+    </message>
+    <message>
+        <source>Li&amp;ve points …</source>
+        <translation>Punti in &amp;diretta…</translation>
     </message>
 </context>
 <context>
@@ -3530,6 +3671,46 @@ GPL-3.0-or-later</translation>
         <source>Everything takes place %1 higher than programmed. The spindle does not turn, and no coolant flows; tools are changed, and retracts in machine coordinates are made.</source>
         <translation>Tutto avviene %1 più in alto del programmato. Il mandrino non gira e il refrigerante resta chiuso; gli utensili vengono cambiati e gli svincoli in coordinate macchina eseguiti.</translation>
     </message>
+    <message>
+        <source>Live source</source>
+        <translation>Sorgente in diretta</translation>
+    </message>
+    <message>
+        <source>Change …</source>
+        <translation>Modifica…</translation>
+    </message>
+    <message>
+        <source>%1 is open. What it sends is read from the start on.</source>
+        <translation>%1 è aperta. Quello che invia viene letto dall’avvio in poi.</translation>
+    </message>
+    <message>
+        <source>Agreed</source>
+        <translation>Concordato</translation>
+    </message>
+    <message>
+        <source>No point is outside %1. No step is longer than %2. Anything else ends the run after the last good point.</source>
+        <translation>Nessun punto è fuori da %1. Nessun passo è più lungo di %2. Tutto il resto termina l’esecuzione dopo l’ultimo punto buono.</translation>
+    </message>
+    <message>
+        <source>The F of the points, at most %1; that is also the feed before the first F.</source>
+        <translation>L’F dei punti, al massimo %1; è anche l’avanzamento prima del primo F.</translation>
+    </message>
+    <message>
+        <source>No points</source>
+        <translation>Senza punti</translation>
+    </message>
+    <message>
+        <source>The machine waits at the end of the last window: %1.</source>
+        <translation>La macchina attende alla fine dell’ultima finestra: %1.</translation>
+    </message>
+    <message>
+        <source>From %1 in a straight line to the first point, which may be %2 away.</source>
+        <translation>Da %1 in linea retta al primo punto, che può distare %2.</translation>
+    </message>
+    <message>
+        <source>The tool is so far outside the box that no first point can be in it. Move the tool, or change the box.</source>
+        <translation>L’utensile è così lontano dal volume che nessun primo punto può trovarsi dentro. Spostare l’utensile o modificare il volume.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -3645,6 +3826,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>It is not known for certain where the job was left. Press Start, then Begin with a stretch, or start from the beginning.</source>
         <translation>Non è certo dove il lavoro sia stato interrotto. Premere Inizio, poi Iniziare da un tratto, oppure ricominciare dall’inizio.</translation>
+    </message>
+    <message>
+        <source>Start. The points come from %1.</source>
+        <translation>Avvio. I punti arrivano da %1.</translation>
     </message>
 </context>
 <context>
@@ -5061,6 +5246,344 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::LiveDialog</name>
+    <message>
+        <source>Live points</source>
+        <translation>Punti in diretta</translation>
+    </message>
+    <message>
+        <source>A program or script computes the path while the machine moves and sends its points as lines, such as X1.5 Y2 F500. Nothing moves that is outside what is agreed here.</source>
+        <translation>Un programma o uno script calcola il percorso mentre la macchina si muove e invia i suoi punti come righe, ad esempio X1.5 Y2 F500. Nulla si muove fuori da quanto concordato qui.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Apri</translation>
+    </message>
+    <message>
+        <source>Listens from now on. Nothing moves before the start.</source>
+        <translation>Da ora è in ascolto. Nulla si muove prima dell’avvio.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Sorgente</translation>
+    </message>
+    <message>
+        <source>TCP port of this computer</source>
+        <translation>Porta TCP di questo computer</translation>
+    </message>
+    <message>
+        <source>UDP port of this computer</source>
+        <translation>Porta UDP di questo computer</translation>
+    </message>
+    <message>
+        <source>UNIX socket</source>
+        <translation>Socket UNIX</translation>
+    </message>
+    <message>
+        <source>Standard input of this window</source>
+        <translation>Standard input di questa finestra</translation>
+    </message>
+    <message>
+        <source>Only programs on this computer can send.</source>
+        <translation>Solo i programmi di questo computer possono inviare.</translation>
+    </message>
+    <message>
+        <source>0: any that is free</source>
+        <translation>0: una qualsiasi libera</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Porta</translation>
+    </message>
+    <message>
+        <source>File name of the socket, which only this user can write to</source>
+        <translation>Nome di file del socket, in cui può scrivere solo questo utente</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Percorso</translation>
+    </message>
+    <message>
+        <source>Box of all points</source>
+        <translation>Volume di tutti i punti</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>da</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>Least coordinate, workpiece frame</source>
+        <translation>Coordinata minima, sistema pezzo</translation>
+    </message>
+    <message>
+        <source>Largest coordinate, workpiece frame</source>
+        <translation>Coordinata massima, sistema pezzo</translation>
+    </message>
+    <message>
+        <source>%1 from</source>
+        <translation>%1 da</translation>
+    </message>
+    <message>
+        <source>%1 to</source>
+        <translation>%1 a</translation>
+    </message>
+    <message>
+        <source>Agreed with the source</source>
+        <translation>Concordato con la sorgente</translation>
+    </message>
+    <message>
+        <source>First point within</source>
+        <translation>Primo punto entro</translation>
+    </message>
+    <message>
+        <source>Largest distance of the first point from the tool</source>
+        <translation>Distanza massima del primo punto dall’utensile</translation>
+    </message>
+    <message>
+        <source>Largest step</source>
+        <translation>Passo massimo</translation>
+    </message>
+    <message>
+        <source>Largest distance of two points</source>
+        <translation>Distanza massima tra due punti</translation>
+    </message>
+    <message>
+        <source>Largest F</source>
+        <translation>F massimo</translation>
+    </message>
+    <message>
+        <source>It is also the feed of points before the first F.</source>
+        <translation>È anche l’avanzamento dei punti prima del primo F.</translation>
+    </message>
+    <message>
+        <source>Merge below</source>
+        <translation>Unire sotto</translation>
+    </message>
+    <message>
+        <source>Points that are closer are merged with the one before.</source>
+        <translation>I punti più vicini vengono uniti al precedente.</translation>
+    </message>
+    <message>
+        <source>Largest turn</source>
+        <translation>Rotazione massima</translation>
+    </message>
+    <message>
+        <source>Largest turn of a rotary axis between two points</source>
+        <translation>Rotazione massima di un asse rotativo tra due punti</translation>
+    </message>
+    <message>
+        <source>Points may turn this axis (method window).</source>
+        <translation>I punti possono ruotare questo asse (metodo Finestra).</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1</source>
+        <translation>Asse rotativo %1</translation>
+    </message>
+    <message>
+        <source>Rotary axes</source>
+        <translation>Assi rotativi</translation>
+    </message>
+    <message>
+        <source>When no points come</source>
+        <translation>Quando non arrivano punti</translation>
+    </message>
+    <message>
+        <source>Window within</source>
+        <translation>Finestra entro</translation>
+    </message>
+    <message>
+        <source>A window that is not full is sent after this time.</source>
+        <translation>Una finestra non piena viene inviata dopo questo tempo.</translation>
+    </message>
+    <message>
+        <source>Hold after</source>
+        <translation>Sospendi dopo</translation>
+    </message>
+    <message>
+        <source>After this much silence the run holds; it goes on with the next point.</source>
+        <translation>Dopo questo silenzio l’esecuzione si sospende; continua con il punto successivo.</translation>
+    </message>
+    <message>
+        <source>End after</source>
+        <translation>Termina dopo</translation>
+    </message>
+    <message>
+        <source>After this much silence the run ends with an error.</source>
+        <translation>Dopo questo silenzio l’esecuzione termina con un errore.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::LivePanel</name>
+    <message>
+        <source>It is read as soon as the control runs the program.</source>
+        <translation>Viene letta appena il controllo esegue il programma.</translation>
+    </message>
+    <message>
+        <source>The run has ended. It listens for the next one.</source>
+        <translation>L’esecuzione è finita. La sorgente attende la prossima.</translation>
+    </message>
+    <message>
+        <source>Listening. Nothing is read before the start.</source>
+        <translation>In ascolto. Nulla viene letto prima dell’avvio.</translation>
+    </message>
+    <message>
+        <source>Waiting for the first line, for %1</source>
+        <translation>Attende la prima riga da %1</translation>
+    </message>
+    <message>
+        <source>Receiving</source>
+        <translation>Riceve</translation>
+    </message>
+    <message>
+        <source>Silent for %1; %2</source>
+        <translation>Muta da %1; %2</translation>
+    </message>
+    <message>
+        <source>Ended by the source</source>
+        <translation>Terminato dalla sorgente</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 punti su %2</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Live points …</source>
+        <translation>Punti in diretta…</translation>
+    </message>
+    <message>
+        <source>Another source, or something else agreed with it</source>
+        <translation>Un’altra sorgente o un altro accordo</translation>
+    </message>
+    <message>
+        <source>Open program …</source>
+        <translation>Apri programma…</translation>
+    </message>
+    <message>
+        <source>A program takes the place of the live source.</source>
+        <translation>Un programma prende il posto della sorgente in diretta.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punti</translation>
+    </message>
+    <message>
+        <source>Agreed with the source</source>
+        <translation>Concordato con la sorgente</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Buffer</translation>
+    </message>
+    <message>
+        <source>Points that have arrived and are not executed. When it is full, the source is made to wait.</source>
+        <translation>Punti arrivati e non ancora eseguiti. Quando è pieno, la sorgente deve attendere.</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>Ingresso</translation>
+    </message>
+    <message>
+        <source>Out</source>
+        <translation>Uscita</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Accettati</translation>
+    </message>
+    <message>
+        <source>Executed</source>
+        <translation>Eseguiti</translation>
+    </message>
+    <message>
+        <source>Merged</source>
+        <translation>Uniti</translation>
+    </message>
+    <message>
+        <source>Delay, median</source>
+        <translation>Ritardo, mediana</translation>
+    </message>
+    <message>
+        <source>Delay, 99 %</source>
+        <translation>Ritardo, 99&#xa0;%</translation>
+    </message>
+    <message>
+        <source>In theory</source>
+        <translation>In teoria</translation>
+    </message>
+    <message>
+        <source>Points from the source, mean of the last two seconds</source>
+        <translation>Punti dalla sorgente, media degli ultimi due secondi</translation>
+    </message>
+    <message>
+        <source>Points executed, mean of the last two seconds</source>
+        <translation>Punti eseguiti, media degli ultimi due secondi</translation>
+    </message>
+    <message>
+        <source>Points of the source that keep what was agreed</source>
+        <translation>Punti della sorgente che rispettano quanto concordato</translation>
+    </message>
+    <message>
+        <source>Points that are known to be executed</source>
+        <translation>Punti di cui è nota l’esecuzione</translation>
+    </message>
+    <message>
+        <source>Points too close to the one before, which are left out</source>
+        <translation>Punti troppo vicini al precedente, che vengono omessi</translation>
+    </message>
+    <message>
+        <source>From the arrival of a point to the beginning of its move; during a run, of the last 500 points</source>
+        <translation>Dall’arrivo di un punto all’inizio del suo movimento; durante un’esecuzione, degli ultimi 500 punti</translation>
+    </message>
+    <message>
+        <source>Of a hundred points, one was later than this.</source>
+        <translation>Su cento punti, uno è stato più in ritardo.</translation>
+    </message>
+    <message>
+        <source>Least delay, and the delay when all buffers are full</source>
+        <translation>Ritardo minimo, e il ritardo con tutti i buffer pieni</translation>
+    </message>
+    <message>
+        <source>First point within</source>
+        <translation>Primo punto entro</translation>
+    </message>
+    <message>
+        <source>Largest step</source>
+        <translation>Passo massimo</translation>
+    </message>
+    <message>
+        <source>Largest F</source>
+        <translation>F massimo</translation>
+    </message>
+    <message>
+        <source>Merge below</source>
+        <translation>Unire sotto</translation>
+    </message>
+    <message>
+        <source>When it is silent</source>
+        <translation>Quando è muta</translation>
+    </message>
+    <message>
+        <source>Send lines such as X1.5 Y2 F500 to 127.0.0.1, port %1. The line “end” ends the run.</source>
+        <translation>Inviare righe come X1.5 Y2 F500 a 127.0.0.1, porta %1. La riga «end» termina l’esecuzione.</translation>
+    </message>
+    <message>
+        <source>Send lines such as X1.5 Y2 F500 to it. The line “end” ends the run.</source>
+        <translation>Inviarle righe come X1.5 Y2 F500. La riga «end» termina l’esecuzione.</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::LoadBar</name>
     <message>
         <source>Reading %1</source>
@@ -5581,6 +6104,10 @@ GPL-3.0-or-later</translation>
         <source>Whole job: the control executes tools, spindle, coolant, cycles and retracts at their place, and Rivulet streams the motion between them. Motion only: these blocks are left out. Dry run: the whole job above the workpiece, without spindle and coolant.</source>
         <translation>Lavoro completo: il controllo esegue utensili, mandrino, refrigerante, cicli e svincoli al loro posto, e Rivulet trasmette il movimento tra di essi. Solo movimento: questi blocchi sono omessi. Prova a vuoto: il lavoro completo sopra il pezzo, senza mandrino né refrigerante.</translation>
     </message>
+    <message>
+        <source>The points of a live source have feeds of their own.</source>
+        <translation>I punti di una sorgente in diretta hanno avanzamenti propri.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NumberField</name>
@@ -5796,6 +6323,10 @@ GPL-3.0-or-later</translation>
             <numerusform>%Ln pausa fuori dal taglio</numerusform>
             <numerusform>%Ln pause fuori dal taglio</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The points appear here as they come</source>
+        <translation>I punti appaiono qui come arrivano</translation>
     </message>
 </context>
 <context>
@@ -6342,6 +6873,14 @@ Is it certain that %1 does not change the path of the tool?</source>
             <numerusform>%1 con %Ln pause, che costano %2</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Live …</source>
+        <translation>In diretta…</translation>
+    </message>
+    <message>
+        <source>Points that another program computes while the machine moves</source>
+        <translation>Punti che un altro programma calcola mentre la macchina si muove</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProgramTextView</name>
@@ -6514,6 +7053,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Time spent</source>
         <translation>Ripartizione del tempo</translation>
+    </message>
+    <message>
+        <source>Live lines</source>
+        <translation>Righe in diretta</translation>
+    </message>
+    <message>
+        <source>Delay from arrival to motion</source>
+        <translation>Ritardo dall’arrivo al movimento</translation>
     </message>
 </context>
 <context>
@@ -6960,6 +7507,22 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1, dry run</source>
         <translation>%1, prova a vuoto</translation>
+    </message>
+    <message>
+        <source>The live source is silent or wants a hold. The run goes on with its next point.</source>
+        <translation>La sorgente in diretta è muta o vuole una sospensione. L’esecuzione continua con il suo prossimo punto.</translation>
+    </message>
+    <message>
+        <source>Waiting for points of the live source</source>
+        <translation>Attende punti della sorgente in diretta</translation>
+    </message>
+    <message>
+        <source>Line of the live source that the last executed point comes from</source>
+        <translation>Riga della sorgente in diretta da cui proviene l’ultimo punto eseguito</translation>
+    </message>
+    <message>
+        <source>A live source does not say when it ends.</source>
+        <translation>Una sorgente in diretta non dice quando finisce.</translation>
     </message>
 </context>
 <context>

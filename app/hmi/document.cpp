@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/hash.h"
+#include "base/units.h"
 #include "feasibility/client_turn.h"
 #include "job/main_program.h"
 #include "report/calibration_json.h"
@@ -47,6 +49,13 @@ Document::Document(const widgets::StreamSettings& settings)
     Q_EMIT readingProgressed(std::nullopt);
     Q_EMIT readingCancelled();
   });
+  connect(&m_livePath, &session::LivePath::grown, this,
+          [this](const std::shared_ptr<const widgets::ProgramView>& view) {
+            if (m_live) {
+              m_view = view;
+              Q_EMIT programPlaced();
+            }
+          });
   connect(&m_watch, &session::FileWatch::stateChanged, this, &Document::fileStateChanged);
   connect(&m_timer, &session::ProgramTimer::estimated, this,
           [this](const std::shared_ptr<const widgets::ProgramTimes>& times,
@@ -96,6 +105,41 @@ void Document::openMotion(const QString& path, const session::Reading& reading) 
   m_settings.dryRunMm = 0.0;
   Q_EMIT settingsChanged();
   read(path, reading);
+}
+
+void Document::openLive(const live::Setup& setup, const std::string& name) {
+  m_loader.cancel();
+  m_watch.clear();
+  m_path.clear();
+  m_requestedPath.clear();
+  m_reading = {};
+  m_dryRunError.reset();
+  m_nativeTimes.clear();
+  m_settings.dryRunMm = 0.0;
+  m_live = LiveInput{setup, name, std::nullopt};
+  showNoPoints();
+  Q_EMIT programLoaded();
+  judge();
+}
+
+void Document::showNoPoints() {
+  forgetTimes();
+  // What is agreed stands for the program: a release is for it.
+  const std::string hash = fmt::format("{:016x}", base::hashOf(live::textOf(m_live->setup)));
+  m_livePath.begin(m_live->name, hash);
+  m_view = widgets::makeProgramView(session::liveProgram(m_live->name, hash), {}, 2);
+}
+
+void Document::setLiveObstacle(std::optional<base::Error> obstacle) {
+  if (m_live) {
+    m_live->obstacle = std::move(obstacle);
+    judge();
+  }
+}
+
+void Document::beginLivePath() {
+  showNoPoints();
+  Q_EMIT programPlaced();
 }
 
 const widgets::JobOutline* Document::outline() const {
@@ -170,7 +214,7 @@ session::ProgramSource Document::source() const {
 }
 
 void Document::readAgain(const session::Reading& reading) {
-  if (m_view && !m_isRunning) {
+  if (m_view && !m_live && !m_isRunning) {
     read(m_path, reading);
   }
 }
@@ -190,6 +234,7 @@ void Document::take(const session::LoadedProgram& loaded) {
   if (m_isRunning) {
     return;  // a run was started meanwhile: what is running stays what is shown
   }
+  m_live.reset();
   m_view = loaded.view;
   m_path = QFileInfo(loaded.request.path).absoluteFilePath();
   m_reading = loaded.request.reading;
@@ -232,6 +277,9 @@ std::shared_ptr<const gcode::Program> Document::program() const {
 
 const std::vector<gcode::StreamPoint>& Document::points() const {
   static const std::vector<gcode::StreamPoint> none;
+  if (m_live) {
+    return m_livePath.points();
+  }
   return m_view ? m_view->points.points : none;
 }
 
@@ -264,14 +312,15 @@ void Document::chooseJob(bool isWhole) {
 templates::TemplateParameters Document::parameters() const {
   templates::TemplateParameters parameters = m_settings.parameters;
   if (m_view && base::streamsRotary(parameters.method)) {
-    parameters.rotaryAxes = m_view->turnedAxes;
+    parameters.rotaryAxes = m_live ? m_live->setup.rotaryAxes : m_view->turnedAxes;
   }
-  parameters.feedPerPoint = m_view && m_settings.usesProgramFeeds() && m_feedCells.feedPerPoint;
+  parameters.feedPerPoint =
+      m_view && !m_live && m_settings.usesProgramFeeds() && m_feedCells.feedPerPoint;
   return parameters;
 }
 
 void Document::chooseFeedCells(const feasibility::AccessModel& access) {
-  if (!m_view || points().empty() || !m_settings.usesProgramFeeds()) {
+  if (!m_view || m_live || points().empty() || !m_settings.usesProgramFeeds()) {
     return;
   }
   streaming::RunSettings settings = runSettings();
@@ -290,6 +339,11 @@ void Document::chooseFeedCells(const feasibility::AccessModel& access) {
 }
 
 double Document::commandedMmPerS(std::size_t point) const {
+  if (m_live) {
+    return point < points().size()
+               ? points()[point].feedMmPerS
+               : base::mmPerSFromMmPerMin(m_live->setup.agreement.feedMmPerMinMax);
+  }
   if (!m_settings.usesProgramFeeds() || point >= points().size()) {
     return m_settings.feedMmPerS;
   }
@@ -305,7 +359,10 @@ streaming::RunSettings Document::runSettings() const {
   settings.parameters = parameters();
   settings.deltaMm = m_settings.deltaMm;
   settings.feedMmPerS = m_settings.feedMmPerS;
-  if (m_settings.usesProgramFeeds() && m_view) {
+  if (m_live) {
+    // Of points before the first F; the others have their own.
+    settings.feedMmPerS = base::mmPerSFromMmPerMin(m_live->setup.agreement.feedMmPerMinMax);
+  } else if (m_settings.usesProgramFeeds() && m_view) {
     settings.programFeeds = m_machineFeeds;
     settings.programFeeds->overrideFactor = m_settings.overrideFactor;
     if (m_view->fastestMmPerS > 0.0) {
@@ -427,7 +484,7 @@ void Document::judge() {
     found.settingsError = std::move(problem);
   }
   const int perLoop = found.operatingPoint.pointsPerLoop;
-  if (points().size() >= kPointsMin) {
+  if (points().size() >= kPointsMin && !m_live) {
     const bool isTimed = settings.programFeeds.has_value();
     if (m_view->distancesFor == perLoop) {
       found.distances = isTimed ? m_view->timedDistances : m_view->distances;
@@ -479,7 +536,7 @@ session::TimeSettings Document::timeSettings() const {
 
 void Document::estimateTimes() {
   const session::TimeSettings settings = timeSettings();
-  if (points().size() < kPointsMin || m_isRunning || m_estimatedFor == settings ||
+  if (m_live || points().size() < kPointsMin || m_isRunning || m_estimatedFor == settings ||
       !(settings.feedMmPerS > 0.0)) {
     return;
   }

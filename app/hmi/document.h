@@ -18,6 +18,7 @@
 #include "machine/config.h"
 #include "session/file_watch.h"
 #include "session/job_check.h"
+#include "session/live_path.h"
 #include "session/native_times.h"
 #include "session/program_loader.h"
 #include "session/program_timer.h"
@@ -63,6 +64,22 @@ class Document final : public QObject {
   void open(const QString& path, const session::Reading& reading = {});
   /// The same for the motion alone, whatever the settings say: the program of an earlier run.
   void openMotion(const QString& path, const session::Reading& reading);
+  /// Points that arrive during the run take the place of a program. @param name  of their source,
+  /// which is open
+  void openLive(const live::Setup& setup, const std::string& name);
+  /// What takes the place of a program.
+  struct LiveInput {
+    live::Setup setup;
+    std::string name;                     ///< of the source
+    std::optional<base::Error> obstacle;  ///< why it is not open; nothing: it is
+  };
+  /// Nothing: there is a program, or there is nothing.
+  [[nodiscard]] const std::optional<LiveInput>& live() const { return m_live; }
+  /// The source is open again, or cannot be opened. @param obstacle  nothing: it is open
+  void setLiveObstacle(std::optional<base::Error> obstacle);
+  /// A run begins: its path has no points yet.
+  void beginLivePath();
+  void appendLive(const session::LivePoints& more) { m_livePath.append(more); }
   /// Reads the file of the present program again. Nothing without a program.
   void readAgain(const session::Reading& reading);
   void cancelReading() { m_loader.cancel(); }
@@ -146,9 +163,9 @@ class Document final : public QObject {
   void readingProgressed(const std::optional<double>& share);
   void readingCancelled();
   void readingFailed(const rivulet::base::Error& error, const QString& path);
-  /// Another program, or the same file read again.
+  /// Another program or live source, or the same file read again.
   void programLoaded();
-  /// The same program with points for another position of the tool.
+  /// The same program with points for another position of the tool, or more live points.
   void programPlaced();
   void fileStateChanged(rivulet::session::FileWatch::State state);
   void settingsChanged();
@@ -160,6 +177,8 @@ class Document final : public QObject {
 
  private:
   void read(const QString& path, const session::Reading& reading);
+  /// The view of a live run without points.
+  void showNoPoints();
   void take(const session::LoadedProgram& loaded);
   [[nodiscard]] bool wantsJob() const;
   /// Why a dry run that is wanted would not be one; nothing: it is, or none is wanted.
@@ -184,6 +203,8 @@ class Document final : public QObject {
   /// Null: not known for the present settings (yet).
   [[nodiscard]] const widgets::RunTime* runTime() const;
 
+  std::optional<LiveInput> m_live;
+  session::LivePath m_livePath;
   session::ProgramLoader m_loader;
   session::ProgramTimer m_timer;
   session::Rehearsal m_rehearsal;

@@ -69,6 +69,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       m_logins(systemKeyring(), m_settings.passwordFile),
       m_machine(m_session, report::MachineStore(), m_messages),
       m_runs(m_session, m_document, m_machine, m_messages),
+      m_live(m_session, m_document, m_runs, m_messages),
       m_releases(m_settings.stateFolder, m_users, m_document, m_machine, m_messages),
       m_preflight(m_document, m_machine, m_runs),
       m_found(m_session, m_document, m_machine, m_runs, m_messages),
@@ -83,6 +84,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
   setAcceptDrops(true);
   m_machine.setLogins(m_logins);
   m_machine.setEndpoint(m_settings.endpoint);
+  m_live.setSetup(m_settings.live);
   // Before there are fields: they are polished as soon as a layout asks for their size.
   new InputGuard(
       [this] {
@@ -100,8 +102,10 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
   showLock();
   connect(&m_runs, &RunController::started, this, [this] { m_isStopRequested = false; });
   connect(&m_document, &Document::programLoaded, this, &MainWindow::showTitle);
-  connect(&m_runs, &RunController::permissionsChanged, this,
-          [this] { m_openAction->setEnabled(!isRunning() && !m_users.isLocked()); });
+  connect(&m_runs, &RunController::permissionsChanged, this, [this] {
+    m_openAction->setEnabled(!isRunning() && !m_users.isLocked());
+    m_liveAction->setEnabled(m_openAction->isEnabled());
+  });
   connect(&m_runs, &RunController::started, this, &MainWindow::runStarted);
   connect(&m_runs, &RunController::finished, this, &MainWindow::runFinished);
   connect(&m_alarms, &Alarms::listRequested, this, &MainWindow::showAlarms);
@@ -129,9 +133,9 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildPages() {
-  const Models models{m_settings, m_messages, m_alarms,    m_users,        m_audit,    m_machine,
-                      m_document, m_runs,     m_preflight, m_found,        m_pastRuns, m_credit,
-                      m_profiles, m_machines, m_traces,    m_certificates, m_logins};
+  const Models models{m_settings, m_messages, m_alarms,  m_users,        m_audit,     m_machine,
+                      m_document, m_runs,     m_live,    m_preflight,    m_found,     m_pastRuns,
+                      m_credit,   m_profiles, m_machines, m_traces,      m_certificates, m_logins};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -274,6 +278,10 @@ void MainWindow::buildMenu() {
   m_openAction = menu->addAction(QString(), this, [this] { programPage()->panel()->chooseFile(); });
   m_openAction->setShortcut(QKeySequence::Open);
   addAction(m_openAction);  // so that its key works while the menu is closed
+  m_liveAction =
+      menu->addAction(QString(), this, [this] { Q_EMIT programPage()->panel()->liveRequested(); });
+  m_liveAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
+  addAction(m_liveAction);
   menu->addSeparator();
   m_languageMenu = menu->addMenu(QString());
   m_languages = new QActionGroup(this);
@@ -330,6 +338,7 @@ void MainWindow::retranslate() {
   m_setUpButton->setToolTip(tr("Method, feed and verdict"));
   m_menuButton->setText(tr("&Menu"));
   m_openAction->setText(tr("&Open program …"));
+  m_liveAction->setText(tr("Li&ve points …"));
   m_quitAction->setText(tr("&Quit"));
   m_languageMenu->setTitle(tr("&Language"));
   m_themeMenu->setTitle(tr("&Theme"));
@@ -491,6 +500,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     m_settings.geometry = saveGeometry();
     m_settings.endpoint = m_machine.endpoint();
     m_settings.stream = m_document.settings();
+    m_settings.live = m_live.setup();
     saveSettings(m_settings);
   }
   event->accept();

@@ -15,6 +15,7 @@
 #include "hmi/certificates.h"
 #include "hmi/document.h"
 #include "hmi/found_runs.h"
+#include "hmi/live_source.h"
 #include "hmi/logins.h"
 #include "hmi/machine_model.h"
 #include "hmi/machine_profiles.h"
@@ -63,6 +64,8 @@ class MainWindow final : public QMainWindow {
 
   /// Reads a program in the background; the present one stays until the new one is there.
   void openProgram(const QString& path);
+  /// Listens for live points in place of a program, and agrees on what may move.
+  void openLive(const live::Setup& setup) { m_live.open(setup); }
   /// Opens recordings and traces on the page Traces.
   void openTraces(const QStringList& paths) { m_traces.open(paths); }
   void connectTo(const QString& endpoint) {
@@ -158,6 +161,7 @@ class MainWindow final : public QMainWindow {
   Logins m_logins;
   MachineModel m_machine;
   RunController m_runs;
+  LiveSource m_live;
   Releases m_releases;
   Preflight m_preflight;
   FoundRuns m_found;
@@ -187,6 +191,7 @@ class MainWindow final : public QMainWindow {
   QMenu* m_languageMenu = nullptr;
   QMenu* m_themeMenu = nullptr;
   QAction* m_openAction = nullptr;
+  QAction* m_liveAction = nullptr;
   QAction* m_quitAction = nullptr;
   QAction* m_helpAction = nullptr;
   QAction* m_aboutAction = nullptr;

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 
+#include "base/units.h"
 #include "hmi/hazard_text.h"
 #include "hmi/pages/pages.h"
 #include "widgets/alarms/alarm_text.h"
 #include "widgets/common/blocked_text.h"
+#include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
+#include "widgets/live/live_text.h"
 
 namespace rivulet::hmi {
 
@@ -123,6 +126,12 @@ std::vector<PreflightItem> Preflight::items() const {
   if (const auto blocked = isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked()) {
     items.push_back({Status::Fault, tr("In the way"), widgets::blockedText(blocked), {}, 0});
   }
+  if (m_document.live()) {
+    for (PreflightItem& item : liveItems()) {
+      items.push_back(std::move(item));
+    }
+    return items;
+  }
   items.push_back(programItem());
   items.push_back(machineItem());
   if (m_document.outline() != nullptr && !isForChosenLine()) {
@@ -150,6 +159,77 @@ std::vector<PreflightItem> Preflight::items() const {
     items.push_back(releaseItem());
   }
   return items;
+}
+
+std::vector<PreflightItem> Preflight::liveItems() const {
+  const Document::LiveInput& live = *m_document.live();
+  const live::Agreement& agreed = live.setup.agreement;
+  const QString name = QString::fromStdString(live.name);
+  std::vector<PreflightItem> items;
+  items.push_back(
+      live.obstacle
+          ? PreflightItem{Status::Fault, tr("Live source"), widgets::errorText(*live.obstacle),
+                          tr("Change …"), ChangeLive}
+          : PreflightItem{Status::Good, tr("Live source"),
+                          tr("%1 is open. What it sends is read from the start on.").arg(name),
+                          tr("Change …"), ChangeLive});
+  items.push_back(machineItem());
+  QStringList box;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    box.append(QStringLiteral("%1\u00A0%2")
+                   .arg(QLatin1Char(base::kAxisNames[axis]))
+                   .arg(widgets::boxText(agreed, axis)));
+  }
+  items.push_back({Status::Plain,
+                   tr("Agreed"),
+                   tr("No point is outside %1. No step is longer than %2. Anything else ends the "
+                      "run after the last good point.")
+                       .arg(box.join(QStringLiteral(", ")), widgets::lengthText(agreed.stepMmMax)),
+                   {},
+                   0});
+  items.push_back(liveStartItem());
+  items.push_back(travelItem(agreed.highestMm - agreed.lowestMm));
+  items.push_back({Status::Plain,
+                   tr("Feed"),
+                   tr("The F of the points, at most %1; that is also the feed before the first F.")
+                       .arg(widgets::feedText(base::mmPerSFromMmPerMin(agreed.feedMmPerMinMax))),
+                   {},
+                   0});
+  items.push_back({Status::Plain,
+                   tr("No points"),
+                   tr("The machine waits at the end of the last window: %1.")
+                       .arg(widgets::silenceText(live.setup.limits)),
+                   {},
+                   0});
+  items.push_back(accessItem());
+  items.push_back(originItem());
+  if (m_users != nullptr && m_users->isSetUp()) {
+    items.push_back(releaseItem());
+  }
+  return items;
+}
+
+PreflightItem Preflight::liveStartItem() const {
+  PreflightItem item{Status::Plain, tr("First move"), {}, {}, 0};
+  const live::Agreement& agreed = m_document.live()->setup.agreement;
+  const auto toolMm = m_machine.positionNowMm();
+  if (!toolMm) {
+    item.status = Status::Unknown;
+    item.text = tr("The position of the tool is not known.");
+    return item;
+  }
+  item.text = tr("From %1 in a straight line to the first point, which may be %2 away.")
+                  .arg(positionText(*toolMm), widgets::lengthText(agreed.startMmMax));
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if ((*toolMm)[axis] < agreed.lowestMm[axis] - agreed.startMmMax ||
+        (*toolMm)[axis] > agreed.highestMm[axis] + agreed.startMmMax) {
+      item.status = Status::Attention;
+      item.text += QLatin1Char('\n') + tr("The tool is so far outside the box that no first point "
+                                          "can be in it. Move the tool, or change the box.");
+      break;
+    }
+  }
+  return item;
 }
 
 PreflightItem Preflight::programItem() const {
@@ -283,6 +363,18 @@ PreflightItem Preflight::travelItem() const {
   if (m_document.isJob()) {
     return hazardItem();
   }
+  const std::vector<gcode::StreamPoint>& points = m_document.points();
+  base::Vec3 sizeMm;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const auto [low, high] = std::minmax_element(
+        points.begin(), points.end(),
+        [axis](const auto& a, const auto& b) { return a.positionMm[axis] < b.positionMm[axis]; });
+    sizeMm.set(axis, points.empty() ? 0.0 : high->positionMm[axis] - low->positionMm[axis]);
+  }
+  return travelItem(sizeMm);
+}
+
+PreflightItem Preflight::travelItem(const base::Vec3& sizesMm) const {
   PreflightItem item{Status::Plain, tr("Travel"), {}, {}, 0};
   const auto& machine = m_document.machine();
   if (!machine) {
@@ -292,14 +384,10 @@ PreflightItem Preflight::travelItem() const {
     item.remedyId = EnterLimits;
     return item;
   }
-  const std::vector<gcode::StreamPoint>& points = m_document.points();
   QStringList sizes;
   QStringList tooLong;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const auto [low, high] = std::minmax_element(
-        points.begin(), points.end(),
-        [axis](const auto& a, const auto& b) { return a.positionMm[axis] < b.positionMm[axis]; });
-    const double sizeMm = points.empty() ? 0.0 : high->positionMm[axis] - low->positionMm[axis];
+    const double sizeMm = sizesMm[axis];
     const double travelMm = machine->axes[axis].positionMmMax - machine->axes[axis].positionMmMin;
     const QLatin1Char name(base::kAxisNames[axis]);
     sizes.push_back(name + QStringLiteral("\u00A0%1").arg(widgets::numberText(sizeMm, 1)));
@@ -558,6 +646,11 @@ void Preflight::remedy(int remedyId) {
   }
   if (remedyId == RunWholeJob) {
     m_document.chooseJob(true);
+    return;
+  }
+  if (remedyId == ChangeLive) {
+    close();
+    Q_EMIT liveRequested();
     return;
   }
   if (remedyId == ChooseStretch) {

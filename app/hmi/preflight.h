@@ -29,7 +29,8 @@ class Preflight final : public QObject {
     TakeBackRelease,
     RunWholeJob,
     EnterLimits,
-    ChooseStretch
+    ChooseStretch,
+    ChangeLive,
   };
 
   Preflight(Document& document, MachineModel& machine, RunController& runs);
@@ -62,16 +63,23 @@ class Preflight final : public QObject {
   void changed();
   /// The operator wants to enter the limits of the machine.
   void limitsRequested();
+  /// The operator wants to agree on something else with the live source.
+  void liveRequested();
   /// An engineer wants to begin a job in the middle. @param stretches  that there are
   void stretchRequested(int stretches);
 
  private:
+  /// Of a live source.
+  [[nodiscard]] std::vector<widgets::PreflightItem> liveItems() const;
+  [[nodiscard]] widgets::PreflightItem liveStartItem() const;
   [[nodiscard]] widgets::PreflightItem programItem() const;
   [[nodiscard]] widgets::PreflightItem machineItem() const;
   /// Of a program with blocks that the machine needs beside the motion.
   [[nodiscard]] widgets::PreflightItem jobItem() const;
   [[nodiscard]] widgets::PreflightItem firstMoveItem() const;
   [[nodiscard]] widgets::PreflightItem travelItem() const;
+  /// @param sizesMm  of the path, or of the box that it stays in
+  [[nodiscard]] widgets::PreflightItem travelItem(const base::Vec3& sizesMm) const;
   /// What the machine cannot do of a whole job.
   [[nodiscard]] widgets::PreflightItem hazardItem() const;
   [[nodiscard]] widgets::PreflightItem resumeItem() const;

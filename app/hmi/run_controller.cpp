@@ -11,6 +11,7 @@
 #include "gcode/nearest_move.h"
 #include "hmi/hazard_text.h"
 #include "job/main_program.h"
+#include "live/setup.h"
 #include "templates/generator.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
@@ -50,6 +51,8 @@ RunController::RunController(StreamSession& session, Document& document, Machine
     : m_session(session), m_document(document), m_machine(machine), m_messages(messages) {
   connect(&m_session, &StreamSession::updateArrived, this, &RunController::takeUpdate);
   connect(&m_session, &StreamSession::jobUpdated, this, &RunController::takeJob);
+  connect(&m_session, &StreamSession::livePointsArrived, this,
+          [this](const session::LivePoints& points) { m_document.appendLive(points); });
   connect(&m_session, &StreamSession::runFinished, this, &RunController::takeFinished);
   connect(&m_session, &StreamSession::resumeFound, this, &RunController::takeResume);
   connect(&m_session, &StreamSession::calibrationProgressed, this,
@@ -102,7 +105,10 @@ streaming::StartFacts RunController::facts(Act act) const {
   facts.isConnected = m_machine.isConnected();
   facts.program = m_document.program().get();
   facts.hasFileChanged = m_document.hasFileChanged();
-  if (m_document.view()) {
+  if (const auto& live = m_document.live()) {
+    facts.live = streaming::LiveFacts{live->obstacle};
+    facts.turnedAxes = live->setup.rotaryAxes;
+  } else if (m_document.view()) {
     facts.turnedAxes = m_document.view()->turnedAxes;
   }
   facts.method = m_document.settings().parameters.method;
@@ -328,7 +334,7 @@ void RunController::takeResume(const session::ResumeFound& found) {
 
 void RunController::offerStartAtLine(std::size_t line) {
   const auto& points = m_document.points();
-  if (isRunning() || !m_document.view()) {
+  if (isRunning() || !m_document.view() || m_document.live()) {
     return;
   }
   if (m_document.isJob()) {
@@ -449,12 +455,17 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
     m_messages.settle(code);
   }
   announceStart(settings, restart.get(), isChosen);
-  m_messages.didAct((resume && !isChosen) || restart ? Act::Resume : Act::Start,
-                    {{"program", m_document.program()->name},
+  ActDetails details{{"program", m_document.program()->name},
                      {"hash", m_document.program()->hash},
                      {"machine", m_machine.endpoint().toStdString()},
-                     {"first_point", std::to_string(shownFrom + 1)}});
+                     {"first_point", std::to_string(shownFrom + 1)}};
   session::StartCommand command;
+  if (const auto& live = m_document.live()) {
+    details.emplace_back("agreed", live::textOf(live->setup));
+    command.live = live->setup;
+    m_document.beginLivePath();
+  }
+  m_messages.didAct((resume && !isChosen) || restart ? Act::Resume : Act::Start, details);
   command.program = m_document.program();
   command.source = m_document.source();
   command.settings = settings;
@@ -500,6 +511,11 @@ void RunController::announceStart(const streaming::RunSettings& settings,
                      return tr("Start of a whole job: %1, %Ln blocks for the control.", nullptr,
                                static_cast<int>(blocks))
                          .arg(tr("%Ln stretches", nullptr, static_cast<int>(stretches)));
+                   });
+  } else if (m_document.live()) {
+    m_messages.log(Severity::Note, Source::Run,
+                   [name = QString::fromStdString(m_document.live()->name)] {
+                     return tr("Start. The points come from %1.").arg(name);
                    });
   } else if (toolMm && !m_document.points().empty()) {
     const double lengthMm = base::distance(*toolMm, m_document.points().front().positionMm);
@@ -607,10 +623,11 @@ void RunController::showExecuted() {
   }
   if (m_firstMotion && number <= points.size()) {
     const widgets::StreamSettings& settings = m_document.settings();
-    m_machine.showExecuted(
-        number, number > 0 ? points[number - 1].positionMm : base::Vec3{},
-        m_document.commandedMmPerS(std::min(number, points.size() - 1)),
-        settings.usesProgramFeeds() ? std::optional(settings.overrideFactor) : std::nullopt);
+    m_machine.showExecuted(number, number > 0 ? points[number - 1].positionMm : base::Vec3{},
+                           m_document.commandedMmPerS(std::min(number, points.size() - 1)),
+                           settings.usesProgramFeeds() && !m_document.live()
+                               ? std::optional(settings.overrideFactor)
+                               : std::nullopt);
   }
 }
 
@@ -720,6 +737,11 @@ void RunController::raiseOutcome() {
   const std::string& name = m_report->programName;
   if (m_report->error.code) {
     m_messages.raise(alarm::Code::RunFailed, {name}, m_report->error);
+    if (m_report->live && m_report->live->refusal.code) {
+      // Whoever writes the source wants to know the line, at once.
+      m_messages.show(Severity::Error,
+                      [error = m_report->error] { return widgets::errorText(error); });
+    }
   }
   const trace::Integrity& integrity = m_report->integrity;
   if (integrity.judged && !integrity.isFaultless()) {

@@ -38,6 +38,60 @@ double positive(const QVariant& value, double otherwise) {
   return isNumber && number > 0.0 && number < 1e6 ? number : otherwise;
 }
 
+constexpr std::array<const char*, 2 * base::kAxisCount> kBoxKeys{
+    "live/xFrom", "live/xTo", "live/yFrom", "live/yTo", "live/zFrom", "live/zTo"};
+
+/// All or nothing: half of an agreement is none.
+live::Setup loadLive(const QSettings& store) {
+  live::Setup setup;
+  setup.address = store.value(QStringLiteral("live/address"), QString::fromStdString(setup.address))
+                      .toString()
+                      .toStdString();
+  live::Agreement& agreed = setup.agreement;
+  const auto number = [&store](const char* key, double otherwise) {
+    bool isNumber = false;
+    const double value = store.value(QLatin1String(key)).toDouble(&isNumber);
+    return isNumber ? value : otherwise;
+  };
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    agreed.lowestMm.set(axis, number(kBoxKeys[2 * axis], agreed.lowestMm[axis]));
+    agreed.highestMm.set(axis, number(kBoxKeys[2 * axis + 1], agreed.highestMm[axis]));
+  }
+  agreed.stepMmMax = number("live/stepMm", agreed.stepMmMax);
+  agreed.turnDegMax = number("live/turnDeg", agreed.turnDegMax);
+  agreed.feedMmPerMinMax = number("live/feedMmPerMin", agreed.feedMmPerMinMax);
+  agreed.distanceMmMin = number("live/mergeMm", agreed.distanceMmMin);
+  agreed.startMmMax = number("live/firstMm", agreed.startMmMax);
+  live::Limits& limits = setup.limits;
+  const auto time = [&number](const char* key, base::Duration otherwise) {
+    return base::fromSeconds(std::clamp(number(key, base::toSeconds(otherwise)), 0.0, 1e6));
+  };
+  limits.fullWithin = time("live/fullWithinS", limits.fullWithin);
+  limits.holdAfter = time("live/holdAfterS", limits.holdAfter);
+  limits.endAfter = time("live/endAfterS", limits.endAfter);
+  return live::requireSound(setup) ? setup : live::Setup{};
+}
+
+void saveLive(QSettings& store, const live::Setup& setup) {
+  const live::Agreement& agreed = setup.agreement;
+  store.setValue(QStringLiteral("live/address"), QString::fromStdString(setup.address));
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    store.setValue(QLatin1String(kBoxKeys[2 * axis]), agreed.lowestMm[axis]);
+    store.setValue(QLatin1String(kBoxKeys[2 * axis + 1]), agreed.highestMm[axis]);
+  }
+  for (const auto& [key, value] : std::initializer_list<std::pair<const char*, double>>{
+           {"live/stepMm", agreed.stepMmMax},
+           {"live/turnDeg", agreed.turnDegMax},
+           {"live/feedMmPerMin", agreed.feedMmPerMinMax},
+           {"live/mergeMm", agreed.distanceMmMin},
+           {"live/firstMm", agreed.startMmMax},
+           {"live/fullWithinS", base::toSeconds(setup.limits.fullWithin)},
+           {"live/holdAfterS", base::toSeconds(setup.limits.holdAfter)},
+           {"live/endAfterS", base::toSeconds(setup.limits.endAfter)}}) {
+    store.setValue(QLatin1String(key), value);
+  }
+}
+
 }  // namespace
 
 void Settings::addRecentFile(const QString& path) {
@@ -94,6 +148,7 @@ Settings loadSettings() {
   stream.feedMmPerS =
       base::mmPerSFromMmPerMin(positive(store.value(QStringLiteral("stream/feedMmPerMin")),
                                         base::mmPerMinFromMmPerS(stream.feedMmPerS)));
+  settings.live = loadLive(store);
   return settings;
 }
 
@@ -123,6 +178,7 @@ void saveSettings(const Settings& settings) {
   store.setValue(QStringLiteral("stream/overridePercent"), 100.0 * stream.overrideFactor);
   store.setValue(QStringLiteral("stream/feedMmPerMin"),
                  base::mmPerMinFromMmPerS(stream.feedMmPerS));
+  saveLive(store, settings.live);
 }
 
 }  // namespace rivulet::hmi

@@ -10,6 +10,7 @@
 #include <QStringList>
 #include <filesystem>
 
+#include "live/setup.h"
 #include "widgets/common/theme.h"
 #include "widgets/streaming/stream_settings.h"
 
@@ -21,6 +22,7 @@ struct Settings {
   QString language;  ///< one of `languages()`; empty: the system's
   widgets::Theme theme = widgets::Theme::System;
   widgets::StreamSettings stream;
+  live::Setup live;  ///< agreed last
   QByteArray geometry;
   /// Where alarms, audit trail and releases are kept; empty: nowhere.
   std::filesystem::path stateFolder;

@@ -113,7 +113,7 @@ void Traces::begin(Kind kind, std::vector<Subject> subjects) {
     }
   };
   ProgramToCompare program;
-  if (m_document.program()) {
+  if (m_document.program() && !m_document.live()) {
     program = {m_document.path().toStdString(), m_document.reading()};
   }
   const QPointer<Traces> guard(this);

@@ -13,6 +13,7 @@
 #include "base/file.h"
 #include "base/units.h"
 #include "job/dry_plan.h"
+#include "live/error.h"
 #include "opcua/error.h"
 #include "report/job_json.h"
 #include "report/json_members.h"
@@ -141,7 +142,8 @@ std::error_code codeOf(const std::string& text) {
   const std::string name = text.substr(0, colon);
   for (const std::error_code& known :
        {make_error_code(streaming::StreamError{}), make_error_code(opcua::LinkError{}),
-        make_error_code(base::FileError{}), make_error_code(templates::TemplateError{})}) {
+        make_error_code(base::FileError{}), make_error_code(templates::TemplateError{}),
+        make_error_code(live::LiveError{})}) {
     if (known.category().name() == name && value > 0) {
       return {value, known.category()};
     }
@@ -165,6 +167,28 @@ void readPoints(Members& members, streaming::RunReport& report) {
   integrity.executed = integrity.judged ? report.counters.executed : 0;
   members.ifThere("/judged_executed", integrity.executed,
                   [&members](const char* at) { return count(members, at); });
+}
+
+live::Summary liveOf(Members& members) {
+  live::Summary live;
+  live.source = members.text("/live/source");
+  live.lines = count(members, "/live/lines");
+  live.accepted = count(members, "/live/accepted");
+  live.merged = count(members, "/live/merged");
+  live.lastLine = count(members, "/live/executed_to_line");
+  live.windows = count(members, "/live/windows");
+  live.shortWindows = count(members, "/live/short_windows");
+  live.delay = durationsOf(members, "/live/delay_ms");
+  live.delay.p90 = milliseconds(members, "/live/delay_ms/p90");
+  live.delay.count = live.delay.max.count() > 0 ? live.accepted : 0;
+  live.windowTime = milliseconds(members, "/live/window_ms");
+  live.leastDelay = milliseconds(members, "/live/delay_in_theory_ms/least");
+  live.mostDelay = milliseconds(members, "/live/delay_in_theory_ms/most");
+  if (members.has("/live/refused")) {
+    live.refusal = base::makeError(codeOf(members.text("/live/refused/code")),
+                                   members.text("/live/refused/message"));
+  }
+  return live;
 }
 
 streaming::RunReport reportOf(Members& members) {
@@ -195,6 +219,9 @@ streaming::RunReport reportOf(Members& members) {
   }
   if (members.has("/stop_confirmed_ms")) {
     report.stopConfirmedAfter = milliseconds(members, "/stop_confirmed_ms");
+  }
+  if (members.has("/live")) {
+    report.live = liveOf(members);
   }
   members.ifThere("/slowed_by", report.slowedBy,
                   [&members](const char* at) { return members.text(at); });

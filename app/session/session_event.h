@@ -17,6 +17,7 @@
 #include "experiments/job_restart.h"
 #include "gcode/program.h"
 #include "job/plan.h"
+#include "live/setup.h"
 #include "opcua/connection.h"
 #include "opcua/rights.h"
 #include "report/run_store.h"
@@ -131,11 +132,24 @@ struct CommissioningFinished {
   base::Error error;                          ///< also if the test could not be stored
 };
 
+/// The live source that was asked for. Told again after each run, when it is there for the next.
+struct SourceOpened {
+  std::string address;
+  std::string name;   ///< with the port that was taken; empty: see `error`
+  base::Error error;  ///< why it is not open; code clear: it is
+};
+
+/// Points of a live source that have been taken into windows, in their order and without a gap.
+struct LivePoints {
+  std::size_t first = 0;  ///< index of the first of them in the run
+  std::shared_ptr<const std::vector<gcode::StreamPoint>> points;
+};
+
 using SessionEvent =
     std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate, JobUpdate,
-                 trace::Note, RunFinished, streaming::CalibrationProgress, CalibrationFinished,
-                 CommissioningProgress, CommissioningFinished, ResumeFound, RunsSeen, RunEnded,
-                 RightsSeen>;
+                 SourceOpened, LivePoints, trace::Note, RunFinished, streaming::CalibrationProgress,
+                 CalibrationFinished, CommissioningProgress, CommissioningFinished, ResumeFound,
+                 RunsSeen, RunEnded, RightsSeen>;
 
 struct ConnectCommand {
   opcua::ConnectRequest request;
@@ -152,6 +166,10 @@ struct ResumeQuestion {
   std::shared_ptr<const machine::MachineConfig> machine{};
   int fromStretch = 0;  ///< > 0: the job is to begin with it, wherever it was left
 };
+/// Listens for points from now on, in place of the source before. @param address  empty: no longer
+struct ListenCommand {
+  std::string address;
+};
 /// Where the program of a run came from: enough to load it again.
 struct ProgramSource {
   std::string file;            ///< absolute path
@@ -159,6 +177,8 @@ struct ProgramSource {
 };
 struct StartCommand {
   std::shared_ptr<const gcode::Program> program;
+  /// The points come from the source that is open; `program` has only name and hash.
+  std::optional<live::Setup> live{};
   /// A whole job, whose program that is; null: the motion of the program alone.
   std::shared_ptr<const job::Plan> plan;
   /// Of a whole job: which of the streamed points each stretch begins with, and how many there are.
@@ -198,6 +218,7 @@ struct CommissionCommand {
 
 using SessionCommand =
     std::variant<std::monostate, ConnectCommand, DisconnectCommand, StartCommand, CalibrateCommand,
-                 CommissionCommand, ResumeQuestion, EndRunCommand, RightsCommand>;
+                 CommissionCommand, ResumeQuestion, EndRunCommand, RightsCommand,
+                 ListenCommand>;
 
 }  // namespace rivulet::session

@@ -12,8 +12,10 @@
 
 #include "base/units.h"
 #include "job/main_program.h"
+#include "live/error.h"
 #include "opcua/await.h"
 #include "recorder/recording_file.h"
+#include "sources/open_source.h"
 #include "streaming/job_resume.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/template_proof.h"
@@ -227,6 +229,45 @@ class SessionWorker::JobSink final : public streaming::WholeJobSink {
   base::Instant m_last{};
 };
 
+/// Passes the reports of a run with a live source to the ring, and the points as they are taken.
+class SessionWorker::LiveSink final : public streaming::RunSink {
+ public:
+  /// @param stream  outlives this object
+  LiveSink(SessionWorker& worker, const live::PointStream& stream)
+      : m_worker(worker), m_stream(stream), m_out(worker) {}
+  /// Whoever hears of an executed point has been told where it is.
+  void update(const streaming::LiveUpdate& update) override {
+    tellPoints();
+    m_out.update(update);
+  }
+  void access(const trace::Access& access) override { m_out.access(access); }
+  void note(const trace::Note& note) override { m_out.note(note); }
+  /// Those that are left, for the end of the run.
+  void finish() {
+    if (m_told < m_stream.points().size()) {
+      m_worker.tell(next());
+    }
+  }
+
+ private:
+  /// What has no room in the ring goes with the next update.
+  void tellPoints() {
+    if (m_told < m_stream.points().size() && m_worker.tellIfRoom(next())) {
+      m_told = m_stream.points().size();
+    }
+  }
+  [[nodiscard]] LivePoints next() const {
+    const std::vector<gcode::StreamPoint>& points = m_stream.points();
+    return {m_told, std::make_shared<const std::vector<gcode::StreamPoint>>(
+                        points.begin() + static_cast<std::ptrdiff_t>(m_told), points.end())};
+  }
+
+  SessionWorker& m_worker;
+  const live::PointStream& m_stream;
+  Sink m_out;
+  std::size_t m_told = 0;
+};
+
 class SessionWorker::Requests final : public streaming::RunOrders {
  public:
   explicit Requests(SessionWorker& worker) : m_worker(worker) {}
@@ -296,10 +337,12 @@ void SessionWorker::tell(SessionEvent event) {
   }
 }
 
-void SessionWorker::tellIfRoom(SessionEvent event) {
-  if (!m_events.tryPush(std::move(event))) {
+bool SessionWorker::tellIfRoom(SessionEvent event) {
+  const bool hasRoom = m_events.tryPush(std::move(event));
+  if (!hasRoom) {
     m_lost.fetch_add(1);
   }
+  return hasRoom;
 }
 
 void SessionWorker::work() {
@@ -318,6 +361,8 @@ void SessionWorker::work() {
         start(*startCommand);
       } else if (const auto* question = std::get_if<ResumeQuestion>(&*command)) {
         answer(*question);
+      } else if (const auto* listenCommand = std::get_if<ListenCommand>(&*command)) {
+        listen(listenCommand->address);
       } else if (const auto* endCommand = std::get_if<EndRunCommand>(&*command)) {
         endRun(*endCommand);
       } else if (const auto* calibrateCommand = std::get_if<CalibrateCommand>(&*command)) {
@@ -691,6 +736,36 @@ SessionWorker::Done SessionWorker::runWholeJob(const StartCommand& command,
   return {sink.reportOf(job, settings), job.times, file.finish()};
 }
 
+void SessionWorker::listen(const std::string& address) {
+  m_source.reset();  // its sender hears the end, and its port is free again
+  if (address.empty()) {
+    return;
+  }
+  auto source = sources::openSource(address);
+  if (!source) {
+    tell(SourceOpened{address, {}, source.error()});
+    return;
+  }
+  m_source = std::move(*source);
+  tell(SourceOpened{address, m_source->name(), {}});
+}
+
+SessionWorker::Done SessionWorker::runLive(const StartCommand& command,
+                                           const streaming::RunSettings& settings,
+                                           Requests& requests) {
+  live::PointStream points(*m_source, command.live->agreement, command.live->limits);
+  LiveSink sink(*this, points);
+  RunFile file(command.recordingPath);
+  Done done;
+  done.report =
+      streaming::runLive(*m_connection.link, *m_connection.control, command.program->name, points,
+                         settings, requests, sink, {file.writer(), runStart(command), nullptr});
+  sink.finish();
+  done.isRecorded = file.finish();
+  done.livePoints = points.points();
+  return done;
+}
+
 trace::RunStart SessionWorker::runStart(const StartCommand& command) const {
   trace::RunStart start;
   start.toolVersion = RIVULET_VERSION;
@@ -720,7 +795,12 @@ void SessionWorker::start(const StartCommand& command) {
   }
   Sink sink(*this);
   Requests requests(*this);
-  if (const base::Result<void> clear = checkBefore(command, sink); !clear) {
+  base::Result<void> clear = checkBefore(command, sink);
+  if (clear && command.live && !m_source) {
+    clear = base::fail(live::LiveError::NotOpened, "The live source is not open. Open it again.",
+                       command.live->address);
+  }
+  if (!clear) {
     auto report = std::make_shared<streaming::RunReport>();
     report->error = clear.error();
     report->settings = command.settings;
@@ -730,8 +810,9 @@ void SessionWorker::start(const StartCommand& command) {
   streaming::RunSettings settings = command.settings;
   settings.isCommissioned = hasPassedCreditTest(settings);
   settings.origin = report::thisUser();
-  Done done = command.plan ? runWholeJob(command, settings, requests)
-                           : runMotion(command, settings, requests);
+  Done done = command.live   ? runLive(command, settings, requests)
+              : command.plan ? runWholeJob(command, settings, requests)
+                             : runMotion(command, settings, requests);
   m_seen = {};
   m_looksForLeft = true;
   if (done.report.error.code == opcua::LinkError::ConnectionLost) {
@@ -743,6 +824,11 @@ void SessionWorker::start(const StartCommand& command) {
   tell(RunFinished{std::make_shared<const streaming::RunReport>(std::move(done.report)),
                    done.isRecorded ? command.recordingPath : std::string(), notKept,
                    done.jobTimes});
+  if (command.live) {
+    // For the next run, at the port that was taken.
+    const bool isInput = command.live->address == "-";
+    listen(isInput ? command.live->address : m_source->name());
+  }
 }
 
 base::Error SessionWorker::archive(const StartCommand& command, const Done& done) const {
@@ -757,8 +843,10 @@ base::Error SessionWorker::archive(const StartCommand& command, const Done& done
   known.jobTimes = done.jobTimes;
   known.dryRunMm = command.dryRunMm;
   const base::Vec3 startMm = report.checkpoint ? report.checkpoint->startMm : base::Vec3{};
-  const auto kept = m_history.add(report, std::move(known),
-                                  gcode::streamPoints(command.program->trajectory, startMm).points);
+  const auto kept = m_history.add(
+      report, std::move(known),
+      command.live ? done.livePoints
+                   : gcode::streamPoints(command.program->trajectory, startMm).points);
   return kept ? base::Error{} : kept.error();
 }
 

@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "base/spsc_ring.h"
+#include "live/source.h"
 #include "opcua/connection.h"
 #include "report/machine_store.h"
 #include "report/run_history.h"
@@ -54,6 +55,7 @@ class SessionWorker {
  private:
   class Sink;
   class JobSink;
+  class LiveSink;
   class Requests;
 
   void work();
@@ -65,11 +67,15 @@ class SessionWorker {
     streaming::RunReport report;
     std::optional<streaming::JobTimes> jobTimes{};  ///< of a whole job
     bool isRecorded = false;
+    std::vector<gcode::StreamPoint> livePoints{};  ///< of a live source
   };
   [[nodiscard]] Done runMotion(const StartCommand& command, const streaming::RunSettings& settings,
                                Requests& requests);
   [[nodiscard]] Done runWholeJob(const StartCommand& command,
                                  const streaming::RunSettings& settings, Requests& requests);
+  [[nodiscard]] Done runLive(const StartCommand& command, const streaming::RunSettings& settings,
+                             Requests& requests);
+  void listen(const std::string& address);
   /// What is known of a run before it starts, for its recording and for the store.
   [[nodiscard]] trace::RunStart runStart(const StartCommand& command) const;
   [[nodiscard]] report::SavedRun savedRun(const StartCommand& command) const;
@@ -99,7 +105,7 @@ class SessionWorker {
   void examineRights();
   /// Live values may be lost when the GUI does not keep up; everything else waits for room.
   void tell(SessionEvent event);
-  void tellIfRoom(SessionEvent event);
+  bool tellIfRoom(SessionEvent event);
 
   base::SpscRing<SessionCommand, 16> m_commands;
   base::SpscRing<SessionEvent, 4096> m_events;
@@ -124,6 +130,7 @@ class SessionWorker {
   bool m_looksForLeft = false;  // the store may have changed
   std::string m_proven;         // text of the template proved last; streaming thread only
   opcua::ConnectRequest m_request;  // that `m_connection` was made for
+  std::unique_ptr<live::Source> m_source;  // of live points; streaming thread only; null: none
   opcua::ServerIdentity m_server;
   std::thread m_thread;
 };

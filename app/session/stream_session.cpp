@@ -47,6 +47,12 @@ void StreamSession::start(StartCommand command) {
   m_running = m_worker->post(std::move(command));
 }
 
+void StreamSession::listen(const QString& address) {
+  if (!m_running) {
+    m_worker->post(ListenCommand{address.toStdString()});
+  }
+}
+
 void StreamSession::calibrate(const streaming::CalibrationPlan& plan) {
   if (m_running || m_calibrating || m_commissioning) {
     return;
@@ -103,6 +109,10 @@ void StreamSession::drain() {
       Q_EMIT machineSeen(*seen);
     } else if (const auto* update = std::get_if<streaming::LiveUpdate>(&*event)) {
       Q_EMIT updateArrived(*update);
+    } else if (const auto* opened = std::get_if<SourceOpened>(&*event)) {
+      Q_EMIT sourceOpened(*opened);
+    } else if (const auto* live = std::get_if<LivePoints>(&*event)) {
+      Q_EMIT livePointsArrived(*live);
     } else if (const auto* job = std::get_if<JobUpdate>(&*event)) {
       Q_EMIT jobUpdated(*job);
     } else if (const auto* note = std::get_if<trace::Note>(&*event)) {

@@ -39,6 +39,9 @@ class StreamSession final : public QObject {
   /// Starts a run; the time of the start is added. Ignored during a run.
   void start(StartCommand command);
   void stop();
+  /// Takes live points from this address for the runs to come; `sourceOpened` answers. Ignored
+  /// during a run. @param address  see `sources::openSource`; empty: from nowhere any more
+  void listen(const QString& address);
   /// Online correction of the run in progress, X Y Z, mm; every run begins with none.
   void correct(base::Vec3 valueMm);
   void hold(bool hold);
@@ -67,6 +70,8 @@ class StreamSession final : public QObject {
   void linkChanged(const rivulet::session::LinkChanged& change);
   void machineSeen(const rivulet::session::MachineSeen& seen);
   void updateArrived(const rivulet::streaming::LiveUpdate& update);
+  void sourceOpened(const rivulet::session::SourceOpened& opened);
+  void livePointsArrived(const rivulet::session::LivePoints& points);
   void jobUpdated(const rivulet::session::JobUpdate& update);
   void noteArrived(const rivulet::trace::Note& note);
   void runFinished(const rivulet::session::RunFinished& finished);

@@ -3,6 +3,7 @@
 
 #include "sources/open_source.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/text.h"
@@ -10,6 +11,12 @@
 #include "sources/socket_source.h"
 
 namespace rivulet::sources {
+
+bool inputBringsPoints() {
+  struct stat input {};
+  return ::fstat(STDIN_FILENO, &input) == 0 &&
+         (S_ISFIFO(input.st_mode) || S_ISREG(input.st_mode) || S_ISSOCK(input.st_mode));
+}
 
 base::Result<std::unique_ptr<live::Source>> openSource(const std::string& address) {
   if (address == "-") {

@@ -13,6 +13,10 @@
 
 namespace rivulet::sources {
 
+/// Standard input is a pipe, a file or a socket, not a terminal or nothing: points can come from
+/// it.
+[[nodiscard]] bool inputBringsPoints();
+
 /// @param address  "-": standard input; "unix:PATH"; "tcp:PORT" and "udp:PORT" on this computer
 /// @return NotOpened
 [[nodiscard]] base::Result<std::unique_ptr<live::Source>> openSource(const std::string& address);

@@ -9,10 +9,12 @@
 #include <QPointer>
 #include <QSignalSpy>
 #include <QTabWidget>
+#include <QTcpSocket>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QTranslator>
 #include <QtTest>
+#include <cmath>
 
 #include "base/units.h"
 #include "base/utc.h"
@@ -272,6 +274,51 @@ class TestLook : public QObject {
     for (const Look& look : looks()) {
       dress(look);
       inspectPages(look, QStringLiteral("stopped"));
+    }
+    verifyNoFaults();
+  }
+
+  /// A live source: open, before its start, while it is silent, and after it was refused.
+  void liveSource() {
+    live::Setup setup;
+    setup.address = "tcp:0";
+    setup.agreement.highestMm = {20.0, 20.0, 60.0};
+    setup.agreement.feedMmPerMinMax = 3000.0;
+    setup.limits.endAfter = std::chrono::hours{1};
+    m_window->openLive(setup);
+    m_window->connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+    for (const Look& look : looks()) {
+      dress(look);
+      inspect(look, QStringLiteral("live-open"));
+      m_window->showPreflight();
+      inspect(look, QStringLiteral("live-preflight"));
+      m_window->closePreflight();
+    }
+    QTcpSocket sender;
+    const QString name = QString::fromStdString(m_window->program()->name);
+    sender.connectToHost(QStringLiteral("127.0.0.1"), name.section(QLatin1Char(':'), 1).toUShort());
+    QVERIFY(sender.waitForConnected(kSoonMs));
+    for (int i = 1; i <= 150; ++i) {
+      const double angle = 0.05 * i;
+      const double radiusMm = 0.06 * i;
+      sender.write(QByteArrayLiteral("X") + QByteArray::number(radiusMm * std::cos(angle), 'f', 4) +
+                   QByteArrayLiteral(" Y") +
+                   QByteArray::number(radiusMm * std::sin(angle), 'f', 4) +
+                   QByteArrayLiteral(" F2400\n"));
+    }
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->start());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().state == streaming::RunState::Holding, kRunMs);
+    for (const Look& look : looks()) {
+      dress(look);
+      inspect(look, QStringLiteral("live-silent"));
+    }
+    sender.write("Z-30\n");
+    QVERIFY(finished.wait(kRunMs));
+    for (const Look& look : looks()) {
+      dress(look);
+      inspect(look, QStringLiteral("live-refused"));
     }
     verifyNoFaults();
   }

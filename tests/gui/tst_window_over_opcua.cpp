@@ -5,13 +5,18 @@
 /// to it over OPC UA, in real time. What the window does is tested in virtual time, in
 /// tst_main_window; this shows that it also does it on a real connection.
 
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTcpSocket>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <thread>
 
 #include "base/units.h"
 #include "hmi/main_window.h"
@@ -82,6 +87,76 @@ class TestWindowOverOpcua : public QObject {
     QVERIFY(report->integrity.isFaultless());
     QVERIFY(report->counters.total > 20);
     QCOMPARE(report->integrity.executed, report->counters.total);
+  }
+
+  /// A program of its own sends points over TCP and reacts to what has been executed: it is never
+  /// more than three windows ahead.
+  void streamsLivePoints() {
+    const tests::MachineProcess machine(
+        QStringLiteral(RIVULET_MACHINE),
+        {QStringLiteral("--seed"), QStringLiteral("1"), QStringLiteral("--preset"),
+         QStringLiteral("dmu75-arrays")});
+    MainWindow window(settings(), false);
+    window.show();
+    live::Setup setup;
+    setup.address = "tcp:0";
+    setup.agreement.lowestMm = {-20.0, -20.0, 0.0};
+    setup.agreement.highestMm = {20.0, 20.0, 100.0};
+    setup.agreement.feedMmPerMinMax = 3000.0;
+    window.openLive(setup);
+    window.connectTo(machine.endpoint());
+    QTRY_COMPARE_WITH_TIMEOUT(window.startBlockedReason(), QString(), kSoonMs);
+    const auto port =
+        QString::fromStdString(window.program()->name).section(QLatin1Char(':'), 1).toUShort();
+    constexpr int kPoints = 300;
+    constexpr int kLead = 42;
+    int mostAhead = 0;
+    QByteArray last;
+    std::thread sender([&] {
+      QTcpSocket socket;
+      socket.connectToHost(QStringLiteral("127.0.0.1"), port);
+      if (!socket.waitForConnected(kSoonMs)) {
+        return;
+      }
+      const auto nextReply = [&] {
+        while (!socket.canReadLine() && socket.waitForReadyRead(kRunMs)) {
+        }
+        last = socket.readLine();
+        return QJsonDocument::fromJson(last).object();
+      };
+      const QJsonObject start = nextReply();
+      int executed = 0;
+      for (int i = 1; i <= kPoints; ++i) {
+        const double angle = 0.02 * i;
+        const double xMm = start[QStringLiteral("x")].toDouble() + 8.0 * std::sin(angle);
+        const double yMm = start[QStringLiteral("y")].toDouble() + 8.0 - 8.0 * std::cos(angle);
+        socket.write("X" + QByteArray::number(xMm, 'f', 4) + " Y" +
+                     QByteArray::number(yMm, 'f', 4) + "\n");
+        socket.waitForBytesWritten(kSoonMs);
+        while (i - executed >= kLead && !last.isEmpty() && !last.contains("\"end\"")) {
+          executed = nextReply()[QStringLiteral("executed")].toInt();
+        }
+        mostAhead = std::max(mostAhead, i - executed);
+      }
+      socket.write("end\n");
+      socket.waitForBytesWritten(kSoonMs);
+      while (!last.isEmpty() && !last.contains("\"end\"")) {
+        nextReply();
+      }
+    });
+    QSignalSpy finished(&window, &MainWindow::runFinished);
+    const bool hasStarted = window.start();
+    const bool hasEnded = hasStarted && (!finished.isEmpty() || finished.wait(kRunMs));
+    sender.join();
+    QVERIFY(hasStarted && hasEnded);
+    const auto report = window.lastReport();
+    QVERIFY2(report->outcome == streaming::Outcome::Completed, report->error.text().c_str());
+    QVERIFY(report->isFaultless());
+    QCOMPARE(report->integrity.executed, std::size_t{kPoints});
+    QCOMPARE(report->live->accepted, std::size_t{kPoints});
+    QCOMPARE(report->live->delay.count, std::size_t{kPoints});
+    QCOMPARE(mostAhead, kLead - 1);
+    QVERIFY2(last.contains("\"end\":\"completed\""), last.constData());
   }
 
   /// A whole job, stopped while the control waits between two stretches. Another window, as after a

@@ -9,6 +9,7 @@
 #include "base/file.h"
 #include "feasibility/verdict.h"
 #include "gcode/error.h"
+#include "live/error.h"
 #include "opcua/error.h"
 #include "streaming/calibration.h"
 #include "streaming/machine_facts.h"
@@ -66,6 +67,60 @@ struct ErrorTexts {
         return tr("N is too small. Choose at least 2 points per loop.");
     }
     return {};
+  }
+
+  static QString text(live::LiveError code) {
+    using live::LiveError;
+    switch (code) {
+      case LiveError::NotALine:
+        return tr("The line is neither a point nor end, hold or comment.");
+      case LiveError::NotFinite:
+        return tr("A word of the line has no number.");
+      case LiveError::TooLong:
+        return tr("The line is too long.");
+      case LiveError::Incomplete:
+        return tr("The source was closed in the middle of the line.");
+      case LiveError::OutsideBox:
+        return tr("The point is outside the agreed box.");
+      case LiveError::StepTooLong:
+        return tr("The step to the point is longer than agreed.");
+      case LiveError::TurnTooLarge:
+        return tr("A rotary axis would turn farther in one step than agreed.");
+      case LiveError::FeedTooLarge:
+        return tr("F is larger than agreed, or not above 0.");
+      case LiveError::TooFarAway:
+        return tr(
+            "The first point is farther from the tool than agreed. Move the tool there, or begin "
+            "where it is.");
+      case LiveError::AxisNotChosen:
+        return tr("The point names an axis that is not one of this run.");
+      case LiveError::NumberMissing:
+        return tr("A UDP source has to number its points: N1 X0.5, then N2.");
+      case LiveError::NumberWrong:
+        return tr("A point is missing or came twice: the numbers are not in order.");
+      case LiveError::SourceClosed:
+        return tr("The source was closed without end.");
+      case LiveError::SourceSilent:
+        return tr("The source was silent for longer than agreed.");
+      case LiveError::Overrun:
+        return tr(
+            "The source was faster than the machine and cannot wait. Send fewer points, or use "
+            "TCP.");
+      case LiveError::NoPoint:
+        return tr("The source ended before its first point. Nothing has moved.");
+      case LiveError::NotOpened:
+        return tr("The source cannot be opened. Choose another port or path.");
+      case LiveError::NotAgreed:
+        return tr("These values cannot be kept together. Check box, step and times.");
+    }
+    return {};
+  }
+
+  /// "tcp:4001, line 17" as core writes it.
+  static QString place(const std::string& context) {
+    const QString text = QString::fromStdString(context);
+    const qsizetype at = text.lastIndexOf(QStringLiteral(", line "));
+    return at < 0 ? text : tr("%1, line %2").arg(text.left(at), text.mid(at + 7));
   }
 
   static QString text(templates::TemplateError code) {
@@ -354,6 +409,9 @@ QString errorCodeText(const std::error_code& code) {
   if (belongsTo<feasibility::FeasibilityError>(code)) {
     return ErrorTexts::text(static_cast<feasibility::FeasibilityError>(code.value()));
   }
+  if (belongsTo<live::LiveError>(code)) {
+    return ErrorTexts::text(static_cast<live::LiveError>(code.value()));
+  }
   if (belongsTo<templates::TemplateError>(code)) {
     return ErrorTexts::text(static_cast<templates::TemplateError>(code.value()));
   }
@@ -396,7 +454,7 @@ std::error_code errorCodeOf(std::string_view kind, int value) {
       templates::TemplateError::DoesNotFit, base::FileError::Unreadable,
       trace::TraceError::NotATrace,         streaming::MachineFileError::NotAMachineFile,
       opcua::LinkError::NotReachable,       streaming::CalibrationError::NoCells,
-      streaming::StreamError::WrongProgram,
+      streaming::StreamError::WrongProgram, live::LiveError::NotALine,
   };
   for (const std::error_code& code : known) {
     if (kind == code.category().name()) {
@@ -416,7 +474,10 @@ QString errorText(const base::Error& error) {
   if (error.context.empty()) {
     return sentence;
   }
-  return QStringLiteral("%1: %2").arg(QString::fromStdString(error.context), sentence);
+  const QString place = belongsTo<live::LiveError>(error.code)
+                            ? ErrorTexts::place(error.context)
+                            : QString::fromStdString(error.context);
+  return QStringLiteral("%1: %2").arg(place, sentence);
 }
 
 }  // namespace rivulet::widgets

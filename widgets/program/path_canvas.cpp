@@ -49,6 +49,15 @@ double roundUp125(double value) {
   return 10.0 * power;
 }
 
+/// @param corner  one bit per axis, set: the largest coordinate
+base::Vec3 cornerOf(const PathCanvas::Box& box, unsigned corner) {
+  base::Vec3 placeMm;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    placeMm.set(axis, ((corner >> axis) & 1U) != 0 ? box.highestMm[axis] : box.lowestMm[axis]);
+  }
+  return placeMm;
+}
+
 /// On which sides of a rectangle a point lies; two points with a common side do not cross it.
 unsigned outside(QPointF point, const QRectF& rect) {
   return (point.x() < rect.left() ? 1U : 0U) | (point.x() > rect.right() ? 2U : 0U) |
@@ -121,6 +130,13 @@ void PathCanvas::setStyle(Style style) {
   }
 }
 
+void PathCanvas::setBox(const std::optional<Box>& box) {
+  if (box != m_box) {
+    m_box = box;
+    fit();
+  }
+}
+
 void PathCanvas::setExecuted(std::size_t count) {
   count = std::min(count, hasPath() ? m_program->points.points.size() : 0);
   if (count == m_executed) {
@@ -188,12 +204,12 @@ void PathCanvas::setView(View view) {
 void PathCanvas::fit() {
   m_fits = true;
   dropPicture();
-  if (!hasPath()) {
+  if (!hasPath() && !m_box) {
     m_centreMm = {};
     m_pixelsPerMm = 10.0;
     return;
   }
-  const PlaneBox& box = m_program->levels.box(m_view);
+  const PlaneBox box = fitted();
   m_centreMm = {0.5 * (static_cast<double>(box.left) + static_cast<double>(box.right)),
                 0.5 * (static_cast<double>(box.low) + static_cast<double>(box.high))};
   const double widthMm = std::max(static_cast<double>(box.right - box.left), 1e-3);
@@ -201,6 +217,22 @@ void PathCanvas::fit() {
   m_pixelsPerMm = std::clamp(std::min(std::max(width() - 2.0 * kMarginPx, 20.0) / widthMm,
                                       std::max(height() - 2.0 * kMarginPx, 20.0) / heightMm),
                              kPixelsPerMmMin, kPixelsPerMmMax);
+}
+
+PlaneBox PathCanvas::fitted() const {
+  if (!m_box) {
+    return m_program->levels.box(m_view);
+  }
+  std::optional<PlaneBox> box;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const PlanePoint place = project(cornerOf(*m_box, corner), m_view);
+    const auto right = static_cast<float>(place.right);
+    const auto up = static_cast<float>(place.up);
+    box = box ? PlaneBox{std::min(box->left, right), std::max(box->right, right),
+                         std::min(box->low, up), std::max(box->high, up)}
+              : PlaneBox{right, right, up, up};
+  }
+  return *box;
 }
 
 std::optional<std::size_t> PathCanvas::pointNear(QPointF place) const {
@@ -338,9 +370,15 @@ void PathCanvas::paintEvent(QPaintEvent* /*event*/) {
   if (m_pauses && (!showsDensity || m_drawnPauses == m_pausesSeen)) {
     painter.drawImage(0, 0, m_marks);
   }
+  drawBox(painter);
   if (!hasPath()) {
     painter.setPen(themeColors(palette()).mutedText);
-    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, m_texts.empty);
+    if (m_box) {  // above the box, which the path will fill
+      painter.drawText(rect().adjusted(0, 8, 0, 0), Qt::AlignHCenter | Qt::TextWordWrap,
+                       m_texts.emptyBox);
+    } else {
+      painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, m_texts.empty);
+    }
   } else {
     drawGaps(painter);
     drawStart(painter);
@@ -763,6 +801,29 @@ void PathCanvas::drawGrid(QPainter& painter) const {
   for (auto line = firstY; line <= lastY; ++line) {
     const double y = onScreen({0.0, static_cast<double>(line) * stepMm}).y();
     painter.drawLine(QPointF(0.0, y), QPointF(width(), y));
+  }
+}
+
+void PathCanvas::drawBox(QPainter& painter) const {
+  if (!m_box) {
+    return;
+  }
+  QPen pen(themeColors(palette()).mutedText, 1.2);
+  pen.setDashPattern({6.0, 4.0});
+  painter.setPen(pen);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto place = [this](unsigned corner) {
+    return onScreen(project(cornerOf(*m_box, corner), m_view));
+  };
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    for (unsigned axis = 0; axis < base::kAxisCount; ++axis) {
+      const unsigned other = corner | (1U << axis);
+      // Seen from above, the edges of the top are enough.
+      const bool isSeen = m_view != View::Top || (corner & 4U) != 0;
+      if (other != corner && isSeen) {
+        painter.drawLine(place(corner), place(other));
+      }
+    }
   }
 }
 

@@ -45,6 +45,7 @@ class PathCanvas final : public QWidget {
   /// Texts on the canvas, in the language of the operator.
   struct Texts {
     QString empty;
+    QString emptyBox;  ///< while there is a box and no path
     QString start;
     QString tool;
     QString pauseOffCut;  ///< %1: number of the point after which it is, %2: its line
@@ -65,6 +66,15 @@ class PathCanvas final : public QWidget {
   /// The program's points for another position of the tool; the picture stays as it is.
   void replaceProgram(std::shared_ptr<const ProgramView> view);
   void setStyle(Style style);
+  /// What the path cannot leave, drawn around it; the picture is then fitted to it, not to the
+  /// path.
+  struct Box {
+    base::Vec3 lowestMm;
+    base::Vec3 highestMm;
+    friend bool operator==(const Box&, const Box&) = default;
+  };
+  /// @param box  nothing: none
+  void setBox(const std::optional<Box>& box);
   /// How many of the points the tool has passed.
   void setExecuted(std::size_t count);
   /// The run has begun at this point, so the path before it is not executed. @param point  an index
@@ -150,6 +160,9 @@ class PathCanvas final : public QWidget {
   /// Places of pauses that may be in sight, at most `kPausesSeen`.
   [[nodiscard]] std::vector<QPointF> placesOf(const std::vector<std::uint32_t>& pauses) const;
   void drawGrid(QPainter& painter) const;
+  void drawBox(QPainter& painter) const;
+  /// What the picture is fitted to.
+  [[nodiscard]] PlaneBox fitted() const;
   void drawScaleBar(QPainter& painter) const;
   void drawAxes(QPainter& painter) const;
   /// What the control moves between the stretches of a job, as far as it is known.
@@ -170,6 +183,7 @@ class PathCanvas final : public QWidget {
   std::size_t m_executed = 0;
   std::size_t m_runBegin = 0;
   std::optional<base::Vec3> m_toolMm;
+  std::optional<Box> m_box;
   std::vector<std::uint32_t> m_selected;
   std::optional<std::size_t> m_marked;
   View m_view = View::Top;

@@ -190,6 +190,11 @@ void PathView::setToolPosition(const std::optional<base::Vec3>& positionMm) {
   m_canvas->setToolPosition(positionMm);
 }
 
+void PathView::setBox(const std::optional<live::Agreement>& agreed) {
+  m_canvas->setBox(agreed ? std::optional(PathCanvas::Box{agreed->lowestMm, agreed->highestMm})
+                          : std::nullopt);
+}
+
 void PathView::setIsometric(bool isometric) {
   (isometric ? m_isometric : m_top)->setChecked(true);
   m_canvas->setView(isometric ? PathProjection::Isometric : PathProjection::Top);
@@ -240,8 +245,8 @@ void PathView::retranslate() {
   m_slider->setAccessibleName(tr("Walk along the path"));
   m_showPauses->setText(tr("Pauses"));
   m_showPauses->setToolTip(tr("Mark where the run will pause"));
-  m_canvas->setTexts({tr("No program is loaded"), tr("Start"), tr("Tool"),
-                      tr("Pause off the cut, after point %1, line %2"),
+  m_canvas->setTexts({tr("No program is loaded"), tr("The points appear here as they come"),
+                      tr("Start"), tr("Tool"), tr("Pause off the cut, after point %1, line %2"),
                       tr("Pause in the cut, after point %1, line %2")});
   showLegend();
   showPlace();

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "live/agreement.h"
 #include "widgets/common/page.h"
 #include "widgets/program/path_classes.h"
 
@@ -50,6 +51,8 @@ class PathView final : public Page {
   void setRunBegin(std::size_t point);
   /// @param positionMm  workpiece frame; nothing hides the tool
   void setToolPosition(const std::optional<base::Vec3>& positionMm);
+  /// See `PathCanvas::setBox`.
+  void setBox(const std::optional<live::Agreement>& agreed);
   void setIsometric(bool isometric);
   void setColouring(PathColouring colouring);
   [[nodiscard]] PathColouring colouring() const { return m_colouring; }

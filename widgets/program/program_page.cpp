@@ -5,7 +5,9 @@
 
 #include <QHBoxLayout>
 #include <QSplitter>
+#include <QStackedWidget>
 
+#include "widgets/live/live_panel.h"
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/program/program_text_view.h"
@@ -30,11 +32,15 @@ ProgramPage::ProgramPage(QWidget* parent)
       m_path(new PathView(this)),
       m_text(new TextPane),
       m_panel(new ProgramPanel(this)),
+      m_live(new LivePanel(this)),
+      m_side(new QStackedWidget(this)),
       m_halves(new QSplitter(Qt::Horizontal, this)) {
   m_panel->placeAboveTabs(m_text);
   m_path->setMinimumWidth(kPathPx);
   m_halves->addWidget(m_path);
-  m_halves->addWidget(m_panel);
+  m_side->addWidget(m_panel);
+  m_side->addWidget(m_live);
+  m_halves->addWidget(m_side);
   m_halves->setSizes({kPathShare, kTextShare});
   m_halves->setChildrenCollapsible(false);
   connect(m_halves, &QSplitter::splitterMoved, m_halves,
@@ -60,6 +66,11 @@ void ProgramPage::setProgram(const std::shared_ptr<const ProgramView>& view) {
 void ProgramPage::replaceProgram(const std::shared_ptr<const ProgramView>& view) {
   m_program = view;
   m_path->replaceProgram(view);
+}
+
+void ProgramPage::setLive(const std::optional<live::Agreement>& agreed) {
+  m_path->setBox(agreed);
+  m_side->setCurrentWidget(agreed ? static_cast<QWidget*>(m_live) : m_panel);
 }
 
 void ProgramPage::setTimes(const std::shared_ptr<const ProgramTimes>& times) {

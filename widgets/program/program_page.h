@@ -12,9 +12,11 @@
 #include "widgets/program/program_view.h"
 
 class QSplitter;
+class QStackedWidget;
 
 namespace rivulet::widgets {
 
+class LivePanel;
 class PathView;
 class ProgramPanel;
 class ProgramTextView;
@@ -32,6 +34,9 @@ class ProgramPage final : public Page {
   void replaceProgram(const std::shared_ptr<const ProgramView>& view);
   void setTimes(const std::shared_ptr<const ProgramTimes>& times);
 
+  /// A live source in place of a program. @param agreed  with it; nothing: there is a program
+  void setLive(const std::optional<live::Agreement>& agreed);
+
   /// Points executed so far; the text shows the line of the last one. @param count  0: none
   /// @param runLine  the line that is being executed; 0: that of the last of these points
   void setExecuted(std::size_t count, std::size_t runLine = 0);
@@ -47,6 +52,7 @@ class ProgramPage final : public Page {
   [[nodiscard]] ProgramTextView* text() const;
   [[nodiscard]] TextPane* textPane() const { return m_text; }
   [[nodiscard]] ProgramPanel* panel() const { return m_panel; }
+  [[nodiscard]] LivePanel* livePanel() const { return m_live; }
 
   /// Shows a line in the text and its moves on the path.
   void showLine(std::size_t line);
@@ -63,6 +69,8 @@ class ProgramPage final : public Page {
   PathView* m_path;
   TextPane* m_text;
   ProgramPanel* m_panel;
+  LivePanel* m_live;
+  QStackedWidget* m_side;  ///< one of both
   QSplitter* m_halves;
 };
 

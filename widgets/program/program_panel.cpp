@@ -72,6 +72,7 @@ ProgramPanel::ProgramPanel(QWidget* parent)
     : Page(parent),
       m_open(makeTouchButton(this)),
       m_recent(makeTouchButton(this)),
+      m_live(makeTouchButton(this)),
       m_recentMenu(new QMenu(this)),
       m_name(makeValueLabel(this)),
       m_hash(makeValueLabel(this)),
@@ -95,6 +96,8 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(m_open, 1);
   buttons->addWidget(m_recent, 1);
+  buttons->addWidget(m_live, 1);
+  m_live->setObjectName(QStringLiteral("live-points"));
 
   QFont nameFont = font();
   nameFont.setPointSizeF(13.0);
@@ -119,6 +122,7 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   m_rows->setChildrenCollapsible(false);
 
   connect(m_open, &QPushButton::clicked, this, &ProgramPanel::chooseFile);
+  connect(m_live, &QPushButton::clicked, this, &ProgramPanel::liveRequested);
   connect(m_findingsTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &ProgramPanel::showFinding);
   const auto jump = [this] {
@@ -261,6 +265,7 @@ void ProgramPanel::setOpenEnabled(bool enabled) {
   m_openEnabled = enabled;
   setAcceptDrops(enabled);
   m_open->setEnabled(enabled);
+  m_live->setEnabled(enabled);
   m_recent->setEnabled(enabled && !m_recentFiles.isEmpty());
   m_dialect->setEnabled(enabled && m_program);
   m_acceptedArea->setEnabled(enabled);
@@ -287,6 +292,8 @@ void ProgramPanel::showTab(Tab tab) {
 void ProgramPanel::retranslate() {
   m_open->setText(tr("Open…"));
   m_recent->setText(tr("Recent"));
+  m_live->setText(tr("Live …"));
+  m_live->setToolTip(tr("Points that another program computes while the machine moves"));
   m_dialectName->setText(tr("Dialect"));
   m_tabs->setTabText(static_cast<int>(Tab::Figures), tr("Figures"));
   const auto name = [this](Figure figure, const QString& text) {

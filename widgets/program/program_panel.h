@@ -66,6 +66,8 @@ class ProgramPanel final : public Page {
  Q_SIGNALS:
   void openRequested(const QString& path);
   void fileDropped(const QString& path);
+  /// Points that arrive during the run are to take the place of a program.
+  void liveRequested();
   /// The operator wants to see a place in the text.
   void lineChosen(std::size_t line);
   void dialectRequested(const std::optional<rivulet::gcode::Dialect>& dialect);
@@ -138,6 +140,7 @@ class ProgramPanel final : public Page {
 
   QPushButton* m_open;
   QPushButton* m_recent;
+  QPushButton* m_live;
   QMenu* m_recentMenu;
   QLabel* m_name;
   QLabel* m_hash;

@@ -10,6 +10,7 @@
 #include "templates/cells.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
+#include "widgets/live/live_text.h"
 #include "widgets/runs/run_texts.h"
 #include "widgets/streaming/report_panel.h"
 
@@ -80,6 +81,10 @@ struct SheetTexts {
                     {tr("Tool changes"), durationText(base::toSeconds(job->toolChange))},
                     {tr("Other blocks of the control"), durationText(base::toSeconds(job->native))},
                     {tr("Changes between both"), durationText(base::toSeconds(job->handover))}});
+    }
+    if (const auto& live = sheet.report.live) {
+      lines.append({{tr("Live lines"), linesText(*live)},
+                    {tr("Delay from arrival to motion"), delayText(*live)}});
     }
     return lines;
   }

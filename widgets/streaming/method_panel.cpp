@@ -486,17 +486,26 @@ void MethodPanel::showFeedFields() {
   const bool isPublished = base::isPublished(m_settings.parameters.method);
   const bool ofProgram = m_settings.usesProgramFeeds();
   m_feedSource->setCurrentIndex(ofProgram ? kFeedOfProgram : kOneFeed);
-  m_feedSource->setEnabled(m_editable && !isPublished);
+  m_feedSource->setEnabled(m_editable && !isPublished && !m_isLive);
   m_feedSource->setToolTip(
-      isPublished
+      m_isLive ? tr("The points of a live source have feeds of their own.")
+      : isPublished
           ? tr("This method has one feed for all moves, as it was published")
           : tr("Of the program: each move has the feed of its own block, rapids are rapids. "
                "One for all moves: rapids have it, too."));
   m_feedSourceLabel->setToolTip(m_feedSource->toolTip());
   m_override->setValue(kPercent * m_settings.overrideFactor);
-  m_override->setEnabled(m_editable);
+  m_override->setEnabled(m_editable && !m_isLive);
+  m_feed->setEnabled(m_editable && !m_isLive);
   m_form->setRowVisible(m_override, ofProgram);
   m_form->setRowVisible(m_feed, !ofProgram);
+}
+
+void MethodPanel::setLive(bool isLive) {
+  if (isLive != m_isLive) {
+    m_isLive = isLive;
+    showSettings();
+  }
 }
 
 void MethodPanel::setJob(bool hasBlocks, bool isJob, const QString& obstacle) {
@@ -665,7 +674,8 @@ void MethodPanel::showVerdict() {
   m_rehearsalText->setVisible(judged && m_rehearsal);
   if (!judged) {
     const bool isProblem = m_problem && !m_problem->isEmpty();
-    m_headline->setStatus(isProblem ? Status::Attention : Status::Unknown, tr("Not judged"));
+    m_headline->setStatus(isProblem && !m_isLive ? Status::Attention : Status::Unknown,
+                          tr("Not judged"));
     m_reason->setText(isProblem ? *m_problem : tr("Load a program to get a verdict."));
     return;
   }

@@ -75,6 +75,8 @@ class MethodPanel final : public Page {
   /// streamed
   /// @param obstacle  why the program can only be streamed without them; empty: it can be a job
   void setJob(bool hasBlocks, bool isJob, const QString& obstacle);
+  /// The points are those of a live source: its F are their feeds.
+  void setLive(bool isLive);
   /// With the feeds of the program, before `setVerdict`. @param limit  nothing: one feed for all
   /// @param fastestMmPerS  largest feed of the program at 100 %
   void setOverrideLimit(const std::optional<streaming::OverrideLimit>& limit, double fastestMmPerS);
@@ -129,6 +131,7 @@ class MethodPanel final : public Page {
   std::optional<RehearsalView> m_rehearsal;
   bool m_hasBlocks = false;
   bool m_isJob = false;
+  bool m_isLive = false;
   QString m_jobObstacle;
   bool m_editable = true;
   bool m_isShowing = false;  ///< fields are being filled, not edited

@@ -12,6 +12,7 @@
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
+#include "widgets/live/live_text.h"
 #include "widgets/runs/run_texts.h"
 
 namespace rivulet::widgets {
@@ -73,7 +74,7 @@ ReportPanel::ReportPanel(QWidget* parent)
       form->addRow(m_names[static_cast<std::size_t>(row)], m_values[static_cast<std::size_t>(row)]);
     }
   };
-  fill(m_runGroup, Program, TimeSpent);
+  fill(m_runGroup, Program, LiveDelay);
   fill(m_integrityGroup, Executed, Foreign);
   fill(m_pausesGroup, PauseCount, PauseTotal);
   fill(m_accessGroup, AccessForm, AccessMax);
@@ -117,6 +118,8 @@ void ReportPanel::retranslate() {
   name(Delta, QStringLiteral("δ"));
   name(Duration, tr("Duration"));
   name(TimeSpent, tr("Time spent"));
+  name(LiveLines, tr("Live lines"));
+  name(LiveDelay, tr("Delay from arrival to motion"));
   name(Executed, tr("Executed"));
   name(Repeated, tr("Repeated"));
   name(Skipped, tr("Skipped"));
@@ -183,6 +186,12 @@ void ReportPanel::showRun(const streaming::RunReport& report) {
   static_cast<QFormLayout*>(m_runGroup->layout())
       ->setRowVisible(m_names[TimeSpent], m_jobTimes.has_value());
   show(TimeSpent, m_jobTimes ? jobTimesText(*m_jobTimes) : QString());
+  for (const Row row : {LiveLines, LiveDelay}) {
+    static_cast<QFormLayout*>(m_runGroup->layout())
+        ->setRowVisible(m_names[static_cast<std::size_t>(row)], report.live.has_value());
+  }
+  show(LiveLines, report.live ? linesText(*report.live) : QString());
+  show(LiveDelay, report.live ? delayText(*report.live) : QString());
 }
 
 void ReportPanel::showIntegrity(const streaming::RunReport& report) {

@@ -48,6 +48,8 @@ class ReportPanel final : public Page {
     Delta,
     Duration,
     TimeSpent,
+    LiveLines,
+    LiveDelay,
     Executed,
     Repeated,
     Skipped,

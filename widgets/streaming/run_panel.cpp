@@ -334,9 +334,19 @@ QString RunPanel::ruinText(const QString& end) const {
   return end.isEmpty() ? tr("Wrong motion") : tr("Wrong motion. %1").arg(end);
 }
 
+bool RunPanel::isHeldBySource() const {
+  return m_update.state == RunState::Holding && m_update.source && m_update.source->holdsRun;
+}
+
 QString RunPanel::waitingText() const {
   // The stream names its reasons by key; one without a sentence here is shown unchanged.
   const QString key = QString::fromStdString(m_update.waitingFor);
+  if (isHeldBySource()) {
+    return tr("The live source is silent or wants a hold. The run goes on with its next point.");
+  }
+  if (key == QStringLiteral("source")) {
+    return tr("Waiting for points of the live source");
+  }
   if (key.isEmpty()) {
     return m_update.state == RunState::Holding
                ? tr("The machine waits before the next window until you press Continue.")
@@ -451,11 +461,12 @@ void RunPanel::showButtons() {
   m_start->setToolTip(m_preflightPassed ? tr("Hold for one second. Then the machine moves.")
                                         : tr("Shows what will happen first. Nothing moves yet."));
   // One place for both, so that a hand finds it: Hold during a run, Continue during a hold.
-  const bool isHolding = m_update.state == RunState::Holding;
+  const bool canGoOn = m_update.state == RunState::Holding;
+  const bool isHolding = canGoOn && !isHeldBySource();
   m_hold->setText(isHolding ? tr("Continue") : tr("Hold"));
   m_hold->setIcon(themedIcon(isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
                              themeColors(palette()).text));
-  m_hold->setEnabled(m_canHold && (isHolding || m_update.state == RunState::Running));
+  m_hold->setEnabled(m_canHold && (canGoOn || m_update.state == RunState::Running));
   m_hold->setToolTip(m_canHold
                          ? tr("The machine waits before the next window until you press Continue.")
                          : tr("Only method window can hold."));
@@ -599,16 +610,20 @@ void RunPanel::showPlace() {
     return;
   }
   const bool hasLine = m_where.line > 0;
-  showFigure(
-      Line,
-      hasLine ? tr("%1 of %2").arg(countText(m_where.line), countText(m_where.lines)) : QString(),
-      m_where.lines == 0 ? tr("No program is loaded.")
-      : hasLine          ? tr("Line of the program that the last executed point comes from")
-                         : tr("No point has been executed yet."));
+  showFigure(Line,
+             !hasLine ? QString()
+             : m_where.lines == 0
+                 ? countText(m_where.line)
+                 : tr("%1 of %2").arg(countText(m_where.line), countText(m_where.lines)),
+             m_where.isLive ? tr("Line of the live source that the last executed point comes from")
+             : m_where.lines == 0 ? tr("No program is loaded.")
+             : hasLine ? tr("Line of the program that the last executed point comes from")
+                       : tr("No point has been executed yet."));
   const bool isOver = m_update.state == RunState::Done;
   if (isOver || !m_where.left) {
     showFigure(Left, {},
                isOver               ? tr("The run has ended.")
+               : m_where.isLive     ? tr("A live source does not say when it ends.")
                : m_where.lines == 0 ? tr("No program is loaded.")
                                     : tr("The time of the run is not estimated yet. During a run "
                                          "nothing is estimated."));

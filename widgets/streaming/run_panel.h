@@ -119,6 +119,8 @@ class RunPanel final : public Page {
   /// Why a figure of a run that another computer streams is not known.
   [[nodiscard]] static QString elsewhereText();
   [[nodiscard]] QString waitingText() const;
+  /// The run holds because of its live source, not of the operator.
+  [[nodiscard]] bool isHeldBySource() const;
   /// "Running: stretch 3 of 12".
   [[nodiscard]] QString activeText() const;
   /// What the control does by itself, and when it obeys; empty: it does not.

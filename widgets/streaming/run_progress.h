@@ -36,6 +36,7 @@ struct RunProgress {
   std::size_t line = 0;
   std::size_t lines = 0;         ///< of the program; 0: none is loaded
   std::optional<TimeLeft> left;  ///< nothing: not known
+  bool isLive = false;           ///< the lines are those of a live source
 };
 
 }  // namespace rivulet::widgets

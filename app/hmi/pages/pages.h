@@ -14,6 +14,7 @@
 #include "hmi/credit_commissioning.h"
 #include "hmi/document.h"
 #include "hmi/found_runs.h"
+#include "hmi/live_source.h"
 #include "hmi/logins.h"
 #include "hmi/machine_model.h"
 #include "hmi/machine_profiles.h"
@@ -45,6 +46,7 @@ struct Models {
   MachineModel& machine;
   Document& document;
   RunController& runs;
+  LiveSource& live;
   Preflight& preflight;
   FoundRuns& found;
   PastRuns& pastRuns;

@@ -6,8 +6,11 @@
 #include <algorithm>
 
 #include "hmi/pages/pages.h"
+#include "sources/open_source.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
+#include "widgets/live/live_dialog.h"
+#include "widgets/live/live_panel.h"
 #include "widgets/program/file_bars.h"
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_page.h"
@@ -97,10 +100,13 @@ void connectLoading(ProgramPage* page, const Models& models) {
   Document* document = &models.document;
   ProgramPanel* panel = page->panel();
   QObject::connect(document, &Document::programLoaded, page, [page, panel, models] {
+    page->setProgram(models.document.view());
+    if (models.document.live()) {
+      return;  // the source has said what there is to be said
+    }
     const gcode::Program& program = *models.document.program();
     models.settings.addRecentFile(models.document.path());
     panel->setRecentFiles(models.settings.recentFiles);
-    page->setProgram(models.document.view());
     showReading(panel, models.document.reading());
     models.messages.clear();
     models.messages.settle(alarm::Code::FileChanged);
@@ -142,6 +148,44 @@ void connectLoading(ProgramPage* page, const Models& models) {
   });
 }
 
+/// Asks where live points come from, and what is agreed with their source.
+void askForLive(QWidget* page, const Models& models) {
+  auto* dialog = new widgets::LiveDialog(models.live.setup(), sources::inputBringsPoints(), page);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  QObject::connect(dialog, &widgets::LiveDialog::openRequested, &models.live, &LiveSource::open);
+  dialog->open();
+}
+
+void connectLive(ProgramPage* page, const Models& models) {
+  widgets::LivePanel* panel = page->livePanel();
+  const auto ask = [page, models] { askForLive(page, models); };
+  QObject::connect(page->panel(), &ProgramPanel::liveRequested, page, ask);
+  QObject::connect(panel, &widgets::LivePanel::changeRequested, page, ask);
+  QObject::connect(panel, &widgets::LivePanel::programRequested, page->panel(),
+                   &ProgramPanel::chooseFile);
+  const Document* document = &models.document;
+  QObject::connect(document, &Document::programLoaded, page, [page, document] {
+    const auto& live = document->live();
+    page->setLive(live ? std::optional(live->setup.agreement) : std::nullopt);
+  });
+  QObject::connect(document, &Document::judged, panel, [panel, document] {
+    if (const auto& live = document->live()) {
+      panel->setSource(live->setup, QString::fromStdString(live->name),
+                       live->obstacle ? widgets::errorText(*live->obstacle) : QString());
+    }
+  });
+  QObject::connect(&models.live, &LiveSource::opened, page, [page] { showPageOf(page); });
+  RunController* runs = &models.runs;
+  QObject::connect(runs, &RunController::started, panel, &widgets::LivePanel::begin);
+  QObject::connect(runs, &RunController::updated, panel, &widgets::LivePanel::setUpdate);
+  QObject::connect(runs, &RunController::finished, panel,
+                   [panel](const std::shared_ptr<const streaming::RunReport>& report) {
+                     panel->setReport(*report);
+                   });
+  QObject::connect(runs, &RunController::permissionsChanged, panel,
+                   [panel, runs] { panel->setEditable(!runs->isRunning()); });
+}
+
 void connectPath(PathView* path, const Models& models) {
   const Document* document = &models.document;
   QObject::connect(document, &Document::judged, path, [path, document] {
@@ -169,6 +213,7 @@ QWidget* makeProgramPage(const Models& models, QWidget* parent) {
   connectReading(panel, models);
   connectLoading(page, models);
   connectPath(page->path(), models);
+  connectLive(page, models);
   RunController* runs = &models.runs;
   QObject::connect(runs, &RunController::started, page, [page, runs](std::size_t firstPoint) {
     page->followRun();
@@ -181,6 +226,11 @@ QWidget* makeProgramPage(const Models& models, QWidget* parent) {
   };
   QObject::connect(runs, &RunController::updated, page, showRun);
   QObject::connect(runs, &RunController::jobChanged, page, showRun);
+  QObject::connect(&models.document, &Document::programPlaced, page, [models, showRun] {
+    if (models.document.live()) {
+      showRun();  // what has been executed is on the path by now
+    }
+  });
   QObject::connect(&models.found, &FoundRuns::watched, page,
                    [page](std::size_t executed) { page->setExecuted(executed); });
   const Document* document = &models.document;
@@ -210,6 +260,10 @@ QWidget* makeLoadBar(const Models& models, QWidget* parent) {
 QWidget* makeFileBanner(const Models& models, QWidget* parent) {
   auto* banner = new FileBanner(parent);
   QObject::connect(&models.document, &Document::programLoaded, banner, [banner, models] {
+    if (models.document.live()) {
+      models.messages.settle(alarm::Code::FileChanged);
+      models.messages.settle(alarm::Code::FileGone);
+    }
     const gcode::Program& program = *models.document.program();
     banner->setProgram(QString::fromStdString(program.name), QString::fromStdString(program.hash));
     banner->setState(FileBanner::State::Same);

@@ -11,6 +11,8 @@
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
+#include "widgets/program/program_page.h"
+#include "widgets/program/program_panel.h"
 #include "widgets/setup/profile_page.h"
 #include "widgets/streaming/correction_panel.h"
 #include "widgets/streaming/found_run_bar.h"
@@ -44,6 +46,9 @@ struct RunTexts {
     }
     if (!document.view()) {
       return tr("No program is loaded.");
+    }
+    if (document.live()) {
+      return tr("A live source needs no verdict: the machine waits for points that are late.");
     }
     if (!document.program()->isStreamable()) {
       return widgets::blockedText(streaming::programBlocked(*document.program()));
@@ -80,7 +85,11 @@ struct RunTexts {
     return tr("Stretch (1 to %1). What the machine needs there is listed before anything moves.")
         .arg(stretches);
   }
-  static QString title(const gcode::Program& program, bool isRunning) {
+  static QString title(const Document& document, bool isRunning) {
+    const gcode::Program& program = *document.program();
+    if (document.live()) {
+      return tr("Live points from %1").arg(QString::fromStdString(program.name));
+    }
     return (isRunning ? tr("Running: %1, version %2") : tr("Program: %1, version %2"))
         .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash));
   }
@@ -105,7 +114,8 @@ widgets::RunProgress progressOf(const Document& document, std::size_t executed) 
   if (!document.view()) {
     return progress;
   }
-  progress.lines = document.view()->text.lines();
+  progress.isLive = document.live().has_value();
+  progress.lines = progress.isLive ? 0 : document.view()->text.lines();
   const auto& points = document.points();
   if (executed > 0 && executed <= points.size()) {
     progress.line = points[executed - 1].line.value;
@@ -162,6 +172,7 @@ QWidget* makeMethodPanel(const Models& models) {
                    [panel, document] { panel->setSettings(document->settings()); });
   QObject::connect(panel, &MethodPanel::jobChosen, document, &Document::chooseJob);
   QObject::connect(document, &Document::judged, panel, [panel, document] {
+    panel->setLive(document->live().has_value());
     panel->setJob(document->outline() != nullptr, document->isJob(), RunTexts::obstacle(*document));
     panel->setOverrideLimit(document->findings().overrideLimit,
                             document->view() ? document->view()->fastestMmPerS : 0.0);
@@ -274,6 +285,11 @@ QWidget* makePreflightSheet(const Models& models, QWidget* parent) {
       runs->askFromStretch(stretch);
     }
   });
+  QObject::connect(preflight, &Preflight::liveRequested, sheet, [sheet] {
+    if (auto* page = sheet->window()->findChild<widgets::ProgramPage*>()) {
+      Q_EMIT page->panel()->liveRequested();
+    }
+  });
   QObject::connect(preflight, &Preflight::limitsRequested, sheet, [sheet] {
     if (auto* page = sheet->window()->findChild<widgets::ProfilePage*>()) {
       showPageOf(page);
@@ -314,8 +330,8 @@ QWidget* makeRunPanel(const Models& models, QWidget* parent) {
     panel->setStartBlocked(widgets::blockedText(runs->startBlocked()));
     panel->setResume(runs->hasRunToResume(), widgets::blockedText(runs->resumeBlocked()));
     panel->setCanHold(runs->canHold());
-    if (const auto program = document->program()) {
-      panel->setTitle(RunTexts::title(*program, runs->isRunning()));
+    if (document->program()) {
+      panel->setTitle(RunTexts::title(*document, runs->isRunning()));
     }
   });
   const auto showProgress = [panel, document, runs] {
