@@ -45,6 +45,7 @@ class TestImport : public QObject {
   void obeysTheMapping();
   void refusesAWrongMapping();
   void keepsWhatCanBeRead();
+  void keepsALastColumnThatIsMostlyEmpty();
   void leavesOutTimeThatRunsBackwards();
   void namesDuplicateColumns();
   void readsTwoTimeBases();
@@ -71,6 +72,8 @@ void TestImport::readsAnyLayout_data() {
   row("separator at the end", "t_s;x_cmd;y_cmd;\n0;1.5;-2;\n0.004;1.75;-2.5;\n0.008;2;-3;\n");
   row("time of day",
       "time,x_cmd,y_cmd\n00:00:00.000,1.5,-2\n00:00:00.004,1.75,-2.5\n00:00:00.008,2,-3\n");
+  row("last column nearly empty",
+      "t_s,x_cmd,y_cmd,note\n0,1.5,-2,\n0.004,1.75,-2.5,\n0.008,2,-3,\n");
   row("byte order mark", "\xEF\xBB\xBFt_s,x_cmd,y_cmd\n0,1.5,-2\n0.004,1.75,-2.5\n0.008,2,-3\n");
 }
 
@@ -150,6 +153,23 @@ void TestImport::keepsWhatCanBeRead() {
                        "1 cells are not numbers and were left empty; the first is in line 5.\n"
                        "The file ends within a row: it was cut off there."));
   QCOMPARE(motionOf(trace).samples.size(), std::size_t{2});
+}
+
+void TestImport::keepsALastColumnThatIsMostlyEmpty() {
+  std::string text = "t_s,x_cmd,alarm\n";
+  for (int i = 0; i < 50; ++i) {
+    text += fmt::format("{},{},{}\n", 0.01 * i, 0.5 * i, i == 30 ? "7" : "");
+  }
+  const ImportedTrace trace = imported(text);
+  QCOMPARE(remarks(trace), std::string());
+  QCOMPARE(trace.trace.signalList.size(), std::size_t{2});
+  const Signal& alarm = trace.trace.signalList[1];
+  QCOMPARE(alarm.name, std::string("alarm"));
+  QCOMPARE(alarm.values.size(), std::size_t{50});
+  QVERIFY(std::isnan(alarm.values[29]) && alarm.values[30] == 7.0);
+  // Without a heading, a value tells.
+  const ImportedTrace bare = imported(text.substr(text.find('\n') + 1));
+  QCOMPARE(bare.trace.signalList.size(), std::size_t{2});
 }
 
 void TestImport::leavesOutTimeThatRunsBackwards() {

@@ -143,6 +143,21 @@ bool isNumbers(const std::vector<std::string_view>& cells, char decimal) {
   return 2 * numbers > filled;
 }
 
+/// A row ends with a separator because it has one more column that is empty there: some line has
+/// something in it, such as the heading.
+bool hasLastColumn(const std::vector<std::string_view>& sample, char separator, std::size_t width) {
+  std::vector<std::string_view> cells;
+  std::size_t ended = 0;
+  std::size_t filled = 0;
+  for (const std::string_view line : sample) {
+    splitCells(line, separator, cells);
+    if (cells.size() == width + 1) {
+      ++(cells.back().empty() ? ended : filled);
+    }
+  }
+  return filled > 0 && 2 * (ended + filled) > sample.size();
+}
+
 /// The layout in which most of the text are numbers.
 std::optional<TableLayout> recognise(const std::vector<std::string_view>& sample) {
   struct Candidate {
@@ -182,6 +197,9 @@ std::optional<TableLayout> recognise(const std::vector<std::string_view>& sample
       bestScore = score;
       best = TableLayout{candidate.separator, candidate.decimal, usual->first};
     }
+  }
+  if (best && hasLastColumn(sample, best->separator, best->width)) {
+    ++best->width;
   }
   return best;
 }
