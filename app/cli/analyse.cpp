@@ -224,10 +224,14 @@ Analysed analyseImported(const trace::ImportedTrace& imported,
   for (const trace::Signal& signal : imported.trace.signalList) {
     names.push_back({{"name", signal.name}, {"unit", signal.unit}});
   }
+  ordered_json remarks = ordered_json::array();
+  for (const trace::Remark& remark : imported.trace.remarks) {
+    remarks.push_back(trace::remarkText(remark));
+  }
   analysed.json = {{"format", imported.trace.format},
                    {"columns", trace::printColumnRoles(imported.columns)},
                    {"signals", std::move(names)},
-                   {"remarks", imported.trace.remarks}};
+                   {"remarks", std::move(remarks)}};
   const trace::PathMatch& path = analysis.path;
   analysed.json["judged"] = path.judged;
   if (path.judged) {
@@ -244,8 +248,13 @@ Analysed analyseImported(const trace::ImportedTrace& imported,
                   imported.trace.signalList.size(), analysis.motion.samples.size(),
                   base::toMilliseconds(analysis.motion.step));
   analysed.text += fmt::format("  columns: {}\n", trace::printColumnRoles(imported.columns));
-  for (const std::string& remark : imported.trace.remarks) {
-    analysed.text += fmt::format("  {}\n", remark);
+  for (const trace::Remark& remark : imported.trace.remarks) {
+    const bool isUnit = remark.code == trace::RemarkCode::TimeUnitAssumed;
+    const bool isRate = remark.code == trace::RemarkCode::RateAssumed;
+    analysed.text += fmt::format("  {}{}\n", trace::remarkText(remark),
+                                 isUnit   ? " Say another one with --map time=COLUMN:UNIT."
+                                 : isRate ? " Give the rate with --rate."
+                                          : "");
   }
   if (analysis.motion.samples.empty()) {
     analysed.text += "  no column is known as a position: say which with --map\n";

@@ -173,7 +173,7 @@ struct AnalyseOptions {
   std::vector<std::string> files;  ///< recordings, traces of the control, or of other tools
   std::string program;             ///< what should have been executed; empty: not known
   LoadingOptions loading;
-  std::string columns;       ///< `trace::parseColumnRoles`; empty: as remembered, or guessed
+  std::string columns;       ///< `trace::parseTableMapping`; empty: as remembered, or guessed
   double rateHz = 0.0;       ///< of a table without time; 0: not said
   double toleranceMm = 0.0;  ///< of the path; 0: the usual one
   double fromS = 0.0;        ///< only what happens from then on, from the first sample
@@ -229,7 +229,7 @@ struct CommissionOptions {
 
 struct EmulatorOptions {
   std::vector<std::string> files;  ///< recordings, traces of the control, or of other tools
-  std::string columns;             ///< `trace::parseColumnRoles`; empty: as remembered, or guessed
+  std::string columns;             ///< `trace::parseTableMapping`; empty: as remembered, or guessed
   std::string emulator;            ///< file of one that was learned
   std::string output;              ///< file for the emulator, or for what it answers
   bool json = false;

@@ -4,6 +4,8 @@
 #include "folders/user_folders.h"
 
 #include <cstdlib>
+#include <string>
+#include <system_error>
 
 namespace rivulet::folders {
 
@@ -33,6 +35,18 @@ fs::path configHome() {
 
 fs::path stateHome() {
   return folder("XDG_STATE_HOME", ".local/state");
+}
+
+std::filesystem::path moveAside(const std::filesystem::path& file) {
+  std::filesystem::path target = file;
+  target += ".damaged";
+  std::error_code failed;
+  for (int number = 2; std::filesystem::exists(target, failed); ++number) {
+    target = file;
+    target += ".damaged-" + std::to_string(number);
+  }
+  std::filesystem::rename(file, target, failed);
+  return failed ? std::filesystem::path() : target;
 }
 
 }  // namespace rivulet::folders

@@ -18,4 +18,9 @@ namespace rivulet::folders {
 /// $XDG_STATE_HOME or ~/.local/state: what has to survive the end of the program.
 [[nodiscard]] std::filesystem::path stateHome();
 
+/// Gives a damaged file another name in its folder, so that a new one does not destroy what
+/// somebody may still want: "name.damaged", or "name.damaged-2" and so on if that is taken.
+/// @return the new name; empty: it cannot be renamed
+[[nodiscard]] std::filesystem::path moveAside(const std::filesystem::path& file);
+
 }  // namespace rivulet::folders

@@ -4,6 +4,8 @@
 #include "hmi/trace_layouts.h"
 
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "base/file.h"
 #include "folders/user_folders.h"
@@ -14,18 +16,21 @@ namespace {
 
 using nlohmann::ordered_json;
 
-widgets::ScopeLayout layoutOf(const ordered_json& json) {
-  widgets::ScopeLayout layout;
+/// Nothing: it is damaged.
+std::optional<widgets::ScopeLayout> layoutOf(const ordered_json& json) {
   if (!json.is_object() || !json.contains("name") || !json["name"].is_string() ||
       !json.contains("panes") || !json["panes"].is_array()) {
-    return layout;
+    return std::nullopt;
   }
+  widgets::ScopeLayout layout;
+  layout.name = QString::fromStdString(json["name"].get<std::string>());
   for (const ordered_json& pane : json["panes"]) {
     QStringList formulas;
     for (const ordered_json& formula : pane) {
-      if (formula.is_string()) {
-        formulas.append(QString::fromStdString(formula.get<std::string>()));
+      if (!formula.is_string()) {
+        return std::nullopt;
       }
+      formulas.append(QString::fromStdString(formula.get<std::string>()));
     }
     if (!formulas.isEmpty()) {
       layout.panes.push_back(formulas);
@@ -36,10 +41,29 @@ widgets::ScopeLayout layoutOf(const ordered_json& json) {
       layout.heights.append(height.is_number_integer() ? height.get<int>() : 1);
     }
   }
-  if (!layout.panes.empty()) {
-    layout.name = QString::fromStdString(json["name"].get<std::string>());
+  return layout.name.isEmpty() || layout.panes.empty() ? std::nullopt : std::optional(layout);
+}
+
+/// @return false: a part was damaged and is left out
+bool parseLayouts(const std::string& text, widgets::ScopeLayouts& layouts) {
+  const ordered_json json = ordered_json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("layouts") || !json["layouts"].is_array()) {
+    return false;
   }
-  return layout;
+  bool isSound = true;
+  for (const ordered_json& one : json["layouts"]) {
+    std::optional<widgets::ScopeLayout> layout = layoutOf(one);
+    if (layout) {
+      layouts.keep(std::move(*layout));
+    } else {
+      isSound = false;
+    }
+  }
+  if (json.contains("standard") && json["standard"].is_string()) {
+    const QString name = QString::fromStdString(json["standard"].get<std::string>());
+    layouts.standard = layouts.find(name) != nullptr ? name : QString();
+  }
+  return isSound;
 }
 
 }  // namespace
@@ -48,27 +72,31 @@ std::filesystem::path traceLayoutsFile() {
   return folders::configHome() / "rivulet" / "trace_panes.json";
 }
 
-widgets::ScopeLayouts loadTraceLayouts(const std::filesystem::path& file) {
-  widgets::ScopeLayouts layouts;
-  const auto text = base::readFile(file);
-  const ordered_json json =
-      text ? ordered_json::parse(*text, nullptr, false) : ordered_json::object();
-  if (!json.is_object()) {
-    return layouts;
+base::Result<LoadedTraceLayouts> loadTraceLayouts(const std::filesystem::path& file) {
+  LoadedTraceLayouts loaded;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) {
+    return loaded;
   }
-  if (json.contains("layouts") && json["layouts"].is_array()) {
-    for (const ordered_json& one : json["layouts"]) {
-      widgets::ScopeLayout layout = layoutOf(one);
-      if (!layout.name.isEmpty()) {
-        layouts.keep(std::move(layout));
-      }
+  const auto text = base::readFile(file);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  if (parseLayouts(*text, loaded.layouts)) {
+    return loaded;
+  }
+  loaded.keptAs = folders::moveAside(file);
+  if (loaded.keptAs.empty()) {
+    return base::fail(base::FileError::NotWritable,
+                      "The damaged file cannot be renamed. Check that you may write in its folder.",
+                      file.string());
+  }
+  if (!loaded.layouts.list.empty()) {
+    if (auto saved = saveTraceLayouts(file, loaded.layouts); !saved) {
+      return base::fail(saved.error());
     }
   }
-  if (json.contains("standard") && json["standard"].is_string()) {
-    const QString name = QString::fromStdString(json["standard"].get<std::string>());
-    layouts.standard = layouts.find(name) != nullptr ? name : QString();
-  }
-  return layouts;
+  return loaded;
 }
 
 base::Result<void> saveTraceLayouts(const std::filesystem::path& file,

@@ -16,8 +16,16 @@ namespace rivulet::hmi {
 /// $XDG_CONFIG_HOME/rivulet/trace_panes.json.
 [[nodiscard]] std::filesystem::path traceLayoutsFile();
 
-/// Nothing if there is no such file; what is damaged is left out.
-[[nodiscard]] widgets::ScopeLayouts loadTraceLayouts(const std::filesystem::path& file);
+struct LoadedTraceLayouts {
+  widgets::ScopeLayouts layouts;  ///< what can be read of them
+  /// Where a damaged file is kept; the file itself then has what can be read. Empty: it is sound,
+  /// or there is none.
+  std::filesystem::path keptAs;
+};
+
+/// @return error Unreadable; NotWritable: the file is damaged, and cannot be kept under another
+/// name
+[[nodiscard]] base::Result<LoadedTraceLayouts> loadTraceLayouts(const std::filesystem::path& file);
 
 /// @return error NotWritable
 [[nodiscard]] base::Result<void> saveTraceLayouts(const std::filesystem::path& file,

@@ -93,6 +93,15 @@ void Traces::open(const QStringList& paths) {
   begin(Kind::Files, std::move(subjects));
 }
 
+base::Result<void> Traces::setMapping(const std::string& layout,
+                                      const trace::TableMapping& mapping) {
+  if (auto kept = report::rememberMapping(layout, trace::printTableMapping(mapping)); !kept) {
+    return kept;
+  }
+  begin(m_kind, m_subjects);
+  return {};
+}
+
 void Traces::show(const std::shared_ptr<const trace::ControlTrace>& trace) {
   if (trace && !trace->samples.empty()) {
     begin(Kind::Run, {{{}, {}, trace}});
@@ -103,22 +112,34 @@ void Traces::show(const std::shared_ptr<const trace::Recording>& recording) {
   begin(Kind::Run, {{{}, recording->start.programName, nullptr, recording}});
 }
 
+Traces::Traces(Document& document) : m_document(document) {
+  connect(&document, &Document::programLoaded, this, &Traces::compareAgain);
+}
+
+Traces::~Traces() = default;
+
+void Traces::cancel() {
+  ++m_request;
+  m_subjects.clear();
+  m_shown = 0;
+}
+
+void Traces::emitShown(const List& list) {
+  if (m_kind == Kind::Files) {
+    Q_EMIT filesShown(list);
+  } else {
+    Q_EMIT runShown(list);
+  }
+}
+
 void Traces::begin(Kind kind, std::vector<Subject> subjects) {
   const int request = ++m_request;
-  const auto emitShown = [kind](Traces& self, const List& list) {
-    if (kind == Kind::Files) {
-      Q_EMIT self.filesShown(list);
-    } else {
-      Q_EMIT self.runShown(list);
-    }
-  };
-  ProgramToCompare program;
-  if (m_document.program() && !m_document.live()) {
-    program = {m_document.path().toStdString(), m_document.reading()};
-  }
+  m_kind = kind;
+  m_shown = 0;
+  m_subjects = std::move(subjects);
+  auto read = std::make_shared<std::vector<Subject>>(m_subjects);
   const QPointer<Traces> guard(this);
-  runInBackground([=]() -> std::function<void()> {
-    auto read = std::make_shared<std::vector<Subject>>(subjects);
+  runInBackground([guard, request, read]() -> std::function<void()> {
     List list;
     for (Subject& subject : *read) {
       subject.read();
@@ -126,7 +147,7 @@ void Traces::begin(Kind kind, std::vector<Subject> subjects) {
         list.push_back(subject.signalsOnly());
       }
     }
-    return [=] {
+    return [guard, request, read, list] {
       if (!guard || guard->m_request != request) {
         return;
       }
@@ -135,26 +156,50 @@ void Traces::begin(Kind kind, std::vector<Subject> subjects) {
           Q_EMIT guard->failed(*subject.error);
         }
       }
-      if (list.empty()) {
-        return;
+      if (!list.empty()) {
+        guard->m_shown = list.size();
+        guard->emitShown(list);
+        guard->analyse(request, read);
       }
-      emitShown(*guard, list);
-      runInBackground([=]() -> std::function<void()> {
-        const std::optional<gcode::Program> compared = program.load();
-        List analysed;
-        for (const Subject& subject : *read) {
-          if (!subject.error) {
-            analysed.push_back(subject.analysed(compared ? &*compared : nullptr));
-          }
-        }
-        return [=] {
-          if (guard && guard->m_request == request) {
-            emitShown(*guard, analysed);
-          }
-        };
-      });
     };
   });
+}
+
+void Traces::analyse(int request, std::shared_ptr<std::vector<Subject>> read) {
+  ProgramToCompare program;
+  if (m_document.program() && !m_document.live()) {
+    program = {m_document.path().toStdString(), m_document.reading()};
+  }
+  const QPointer<Traces> guard(this);
+  runInBackground([guard, request, program, read = std::move(read),
+                   subjects = m_subjects]() mutable -> std::function<void()> {
+    if (!read) {
+      read = std::make_shared<std::vector<Subject>>(std::move(subjects));
+      for (Subject& subject : *read) {
+        subject.read();
+      }
+    }
+    const std::optional<gcode::Program> compared = program.load();
+    List list;
+    for (const Subject& subject : *read) {
+      if (!subject.error) {
+        list.push_back(subject.analysed(compared ? &*compared : nullptr));
+      }
+    }
+    return [guard, request, list] {
+      // A file that is gone by now stays as it is shown.
+      if (guard && guard->m_request == request && list.size() == guard->m_shown) {
+        guard->emitShown(list);
+      }
+    };
+  });
+}
+
+void Traces::compareAgain() {
+  // What is still being read will be compared with it anyway.
+  if (m_shown > 0) {
+    analyse(++m_request, nullptr);
+  }
 }
 
 }  // namespace rivulet::hmi

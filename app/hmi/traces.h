@@ -27,22 +27,27 @@ class Traces final : public QObject {
   using List = std::vector<std::shared_ptr<const trace::ShownTrace>>;
 
   /// @param document  whose program the traces are compared with
-  explicit Traces(Document& document) : m_document(document) {}
+  explicit Traces(Document& document);
+  ~Traces() override;
 
   /// Recordings, traces of controls, tables of other tools. Those that cannot be read are reported;
   /// the others are shown.
   void open(const QStringList& paths);
+  /// Remembers what the tables of a layout mean, and reads the present files again.
+  [[nodiscard]] base::Result<void> setMapping(const std::string& layout,
+                                              const trace::TableMapping& mapping);
   /// Of the run that has just ended.
   void show(const std::shared_ptr<const trace::ControlTrace>& trace);
   /// Of a run that ended earlier.
   void show(const std::shared_ptr<const trace::Recording>& recording);
   /// What is being read is not shown: a run has begun.
-  void cancel() { ++m_request; }
+  void cancel();
 
  Q_SIGNALS:
   /// Files are being read.
   void reading(const QStringList& names);
-  /// The same traces come twice: with their signals, and with their analysis.
+  /// The same traces come twice: with their signals, and with their analysis; and again when
+  /// another program is open, compared with that.
   void filesShown(const rivulet::hmi::Traces::List& traces);
   void runShown(const rivulet::hmi::Traces::List& traces);
   /// One of the files; its path is the context.
@@ -53,9 +58,17 @@ class Traces final : public QObject {
   enum class Kind { Files, Run };
 
   void begin(Kind kind, std::vector<Subject> subjects);
+  /// With the present program. @param read  the subjects, as they were read; null: read them first
+  void analyse(int request, std::shared_ptr<std::vector<Subject>> read);
+  void emitShown(const List& list);
+  /// Another program is open.
+  void compareAgain();
 
   Document& m_document;
   int m_request = 0;
+  Kind m_kind = Kind::Files;
+  std::size_t m_shown = 0;          ///< of the subjects; 0: none yet
+  std::vector<Subject> m_subjects;  ///< of the last request; what files contain is not kept
 };
 
 }  // namespace rivulet::hmi

@@ -22,7 +22,8 @@ std::filesystem::path layoutsFile() {
   return folders::configHome() / "rivulet" / "trace_layouts.json";
 }
 
-/// Mappings by the headings of their tables; a file that is damaged counts as empty.
+/// Mappings by the headings of their tables. A file that is damaged counts as empty; it is kept
+/// under another name before it is replaced.
 nlohmann::ordered_json readLayouts() {
   const auto text = base::readFile(layoutsFile());
   nlohmann::ordered_json layouts = text ? nlohmann::ordered_json::parse(*text, nullptr, false)
@@ -30,55 +31,70 @@ nlohmann::ordered_json readLayouts() {
   return layouts.is_object() ? layouts : nlohmann::ordered_json::object();
 }
 
-/// Failing to remember is no reason not to analyse.
-void rememberLayout(const std::string& layout, const std::string& columns) {
-  nlohmann::ordered_json layouts = readLayouts();
-  if (layouts.value(layout, std::string()) == columns) {
-    return;
-  }
-  layouts[layout] = columns;
-  std::error_code ignored;
-  std::filesystem::create_directories(layoutsFile().parent_path(), ignored);
-  if (const auto done = base::writeFile(layoutsFile(), layouts.dump(2) + "\n"); !done) {
-    fmt::print(stderr, "The meaning of the columns is not remembered: {}\n", done.error().text());
-  }
+bool isDamaged(const std::filesystem::path& file) {
+  const auto text = base::readFile(file);
+  return text && !nlohmann::ordered_json::parse(*text, nullptr, false).is_object();
+}
+
+/// What was said of a layout; empty: nothing.
+std::string rememberedMapping(const std::string& layout) {
+  const nlohmann::ordered_json layouts = readLayouts();
+  const auto found = layouts.find(layout);
+  return found != layouts.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 base::Result<trace::ImportedTrace> import(const std::string& bytes, const std::string& columns,
                                           double rateHz) {
-  trace::ImportOptions options;
+  auto mapping = trace::parseTableMapping(columns);
+  if (!mapping) {
+    return base::fail(mapping.error());
+  }
   if (rateHz > 0.0) {
-    options.rateHz = rateHz;
+    mapping->rateHz = rateHz;
   }
-  auto roles = trace::parseColumnRoles(columns);
-  if (!roles) {
-    return base::fail(roles.error());
-  }
-  options.columns = *roles;
-  auto imported = trace::importTrace(bytes, options);
+  auto imported = trace::importTrace(bytes, *mapping);
   if (!imported) {
     return imported;
   }
   if (!columns.empty()) {
-    rememberLayout(imported->layout, columns);
+    // Failing to remember is no reason not to analyse.
+    if (const auto done = rememberMapping(imported->layout, columns); !done) {
+      fmt::print(stderr, "The meaning of the columns is not remembered: {}\n", done.error().text());
+    }
     return imported;
   }
-  const std::string remembered = readLayouts().value(imported->layout, std::string());
-  roles = trace::parseColumnRoles(remembered);
-  if (remembered.empty() || !roles) {
+  const std::string remembered = rememberedMapping(imported->layout);
+  auto known = trace::parseTableMapping(remembered);
+  if (remembered.empty() || !known) {
     return imported;
   }
-  options.columns = *roles;
-  auto mapped = trace::importTrace(bytes, options);
+  known->rateHz = rateHz > 0.0 ? rateHz : known->rateHz;
+  auto mapped = trace::importTrace(bytes, *known);
   if (!mapped) {
     return imported;
   }
-  mapped->trace.remarks.push_back(
-      fmt::format("The columns mean what was said for this layout before: {}.", remembered));
+  mapped->table.isCertain = true;  // somebody has said so
+  mapped->trace.remarks.push_back({trace::RemarkCode::Remembered, {remembered}});
   return mapped;
 }
 
 }  // namespace
+
+base::Result<void> rememberMapping(const std::string& layout, const std::string& mapping) {
+  if (rememberedMapping(layout) == mapping) {
+    return {};
+  }
+  nlohmann::ordered_json layouts = readLayouts();
+  layouts[layout] = mapping;
+  std::error_code ignored;
+  std::filesystem::create_directories(layoutsFile().parent_path(), ignored);
+  if (isDamaged(layoutsFile()) && folders::moveAside(layoutsFile()).empty()) {
+    return base::fail(base::FileError::NotWritable,
+                      "A damaged file is in the way and cannot be renamed. Move it away.",
+                      layoutsFile().string());
+  }
+  return base::writeFile(layoutsFile(), layouts.dump(2) + "\n");
+}
 
 void TraceSource::cut(double fromS, double untilS) {
   const trace::Motion motion = trace::motionOf(subject());

@@ -37,7 +37,12 @@ struct TraceSource {
   [[nodiscard]] trace::TraceSubject subject() const;
 };
 
-/// @param columns  as `trace::parseColumnRoles`; empty: as remembered for this layout, or guessed
+/// Remembers what the tables of a layout mean, for this user. @param mapping  as
+/// `trace::parseTableMapping` @return error NotWritable
+[[nodiscard]] base::Result<void> rememberMapping(const std::string& layout,
+                                                 const std::string& mapping);
+
+/// @param columns  as `trace::parseTableMapping`; empty: as remembered for this layout, or guessed
 /// @param rateHz   of a table without time; 0: not said
 [[nodiscard]] base::Result<TraceSource> openTrace(const std::filesystem::path& file,
                                                   const std::string& columns, double rateHz);

@@ -127,26 +127,36 @@ void addContour(SignalSet& signalSet, const TraceAnalysis& analysis, Instant ori
   };
   add("contour_error", analysis.motion.hasActual, &ContourDistance::actualMm);
   add("contour_error_set", analysis.motion.hasSet, &ContourDistance::setMm);
+  const bool hasBoth = analysis.motion.hasSet && analysis.motion.hasActual;
   auto points = std::make_shared<Envelope>();
   auto lines = std::make_shared<Envelope>();
   auto lengths = std::make_shared<Envelope>();
+  auto actualLengths = std::make_shared<Envelope>();
   for (const ContourDistance& one : distances) {
     const Instant at{analysis.motion.samples[one.sample].at - origin};
     points->append(at, static_cast<double>(one.segment));
     lines->append(at, static_cast<double>(analysis.programPath->points()[one.segment].line.value));
     lengths->append(at, one.lengthMm);
+    if (hasBoth) {
+      actualLengths->append(at, one.actualLengthMm);
+    }
   }
   if (!points->empty()) {
     signalSet.add({"program_point", "", std::move(points)});
     signalSet.add({"program_line", "", std::move(lines)});
     signalSet.add({"program_length", "mm", std::move(lengths)});
+    if (hasBoth) {
+      signalSet.add({"program_length_act", "mm", std::move(actualLengths)});
+    }
   }
 }
 
-/// Of whatever begins first.
+/// Of whatever begins first; earlier, if the first sample is to have a later place.
 Instant originOf(const TraceSubject& subject, const Motion& motion) {
+  const base::Duration offset = base::fromSeconds(
+      subject.imported != nullptr ? subject.imported->table.mapping.offsetS : 0.0);
   if (!motion.samples.empty()) {
-    return motion.samples.front().at;
+    return Instant{motion.samples.front().at - offset};
   }
   Instant origin = Instant::max();
   if (subject.imported != nullptr) {
@@ -157,7 +167,7 @@ Instant originOf(const TraceSubject& subject, const Motion& motion) {
   if (subject.recording != nullptr && !subject.recording->accesses.empty()) {
     origin = std::min(origin, subject.recording->accesses.front().sent);
   }
-  return origin == Instant::max() ? Instant{} : origin;
+  return origin == Instant::max() ? Instant{} : Instant{origin - offset};
 }
 
 void addRemarks(ShownTrace& shown, const TraceSubject& subject, const TraceAnalysis* analysis) {
@@ -166,24 +176,23 @@ void addRemarks(ShownTrace& shown, const TraceSubject& subject, const TraceAnaly
   }
   if (const Recording* recording = subject.recording) {
     if (!recording->complete) {
-      shown.remarks.push_back("The recording ends before its run: what came before is shown.");
+      shown.remarks.push_back({RemarkCode::RecordingCut});
     }
     if (recording->unreadableLines > 0) {
-      shown.remarks.push_back(std::to_string(recording->unreadableLines) +
-                              " lines of the recording cannot be read and were left out.");
+      shown.remarks.push_back(
+          {RemarkCode::UnreadableLines, {std::to_string(recording->unreadableLines)}});
     }
   }
   const ControlTrace* trace = subject.recording != nullptr && subject.recording->controlTrace
                                   ? &*subject.recording->controlTrace
                                   : subject.controlTrace;
   if (trace != nullptr && trace->truncated) {
-    shown.remarks.push_back("The trace of the control is incomplete: its memory was full.");
+    shown.remarks.push_back({RemarkCode::TraceTruncated});
   }
   if (analysis != nullptr && analysis->path.departure) {
     const double atS =
         base::toSeconds(analysis->path.departure->at - originOf(subject, analysis->motion));
-    shown.remarks.push_back("The program does not belong to this trace from " +
-                            std::to_string(static_cast<long>(atS)) + " s on.");
+    shown.remarks.push_back({RemarkCode::OtherProgram, {std::to_string(static_cast<long>(atS))}});
   }
 }
 
@@ -238,7 +247,9 @@ std::vector<SignalOffer> SignalSet::offers() const {
   for (const char* name : {"line", "program_line", "program_point"}) {
     offer(SignalGroup::Program, name, name, "", name);
   }
-  offer(SignalGroup::Program, "program_length", "program_length", "mm", "program_length");
+  for (const char* name : {"program_length", "program_length_act"}) {
+    offer(SignalGroup::Program, name, name, "mm", name);
+  }
   if (!m_channels.empty() && find(kTimeSignal) == nullptr) {
     offers.push_back(
         {SignalGroup::Program, std::string(kTimeSignal), std::string(kTimeSignal), "s"});
@@ -343,9 +354,12 @@ ShownTrace makeShownTrace(const TraceSubject& subject, const Motion& motion,
     shown.isAnalysed = true;
   }
   if (subject.recording != nullptr) {
+    shown.programHash = subject.recording->start.programHash;
     addAccesses(shown.signalSet, *subject.recording, origin);
   }
   if (subject.imported != nullptr) {
+    shown.table = subject.imported->table;
+    shown.tableLayout = subject.imported->layout;
     addColumns(shown.signalSet, subject.imported->trace, origin);
   }
   for (const Channel& channel : shown.signalSet.channels()) {
@@ -417,6 +431,26 @@ double valueAt(const Envelope& samples, Instant at) {
   const SeriesPoint earlier = samples[next - 1];
   const double share = base::toSeconds(at - earlier.at) / base::toSeconds(later.at - earlier.at);
   return earlier.value + share * (later.value - earlier.value);
+}
+
+double heldValueAt(const Envelope& samples, Instant at) {
+  const std::size_t next = samples.firstAt(at + base::Duration{1});
+  return next == 0 ? kNoValue : samples.valueAt(next - 1);
+}
+
+std::vector<ValueSpan> spansOf(const Envelope& samples, double value) {
+  std::vector<ValueSpan> spans;
+  bool isWithin = false;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const bool has = samples.valueAt(i) == value;
+    if (has && !isWithin) {
+      spans.push_back({samples.timeAt(i), samples.timeAt(i)});
+    } else if (isWithin) {
+      spans.back().to = samples.timeAt(i);
+    }
+    isWithin = has;
+  }
+  return spans;
 }
 
 }  // namespace rivulet::trace

@@ -19,6 +19,7 @@
 #include "trace/envelope.h"
 #include "trace/formula.h"
 #include "trace/pause.h"
+#include "trace/remark.h"
 
 namespace rivulet::trace {
 
@@ -83,11 +84,15 @@ struct ShownTrace {
   base::Duration step{};          ///< median time between two samples of the position
   std::vector<Standstill> stops;  ///< with their causes
   std::shared_ptr<const ProgramPath> programPath;  ///< null: not compared with a program
+  std::string programHash;  ///< of the program that was run, as recorded; empty: not known
   /// Nothing but what the client read during the run; then `pauses` are those it noticed.
   bool isObserved = false;
   std::vector<Pause> pauses;
-  std::vector<std::string> remarks;  ///< one sentence each, in English
-  bool isAnalysed = false;           ///< stops, and contour error if there is a program
+  std::vector<Remark> remarks;
+  /// Of a file of another tool; without columns if it is no table.
+  TablePreview table;
+  std::string tableLayout;  ///< by which its mapping is remembered
+  bool isAnalysed = false;  ///< stops, and contour error if there is a program
 };
 
 /// Signals of what there is. @param analysis  null: not yet made
@@ -111,5 +116,16 @@ struct SampleStatistics {
 
 /// Linear between the neighbours; NaN outside and beside gaps.
 [[nodiscard]] double valueAt(const Envelope& samples, base::Instant at);
+/// That of the last sample until then, for signals that change in steps, such as a line. NaN: there
+/// is none, or it is a gap.
+[[nodiscard]] double heldValueAt(const Envelope& samples, base::Instant at);
+
+/// From the first sample with a value to the next one with another value.
+struct ValueSpan {
+  base::Instant from{};
+  base::Instant to{};
+};
+/// When a signal that changes in steps had this very value, in time order. O(samples).
+[[nodiscard]] std::vector<ValueSpan> spansOf(const Envelope& samples, double value);
 
 }  // namespace rivulet::trace

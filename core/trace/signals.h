@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/instant.h"
+#include "trace/remark.h"
 
 namespace rivulet::trace {
 
@@ -35,8 +36,7 @@ struct SignalTrace {
   std::string format;  ///< "CSV", "TwinCAT Scope", ...
   std::vector<TimeBase> timeBases;
   std::vector<Signal> signalList;
-  /// What could not be read or had to be assumed: one sentence each, in English.
-  std::vector<std::string> remarks;
+  std::vector<Remark> remarks;  ///< what could not be read or had to be assumed
 };
 
 }  // namespace rivulet::trace

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <QThreadPool>
 #include <QtTest>
 
 #include "base/file.h"
@@ -18,6 +19,7 @@
 #include "trace/analysis/trace_analysis.h"
 #include "widgets/common/status_label.h"
 #include "widgets/plots/time_window.h"
+#include "widgets/program/program_text_view.h"
 #include "widgets/scope/scope_view.h"
 #include "widgets/trace/stop_model.h"
 #include "widgets/trace/trace_page.h"
@@ -123,10 +125,36 @@ class TestTraces : public QObject {
     QCOMPARE(m_window->tracePage()->view()->panes().size(), std::size_t{4});
   }
 
-  void comparesWithTheProgram() {
+  /// The comparison by point was asked for before there was a program.
+  void aProgramOpenedLaterIsCompared() {
+    QVERIFY(!m_window->program());
+    open({m_folder.filePath("square.trace"),
+          write("again.trace", trace::printControlTrace(square()))});
+    auto* page = m_window->tracePage();
+    auto* curves = page->findChild<widgets::ScopeCurves*>();
+    QVERIFY(!curves->samples(0, "contour_error"));
+    QSignalSpy refused(curves, &widgets::ScopeCurves::axisFailed);
+    curves->setAxis(trace::RunAxis::Point);
+    QTRY_COMPARE_WITH_TIMEOUT(refused.count(), 1, kSoonMs);
+    page->timeWindow()->showRange(0.5, 1.0);
     const QString program = write("square.mpf", "G1 X10 Y0 Z0 F1500\nY10\nX0\nY0\nM30\n");
     m_window->openProgram(program);
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->program(), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(curves->axis() == trace::RunAxis::Point, kSoonMs);
+    QVERIFY(curves->traces().front()->programPath);
+    QVERIFY(page->findChild<widgets::ProgramTextView*>("traceProgram")->lineCount() >= 5);
+    // A file that is gone by now is not taken away.
+    QVERIFY(QFile::remove(m_folder.filePath("again.trace")));
+    const auto shown = curves->traces();
+    m_window->openProgram(write("other.mpf", "G1 X10 Y0 Z0 F1500\nY20\nM30\n"));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->program()->name == "other.mpf", kSoonMs);
+    QThreadPool::globalInstance()->waitForDone();
+    QCoreApplication::processEvents();
+    QVERIFY(curves->traces() == shown);
+    m_window->openProgram(program);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->program()->name == "square.mpf", kSoonMs);
+  }
+
+  void comparesWithTheProgram() {
     open({m_folder.filePath("square.trace")});
     auto* page = m_window->tracePage();
     page->view()->addPane("contour_error");
@@ -182,20 +210,41 @@ class TestTraces : public QObject {
     page->view()->setArrangement({{"x_act"}, {"hypot(x_act, y_act)", "y_act"}});
     page->keepLayout(QString::fromUtf8("Ablage ä"));
     const auto kept = hmi::loadTraceLayouts(hmi::traceLayoutsFile());
-    QVERIFY(kept == page->layouts());
-    QCOMPARE(kept.list.size(), std::size_t{1});
+    QVERIFY(kept && kept->layouts == page->layouts() && kept->keptAs.empty());
+    QCOMPARE(kept->layouts.list.size(), std::size_t{1});
     const MainWindow another(hmi::Settings{}, false);
-    QVERIFY(another.tracePage()->layouts() == kept);
-    // What is damaged is left out, and the rest is kept.
+    QVERIFY(another.tracePage()->layouts() == kept->layouts);
+  }
+
+  /// What can be read is used; the damaged file itself is kept, whatever is saved later.
+  void keepsADamagedFileOfLayouts() {
     const auto file = m_folder.filePath("panes.json").toStdString();
-    QVERIFY(base::writeFile(file, R"({"standard": "no", "layouts": [3, {"name": "a"},
-        {"name": "b", "panes": [["x_act", 4], [], "x"]}]})"));
+    QVERIFY(hmi::loadTraceLayouts(file)->keptAs.empty());  // there is none
+    const std::string partly = R"({"standard": "no", "layouts": [3, {"name": "a"},
+        {"name": "c", "panes": [["x_act", 4]]},
+        {"name": "b", "panes": [["x_act", "y_act"], [], ["x"]]}]})";
+    QVERIFY(base::writeFile(file, partly));
     const auto damaged = hmi::loadTraceLayouts(file);
-    QCOMPARE(damaged.list.size(), std::size_t{1});
-    QCOMPARE(damaged.list[0].panes, (std::vector<QStringList>{{"x_act"}, {"x"}}));
-    QVERIFY(damaged.standard.isEmpty());
+    QVERIFY(damaged);
+    QCOMPARE(damaged->layouts.list.size(), std::size_t{1});
+    QCOMPARE(damaged->layouts.list[0].panes, (std::vector<QStringList>{{"x_act", "y_act"}, {"x"}}));
+    QVERIFY(damaged->layouts.standard.isEmpty());
+    QCOMPARE(damaged->keptAs, std::filesystem::path(file + ".damaged"));
+    QCOMPARE(base::readFile(damaged->keptAs).value_or(""), partly);
+    QVERIFY(hmi::loadTraceLayouts(file)->keptAs.empty());
+    QVERIFY(hmi::loadTraceLayouts(file)->layouts == damaged->layouts);
     QVERIFY(base::writeFile(file, "{"));
-    QVERIFY(hmi::loadTraceLayouts(file).list.empty());
+    const auto rubbish = hmi::loadTraceLayouts(file);
+    QVERIFY(rubbish && rubbish->layouts.list.empty());
+    QCOMPARE(rubbish->keptAs, std::filesystem::path(file + ".damaged-2"));
+    QCOMPARE(base::readFile(damaged->keptAs).value_or(""), partly);
+    // The window says so.
+    const std::string before = base::readFile(hmi::traceLayoutsFile()).value_or("");
+    QVERIFY(base::writeFile(hmi::traceLayoutsFile(), "rubbish"));
+    const MainWindow another(hmi::Settings{}, false);
+    const QString said = another.tracePage()->findChild<widgets::StatusLabel*>("traceNote")->text();
+    QVERIFY2(said.contains("trace_panes.json.damaged"), qPrintable(said));
+    QVERIFY(base::writeFile(hmi::traceLayoutsFile(), before));
   }
 
   void takesDroppedFilesButNoPrograms() {

@@ -8,6 +8,7 @@
 #include "support/test_program.h"
 #include "trace/import/compression.h"
 #include "trace/import/import.h"
+#include "trace/import/import_error.h"
 #include "trace/motion.h"
 
 using namespace rivulet;
@@ -15,8 +16,8 @@ using namespace rivulet::trace;
 
 namespace {
 
-ImportedTrace imported(std::string_view text, const ImportOptions& options = {}) {
-  auto result = importTrace(text, options);
+ImportedTrace imported(std::string_view text, const TableMapping& mapping = {}) {
+  auto result = importTrace(text, mapping);
   if (!result) {
     qWarning("%s", result.error().message.c_str());
     return {};
@@ -29,7 +30,11 @@ std::string roles(const ImportedTrace& trace) {
 }
 
 std::string remarks(const ImportedTrace& trace) {
-  return fmt::format("{}", fmt::join(trace.trace.remarks, "\n"));
+  std::string text;
+  for (const Remark& remark : trace.trace.remarks) {
+    text += (text.empty() ? "" : "\n") + remarkText(remark);
+  }
+  return text;
 }
 
 }  // namespace
@@ -44,6 +49,8 @@ class TestImport : public QObject {
   void guessesRoles();
   void obeysTheMapping();
   void refusesAWrongMapping();
+  void printsAndParsesMappings();
+  void previewsTables();
   void keepsWhatCanBeRead();
   void keepsALastColumnThatIsMostlyEmpty();
   void leavesOutTimeThatRunsBackwards();
@@ -123,8 +130,7 @@ void TestImport::guessesRoles() {
 }
 
 void TestImport::obeysTheMapping() {
-  ImportOptions options;
-  options.columns = *parseColumnRoles("time=clock:ms,x_set=a:um,y_act=#3");
+  const TableMapping options = *parseTableMapping("time=clock:ms,x_set=a:um,y_act=#3");
   const ImportedTrace trace = imported("clock,a,b\n0,1500,-2\n4,1750,-2.5\n", options);
   const Motion motion = motionOf(trace);
   QCOMPARE(motion.step, base::Duration{std::chrono::milliseconds{4}});
@@ -134,12 +140,54 @@ void TestImport::obeysTheMapping() {
 }
 
 void TestImport::refusesAWrongMapping() {
-  QVERIFY(parseColumnRoles("x=a").error().message.find("x_set") != std::string::npos);
-  ImportOptions options;
-  options.columns = *parseColumnRoles("x_set=c");
+  QVERIFY(parseTableMapping("x=a").error().message.find("x_set") != std::string::npos);
+  const TableMapping options = *parseTableMapping("x_set=c");
   const auto result = importTrace("t,a,b\n0,1,2\n1,2,3\n", options);
   QCOMPARE(result.error().message,
            std::string("The trace has no column \"c\". Its columns are t, a, b."));
+}
+
+/// What the command line takes and what a dialog writes are one text.
+void TestImport::printsAndParsesMappings() {
+  TableMapping mapping;
+  mapping.columns = {{SignalRole::Time, "t", "ms"},
+                     {SignalRole::XActual, columnReference("Pos, X", 2), "um"},
+                     {SignalRole::Line, columnReference("N", 3), ""}};
+  mapping.rateHz = 250.0;
+  mapping.offsetS = -1.5;
+  mapping.isComplete = true;
+  const std::string text = printTableMapping(mapping);
+  QCOMPARE(text, std::string("time=t:ms,x_act=#3:um,line=N,rate=250,offset=-1.5,guess=no"));
+  QVERIFY(*parseTableMapping(text) == mapping);
+  QVERIFY(*parseTableMapping("") == TableMapping{});
+  for (const char* wrong : {"rate=0", "rate=x", "offset=", "guess=yes", "x_set="}) {
+    QVERIFY2(!parseTableMapping(wrong), wrong);
+  }
+  const auto twice = parseTableMapping("x_set=a,x_set=b");
+  QVERIFY(!twice && twice.error().code == ImportError::RoleTwice);
+  QVERIFY(parseTableMapping("time=a,x_set=b,time=c"));  // two time bases
+  QCOMPARE(unitsOf(SignalRole::Time).front(), std::string_view("s"));
+  QVERIFY(unitsOf(SignalRole::Line).empty());
+}
+
+void TestImport::previewsTables() {
+  const std::string text = "a;b;c\n0;1;2\n10;3;4\n20;5;6\n";
+  const ImportedTrace guessed = imported(text);
+  QCOMPARE(guessed.table.columns.size(), std::size_t{3});
+  QVERIFY(!guessed.table.isCertain);  // no position
+  QCOMPARE(guessed.table.columns[1].name, std::string("b"));
+  QVERIFY(!guessed.table.columns[1].role);
+  QCOMPARE(guessed.table.columns[1].first, (std::vector<double>{1.0, 3.0, 5.0}));
+  const ImportedTrace mapped = imported(text, *parseTableMapping("time=a:ms,x_act=b:um,guess=no"));
+  QVERIFY(mapped.table.isCertain);
+  QVERIFY(mapped.table.columns[1].role == SignalRole::XActual);
+  QCOMPARE(mapped.table.columns[1].unit, std::string("um"));
+  // Nothing else is guessed: without a time, the rate counts.
+  const ImportedTrace bare = imported("t_s;x_cmd\n0;1\n0.01;2\n0.02;3\n",
+                                      *parseTableMapping("x_act=x_cmd,rate=100,guess=no"));
+  QCOMPARE(roles(bare), std::string("x_act=x_cmd"));
+  QVERIFY(imported("t_s;x_cmd\n0;1\n0.01;2\n0.02;3\n").table.isCertain);
+  QVERIFY(!imported("t;x_cmd\n0;1\n4;2\n8;3\n").table.isCertain);  // ms is assumed
 }
 
 void TestImport::keepsWhatCanBeRead() {
@@ -149,8 +197,9 @@ void TestImport::keepsWhatCanBeRead() {
   QVERIFY(std::isnan(trace.trace.signalList[1].values[2]));
   QVERIFY(std::isnan(trace.trace.signalList[0].values[3]));
   QCOMPARE(remarks(trace),
-           std::string("1 rows do not have 3 columns and were left out; the first is line 4.\n"
-                       "1 cells are not numbers and were left empty; the first is in line 5.\n"
+           std::string("Rows that do not have 3 columns and were left out: 1, the first in line "
+                       "4.\nCells that are no numbers and were left empty: 1, the first in line "
+                       "5.\n"
                        "The file ends within a row: it was cut off there."));
   QCOMPARE(motionOf(trace).samples.size(), std::size_t{2});
 }
@@ -179,8 +228,8 @@ void TestImport::leavesOutTimeThatRunsBackwards() {
   QCOMPARE(trace.trace.signalList[0].values[2], 6.0);
   QCOMPARE(
       remarks(trace),
-      std::string("The time \"t_s\" runs backwards at row 3: 2 rows were left out until it goes "
-                  "on.\n1 rows repeat the time of the row before and were left out."));
+      std::string("The time \"t_s\" runs backwards at row 3. Rows that were left out until it goes "
+                  "on: 2.\nRows that repeat the time of the row before and were left out: 1."));
 }
 
 void TestImport::namesDuplicateColumns() {
@@ -202,9 +251,7 @@ void TestImport::readsTwoTimeBases() {
 }
 
 void TestImport::readsHalsampler() {
-  ImportOptions options;
-  options.rateHz = 500.0;
-  options.columns = *parseColumnRoles("x_set=#2,y_set=#3");
+  const TableMapping options = *parseTableMapping("x_set=#2,y_set=#3,rate=500");
   const ImportedTrace trace =
       imported("100 1.5 2\n101 1.6 2\n102 1.7 2\noverrun\n110 1.8 2\n111 1.9 2\n", options);
   const std::vector<base::Instant>& at = trace.trace.timeBases[0].at;

@@ -205,6 +205,8 @@ struct ErrorTexts {
         return tr("This is no trace that can be read: there are no rows of numbers in it.");
       case trace::ImportError::BadMapping:
         return tr("The table has no such column.");
+      case trace::ImportError::RoleTwice:
+        return tr("Two columns have the same meaning. Choose one of them.");
     }
     return {};
   }

@@ -42,4 +42,22 @@ QString stopCauseText(trace::StopCause cause) {
   return StopCauseTexts::text(cause);
 }
 
+QString traceRemarkText(const trace::Remark& remark) {
+  const QString pattern =
+      QCoreApplication::translate("TraceRemarks", trace::remarkPattern(remark.code));
+  QString text;
+  for (qsizetype at = 0; at < pattern.size(); ++at) {
+    const bool isPlace = pattern[at] == QLatin1Char('%') && at + 1 < pattern.size();
+    const int index = isPlace ? pattern[at + 1].digitValue() - 1 : -1;
+    if (index >= 0 && static_cast<std::size_t>(index) < remark.values.size()) {
+      // A value may hold a percent sign of its own, as names of columns do.
+      text += QString::fromStdString(remark.values[static_cast<std::size_t>(index)]);
+      ++at;
+    } else {
+      text += pattern[at];
+    }
+  }
+  return text;
+}
+
 }  // namespace rivulet::widgets

@@ -9,10 +9,14 @@
 #include <QString>
 
 #include "trace/analysis/standstills.h"
+#include "trace/remark.h"
 
 namespace rivulet::widgets {
 
 /// "Exact stop", "Waiting for data" and so on.
 [[nodiscard]] QString stopCauseText(trace::StopCause cause);
+
+/// One sentence.
+[[nodiscard]] QString traceRemarkText(const trace::Remark& remark);
 
 }  // namespace rivulet::widgets

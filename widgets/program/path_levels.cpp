@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/contract.h"
+#include "widgets/program/projection.h"
 
 namespace rivulet::widgets {
 
@@ -85,11 +86,8 @@ PlanePoint project(base::Vec3 positionMm, PathProjection projection) {
   if (projection == PathProjection::Top) {
     return {positionMm.x, positionMm.y};
   }
-  // Seen from front, left and above alike: X to the lower right, Y to the upper right, Z up.
-  static const double root2 = std::sqrt(2.0);
-  static const double root6 = std::sqrt(6.0);
-  return {(positionMm.x + positionMm.y) / root2,
-          (-positionMm.x + positionMm.y + 2.0 * positionMm.z) / root6};
+  static const Projection isometric(Projection::isometric());
+  return isometric(positionMm);
 }
 
 PathLevels::PathLevels(const Points& points, const std::vector<bool>& isRapid,

@@ -16,6 +16,7 @@
 
 #include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
+#include "widgets/common/ramp.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/legend_strip.h"
 #include "widgets/program/path_canvas.h"
@@ -25,23 +26,6 @@ namespace rivulet::widgets {
 namespace {
 
 constexpr double kStepsPerS = 1000.0;  // of the slider, by time
-
-/// From cool to warm; each end and the middle stand out from the surface of the theme. No blue: the
-/// executed path is blue.
-QColor ramp(double share, bool isDark) {
-  static const std::array<QColor, 3> light{QColor(0x1e, 0x6b, 0x3a), QColor(0x85, 0x7f, 0x12),
-                                           QColor(0xb8, 0x4a, 0x0c)};
-  static const std::array<QColor, 3> dark{QColor(0x5f, 0xc9, 0x7b), QColor(0xd6, 0xcf, 0x5a),
-                                          QColor(0xf0, 0x8a, 0x4f)};
-  const std::array<QColor, 3>& stops = isDark ? dark : light;
-  const double place = std::clamp(share, 0.0, 1.0) * 2.0;
-  const std::size_t from = place < 1.0 ? 0 : 1;
-  const double part = place - static_cast<double>(from);
-  const auto mix = [&](int a, int b) { return static_cast<int>(std::lround(a + part * (b - a))); };
-  return {mix(stops[from].red(), stops[from + 1].red()),
-          mix(stops[from].green(), stops[from + 1].green()),
-          mix(stops[from].blue(), stops[from + 1].blue())};
-}
 
 }  // namespace
 
@@ -341,7 +325,7 @@ QPen PathView::penOf(std::size_t one) const {
       return {colors.path, 1.4};
     }
     case PathColouring::Feed:
-      return one == 0 ? rapid : QPen(ramp(share(one - 1, pathClasses() - 1), colors.isDark), 1.6);
+      return one == 0 ? rapid : QPen(rampColor(share(one - 1, pathClasses() - 1), colors), 1.6);
     case PathColouring::Margin: {
       const std::array<QColor, kMarginClasses> shown{colors.path, colors.equations[2],
                                                      colors.attention, colors.fault};
@@ -349,12 +333,11 @@ QPen PathView::penOf(std::size_t one) const {
     }
     case PathColouring::Pauses:
       return one == 0 ? QPen(colors.path, 1.4)
-                      : QPen(ramp(share(one - 1, pathClasses() - 1), colors.isDark), 2.0);
+                      : QPen(rampColor(share(one - 1, pathClasses() - 1), colors), 2.0);
     case PathColouring::Time:
       break;
   }
-  return m_times ? QPen(ramp(share(one, pathClasses()), colors.isDark), 1.6)
-                 : QPen(colors.path, 1.4);
+  return m_times ? QPen(rampColor(share(one, pathClasses()), colors), 1.6) : QPen(colors.path, 1.4);
 }
 
 QString PathView::nameOf(std::size_t one) const {

@@ -20,7 +20,6 @@
 #include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/time_window.h"
-#include "widgets/scope/path_pane.h"
 #include "widgets/scope/scope_view.h"
 
 namespace rivulet::widgets {
@@ -43,7 +42,6 @@ CursorPanel::CursorPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors* 
       m_window(window),
       m_cursors(cursors),
       m_view(view),
-      m_path(new PathPane(curves, window, cursors, this)),
       m_times(makeValueLabel(this)),
       m_table(new QTableWidget(kRows, 0, this)),
       m_what(new QComboBox(this)),
@@ -74,7 +72,6 @@ CursorPanel::CursorPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors* 
   goTo->addWidget(m_go);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 6, 4, 4);
-  layout->addWidget(m_path, 1);
   layout->addWidget(m_times);
   layout->addWidget(m_table, 1);
   layout->addLayout(goTo);
@@ -104,7 +101,6 @@ void CursorPanel::schedule() {
 
 void CursorPanel::refreshNow() {
   m_delay.stop();
-  m_path->redrawNow();
   refresh();
 }
 

@@ -3,7 +3,7 @@
 
 /// @file
 /// What is at the two cursors and between them, for every curve that is shown; and a line to go to
-/// a time, a line or a point. Above, the path in X and Y. @threadsafety GUI thread.
+/// a time, a line or a point. @threadsafety GUI thread.
 #pragma once
 
 #include <QTimer>
@@ -20,7 +20,6 @@ class QTableWidget;
 
 namespace rivulet::widgets {
 
-class PathPane;
 class ScopeView;
 class TimeWindow;
 
@@ -60,7 +59,6 @@ class CursorPanel final : public Page {
   TimeWindow* m_window;
   ScopeCursors* m_cursors;
   ScopeView* m_view;
-  PathPane* m_path;
   QLabel* m_times;
   QTableWidget* m_table;
   QComboBox* m_what;

@@ -3,14 +3,22 @@
 
 #include "widgets/scope/path_pane.h"
 
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLinearGradient>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/axes.h"
 #include "base/nice_step.h"
+#include "trace/analysis/program_path.h"
+#include "trace/signals.h"
 #include "widgets/common/number_format.h"
+#include "widgets/common/ramp.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/time_window.h"
 
@@ -24,6 +32,22 @@ constexpr double kClickPx = 24.0;
 constexpr std::size_t kPlacesMax = 30'000;  // of each trace: this bounds the time of a picture
 constexpr double kSpanMinMm = 1e-3;
 constexpr int kPathDelayMs = 40;
+constexpr double kStepPx = 0.7;  // shorter steps of a curve are not drawn
+constexpr int kColours = 48;     // of the ramp
+constexpr double kRampPx = 8.0;
+constexpr double kDegPerPx = 0.5;
+constexpr double kKeyDeg = 5.0;
+constexpr double kAxisPx = 26.0;
+constexpr int kValueDigits = 4;
+
+/// The value of samples between two instants that is farthest from zero: thinning hides no peak.
+double extremeOf(const trace::Envelope& samples, base::Instant from, base::Instant to) {
+  const auto range = samples.range(from, to);
+  if (!range) {
+    return trace::valueAt(samples, from);
+  }
+  return std::abs(range->min) > std::abs(range->max) ? range->min : range->max;
+}
 
 }  // namespace
 
@@ -31,6 +55,7 @@ PathPane::PathPane(ScopeCurves* curves, TimeWindow* window, ScopeCursors* cursor
     : Page(parent), m_curves(curves), m_window(window), m_cursors(cursors) {
   setObjectName(QStringLiteral("scopePath"));
   setAttribute(Qt::WA_OpaquePaintEvent);
+  setFocusPolicy(Qt::StrongFocus);
   m_redraw.setParent(this);  // whoever waits for the page finds it
   m_redraw.setSingleShot(true);
   m_redraw.setInterval(kPathDelayMs);
@@ -45,7 +70,7 @@ PathPane::PathPane(ScopeCurves* curves, TimeWindow* window, ScopeCursors* cursor
 }
 
 QSize PathPane::minimumSizeHint() const {
-  return {160, 120};
+  return {160, 180};
 }
 
 void PathPane::schedule() {
@@ -59,27 +84,144 @@ void PathPane::redrawNow() {
   draw();
 }
 
-PathPane::Axes PathPane::axesOf(std::size_t trace) const {
+void PathPane::setColouring(const QString& formula) {
+  m_colouring = formula;
+  schedule();
+}
+
+void PathPane::setEnlargement(double factor) {
+  m_enlargement = factor;
+  schedule();
+}
+
+bool PathPane::canEnlarge() const {
+  return !m_curves->isLive() && !m_curves->traces().empty() &&
+         m_curves->traces().front()->programPath != nullptr;
+}
+
+void PathPane::setSpatial(bool isSpatial) {
+  m_isSpatial = isSpatial;
+  m_turned = isSpatial ? m_turned : Projection::isometric();
+  m_projection = Projection(angles());
+  schedule();
+}
+
+Projection::Angles PathPane::angles() const {
+  return m_isSpatial ? m_turned : Projection::Angles{};
+}
+
+void PathPane::turn(double byDeg, double tiltByDeg) {
+  m_turned.turnDeg = std::remainder(m_turned.turnDeg + byDeg, 360.0);
+  m_turned.tiltDeg = std::clamp(m_turned.tiltDeg + tiltByDeg, -90.0, 90.0);
+  m_projection = Projection(angles());
+  schedule();
+}
+
+PathPane::Course PathPane::courseOf(std::size_t trace) const {
   for (const char* suffix : {"_act", "_set"}) {
     const QString end = QLatin1String(suffix);
-    const Axes axes{m_curves->samples(trace, QLatin1Char('x') + end),
-                    m_curves->samples(trace, QLatin1Char('y') + end)};
-    if (axes.x && axes.y) {
-      return axes;
+    const auto samples = [&](char axis) {
+      return m_curves->samples(trace, QLatin1Char(axis) + end);
+    };
+    Course course{samples('x'), samples('y'), nullptr, nullptr, nullptr};
+    if (!course.x || !course.y) {
+      continue;
     }
+    course.z = samples('z');
+    if (!m_curves->isLive() && trace < m_curves->traces().size()) {
+      course.program = m_curves->traces()[trace]->programPath;
+      const bool isActual = end == QLatin1String("_act");
+      course.lengthMm =
+          isActual ? m_curves->samples(trace, QStringLiteral("program_length_act")) : nullptr;
+      if (!course.lengthMm) {
+        course.lengthMm = m_curves->samples(trace, QStringLiteral("program_length"));
+      }
+    }
+    return course;
   }
   return {};
 }
 
-QRectF PathPane::room() const {
-  const double low = fontMetrics().height() + 6.0;
-  return QRectF(rect()).adjusted(kMarginPx, kMarginPx, -kMarginPx, -kMarginPx - low);
+double PathPane::rampHeightPx() const {
+  return m_colouring.isEmpty() ? 0.0 : 2.0 * fontMetrics().height() + kRampPx + 8.0;
 }
 
-QPointF PathPane::pixelOf(double xMm, double yMm) const {
+QRectF PathPane::room() const {
+  const double line = fontMetrics().height() + 6.0;
+  return QRectF(rect()).adjusted(kMarginPx, kMarginPx + line, -kMarginPx,
+                                 -kMarginPx - line - rampHeightPx());
+}
+
+QPointF PathPane::pixelOf(base::Vec3 positionMm) const {
   const QPointF middle = room().center();
-  return {middle.x() + (xMm - m_middleXMm) * m_pxPerMm,
-          middle.y() - (yMm - m_middleYMm) * m_pxPerMm};
+  const PlanePoint place = m_projection(positionMm);
+  return {middle.x() + (place.right - m_middle.right) * m_pxPerMm,
+          middle.y() - (place.up - m_middle.up) * m_pxPerMm};
+}
+
+PathPane::Place PathPane::placeOn(const Course& course, base::Instant at,
+                                  base::Vec3 positionMm) const {
+  constexpr double kNone = trace::kNoValue;
+  Place place{base::toSeconds(at), positionMm, {kNone, kNone, kNone}, kNone};
+  if (m_enlargement > 1.0 && course.program && course.lengthMm) {
+    const double lengthMm = trace::valueAt(*course.lengthMm, at);
+    if (std::isfinite(lengthMm)) {
+      place.programmedMm = course.program->at(lengthMm);
+      place.shownMm = place.programmedMm + m_enlargement * (positionMm - place.programmedMm);
+    }
+  }
+  return place;
+}
+
+void PathPane::collect(std::size_t trace, std::vector<Place>& path) const {
+  const Course course = courseOf(trace);
+  if (!course.x) {
+    return;
+  }
+  const auto values = m_colouring.isEmpty() ? nullptr : m_curves->samples(trace, m_colouring);
+  const std::size_t begin = course.x->firstAt(instantOf(m_window->fromS()));
+  const std::size_t end = course.x->firstAt(instantOf(m_window->toS()) + base::Duration{1});
+  const std::size_t stride = (end - begin) / kPlacesMax + 1;
+  const auto valueOf = [](const ScopeCurves::Samples& samples, std::size_t i, base::Instant at) {
+    const bool isSame = i < samples->size() && samples->timeAt(i) == at;
+    return isSame ? samples->valueAt(i) : trace::valueAt(*samples, at);
+  };
+  for (std::size_t i = begin; i < end; i += stride) {
+    const base::Instant at = course.x->timeAt(i);
+    const base::Vec3 positionMm{course.x->valueAt(i), valueOf(course.y, i, at),
+                                course.z ? valueOf(course.z, i, at) : 0.0};
+    if (!base::isFinite(positionMm)) {
+      continue;
+    }
+    Place& place = path.emplace_back(placeOn(course, at, positionMm));
+    if (values) {
+      const bool isThinned = stride > 1 && i + stride < end;
+      place.value =
+          isThinned ? extremeOf(*values, at, course.x->timeAt(i + stride)) : valueOf(values, i, at);
+    }
+  }
+}
+
+void PathPane::fit() {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  PlanePoint min{kFar, kFar};
+  PlanePoint max{-kFar, -kFar};
+  m_range = {};
+  for (const std::vector<Place>& path : m_paths) {
+    for (const Place& one : path) {
+      const PlanePoint place = m_projection(one.shownMm);
+      min = {std::min(min.right, place.right), std::min(min.up, place.up)};
+      max = {std::max(max.right, place.right), std::max(max.up, place.up)};
+      if (std::isfinite(one.value)) {
+        m_range.add(one.value);
+      }
+    }
+  }
+  if (min.right <= max.right) {
+    m_middle = {(min.right + max.right) / 2.0, (min.up + max.up) / 2.0};
+    m_pxPerMm = std::min(room().width() / std::max(max.right - min.right, kSpanMinMm),
+                         room().height() / std::max(max.up - min.up, kSpanMinMm));
+  }
 }
 
 void PathPane::draw() {
@@ -87,101 +229,206 @@ void PathPane::draw() {
   if (width() < 1 || height() < 1) {
     return;
   }
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  double min[2] = {kFar, kFar};
-  double max[2] = {-kFar, -kFar};
   const std::size_t traces = m_curves->isLive() ? 1 : m_curves->traces().size();
   for (std::size_t trace = 0; trace < traces; ++trace) {
-    const Axes axes = axesOf(trace);
-    std::vector<Place>& path = m_paths.emplace_back();
-    if (!axes.x) {
-      continue;
-    }
-    const std::size_t begin = axes.x->firstAt(instantOf(m_window->fromS()));
-    const std::size_t end = axes.x->firstAt(instantOf(m_window->toS()) + base::Duration{1});
-    const std::size_t stride = (end - begin) / kPlacesMax + 1;
-    for (std::size_t i = begin; i < end; i += stride) {
-      const base::Instant at = axes.x->timeAt(i);
-      const bool isSame = i < axes.y->size() && axes.y->timeAt(i) == at;
-      const double x = axes.x->valueAt(i);
-      const double y = isSame ? axes.y->valueAt(i) : trace::valueAt(*axes.y, at);
-      if (std::isfinite(x) && std::isfinite(y)) {
-        path.push_back({base::toSeconds(at), x, y});
-        min[0] = std::min(min[0], x);
-        max[0] = std::max(max[0], x);
-        min[1] = std::min(min[1], y);
-        max[1] = std::max(max[1], y);
-      }
-    }
+    collect(trace, m_paths.emplace_back());
   }
-  if (min[0] <= max[0]) {
-    m_middleXMm = (min[0] + max[0]) / 2.0;
-    m_middleYMm = (min[1] + max[1]) / 2.0;
-    m_pxPerMm = std::min(room().width() / std::max(max[0] - min[0], kSpanMinMm),
-                         room().height() / std::max(max[1] - min[1], kSpanMinMm));
-  }
+  fit();
   const qreal ratio = devicePixelRatioF();
   m_picture = QPixmap(QSize(width(), height()) * ratio);
   m_picture.setDevicePixelRatio(ratio);
-  const ThemeColors& colors = themeColors(palette());
-  m_picture.fill(colors.surface);
+  m_picture.fill(themeColors(palette()).surface);
   QPainter painter(&m_picture);
+  painter.setFont(font());
   painter.setRenderHint(QPainter::Antialiasing);
   for (std::size_t trace = 0; trace < m_paths.size(); ++trace) {
-    QPolygonF line;
-    for (const Place& place : m_paths[trace]) {
-      const QPointF pixel = pixelOf(place.xMm, place.yMm);
-      if (line.isEmpty() || (pixel - line.last()).manhattanLength() > 0.7) {
-        line.append(pixel);
-      }
-    }
-    painter.setPen(QPen(ScopePane::curveColor(trace, palette()), 1.4));
-    if (line.size() == 1) {
-      painter.drawPoint(line.first());
-    } else {
-      painter.drawPolyline(line);
-    }
+    drawPath(painter, trace);
   }
-  // How long a round length is.
-  const double lengthMm = base::niceStepBelow(std::max(room().width() / 4.0 / m_pxPerMm, 1e-9));
-  const double y = kMarginPx / 2.0 + 2.0;
-  painter.setPen(QPen(colors.text, 2));
-  painter.drawLine(QPointF(kMarginPx, y), QPointF(kMarginPx + lengthMm * m_pxPerMm, y));
-  painter.drawText(
-      QPointF(kMarginPx + lengthMm * m_pxPerMm + 6.0, y + fontMetrics().ascent() / 2.0),
-      lengthText(lengthMm, base::decimalsOfStep(lengthMm)));
+  drawScaleBar(painter);
+  if (m_isSpatial) {
+    drawAxes(painter);
+  }
+  drawRamp(painter);
   update();
 }
 
+void PathPane::drawPath(QPainter& painter, std::size_t trace) const {
+  const ThemeColors& colors = themeColors(palette());
+  const std::vector<Place>& path = m_paths[trace];
+  const auto stroke = [&painter](QPolygonF& line, const QPen& pen) {
+    painter.setPen(pen);
+    if (line.size() == 1) {
+      painter.drawPoint(line.first());
+    } else if (!line.isEmpty()) {
+      painter.drawPolyline(line);
+    }
+    line.clear();
+  };
+  const auto append = [](QPolygonF& line, QPointF pixel) {
+    if (line.isEmpty() || (pixel - line.last()).manhattanLength() > kStepPx) {
+      line.append(pixel);
+    }
+  };
+  // What was programmed, below what was done.
+  QPolygonF line;
+  for (const Place& place : path) {
+    if (base::isFinite(place.programmedMm)) {
+      append(line, pixelOf(place.programmedMm));
+    } else {
+      stroke(line, QPen(colors.mutedText, 1.0));
+    }
+  }
+  stroke(line, QPen(colors.mutedText, 1.0));
+  if (m_colouring.isEmpty()) {
+    for (const Place& place : path) {
+      append(line, pixelOf(place.shownMm));
+    }
+    stroke(line, QPen(ScopePane::curveColor(trace, palette()), 1.4));
+    return;
+  }
+  const auto colourOf = [this](const Place& place) {
+    if (!std::isfinite(place.value) || m_range.isEmpty()) {
+      return -1;
+    }
+    const double span = m_range.max - m_range.min;
+    const double share = span > 0.0 ? (place.value - m_range.min) / span : 0.5;
+    return std::min(kColours - 1, static_cast<int>(share * kColours));
+  };
+  const auto penOf = [&colors](int colour) {
+    return colour < 0 ? QPen(colors.grid, 1.4)
+                      : QPen(rampColor((colour + 0.5) / kColours, colors), 2.0);
+  };
+  int colour = -1;
+  for (const Place& place : path) {
+    const int now = colourOf(place);
+    if (now != colour && !line.isEmpty()) {
+      // The next colour begins where this one ends.
+      const QPointF last = line.last();
+      stroke(line, penOf(colour));
+      line.append(last);
+    }
+    colour = now;
+    append(line, pixelOf(place.shownMm));
+  }
+  stroke(line, penOf(colour));
+}
+
+void PathPane::drawScaleBar(QPainter& painter) const {
+  const ThemeColors& colors = themeColors(palette());
+  const double lengthMm = base::niceStepBelow(std::max(room().width() / 4.0 / m_pxPerMm, 1e-9));
+  const double lengthPx = lengthMm * m_pxPerMm;
+  const double y = kMarginPx / 2.0 + 2.0;
+  painter.setPen(QPen(colors.text, 2));
+  painter.drawLine(QPointF(kMarginPx, y), QPointF(kMarginPx + lengthPx, y));
+  painter.drawText(QPointF(kMarginPx + lengthPx + 6.0, y + fontMetrics().ascent() / 2.0),
+                   lengthText(lengthMm, base::decimalsOfStep(lengthMm)));
+  if (m_enlargement > 1.0 && canEnlarge()) {
+    painter.drawText(
+        QRectF(0.0, y - fontMetrics().height() / 2.0, width() - kMarginPx, fontMetrics().height()),
+        Qt::AlignRight | Qt::AlignVCenter, tr("Error × %1").arg(numberText(m_enlargement, 0)));
+  }
+}
+
+void PathPane::drawAxes(QPainter& painter) const {
+  const QPointF origin(kMarginPx + kAxisPx, room().bottom() - kAxisPx + kMarginPx);
+  painter.setPen(QPen(themeColors(palette()).mutedText, 1.6));
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    base::Vec3 unit;
+    unit.set(axis, 1.0);
+    const PlanePoint along = m_projection(unit);
+    const QPointF direction(along.right * kAxisPx, -along.up * kAxisPx);
+    painter.drawLine(origin, origin + direction);
+    painter.drawText(QRectF(origin + direction * 1.35 - QPointF(10.0, 10.0), QSizeF(20.0, 20.0)),
+                     Qt::AlignCenter, QString(QLatin1Char(base::kAxisNames[axis])));
+  }
+}
+
+QRectF PathPane::rampBar() const {
+  const double top =
+      height() - fontMetrics().height() - 6.0 - rampHeightPx() + fontMetrics().height() + 2.0;
+  return {kMarginPx, top, width() - 2.0 * kMarginPx, kRampPx};
+}
+
+QString PathPane::valueText(double value) const {
+  return QLocale().toString(value, 'g', kValueDigits);
+}
+
+void PathPane::drawRamp(QPainter& painter) const {
+  if (m_colouring.isEmpty()) {
+    return;
+  }
+  const ThemeColors& colors = themeColors(palette());
+  const QRectF bar = rampBar();
+  const double line = fontMetrics().height();
+  QString title = m_curves->title(m_colouring);
+  if (const QString unit = m_curves->unit(m_colouring); !unit.isEmpty()) {
+    title += QStringLiteral(", ") + unit;
+  }
+  painter.setPen(colors.text);
+  const QRectF above(bar.left(), bar.top() - line - 2.0, bar.width(), line);
+  painter.drawText(above, Qt::AlignLeft | Qt::AlignVCenter,
+                   painter.fontMetrics().elidedText(
+                       !m_range.isEmpty() ? title : tr("%1: no values here").arg(title),
+                       Qt::ElideRight, static_cast<int>(above.width())));
+  if (m_range.isEmpty()) {
+    return;
+  }
+  QLinearGradient gradient(bar.topLeft(), bar.topRight());
+  for (int i = 0; i <= kColours; ++i) {
+    const double share = static_cast<double>(i) / kColours;
+    gradient.setColorAt(share, rampColor(share, colors));
+  }
+  painter.fillRect(bar, gradient);
+  const QRectF below(bar.left(), bar.bottom() + 1.0, bar.width(), line);
+  painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, valueText(m_range.min));
+  painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, valueText(m_range.max));
+  painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter,
+                   valueText((m_range.min + m_range.max) / 2.0));
+}
+
 std::optional<PathPane::Place> PathPane::placeAt(double atS) const {
-  const Axes axes = axesOf(0);
-  if (!axes.x) {
+  const Course course = courseOf(0);
+  if (!course.x) {
     return std::nullopt;
   }
-  const Place place{atS, trace::valueAt(*axes.x, instantOf(atS)),
-                    trace::valueAt(*axes.y, instantOf(atS))};
-  return std::isfinite(place.xMm) && std::isfinite(place.yMm) ? std::optional(place) : std::nullopt;
+  const base::Instant at = instantOf(atS);
+  const base::Vec3 positionMm{trace::valueAt(*course.x, at), trace::valueAt(*course.y, at),
+                              course.z ? trace::valueAt(*course.z, at) : 0.0};
+  return base::isFinite(positionMm) ? std::optional(placeOn(course, at, positionMm)) : std::nullopt;
 }
 
 std::optional<QPointF> PathPane::placeOf(double atS) const {
+  const auto shown = shownMm(atS);
+  return shown ? std::optional(pixelOf(*shown)) : std::nullopt;
+}
+
+std::optional<base::Vec3> PathPane::shownMm(double atS) const {
   const auto place = placeAt(atS);
-  return place ? std::optional(pixelOf(place->xMm, place->yMm)) : std::nullopt;
+  return place ? std::optional(place->shownMm) : std::nullopt;
 }
 
 QString PathPane::placeText() const {
   const auto& at = m_cursors->atS(ScopeCursors::A);
-  const auto place = at ? placeAt(*at) : std::nullopt;
-  if (!place) {
+  const Course course = courseOf(0);
+  if (!at || !course.x) {
     return {};
   }
-  QString text =
-      QStringLiteral("X %1  Y %2").arg(numberText(place->xMm, 3), numberText(place->yMm, 3));
+  const auto valueOf = [&at](const ScopeCurves::Samples& samples) {
+    return samples ? trace::valueAt(*samples, instantOf(*at)) : std::nan("");
+  };
+  if (!std::isfinite(valueOf(course.x)) || !std::isfinite(valueOf(course.y))) {
+    return {};
+  }
+  QString text = QStringLiteral("X %1  Y %2")
+                     .arg(numberText(valueOf(course.x), 3), numberText(valueOf(course.y), 3));
+  if (course.z && std::isfinite(valueOf(course.z))) {
+    text += QStringLiteral("  Z %1").arg(numberText(valueOf(course.z), 3));
+  }
   for (const char* name : {"program_line", "line"}) {
     const auto lines = m_curves->samples(0, QLatin1String(name));
-    // The line does not change gradually: the one that began last.
-    const std::size_t next = lines ? lines->firstAt(instantOf(*at) + base::Duration{1}) : 0;
-    if (next > 0 && std::isfinite(lines->valueAt(next - 1))) {
-      return text + QStringLiteral("  ") + tr("line %1").arg(lines->valueAt(next - 1), 0, 'f', 0);
+    const double line = lines ? trace::heldValueAt(*lines, instantOf(*at)) : std::nan("");
+    if (std::isfinite(line)) {
+      return text + QStringLiteral("  ") + tr("line %1").arg(line, 0, 'f', 0);
     }
   }
   return text;
@@ -216,8 +463,26 @@ void PathPane::paintEvent(QPaintEvent* /*event*/) {
                        which == ScopeCursors::A ? QStringLiteral("A") : QStringLiteral("B"));
     }
   }
+  // The value of cursor A on the scale of the colours.
+  const auto& at = m_cursors->atS(ScopeCursors::A);
+  const auto values = at && m_range.max > m_range.min ? m_curves->samples(0, m_colouring) : nullptr;
+  const double value = values ? trace::valueAt(*values, instantOf(*at)) : std::nan("");
+  if (std::isfinite(value)) {
+    const QRectF bar = rampBar();
+    const double share = std::clamp((value - m_range.min) / (m_range.max - m_range.min), 0.0, 1.0);
+    const QPointF tip(bar.left() + share * bar.width(), bar.bottom() - 1.0);
+    painter.setPen(QPen(colors.surface, 1.0));
+    painter.setBrush(colors.text);
+    painter.drawPolygon(
+        QPolygonF{tip, tip + QPointF(-5.0, -kRampPx - 1.0), tip + QPointF(5.0, -kRampPx - 1.0)});
+  }
   painter.setPen(colors.text);
   painter.drawText(low, Qt::AlignLeft | Qt::AlignVCenter, placeText());
+  if (hasFocus()) {
+    painter.setPen(QPen(colors.accent, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+  }
 }
 
 void PathPane::resizeEvent(QResizeEvent* event) {
@@ -231,11 +496,39 @@ void PathPane::showEvent(QShowEvent* event) {
 }
 
 void PathPane::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) {
+    m_pressed = event->position();
+    m_dragged = m_pressed;
+    m_isDragging = false;
+  }
+}
+
+void PathPane::mouseMoveEvent(QMouseEvent* event) {
+  if (!event->buttons().testFlag(Qt::LeftButton) || !m_isSpatial) {
+    return;
+  }
+  const QPointF way = event->position() - m_pressed;
+  m_isDragging = m_isDragging || way.manhattanLength() >= QApplication::startDragDistance();
+  if (m_isDragging) {
+    const QPointF by = event->position() - m_dragged;
+    m_dragged = event->position();
+    turn(-by.x() * kDegPerPx, by.y() * kDegPerPx);
+  }
+}
+
+void PathPane::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && !m_isDragging) {
+    chooseAt(event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
+  }
+  m_isDragging = false;
+}
+
+void PathPane::chooseAt(QPointF pixel, bool isSecond) {
   const Place* nearest = nullptr;
   double least = kClickPx;
   for (const std::vector<Place>& path : m_paths) {
     for (const Place& place : path) {
-      const QPointF off = pixelOf(place.xMm, place.yMm) - event->position();
+      const QPointF off = pixelOf(place.shownMm) - pixel;
       const double distance = std::hypot(off.x(), off.y());
       if (distance < least) {
         least = distance;
@@ -244,15 +537,42 @@ void PathPane::mousePressEvent(QMouseEvent* event) {
     }
   }
   if (nearest != nullptr) {
-    const bool isSecond = event->modifiers().testFlag(Qt::ShiftModifier);
     m_cursors->set(isSecond ? ScopeCursors::B : ScopeCursors::A, nearest->atS);
   }
 }
 
+void PathPane::keyPressEvent(QKeyEvent* event) {
+  if (m_isSpatial) {
+    switch (event->key()) {
+      case Qt::Key_Left:
+        turn(kKeyDeg, 0.0);
+        return;
+      case Qt::Key_Right:
+        turn(-kKeyDeg, 0.0);
+        return;
+      case Qt::Key_Up:
+        turn(0.0, -kKeyDeg);
+        return;
+      case Qt::Key_Down:
+        turn(0.0, kKeyDeg);
+        return;
+      case Qt::Key_Home:
+        m_turned = Projection::isometric();
+        turn(0.0, 0.0);
+        return;
+      default:
+        break;
+    }
+  }
+  Page::keyPressEvent(event);
+}
+
 void PathPane::retranslate() {
-  setAccessibleName(tr("Path in X and Y"));
-  setToolTip(tr("The path of the time that is seen. Click: cursor A. Shift and click: cursor B."));
-  update();
+  setAccessibleName(tr("Path of the axes"));
+  setToolTip(
+      tr("The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, "
+         "drag or the arrow keys turn it, Home turns it back."));
+  schedule();
 }
 
 void PathPane::restyle() {

@@ -89,6 +89,9 @@ struct SignalTexts {
     if (formula == "program_length") {
       return tr("Length along the program");
     }
+    if (formula == "program_length_act") {
+      return tr("Length along the program, actual");
+    }
     if (formula == trace::kTimeSignal) {
       return tr("Time since the first sample");
     }
@@ -146,6 +149,7 @@ void ScopeCurves::setTraces(Traces traces) {
                         [&one](const auto& trace) { return trace.get() == one.first.trace; });
   });
   m_alignment = {};
+  m_wantedAxis = m_alignment.axis;
   m_alignment.places.resize(m_traces.size());
   m_showsDifferences = m_showsDifferences && m_traces.size() > 1;
   ++m_generation;
@@ -168,6 +172,7 @@ void ScopeCurves::setTraces(Traces traces) {
 }
 
 void ScopeCurves::setAxis(trace::RunAxis axis) {
+  m_wantedAxis = axis;
   run([self = QPointer(this), request = ++m_axisRequest, traces = m_traces,
        axis]() -> std::function<void()> {
     auto alignment = trace::alignRuns(traces, axis);

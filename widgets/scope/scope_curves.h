@@ -61,6 +61,8 @@ class ScopeCurves final : public QObject {
   /// it. New traces begin with time.
   void setAxis(trace::RunAxis axis);
   [[nodiscard]] trace::RunAxis axis() const { return m_alignment.axis; }
+  /// That of the last `setAxis`, also if it failed or is being made.
+  [[nodiscard]] trace::RunAxis wantedAxis() const { return m_wantedAxis; }
   [[nodiscard]] const trace::RunAlignment& alignment() const { return m_alignment; }
   /// Where a trace is on the axis at a time from its first sample, and where the axis ends.
   [[nodiscard]] double placeOnAxis(std::size_t trace, double atS) const;
@@ -116,6 +118,7 @@ class ScopeCurves final : public QObject {
   bool m_isLive = false;
   std::map<QString, std::shared_ptr<trace::Envelope>> m_live;
   trace::RunAlignment m_alignment;
+  trace::RunAxis m_wantedAxis = trace::RunAxis::Time;
   bool m_showsDifferences = false;
   int m_axisRequest = 0;
   int m_generation = 0;                 ///< of the axis that curves are calculated for

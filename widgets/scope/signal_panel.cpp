@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
 #include <QTreeWidget>
@@ -51,6 +52,8 @@ SignalPanel::SignalPanel(std::function<bool(const QString&)> isShown, QWidget* p
       m_newPane(makeTouchButton(this)),
       m_add(makeTouchButton(this)),
       m_remove(makeTouchButton(this)),
+      m_columns(makeTouchButton(this)),
+      m_tables(new QMenu(this)),
       m_formula(new QLineEdit(this)),
       m_formulaNote(new QLabel(this)) {
   m_search->setObjectName(QStringLiteral("signalSearch"));
@@ -88,6 +91,14 @@ SignalPanel::SignalPanel(std::function<bool(const QString&)> isShown, QWidget* p
   layout->addLayout(buttons);
   layout->addWidget(m_formula);
   layout->addWidget(m_formulaNote);
+  layout->addWidget(m_columns);
+  m_columns->setObjectName(QStringLiteral("signalColumns"));
+  m_columns->hide();
+  connect(m_columns, &QPushButton::clicked, this, [this] {
+    if (m_tables->isEmpty()) {
+      Q_EMIT columnsRequested(0);
+    }
+  });
 
   connect(m_search, &QLineEdit::textChanged, this, &SignalPanel::filter);
   connect(m_tree, &QTreeWidget::itemDoubleClicked, this, [this] { activate(true); });
@@ -135,6 +146,16 @@ void SignalPanel::fill() {
   m_tree->expandAll();
   refresh();
   filter();
+}
+
+void SignalPanel::setTables(const QStringList& names) {
+  m_columns->setVisible(!names.isEmpty());
+  m_tables->clear();
+  for (qsizetype i = 0; i < names.size() && names.size() > 1; ++i) {
+    connect(m_tables->addAction(names[i]), &QAction::triggered, this,
+            [this, i] { Q_EMIT columnsRequested(static_cast<int>(i)); });
+  }
+  m_columns->setMenu(m_tables->isEmpty() ? nullptr : m_tables);
 }
 
 void SignalPanel::refresh() {
@@ -232,6 +253,8 @@ bool SignalPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void SignalPanel::retranslate() {
+  m_columns->setText(tr("Columns…"));
+  m_columns->setToolTip(tr("Say what the columns of the file mean"));
   m_search->setPlaceholderText(tr("Search"));
   m_search->setAccessibleName(tr("Search the signals"));
   m_tree->setAccessibleName(tr("Signals"));

@@ -17,6 +17,7 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QMenu;
 class QTreeWidget;
 class QTreeWidgetItem;
 
@@ -30,6 +31,8 @@ class SignalPanel final : public Page {
   explicit SignalPanel(std::function<bool(const QString&)> isShown, QWidget* parent = nullptr);
 
   void setOffers(std::vector<trace::SignalOffer> offers);
+  /// The files are tables: what their columns mean can be said. @param names  empty: none is one
+  void setTables(const QStringList& names);
   /// Marks anew what is shown.
   void refresh();
   /// Says what is wrong with a formula.
@@ -39,6 +42,8 @@ class SignalPanel final : public Page {
   void paneRequested(const QString& formula);
   void addRequested(const QString& formula);
   void removeRequested(const QString& formula);
+  /// Of one of the tables.
+  void columnsRequested(int table);
 
  protected:
   void retranslate() override;
@@ -60,6 +65,8 @@ class SignalPanel final : public Page {
   QPushButton* m_newPane;
   QPushButton* m_add;
   QPushButton* m_remove;
+  QPushButton* m_columns;
+  QMenu* m_tables;
   QLineEdit* m_formula;
   QLabel* m_formulaNote;
 };

@@ -32,6 +32,7 @@
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
+#include "widgets/common/trace_text.h"
 #include "widgets/plots/legend_strip.h"
 #include "widgets/plots/time_window.h"
 #include "widgets/scope/compare_panel.h"
@@ -39,7 +40,10 @@
 #include "widgets/scope/scope_view.h"
 #include "widgets/scope/signal_panel.h"
 #include "widgets/scope/spectrum_panel.h"
+#include "widgets/scope/trigger_panel.h"
+#include "widgets/trace/columns_dialog.h"
 #include "widgets/trace/layout_menu.h"
+#include "widgets/trace/path_panel.h"
 #include "widgets/trace/stop_model.h"
 
 namespace rivulet::widgets {
@@ -98,8 +102,10 @@ TracePage::TracePage(QWidget* parent)
       m_signals(
           new SignalPanel([this](const QString& formula) { return m_view->shows(formula); }, this)),
       m_cursorPanel(new CursorPanel(m_curves, m_window, m_cursors, m_view, this)),
+      m_pathPanel(new PathPanel(m_curves, m_window, m_cursors, m_view, this)),
       m_comparePanel(new ComparePanel(m_curves, m_window, m_cursors, m_view, this)),
       m_spectrumPanel(new SpectrumPanel(m_curves, m_window, m_cursors, m_view, this)),
+      m_triggerPanel(new TriggerPanel(m_curves, m_window, m_cursors, this)),
       m_table(new QTableView(this)) {
   setAcceptDrops(true);
   m_note->setWordWrap(true);
@@ -118,8 +124,10 @@ TracePage::TracePage(QWidget* parent)
   m_panel->addPage(makeStopPanel());
   m_panel->addPage(m_signals);
   m_panel->addPage(m_cursorPanel);
+  m_panel->addPage(m_pathPanel);
   m_panel->addPage(m_comparePanel);
   m_panel->addPage(m_spectrumPanel);
+  m_panel->addPage(m_triggerPanel);
   layOut();
 
   connect(m_open, &QPushButton::clicked, this, &TracePage::chooseFiles);
@@ -148,6 +156,7 @@ TracePage::TracePage(QWidget* parent)
           [this](const QString&, const base::Error& error) { m_signals->showFormulaError(error); });
   connect(m_curves, &ScopeCurves::axisChanged, this, &TracePage::followAxis);
   connect(m_view, &ScopeView::changed, m_signals, &SignalPanel::refresh);
+  connect(m_signals, &SignalPanel::columnsRequested, this, &TracePage::askForColumns);
   connect(m_signals, &SignalPanel::paneRequested, m_view, &ScopeView::addPane);
   connect(m_signals, &SignalPanel::addRequested, m_view, &ScopeView::addToPane);
   connect(m_signals, &SignalPanel::removeRequested, m_view, &ScopeView::removeSignal);
@@ -217,6 +226,7 @@ void TracePage::setRunner(WorkRunner runner) {
 
 void TracePage::clear() {
   m_curves->startLive();
+  m_signals->setTables({});
   m_signals->setOffers(m_curves->offers());
   m_cursors->set(ScopeCursors::A, std::nullopt);
   m_cursors->set(ScopeCursors::B, std::nullopt);
@@ -228,6 +238,7 @@ void TracePage::clear() {
   m_saved.clear();
   m_live->setEnabled(true);
   m_window->clear();
+  m_triggerPanel->restart();
   arrange();
   showNote();
 }
@@ -237,16 +248,31 @@ void TracePage::append(const TraceSample& sample) {
     m_source = Source::Live;
     showNote();
   }
+  m_window->setEnd(sample.atS);
   if (sample.positionMm) {
-    m_curves->appendLive(QStringLiteral("x_act"), sample.atS, sample.positionMm->x);
-    m_curves->appendLive(QStringLiteral("y_act"), sample.atS, sample.positionMm->y);
-    m_curves->appendLive(QStringLiteral("z_act"), sample.atS, sample.positionMm->z);
+    appendValue(QStringLiteral("x_act"), sample.atS, sample.positionMm->x);
+    appendValue(QStringLiteral("y_act"), sample.atS, sample.positionMm->y);
+    appendValue(QStringLiteral("z_act"), sample.atS, sample.positionMm->z);
   }
   if (sample.feedMmPerS) {
-    m_curves->appendLive(pathFeed(), sample.atS, base::mmPerMinFromMmPerS(*sample.feedMmPerS));
+    appendValue(pathFeed(), sample.atS, base::mmPerMinFromMmPerS(*sample.feedMmPerS));
   }
-  m_window->setEnd(sample.atS);
   m_view->scheduleRedraw();
+}
+
+void TracePage::appendValue(const QString& formula, double atS, double value) {
+  m_curves->appendLive(formula, atS, value);
+  m_triggerPanel->sample(formula, atS, value);
+}
+
+void TracePage::noticeAlarm() {
+  if (m_source == Source::Live) {
+    m_triggerPanel->happened(trace::TriggerEvent::Alarm, m_window->endS(), m_window->endS());
+  }
+}
+
+void TracePage::finishLive() {
+  m_triggerPanel->finish();
 }
 
 void TracePage::addPause(const trace::Pause& pause) {
@@ -259,6 +285,8 @@ void TracePage::addPause(const trace::Pause& pause) {
   }
   showSummary();
   m_view->scheduleRedraw();
+  const double atS = base::toSeconds(pause.start.time_since_epoch());
+  m_triggerPanel->happened(trace::TriggerEvent::PauseBegins, atS, std::max(m_window->endS(), atS));
 }
 
 void TracePage::showTraces(const ScopeCurves::Traces& traces, Source source) {
@@ -266,11 +294,11 @@ void TracePage::showTraces(const ScopeCurves::Traces& traces, Source source) {
   bool isSame = !traces.empty() && before.size() == traces.size() && m_source == source;
   for (std::size_t i = 0; isSame && i < traces.size(); ++i) {
     isSame = before[i]->name == traces[i]->name && before[i]->length == traces[i]->length &&
-             !before[i]->isAnalysed && traces[i]->isAnalysed;
+             traces[i]->isAnalysed;
   }
   m_source = source;
   m_reading.clear();
-  const trace::RunAxis axis = isSame ? m_curves->axis() : trace::RunAxis::Time;
+  const trace::RunAxis axis = isSame ? m_curves->wantedAxis() : trace::RunAxis::Time;
   m_curves->setTraces(traces);
   m_signals->setOffers(m_curves->offers());
   m_live->setEnabled(false);
@@ -301,6 +329,45 @@ void TracePage::showTraces(const ScopeCurves::Traces& traces, Source source) {
     m_curves->setAxis(axis);
   }
   showNote();
+  showTables();
+}
+
+void TracePage::showTables() {
+  QStringList names;
+  int unclear = -1;
+  for (const auto& trace : m_curves->traces()) {
+    const QString layout = QString::fromStdString(trace->tableLayout);
+    if (trace->table.columns.empty()) {
+      continue;
+    }
+    if (!trace->table.isCertain && !m_asked.contains(layout)) {
+      m_asked.append(layout);  // once: who has said no is not asked again
+      unclear = static_cast<int>(names.size());
+    }
+    names.append(QString::fromStdString(trace->name));
+  }
+  m_signals->setTables(names);
+  if (unclear >= 0) {
+    askForColumns(unclear);
+  }
+}
+
+void TracePage::askForColumns(int table) {
+  for (const auto& trace : m_curves->traces()) {
+    if (trace->table.columns.empty() || table-- > 0) {
+      continue;
+    }
+    if (findChild<ColumnsDialog*>() != nullptr) {
+      return;
+    }
+    auto* dialog = new ColumnsDialog(QString::fromStdString(trace->name), trace->table, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, layout = trace->tableLayout] {
+      Q_EMIT mappingChosen(layout, dialog->mapping());
+    });
+    dialog->open();
+    return;
+  }
 }
 
 void TracePage::followAxis() {
@@ -396,6 +463,10 @@ bool TracePage::canShow(const QString& formula) const {
                                 return trace->signalSet.find(name) != nullptr;
                               });
          });
+}
+
+void TracePage::setProgram(std::shared_ptr<const ProgramView> view) {
+  m_pathPanel->setProgram(std::move(view));
 }
 
 void TracePage::setLayouts(ScopeLayouts layouts) {
@@ -562,6 +633,7 @@ void TracePage::showPanel() {
 void TracePage::redrawNow() {
   m_view->redrawNow();
   m_cursorPanel->refreshNow();
+  m_pathPanel->redrawNow();
   m_comparePanel->refreshNow();
   m_spectrumPanel->refreshNow();
 }
@@ -582,7 +654,8 @@ void TracePage::retranslate() {
   m_save->setAccessibleName(tr("Save…"));
   m_save->setToolTip(
       tr("Save what the panes show: the samples as a table (CSV), or a picture (PNG, SVG, PDF)"));
-  m_panel->setTexts({tr("Stops"), tr("Signals"), tr("Cursors"), tr("Compare"), tr("Spectrum")},
+  m_panel->setTexts({tr("Stops"), tr("Signals"), tr("Cursors"), tr("Path"), tr("Compare"),
+                     tr("Spectrum"), tr("Trigger")},
                     tr("Shown beside the panes"));
   m_table->setAccessibleName(tr("Stops"));
   m_summaryNames[0]->setText(tr("Number"));
@@ -644,8 +717,8 @@ QString TracePage::tracesText() const {
   }
   QStringList remarks;
   for (const auto& trace : traces) {
-    for (const std::string& remark : trace->remarks) {
-      remarks.append(QString::fromStdString(remark));
+    for (const trace::Remark& remark : trace->remarks) {
+      remarks.append(traceRemarkText(remark));
     }
   }
   m_note->setToolTip(remarks.join(QLatin1Char('\n')));

@@ -10,6 +10,7 @@
 
 #include <QStringList>
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,7 @@ class CursorPanel;
 class FoldingTabs;
 class LayoutMenu;
 class LegendStrip;
+class PathPanel;
 class ScopeCursors;
 class ScopeView;
 class SignalPanel;
@@ -39,6 +41,8 @@ class SpectrumPanel;
 class StatusLabel;
 class StopModel;
 class TimeWindow;
+class TriggerPanel;
+struct ProgramView;
 
 /// One live observation; values that were not read stay empty.
 struct TraceSample {
@@ -63,6 +67,11 @@ class TracePage final : public Page {
   /// Adds a pause that has become known; its start counts from the same origin as the samples.
   void addPause(const trace::Pause& pause);
 
+  /// An alarm has come: a trigger may wait for it.
+  void noticeAlarm();
+  /// The run has ended: no more samples will come.
+  void finishLive();
+
   enum class Source { Nothing, Live, Control, Files };
   /// Shows whole traces instead of what was shown, on one time axis. The same traces again, now
   /// analysed, leave the view as it is. @param source  Control or Files
@@ -73,6 +82,8 @@ class TracePage final : public Page {
   void showProblem(const QString& sentence);
   /// What is shown is a run that ended earlier. `clear` ends it.
   void setPastRun(const QString& start, const QString& program);
+  /// The program that the traces are compared with. @param view  null: none
+  void setProgram(std::shared_ptr<const ProgramView> view);
   /// Those that are offered by name.
   void setLayouts(ScopeLayouts layouts);
   [[nodiscard]] const ScopeLayouts& layouts() const;
@@ -90,6 +101,8 @@ class TracePage final : public Page {
 
  Q_SIGNALS:
   void openRequested(const QStringList& paths);
+  /// The operator says what the columns of a table mean. @param layout  of the table
+  void mappingChosen(const std::string& layout, const rivulet::trace::TableMapping& mapping);
   /// The operator changed them: they are to be kept.
   void layoutsChanged(const rivulet::widgets::ScopeLayouts& layouts);
 
@@ -113,7 +126,11 @@ class TracePage final : public Page {
   void arrange();
   /// Bands and cursors of another axis.
   void followAxis();
+  /// Asks what the columns of a table mean. @param table  among the traces that are tables
+  void askForColumns(int table);
+  void showTables();
   void setStops(std::vector<StopRow> stops);
+  void appendValue(const QString& formula, double atS, double value);
   void goToStop(int row);
   void showNote();
   [[nodiscard]] QString liveText() const;
@@ -127,7 +144,8 @@ class TracePage final : public Page {
   QString m_pastProgram;
   QStringList m_reading;
   QString m_problem;
-  QString m_saved;  ///< file that was written last; empty: none since the traces changed
+  QStringList m_asked;  ///< layouts of tables that were asked for of themselves
+  QString m_saved;      ///< file that was written last; empty: none since the traces changed
   base::Duration m_stopTotal{};
   std::optional<bool> m_wantsPanel;  ///< nothing: as there is room
 
@@ -148,8 +166,10 @@ class TracePage final : public Page {
   FoldingTabs* m_panel;
   SignalPanel* m_signals;
   CursorPanel* m_cursorPanel;
+  PathPanel* m_pathPanel;
   ComparePanel* m_comparePanel;
   SpectrumPanel* m_spectrumPanel;
+  TriggerPanel* m_triggerPanel;
   QTableView* m_table;
   std::array<QLabel*, 3> m_summaryNames{};
   std::array<QLabel*, 3> m_summaryValues{};

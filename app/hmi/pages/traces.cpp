@@ -19,6 +19,11 @@ struct TracesPage {
   Q_DECLARE_TR_FUNCTIONS(TracesPage)
 
  public:
+  static QString damagedLayouts(const QString& keptAs) {
+    return tr("The file of the pane layouts is damaged. What can be read of it is used, and the "
+              "file is kept as %1.")
+        .arg(keptAs);
+  }
   static QString inProgress() { return tr("A run is in progress. Open files after it has ended."); }
 };
 
@@ -30,8 +35,15 @@ void connectRuns(const Models& models, widgets::TracePage* page) {
   });
   QObject::connect(&models.runs, &RunController::sampled, page, &widgets::TracePage::append);
   QObject::connect(&models.runs, &RunController::paused, page, &widgets::TracePage::addPause);
+  QObject::connect(&models.alarms, &Alarms::happened, page,
+                   [page](const alarm::Transition& transition) {
+                     if (transition.event == alarm::Event::Raised) {
+                       page->noticeAlarm();
+                     }
+                   });
   QObject::connect(&models.runs, &RunController::finished, page,
-                   [traces](const std::shared_ptr<const streaming::RunReport>& report) {
+                   [page, traces](const std::shared_ptr<const streaming::RunReport>& report) {
+                     page->finishLive();
                      // Without a trace of the control, the live samples stay.
                      traces->show(report->controlTrace);
                    });
@@ -46,19 +58,36 @@ void connectRuns(const Models& models, widgets::TracePage* page) {
                    });
 }
 
+void showLayouts(widgets::TracePage* page) {
+  const auto loaded = loadTraceLayouts(traceLayoutsFile());
+  if (!loaded) {
+    page->showProblem(widgets::errorText(loaded.error()));
+    return;
+  }
+  page->setLayouts(loaded->layouts);
+  if (!loaded->keptAs.empty()) {
+    page->showProblem(TracesPage::damagedLayouts(QString::fromStdString(loaded->keptAs.string())));
+  }
+}
+
 }  // namespace
 
 QWidget* makeTracePage(const Models& models, QWidget* parent) {
   auto* page = new widgets::TracePage(parent);
   page->setRunner(&runInBackground);
   connectRuns(models, page);
-  page->setLayouts(loadTraceLayouts(traceLayoutsFile()));
+  showLayouts(page);
   QObject::connect(page, &widgets::TracePage::layoutsChanged, page,
                    [page](const widgets::ScopeLayouts& layouts) {
                      if (const auto done = saveTraceLayouts(traceLayoutsFile(), layouts); !done) {
                        page->showProblem(widgets::errorText(done.error()));
                      }
                    });
+  const auto showProgram = [page, document = &models.document] {
+    page->setProgram(document->view());
+  };
+  QObject::connect(&models.document, &Document::programLoaded, page, showProgram);
+  QObject::connect(&models.document, &Document::programPlaced, page, showProgram);
   Traces* traces = &models.traces;
   QObject::connect(page, &widgets::TracePage::openRequested, traces,
                    [page, traces, runs = &models.runs](const QStringList& paths) {
@@ -66,6 +95,12 @@ QWidget* makeTracePage(const Models& models, QWidget* parent) {
                        page->showProblem(TracesPage::inProgress());
                      } else {
                        traces->open(paths);
+                     }
+                   });
+  QObject::connect(page, &widgets::TracePage::mappingChosen, traces,
+                   [page, traces](const std::string& layout, const trace::TableMapping& mapping) {
+                     if (const auto done = traces->setMapping(layout, mapping); !done) {
+                       page->showProblem(widgets::errorText(done.error()));
                      }
                    });
   QObject::connect(traces, &Traces::reading, page, [page](const QStringList& names) {

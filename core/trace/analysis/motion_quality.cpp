@@ -331,9 +331,9 @@ std::vector<ContourDistance> contourDistances(const Motion& motion, const Progra
   std::vector<ContourDistance> distances;
   for (const MatchedSample& matched : match.samples) {
     if (std::isfinite(matched.place.distanceMm)) {
+      const PathPlace actual = placeOfActual(motion, path, matched);
       distances.push_back({matched.sample, matched.place.segment, matched.place.lengthMm,
-                           matched.place.distanceMm,
-                           placeOfActual(motion, path, matched).distanceMm});
+                           matched.place.distanceMm, actual.distanceMm, actual.lengthMm});
     }
   }
   return distances;

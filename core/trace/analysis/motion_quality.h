@@ -90,11 +90,12 @@ struct MotionQuality {
 
 /// Distance of one sample to the programmed path.
 struct ContourDistance {
-  std::size_t sample = 0;   ///< of the motion
-  std::size_t segment = 0;  ///< of the path
-  double lengthMm = 0.0;    ///< of the path up to there
-  double setMm = 0.0;       ///< of the set point, if there is one
-  double actualMm = 0.0;    ///< of the actual position, if there is one
+  std::size_t sample = 0;       ///< of the motion
+  std::size_t segment = 0;      ///< of the path
+  double lengthMm = 0.0;        ///< of the path up to there
+  double setMm = 0.0;           ///< of the set point, if there is one
+  double actualMm = 0.0;        ///< of the actual position, if there is one
+  double actualLengthMm = 0.0;  ///< of the path up to where the actual position is
 };
 /// Those of the contour errors, in time order.
 [[nodiscard]] std::vector<ContourDistance> contourDistances(const Motion& motion,

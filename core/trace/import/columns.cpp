@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/text.h"
 #include "trace/import/import_error.h"
@@ -17,6 +18,9 @@ namespace {
 constexpr std::array<std::string_view, kSignalRoleCount> kRoleNames{
     "time",    "x_set",   "y_set",   "z_set",      "x_act",           "y_act", "z_act",
     "x_speed", "y_speed", "z_speed", "path_speed", "programmed_feed", "line",  "override"};
+
+/// A file may begin that much before or after another one.
+constexpr double kOffsetSMax = 1e8;
 
 struct Unit {
   std::string_view name;
@@ -134,32 +138,96 @@ std::string_view signalRoleName(SignalRole role) {
   return kRoleNames[static_cast<std::size_t>(role)];
 }
 
-base::Result<std::vector<ColumnRole>> parseColumnRoles(std::string_view text) {
-  std::vector<ColumnRole> roles;
+base::Result<TableMapping> parseTableMapping(std::string_view text) {
+  TableMapping mapping;
   while (!text.empty()) {
     const std::string_view item = text.substr(0, text.find(','));
     text.remove_prefix(std::min(text.size(), item.size() + 1));
     const std::size_t equal = item.find('=');
-    const auto name =
-        std::find(kRoleNames.begin(), kRoleNames.end(), base::trim(item.substr(0, equal)));
-    if (equal == std::string_view::npos || name == kRoleNames.end()) {
+    const std::string_view key = base::trim(item.substr(0, equal));
+    std::string_view value =
+        equal == std::string_view::npos ? std::string_view() : base::trim(item.substr(equal + 1));
+    const auto number = base::parseNumber(value);
+    const auto name = std::find(kRoleNames.begin(), kRoleNames.end(), key);
+    if (key == "rate" && number && *number > 0.0) {
+      mapping.rateHz = *number;
+    } else if (key == "offset" && number && std::abs(*number) <= kOffsetSMax) {
+      mapping.offsetS = *number;
+    } else if (key == "guess" && value == "no") {
+      mapping.isComplete = true;
+    } else if (name == kRoleNames.end() || value.empty()) {
       return base::fail(ImportError::BadMapping,
                         fmt::format("\"{}\" maps no column. Write ROLE=COLUMN or ROLE=COLUMN:UNIT "
-                                    "with one of the roles {}.",
+                                    "with one of the roles {}; or rate=HZ, offset=SECONDS, "
+                                    "guess=no.",
                                     item, fmt::join(kRoleNames, ", ")));
+    } else {
+      ColumnRole role;
+      role.role = static_cast<SignalRole>(name - kRoleNames.begin());
+      const std::size_t colon = value.rfind(':');
+      if (colon != std::string_view::npos && unitFactor(value.substr(colon + 1), role.role)) {
+        role.unit = value.substr(colon + 1);
+        value = value.substr(0, colon);
+      }
+      role.column = value;
+      const bool isTaken =
+          std::any_of(mapping.columns.begin(), mapping.columns.end(),
+                      [&role](const ColumnRole& one) { return one.role == role.role; });
+      if (isTaken && role.role != SignalRole::Time) {
+        return base::fail(ImportError::RoleTwice,
+                          fmt::format("Two columns are to be {}. Choose one of them.", key),
+                          std::string(key));
+      }
+      mapping.columns.push_back(std::move(role));
     }
-    ColumnRole role;
-    role.role = static_cast<SignalRole>(name - kRoleNames.begin());
-    std::string_view column = base::trim(item.substr(equal + 1));
-    const std::size_t colon = column.rfind(':');
-    if (colon != std::string_view::npos && unitFactor(column.substr(colon + 1), role.role)) {
-      role.unit = column.substr(colon + 1);
-      column = column.substr(0, colon);
-    }
-    role.column = column;
-    roles.push_back(std::move(role));
   }
-  return roles;
+  return mapping;
+}
+
+std::string printTableMapping(const TableMapping& mapping) {
+  std::string text = printColumnRoles(mapping.columns);
+  const auto add = [&text](const std::string& item) { text += text.empty() ? item : "," + item; };
+  if (mapping.rateHz) {
+    add(fmt::format("rate={}", *mapping.rateHz));
+  }
+  if (mapping.offsetS != 0.0) {
+    add(fmt::format("offset={}", mapping.offsetS));
+  }
+  if (mapping.isComplete) {
+    add("guess=no");
+  }
+  return text;
+}
+
+std::string columnReference(std::string_view name, std::size_t index) {
+  const bool isPlain = !name.empty() && name.front() != '#' && base::trim(name) == name &&
+                       name.find_first_of(",:=") == std::string_view::npos;
+  return isPlain ? std::string(name) : fmt::format("#{}", index + 1);
+}
+
+std::vector<std::string_view> unitsOf(SignalRole role) {
+  std::vector<std::string_view> names;
+  const auto add = [&names](const auto& units) {
+    for (const Unit& unit : units) {
+      // One spelling of each.
+      const bool isKnown = std::any_of(units.begin(), units.end(), [&](const Unit& other) {
+        return &other < &unit && other.factor == unit.factor;
+      });
+      if (!isKnown) {
+        names.push_back(unit.name);
+      }
+    }
+  };
+  if (role == SignalRole::Time) {
+    add(kTimeUnits);
+  } else if (role >= SignalRole::XSet && role <= SignalRole::ZActual) {
+    add(kLengthUnits);
+  } else if (isSpeed(role)) {
+    add(kSpeedUnits);
+  } else if (role == SignalRole::Override) {
+    names.emplace_back("%");
+  }
+  return names;
 }
 
 std::string printColumnRoles(const std::vector<ColumnRole>& roles) {

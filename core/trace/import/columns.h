@@ -48,10 +48,29 @@ struct ColumnRole {
   friend bool operator==(const ColumnRole&, const ColumnRole&) = default;
 };
 
-/// "x_set=Pos1:um,time=t": what follows the last colon is the unit if it is one.
-/// @return error ImportError::BadMapping
-[[nodiscard]] base::Result<std::vector<ColumnRole>> parseColumnRoles(std::string_view text);
+/// "x_set=Pos1:um,time=t".
 [[nodiscard]] std::string printColumnRoles(const std::vector<ColumnRole>& roles);
+
+/// What a table means: its columns, and what it does not say itself.
+struct TableMapping {
+  std::vector<ColumnRole> columns;
+  std::optional<double> rateHz{};  ///< of a table without a column of time, > 0
+  double offsetS = 0.0;            ///< place of its first sample on a time axis that traces share
+  bool isComplete = false;         ///< all other columns have no role; false: they are guessed
+
+  friend bool operator==(const TableMapping&, const TableMapping&) = default;
+};
+
+/// "time=t,x_set=Pos1:um,rate=500,offset=1.5,guess=no": what follows the last colon is the unit if
+/// it is one. @return error ImportError::BadMapping, also if a role but Time is given twice
+[[nodiscard]] base::Result<TableMapping> parseTableMapping(std::string_view text);
+[[nodiscard]] std::string printTableMapping(const TableMapping& mapping);
+
+/// By what a mapping names a column: its name, or its number ("#3") where the name has signs that
+/// mean something in a mapping. @param index  from 0
+[[nodiscard]] std::string columnReference(std::string_view name, std::size_t index);
+/// Units that can be said of a role, the usual one first; empty: it has none.
+[[nodiscard]] std::vector<std::string_view> unitsOf(SignalRole role);
 
 /// A name with its unit taken off: "X [mm]", "X (mm)", "X/mm", "x_mm".
 struct NameAndUnit {

@@ -142,7 +142,7 @@ std::vector<Column> headedColumns(TextTable& table) {
   return columns;
 }
 
-void makeUnique(std::vector<Column>& columns, std::vector<std::string>& remarks) {
+void makeUnique(std::vector<Column>& columns, std::vector<Remark>& remarks) {
   std::set<std::string> taken;
   for (Column& column : columns) {
     std::string name = column.name;
@@ -150,9 +150,7 @@ void makeUnique(std::vector<Column>& columns, std::vector<std::string>& remarks)
       name = fmt::format("{} ({})", column.name, count);
     }
     if (name != column.name) {
-      remarks.push_back(
-          fmt::format("The column \"{}\" occurs more than once: this one is called \"{}\".",
-                      column.name, name));
+      remarks.push_back({RemarkCode::DuplicateColumn, {column.name, name}});
       column.name = name;
     }
   }
@@ -190,7 +188,7 @@ double medianStep(const std::vector<double>& values) {
 }
 
 /// The unit of a time that says none, from its steps: a control samples at 1 Hz to 10 kHz.
-void guessTimeUnit(Column& column, std::vector<std::string>& remarks) {
+void guessTimeUnit(Column& column, std::vector<Remark>& remarks) {
   const double step = medianStep(column.values);
   if (step <= 0.5) {
     column.unit = "s";
@@ -198,9 +196,7 @@ void guessTimeUnit(Column& column, std::vector<std::string>& remarks) {
   }
   column.unit = step < 1000.0 ? "ms" : (step < 1e5 ? "us" : "ns");
   column.factor = unitFactor(column.unit, SignalRole::Time).value_or(1.0);
-  remarks.push_back(
-      fmt::format("The time \"{}\" has no unit: {} is assumed. Say another one with time={}:UNIT.",
-                  column.name, column.unit, column.name));
+  remarks.push_back({RemarkCode::TimeUnitAssumed, {column.name, column.unit}});
 }
 
 base::Result<void> applyChoice(std::vector<Column>& columns, const ColumnRole& choice) {
@@ -230,7 +226,7 @@ base::Result<void> applyChoice(std::vector<Column>& columns, const ColumnRole& c
 }
 
 /// Roles by name for what the user left open; of each role but Time the first column.
-void guessRoles(std::vector<Column>& columns, std::vector<std::string>& remarks) {
+void guessRoles(std::vector<Column>& columns, bool isComplete, std::vector<Remark>& remarks) {
   std::set<SignalRole> taken;
   bool hasTime = false;
   for (const Column& column : columns) {
@@ -241,7 +237,7 @@ void guessRoles(std::vector<Column>& columns, std::vector<std::string>& remarks)
   }
   const bool timeIsChosen = hasTime;
   for (Column& column : columns) {
-    if (column.role) {
+    if (column.role || isComplete) {
       continue;
     }
     const auto role = guessRole(column.unit.empty() ? column.name : splitUnit(column.name).name);
@@ -257,8 +253,8 @@ void guessRoles(std::vector<Column>& columns, std::vector<std::string>& remarks)
     hasTime = hasTime || *role == SignalRole::Time;
   }
   // A first column that ascends is the time, unless it counts the samples.
-  if (!hasTime && !columns.empty() && !columns[0].role && isAscending(columns[0].values) &&
-      !isCounter(columns[0].values)) {
+  if (!isComplete && !hasTime && !columns.empty() && !columns[0].role &&
+      isAscending(columns[0].values) && !isCounter(columns[0].values)) {
     columns[0].role = SignalRole::Time;
   }
   for (Column& column : columns) {
@@ -269,7 +265,7 @@ void guessRoles(std::vector<Column>& columns, std::vector<std::string>& remarks)
 }
 
 /// Rows that a column of time allows: those whose time is after that of all rows before.
-std::vector<std::size_t> rowsInTime(const Column& time, std::vector<std::string>& remarks) {
+std::vector<std::size_t> rowsInTime(const Column& time, std::vector<Remark>& remarks) {
   std::vector<std::size_t> rows;
   std::size_t backwards = 0;
   std::size_t first = 0;
@@ -289,13 +285,11 @@ std::vector<std::size_t> rowsInTime(const Column& time, std::vector<std::string>
     rows.push_back(row);
   }
   if (backwards > 0) {
-    remarks.push_back(fmt::format(
-        "The time \"{}\" runs backwards at row {}: {} rows were left out until it goes on.",
-        time.name, first + 1, backwards));
+    remarks.push_back({RemarkCode::TimeBackwards,
+                       {time.name, std::to_string(first + 1), std::to_string(backwards)}});
   }
   if (same > 0) {
-    remarks.push_back(
-        fmt::format("{} rows repeat the time of the row before and were left out.", same));
+    remarks.push_back({RemarkCode::TimeRepeated, {std::to_string(same)}});
   }
   return rows;
 }
@@ -313,17 +307,16 @@ TimeBase countedTime(std::vector<Column>& columns, double rateHz) {
 }
 
 /// The columns as signals, each with the column of time before it.
-SignalTrace signalsOf(std::vector<Column>& columns, const ImportOptions& options,
-                      std::vector<std::string> remarks) {
+SignalTrace signalsOf(std::vector<Column>& columns, const TableMapping& mapping,
+                      std::vector<Remark> remarks) {
   SignalTrace trace;
   const auto isTime = [](const Column& column) { return column.role == SignalRole::Time; };
   const auto firstTime = std::find_if(columns.begin(), columns.end(), isTime);
   std::vector<std::size_t> rows;
   if (firstTime == columns.end()) {
-    const double rateHz = options.rateHz.value_or(kRateHzAssumed);
-    if (!options.rateHz) {
-      remarks.push_back(fmt::format(
-          "The file has no column of time: {} Hz is assumed. Give the rate with --rate.", rateHz));
+    const double rateHz = mapping.rateHz.value_or(kRateHzAssumed);
+    if (!mapping.rateHz) {
+      remarks.push_back({RemarkCode::RateAssumed, {fmt::format("{}", rateHz)}});
     }
     trace.timeBases.push_back(countedTime(columns, rateHz));
     // A counter that jumps back is no time.
@@ -367,9 +360,7 @@ SignalTrace signalsOf(std::vector<Column>& columns, const ImportOptions& options
     trace.signalList.push_back(std::move(signal));
   }
   if (trace.timeBases.size() > 1) {
-    trace.remarks.push_back(
-        fmt::format("The file has {} columns of time; each belongs to the columns after it.",
-                    trace.timeBases.size()));
+    trace.remarks.push_back({RemarkCode::SeveralTimes, {std::to_string(trace.timeBases.size())}});
   }
   trace.remarks.insert(trace.remarks.begin(), remarks.begin(), remarks.end());
   return trace;
@@ -387,7 +378,30 @@ std::vector<ColumnRole> rolesOf(const std::vector<Column>& columns) {
   return roles;
 }
 
-base::Result<ImportedTrace> importXml(std::string_view text, const ImportOptions& options) {
+TablePreview previewOf(const std::vector<Column>& columns, const TableMapping& mapping,
+                       const std::vector<Remark>& remarks) {
+  TablePreview preview;
+  preview.mapping = mapping;
+  bool hasPosition = false;
+  bool hasTime = mapping.rateHz.has_value();
+  for (const Column& column : columns) {
+    const auto count = static_cast<std::ptrdiff_t>(std::min(kValuesShown, column.values.size()));
+    preview.columns.push_back({column.name,
+                               column.unit,
+                               column.role,
+                               {column.values.begin(), column.values.begin() + count}});
+    hasPosition = hasPosition || (column.role && *column.role >= SignalRole::XSet &&
+                                  *column.role <= SignalRole::ZActual);
+    hasTime = hasTime || column.role == SignalRole::Time;
+  }
+  const bool isAssumed = std::any_of(remarks.begin(), remarks.end(), [](const Remark& remark) {
+    return remark.code == RemarkCode::TimeUnitAssumed;
+  });
+  preview.isCertain = hasPosition && hasTime && !isAssumed;
+  return preview;
+}
+
+base::Result<ImportedTrace> importXml(std::string_view text, const TableMapping& mapping) {
   auto trace = readSinumerikTrace(text);
   if (!trace) {
     return base::fail(trace.error());
@@ -398,29 +412,30 @@ base::Result<ImportedTrace> importXml(std::string_view text, const ImportOptions
     columns.push_back({signal.name, signal.unit, {}});
     imported.layout += (imported.layout.empty() ? "" : "|") + signal.name;
   }
-  for (const ColumnRole& choice : options.columns) {
+  for (const ColumnRole& choice : mapping.columns) {
     if (auto done = applyChoice(columns, choice); !done) {
       return base::fail(done.error());
     }
   }
-  guessRoles(columns, trace->remarks);
+  guessRoles(columns, mapping.isComplete, trace->remarks);
   makeUnique(columns, trace->remarks);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     trace->signalList[i].name = columns[i].name;
   }
   imported.columns = rolesOf(columns);
+  imported.table.mapping = mapping;
   imported.trace = std::move(*trace);
   return imported;
 }
 
-base::Result<ImportedTrace> importTable(std::string_view text, const ImportOptions& options) {
+base::Result<ImportedTrace> importTable(std::string_view text, const TableMapping& mapping) {
   auto table = readTable(text);
   if (!table) {
     return base::fail(table.error());
   }
   ImportedTrace imported;
   const bool isScope = isTwinCat(*table);
-  std::vector<std::string> remarks = std::move(table->remarks);
+  std::vector<Remark> remarks = std::move(table->remarks);
   std::vector<Column> columns = isScope ? scopeColumns(*table) : headedColumns(*table);
   makeUnique(columns, remarks);
   Row names;
@@ -428,14 +443,15 @@ base::Result<ImportedTrace> importTable(std::string_view text, const ImportOptio
     names.push_back(column.name);
   }
   imported.layout = joined(names);
-  for (const ColumnRole& choice : options.columns) {
+  for (const ColumnRole& choice : mapping.columns) {
     if (auto done = applyChoice(columns, choice); !done) {
       return base::fail(done.error());
     }
   }
-  guessRoles(columns, remarks);
+  guessRoles(columns, mapping.isComplete, remarks);
   imported.columns = rolesOf(columns);
-  imported.trace = signalsOf(columns, options, std::move(remarks));
+  imported.table = previewOf(columns, mapping, remarks);
+  imported.trace = signalsOf(columns, mapping, std::move(remarks));
   imported.trace.format = isScope ? "TwinCAT Scope" : (table->head.empty() ? "halsampler" : "CSV");
   return imported;
 }
@@ -447,18 +463,16 @@ std::error_code make_error_code(ImportError code) {
   return {static_cast<int>(code), category};
 }
 
-base::Result<ImportedTrace> importTrace(std::string_view bytes, const ImportOptions& options) {
+base::Result<ImportedTrace> importTrace(std::string_view bytes, const TableMapping& mapping) {
   Unpacked unpacked;
   if (isCompressed(bytes)) {
     unpacked = unpack(bytes);
     bytes = unpacked.text;
   }
   const std::string text = toUtf8(bytes);
-  auto imported = isSinumerikTrace(text) ? importXml(text, options) : importTable(text, options);
+  auto imported = isSinumerikTrace(text) ? importXml(text, mapping) : importTable(text, mapping);
   if (imported && !unpacked.whole) {
-    imported->trace.remarks.insert(
-        imported->trace.remarks.begin(),
-        "The compressed file is cut or damaged: what came before was read.");
+    imported->trace.remarks.insert(imported->trace.remarks.begin(), {RemarkCode::CutCompressed});
   }
   return imported;
 }

@@ -18,9 +18,20 @@
 
 namespace rivulet::trace {
 
-struct ImportOptions {
-  std::vector<ColumnRole> columns;  ///< as the user says; other roles are guessed
-  std::optional<double> rateHz;     ///< of a table without a column of time, > 0
+/// A column of a table as it is shown to somebody who says what it means.
+struct ColumnPreview {
+  std::string name;
+  std::string unit;                  ///< as the file says, as chosen, or as assumed
+  std::optional<SignalRole> role{};  ///< as chosen or guessed
+  std::vector<double> first{};       ///< its first values, at most `kValuesShown`; NaN: none there
+};
+inline constexpr std::size_t kValuesShown = 5;
+
+struct TablePreview {
+  std::vector<ColumnPreview> columns;  ///< empty: the file is no table
+  TableMapping mapping;                ///< that was obeyed
+  /// A position is known, and no unit or rate of the time had to be assumed.
+  bool isCertain = false;
 };
 
 struct ImportedTrace {
@@ -29,10 +40,11 @@ struct ImportedTrace {
   std::vector<ColumnRole> columns;
   /// The headings of the table in one line, by which files of the same layout are recognised.
   std::string layout;
+  TablePreview table;
 };
 
 /// @return error NotATable: nothing can be read; BadMapping: a column is not there
 [[nodiscard]] base::Result<ImportedTrace> importTrace(std::string_view bytes,
-                                                      const ImportOptions& options = {});
+                                                      const TableMapping& mapping = {});
 
 }  // namespace rivulet::trace

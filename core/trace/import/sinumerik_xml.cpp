@@ -162,15 +162,12 @@ base::Result<SignalTrace> readSinumerikTrace(std::string_view text) {
         "as XML, at the control.");
   }
   if (backwards > 0) {
-    trace.remarks.push_back(
-        fmt::format("{} values whose time runs backwards were left out.", backwards));
+    trace.remarks.push_back({RemarkCode::ValuesBackwards, {std::to_string(backwards)}});
   }
   if (reader.wasCut() || text.find("</traceSession>") == std::string_view::npos) {
-    trace.remarks.emplace_back("The file was cut off: its end is missing.");
+    trace.remarks.push_back({RemarkCode::CutFile});
   }
-  trace.remarks.emplace_back(
-      "The file does not say the units of its speeds: mm/min is assumed, as the control shows "
-      "them.");
+  trace.remarks.push_back({RemarkCode::SpeedUnitsAssumed});
   return trace;
 }
 

@@ -3,8 +3,6 @@
 
 #include "trace/import/text_table.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -310,17 +308,17 @@ base::Result<TextTable> readTable(std::string_view text) {
     }
   }
   if (odd.count > 0) {
-    table.remarks.push_back(
-        fmt::format("{} rows do not have {} columns and were left out; the first is line {}.",
-                    odd.count, layout->width, odd.firstLine));
+    table.remarks.push_back({RemarkCode::OddRows,
+                             {std::to_string(layout->width), std::to_string(odd.count),
+                              std::to_string(odd.firstLine)}});
   }
   if (noNumbers.count > 0) {
     table.remarks.push_back(
-        fmt::format("{} cells are not numbers and were left empty; the first is in line {}.",
-                    noNumbers.count, noNumbers.firstLine));
+        {RemarkCode::NoNumbers,
+         {std::to_string(noNumbers.count), std::to_string(noNumbers.firstLine)}});
   }
   if (cutCells > 0) {
-    table.remarks.emplace_back("The file ends within a row: it was cut off there.");
+    table.remarks.push_back({RemarkCode::CutInRow});
   }
   return table;
 }

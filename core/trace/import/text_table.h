@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "trace/remark.h"
 
 namespace rivulet::trace {
 
@@ -18,7 +19,7 @@ struct TextTable {
   /// The cells of the rows before the first row of numbers, as they are.
   std::vector<std::vector<std::string>> head;
   std::vector<std::vector<double>> columns;  ///< of equal length; NaN: empty, or not a number
-  std::vector<std::string> remarks;          ///< what could not be read, one sentence each
+  std::vector<Remark> remarks;               ///< what could not be read
 };
 
 /// UTF-8 of a text that may be UTF-16 or begin with a byte order mark.

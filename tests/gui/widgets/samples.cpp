@@ -51,13 +51,18 @@ std::string pocketText() {
   return text;
 }
 
+std::shared_ptr<const gcode::Program> programFrom(const std::string& name,
+                                                  const std::string& text) {
+  return std::make_shared<const gcode::Program>(interpreted(name, text));
+}
+
 std::shared_ptr<const gcode::Program> pocket() {
-  return std::make_shared<const gcode::Program>(interpreted("POCKET_60x40.MPF", pocketText()));
+  return programFrom("POCKET_60x40.MPF", pocketText());
 }
 
 std::shared_ptr<const gcode::Program> brokenProgram() {
-  return std::make_shared<const gcode::Program>(interpreted(
-      "BROKEN.MPF", "G0 X0 Y0 Z5\nG1 X10 F500\nG87 X20\nG1 X=R1+3\nG1 X30 Y\nM8\nG1 X40 Y10\n"));
+  return programFrom("BROKEN.MPF",
+                     "G0 X0 Y0 Z5\nG1 X10 F500\nG87 X20\nG1 X=R1+3\nG1 X30 Y\nM8\nG1 X40 Y10\n");
 }
 
 std::vector<gcode::StreamPoint> streamed(const gcode::Program& program) {
@@ -245,9 +250,11 @@ std::shared_ptr<const trace::ControlTrace> controlTrace(double pauseEveryS) {
 }
 
 std::shared_ptr<const trace::ShownTrace> shownTrace(const trace::ControlTrace& trace,
-                                                    const std::string& name) {
+                                                    const std::string& name,
+                                                    const gcode::Program* program) {
   trace::TraceSubject subject;
   subject.controlTrace = &trace;
+  subject.program = program;
   const trace::TraceAnalysis analysis = trace::analyseTrace(subject);
   trace::ShownTrace shown = trace::makeShownTrace(subject, analysis.motion, &analysis);
   shown.name = name;

@@ -28,6 +28,8 @@ namespace rivulet::test {
 [[nodiscard]] std::string pocketText();
 /// The pocket, interpreted.
 [[nodiscard]] std::shared_ptr<const gcode::Program> pocket();
+[[nodiscard]] std::shared_ptr<const gcode::Program> programFrom(const std::string& name,
+                                                                const std::string& text);
 /// A program with errors, interpreted.
 [[nodiscard]] std::shared_ptr<const gcode::Program> brokenProgram();
 [[nodiscard]] std::vector<gcode::StreamPoint> streamed(const gcode::Program& program);
@@ -51,9 +53,10 @@ namespace rivulet::test {
                                                          double feedMmPerMin);
 /// 4 ms samples along the pocket at 500 mm/min, standing still every `pauseEveryS`.
 [[nodiscard]] std::shared_ptr<const trace::ControlTrace> controlTrace(double pauseEveryS);
-/// A trace as the page shows it, analysed.
-[[nodiscard]] std::shared_ptr<const trace::ShownTrace> shownTrace(const trace::ControlTrace& trace,
-                                                                  const std::string& name = {});
+/// A trace as the page shows it, analysed. @param program  null: compared with none
+[[nodiscard]] std::shared_ptr<const trace::ShownTrace> shownTrace(
+    const trace::ControlTrace& trace, const std::string& name = {},
+    const gcode::Program* program = nullptr);
 [[nodiscard]] std::vector<trace::Pause> pausesOf(const trace::ControlTrace& trace);
 [[nodiscard]] streaming::RunReport report();
 /// One of each state, the most important first.

@@ -25,13 +25,17 @@
 #include "gui/widgets/samples.h"
 #include "support/test_program.h"
 #include "trace/import/import.h"
+#include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/time_window.h"
+#include "widgets/program/program_text_view.h"
 #include "widgets/scope/path_pane.h"
 #include "widgets/scope/scope_view.h"
+#include "widgets/trace/columns_dialog.h"
 #include "widgets/trace/layout_menu.h"
+#include "widgets/trace/path_panel.h"
 #include "widgets/trace/stop_model.h"
 #include "widgets/trace/trace_page.h"
 
@@ -42,6 +46,29 @@ namespace {
 
 QString note(const TracePage& page) {
   return page.findChild<StatusLabel*>("traceNote")->text();
+}
+
+/// At 10 mm/s along all points of a program, from the origin, without stopping.
+trace::ControlTrace alongProgram(const gcode::Program& program) {
+  trace::ControlTrace trace;
+  trace.cycle = std::chrono::milliseconds{10};
+  base::Vec3 from;
+  base::Instant at{};
+  for (const gcode::StreamPoint& point : test::streamed(program)) {
+    const double lengthMm = base::distance(from, point.positionMm);
+    const int steps = static_cast<int>(std::lround(lengthMm / 0.1));
+    for (int i = 1; i <= steps; ++i) {
+      trace::ControlSample sample;
+      at += trace.cycle;
+      sample.at = at;
+      sample.commandMm = from + static_cast<double>(i) / steps * (point.positionMm - from);
+      sample.actualMm = sample.commandMm;
+      sample.feedMmPerS = 10.0;
+      trace.samples.push_back(sample);
+    }
+    from = point.positionMm;
+  }
+  return trace;
 }
 
 void drop(QWidget* on, const QMimeData& data) {
@@ -276,7 +303,7 @@ class TestTracePage : public QObject {
     test::Language language;
     TracePage page;
     page.showTraces({test::shownTrace(*test::controlTrace(0.9))}, TracePage::Source::Files);
-    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(2);
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(3);
     static_cast<void>(test::picture(page, {1000, 700}));
     auto* path = page.findChild<PathPane*>("scopePath");
     page.timeWindow()->showRange(0.0, 6.0);  // less than one turn: each place is passed once
@@ -295,6 +322,204 @@ class TestTracePage : public QObject {
     // Beside the path, nothing happens.
     QTest::mouseClick(path, Qt::LeftButton, {}, {2, path->height() - 2});
     QCOMPARE(*cursors->atS(ScopeCursors::A), 0.0);
+  }
+
+  void linesAndCursorLeadToEachOther() {
+    test::Language language;
+    // Lines 2 to 5 twice: a square, and again.
+    const auto program = test::programFrom(
+        "SQUARE.MPF", "G17 G90\nAA: G1 X10 Y0 Z0 F1500\nY10\nX0\nY0\nREPEAT AA P=1\nG4 F1\nM30\n");
+    const trace::ControlTrace motion = alongProgram(*program);
+    TracePage page;
+    page.showTraces({test::shownTrace(motion, "a", program.get())}, TracePage::Source::Files);
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(3);
+    static_cast<void>(test::picture(page, {1000, 700}));
+    auto* panel = page.findChild<PathPanel*>();
+    auto* text = panel->text();
+    auto* said = page.findChild<QLabel*>("traceProgramNote");
+    auto* cursors = page.findChild<ScopeCursors*>();
+    QVERIFY2(said->text().startsWith("Open the NC program"), qPrintable(said->text()));
+    const auto view = test::viewOf(program);
+    page.setProgram(view);
+    const auto mark = [&](double atS) {
+      cursors->set(ScopeCursors::A, atS);
+      return panel->markedLine();
+    };
+    QCOMPARE(mark(0.5), std::size_t{2});
+    QCOMPARE(mark(1.5), std::size_t{3});
+    QCOMPARE(mark(3.5), std::size_t{5});
+    QCOMPARE(mark(5.5), std::size_t{3});
+    // A click on the line goes to its first time, then to the next, then around.
+    page.timeWindow()->showRange(0.0, 0.8);
+    const auto click = [&](std::size_t line) {
+      Q_EMIT text->lineChosen(line);
+      return cursors->atS(ScopeCursors::A).value_or(-1.0);
+    };
+    QVERIFY(std::abs(click(4) - 2.0) < 0.03);
+    QVERIFY(page.timeWindow()->fromS() < 2.0 && page.timeWindow()->toS() > 2.0);
+    QCOMPARE(panel->markedLine(), std::size_t{4});
+    QVERIFY2(said->text().contains("2 times"), qPrintable(said->text()));
+    QVERIFY(std::abs(click(4) - 6.0) < 0.03);
+    QVERIFY(std::abs(click(4) - 2.0) < 0.03);
+    QVERIFY(std::abs(click(3) - 1.0) < 0.03);
+    // A line without motion says so and leaves the cursor.
+    const double before = *cursors->atS(ScopeCursors::A);
+    QCOMPARE(click(7), before);
+    QVERIFY2(said->text().contains("line 7"), qPrintable(said->text()));
+    // A click on the path marks the line there.
+    page.timeWindow()->showRange(0.0, 3.9);
+    page.redrawNow();
+    auto* path = page.findChild<PathPane*>("scopePath");
+    QTest::mouseClick(path, Qt::LeftButton, {}, path->placeOf(2.5)->toPoint());
+    QCOMPARE(panel->markedLine(), std::size_t{4});
+    // A recording of another program is not linked.
+    trace::ShownTrace other = *test::shownTrace(motion, "b", program.get());
+    other.programHash = "0123";
+    page.showTraces({std::make_shared<const trace::ShownTrace>(other)}, TracePage::Source::Files);
+    QCOMPARE(mark(1.5), std::size_t{0});
+    QVERIFY2(said->text().contains("another program"), qPrintable(said->text()));
+  }
+
+  void thePathIsTurnedColouredAndItsErrorEnlarged() {
+    test::Language language;
+    const auto program =
+        test::programFrom("SQUARE.MPF", "G17 G90\nG1 X10 Y0 Z0 F1500\nY10 Z2\nX0\nY0 Z0\nM30\n");
+    trace::ControlTrace motion = alongProgram(*program);
+    for (trace::ControlSample& sample : motion.samples) {
+      sample.actualMm = sample.commandMm + base::Vec3{0.0, 0.0, 0.01};
+    }
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9))}, TracePage::Source::Files);
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(3);
+    static_cast<void>(test::picture(page, {1000, 760}));
+    auto* path = page.findChild<PathPane*>("scopePath");
+    auto* error = page.findChild<QComboBox*>("tracePathError");
+    auto* colour = page.findChild<QComboBox*>("tracePathColour");
+    QVERIFY(!error->isEnabled());  // there is no program to measure from
+    page.showTraces({test::shownTrace(motion, "a", program.get())}, TracePage::Source::Files);
+    page.redrawNow();
+    QVERIFY(error->isEnabled());
+    const auto choose = [](QComboBox* list, const QString& text) {
+      const int index = list->findText(text, Qt::MatchContains);
+      QVERIFY2(index >= 0, qPrintable(text));
+      list->setCurrentIndex(index);
+      Q_EMIT list->activated(index);
+    };
+    choose(colour, "X actual");
+    page.redrawNow();
+    QVERIFY(std::abs(path->colourRange().min - 0.0) < 1e-6);
+    QVERIFY(std::abs(path->colourRange().max - 10.0) < 1e-6);
+    const int coloured = test::colourCount(path->grab().toImage());
+    choose(colour, "the trace");
+    page.redrawNow();
+    QVERIFY(path->colourRange().isEmpty());
+    QVERIFY(coloured > test::colourCount(path->grab().toImage()));
+    // From the side, the error in Z is seen; × 100 it is 1 mm.
+    QTest::mouseClick(page.findChild<QPushButton*>("tracePath3D"), Qt::LeftButton);
+    page.redrawNow();
+    path->setFocus();
+    const Projection::Angles first = path->angles();
+    QTest::keyClick(path, Qt::Key_Left);
+    QCOMPARE(path->angles().turnDeg, first.turnDeg + 5.0);
+    QTest::keyClick(path, Qt::Key_Home);
+    QVERIFY(path->angles() == first);
+    const QPoint middle = path->rect().center();
+    QTest::mousePress(path, Qt::LeftButton, {}, middle);
+    QMouseEvent drag(QEvent::MouseMove, middle + QPoint(40, 20), path->mapToGlobal(middle),
+                     Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(path, &drag);
+    QTest::mouseRelease(path, Qt::LeftButton, {}, middle + QPoint(40, 20));
+    QVERIFY(std::abs(path->angles().turnDeg - (first.turnDeg - 20.0)) < 1e-9);
+    QVERIFY(std::abs(path->angles().tiltDeg - (first.tiltDeg + 10.0)) < 1e-9);
+    QVERIFY(!page.findChild<ScopeCursors*>()->atS(ScopeCursors::A));  // a drag is no click
+    for (int i = 0; i < 40; ++i) {
+      QTest::keyClick(path, Qt::Key_Up);
+    }
+    QCOMPARE(path->angles().tiltDeg, -90.0);
+    QTest::keyClick(path, Qt::Key_Home);
+    page.redrawNow();
+    QVERIFY(base::distance(*path->shownMm(0.49), {5.0, 0.0, 0.01}) < 1e-6);
+    choose(error, QStringLiteral("100"));
+    page.redrawNow();
+    QCOMPARE(path->enlargement(), 100.0);
+    choose(colour, "Z actual");
+    page.setProgram(test::viewOf(program));
+    page.findChild<ScopeCursors*>()->set(ScopeCursors::A, 1.5);
+    language.german();
+    applyTheme(Theme::Dark);
+    test::keep(test::picture(page, {1280, 800}), "trace-path-3d");
+    QCOMPARE(test::cutTexts(page), QStringList());
+    language.english();
+    applyTheme(Theme::Light);
+    page.redrawNow();
+    QVERIFY(base::distance(*path->shownMm(0.49), {5.0, 0.0, 1.0}) < 1e-3);
+    QTest::mouseClick(page.findChild<QPushButton*>("tracePathTop"), Qt::LeftButton);
+    QVERIFY(path->angles() == Projection::Angles{});
+  }
+
+  void asksWhatColumnsMean() {
+    test::Language language;
+    const std::string text = "a;b, mm;c\n0;1;2\n10;3;4\n20;5;6\n";
+    const auto shownTable = [&text](const std::string& mapping) {
+      const auto imported = trace::importTrace(text, *trace::parseTableMapping(mapping));
+      trace::TraceSubject subject;
+      subject.imported = &*imported;
+      trace::ShownTrace shown = trace::makeShownTrace(subject, trace::motionOf(subject), nullptr);
+      shown.name = "scope.csv";
+      return std::make_shared<const trace::ShownTrace>(std::move(shown));
+    };
+    TracePage page;
+    std::string layout;
+    trace::TableMapping mapping;
+    connect(&page, &TracePage::mappingChosen, this,
+            [&](const std::string& of, const trace::TableMapping& chosen) {
+              layout = of;
+              mapping = chosen;
+            });
+    page.resize(1000, 700);
+    page.show();
+    page.showTraces({shownTable("")}, TracePage::Source::Files);
+    auto* dialog = page.findChild<ColumnsDialog*>();
+    QVERIFY(dialog != nullptr);  // no position is known
+    auto* note = dialog->findChild<StatusLabel*>("columnsNote");
+    auto* accept = dialog->findChild<QPushButton*>("columnsAccept");
+    const auto list = [&dialog](const char* name) { return dialog->findChild<QComboBox*>(name); };
+    QVERIFY2(note->text().startsWith("Without a position"), qPrintable(note->text()));
+    QCOMPARE(list("columnRole0")->currentText(), QString("Time"));
+    list("columnRole1")->setCurrentIndex(list("columnRole1")->findText("X actual"));
+    QCOMPARE(note->text(), QString("The trace can be analysed."));
+    list("columnUnit1")->setCurrentText("um");
+    list("columnRole2")->setCurrentIndex(list("columnRole2")->findText("X actual"));
+    QVERIFY2(note->text().startsWith("Two columns"), qPrintable(note->text()));
+    QVERIFY(!accept->isEnabled());
+    list("columnRole2")->setCurrentIndex(list("columnRole2")->findText("Y set point"));
+    QVERIFY(!dialog->findChild<NumberField*>("columnsRate")->isEnabled());
+    dialog->findChild<NumberField*>("columnsOffset")->setValue(1.5);
+    test::keep(test::picture(*dialog, {820, 560}), "trace-columns");
+    QCOMPARE(test::cutTexts(*dialog), QStringList());
+    QTest::mouseClick(accept, Qt::LeftButton);
+    QCOMPARE(trace::printTableMapping(mapping),
+             std::string("time=a:ms,x_act=#2:um,y_set=c:mm,offset=1.5,guess=no"));
+    QCOMPARE(layout, std::string("a|b, mm|c"));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QVERIFY(page.findChild<ColumnsDialog*>() == nullptr);
+    // As chosen: the first sample is at 1.5 s, in mm. It is not asked again but on request.
+    page.showTraces({shownTable(trace::printTableMapping(mapping))}, TracePage::Source::Files);
+    QVERIFY(page.findChild<ColumnsDialog*>() == nullptr);
+    auto* curves = page.findChild<ScopeCurves*>();
+    QVERIFY(curves->samples(0, "x_act")->timeAt(0) ==
+            base::Instant{std::chrono::milliseconds{1500}});
+    QVERIFY(std::abs(curves->samples(0, "x_act")->valueAt(1) - 0.003) < 1e-12);
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(1);
+    QTest::mouseClick(page.findChild<QPushButton*>("signalColumns"), Qt::LeftButton);
+    dialog = page.findChild<ColumnsDialog*>();
+    QVERIFY(dialog != nullptr);
+    QCOMPARE(list("columnUnit1")->currentText(), QString("um"));
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    // Who has said no is not asked again.
+    page.showTraces({shownTable("")}, TracePage::Source::Files);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QVERIFY(page.findChild<ColumnsDialog*>() == nullptr);
   }
 
   void goesToPlaces() {
@@ -433,6 +658,75 @@ class TestTracePage : public QObject {
     QVERIFY2(problem->text().contains("w_act"), qPrintable(problem->text()));
   }
 
+  void aTriggerFreezesTheLiveView() {
+    test::Language language;
+    TracePage page;
+    page.clear();
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(6);
+    static_cast<void>(test::picture(page, {1000, 700}));
+    auto* arm = page.findChild<QPushButton*>("triggerArm");
+    auto* state = page.findChild<StatusLabel*>("triggerState");
+    auto* cursors = page.findChild<ScopeCursors*>();
+    auto* condition = page.findChild<QComboBox*>("triggerCondition");
+    page.findChild<NumberField*>("triggerLevel")->setValue(5.0);
+    page.findChild<NumberField*>("triggerBefore")->setValue(1.0);
+    page.findChild<NumberField*>("triggerAfter")->setValue(2.0);
+    // x rises by 1 mm/s from 0.
+    double atS = 0.0;
+    const auto runUntil = [&](double endS) {
+      for (; atS < endS - 1e-9; atS += 0.1) {
+        page.append({atS, base::Vec3{atS, 0.0, 0.0}, 8.0});
+      }
+    };
+    QTest::mouseClick(arm, Qt::LeftButton);
+    QVERIFY(arm->isChecked());
+    runUntil(6.0);
+    QVERIFY(page.timeWindow()->isLive());  // the time after the trigger is still to come
+    QVERIFY2(state->text().startsWith("Triggered: waiting"), qPrintable(state->text()));
+    runUntil(9.0);
+    QVERIFY(!page.timeWindow()->isLive());
+    QVERIFY(std::abs(page.timeWindow()->fromS() - 4.0) < 1e-6);
+    QVERIFY(std::abs(page.timeWindow()->toS() - 7.0) < 1e-6);
+    QVERIFY(std::abs(*cursors->atS(ScopeCursors::A) - 5.0) < 1e-6);
+    QVERIFY2(state->text().contains("5.000"), qPrintable(state->text()));
+    QVERIFY(!arm->isChecked());
+    language.german();
+    applyTheme(Theme::Contrast);
+    test::keep(test::picture(page, {1024, 700}), "trace-trigger");
+    QCOMPARE(test::cutTexts(page), QStringList());
+    language.english();
+    applyTheme(Theme::Light);
+    // An event, noticed late; every time.
+    page.findChild<QPushButton*>("traceLive")->click();
+    condition->setCurrentIndex(6);
+    QVERIFY(!page.findChild<NumberField*>("triggerLevel")->isVisible());
+    page.findChild<QComboBox*>("triggerMode")->setCurrentIndex(1);
+    QTest::mouseClick(arm, Qt::LeftButton);
+    page.addPause({base::Instant{std::chrono::milliseconds{6000}}, std::chrono::milliseconds{200}});
+    QVERIFY(std::abs(page.timeWindow()->fromS() - 5.0) < 1e-6);
+    QVERIFY(arm->isChecked());
+    runUntil(14.0);
+    page.addPause(
+        {base::Instant{std::chrono::milliseconds{13000}}, std::chrono::milliseconds{200}});
+    QVERIFY(std::abs(page.timeWindow()->fromS() - 5.0) < 1e-6);  // not complete
+    page.finishLive();
+    QVERIFY(std::abs(page.timeWindow()->fromS() - 12.0) < 1e-6);
+    // The next run begins at 0 again, and the trigger is still armed.
+    page.clear();
+    QVERIFY(arm->isChecked());
+    atS = 0.0;
+    runUntil(1.0);
+    page.noticeAlarm();  // another event
+    QVERIFY2(state->text().startsWith("Waiting"), qPrintable(state->text()));
+    QTest::mouseClick(arm, Qt::LeftButton);
+    QCOMPARE(state->text(), QString("Not armed"));
+    condition->setCurrentIndex(7);
+    QTest::mouseClick(arm, Qt::LeftButton);
+    page.noticeAlarm();
+    runUntil(4.0);
+    QVERIFY(std::abs(*cursors->atS(ScopeCursors::A) - 0.9) < 1e-6);
+  }
+
   void severalTracesShareTheirTime() {
     TracePage page;
     page.showTraces({test::shownTrace(*test::controlTrace(0.9), "first.csv"),
@@ -453,7 +747,7 @@ class TestTracePage : public QObject {
     page.showTraces({test::shownTrace(*test::controlTrace(0.9), "first.csv"),
                      test::shownTrace(*test::controlTrace(1.3), "second.csv")},
                     TracePage::Source::Files);
-    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(3);
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(4);
     static_cast<void>(test::picture(page, {1000, 640}));
     auto* axis = page.findChild<QComboBox*>("compareAxis");
     auto* table = page.findChild<QTableWidget*>("compareTable");
@@ -512,7 +806,7 @@ class TestTracePage : public QObject {
     }
     TracePage page;
     page.showTraces({test::shownTrace(trace, "a.csv")}, TracePage::Source::Files);
-    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(4);
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(5);
     static_cast<void>(test::picture(page, {1280, 800}));
     page.view()->setArrangement({{"x_act"}});
     auto* cursors = page.findChild<ScopeCursors*>();

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What could not be read of a trace, or had to be assumed: a code with its values. The command
+/// line prints the English sentence, the window its translation. @threadsafety plain values; pure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rivulet::trace {
+
+enum class RemarkCode {
+  // Files of other tools.
+  DuplicateColumn,    ///< name, name that it has now
+  TimeUnitAssumed,    ///< name of the column, unit
+  RateAssumed,        ///< Hz
+  TimeBackwards,      ///< name of the column, first row, rows
+  TimeRepeated,       ///< rows
+  ValuesBackwards,    ///< values
+  SeveralTimes,       ///< columns of time
+  OddRows,            ///< columns, rows, first line
+  NoNumbers,          ///< cells, line of the first
+  CutInRow,           ///< no value
+  CutFile,            ///< no value
+  CutCompressed,      ///< no value
+  SpeedUnitsAssumed,  ///< no value
+  Remembered,         ///< columns as `printColumnRoles`
+  // Recordings and traces of controls.
+  RecordingCut,     ///< no value
+  UnreadableLines,  ///< lines
+  TraceTruncated,   ///< no value
+  OtherProgram,     ///< s from the first sample
+};
+
+struct Remark {
+  RemarkCode code = RemarkCode::CutFile;
+  std::vector<std::string> values{};  ///< as the code says
+
+  friend bool operator==(const Remark&, const Remark&) = default;
+};
+
+/// The English sentence with "%1", "%2", "%3" in place of the values: the source of its
+/// translation, context "TraceRemarks".
+[[nodiscard]] const char* remarkPattern(RemarkCode code);
+/// One English sentence.
+[[nodiscard]] std::string remarkText(const Remark& remark);
+
+}  // namespace rivulet::trace

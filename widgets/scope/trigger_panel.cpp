@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/scope/trigger_panel.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/common/number_field.h"
+#include "widgets/common/number_format.h"
+#include "widgets/common/status_label.h"
+#include "widgets/plots/time_window.h"
+
+namespace rivulet::widgets {
+
+using trace::Trigger;
+using trace::TriggerEvent;
+using trace::TriggerKind;
+
+namespace {
+
+/// The entries of the list of conditions.
+struct Choice {
+  TriggerKind kind;
+  TriggerEvent event = TriggerEvent::PauseBegins;
+};
+constexpr std::array<Choice, 8> kChoices{{{TriggerKind::Rising},
+                                          {TriggerKind::Falling},
+                                          {TriggerKind::Above},
+                                          {TriggerKind::Below},
+                                          {TriggerKind::Inside},
+                                          {TriggerKind::Outside},
+                                          {TriggerKind::Event, TriggerEvent::PauseBegins},
+                                          {TriggerKind::Event, TriggerEvent::Alarm}}};
+constexpr double kValueMax = 1e6;
+constexpr double kTimeMaxS = 3600.0;
+constexpr double kBeforeS = 2.0;
+constexpr double kAfterS = 3.0;
+
+}  // namespace
+
+TriggerPanel::TriggerPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors* cursors,
+                           QWidget* parent)
+    : Page(parent),
+      m_curves(curves),
+      m_window(window),
+      m_cursors(cursors),
+      m_signal(new QComboBox(this)),
+      m_condition(new QComboBox(this)),
+      m_level(new NumberField(this)),
+      m_low(new NumberField(this)),
+      m_high(new NumberField(this)),
+      m_hysteresis(new NumberField(this)),
+      m_before(new NumberField(this)),
+      m_after(new NumberField(this)),
+      m_mode(new QComboBox(this)),
+      m_arm(makeTouchButton(this)),
+      m_state(new StatusLabel(this)) {
+  m_signal->setObjectName(QStringLiteral("triggerSignal"));
+  m_condition->setObjectName(QStringLiteral("triggerCondition"));
+  m_level->setObjectName(QStringLiteral("triggerLevel"));
+  m_low->setObjectName(QStringLiteral("triggerLow"));
+  m_high->setObjectName(QStringLiteral("triggerHigh"));
+  m_hysteresis->setObjectName(QStringLiteral("triggerHysteresis"));
+  m_before->setObjectName(QStringLiteral("triggerBefore"));
+  m_after->setObjectName(QStringLiteral("triggerAfter"));
+  m_mode->setObjectName(QStringLiteral("triggerMode"));
+  m_arm->setObjectName(QStringLiteral("triggerArm"));
+  m_arm->setCheckable(true);
+  m_state->setObjectName(QStringLiteral("triggerState"));
+  m_state->setWordWrap(true);
+  for (std::size_t i = 0; i < kChoices.size(); ++i) {
+    m_condition->addItem(QString());
+  }
+  m_mode->addItems({QString(), QString()});
+  for (NumberField* field : {m_level, m_low, m_high}) {
+    field->setDecimals(3);
+    field->setRange(-kValueMax, kValueMax);
+  }
+  m_hysteresis->setDecimals(3);
+  m_hysteresis->setRange(0.0, kValueMax);
+  for (NumberField* field : {m_before, m_after}) {
+    field->setDecimals(3);
+    field->setRange(0.0, kTimeMaxS);
+    field->setSuffix(QChar(0x00A0) + QStringLiteral("s"));
+  }
+  for (QComboBox* list : {m_signal, m_condition, m_mode}) {
+    list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    list->setMinimumContentsLength(8);
+  }
+  m_before->setValue(kBeforeS);
+  m_after->setValue(kAfterS);
+  const std::array<QWidget*, kRows> fields{m_signal,     m_condition, m_level, m_low, m_high,
+                                           m_hysteresis, m_before,    m_after, m_mode};
+  auto* rows = new QGridLayout;
+  rows->setColumnStretch(1, 1);
+  for (int row = 0; row < kRows; ++row) {
+    const auto index = static_cast<std::size_t>(row);
+    m_names[index] = new QLabel(this);
+    m_names[index]->setBuddy(fields[index]);
+    fields[index]->setMinimumHeight(kTouchHeightPx);
+    rows->addWidget(m_names[index], row, 0);
+    rows->addWidget(fields[index], row, 1);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 6, 4, 4);
+  layout->addLayout(rows);
+  layout->addWidget(m_arm);
+  layout->addWidget(m_state);
+  layout->addStretch(1);
+  connect(m_condition, &QComboBox::currentIndexChanged, this, &TriggerPanel::showFields);
+  connect(m_signal, &QComboBox::currentIndexChanged, this, &TriggerPanel::showFields);
+  connect(m_curves, &ScopeCurves::tracesChanged, this, &TriggerPanel::listSignals);
+  connect(m_arm, &QPushButton::clicked, this, &TriggerPanel::arm);
+  retranslate();
+}
+
+/// Those of the live view; while files are shown, those that were offered last.
+void TriggerPanel::listSignals() {
+  const auto offers = m_curves->offers();
+  if (!m_curves->isLive() || offers.empty()) {
+    return;
+  }
+  const QString chosen = formula();
+  const QSignalBlocker quiet(m_signal);
+  m_signal->clear();
+  for (const trace::SignalOffer& offer : offers) {
+    m_signal->addItem(signalTitle(offer), QString::fromStdString(offer.formula));
+    m_signal->setItemData(m_signal->count() - 1, QString::fromStdString(offer.unit),
+                          Qt::UserRole + 1);
+  }
+  m_signal->setCurrentIndex(std::max(0, m_signal->findData(chosen)));
+  showFields();
+}
+
+QString TriggerPanel::formula() const {
+  return m_signal->currentData().toString();
+}
+
+void TriggerPanel::showFields() {
+  const TriggerKind kind = kChoices[static_cast<std::size_t>(m_condition->currentIndex())].kind;
+  const bool isEvent = kind == TriggerKind::Event;
+  const bool isWindow = kind == TriggerKind::Inside || kind == TriggerKind::Outside;
+  const auto setShown = [this](Row row, QWidget* field, bool isShown) {
+    m_names[row]->setVisible(isShown);
+    field->setVisible(isShown);
+  };
+  setShown(Signal, m_signal, !isEvent);
+  setShown(Level, m_level, !isEvent && !isWindow);
+  setShown(Low, m_low, isWindow);
+  setShown(High, m_high, isWindow);
+  setShown(Hysteresis, m_hysteresis, !isEvent);
+  const QString unit = m_signal->currentData(Qt::UserRole + 1).toString();
+  for (NumberField* field : {m_level, m_low, m_high, m_hysteresis}) {
+    field->setSuffix(unit.isEmpty() ? QString() : QChar(0x00A0) + unit);
+  }
+}
+
+trace::TriggerSettings TriggerPanel::settings() const {
+  const Choice& choice = kChoices[static_cast<std::size_t>(m_condition->currentIndex())];
+  trace::TriggerSettings settings;
+  settings.condition.kind = choice.kind;
+  settings.condition.event = choice.event;
+  settings.condition.level = m_level->value();
+  settings.condition.low = std::min(m_low->value(), m_high->value());
+  settings.condition.high = std::max(m_low->value(), m_high->value());
+  settings.condition.hysteresis = m_hysteresis->value();
+  settings.before = base::fromSeconds(m_before->value());
+  settings.after = base::fromSeconds(m_after->value());
+  settings.isRepeated = m_mode->currentIndex() == 1;
+  return settings;
+}
+
+void TriggerPanel::arm(bool wanted) {
+  m_trigger.reset();
+  m_firedAtS.reset();
+  if (wanted) {
+    m_trigger.emplace(settings());
+    m_formula = formula();
+    if (m_curves->isLive()) {
+      m_window->goLive();
+    }
+  }
+  showState();
+}
+
+void TriggerPanel::restart() {
+  if (m_trigger) {
+    m_trigger.emplace(m_trigger->settings());
+  }
+  m_firedAtS.reset();
+  listSignals();
+  showState();
+}
+
+void TriggerPanel::sample(const QString& formula, double atS, double value) {
+  if (!m_trigger) {
+    return;
+  }
+  const auto before = m_trigger->state();
+  takeShot(formula == m_formula ? m_trigger->sample(instantOf(atS), value)
+                                : m_trigger->advance(instantOf(atS)));
+  if (m_trigger && m_trigger->state() != before) {
+    showState();
+  }
+}
+
+void TriggerPanel::happened(TriggerEvent event, double atS, double nowS) {
+  if (m_trigger) {
+    takeShot(m_trigger->happened(event, instantOf(atS), instantOf(nowS)));
+    showState();
+  }
+}
+
+void TriggerPanel::finish() {
+  if (m_trigger) {
+    takeShot(m_trigger->finish());
+    showState();
+  }
+}
+
+void TriggerPanel::takeShot(const std::optional<trace::TriggerShot>& shot) {
+  if (!shot) {
+    return;
+  }
+  const auto secondsOf = [](base::Instant at) { return base::toSeconds(at.time_since_epoch()); };
+  m_firedAtS = secondsOf(shot->at);
+  m_window->showRange(secondsOf(shot->from), secondsOf(shot->to));
+  m_cursors->set(ScopeCursors::A, *m_firedAtS);
+  if (m_trigger->state() == Trigger::State::Done) {
+    m_trigger.reset();
+  }
+  showState();
+}
+
+void TriggerPanel::showState() {
+  const QString at = m_firedAtS ? secondsText(*m_firedAtS, 3) : QString();
+  m_arm->setChecked(isArmed());
+  m_arm->setText(isArmed() ? tr("Disarm") : tr("Arm"));
+  if (!m_trigger) {
+    m_state->setStatus(
+        m_firedAtS ? Status::Good : Status::Unknown,
+        m_firedAtS ? tr("Triggered at %1. Cursor A is there.").arg(at) : tr("Not armed"));
+  } else if (m_trigger->state() == Trigger::State::Filling) {
+    m_state->setStatus(Status::Busy, tr("Triggered: waiting for the time after it"));
+  } else if (m_firedAtS) {
+    m_state->setStatus(Status::Busy, tr("Triggered at %1. Waiting for the next").arg(at));
+  } else {
+    m_state->setStatus(Status::Busy, m_curves->isLive() ? tr("Waiting for the trigger")
+                                                        : tr("Waiting for the next run"));
+  }
+}
+
+void TriggerPanel::retranslate() {
+  const std::array<QString, kRows> names{tr("Signal"), tr("When"),  tr("Level"),
+                                         tr("From"),   tr("To"),    tr("Hysteresis"),
+                                         tr("Before"), tr("After"), tr("Fires")};
+  const std::array<QWidget*, kRows> fields{m_signal,     m_condition, m_level, m_low, m_high,
+                                           m_hysteresis, m_before,    m_after, m_mode};
+  for (std::size_t row = 0; row < kRows; ++row) {
+    m_names[row]->setText(names[row]);
+    fields[row]->setAccessibleName(names[row]);
+  }
+  const std::array<QString, kChoices.size()> conditions{tr("it rises through the level"),
+                                                        tr("it falls through the level"),
+                                                        tr("it is at the level or above"),
+                                                        tr("it is at the level or below"),
+                                                        tr("it is within the range"),
+                                                        tr("it is outside the range"),
+                                                        tr("a pause begins"),
+                                                        tr("an alarm comes")};
+  for (int i = 0; i < m_condition->count(); ++i) {
+    m_condition->setItemText(i, conditions[static_cast<std::size_t>(i)]);
+  }
+  m_mode->setItemText(0, tr("once (single)"));
+  m_mode->setItemText(1, tr("every time (normal)"));
+  m_signal->setToolTip(tr("The signal that is watched during a run"));
+  m_condition->setToolTip(tr("What the trigger waits for"));
+  m_level->setToolTip(tr("Value at which the trigger fires"));
+  m_low->setToolTip(tr("Lower end of the range"));
+  m_high->setToolTip(tr("Upper end of the range"));
+  m_hysteresis->setToolTip(
+      tr("The signal must go back this far before the trigger can fire again"));
+  m_before->setToolTip(tr("How much is shown before the trigger"));
+  m_after->setToolTip(tr("How much is shown after the trigger"));
+  m_mode->setToolTip(tr("Once: what was caught stays. Every time: the next one takes its place."));
+  m_arm->setToolTip(
+      tr("An armed trigger stops the live view when it fires and shows what was "
+         "before and after"));
+  listSignals();
+  showFields();
+  showState();
+}
+
+}  // namespace rivulet::widgets
