@@ -177,7 +177,8 @@ Exit simulateEmulator(const EmulatorOptions& options) {
         csv += fmt::format(",{0}_set,{0}_emulated,{0}_speed", track.axis);
         tracks.push_back(&track);
         states.push_back(emulator::predict(
-            axis.parameters, emulator::setPointGrid(track, run->period), run->observedAt));
+            axis.parameters, emulator::setPointGrid(track, run->period, axis.goesStraight),
+            run->observedAt));
       }
     }
   }

@@ -50,6 +50,16 @@ const AxisParameterFacts& factsOf(AxisParameter parameter) {
   return kFacts[static_cast<std::size_t>(parameter)];
 }
 
+AxisParameters firstOrderLag(double timeConstantS) {
+  AxisParameters parameters;
+  parameters[P::PositionGain] = 1.0 / timeConstantS;
+  return parameters;
+}
+
+double followingLagS(const AxisParameters& parameters) {
+  return parameters[P::Delay] + (1.0 - parameters[P::FeedForward]) / parameters[P::PositionGain];
+}
+
 double delayMax(double stepS) {
   return 60.0 * stepS;  // two steps are needed before and after the place that is interpolated
 }
@@ -215,9 +225,7 @@ void AxisSimulator::advance(const Next& next, double setPointMm, double slope,
   }
 }
 
-AxisState AxisSimulator::stepDelayed(double setPointMm) {
-  const double slope = (setPointMm - m_setPointMm) / m_stepS;
-  const double xBefore = m_state[0];
+void AxisSimulator::advanceWithSpeedLoop(double slope) {
   const double before = m_state[1];
   const double built = m_parameters[P::CoulombSpeed];
   const double change = std::abs(m_mmPerSChange);
@@ -232,19 +240,40 @@ AxisState AxisSimulator::stepDelayed(double setPointMm) {
   } else {
     advance(m_next, m_setPointMm, slope, friction(before + 0.5 * m_mmPerSChange));
   }
-  if (m_parameters[P::SpeedGain] <= 0.0) {
-    m_state[1] = (m_state[0] - xBefore) / m_stepS;
-  }
   m_mmPerSChange = m_state[1] - before;
+}
+
+/// Position and filtered set point are all there is, and no friction.
+void AxisSimulator::advanceWithoutSpeedLoop(double slope) {
+  const double before = m_state[0];
+  const double filtered = m_state[4];
+  const auto next = [&](const std::array<double, kStates + kInputs>& by) {
+    return (by[0] * before + by[4] * filtered) + (by[5] * m_setPointMm + by[6] * slope);
+  };
+  m_state[0] = next(m_next[0]);
+  m_state[4] = next(m_next[4]);
+  m_state[1] = (m_state[0] - before) / m_stepS;
+}
+
+void AxisSimulator::advanceLoad(double fromMm) {
+  const std::array<double, 4> motor{m_load[0], m_load[1], fromMm, (m_state[0] - fromMm) / m_stepS};
+  for (std::size_t row = 0; row < 2; ++row) {
+    const auto& next = m_nextLoad[row];
+    m_load[row] = next[0] * motor[0] + next[1] * motor[1] + next[2] * motor[2] + next[3] * motor[3];
+  }
+}
+
+AxisState AxisSimulator::stepDelayed(double setPointMm) {
+  const double slope = (setPointMm - m_setPointMm) / m_stepS;
+  const double before = m_state[0];
+  if (m_parameters[P::SpeedGain] > 0.0) {
+    advanceWithSpeedLoop(slope);
+  } else {
+    advanceWithoutSpeedLoop(slope);
+  }
   m_setPointMm = setPointMm;
   if (m_parameters[P::ResonanceHz] > 0.0) {
-    const std::array<double, 4> motor{m_load[0], m_load[1], xBefore,
-                                      (m_state[0] - xBefore) / m_stepS};
-    for (std::size_t row = 0; row < 2; ++row) {
-      const auto& next = m_nextLoad[row];
-      m_load[row] =
-          next[0] * motor[0] + next[1] * motor[1] + next[2] * motor[2] + next[3] * motor[3];
-    }
+    advanceLoad(before);
   }
   return actual();
 }

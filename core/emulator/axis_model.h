@@ -77,6 +77,12 @@ struct AxisState {
   double mmPerS = 0.0;
 };
 
+/// actual' = (set point - actual) / T: the simplest axis there is. @param timeConstantS  T, > 0
+[[nodiscard]] AxisParameters firstOrderLag(double timeConstantS);
+
+/// How late an axis at constant speed is where its set point was; below 0: it is early.
+[[nodiscard]] double followingLagS(const AxisParameters& parameters);
+
 /// An axis that is fed set points one at a time.
 class AxisSimulator {
  public:
@@ -105,6 +111,9 @@ class AxisSimulator {
   [[nodiscard]] double delayed(double setPointMm);
   [[nodiscard]] double friction(double mmPerS) const;
   void advance(const Next& next, double setPointMm, double slope, double frictionHeld);
+  void advanceWithSpeedLoop(double slope);
+  void advanceWithoutSpeedLoop(double slope);
+  void advanceLoad(double fromMm);
 
   AxisParameters m_parameters;
   double m_stepS;

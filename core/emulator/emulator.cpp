@@ -7,6 +7,7 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -45,6 +46,33 @@ struct Comparison {
   Path emulatedMmPerS;
 };
 
+/// A text of TOML.
+std::string quoted(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c < ' ' ? '_' : c);
+  }
+  return result + '"';
+}
+
+/// Of an axis, besides its parameters.
+constexpr std::array<std::string_view, 5> kOtherKeys{"fitRmsMm", "heldOutRmsMm", "interval",
+                                                     "setPoints", "peaks"};
+
+/// A key of an axis that says nothing; empty if there is none.
+std::string unknownKey(const toml::table& servo) {
+  for (const auto& [key, node] : servo) {
+    const std::string_view name = key.str();
+    const bool isKnown = std::ranges::count(kOtherKeys, name) > 0 ||
+                         std::ranges::find(axisParameterFacts(), name, &AxisParameterFacts::key) !=
+                             axisParameterFacts().end();
+    if (!isKnown) {
+      return std::string(name);
+    }
+  }
+  return {};
+}
+
 base::Result<Comparison> compare(const Emulator& emulator, const TrainingRun& run) {
   Comparison result;
   result.observed.resize(run.observedAt.size());
@@ -56,24 +84,20 @@ base::Result<Comparison> compare(const Emulator& emulator, const TrainingRun& ru
     if (axis >= base::kAxisCount) {
       continue;
     }
-    const SetPointGrid grid = setPointGrid(track, run.period);
+    const LearnedAxis* const learned = emulator.find(track.axis);
+    const SetPointGrid grid =
+        setPointGrid(track, run.period, learned != nullptr && learned->goesStraight);
     result.stepS = grid.stepS;
     result.setPoints.resize(grid.mm.size());
     for (std::size_t i = 0; i < grid.mm.size(); ++i) {
       result.setPoints[i].set(axis, grid.mm[i]);
     }
-    const auto learned = std::ranges::find(emulator.axes, track.axis, &LearnedAxis::axis);
     std::vector<AxisState> states(run.observedAt.size());
-    if (learned != emulator.axes.end()) {
+    if (learned != nullptr) {
       states = predict(learned->parameters, grid, run.observedAt);
     } else {
-      const auto [low, high] = std::ranges::minmax(track.reference);
-      if (high - low > 1e-6) {
-        return base::fail(EmulatorError::NoMotion,
-                          fmt::format("This run moves axis {}, which the emulator has not learned: "
-                                      "learn it from a program that moves it.",
-                                      track.axis),
-                          run.name);
+      if (auto stands = requireToStand(track, run.name); !stands) {
+        return base::fail(stands.error());
       }
       std::ranges::fill(states, AxisState{track.reference.front(), 0.0});
     }
@@ -130,6 +154,23 @@ double speedRmsShare(const Comparison& of, const std::vector<double>& atS) {
 }
 
 }  // namespace
+
+const LearnedAxis* Emulator::find(char letter) const {
+  const auto found = std::ranges::find(axes, letter, &LearnedAxis::axis);
+  return found == axes.end() ? nullptr : &*found;
+}
+
+base::Result<void> requireToStand(const AxisTrack& track, const std::string& run) {
+  const auto [low, high] = std::ranges::minmax(track.reference);
+  if (high - low < 1e-6) {
+    return {};
+  }
+  return base::fail(EmulatorError::NoMotion,
+                    fmt::format("This run moves axis {}, which the emulator has not learned: "
+                                "learn it from a program that moves it.",
+                                track.axis),
+                    run);
+}
 
 base::Result<TrainingRun> trainingRunOf(const trace::Motion& motion, const std::string& name) {
   if (motion.samples.size() < 2 || !motion.hasActual) {
@@ -213,7 +254,7 @@ double bestTimeShift(const Emulator& emulator, const TrainingRun& run, double re
     if (track == run.axes.end() || track->reference.empty()) {
       continue;
     }
-    const SetPointGrid grid = setPointGrid(*track, run.period);
+    const SetPointGrid grid = setPointGrid(*track, run.period, axis.goesStraight);
     Answer& answer = answers.emplace_back(Answer{{}, grid.stepS, &*track});
     for (const AxisState& state : simulateAxis(axis.parameters, grid.stepS, grid.mm)) {
       answer.mm.push_back(state.mm);
@@ -251,20 +292,35 @@ std::string printEmulator(const Emulator& emulator) {
       fmt::format("\n[emulator]\nversion = {}\ndate = \"{}\"\ndataSha256 = \"{}\"\nruns = [",
                   kFileVersion, emulator.date, emulator.dataHash);
   for (std::size_t i = 0; i < emulator.runs.size(); ++i) {
-    std::string name = emulator.runs[i];
-    std::ranges::replace_if(
-        name, [](char c) { return c == '"' || c == '\\' || c < ' '; }, '_');
-    text += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", name);
+    text += (i == 0 ? "" : ", ") + quoted(emulator.runs[i]);
   }
   text += "]\n";
+  if (!emulator.preset.empty()) {
+    text += fmt::format(
+        "# What is not said here is as in this preset of the virtual machine.\n"
+        "preset = {}\n",
+        quoted(emulator.preset));
+  }
   for (const LearnedAxis& axis : emulator.axes) {
     text += fmt::format("\n[axes.{}.servo]\nfitRmsMm = {:.6g}\nheldOutRmsMm = {:.6g}\n", axis.axis,
                         axis.fitRmsMm, axis.heldOutRmsMm);
+    text += axis.goesStraight ? "setPoints = \"straight\"\n" : "";
+    if (axis.peaks.windows > 0) {
+      text += fmt::format(
+          "# Largest deviation within a second: Gumbel distribution, from so many seconds.\n"
+          "peaks = {{ locationMm = {:.6e}, scaleMm = {:.6e}, seconds = {} }}\n",
+          axis.peaks.locationMm, axis.peaks.scaleMm, axis.peaks.windows);
+    }
     for (const ParameterEstimate& estimate : axis.estimates) {
       const AxisParameterFacts& facts = factsOf(estimate.parameter);
-      text += fmt::format("# {}{}; interval {:.6g} to {:.6g}\n{} = {:.12e}\n", facts.meaning,
-                          facts.unit.empty() ? "" : fmt::format(", {}", facts.unit), estimate.low,
-                          estimate.high, facts.key, estimate.value);
+      text += fmt::format("# {}{}\n{} = {:.12e}\n", facts.meaning,
+                          facts.unit.empty() ? "" : fmt::format(", {}", facts.unit), facts.key,
+                          estimate.value);
+    }
+    text += fmt::format("[axes.{}.servo.interval]\n", axis.axis);
+    for (const ParameterEstimate& estimate : axis.estimates) {
+      text += fmt::format("{} = [{:.12e}, {:.12e}]\n", factsOf(estimate.parameter).key,
+                          estimate.low, estimate.high);
     }
   }
   return text;
@@ -295,6 +351,7 @@ base::Result<Emulator> parseEmulator(std::string_view text, const std::string& o
   Emulator emulator;
   emulator.date = root.at_path("emulator.date").value_or(std::string());
   emulator.dataHash = root.at_path("emulator.dataSha256").value_or(std::string());
+  emulator.preset = root.at_path("emulator.preset").value_or(std::string());
   if (const toml::array* runs = root.at_path("emulator.runs").as_array()) {
     for (const toml::node& run : *runs) {
       emulator.runs.push_back(run.value_or(std::string()));
@@ -309,6 +366,10 @@ base::Result<Emulator> parseEmulator(std::string_view text, const std::string& o
     axis.axis = letter;
     axis.fitRmsMm = servo->at_path("fitRmsMm").value_or(0.0);
     axis.heldOutRmsMm = servo->at_path("heldOutRmsMm").value_or(0.0);
+    axis.peaks = {servo->at_path("peaks.locationMm").value_or(0.0),
+                  servo->at_path("peaks.scaleMm").value_or(0.0),
+                  servo->at_path("peaks.seconds").value_or(0)};
+    axis.goesStraight = servo->at_path("setPoints").value_or(std::string()) == "straight";
     axis.parameters[AxisParameter::CoulombSpeed] = 1.0;
     for (const AxisParameterFacts& facts : axisParameterFacts()) {
       const std::optional<double> value = servo->at_path(facts.key).value<double>();
@@ -322,7 +383,15 @@ base::Result<Emulator> parseEmulator(std::string_view text, const std::string& o
                           origin);
       }
       axis.parameters[facts.parameter] = *value;
-      axis.estimates.push_back({facts.parameter, *value, *value, *value});
+      axis.estimates.push_back(
+          {facts.parameter, *value,
+           servo->at_path(fmt::format("interval.{}[0]", facts.key)).value_or(*value),
+           servo->at_path(fmt::format("interval.{}[1]", facts.key)).value_or(*value)});
+    }
+    if (const std::string unknown = unknownKey(*servo); !unknown.empty()) {
+      return base::fail(
+          EmulatorError::BadFile,
+          fmt::format("{} of axis {} is not a parameter of an axis.", unknown, letter), origin);
     }
     const bool hasSpeedLoop = axis.parameters[AxisParameter::SpeedGain] > 0.0;
     if (!(axis.parameters[AxisParameter::PositionGain] > 0.0 &&

@@ -23,6 +23,11 @@ struct Emulator {
   std::vector<std::string> runs;  ///< names of those it was learned from
   std::string dataHash;           ///< SHA-256 of their files, one after another
   std::string date;               ///< ISO 8601, UTC
+  /// Preset of the virtual machine that its file completes; empty: it is no preset.
+  std::string preset = {};
+
+  /// @return nullptr: it was not learned. @param letter  'X', 'Y', 'Z'
+  [[nodiscard]] const LearnedAxis* find(char letter) const;
 };
 
 /// What a recorded motion says of X, Y and Z. Set points that came in unequal steps are put on an
@@ -51,12 +56,16 @@ inline constexpr double kCornerShare = 0.6;
 /// checkRun says
 [[nodiscard]] base::Result<RunFit> testRun(const Emulator& emulator, const TrainingRun& run);
 
+/// An axis that was not learned may be recorded, but must not move.
+/// @return error EmulatorError::NoMotion
+[[nodiscard]] base::Result<void> requireToStand(const AxisTrack& track, const std::string& run);
+
 /// What must be added to the times of the observations so that the emulator is off least: the
 /// clock of a trace need not begin with the program. @param reachS  largest shift looked at
 [[nodiscard]] double bestTimeShift(const Emulator& emulator, const TrainingRun& run, double reachS);
 
-/// The file of an emulator. Other tables of the file are left alone, so that it can be a preset of
-/// the virtual machine too.
+/// The file of an emulator. Other tables of the file are left alone: it is a preset of the virtual
+/// machine too (machine/config.h).
 [[nodiscard]] std::string printEmulator(const Emulator& emulator);
 /// @return error EmulatorError::BadFile
 [[nodiscard]] base::Result<Emulator> parseEmulator(std::string_view text,

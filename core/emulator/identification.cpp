@@ -24,9 +24,10 @@ using Parts = std::vector<P>;  ///< the parameters that a structure has, in thei
 
 constexpr double kGridStepS = 1e-3;
 constexpr double kStretchS = 1.0;
-constexpr double kWarmUpS = 0.3;   ///< simulated before a stretch, from an assumed state
-constexpr double kDenseS = 10.0;   ///< of all stretches, in traces of a control
-constexpr double kSparseS = 45.0;  ///< the same if observations are rare
+constexpr double kStretchesMin = 6.0;  ///< shorter stretches of short runs
+constexpr double kWarmUpS = 0.3;       ///< simulated before a stretch, from an assumed state
+constexpr double kDenseS = 10.0;       ///< of all stretches, in traces of a control
+constexpr double kSparseS = 45.0;      ///< the same if observations are rare
 constexpr double kSparseSpacingS = 0.02;
 constexpr std::size_t kStepsToFinish = 30'000;  ///< longer runs leave little to be found
 constexpr double kMotionMmMin = 0.01;
@@ -35,6 +36,7 @@ constexpr int kStartsTried = 24;
 constexpr int kStartsFollowed = 2;
 constexpr int kStartsFollowedAlone = 4;  ///< for a structure that is given
 constexpr double kWorthAPart = 1.1;      ///< each further parameter must lower the error by as much
+constexpr double kStraightWorth = 0.9;   ///< of the error, for a machine that goes straight
 constexpr double kNoMatterMm = 1e-5;     ///< differences of errors below are not looked at
 constexpr double kLostMm = 1e3;          ///< error of a model that diverges
 
@@ -239,7 +241,8 @@ base::Result<void> requireSameUnits(const Source& source, char axis) {
 }
 
 /// The position of an axis in a run is learned from only if it moves there.
-base::Result<std::vector<Source>> sourcesOf(std::span<const TrainingRun> runs, char axis) {
+base::Result<std::vector<Source>> sourcesOf(std::span<const TrainingRun> runs, char axis,
+                                            bool goesStraight) {
   std::vector<Source> sources;
   std::size_t observations = 0;
   for (const TrainingRun& run : runs) {
@@ -253,7 +256,7 @@ base::Result<std::vector<Source>> sourcesOf(std::span<const TrainingRun> runs, c
     if (rangeOf(track->reference) < kMotionMmMin) {
       continue;
     }
-    Source source{run.name, setPointGrid(*track, run.period), {}, {}};
+    Source source{run.name, setPointGrid(*track, run.period, goesStraight), {}, {}};
     const double endS = source.grid.stepS * static_cast<double>(source.grid.mm.size() - 1);
     for (std::size_t i = 0; i < run.observedAt.size(); ++i) {
       if (run.observedAt[i] >= 0.0 && run.observedAt[i] <= endS) {
@@ -318,11 +321,11 @@ double activity(const Stretch& stretch) {
 }
 
 /// The stretches of a run that tell most, and others evenly spaced, in the order of time.
-std::vector<Stretch> pick(const Source& source, std::size_t count) {
+std::vector<Stretch> pick(const Source& source, std::size_t count, double lengthS) {
   std::vector<Stretch> all;
   const double endS = source.grid.stepS * static_cast<double>(source.grid.mm.size());
-  for (double fromS = 0.0; fromS < endS; fromS += kStretchS) {
-    const Stretch stretch = stretchOf(source, fromS, fromS + kStretchS);
+  for (double fromS = 0.0; fromS < endS; fromS += lengthS) {
+    const Stretch stretch = stretchOf(source, fromS, fromS + lengthS);
     if (!stretch.atS.empty() && activity(stretch) > 0.0) {
       all.push_back(stretch);
     }
@@ -366,11 +369,13 @@ Split split(const std::vector<Source>& sources) {
     observations += source.atS.size();
   }
   const bool isSparse = durationS / static_cast<double>(observations) > kSparseSpacingS;
+  const double lengthS = std::min(kStretchS, durationS / kStretchesMin);
   const auto count = static_cast<std::size_t>((isSparse ? kSparseS : kDenseS) / kStretchS);
   Split result;
   std::size_t index = 0;
   for (const Source& source : sources) {
-    for (const Stretch& stretch : pick(source, std::max<std::size_t>(2, count / sources.size()))) {
+    const std::size_t share = std::max<std::size_t>(2, count / sources.size());
+    for (const Stretch& stretch : pick(source, share, lengthS)) {
       (index++ % 3 == 2 ? result.heldOut : result.fitted).push_back(stretch);
     }
   }
@@ -426,7 +431,7 @@ Candidate tryStructure(const Parts& parts, const Split& data, const AxisParamete
   Candidate candidate{parts, {}, std::numeric_limits<double>::infinity()};
   if (bestX.size() > 0) {
     candidate.parameters = fit.parametersAt(bestX);
-    const Fit check(parts, data.heldOut.empty() ? data.fitted : data.heldOut);
+    const Fit check(parts, data.heldOut);
     candidate.heldOutRmsMm = check.rmsMm(bestX);
   }
   return candidate;
@@ -564,6 +569,14 @@ std::vector<ParameterEstimate> estimatesOf(const Fit& fit, const Eigen::VectorXd
   return estimates;
 }
 
+/// How well a structure follows set points of either kind.
+double quickRmsMm(const LearnedAxis& learned, const Split& data) {
+  Fit fit(partsOf(learned.parameters), data.fitted);
+  Eigen::VectorXd x = fit.inputOf(learned.parameters);
+  fit.improve(x, 12);
+  return fit.rmsMm(x);
+}
+
 /// A model must explain most of what keeps the axis from its set points.
 base::Result<void> requireToFollow(const LearnedAxis& learned, const std::vector<Source>& sources) {
   double squares = 0.0;
@@ -602,9 +615,62 @@ base::Result<void> requireToFollow(const LearnedAxis& learned, const std::vector
                                 learned.axis));
 }
 
+base::Result<LearnedAxis> learnFrom(const std::vector<Source>& sources, char axis,
+                                    const LearnOptions& options) {
+  const Split data = split(sources);
+  if (data.fitted.empty()) {
+    return base::fail(EmulatorError::NoMotion,
+                      fmt::format("Axis {} moves only where it was not observed: record the whole "
+                                  "program.",
+                                  axis));
+  }
+  if (data.heldOut.empty()) {
+    return base::fail(EmulatorError::TooShort,
+                      fmt::format("Axis {} moves too little to learn from some of it and to test "
+                                  "on the rest: record a longer program.",
+                                  axis));
+  }
+  Candidate chosen;
+  if (options.structure != nullptr) {
+    chosen =
+        tryStructure(partsOf(*options.structure), data, *options.structure, kStartsFollowedAlone);
+  } else {
+    auto found = chooseStructure(data, axis, options);
+    if (!found) {
+      return base::fail(found.error());
+    }
+    chosen = std::move(*found);
+  }
+  const std::vector<Stretch> whole = wholeRuns(sources);
+  Fit fit(chosen.parts, whole);
+  Eigen::VectorXd x = fit.inputOf(chosen.parameters);
+  std::size_t steps = 0;
+  for (const Stretch& stretch : whole) {
+    steps += stretch.end;
+  }
+  if (steps < kStepsToFinish) {
+    fit.finish(x);
+  } else {
+    fit.improve(x, 6);
+  }
+  LearnedAxis learned{axis, fit.parametersAt(x), estimatesOf(fit, x, options.confidence),
+                      fit.rmsMm(x), chosen.heldOutRmsMm};
+  if (auto follows = requireToFollow(learned, sources); !follows) {
+    return base::fail(follows.error());
+  }
+  return learned;
+}
+
+/// As `cubicAt`, straight between neighbours.
+double straightAt(std::span<const double> values, double place) {
+  const auto index = std::min(static_cast<std::size_t>(place), values.size() - 1);
+  const double next = values[std::min(index + 1, values.size() - 1)];
+  return values[index] + (place - static_cast<double>(index)) * (next - values[index]);
+}
+
 }  // namespace
 
-SetPointGrid setPointGrid(const AxisTrack& track, double periodS) {
+SetPointGrid setPointGrid(const AxisTrack& track, double periodS, bool goesStraight) {
   const auto parts =
       static_cast<std::size_t>(std::max(1.0, std::ceil(periodS / kGridStepS - 1e-6)));
   if (parts == 1) {
@@ -614,8 +680,9 @@ SetPointGrid setPointGrid(const AxisTrack& track, double periodS) {
   const std::size_t count = (track.reference.size() - 1) * parts + 1;
   grid.mm.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    grid.mm.push_back(
-        cubicAt(track.reference, static_cast<double>(i) / static_cast<double>(parts)));
+    const double place = static_cast<double>(i) / static_cast<double>(parts);
+    grid.mm.push_back(goesStraight ? straightAt(track.reference, place)
+                                   : cubicAt(track.reference, place));
   }
   return grid;
 }
@@ -630,46 +697,27 @@ std::vector<AxisState> predict(const AxisParameters& parameters, const SetPointG
 
 base::Result<LearnedAxis> learnAxis(std::span<const TrainingRun> runs, char axis,
                                     const LearnOptions& options) {
-  const auto sources = sourcesOf(runs, axis);
-  if (!sources) {
-    return base::fail(sources.error());
+  const auto smooth = sourcesOf(runs, axis, false);
+  if (!smooth) {
+    return base::fail(smooth.error());
   }
-  const Split data = split(*sources);
-  if (data.fitted.empty()) {
-    return base::fail(EmulatorError::NoMotion,
-                      fmt::format("Axis {} moves only where it was not observed: record the whole "
-                                  "program.",
-                                  axis));
+  auto learned = learnFrom(*smooth, axis, options);
+  const bool isCoarse = std::ranges::any_of(
+      runs, [](const TrainingRun& run) { return run.period > 1.5 * kGridStepS; });
+  if (!learned || !isCoarse) {
+    return learned;
   }
-  Candidate chosen;
-  if (options.structure != nullptr) {
-    chosen =
-        tryStructure(partsOf(*options.structure), data, *options.structure, kStartsFollowedAlone);
-  } else {
-    auto found = chooseStructure(data, axis, options);
-    if (!found) {
-      return base::fail(found.error());
-    }
-    chosen = std::move(*found);
+  const auto straight = sourcesOf(runs, axis, true);
+  if (!straight || !(quickRmsMm(*learned, split(*straight)) <
+                     kStraightWorth * quickRmsMm(*learned, split(*smooth)))) {
+    return learned;
   }
-  const std::vector<Stretch> whole = wholeRuns(*sources);
-  Fit fit(chosen.parts, whole);
-  Eigen::VectorXd x = fit.inputOf(chosen.parameters);
-  std::size_t steps = 0;
-  for (const Stretch& stretch : whole) {
-    steps += stretch.end;
+  auto other = learnFrom(*straight, axis, options);
+  if (!other) {
+    return other.error().code == EmulatorError::Cancelled ? other : learned;
   }
-  if (steps < kStepsToFinish) {
-    fit.finish(x);
-  } else {
-    fit.improve(x, 6);
-  }
-  LearnedAxis learned{axis, fit.parametersAt(x), estimatesOf(fit, x, options.confidence),
-                      fit.rmsMm(x), chosen.heldOutRmsMm};
-  if (auto follows = requireToFollow(learned, *sources); !follows) {
-    return base::fail(follows.error());
-  }
-  return learned;
+  other->goesStraight = true;
+  return other->heldOutRmsMm < learned->heldOutRmsMm ? other : learned;
 }
 
 base::Result<std::vector<LearnedAxis>> learnAxes(std::span<const TrainingRun> runs,

@@ -9,7 +9,8 @@
 /// How it works. From each run stretches of a second are taken: those with most changes of speed,
 /// and others evenly spaced. Every third one is held out. Each structure is fitted to the others;
 /// the one with the least held-out error is kept, or a simpler one that is as good. It is then
-/// fitted to all runs as a whole. @threadsafety pure functions.
+/// fitted to all runs as a whole. Where set points are more than 1 ms apart, it is tried too
+/// whether the machine goes straight between them. @threadsafety pure functions.
 #pragma once
 
 #include <functional>
@@ -32,6 +33,13 @@ struct ParameterEstimate {
   double high = 0.0;
 };
 
+/// How large the deviations of an axis in good order are: see monitor.h.
+struct ResidualPeaks {
+  double locationMm = 0.0;  ///< of a Gumbel distribution
+  double scaleMm = 0.0;
+  int windows = 0;  ///< how many peaks it is from
+};
+
 /// An axis as it was learned.
 struct LearnedAxis {
   char axis = 'X';
@@ -39,6 +47,10 @@ struct LearnedAxis {
   std::vector<ParameterEstimate> estimates;  ///< of the parts that the model has
   double fitRmsMm = 0.0;                     ///< on all the runs it was fitted to
   double heldOutRmsMm = 0.0;  ///< of this structure, on stretches that it was not fitted to
+  /// The set points go straight from one to the next (the interpolation cycle of a control); else
+  /// smoothly. Makes a difference if they are more than 1 ms apart.
+  bool goesStraight = false;
+  ResidualPeaks peaks = {};
 };
 
 /// How far the search has come: shown, and asked whether to go on.
@@ -77,7 +89,8 @@ struct SetPointGrid {
   double stepS = 0.0;
   std::vector<double> mm;
 };
-[[nodiscard]] SetPointGrid setPointGrid(const AxisTrack& track, double periodS);
+/// @param goesStraight  see LearnedAxis
+[[nodiscard]] SetPointGrid setPointGrid(const AxisTrack& track, double periodS, bool goesStraight);
 
 /// What an axis would show at these times. @param atS  ascending, from the first set point
 [[nodiscard]] std::vector<AxisState> predict(const AxisParameters& parameters,

@@ -198,13 +198,11 @@ feasibility::StreamModel streamModelOf(const machine::MachineConfig& machine) {
   control.relatch = machine.relatch;
   control.blockPreparation = machine.blockPreparation;
   control.accelerationMmPerS2 = machine.axes[0].accelerationMmPerS2Max;
-  double lag = 0.0;
   for (const machine::AxisLimits& axis : machine.axes) {
     control.accelerationMmPerS2 =
         std::min(control.accelerationMmPerS2, axis.accelerationMmPerS2Max);
-    lag = std::max(lag, axis.servoTimeConstantS);
   }
-  control.servoLag = base::fromSeconds(lag);
+  control.servoLag = machine.followingLag();
   model.motion = std::make_shared<PlannerMotion>(machine);
   return model;
 }

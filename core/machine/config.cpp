@@ -16,6 +16,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "emulator/emulator.h"
 
 namespace rivulet::machine {
 
@@ -440,6 +441,90 @@ bool hasEndlessKey(std::string_view text) {
   });
 }
 
+Result<toml::table> parseTable(std::string_view text, const std::string& origin) {
+  if (hasEndlessKey(text)) {
+    return base::fail(MachineError::PresetMalformed,
+                      "This is not a machine preset: a key has too many parts.", origin);
+  }
+  try {
+    return toml::table(toml::parse(text));
+  } catch (const toml::parse_error& error) {
+    return base::fail(MachineError::PresetMalformed,
+                      fmt::format("The preset cannot be read at line {}: {}. Correct the file.",
+                                  error.source().begin.line, error.description()),
+                      origin);
+  }
+}
+
+Result<std::string> presetText(const std::string& nameOrPath) {
+  if (!isPresetPath(nameOrPath)) {
+    for (const auto& entry : presets::kEmbeddedTexts) {
+      if (entry.name == nameOrPath) {
+        return std::string(entry.text);
+      }
+    }
+    return base::fail(MachineError::PresetMissing,
+                      fmt::format("There is no machine preset \"{}\". Choose one of {}, or give "
+                                  "the path of a .toml file.",
+                                  nameOrPath, fmt::join(presetNames(), ", ")));
+  }
+  Result<std::string> text = base::readFile(nameOrPath, kPresetBytesMax);
+  if (!text) {
+    return base::fail(MachineError::PresetMissing, text.error().message, nameOrPath);
+  }
+  return text;
+}
+
+/// What `parseEmulator` has read is no setting of the machine.
+void takeOutEmulator(toml::table& root) {
+  root.erase("emulator");
+  for (const char letter : base::kAxisNames) {
+    if (toml::table* axis = root.at_path(fmt::format("axes.{}", letter)).as_table()) {
+      axis->erase("servo");
+    }
+  }
+}
+
+/// Takes what a preset lacks from another one.
+void addMissing(toml::table& table, const toml::table& from) {
+  for (const auto& [key, node] : from) {
+    toml::node* const own = table.get(key);
+    if (own == nullptr) {
+      table.insert(key, node);
+    } else if (own->is_table() && node.is_table()) {
+      addMissing(*own->as_table(), *node.as_table());
+    }
+  }
+}
+
+/// @param preset  name or path of the one that has what is missing; empty: nothing is
+Result<void> complete(toml::table& root, const std::string& preset, const std::string& origin) {
+  if (preset.empty()) {
+    return {};
+  }
+  const std::filesystem::path path(preset);
+  const bool isBeside = isPresetPath(preset) && path.is_relative();
+  const std::string named =
+      isBeside ? (std::filesystem::path(origin).parent_path() / path).string() : preset;
+  const Result<std::string> text = presetText(named);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  Result<toml::table> other = parseTable(*text, named);
+  if (!other) {
+    return base::fail(other.error());
+  }
+  if (other->contains("emulator")) {
+    return base::fail(MachineError::PresetMalformed,
+                      fmt::format("The preset cannot be used: emulator.preset names {}, which is "
+                                  "an emulator itself. Name the preset of a machine.",
+                                  preset),
+                      origin);
+  }
+  addMissing(root, *other);
+  return {};
+}
+
 }  // namespace
 
 std::error_code make_error_code(MachineError code) {
@@ -495,22 +580,50 @@ std::vector<std::string> presetNames() {
   return names;
 }
 
+std::optional<emulator::AxisParameters> MachineConfig::axisLaw(std::size_t axis) const {
+  if (learnedAxes[axis]) {
+    return learnedAxes[axis];
+  }
+  const double timeConstantS = axes[axis].servoTimeConstantS;
+  return timeConstantS > 0.0 ? std::optional(emulator::firstOrderLag(timeConstantS)) : std::nullopt;
+}
+
+base::Duration MachineConfig::followingLag() const {
+  double lagS = 0.0;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (const auto law = axisLaw(axis)) {
+      lagS = std::max(lagS, emulator::followingLagS(*law));
+    }
+  }
+  return base::fromSeconds(lagS);
+}
+
+bool isPresetPath(const std::string& nameOrPath) {
+  return nameOrPath.find('/') != std::string::npos || nameOrPath.ends_with(".toml");
+}
+
 Result<MachineConfig> parsePreset(std::string_view text, const std::string& origin) {
-  if (hasEndlessKey(text)) {
-    return base::fail(MachineError::PresetMalformed,
-                      "This is not a machine preset: a key has too many parts.", origin);
+  Result<toml::table> root = parseTable(text, origin);
+  if (!root) {
+    return base::fail(root.error());
   }
-  toml::table root;
-  try {
-    root = toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    return base::fail(MachineError::PresetMalformed,
-                      fmt::format("The preset cannot be read at line {}: {}. Correct the file.",
-                                  error.source().begin.line, error.description()),
-                      origin);
-  }
-  Reader reader(root, origin);
   MachineConfig config;
+  if (root->contains("emulator")) {
+    auto learned = emulator::parseEmulator(text, origin);
+    if (!learned) {
+      return base::fail(MachineError::PresetMalformed, learned.error().message, origin);
+    }
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (const emulator::LearnedAxis* one = learned->find(base::kAxisNames[axis])) {
+        config.learnedAxes[axis] = one->parameters;
+      }
+    }
+    takeOutEmulator(*root);
+    if (auto completed = complete(*root, learned->preset, origin); !completed) {
+      return base::fail(completed.error());
+    }
+  }
+  Reader reader(*root, origin);
   readAxes(reader, config);
   readRotaryAxes(reader, config);
   readControl(reader, config);
@@ -526,29 +639,14 @@ Result<MachineConfig> parsePreset(std::string_view text, const std::string& orig
 }
 
 Result<MachineConfig> loadPreset(const std::string& nameOrPath) {
-  const bool isPath = nameOrPath.find('/') != std::string::npos || nameOrPath.ends_with(".toml");
-  if (!isPath) {
-    for (const auto& entry : presets::kEmbeddedTexts) {
-      if (entry.name == nameOrPath) {
-        Result<MachineConfig> config = parsePreset(entry.text, nameOrPath);
-        if (config) {
-          config->name = nameOrPath;
-        }
-        return config;
-      }
-    }
-    return base::fail(MachineError::PresetMissing,
-                      fmt::format("There is no machine preset \"{}\". Choose one of {}, or give "
-                                  "the path of a .toml file.",
-                                  nameOrPath, fmt::join(presetNames(), ", ")));
-  }
-  const Result<std::string> text = base::readFile(nameOrPath, kPresetBytesMax);
+  const Result<std::string> text = presetText(nameOrPath);
   if (!text) {
-    return base::fail(MachineError::PresetMissing, text.error().message, nameOrPath);
+    return base::fail(text.error());
   }
   Result<MachineConfig> config = parsePreset(*text, nameOrPath);
   if (config) {
-    config->name = std::filesystem::path(nameOrPath).stem().string();
+    config->name =
+        isPresetPath(nameOrPath) ? std::filesystem::path(nameOrPath).stem().string() : nameOrPath;
   }
   return config;
 }

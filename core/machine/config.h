@@ -19,6 +19,7 @@
 #include "base/instant.h"
 #include "base/result.h"
 #include "base/vec3.h"
+#include "emulator/axis_model.h"
 #include "machine/prepared.h"
 #include "machine/tool.h"
 #include "machine/user.h"
@@ -130,11 +131,14 @@ struct MachineConfig {
   std::string name;
   std::array<AxisLimits, base::kAxisCount> axes;
   std::array<std::optional<RotaryLimits>, base::kRotaryAxisCount> rotaryAxes;  ///< A B C
-  base::Duration interpolationCycle{};                                         ///< IPO cycle
-  base::Duration positionCycle{};                                              ///< servo
-  base::Duration blockPreparation{};  ///< pre-run time per block
-  int bufferedBlocksMax = 0;          ///< prepared blocks the main run has not finished
-  base::Duration standstillMean{};    ///< standstill of the axes at a STOPRE
+  /// How X, Y and Z follow their set points, learned from traces; one that was not learned has its
+  /// time constant. Optional in a preset.
+  std::array<std::optional<emulator::AxisParameters>, base::kAxisCount> learnedAxes;
+  base::Duration interpolationCycle{};  ///< IPO cycle
+  base::Duration positionCycle{};       ///< servo
+  base::Duration blockPreparation{};    ///< pre-run time per block
+  int bufferedBlocksMax = 0;            ///< prepared blocks the main run has not finished
+  base::Duration standstillMean{};      ///< standstill of the axes at a STOPRE
   base::Duration standstillDeviation{};
   base::Duration relatch{};  ///< from standstill until the pre-run continues
   RRead rRead = RRead::AtInterpretation;
@@ -178,6 +182,10 @@ struct MachineConfig {
   [[nodiscard]] std::optional<std::size_t> rotaryAt(int index) const;
   /// No feed can be larger: the speed of the fastest linear axis, or that of G0; mm/s.
   [[nodiscard]] double feedMmPerSMax() const;
+  /// How X, Y or Z follows its set point. @return nothing: exactly
+  [[nodiscard]] std::optional<emulator::AxisParameters> axisLaw(std::size_t axis) const;
+  /// Of the slowest of X, Y and Z: how late it is where its set point was, at constant speed.
+  [[nodiscard]] base::Duration followingLag() const;
   /// Positions of all axes when the machine is switched on.
   [[nodiscard]] base::AxisPosition start() const;
 };
@@ -191,12 +199,17 @@ inline constexpr const char* kDefaultPreset = "dmu75";
 /// Names of the presets that are built in, sorted.
 [[nodiscard]] std::vector<std::string> presetNames();
 
-/// A built-in preset by name, or a TOML file by path (anything with a '/' or ".toml").
+/// True of the path of a TOML file (anything with a '/' or ".toml"), false of a name.
+[[nodiscard]] bool isPresetPath(const std::string& nameOrPath);
+
+/// A built-in preset by name, or a TOML file by path.
 /// @return PresetMissing (the message lists the names), PresetMalformed (line and key)
 [[nodiscard]] base::Result<MachineConfig> loadPreset(const std::string& nameOrPath);
 
 /// Parses the text of a preset. All keys are required except those of A, B and C, which a machine
-/// need not have; an unknown key is an error.
+/// need not have; an unknown key is an error. The file of a learned emulator (emulator/emulator.h)
+/// is a preset too: its `emulator.preset` names the one that has the keys which it lacks.
+/// @param origin  of the text; a path that it names begins in the same folder
 [[nodiscard]] base::Result<MachineConfig> parsePreset(std::string_view text,
                                                       const std::string& origin);
 

@@ -239,7 +239,7 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
   PathPlanner m_planner;
   SyncActions m_syncActions;  // before the pre-run, which adds actions to it
   Prerun m_prerun;
-  LinearServo m_servo;
+  ServoModel m_servo;
   Equipment m_equipment;
   trace::ControlTrace m_trace;
   std::map<std::string, std::string> m_programs;

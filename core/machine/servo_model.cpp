@@ -4,58 +4,57 @@
 #include "machine/servo_model.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rivulet::machine {
 
-LinearServo::LinearServo(const MachineConfig& config, const base::AxisPosition& start)
-    : m_steps(static_cast<int>(
-          std::max<base::Duration::rep>(1, config.interpolationCycle / config.positionCycle))),
+namespace {
+
+/// Longest step in which the friction of an axis is exact enough.
+constexpr base::Duration kStepMax = std::chrono::milliseconds{1};
+
+}  // namespace
+
+ServoModel::ServoModel(const MachineConfig& config, const base::AxisPosition& start)
+    : m_steps(static_cast<int>(std::max<base::Duration::rep>(
+          1, config.interpolationCycle / std::min(config.positionCycle, kStepMax)))),
       m_actualMm(start.mm),
       m_actualDeg(start.deg) {
   const double stepS = base::toSeconds(config.interpolationCycle) / m_steps;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    m_lags[axis] = lagOf(config.axes[axis].servoTimeConstantS, stepS);
+    if (const auto law = config.axisLaw(axis)) {
+      m_axes[axis].emplace(*law, stepS, emulator::AxisState{start.mm[axis], 0.0});
+    }
   }
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    if (config.rotaryAxes[axis]) {
-      m_rotaryLags[axis] = lagOf(config.rotaryAxes[axis]->servoTimeConstantS, stepS);
+    if (config.rotaryAxes[axis] && config.rotaryAxes[axis]->servoTimeConstantS > 0.0) {
+      m_rotaryAxes[axis].emplace(
+          emulator::firstOrderLag(config.rotaryAxes[axis]->servoTimeConstantS), stepS,
+          emulator::AxisState{start.deg[axis], 0.0});
     }
   }
 }
 
-LinearServo::Lag LinearServo::lagOf(double timeConstantS, double stepS) {
-  Lag lag;
-  if (timeConstantS > 0.0) {
-    lag.decay = std::exp(-stepS / timeConstantS);
-    lag.drag = timeConstantS / stepS * (1.0 - lag.decay);
+double ServoModel::followOne(Axis& axis, double from, double to) const {
+  if (!axis) {
+    return to;
   }
-  return lag;
+  for (int i = 1; i < m_steps; ++i) {
+    axis->step(from + (to - from) * i / m_steps);
+  }
+  return axis->step(to).mm;
 }
 
-double LinearServo::followOne(const Lag& lag, double actual, double from, double to) const {
-  const double step = (to - from) / m_steps;
-  double command = from;
-  for (int i = 0; i < m_steps; ++i) {
-    // Solution of the lag for a set point rising from `command` by `step`.
-    actual = command + step + (actual - command) * lag.decay - step * lag.drag;
-    command += step;
-  }
-  return actual;
-}
-
-base::Vec3 LinearServo::follow(base::Vec3 fromMm, base::Vec3 toMm) {
+base::Vec3 ServoModel::follow(base::Vec3 fromMm, base::Vec3 toMm) {
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    m_actualMm.set(axis, followOne(m_lags[axis], m_actualMm[axis], fromMm[axis], toMm[axis]));
+    m_actualMm.set(axis, followOne(m_axes[axis], fromMm[axis], toMm[axis]));
   }
   return m_actualMm;
 }
 
-base::RotaryDeg LinearServo::followDeg(const base::RotaryDeg& fromDeg,
-                                       const base::RotaryDeg& toDeg) {
+base::RotaryDeg ServoModel::followDeg(const base::RotaryDeg& fromDeg,
+                                      const base::RotaryDeg& toDeg) {
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    m_actualDeg[axis] =
-        followOne(m_rotaryLags[axis], m_actualDeg[axis], fromDeg[axis], toDeg[axis]);
+    m_actualDeg[axis] = followOne(m_rotaryAxes[axis], fromDeg[axis], toDeg[axis]);
   }
   return m_actualDeg;
 }

@@ -51,7 +51,7 @@ TrainingRun squareRun(const Emulator& emulator, double offMm) {
   for (AxisTrack& track : run.axes) {
     const AxisParameters& parameters = emulator.axes[track.axis == 'X' ? 0 : 1].parameters;
     for (const AxisState& state :
-         predict(parameters, setPointGrid(track, run.period), run.observedAt)) {
+         predict(parameters, setPointGrid(track, run.period, false), run.observedAt)) {
       track.observed.push_back(state.mm + (track.axis == 'X' ? offMm : 0.0));
     }
   }

@@ -217,6 +217,32 @@ class TestIdentification : public QObject {
     QVERIFY(learned->fitRmsMm < 1e-6);
   }
 
+  void findsThatAMachineGoesStraight() {
+    // Set points every 4 ms, between which a control goes straight: its interpolation cycle.
+    constexpr std::size_t kCycle = 4;
+    std::vector<double> mm = setPoints(6.0);
+    mm.resize(mm.size() / kCycle * kCycle + 1);
+    for (std::size_t i = 0; i + kCycle < mm.size(); i += kCycle) {
+      for (std::size_t k = 1; k < kCycle; ++k) {
+        mm[i + k] = mm[i] + (mm[i + kCycle] - mm[i]) * static_cast<double>(k) / kCycle;
+      }
+    }
+    Random random(4);
+    const AxisParameters plant = plantWithFeedForward(random);
+    TrainingRun run = runOf(plant, mm, 1e-5, 4);
+    run.period = kCycle * kPeriodS;
+    std::vector<double>& reference = run.axes[0].reference;
+    for (std::size_t i = 0; kCycle * i < mm.size(); ++i) {
+      reference[i] = mm[kCycle * i];
+    }
+    reference.resize((mm.size() - 1) / kCycle + 1);
+    const auto learned = learnAxis({&run, 1}, 'X');
+    QVERIFY2(learned, learned ? "" : learned.error().text().c_str());
+    QVERIFY(learned->goesStraight);
+    QVERIFY(learned->fitRmsMm < 1e-4);
+    QVERIFY(std::abs(learned->parameters[P::PositionGain] / plant[P::PositionGain] - 1.0) < 0.01);
+  }
+
   void refusesWhatCannotBeLearnedFrom_data() {
     QTest::addColumn<int>("fault");
     QTest::addColumn<EmulatorError>("code");
@@ -227,6 +253,7 @@ class TestIdentification : public QObject {
     QTest::newRow("time backwards") << 4 << EmulatorError::BadTimes;
     QTest::newRow("no such axis") << 5 << EmulatorError::NoMotion;
     QTest::newRow("another program") << 6 << EmulatorError::Diverged;
+    QTest::newRow("nothing left to test on") << 7 << EmulatorError::TooShort;
   }
   void refusesWhatCannotBeLearnedFrom() {
     QFETCH(int, fault);
@@ -250,6 +277,10 @@ class TestIdentification : public QObject {
       std::swap(run.observedAt[50], run.observedAt[51]);
     } else if (fault == 6) {
       std::ranges::reverse(track.observed);
+    } else if (fault == 7) {
+      // It moves for a moment, in one stretch of the run.
+      std::fill(track.reference.begin() + 250, track.reference.end(), track.reference[250]);
+      std::fill(track.observed.begin() + 62, track.observed.end(), track.reference[250]);
     }
     const auto learned = learnAxis({&run, 1}, fault == 5 ? 'Z' : 'X', {.structure = &plant});
     QVERIFY(!learned);

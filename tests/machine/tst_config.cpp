@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <QFile>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include "machine/config.h"
@@ -61,6 +62,81 @@ class TestConfig : public QObject {
       ++tried;
     }
     QVERIFY(tried >= 20);
+  }
+
+  void anEmulatorIsAPreset() {
+    const std::string text =
+        "[emulator]\nversion = 1\npreset = \"dmu75\"\n"
+        "[axes.X]\naccelerationMmPerS2 = 600.0\n"
+        "[axes.X.servo]\nposition_gain = 40.0\nfeed_forward = 0.5\ndelay = 0.002\n";
+    const auto config = parsePreset(text, "mine.toml");
+    QVERIFY2(config.has_value(), config ? "" : config.error().text().c_str());
+    const MachineConfig named = *loadPreset("dmu75");
+    QCOMPARE(config->axes[0].accelerationMmPerS2Max, 600.0);  // said here
+    QCOMPARE(config->axes[1].accelerationMmPerS2Max, named.axes[1].accelerationMmPerS2Max);
+    QVERIFY(config->interpolationCycle == named.interpolationCycle);
+    using P = rivulet::emulator::AxisParameter;
+    QCOMPARE((*config->axisLaw(0))[P::PositionGain], 40.0);
+    QVERIFY(std::abs((*config->axisLaw(1))[P::PositionGain] - 100.0) < 1e-9);  // not learned
+    QVERIFY(named.followingLag() == rivulet::base::fromMilliseconds(10.0));
+    QVERIFY(config->followingLag() == rivulet::base::fromMilliseconds(2.0 + 12.5));
+  }
+
+  void aPresetNamesItsMachineFromItsOwnFolder() {
+    QTemporaryDir folder;
+    const auto write = [&](const char* name, const std::string& text) {
+      QFile file(folder.filePath(QLatin1String(name)));
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(text.c_str());
+    };
+    std::string other = preset();
+    other.replace(other.find("accelerationMmPerS2 = 5000"), 26, "accelerationMmPerS2 = 1234");
+    write("plain.toml", other);
+    write(
+        "mine.toml",
+        "[emulator]\nversion = 1\npreset = \"plain.toml\"\n[axes.Y.servo]\nposition_gain = 7.0\n");
+    write("twice.toml",
+          "[emulator]\nversion = 1\npreset = \"mine.toml\"\n[axes.Y.servo]\nposition_gain = 7.0\n");
+    const auto mine = loadPreset(folder.filePath(QStringLiteral("mine.toml")).toStdString());
+    QVERIFY2(mine.has_value(), mine ? "" : mine.error().text().c_str());
+    QCOMPARE(mine->name, std::string("mine"));
+    QCOMPARE(mine->axes[0].accelerationMmPerS2Max, 1234.0);
+    const auto twice = loadPreset(folder.filePath(QStringLiteral("twice.toml")).toStdString());
+    QVERIFY(!twice);
+    QVERIFY(twice.error().message.find("mine.toml") != std::string::npos);
+  }
+
+  void badEmulatorsAreNamed_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("named");
+    const QString head = QStringLiteral("[emulator]\nversion = 1\n");
+    const QString preset = QStringLiteral("preset = \"dmu75\"\n");
+    const QString axis = QStringLiteral("[axes.X.servo]\nposition_gain = 40.0\n");
+    QTest::newRow("no preset") << head + axis << "axes.X.positionMm";
+    QTest::newRow("unknown preset")
+        << head + QStringLiteral("preset = \"nowhere\"\n") + axis << "nowhere";
+    QTest::newRow("missing file") << head + QStringLiteral("preset = \"no/such.toml\"\n") + axis
+                                  << "";
+    QTest::newRow("out of range") << head + preset +
+                                         QStringLiteral("[axes.X.servo]\nposition_gain = 1e9\n")
+                                  << "position_gain";
+    QTest::newRow("unknown parameter")
+        << head + preset + axis + QStringLiteral("gain = 1.0\n") << "gain of axis X";
+    QTest::newRow("a servo without an emulator") << axis << "servo.position_gain";
+    QTest::newRow("unknown setting")
+        << head + preset + axis + QStringLiteral("[axes.X]\nspeed = 3\n") << "axes.X.speed";
+  }
+  void badEmulatorsAreNamed() {
+    QFETCH(QString, text);
+    QFETCH(QString, named);
+    std::string whole = text.toStdString();
+    if (!text.contains(QLatin1String("[emulator]"))) {
+      whole = preset() + whole;
+    }
+    const auto config = parsePreset(whole, "mine.toml");
+    QVERIFY(!config);
+    const QString message = QString::fromStdString(config.error().text());
+    QVERIFY2(message.contains(named), qPrintable(message));
   }
 
   void badValuesAreNamed_data() {

@@ -187,6 +187,42 @@ class TestMachine : public QObject {
              done + base::fromMilliseconds(1.3));
   }
 
+  /// The axes of a machine with a learned emulator are where the emulator says, to the last digits.
+  void theServoIsTheLearnedAxis() {
+    using P = emulator::AxisParameter;
+    machine::MachineConfig config = *machine::loadPreset("dmu75");
+    emulator::AxisParameters law;
+    law[P::PositionGain] = 45.0;
+    law[P::FeedForward] = 0.8;
+    law[P::SpeedGain] = 110.0;
+    law[P::ResetTime] = 0.012;
+    law[P::Coulomb] = 80.0;
+    law[P::CoulombSpeed] = 0.5;
+    law[P::Delay] = 0.0025;
+    config.learnedAxes[1] = law;
+    Bench bench("G1 Y10 F3000\nY2 X4\nY30 F9000\nY0\nM30\n", 1, config);
+    bench.runS(5.0);
+    const trace::ControlTrace& trace = bench->trace();
+    constexpr int kSteps = 4;
+    constexpr std::size_t kRestSteps = 10;  // it begins at rest
+    std::vector<double> setMm(kRestSteps, 0.0);
+    for (const trace::ControlSample& sample : trace.samples) {
+      const double fromMm = setMm.back();
+      for (int i = 1; i <= kSteps; ++i) {
+        setMm.push_back(fromMm + (sample.commandMm.y - fromMm) * i / kSteps);
+      }
+    }
+    const auto states = emulator::simulateAxis(law, 0.001, setMm);
+    double farthestMm = 0.0;
+    for (std::size_t i = 0; i < trace.samples.size(); ++i) {
+      const double mm = states[kRestSteps - 1 + kSteps * (i + 1)].mm;
+      QVERIFY(std::abs(trace.samples[i].actualMm.y - mm) < 1e-9);
+      farthestMm = std::max(farthestMm, std::abs(mm - trace.samples[i].commandMm.y));
+    }
+    QVERIFY(trace.samples.size() > 200);
+    QVERIFY(farthestMm > 0.3);  // it does lag
+  }
+
   void sameSeedSameRun() {
     const std::string text =
         "LL:\nG1 X5 F3000\nSTOPRE\nX0\nSTOPRE\nR1=R1+1\nIF R1<9 GOTOB LL\nM30\n";
