@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "emulator/monitor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.h"
+#include "emulator/emulator_error.h"
+
+namespace rivulet::emulator {
+
+namespace {
+
+struct Window {
+  double fromS = 0.0;
+  double toS = 0.0;
+  std::size_t first = 0;
+  std::size_t end = 0;
+};
+
+/// Whole windows of a run, and what is left at its end if that is more than half of one.
+std::vector<Window> windowsOf(std::span<const double> atS) {
+  std::vector<Window> windows;
+  for (std::size_t i = 0; i < atS.size();) {
+    Window window{atS[i], atS[i] + kPeakWindowS, i, i};
+    while (window.end < atS.size() && atS[window.end] < window.toS) {
+      ++window.end;
+    }
+    i = window.end;
+    window.toS = atS[window.end - 1];
+    if (window.toS - window.fromS > 0.5 * kPeakWindowS) {
+      windows.push_back(window);
+    }
+  }
+  return windows;
+}
+
+double largestOf(std::span<const double> residuals, const Window& window) {
+  const auto begin = residuals.begin() + static_cast<std::ptrdiff_t>(window.first);
+  const auto end = residuals.begin() + static_cast<std::ptrdiff_t>(window.end);
+  return *std::max_element(begin, end,
+                           [](double a, double b) { return std::abs(a) < std::abs(b); });
+}
+
+/// Share of a t distribution above `t`. With x = sqrt(f)·tan(angle) its density becomes a power of
+/// the cosine, which Simpson's rule integrates well.
+double shareAboveT(double t, int freedom) {
+  const double f = freedom;
+  const double scale =
+      std::exp(std::lgamma(0.5 * (f + 1.0)) - std::lgamma(0.5 * f)) / std::sqrt(std::numbers::pi);
+  const auto density = [&](double angle) { return std::pow(std::cos(angle), f - 1.0); };
+  constexpr int kSteps = 1000;
+  const double end = std::atan(t / std::sqrt(f));
+  const double step = end / kSteps;
+  double sum = density(0.0) + density(end);
+  for (int i = 1; i < kSteps; ++i) {
+    sum += (i % 2 == 1 ? 4.0 : 2.0) * density(step * i);
+  }
+  return 0.5 - scale * sum * step / 3.0;
+}
+
+}  // namespace
+
+base::Result<std::vector<AxisResiduals>> residualsOf(const Emulator& emulator,
+                                                     const TrainingRun& run) {
+  if (auto checked = checkRun(run); !checked) {
+    return base::fail(checked.error());
+  }
+  std::vector<AxisResiduals> all;
+  for (const AxisTrack& track : run.axes) {
+    const LearnedAxis* const learned = emulator.find(track.axis);
+    if (learned == nullptr) {
+      if (auto stands = requireToStand(track, run.name); !stands) {
+        return base::fail(stands.error());
+      }
+      continue;
+    }
+    AxisResiduals& residuals = all.emplace_back(AxisResiduals{track.axis, {}});
+    const std::vector<AxisState> states =
+        predict(learned->parameters, setPointGrid(track, run.period, learned->goesStraight),
+                run.observedAt);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      residuals.mm.push_back(track.observed[i] - states[i].mm);
+    }
+  }
+  return all;
+}
+
+base::Result<void> measurePeaks(Emulator& emulator, std::span<const TrainingRun> runs) {
+  for (LearnedAxis& axis : emulator.axes) {
+    std::vector<double> peaks;
+    for (const TrainingRun& run : runs) {
+      const auto residuals = residualsOf(emulator, run);
+      if (!residuals) {
+        return base::fail(residuals.error());
+      }
+      const auto found = std::ranges::find(*residuals, axis.axis, &AxisResiduals::axis);
+      if (found == residuals->end()) {
+        continue;
+      }
+      for (const Window& window : windowsOf(run.observedAt)) {
+        peaks.push_back(std::abs(largestOf(found->mm, window)));
+      }
+    }
+    const auto count = static_cast<double>(peaks.size());
+    if (peaks.size() < kPeaksMin) {
+      return base::fail(
+          EmulatorError::TooShort,
+          fmt::format("Axis {} was seen for {} s: to know how large its deviations are at most, "
+                      "record {} s at least.",
+                      axis.axis, peaks.size(), kPeaksMin));
+    }
+    double mean = 0.0;
+    for (const double peak : peaks) {
+      mean += peak / count;
+    }
+    double variance = 0.0;
+    for (const double peak : peaks) {
+      variance += (peak - mean) * (peak - mean) / (count - 1.0);
+    }
+    // Of a Gumbel distribution: variance π²·scale²/6, mean location + γ·scale.
+    const double scaleMm = std::sqrt(6.0 * variance) / std::numbers::pi;
+    axis.peaks = {mean - std::numbers::egamma * scaleMm, scaleMm, static_cast<int>(peaks.size())};
+  }
+  return {};
+}
+
+double peakThresholdMm(const ResidualPeaks& peaks, std::size_t axes,
+                       const MonitorOptions& options) {
+  const double perPeak = std::min(
+      0.5, options.falseAlarmsPerHour * kPeakWindowS / (3600.0 * static_cast<double>(axes)));
+  return peaks.locationMm - peaks.scaleMm * std::log(-std::log1p(-perPeak));
+}
+
+base::Result<std::vector<Deviation>> findDeviations(const Emulator& emulator,
+                                                    const TrainingRun& run,
+                                                    const MonitorOptions& options) {
+  const auto residuals = residualsOf(emulator, run);
+  if (!residuals) {
+    return base::fail(residuals.error());
+  }
+  const std::vector<Window> windows = windowsOf(run.observedAt);
+  std::vector<Deviation> deviations;
+  for (const AxisResiduals& axis : *residuals) {
+    const ResidualPeaks& peaks = emulator.find(axis.axis)->peaks;
+    if (peaks.windows < kPeaksMin) {
+      return base::fail(EmulatorError::BadFile,
+                        fmt::format("This emulator does not say how large the deviations of axis "
+                                    "{} usually are: learn it again, from {} s of traces at least.",
+                                    axis.axis, kPeaksMin));
+    }
+    const double thresholdMm = peakThresholdMm(peaks, emulator.axes.size(), options);
+    bool goesOn = false;
+    for (const Window& window : windows) {
+      const double largestMm = largestOf(axis.mm, window);
+      if (!(std::abs(largestMm) > thresholdMm)) {
+        goesOn = false;
+        continue;
+      }
+      if (!goesOn) {
+        deviations.push_back({axis.axis, window.fromS, window.toS, largestMm, thresholdMm});
+      }
+      Deviation& last = deviations.back();
+      last.toS = window.toS;
+      last.largestMm = std::abs(largestMm) > std::abs(last.largestMm) ? largestMm : last.largestMm;
+      goesOn = true;
+    }
+  }
+  return deviations;
+}
+
+MissingShare missingWatermark(std::span<const double> residuals, std::span<const double> answer,
+                              std::span<const double> atS) {
+  struct Sums {
+    double product = 0.0;
+    double square = 0.0;
+  };
+  std::vector<Sums> windows;
+  Sums all;
+  for (const Window& window : windowsOf(atS)) {
+    Sums sums;
+    for (std::size_t i = window.first; i < window.end; ++i) {
+      sums.product -= residuals[i] * answer[i];
+      sums.square += answer[i] * answer[i];
+    }
+    if (sums.square > 0.0) {
+      windows.push_back(sums);
+      all.product += sums.product;
+      all.square += sums.square;
+    }
+  }
+  MissingShare missing;
+  missing.windows = static_cast<int>(windows.size());
+  if (missing.windows < 2) {
+    return missing;
+  }
+  // The share of all windows is a mean of those of the windows, weighted by their squares.
+  missing.share = all.product / all.square;
+  const auto count = static_cast<double>(windows.size());
+  double variance = 0.0;
+  for (const Sums& sums : windows) {
+    const double off = sums.product - missing.share * sums.square;
+    variance += off * off;
+  }
+  missing.standardError = std::sqrt(variance * count / (count - 1.0)) / all.square;
+  return missing;
+}
+
+double watermarkThreshold(int windows, double falseAlarmProbability) {
+  double low = 0.0;
+  double high = 1e3;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (shareAboveT(middle, windows - 1) > falseAlarmProbability ? low : high) = middle;
+  }
+  return high;
+}
+
+}  // namespace rivulet::emulator
