@@ -13,8 +13,9 @@
 
 #include "base/file.h"
 #include "emulator/emulator.h"
-#include "experiments/program_course.h"
+#include "experiments/learned_machine.h"
 #include "experiments/recorded_run.h"
+#include "experiments/sparse_learning.h"
 #include "trace/import/import.h"
 #include "trace/motion.h"
 
@@ -28,11 +29,6 @@ using emulator::TrainingRun;
 
 /// What may be learned from; the names of all other designs are for tests.
 constexpr std::array<std::string_view, 4> kLearnedFrom{"G1", "G2", "G3", "circle"};
-
-/// Clocks of a trace and of its program differ by no more.
-constexpr double kClockReachS = 0.6;
-/// Puts the delay that is looked for away from its bound at 0.
-constexpr double kAddedDelayS = 0.01;
 
 struct Runs {
   std::vector<TrainingRun> learned;
@@ -84,45 +80,6 @@ base::Result<Runs> loadRuns(const fs::path& folder) {
   return runs;
 }
 
-/// A trace of actual positions alone, 10 a second; what was asked comes from the program.
-base::Result<TrainingRun> loadSparseRun(const fs::path& trace, const fs::path& program) {
-  const auto bytes = base::readFile(trace);
-  const auto text = base::readFile(program);
-  if (!bytes || !text) {
-    return base::fail(bytes ? text.error() : bytes.error());
-  }
-  const auto imported = trace::importTrace(*bytes);
-  const auto blocks = parseRecordedProgram(*text, {});
-  if (!imported || !blocks) {
-    return base::fail(imported ? blocks.error() : imported.error());
-  }
-  const trace::Motion motion = trace::motionOf(*imported);
-  const TrapezoidRules rules;
-  const std::vector<base::Vec3> course = trapezoidCourse(*blocks, {}, rules);
-  TrainingRun run{trace.stem().string(), rules.cycleS, {}, {}};
-  if (motion.samples.empty() || course.empty()) {
-    return run;
-  }
-  for (const trace::MotionSample& sample : motion.samples) {
-    run.observedAt.push_back(base::toSeconds(sample.at - motion.samples.front().at));
-  }
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    // Stands before and after the program for as long as the clocks may differ.
-    const auto margin = static_cast<std::size_t>(kClockReachS / rules.cycleS);
-    emulator::AxisTrack track{base::kAxisNames[axis], {}, {}};
-    track.reference.assign(margin, course.front()[axis]);
-    for (const base::Vec3& mm : course) {
-      track.reference.push_back(mm[axis]);
-    }
-    track.reference.insert(track.reference.end(), 2 * margin, course.back()[axis]);
-    for (const trace::MotionSample& sample : motion.samples) {
-      track.observed.push_back(motion.placeMm(sample)[axis]);
-    }
-    run.axes.push_back(std::move(track));
-  }
-  return run;
-}
-
 std::vector<TrainingRun> loadSparseRuns(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> files;
@@ -133,73 +90,20 @@ std::vector<TrainingRun> loadSparseRuns(const fs::path& folder) {
   std::ranges::sort(files);
   std::vector<TrainingRun> runs;
   for (const fs::path& file : files) {
-    auto run = loadSparseRun(file, folder / "programs" / (file.stem().string() + ".ngc"));
-    if (run && !run->observedAt.empty()) {
+    const auto bytes = base::readFile(file);
+    const auto program = base::readFile(folder / "programs" / (file.stem().string() + ".ngc"));
+    const auto imported = bytes && program ? trace::importTrace(*bytes)
+                                           : base::Result<trace::ImportedTrace>(base::fail(
+                                                 bytes ? program.error() : bytes.error()));
+    if (!imported) {
+      continue;
+    }
+    auto run = runOfProgram(trace::motionOf(*imported), *program, file.stem().string(), {});
+    if (run) {
       runs.push_back(std::move(*run));
     }
   }
   return runs;
-}
-
-/// Puts the times of a run on the time of its set points.
-void align(TrainingRun& run, const Emulator& emulator, double reachS) {
-  const double shiftS = emulator::bestTimeShift(emulator, run, reachS);
-  for (double& atS : run.observedAt) {
-    atS += shiftS;
-  }
-}
-
-/// Clocks and axes in turn: the shift of a clock is found with the axes, and the axes with it.
-base::Result<Emulator> learnWithClocks(std::vector<TrainingRun> runs) {
-  constexpr int kRounds = 3;
-  Emulator emulator;
-  for (const char letter : {'X', 'Y'}) {
-    emulator::LearnedAxis axis;
-    axis.axis = letter;
-    for (const emulator::AxisParameterFacts& facts : emulator::axisParameterFacts()) {
-      axis.parameters[facts.parameter] = facts.typical;
-    }
-    for (const auto part : {emulator::AxisParameter::ResonanceHz, emulator::AxisParameter::Delay,
-                            emulator::AxisParameter::FeedForward}) {
-      axis.parameters[part] = 0.0;
-    }
-    emulator.axes.push_back(axis);
-  }
-  for (int round = 0; round < kRounds; ++round) {
-    for (TrainingRun& run : runs) {
-      align(run, emulator, round == 0 ? kClockReachS : 0.05);
-    }
-    if (round == 0) {
-      auto axes = emulator::learnAxes(runs, {.knowsTime = false});
-      if (!axes) {
-        return base::fail(axes.error());
-      }
-      emulator.axes = std::move(*axes);
-      continue;
-    }
-    // What is left of the clock's shift is found with the axes, as a delay of all of them.
-    for (TrainingRun& run : runs) {
-      for (double& atS : run.observedAt) {
-        atS += kAddedDelayS;
-      }
-    }
-    double commonS = kAddedDelayS;
-    for (std::size_t i = 0; i < emulator.axes.size(); ++i) {
-      emulator::AxisParameters structure = emulator.axes[i].parameters;
-      structure[emulator::AxisParameter::Delay] = kAddedDelayS;
-      auto axis = emulator::learnAxis(runs, emulator.axes[i].axis, {.structure = &structure});
-      if (!axis) {
-        return base::fail(axis.error());
-      }
-      emulator.axes[i] = std::move(*axis);
-      const double delayS = emulator.axes[i].parameters[emulator::AxisParameter::Delay];
-      commonS = i == 0 ? delayS : std::min(commonS, delayS);
-    }
-    for (emulator::LearnedAxis& axis : emulator.axes) {
-      axis.parameters[emulator::AxisParameter::Delay] -= commonS;
-    }
-  }
-  return emulator;
 }
 
 std::string number(double value) {
@@ -279,7 +183,7 @@ base::Result<void> addSparse(Experiment& result, const std::vector<TrainingRun>&
     }
     for (TrainingRun run : sparse) {
       if (run.name.starts_with(design)) {
-        align(run, *emulator, kClockReachS);
+        alignClock(run, *emulator);
         if (const auto fit = emulator::testRun(*emulator, run)) {
           worstSparseMm = std::fmax(worstSparseMm, add(matrix, *fit));
         }
@@ -384,6 +288,15 @@ base::Result<Experiment> runEmulation(const fs::path& folder,
        .highest = 5.0},
   };
   result.tables = {std::move(tested), std::move(learned), parameterTable(emulator)};
+  std::error_code error;
+  if (fs::is_directory(folder / "programs", error)) {
+    if (auto done = addPredictedDesigns(result, folder, emulator, runs->tested); !done) {
+      return base::fail(done.error());
+    }
+  }
+  if (auto done = addKnownMachines(result); !done) {
+    return base::fail(done.error());
+  }
   if (const std::vector<TrainingRun> sparse = loadSparseRuns(folder); sparse.size() > 1) {
     if (auto done = addSparse(result, sparse, runs->tested, cpuSeconds); !done) {
       return base::fail(done.error());
