@@ -232,6 +232,18 @@ struct EmulatorOptions {
   std::string columns;             ///< `trace::parseTableMapping`; empty: as remembered, or guessed
   std::string emulator;            ///< file of one that was learned
   std::string output;              ///< file for the emulator, or for what it answers
+  std::string preset = machine::kDefaultPreset;  ///< has what the emulator's file does not say
+  double falseAlarmsPerHour = 0.1;               ///< of the monitor, for a machine in good order
+  /// One for each file, whose own set points are not used then.
+  std::vector<std::string> programs;
+  double lambda = 0.0;  ///< weight of the speeds in the objective of [P2], s²
+  int generations = 100;
+  std::uint64_t seed = 1;
+  unsigned threads = 0;  ///< 0: one per core
+  /// Of a proposed program: least and greatest X, Y and perhaps Z, mm.
+  std::vector<double> box{0.0, 60.0, 0.0, 60.0};
+  std::vector<double> feeds{60.0, 3000.0};  ///< least and greatest, mm/min
+  double seconds = 25.0;                    ///< its duration
   bool json = false;
 };
 /// Learns an emulator of a machine from set points and actual positions.
@@ -240,6 +252,14 @@ struct EmulatorOptions {
 [[nodiscard]] Exit testEmulator(const EmulatorOptions& options);
 /// Prints what an emulator answers to the set points of a run.
 [[nodiscard]] Exit simulateEmulator(const EmulatorOptions& options);
+/// Proposes the program that tells most about what is not known yet.
+[[nodiscard]] Exit designProgram(const EmulatorOptions& options);
+/// The emulator of [P2], learned from each run and tested on each.
+[[nodiscard]] Exit emulatorMatrix(const EmulatorOptions& options);
+/// How much each parameter of the emulator of [P2] says about its objective.
+[[nodiscard]] Exit emulatorImportance(const EmulatorOptions& options);
+/// Marks where traces depart from what an emulator expects. @return Wrong if one does
+[[nodiscard]] Exit monitorEmulator(const EmulatorOptions& options);
 
 struct RightsOptions {
   std::string endpoint;

@@ -3,19 +3,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
 
 #include "base/file.h"
 #include "base/sha256.h"
+#include "base/units.h"
 #include "base/utc.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "cli/emulator_runs.h"
+#include "emulator/design.h"
 #include "emulator/emulator.h"
 #include "emulator/emulator_error.h"
-#include "report/trace_source.h"
-#include "trace/analysis/trace_analysis.h"
+#include "emulator/monitor.h"
+#include "experiments/design_study.h"
+#include "experiments/sparse_learning.h"
+#include "machine/config.h"
 #include "utc/now.h"
 
 namespace rivulet::cli {
@@ -26,23 +32,20 @@ using emulator::Emulator;
 using emulator::TrainingRun;
 using nlohmann::ordered_json;
 
-/// "data/G1_g61_250hz.csv.zst" is run G1_g61_250hz.
-std::string runName(const std::string& file) {
-  const std::string name = std::filesystem::path(file).filename().string();
-  return name.substr(0, name.find('.'));
-}
-
-base::Result<TrainingRun> loadRun(const std::string& file, const std::string& columns) {
-  const auto source = report::openTrace(file, columns, 0.0);
-  if (!source) {
-    return base::fail(source.error());
-  }
-  return emulator::trainingRunOf(trace::motionOf(source->subject()), runName(file));
-}
-
 base::Result<Emulator> loadEmulator(const std::string& file) {
   const auto text = base::readFile(file);
   return text ? emulator::parseEmulator(*text, file) : base::fail(text.error());
+}
+
+/// As the emulator's file names it: a path begins in the file's own folder.
+std::string presetBeside(const std::string& preset, const std::string& output) {
+  if (!machine::isPresetPath(preset) || output.empty()) {
+    return preset;
+  }
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path folder = fs::absolute(output, error).parent_path();
+  return fs::absolute(preset, error).lexically_proximate(folder).generic_string();
 }
 
 ordered_json axisJson(const emulator::LearnedAxis& axis) {
@@ -69,25 +72,9 @@ void printAxis(const emulator::LearnedAxis& axis) {
   }
 }
 
-}  // namespace
-
-Exit learnEmulator(const EmulatorOptions& options) {
-  Emulator learned;
-  std::vector<TrainingRun> runs;
-  std::string hashes;
-  for (const std::string& file : options.files) {
-    auto run = loadRun(file, options.columns);
-    const auto bytes = base::readFile(file);
-    if (!run || !bytes) {
-      return reportError(run ? bytes.error() : run.error(), options.json);
-    }
-    hashes += base::sha256Hex(*bytes);
-    learned.runs.push_back(run->name);
-    runs.push_back(std::move(*run));
-  }
-  watchForInterrupt();
-  const std::clock_t begin = std::clock();
-  auto axes = emulator::learnAxes(
+base::Result<std::vector<emulator::LearnedAxis>> learnWithProgress(
+    const std::vector<TrainingRun>& runs) {
+  return emulator::learnAxes(
       runs, {.progress = [](const emulator::LearnProgress& progress) {
         if (isTerminal()) {
           fmt::print(stderr, "\raxis {}: structure {} of {}, {:.3f} µm \x1b[K", progress.axis,
@@ -95,6 +82,47 @@ Exit learnEmulator(const EmulatorOptions& options) {
         }
         return !wasInterrupted();
       }});
+}
+
+/// Their clocks are put right as well.
+base::Result<std::vector<emulator::LearnedAxis>> learnFromPrograms(std::vector<TrainingRun>& runs) {
+  auto known = experiments::learnWithClocks(runs);
+  if (!known) {
+    return base::fail(known.error());
+  }
+  for (TrainingRun& run : runs) {
+    experiments::alignClock(run, *known);
+  }
+  return std::move(known->axes);
+}
+
+}  // namespace
+
+Exit learnEmulator(const EmulatorOptions& options) {
+  Emulator learned;
+  learned.preset = presetBeside(options.preset, options.output);
+  if (const auto machine = machine::loadPreset(options.preset); !machine) {
+    return reportError(machine.error(), options.json);
+  }
+  std::string hashes;
+  for (const std::string& file : options.files) {
+    const auto bytes = base::readFile(file);
+    if (!bytes) {
+      return reportError(bytes.error(), options.json);
+    }
+    hashes += base::sha256Hex(*bytes);
+  }
+  auto loaded = loadRuns(options);
+  if (!loaded) {
+    return reportError(loaded.error(), options.json);
+  }
+  std::vector<TrainingRun> runs = std::move(*loaded);
+  for (const TrainingRun& run : runs) {
+    learned.runs.push_back(run.name);
+  }
+  watchForInterrupt();
+  const std::clock_t begin = std::clock();
+  auto axes = options.programs.empty() ? learnWithProgress(runs) : learnFromPrograms(runs);
   const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   if (isTerminal()) {
     std::fputs("\r\x1b[K", stderr);
@@ -103,11 +131,16 @@ Exit learnEmulator(const EmulatorOptions& options) {
     return reportError(axes.error(), options.json);
   }
   learned.axes = std::move(*axes);
+  // Short traces are enough to learn from, but not to say what is rare: `monitor` says so.
+  if (auto done = emulator::measurePeaks(learned, runs); !done && !options.json) {
+    fmt::print(stderr, "{}\n", done.error().text());
+  }
   learned.dataHash = base::sha256Hex(hashes);
   learned.date = base::utcText(utc::now());
   if (!options.output.empty()) {
     const std::string head =
-        "# An emulator learned by rivulet-cli. docs/emulator.md explains it.\n";
+        "# An emulator learned by rivulet-cli, and a preset of the virtual machine: "
+        "docs/emulator.md.\n";
     if (auto done = base::writeFile(options.output, head + emulator::printEmulator(learned));
         !done) {
       return reportError(done.error(), options.json);
@@ -197,6 +230,125 @@ Exit simulateEmulator(const EmulatorOptions& options) {
     std::fputs(csv.c_str(), stdout);
   } else if (auto done = base::writeFile(options.output, csv); !done) {
     return reportError(done.error(), options.json);
+  }
+  return Exit::Done;
+}
+
+Exit monitorEmulator(const EmulatorOptions& options) {
+  const auto known = loadEmulator(options.emulator);
+  if (!known) {
+    return reportError(known.error(), options.json);
+  }
+  const emulator::MonitorOptions monitor{.falseAlarmsPerHour = options.falseAlarmsPerHour};
+  ordered_json json = ordered_json::array();
+  bool departs = false;
+  for (const std::string& file : options.files) {
+    const auto run = loadRun(file, options.columns);
+    const auto found =
+        run ? emulator::findDeviations(*known, *run, monitor)
+            : base::Result<std::vector<emulator::Deviation>>(base::fail(run.error()));
+    if (!found) {
+      return reportError(found.error(), options.json);
+    }
+    departs = departs || !found->empty();
+    ordered_json marks = ordered_json::array();
+    for (const emulator::Deviation& one : *found) {
+      marks.push_back({{"axis", std::string(1, one.axis)},
+                       {"from_s", one.fromS},
+                       {"to_s", one.toS},
+                       {"largest_mm", one.largestMm},
+                       {"threshold_mm", one.thresholdMm}});
+      if (!options.json) {
+        fmt::print(
+            "{}: axis {} departs from what was expected from {:.2f} s to {:.2f} s, by {:.3f} "
+            "µm at most (threshold {:.3f} µm)\n",
+            run->name, one.axis, one.fromS, one.toS, 1e3 * one.largestMm, 1e3 * one.thresholdMm);
+      }
+    }
+    if (!options.json && found->empty()) {
+      fmt::print("{}: as expected in {:.1f} s (", run->name, run->observedAt.back());
+      for (const emulator::LearnedAxis& axis : known->axes) {
+        fmt::print("{}{} within {:.3f} µm", &axis == known->axes.data() ? "" : ", ", axis.axis,
+                   1e3 * emulator::peakThresholdMm(axis.peaks, known->axes.size(), monitor));
+      }
+      fmt::print(")\n");
+    }
+    json.push_back({{"run", run->name}, {"deviations", std::move(marks)}});
+  }
+  if (options.json) {
+    printJson(json);
+  }
+  return departs ? Exit::Wrong : Exit::Done;
+}
+
+Exit designProgram(const EmulatorOptions& options) {
+  const auto known = loadEmulator(options.emulator);
+  const auto machine = machine::loadPreset(options.emulator);
+  if (!known || !machine) {
+    return reportError(known ? machine.error() : known.error(), options.json);
+  }
+  if (options.box.size() % 2 != 0 || options.box.size() < 4 || options.feeds.size() != 2) {
+    return reportError(
+        {emulator::EmulatorError::BadNumbers,
+         "--box needs least and greatest X, Y and perhaps Z, and --feeds two feeds.", ""},
+        options.json);
+  }
+  emulator::DesignBox box;
+  box.minMm.z = box.maxMm.z = machine->axes[2].startMm;
+  for (std::size_t axis = 0; 2 * axis < options.box.size() && axis < base::kAxisCount; ++axis) {
+    box.minMm.set(axis, options.box[2 * axis]);
+    box.maxMm.set(axis, options.box[2 * axis + 1]);
+  }
+  box.feedMmPerSMin = base::mmPerSFromMmPerMin(options.feeds[0]);
+  box.feedMmPerSMax = base::mmPerSFromMmPerMin(options.feeds[1]);
+  box.durationS = options.seconds;
+  watchForInterrupt();
+  emulator::DesignOptions design{.seed = options.seed, .progress = [](double share) {
+                                   if (isTerminal()) {
+                                     fmt::print(stderr, "\rsearching: {:.0f} % \x1b[K",
+                                                100.0 * share);
+                                   }
+                                   return !wasInterrupted();
+                                 }};
+  // The noise of a position is not larger than what the emulator is off.
+  for (const emulator::LearnedAxis& axis : known->axes) {
+    design.noiseMm = std::max(design.noiseMm, axis.fitRmsMm);
+  }
+  const auto proposed =
+      emulator::proposeProgram(*known, box, experiments::planMovesOn(*machine), design);
+  if (isTerminal()) {
+    std::fputs("\r\x1b[K", stderr);
+  }
+  if (!proposed) {
+    return reportError(proposed.error(), options.json);
+  }
+  const std::string program = emulator::programText(box.minMm, proposed->moves);
+  if (!options.output.empty()) {
+    if (auto done = base::writeFile(options.output, program); !done) {
+      return reportError(done.error(), options.json);
+    }
+  }
+  ordered_json json{{"duration_s", proposed->durationS},
+                    {"log_determinant", proposed->logDeterminant},
+                    {"program", program},
+                    {"parameters", ordered_json::array()}};
+  if (!options.json && options.output.empty()) {
+    std::fputs(program.c_str(), stdout);
+  }
+  for (const emulator::ParameterGain& gain : proposed->gains) {
+    const emulator::AxisParameterFacts& facts = emulator::factsOf(gain.parameter);
+    json["parameters"].push_back({{"axis", std::string(1, gain.axis)},
+                                  {"parameter", std::string(facts.key)},
+                                  {"known_within", gain.deviationBefore},
+                                  {"then_within", gain.deviationAfter}});
+    if (!options.json && !options.output.empty()) {
+      fmt::print(
+          "axis {}: {:18} known within {:.3f} %, then within {:.3f} % (standard deviation)\n",
+          gain.axis, facts.key, 100.0 * gain.deviationBefore, 100.0 * gain.deviationAfter);
+    }
+  }
+  if (options.json) {
+    printJson(json);
   }
   return Exit::Done;
 }

@@ -15,9 +15,11 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "experiments/catalogue.h"
+#include "experiments/design_study.h"
 #include "experiments/emulation.h"
 #include "experiments/lookahead.h"
 #include "experiments/published_emulator.h"
+#include "experiments/tampering.h"
 #include "parallel/thread_executor.h"
 #include "report/experiment_report.h"
 #include "report/svg_plot.h"
@@ -150,6 +152,18 @@ base::Result<experiments::Experiment> run(const std::string& name,
     return experiments::runPublishedEmulator(
         options.recordings, executor,
         {.progress = [&progress](double share) { return progress(share); }});
+  }
+  if (name == "monitor") {
+    experiments::TamperingOptions tampering{
+        .progress = [&progress](double share) { return progress(share); }};
+    tampering.draws = options.seeds > 0 ? options.seeds : tampering.draws;
+    return experiments::runTampering(tampering);
+  }
+  if (name == "design") {
+    experiments::DesignStudyOptions design{
+        .progress = [&progress](double share) { return progress(share); }};
+    design.draws = options.seeds > 0 ? options.seeds : design.draws;
+    return experiments::runDesignStudy(design);
   }
   experiments::ExperimentOptions experiment{machine, options.seeds, executor,
                                             [&progress](double share) { return progress(share); }};

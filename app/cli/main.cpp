@@ -611,30 +611,93 @@ void addCommissionCommand(CLI::App& app, Exit& exit) {
 
 void addEmulatorCommand(CLI::App& app, Exit& exit) {
   using rivulet::cli::EmulatorOptions;
+  using Options = std::shared_ptr<EmulatorOptions>;
   CLI::App* emulator = app.add_subcommand(
       "emulator", "Learn how a machine follows its set points, and predict it (docs/emulator.md)");
   emulator->require_subcommand(1);
   const auto add = [&](const char* name, const char* what, Exit (*run)(const EmulatorOptions&),
-                       bool isLearning) {
+                       bool readsTraces = true) {
     const auto options = std::make_shared<EmulatorOptions>();
     CLI::App* command = emulator->add_subcommand(name, what);
-    command->add_option("FILE", options->files, "Traces with set points and actual positions")
-        ->required();
-    command->add_option("--columns", options->columns,
-                        "What the columns mean, as for analyse: x_set=NAME[:UNIT],...");
-    command->add_option("--output", options->output,
-                        isLearning ? "File for the emulator, .toml" : "File, .csv");
-    if (!isLearning) {
-      command->add_option("--emulator", options->emulator, "File of a learned emulator")
+    if (readsTraces) {
+      command->add_option("FILE", options->files, "Traces with set points and actual positions")
           ->required();
+      command->add_option("--columns", options->columns,
+                          "What the columns mean, as for analyse: x_set=NAME[:UNIT],...");
     }
-    command->add_flag("--json", options->json, "Print JSON");
+    addJson(command, options->json);
     command->callback([options, run, &exit] { exit = run(*options); });
+    return std::pair(command, options);
   };
-  add("learn", "Find the parameters of each axis", rivulet::cli::learnEmulator, true);
-  add("test", "Say how far it is off on other runs", rivulet::cli::testEmulator, false);
-  add("simulate", "Print what it answers to the set points of a run",
-      rivulet::cli::simulateEmulator, false);
+  const auto addPrograms = [](CLI::App* command, const Options& options) {
+    command
+        ->add_option("--program", options->programs,
+                     "Program of each trace, if this has no set points (repeatable)")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--preset", options->preset,
+                     "Virtual machine with the limits of the machine: a name or a file")
+        ->capture_default_str();
+  };
+  const auto addKnown = [](CLI::App* command, const Options& options) {
+    command->add_option("--emulator", options->emulator, "File of a learned emulator")->required();
+  };
+  const auto addStudy = [&](CLI::App* command, const Options& options) {
+    addPrograms(command, options);
+    command->add_option("--lambda", options->lambda, "Weight of the speeds in the objective, s²")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+    command->add_option("--generations", options->generations, "Of the genetic algorithm")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command->add_option("--seed", options->seed, "Same seed, same result")->capture_default_str();
+    command->add_option("--threads", options->threads, "0: one per core")
+        ->check(CLI::Range(0, 1024));
+  };
+  const auto [learn, learnOptions] =
+      add("learn", "Find the parameters of each axis", rivulet::cli::learnEmulator);
+  addPrograms(learn, learnOptions);
+  learn->add_option("--output", learnOptions->output, "File for the emulator, .toml");
+  const auto [test, testOptions] =
+      add("test", "Say how far it is off on other runs", rivulet::cli::testEmulator);
+  addKnown(test, testOptions);
+  const auto [simulate, simulateOptions] =
+      add("simulate", "Print what it answers to the set points of a run",
+          rivulet::cli::simulateEmulator);
+  addKnown(simulate, simulateOptions);
+  simulate->add_option("--output", simulateOptions->output, "File, .csv");
+  const auto [monitor, monitorOptions] =
+      add("monitor", "Mark where a trace departs from what was expected",
+          rivulet::cli::monitorEmulator);
+  addKnown(monitor, monitorOptions);
+  monitor
+      ->add_option("--false-alarms", monitorOptions->falseAlarmsPerHour,
+                   "Marks in an hour of a machine in good order")
+      ->check(CLI::Range(1e-9, 1000.0))
+      ->capture_default_str();
+  const auto [design, designOptions] =
+      add("design", "Propose the program that tells most about what is not known yet",
+          rivulet::cli::designProgram, false);
+  addKnown(design, designOptions);
+  design->add_option("--box", designOptions->box, "Least and greatest X, Y and perhaps Z, mm")
+      ->delimiter(',')
+      ->capture_default_str();
+  design->add_option("--feeds", designOptions->feeds, "Least and greatest feed, mm/min")
+      ->delimiter(',')
+      ->capture_default_str();
+  design->add_option("--seconds", designOptions->seconds, "Duration of the program")
+      ->check(CLI::Range(1.0, 3600.0))
+      ->capture_default_str();
+  design->add_option("--seed", designOptions->seed, "Same seed, same program")
+      ->capture_default_str();
+  design->add_option("--output", designOptions->output, "File for the program");
+  const auto [matrix, matrixOptions] =
+      add("matrix", "Learn the emulator of [P2] from each run and test it on each",
+          rivulet::cli::emulatorMatrix);
+  addStudy(matrix, matrixOptions);
+  const auto [importance, importanceOptions] =
+      add("importance", "Say which of its parameters matter", rivulet::cli::emulatorImportance);
+  addStudy(importance, importanceOptions);
 }
 
 void addPetriCommand(CLI::App& app, Exit& exit) {
@@ -676,7 +739,8 @@ void addExperimentCommand(CLI::App& app, Exit& exit) {
   CLI::App* command = app.add_subcommand(
       "experiment", "Repeat the experiments of the paper and compare the figures");
   std::vector<std::string> experiments = rivulet::experiments::experimentNames();
-  experiments.insert(experiments.end(), {"lookahead", "emulator", "p2", "all"});
+  experiments.insert(experiments.end(),
+                     {"lookahead", "emulator", "monitor", "design", "p2", "all"});
   command->add_option("NAME", options->names, "Experiments, or all")
       ->required()
       ->check(CLI::IsMember(experiments));
