@@ -2773,6 +2773,81 @@
     </message>
 </context>
 <context>
+    <name>TraceRemarks</name>
+    <message>
+        <source>The program does not belong to this trace from %1 s on.</source>
+        <translation>Ab %1 s gehört das Programm nicht zu dieser Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>The trace of the control is incomplete: its memory was full.</source>
+        <translation>Der Mitschrieb der Steuerung ist unvollständig: Ihr Speicher war voll.</translation>
+    </message>
+    <message>
+        <source>Lines of the recording that cannot be read and were left out: %1.</source>
+        <translation>Zeilen der Aufzeichnung, die nicht lesbar sind und weggelassen wurden: %1.</translation>
+    </message>
+    <message>
+        <source>The recording ends before its run: what came before is shown.</source>
+        <translation>Die Aufzeichnung endet vor ihrem Lauf: Gezeigt wird, was davor kam.</translation>
+    </message>
+    <message>
+        <source>The columns mean what was said for this layout before: %1.</source>
+        <translation>Die Spalten bedeuten, was für diesen Aufbau früher angegeben wurde: %1.</translation>
+    </message>
+    <message>
+        <source>The file does not say the units of its speeds: mm/min is assumed, as the control shows them.</source>
+        <translation>Die Datei nennt keine Einheiten der Geschwindigkeiten: mm/min wird angenommen, wie die Steuerung sie anzeigt.</translation>
+    </message>
+    <message>
+        <source>The compressed file is cut or damaged: what came before was read.</source>
+        <translation>Die komprimierte Datei ist abgeschnitten oder beschädigt: Was davor kam, wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>The file was cut off: its end is missing.</source>
+        <translation>Die Datei wurde abgeschnitten: Ihr Ende fehlt.</translation>
+    </message>
+    <message>
+        <source>The file ends within a row: it was cut off there.</source>
+        <translation>Die Datei endet mitten in einer Zeile: Dort wurde sie abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Cells that are no numbers and were left empty: %1, the first in line %2.</source>
+        <translation>Zellen, die keine Zahlen sind, leer gelassen: %1, die erste in Zeile %2.</translation>
+    </message>
+    <message>
+        <source>Rows that do not have %1 columns and were left out: %2, the first in line %3.</source>
+        <translation>Zeilen ohne %1 Spalten, weggelassen: %2, die erste in Zeile %3.</translation>
+    </message>
+    <message>
+        <source>The file has %1 columns of time; each belongs to the columns after it.</source>
+        <translation>Die Datei hat %1 Zeitspalten; jede gehört zu den Spalten nach ihr.</translation>
+    </message>
+    <message>
+        <source>Values whose time runs backwards and that were left out: %1.</source>
+        <translation>Werte, deren Zeit rückwärts läuft, weggelassen: %1.</translation>
+    </message>
+    <message>
+        <source>Rows that repeat the time of the row before and were left out: %1.</source>
+        <translation>Zeilen mit derselben Zeit wie die Zeile davor, weggelassen: %1.</translation>
+    </message>
+    <message>
+        <source>The time &quot;%1&quot; runs backwards at row %2. Rows that were left out until it goes on: %3.</source>
+        <translation>Die Zeit „%1“ läuft in Zeile %2 rückwärts. Zeilen, die weggelassen wurden, bis sie weiterläuft: %3.</translation>
+    </message>
+    <message>
+        <source>The file has no column of time: %1 Hz is assumed.</source>
+        <translation>Die Datei hat keine Zeitspalte: %1 Hz werden angenommen.</translation>
+    </message>
+    <message>
+        <source>The time &quot;%1&quot; has no unit: %2 is assumed.</source>
+        <translation>Die Zeit „%1“ hat keine Einheit: %2 wird angenommen.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; occurs more than once: this one is called &quot;%2&quot;.</source>
+        <translation>Die Spalte „%1“ kommt mehrmals vor: Diese heißt „%2“.</translation>
+    </message>
+</context>
+<context>
     <name>TraceTexts</name>
     <message>
         <source>Report of a run</source>
@@ -4456,6 +4531,89 @@ GPL-3.0-or-later</translation>
     <message>
         <source>A run is in progress. To close the window, the run is stopped first; it can be resumed later.</source>
         <translation>Ein Lauf ist aktiv. Zum Schließen wird er zuerst gestoppt; er kann später fortgesetzt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ColumnsDialog</name>
+    <message>
+        <source>The trace can be analysed.</source>
+        <translation>Die Aufzeichnung kann ausgewertet werden.</translation>
+    </message>
+    <message>
+        <source>Without a position the columns are shown, but stops and errors are not looked for.</source>
+        <translation>Ohne Position werden die Spalten gezeigt, aber keine Stillstände und Fehler gesucht.</translation>
+    </message>
+    <message>
+        <source>Unit of the numbers in the file</source>
+        <translation>Einheit der Zahlen in der Datei</translation>
+    </message>
+    <message>
+        <source>Unit of %1</source>
+        <translation>Einheit von %1</translation>
+    </message>
+    <message>
+        <source>What this column is; without a meaning it is shown as it is</source>
+        <translation>Was diese Spalte ist; ohne Bedeutung wird sie gezeigt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Meaning of %1</source>
+        <translation>Bedeutung von %1</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Place of the first sample on the time axis that several files share</source>
+        <translation>Stelle des ersten Werts auf der gemeinsamen Zeitachse mehrerer Dateien</translation>
+    </message>
+    <message>
+        <source>First sample at</source>
+        <translation>Erster Wert bei</translation>
+    </message>
+    <message>
+        <source>For a table without a column of time</source>
+        <translation>Für eine Tabelle ohne Zeitspalte</translation>
+    </message>
+    <message>
+        <source>First values</source>
+        <translation>Erste Werte</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Means</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Columns of the file</source>
+        <translation>Spalten der Datei</translation>
+    </message>
+    <message>
+        <source>What do the columns mean? The answer is kept for all files with the same headings.</source>
+        <translation>Was bedeuten die Spalten? Die Antwort gilt für alle Dateien mit denselben Überschriften.</translation>
+    </message>
+    <message>
+        <source>Columns of %1</source>
+        <translation>Spalten von %1</translation>
+    </message>
+    <message>
+        <source>Samples per second</source>
+        <translation>Werte pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
     </message>
 </context>
 <context>
@@ -6178,13 +6336,96 @@ GPL-3.0-or-later</translation>
         <source>No X and Y here</source>
         <translation>Hier gibt es kein X und Y</translation>
     </message>
+</context>
+<context>
+    <name>rivulet::widgets::PathPanel</name>
     <message>
-        <source>Path in X and Y</source>
-        <translation>Bahn in X und Y</translation>
+        <source>Line %1 was executed %2 times. Cursor A is at number %3; click again for the next.</source>
+        <translation>Zeile %1 wurde %2-mal ausgeführt. Cursor A steht bei Nummer %3; noch ein Klick führt zur nächsten.</translation>
     </message>
     <message>
-        <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B.</source>
-        <translation>Die Bahn der sichtbaren Zeit. Klick: Cursor A. Umschalt und Klick: Cursor B.</translation>
+        <source>The line under cursor A is marked. A click on a line puts cursor A where it was executed.</source>
+        <translation>Die Zeile unter Cursor A ist markiert. Ein Klick auf eine Zeile setzt Cursor A dorthin, wo sie ausgeführt wurde.</translation>
+    </message>
+    <message>
+        <source>Text of the program</source>
+        <translation>Text des Programms</translation>
+    </message>
+    <message>
+        <source>The signal that gives the path its colours</source>
+        <translation>Das Signal, das der Bahn ihre Farben gibt</translation>
+    </message>
+    <message>
+        <source>Colour of the path</source>
+        <translation>Farbe der Bahn</translation>
+    </message>
+    <message>
+        <source>Enlargement of the error</source>
+        <translation>Vergrößerung des Fehlers</translation>
+    </message>
+    <message>
+        <source>Seen from the side; drag the path or press the arrow keys to turn it</source>
+        <translation>Von der Seite gesehen; Ziehen oder die Pfeiltasten drehen die Bahn</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>X and Y, seen from above</source>
+        <translation>X und Y, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>A click on a line puts cursor A where it was executed.</source>
+        <translation>Ein Klick auf eine Zeile setzt Cursor A dorthin, wo sie ausgeführt wurde.</translation>
+    </message>
+    <message>
+        <source>Nothing moved in line %1.</source>
+        <translation>In Zeile %1 hat sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>The trace does not show where it is in the program.</source>
+        <translation>Die Aufzeichnung zeigt nicht, wo sie im Programm ist.</translation>
+    </message>
+    <message>
+        <source>Comparing the trace with the program …</source>
+        <translation>Die Aufzeichnung wird mit dem Programm verglichen …</translation>
+    </message>
+    <message>
+        <source>The run was made with another program or another version of it. Open that one to see its lines with the cursor.</source>
+        <translation>Der Lauf wurde mit einem anderen Programm oder einem anderen Stand gemacht. Jenes öffnen, um seine Zeilen mit dem Cursor zu sehen.</translation>
+    </message>
+    <message>
+        <source>Lines and trace are linked when a trace is shown.</source>
+        <translation>Zeilen und Kurven sind verbunden, sobald eine Aufzeichnung gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Open the NC program of the trace to see its lines with the cursor.</source>
+        <translation>Das NC-Programm der Aufzeichnung öffnen, um seine Zeilen mit dem Cursor zu sehen.</translation>
+    </message>
+    <message>
+        <source>Errors can be drawn larger after the trace has been compared with its NC program</source>
+        <translation>Fehler lassen sich vergrößern, nachdem die Aufzeichnung mit ihrem NC-Programm verglichen wurde</translation>
+    </message>
+    <message>
+        <source>How many times larger the distance to the programmed path is drawn</source>
+        <translation>Wievielmal größer der Abstand zur programmierten Bahn gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Error × %1</source>
+        <translation>Fehler × %1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>Farbe: %1</translation>
+    </message>
+    <message>
+        <source>Colour: the trace</source>
+        <translation>Farbe: die Aufzeichnung</translation>
     </message>
 </context>
 <context>
@@ -8249,6 +8490,157 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::TriggerPanel</name>
+    <message>
+        <source>The signal must go back this far before the trigger can fire again</source>
+        <translation>So weit muss das Signal zurückgehen, bevor der Trigger wieder auslösen kann</translation>
+    </message>
+    <message>
+        <source>An armed trigger stops the live view when it fires and shows what was before and after</source>
+        <translation>Ein scharfer Trigger hält die Live-Anzeige an, wenn er auslöst, und zeigt, was davor und danach war</translation>
+    </message>
+    <message>
+        <source>Once: what was caught stays. Every time: the next one takes its place.</source>
+        <translation>Einmal: Was gefangen wurde, bleibt stehen. Jedes Mal: Der nächste tritt an seine Stelle.</translation>
+    </message>
+    <message>
+        <source>How much is shown after the trigger</source>
+        <translation>Wie viel nach dem Trigger gezeigt wird</translation>
+    </message>
+    <message>
+        <source>How much is shown before the trigger</source>
+        <translation>Wie viel vor dem Trigger gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Upper end of the range</source>
+        <translation>Oberes Ende des Bereichs</translation>
+    </message>
+    <message>
+        <source>Lower end of the range</source>
+        <translation>Unteres Ende des Bereichs</translation>
+    </message>
+    <message>
+        <source>Value at which the trigger fires</source>
+        <translation>Wert, bei dem der Trigger auslöst</translation>
+    </message>
+    <message>
+        <source>What the trigger waits for</source>
+        <translation>Worauf der Trigger wartet</translation>
+    </message>
+    <message>
+        <source>The signal that is watched during a run</source>
+        <translation>Das Signal, das während eines Laufs beobachtet wird</translation>
+    </message>
+    <message>
+        <source>every time (normal)</source>
+        <translation>jedes Mal (normal)</translation>
+    </message>
+    <message>
+        <source>once (single)</source>
+        <translation>einmal (single)</translation>
+    </message>
+    <message>
+        <source>an alarm comes</source>
+        <translation>ein Alarm kommt</translation>
+    </message>
+    <message>
+        <source>a pause begins</source>
+        <translation>eine Pause beginnt</translation>
+    </message>
+    <message>
+        <source>it is outside the range</source>
+        <translation>es außerhalb des Bereichs ist</translation>
+    </message>
+    <message>
+        <source>it is within the range</source>
+        <translation>es im Bereich ist</translation>
+    </message>
+    <message>
+        <source>it is at the level or below</source>
+        <translation>es am Pegel oder darunter ist</translation>
+    </message>
+    <message>
+        <source>it is at the level or above</source>
+        <translation>es am Pegel oder darüber ist</translation>
+    </message>
+    <message>
+        <source>it falls through the level</source>
+        <translation>es unter den Pegel fällt</translation>
+    </message>
+    <message>
+        <source>it rises through the level</source>
+        <translation>es über den Pegel steigt</translation>
+    </message>
+    <message>
+        <source>Fires</source>
+        <translation>Löst aus</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Danach</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Davor</translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation>Hysterese</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wenn</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Waiting for the next run</source>
+        <translation>Wartet auf den nächsten Lauf</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger</source>
+        <translation>Wartet auf den Trigger</translation>
+    </message>
+    <message>
+        <source>Triggered at %1. Waiting for the next</source>
+        <translation>Ausgelöst bei %1. Wartet auf den nächsten</translation>
+    </message>
+    <message>
+        <source>Triggered: waiting for the time after it</source>
+        <translation>Ausgelöst: wartet auf die Zeit danach</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>Nicht scharf</translation>
+    </message>
+    <message>
+        <source>Triggered at %1. Cursor A is there.</source>
+        <translation>Ausgelöst bei %1. Dort steht Cursor A.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Scharf schalten</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Entschärfen</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::TrustSheet</name>
     <message>
         <source>Is this the right machine?</source>
@@ -8453,406 +8845,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Acknowledge</source>
         <translation>Quittieren</translation>
-    </message>
-</context>
-<context>
-    <name>TraceRemarks</name>
-    <message>
-        <source>The program does not belong to this trace from %1 s on.</source>
-        <translation>Ab %1 s gehört das Programm nicht zu dieser Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>The trace of the control is incomplete: its memory was full.</source>
-        <translation>Der Mitschrieb der Steuerung ist unvollständig: Ihr Speicher war voll.</translation>
-    </message>
-    <message>
-        <source>Lines of the recording that cannot be read and were left out: %1.</source>
-        <translation>Zeilen der Aufzeichnung, die nicht lesbar sind und weggelassen wurden: %1.</translation>
-    </message>
-    <message>
-        <source>The recording ends before its run: what came before is shown.</source>
-        <translation>Die Aufzeichnung endet vor ihrem Lauf: Gezeigt wird, was davor kam.</translation>
-    </message>
-    <message>
-        <source>The columns mean what was said for this layout before: %1.</source>
-        <translation>Die Spalten bedeuten, was für diesen Aufbau früher angegeben wurde: %1.</translation>
-    </message>
-    <message>
-        <source>The file does not say the units of its speeds: mm/min is assumed, as the control shows them.</source>
-        <translation>Die Datei nennt keine Einheiten der Geschwindigkeiten: mm/min wird angenommen, wie die Steuerung sie anzeigt.</translation>
-    </message>
-    <message>
-        <source>The compressed file is cut or damaged: what came before was read.</source>
-        <translation>Die komprimierte Datei ist abgeschnitten oder beschädigt: Was davor kam, wurde gelesen.</translation>
-    </message>
-    <message>
-        <source>The file was cut off: its end is missing.</source>
-        <translation>Die Datei wurde abgeschnitten: Ihr Ende fehlt.</translation>
-    </message>
-    <message>
-        <source>The file ends within a row: it was cut off there.</source>
-        <translation>Die Datei endet mitten in einer Zeile: Dort wurde sie abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>Cells that are no numbers and were left empty: %1, the first in line %2.</source>
-        <translation>Zellen, die keine Zahlen sind, leer gelassen: %1, die erste in Zeile %2.</translation>
-    </message>
-    <message>
-        <source>Rows that do not have %1 columns and were left out: %2, the first in line %3.</source>
-        <translation>Zeilen ohne %1 Spalten, weggelassen: %2, die erste in Zeile %3.</translation>
-    </message>
-    <message>
-        <source>The file has %1 columns of time; each belongs to the columns after it.</source>
-        <translation>Die Datei hat %1 Zeitspalten; jede gehört zu den Spalten nach ihr.</translation>
-    </message>
-    <message>
-        <source>Values whose time runs backwards and that were left out: %1.</source>
-        <translation>Werte, deren Zeit rückwärts läuft, weggelassen: %1.</translation>
-    </message>
-    <message>
-        <source>Rows that repeat the time of the row before and were left out: %1.</source>
-        <translation>Zeilen mit derselben Zeit wie die Zeile davor, weggelassen: %1.</translation>
-    </message>
-    <message>
-        <source>The time &quot;%1&quot; runs backwards at row %2. Rows that were left out until it goes on: %3.</source>
-        <translation>Die Zeit „%1“ läuft in Zeile %2 rückwärts. Zeilen, die weggelassen wurden, bis sie weiterläuft: %3.</translation>
-    </message>
-    <message>
-        <source>The file has no column of time: %1 Hz is assumed.</source>
-        <translation>Die Datei hat keine Zeitspalte: %1 Hz werden angenommen.</translation>
-    </message>
-    <message>
-        <source>The time &quot;%1&quot; has no unit: %2 is assumed.</source>
-        <translation>Die Zeit „%1“ hat keine Einheit: %2 wird angenommen.</translation>
-    </message>
-    <message>
-        <source>The column &quot;%1&quot; occurs more than once: this one is called &quot;%2&quot;.</source>
-        <translation>Die Spalte „%1“ kommt mehrmals vor: Diese heißt „%2“.</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::ColumnsDialog</name>
-    <message>
-        <source>The trace can be analysed.</source>
-        <translation>Die Aufzeichnung kann ausgewertet werden.</translation>
-    </message>
-    <message>
-        <source>Without a position the columns are shown, but stops and errors are not looked for.</source>
-        <translation>Ohne Position werden die Spalten gezeigt, aber keine Stillstände und Fehler gesucht.</translation>
-    </message>
-    <message>
-        <source>Unit of the numbers in the file</source>
-        <translation>Einheit der Zahlen in der Datei</translation>
-    </message>
-    <message>
-        <source>Unit of %1</source>
-        <translation>Einheit von %1</translation>
-    </message>
-    <message>
-        <source>What this column is; without a meaning it is shown as it is</source>
-        <translation>Was diese Spalte ist; ohne Bedeutung wird sie gezeigt, wie sie ist</translation>
-    </message>
-    <message>
-        <source>Meaning of %1</source>
-        <translation>Bedeutung von %1</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Anwenden</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Place of the first sample on the time axis that several files share</source>
-        <translation>Stelle des ersten Werts auf der gemeinsamen Zeitachse mehrerer Dateien</translation>
-    </message>
-    <message>
-        <source>First sample at</source>
-        <translation>Erster Wert bei</translation>
-    </message>
-    <message>
-        <source>For a table without a column of time</source>
-        <translation>Für eine Tabelle ohne Zeitspalte</translation>
-    </message>
-    <message>
-        <source>First values</source>
-        <translation>Erste Werte</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Means</source>
-        <translation>Bedeutung</translation>
-    </message>
-    <message>
-        <source>Column</source>
-        <translation>Spalte</translation>
-    </message>
-    <message>
-        <source>Columns of the file</source>
-        <translation>Spalten der Datei</translation>
-    </message>
-    <message>
-        <source>What do the columns mean? The answer is kept for all files with the same headings.</source>
-        <translation>Was bedeuten die Spalten? Die Antwort gilt für alle Dateien mit denselben Überschriften.</translation>
-    </message>
-    <message>
-        <source>Columns of %1</source>
-        <translation>Spalten von %1</translation>
-    </message>
-    <message>
-        <source>Samples per second</source>
-        <translation>Werte pro Sekunde</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::PathPanel</name>
-    <message>
-        <source>Line %1 was executed %2 times. Cursor A is at number %3; click again for the next.</source>
-        <translation>Zeile %1 wurde %2-mal ausgeführt. Cursor A steht bei Nummer %3; noch ein Klick führt zur nächsten.</translation>
-    </message>
-    <message>
-        <source>The line under cursor A is marked. A click on a line puts cursor A where it was executed.</source>
-        <translation>Die Zeile unter Cursor A ist markiert. Ein Klick auf eine Zeile setzt Cursor A dorthin, wo sie ausgeführt wurde.</translation>
-    </message>
-    <message>
-        <source>Text of the program</source>
-        <translation>Text des Programms</translation>
-    </message>
-    <message>
-        <source>The signal that gives the path its colours</source>
-        <translation>Das Signal, das der Bahn ihre Farben gibt</translation>
-    </message>
-    <message>
-        <source>Colour of the path</source>
-        <translation>Farbe der Bahn</translation>
-    </message>
-    <message>
-        <source>Enlargement of the error</source>
-        <translation>Vergrößerung des Fehlers</translation>
-    </message>
-    <message>
-        <source>Seen from the side; drag the path or press the arrow keys to turn it</source>
-        <translation>Von der Seite gesehen; Ziehen oder die Pfeiltasten drehen die Bahn</translation>
-    </message>
-    <message>
-        <source>3D</source>
-        <translation>3D</translation>
-    </message>
-    <message>
-        <source>X and Y, seen from above</source>
-        <translation>X und Y, von oben gesehen</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>A click on a line puts cursor A where it was executed.</source>
-        <translation>Ein Klick auf eine Zeile setzt Cursor A dorthin, wo sie ausgeführt wurde.</translation>
-    </message>
-    <message>
-        <source>Nothing moved in line %1.</source>
-        <translation>In Zeile %1 hat sich nichts bewegt.</translation>
-    </message>
-    <message>
-        <source>The trace does not show where it is in the program.</source>
-        <translation>Die Aufzeichnung zeigt nicht, wo sie im Programm ist.</translation>
-    </message>
-    <message>
-        <source>Comparing the trace with the program …</source>
-        <translation>Die Aufzeichnung wird mit dem Programm verglichen …</translation>
-    </message>
-    <message>
-        <source>The run was made with another program or another version of it. Open that one to see its lines with the cursor.</source>
-        <translation>Der Lauf wurde mit einem anderen Programm oder einem anderen Stand gemacht. Jenes öffnen, um seine Zeilen mit dem Cursor zu sehen.</translation>
-    </message>
-    <message>
-        <source>Lines and trace are linked when a trace is shown.</source>
-        <translation>Zeilen und Kurven sind verbunden, sobald eine Aufzeichnung gezeigt wird.</translation>
-    </message>
-    <message>
-        <source>Open the NC program of the trace to see its lines with the cursor.</source>
-        <translation>Das NC-Programm der Aufzeichnung öffnen, um seine Zeilen mit dem Cursor zu sehen.</translation>
-    </message>
-    <message>
-        <source>Errors can be drawn larger after the trace has been compared with its NC program</source>
-        <translation>Fehler lassen sich vergrößern, nachdem die Aufzeichnung mit ihrem NC-Programm verglichen wurde</translation>
-    </message>
-    <message>
-        <source>How many times larger the distance to the programmed path is drawn</source>
-        <translation>Wievielmal größer der Abstand zur programmierten Bahn gezeichnet wird</translation>
-    </message>
-    <message>
-        <source>Error × %1</source>
-        <translation>Fehler × %1</translation>
-    </message>
-    <message>
-        <source>Colour: %1</source>
-        <translation>Farbe: %1</translation>
-    </message>
-    <message>
-        <source>Colour: the trace</source>
-        <translation>Farbe: die Aufzeichnung</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::TriggerPanel</name>
-    <message>
-        <source>The signal must go back this far before the trigger can fire again</source>
-        <translation>So weit muss das Signal zurückgehen, bevor der Trigger wieder auslösen kann</translation>
-    </message>
-    <message>
-        <source>An armed trigger stops the live view when it fires and shows what was before and after</source>
-        <translation>Ein scharfer Trigger hält die Live-Anzeige an, wenn er auslöst, und zeigt, was davor und danach war</translation>
-    </message>
-    <message>
-        <source>Once: what was caught stays. Every time: the next one takes its place.</source>
-        <translation>Einmal: Was gefangen wurde, bleibt stehen. Jedes Mal: Der nächste tritt an seine Stelle.</translation>
-    </message>
-    <message>
-        <source>How much is shown after the trigger</source>
-        <translation>Wie viel nach dem Trigger gezeigt wird</translation>
-    </message>
-    <message>
-        <source>How much is shown before the trigger</source>
-        <translation>Wie viel vor dem Trigger gezeigt wird</translation>
-    </message>
-    <message>
-        <source>Upper end of the range</source>
-        <translation>Oberes Ende des Bereichs</translation>
-    </message>
-    <message>
-        <source>Lower end of the range</source>
-        <translation>Unteres Ende des Bereichs</translation>
-    </message>
-    <message>
-        <source>Value at which the trigger fires</source>
-        <translation>Wert, bei dem der Trigger auslöst</translation>
-    </message>
-    <message>
-        <source>What the trigger waits for</source>
-        <translation>Worauf der Trigger wartet</translation>
-    </message>
-    <message>
-        <source>The signal that is watched during a run</source>
-        <translation>Das Signal, das während eines Laufs beobachtet wird</translation>
-    </message>
-    <message>
-        <source>every time (normal)</source>
-        <translation>jedes Mal (normal)</translation>
-    </message>
-    <message>
-        <source>once (single)</source>
-        <translation>einmal (single)</translation>
-    </message>
-    <message>
-        <source>an alarm comes</source>
-        <translation>ein Alarm kommt</translation>
-    </message>
-    <message>
-        <source>a pause begins</source>
-        <translation>eine Pause beginnt</translation>
-    </message>
-    <message>
-        <source>it is outside the range</source>
-        <translation>es außerhalb des Bereichs ist</translation>
-    </message>
-    <message>
-        <source>it is within the range</source>
-        <translation>es im Bereich ist</translation>
-    </message>
-    <message>
-        <source>it is at the level or below</source>
-        <translation>es am Pegel oder darunter ist</translation>
-    </message>
-    <message>
-        <source>it is at the level or above</source>
-        <translation>es am Pegel oder darüber ist</translation>
-    </message>
-    <message>
-        <source>it falls through the level</source>
-        <translation>es unter den Pegel fällt</translation>
-    </message>
-    <message>
-        <source>it rises through the level</source>
-        <translation>es über den Pegel steigt</translation>
-    </message>
-    <message>
-        <source>Fires</source>
-        <translation>Löst aus</translation>
-    </message>
-    <message>
-        <source>After</source>
-        <translation>Danach</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>Davor</translation>
-    </message>
-    <message>
-        <source>Hysteresis</source>
-        <translation>Hysterese</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>Bis</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>Von</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <translation>Pegel</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>Wenn</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Signal</translation>
-    </message>
-    <message>
-        <source>Waiting for the next run</source>
-        <translation>Wartet auf den nächsten Lauf</translation>
-    </message>
-    <message>
-        <source>Waiting for the trigger</source>
-        <translation>Wartet auf den Trigger</translation>
-    </message>
-    <message>
-        <source>Triggered at %1. Waiting for the next</source>
-        <translation>Ausgelöst bei %1. Wartet auf den nächsten</translation>
-    </message>
-    <message>
-        <source>Triggered: waiting for the time after it</source>
-        <translation>Ausgelöst: wartet auf die Zeit danach</translation>
-    </message>
-    <message>
-        <source>Not armed</source>
-        <translation>Nicht scharf</translation>
-    </message>
-    <message>
-        <source>Triggered at %1. Cursor A is there.</source>
-        <translation>Ausgelöst bei %1. Dort steht Cursor A.</translation>
-    </message>
-    <message>
-        <source>Arm</source>
-        <translation>Scharf schalten</translation>
-    </message>
-    <message>
-        <source>Disarm</source>
-        <translation>Entschärfen</translation>
     </message>
 </context>
 </TS>

@@ -2773,6 +2773,81 @@
     </message>
 </context>
 <context>
+    <name>TraceRemarks</name>
+    <message>
+        <source>The program does not belong to this trace from %1 s on.</source>
+        <translation>A partir de %1 s el programa no corresponde a esta traza.</translation>
+    </message>
+    <message>
+        <source>The trace of the control is incomplete: its memory was full.</source>
+        <translation>La traza del control está incompleta: su memoria estaba llena.</translation>
+    </message>
+    <message>
+        <source>Lines of the recording that cannot be read and were left out: %1.</source>
+        <translation>Líneas ilegibles de la grabación, omitidas: %1.</translation>
+    </message>
+    <message>
+        <source>The recording ends before its run: what came before is shown.</source>
+        <translation>La grabación termina antes que su ejecución: se muestra lo anterior.</translation>
+    </message>
+    <message>
+        <source>The columns mean what was said for this layout before: %1.</source>
+        <translation>Las columnas significan lo que se indicó antes para esta disposición: %1.</translation>
+    </message>
+    <message>
+        <source>The file does not say the units of its speeds: mm/min is assumed, as the control shows them.</source>
+        <translation>El archivo no indica las unidades de las velocidades: se supone mm/min, como las muestra el control.</translation>
+    </message>
+    <message>
+        <source>The compressed file is cut or damaged: what came before was read.</source>
+        <translation>El archivo comprimido está cortado o dañado: se leyó lo anterior.</translation>
+    </message>
+    <message>
+        <source>The file was cut off: its end is missing.</source>
+        <translation>El archivo se cortó: falta el final.</translation>
+    </message>
+    <message>
+        <source>The file ends within a row: it was cut off there.</source>
+        <translation>El archivo termina en medio de una fila: ahí se cortó.</translation>
+    </message>
+    <message>
+        <source>Cells that are no numbers and were left empty: %1, the first in line %2.</source>
+        <translation>Celdas que no son números y quedaron vacías: %1, la primera en la línea %2.</translation>
+    </message>
+    <message>
+        <source>Rows that do not have %1 columns and were left out: %2, the first in line %3.</source>
+        <translation>Filas omitidas porque no tienen %1 columnas: %2, la primera en la línea %3.</translation>
+    </message>
+    <message>
+        <source>The file has %1 columns of time; each belongs to the columns after it.</source>
+        <translation>El archivo tiene %1 columnas de tiempo; cada una vale para las columnas que la siguen.</translation>
+    </message>
+    <message>
+        <source>Values whose time runs backwards and that were left out: %1.</source>
+        <translation>Valores omitidos porque su tiempo retrocede: %1.</translation>
+    </message>
+    <message>
+        <source>Rows that repeat the time of the row before and were left out: %1.</source>
+        <translation>Filas omitidas porque repiten el tiempo de la anterior: %1.</translation>
+    </message>
+    <message>
+        <source>The time &quot;%1&quot; runs backwards at row %2. Rows that were left out until it goes on: %3.</source>
+        <translation>El tiempo «%1» retrocede en la fila %2. Filas omitidas hasta que sigue: %3.</translation>
+    </message>
+    <message>
+        <source>The file has no column of time: %1 Hz is assumed.</source>
+        <translation>El archivo no tiene columna de tiempo: se suponen %1 Hz.</translation>
+    </message>
+    <message>
+        <source>The time &quot;%1&quot; has no unit: %2 is assumed.</source>
+        <translation>El tiempo «%1» no tiene unidad: se supone %2.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; occurs more than once: this one is called &quot;%2&quot;.</source>
+        <translation>La columna «%1» aparece varias veces: esta se llama «%2».</translation>
+    </message>
+</context>
+<context>
     <name>TraceTexts</name>
     <message>
         <source>Report of a run</source>
@@ -4456,6 +4531,89 @@ GPL-3.0-or-later</translation>
     <message>
         <source>A run is in progress. To close the window, the run is stopped first; it can be resumed later.</source>
         <translation>Hay una ejecución en curso. Para cerrar la ventana, primero se para la ejecución; después se puede reanudar.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ColumnsDialog</name>
+    <message>
+        <source>The trace can be analysed.</source>
+        <translation>La traza se puede analizar.</translation>
+    </message>
+    <message>
+        <source>Without a position the columns are shown, but stops and errors are not looked for.</source>
+        <translation>Sin posición se muestran las columnas, pero no se buscan paradas ni errores.</translation>
+    </message>
+    <message>
+        <source>Unit of the numbers in the file</source>
+        <translation>Unidad de los números del archivo</translation>
+    </message>
+    <message>
+        <source>Unit of %1</source>
+        <translation>Unidad de %1</translation>
+    </message>
+    <message>
+        <source>What this column is; without a meaning it is shown as it is</source>
+        <translation>Qué es esta columna; sin significado se muestra tal cual</translation>
+    </message>
+    <message>
+        <source>Meaning of %1</source>
+        <translation>Significado de %1</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Place of the first sample on the time axis that several files share</source>
+        <translation>Lugar de la primera muestra en el eje de tiempo común a varios archivos</translation>
+    </message>
+    <message>
+        <source>First sample at</source>
+        <translation>Primera muestra en</translation>
+    </message>
+    <message>
+        <source>For a table without a column of time</source>
+        <translation>Para una tabla sin columna de tiempo</translation>
+    </message>
+    <message>
+        <source>First values</source>
+        <translation>Primeros valores</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Means</source>
+        <translation>Significado</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Columna</translation>
+    </message>
+    <message>
+        <source>Columns of the file</source>
+        <translation>Columnas del archivo</translation>
+    </message>
+    <message>
+        <source>What do the columns mean? The answer is kept for all files with the same headings.</source>
+        <translation>¿Qué significan las columnas? La respuesta se conserva para todos los archivos con los mismos encabezados.</translation>
+    </message>
+    <message>
+        <source>Columns of %1</source>
+        <translation>Columnas de %1</translation>
+    </message>
+    <message>
+        <source>Samples per second</source>
+        <translation>Muestras por segundo</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
     </message>
 </context>
 <context>
@@ -6178,13 +6336,96 @@ GPL-3.0-or-later</translation>
         <source>No X and Y here</source>
         <translation>Aquí no hay X ni Y</translation>
     </message>
+</context>
+<context>
+    <name>rivulet::widgets::PathPanel</name>
     <message>
-        <source>Path in X and Y</source>
-        <translation>Trayectoria en X e Y</translation>
+        <source>Line %1 was executed %2 times. Cursor A is at number %3; click again for the next.</source>
+        <translation>La línea %1 se ejecutó %2 veces. El cursor A está en la número %3; otro clic lleva a la siguiente.</translation>
     </message>
     <message>
-        <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B.</source>
-        <translation>La trayectoria del tiempo visible. Clic: cursor A. Mayús y clic: cursor B.</translation>
+        <source>The line under cursor A is marked. A click on a line puts cursor A where it was executed.</source>
+        <translation>La línea bajo el cursor A está marcada. Un clic en una línea pone el cursor A donde se ejecutó.</translation>
+    </message>
+    <message>
+        <source>Text of the program</source>
+        <translation>Texto del programa</translation>
+    </message>
+    <message>
+        <source>The signal that gives the path its colours</source>
+        <translation>La señal que da los colores a la trayectoria</translation>
+    </message>
+    <message>
+        <source>Colour of the path</source>
+        <translation>Color de la trayectoria</translation>
+    </message>
+    <message>
+        <source>Enlargement of the error</source>
+        <translation>Ampliación del error</translation>
+    </message>
+    <message>
+        <source>Seen from the side; drag the path or press the arrow keys to turn it</source>
+        <translation>Vista de lado; arrastrar la trayectoria o pulsar las flechas para girarla</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>X and Y, seen from above</source>
+        <translation>X e Y, vistos desde arriba</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>A click on a line puts cursor A where it was executed.</source>
+        <translation>Un clic en una línea pone el cursor A donde se ejecutó.</translation>
+    </message>
+    <message>
+        <source>Nothing moved in line %1.</source>
+        <translation>En la línea %1 no se movió nada.</translation>
+    </message>
+    <message>
+        <source>The trace does not show where it is in the program.</source>
+        <translation>La traza no muestra en qué punto del programa está.</translation>
+    </message>
+    <message>
+        <source>Comparing the trace with the program …</source>
+        <translation>Comparando la traza con el programa…</translation>
+    </message>
+    <message>
+        <source>The run was made with another program or another version of it. Open that one to see its lines with the cursor.</source>
+        <translation>La ejecución se hizo con otro programa u otra versión. Abrir aquel para ver sus líneas con el cursor.</translation>
+    </message>
+    <message>
+        <source>Lines and trace are linked when a trace is shown.</source>
+        <translation>Las líneas y la traza se enlazan cuando se muestra una traza.</translation>
+    </message>
+    <message>
+        <source>Open the NC program of the trace to see its lines with the cursor.</source>
+        <translation>Abrir el programa CN de la traza para ver sus líneas con el cursor.</translation>
+    </message>
+    <message>
+        <source>Errors can be drawn larger after the trace has been compared with its NC program</source>
+        <translation>Los errores se pueden ampliar después de comparar la traza con su programa CN</translation>
+    </message>
+    <message>
+        <source>How many times larger the distance to the programmed path is drawn</source>
+        <translation>Cuántas veces mayor se dibuja la distancia a la trayectoria programada</translation>
+    </message>
+    <message>
+        <source>Error × %1</source>
+        <translation>Error × %1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>Color: %1</translation>
+    </message>
+    <message>
+        <source>Colour: the trace</source>
+        <translation>Color: la traza</translation>
     </message>
 </context>
 <context>
@@ -8249,6 +8490,157 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::TriggerPanel</name>
+    <message>
+        <source>The signal must go back this far before the trigger can fire again</source>
+        <translation>La señal debe retroceder esto antes de que pueda dispararse otra vez</translation>
+    </message>
+    <message>
+        <source>An armed trigger stops the live view when it fires and shows what was before and after</source>
+        <translation>Un disparo armado detiene la vista en directo y muestra lo que hubo antes y después</translation>
+    </message>
+    <message>
+        <source>Once: what was caught stays. Every time: the next one takes its place.</source>
+        <translation>Una vez: lo capturado se queda. Cada vez: el siguiente ocupa su lugar.</translation>
+    </message>
+    <message>
+        <source>How much is shown after the trigger</source>
+        <translation>Cuánto se muestra después del disparo</translation>
+    </message>
+    <message>
+        <source>How much is shown before the trigger</source>
+        <translation>Cuánto se muestra antes del disparo</translation>
+    </message>
+    <message>
+        <source>Upper end of the range</source>
+        <translation>Extremo superior del intervalo</translation>
+    </message>
+    <message>
+        <source>Lower end of the range</source>
+        <translation>Extremo inferior del intervalo</translation>
+    </message>
+    <message>
+        <source>Value at which the trigger fires</source>
+        <translation>Valor en el que se dispara</translation>
+    </message>
+    <message>
+        <source>What the trigger waits for</source>
+        <translation>Qué espera el disparo</translation>
+    </message>
+    <message>
+        <source>The signal that is watched during a run</source>
+        <translation>La señal que se vigila durante una ejecución</translation>
+    </message>
+    <message>
+        <source>every time (normal)</source>
+        <translation>cada vez (normal)</translation>
+    </message>
+    <message>
+        <source>once (single)</source>
+        <translation>una vez (single)</translation>
+    </message>
+    <message>
+        <source>an alarm comes</source>
+        <translation>llega una alarma</translation>
+    </message>
+    <message>
+        <source>a pause begins</source>
+        <translation>empieza una pausa</translation>
+    </message>
+    <message>
+        <source>it is outside the range</source>
+        <translation>está fuera del intervalo</translation>
+    </message>
+    <message>
+        <source>it is within the range</source>
+        <translation>está dentro del intervalo</translation>
+    </message>
+    <message>
+        <source>it is at the level or below</source>
+        <translation>está en el nivel o debajo</translation>
+    </message>
+    <message>
+        <source>it is at the level or above</source>
+        <translation>está en el nivel o encima</translation>
+    </message>
+    <message>
+        <source>it falls through the level</source>
+        <translation>baja por el nivel</translation>
+    </message>
+    <message>
+        <source>it rises through the level</source>
+        <translation>sube por el nivel</translation>
+    </message>
+    <message>
+        <source>Fires</source>
+        <translation>Dispara</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Después</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation>Histéresis</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nivel</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Cuando</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Señal</translation>
+    </message>
+    <message>
+        <source>Waiting for the next run</source>
+        <translation>Espera la próxima ejecución</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger</source>
+        <translation>Espera el disparo</translation>
+    </message>
+    <message>
+        <source>Triggered at %1. Waiting for the next</source>
+        <translation>Disparado en %1. Espera el siguiente</translation>
+    </message>
+    <message>
+        <source>Triggered: waiting for the time after it</source>
+        <translation>Disparado: espera el tiempo posterior</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>Sin armar</translation>
+    </message>
+    <message>
+        <source>Triggered at %1. Cursor A is there.</source>
+        <translation>Disparado en %1. Ahí está el cursor A.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Armar</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Desarmar</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::TrustSheet</name>
     <message>
         <source>Is this the right machine?</source>
@@ -8453,406 +8845,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Acknowledge</source>
         <translation>Acusar</translation>
-    </message>
-</context>
-<context>
-    <name>TraceRemarks</name>
-    <message>
-        <source>The program does not belong to this trace from %1 s on.</source>
-        <translation>A partir de %1 s el programa no corresponde a esta traza.</translation>
-    </message>
-    <message>
-        <source>The trace of the control is incomplete: its memory was full.</source>
-        <translation>La traza del control está incompleta: su memoria estaba llena.</translation>
-    </message>
-    <message>
-        <source>Lines of the recording that cannot be read and were left out: %1.</source>
-        <translation>Líneas ilegibles de la grabación, omitidas: %1.</translation>
-    </message>
-    <message>
-        <source>The recording ends before its run: what came before is shown.</source>
-        <translation>La grabación termina antes que su ejecución: se muestra lo anterior.</translation>
-    </message>
-    <message>
-        <source>The columns mean what was said for this layout before: %1.</source>
-        <translation>Las columnas significan lo que se indicó antes para esta disposición: %1.</translation>
-    </message>
-    <message>
-        <source>The file does not say the units of its speeds: mm/min is assumed, as the control shows them.</source>
-        <translation>El archivo no indica las unidades de las velocidades: se supone mm/min, como las muestra el control.</translation>
-    </message>
-    <message>
-        <source>The compressed file is cut or damaged: what came before was read.</source>
-        <translation>El archivo comprimido está cortado o dañado: se leyó lo anterior.</translation>
-    </message>
-    <message>
-        <source>The file was cut off: its end is missing.</source>
-        <translation>El archivo se cortó: falta el final.</translation>
-    </message>
-    <message>
-        <source>The file ends within a row: it was cut off there.</source>
-        <translation>El archivo termina en medio de una fila: ahí se cortó.</translation>
-    </message>
-    <message>
-        <source>Cells that are no numbers and were left empty: %1, the first in line %2.</source>
-        <translation>Celdas que no son números y quedaron vacías: %1, la primera en la línea %2.</translation>
-    </message>
-    <message>
-        <source>Rows that do not have %1 columns and were left out: %2, the first in line %3.</source>
-        <translation>Filas omitidas porque no tienen %1 columnas: %2, la primera en la línea %3.</translation>
-    </message>
-    <message>
-        <source>The file has %1 columns of time; each belongs to the columns after it.</source>
-        <translation>El archivo tiene %1 columnas de tiempo; cada una vale para las columnas que la siguen.</translation>
-    </message>
-    <message>
-        <source>Values whose time runs backwards and that were left out: %1.</source>
-        <translation>Valores omitidos porque su tiempo retrocede: %1.</translation>
-    </message>
-    <message>
-        <source>Rows that repeat the time of the row before and were left out: %1.</source>
-        <translation>Filas omitidas porque repiten el tiempo de la anterior: %1.</translation>
-    </message>
-    <message>
-        <source>The time &quot;%1&quot; runs backwards at row %2. Rows that were left out until it goes on: %3.</source>
-        <translation>El tiempo «%1» retrocede en la fila %2. Filas omitidas hasta que sigue: %3.</translation>
-    </message>
-    <message>
-        <source>The file has no column of time: %1 Hz is assumed.</source>
-        <translation>El archivo no tiene columna de tiempo: se suponen %1 Hz.</translation>
-    </message>
-    <message>
-        <source>The time &quot;%1&quot; has no unit: %2 is assumed.</source>
-        <translation>El tiempo «%1» no tiene unidad: se supone %2.</translation>
-    </message>
-    <message>
-        <source>The column &quot;%1&quot; occurs more than once: this one is called &quot;%2&quot;.</source>
-        <translation>La columna «%1» aparece varias veces: esta se llama «%2».</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::ColumnsDialog</name>
-    <message>
-        <source>The trace can be analysed.</source>
-        <translation>La traza se puede analizar.</translation>
-    </message>
-    <message>
-        <source>Without a position the columns are shown, but stops and errors are not looked for.</source>
-        <translation>Sin posición se muestran las columnas, pero no se buscan paradas ni errores.</translation>
-    </message>
-    <message>
-        <source>Unit of the numbers in the file</source>
-        <translation>Unidad de los números del archivo</translation>
-    </message>
-    <message>
-        <source>Unit of %1</source>
-        <translation>Unidad de %1</translation>
-    </message>
-    <message>
-        <source>What this column is; without a meaning it is shown as it is</source>
-        <translation>Qué es esta columna; sin significado se muestra tal cual</translation>
-    </message>
-    <message>
-        <source>Meaning of %1</source>
-        <translation>Significado de %1</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Aplicar</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
-        <source>Place of the first sample on the time axis that several files share</source>
-        <translation>Lugar de la primera muestra en el eje de tiempo común a varios archivos</translation>
-    </message>
-    <message>
-        <source>First sample at</source>
-        <translation>Primera muestra en</translation>
-    </message>
-    <message>
-        <source>For a table without a column of time</source>
-        <translation>Para una tabla sin columna de tiempo</translation>
-    </message>
-    <message>
-        <source>First values</source>
-        <translation>Primeros valores</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unidad</translation>
-    </message>
-    <message>
-        <source>Means</source>
-        <translation>Significado</translation>
-    </message>
-    <message>
-        <source>Column</source>
-        <translation>Columna</translation>
-    </message>
-    <message>
-        <source>Columns of the file</source>
-        <translation>Columnas del archivo</translation>
-    </message>
-    <message>
-        <source>What do the columns mean? The answer is kept for all files with the same headings.</source>
-        <translation>¿Qué significan las columnas? La respuesta se conserva para todos los archivos con los mismos encabezados.</translation>
-    </message>
-    <message>
-        <source>Columns of %1</source>
-        <translation>Columnas de %1</translation>
-    </message>
-    <message>
-        <source>Samples per second</source>
-        <translation>Muestras por segundo</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tiempo</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::PathPanel</name>
-    <message>
-        <source>Line %1 was executed %2 times. Cursor A is at number %3; click again for the next.</source>
-        <translation>La línea %1 se ejecutó %2 veces. El cursor A está en la número %3; otro clic lleva a la siguiente.</translation>
-    </message>
-    <message>
-        <source>The line under cursor A is marked. A click on a line puts cursor A where it was executed.</source>
-        <translation>La línea bajo el cursor A está marcada. Un clic en una línea pone el cursor A donde se ejecutó.</translation>
-    </message>
-    <message>
-        <source>Text of the program</source>
-        <translation>Texto del programa</translation>
-    </message>
-    <message>
-        <source>The signal that gives the path its colours</source>
-        <translation>La señal que da los colores a la trayectoria</translation>
-    </message>
-    <message>
-        <source>Colour of the path</source>
-        <translation>Color de la trayectoria</translation>
-    </message>
-    <message>
-        <source>Enlargement of the error</source>
-        <translation>Ampliación del error</translation>
-    </message>
-    <message>
-        <source>Seen from the side; drag the path or press the arrow keys to turn it</source>
-        <translation>Vista de lado; arrastrar la trayectoria o pulsar las flechas para girarla</translation>
-    </message>
-    <message>
-        <source>3D</source>
-        <translation>3D</translation>
-    </message>
-    <message>
-        <source>X and Y, seen from above</source>
-        <translation>X e Y, vistos desde arriba</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Arriba</translation>
-    </message>
-    <message>
-        <source>A click on a line puts cursor A where it was executed.</source>
-        <translation>Un clic en una línea pone el cursor A donde se ejecutó.</translation>
-    </message>
-    <message>
-        <source>Nothing moved in line %1.</source>
-        <translation>En la línea %1 no se movió nada.</translation>
-    </message>
-    <message>
-        <source>The trace does not show where it is in the program.</source>
-        <translation>La traza no muestra en qué punto del programa está.</translation>
-    </message>
-    <message>
-        <source>Comparing the trace with the program …</source>
-        <translation>Comparando la traza con el programa…</translation>
-    </message>
-    <message>
-        <source>The run was made with another program or another version of it. Open that one to see its lines with the cursor.</source>
-        <translation>La ejecución se hizo con otro programa u otra versión. Abrir aquel para ver sus líneas con el cursor.</translation>
-    </message>
-    <message>
-        <source>Lines and trace are linked when a trace is shown.</source>
-        <translation>Las líneas y la traza se enlazan cuando se muestra una traza.</translation>
-    </message>
-    <message>
-        <source>Open the NC program of the trace to see its lines with the cursor.</source>
-        <translation>Abrir el programa CN de la traza para ver sus líneas con el cursor.</translation>
-    </message>
-    <message>
-        <source>Errors can be drawn larger after the trace has been compared with its NC program</source>
-        <translation>Los errores se pueden ampliar después de comparar la traza con su programa CN</translation>
-    </message>
-    <message>
-        <source>How many times larger the distance to the programmed path is drawn</source>
-        <translation>Cuántas veces mayor se dibuja la distancia a la trayectoria programada</translation>
-    </message>
-    <message>
-        <source>Error × %1</source>
-        <translation>Error × %1</translation>
-    </message>
-    <message>
-        <source>Colour: %1</source>
-        <translation>Color: %1</translation>
-    </message>
-    <message>
-        <source>Colour: the trace</source>
-        <translation>Color: la traza</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::TriggerPanel</name>
-    <message>
-        <source>The signal must go back this far before the trigger can fire again</source>
-        <translation>La señal debe retroceder esto antes de que pueda dispararse otra vez</translation>
-    </message>
-    <message>
-        <source>An armed trigger stops the live view when it fires and shows what was before and after</source>
-        <translation>Un disparo armado detiene la vista en directo y muestra lo que hubo antes y después</translation>
-    </message>
-    <message>
-        <source>Once: what was caught stays. Every time: the next one takes its place.</source>
-        <translation>Una vez: lo capturado se queda. Cada vez: el siguiente ocupa su lugar.</translation>
-    </message>
-    <message>
-        <source>How much is shown after the trigger</source>
-        <translation>Cuánto se muestra después del disparo</translation>
-    </message>
-    <message>
-        <source>How much is shown before the trigger</source>
-        <translation>Cuánto se muestra antes del disparo</translation>
-    </message>
-    <message>
-        <source>Upper end of the range</source>
-        <translation>Extremo superior del intervalo</translation>
-    </message>
-    <message>
-        <source>Lower end of the range</source>
-        <translation>Extremo inferior del intervalo</translation>
-    </message>
-    <message>
-        <source>Value at which the trigger fires</source>
-        <translation>Valor en el que se dispara</translation>
-    </message>
-    <message>
-        <source>What the trigger waits for</source>
-        <translation>Qué espera el disparo</translation>
-    </message>
-    <message>
-        <source>The signal that is watched during a run</source>
-        <translation>La señal que se vigila durante una ejecución</translation>
-    </message>
-    <message>
-        <source>every time (normal)</source>
-        <translation>cada vez (normal)</translation>
-    </message>
-    <message>
-        <source>once (single)</source>
-        <translation>una vez (single)</translation>
-    </message>
-    <message>
-        <source>an alarm comes</source>
-        <translation>llega una alarma</translation>
-    </message>
-    <message>
-        <source>a pause begins</source>
-        <translation>empieza una pausa</translation>
-    </message>
-    <message>
-        <source>it is outside the range</source>
-        <translation>está fuera del intervalo</translation>
-    </message>
-    <message>
-        <source>it is within the range</source>
-        <translation>está dentro del intervalo</translation>
-    </message>
-    <message>
-        <source>it is at the level or below</source>
-        <translation>está en el nivel o debajo</translation>
-    </message>
-    <message>
-        <source>it is at the level or above</source>
-        <translation>está en el nivel o encima</translation>
-    </message>
-    <message>
-        <source>it falls through the level</source>
-        <translation>baja por el nivel</translation>
-    </message>
-    <message>
-        <source>it rises through the level</source>
-        <translation>sube por el nivel</translation>
-    </message>
-    <message>
-        <source>Fires</source>
-        <translation>Dispara</translation>
-    </message>
-    <message>
-        <source>After</source>
-        <translation>Después</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>Antes</translation>
-    </message>
-    <message>
-        <source>Hysteresis</source>
-        <translation>Histéresis</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>De</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <translation>Nivel</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>Cuando</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Señal</translation>
-    </message>
-    <message>
-        <source>Waiting for the next run</source>
-        <translation>Espera la próxima ejecución</translation>
-    </message>
-    <message>
-        <source>Waiting for the trigger</source>
-        <translation>Espera el disparo</translation>
-    </message>
-    <message>
-        <source>Triggered at %1. Waiting for the next</source>
-        <translation>Disparado en %1. Espera el siguiente</translation>
-    </message>
-    <message>
-        <source>Triggered: waiting for the time after it</source>
-        <translation>Disparado: espera el tiempo posterior</translation>
-    </message>
-    <message>
-        <source>Not armed</source>
-        <translation>Sin armar</translation>
-    </message>
-    <message>
-        <source>Triggered at %1. Cursor A is there.</source>
-        <translation>Disparado en %1. Ahí está el cursor A.</translation>
-    </message>
-    <message>
-        <source>Arm</source>
-        <translation>Armar</translation>
-    </message>
-    <message>
-        <source>Disarm</source>
-        <translation>Desarmar</translation>
     </message>
 </context>
 </TS>

@@ -2773,6 +2773,81 @@
     </message>
 </context>
 <context>
+    <name>TraceRemarks</name>
+    <message>
+        <source>The program does not belong to this trace from %1 s on.</source>
+        <translation>À partir de %1 s, le programme n’appartient pas à cette trace.</translation>
+    </message>
+    <message>
+        <source>The trace of the control is incomplete: its memory was full.</source>
+        <translation>La trace de la commande est incomplète&#xa0;: sa mémoire était pleine.</translation>
+    </message>
+    <message>
+        <source>Lines of the recording that cannot be read and were left out: %1.</source>
+        <translation>Lignes illisibles de l’enregistrement, omises&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The recording ends before its run: what came before is shown.</source>
+        <translation>L’enregistrement se termine avant son exécution&#xa0;: ce qui précède est affiché.</translation>
+    </message>
+    <message>
+        <source>The columns mean what was said for this layout before: %1.</source>
+        <translation>Les colonnes ont le sens indiqué auparavant pour cette disposition&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The file does not say the units of its speeds: mm/min is assumed, as the control shows them.</source>
+        <translation>Le fichier ne donne pas les unités des vitesses&#xa0;: mm/min est supposé, comme la commande les affiche.</translation>
+    </message>
+    <message>
+        <source>The compressed file is cut or damaged: what came before was read.</source>
+        <translation>Le fichier compressé est coupé ou endommagé&#xa0;: ce qui précède a été lu.</translation>
+    </message>
+    <message>
+        <source>The file was cut off: its end is missing.</source>
+        <translation>Le fichier a été coupé&#xa0;: sa fin manque.</translation>
+    </message>
+    <message>
+        <source>The file ends within a row: it was cut off there.</source>
+        <translation>Le fichier se termine au milieu d’une ligne&#xa0;: il y a été coupé.</translation>
+    </message>
+    <message>
+        <source>Cells that are no numbers and were left empty: %1, the first in line %2.</source>
+        <translation>Cellules laissées vides parce qu’elles ne sont pas des nombres&#xa0;: %1, la première à la ligne %2.</translation>
+    </message>
+    <message>
+        <source>Rows that do not have %1 columns and were left out: %2, the first in line %3.</source>
+        <translation>Lignes omises parce qu’elles n’ont pas %1 colonnes&#xa0;: %2, la première à la ligne %3.</translation>
+    </message>
+    <message>
+        <source>The file has %1 columns of time; each belongs to the columns after it.</source>
+        <translation>Le fichier a %1 colonnes de temps&#xa0;; chacune vaut pour les colonnes qui la suivent.</translation>
+    </message>
+    <message>
+        <source>Values whose time runs backwards and that were left out: %1.</source>
+        <translation>Valeurs omises parce que leur temps recule&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Rows that repeat the time of the row before and were left out: %1.</source>
+        <translation>Lignes omises parce qu’elles répètent le temps de la précédente&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The time &quot;%1&quot; runs backwards at row %2. Rows that were left out until it goes on: %3.</source>
+        <translation>Le temps «&#xa0;%1&#xa0;» recule à la ligne %2. Lignes omises jusqu’à ce qu’il reprenne&#xa0;: %3.</translation>
+    </message>
+    <message>
+        <source>The file has no column of time: %1 Hz is assumed.</source>
+        <translation>Le fichier n’a pas de colonne de temps&#xa0;: %1 Hz sont supposés.</translation>
+    </message>
+    <message>
+        <source>The time &quot;%1&quot; has no unit: %2 is assumed.</source>
+        <translation>Le temps «&#xa0;%1&#xa0;» n’a pas d’unité&#xa0;: %2 est supposé.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; occurs more than once: this one is called &quot;%2&quot;.</source>
+        <translation>La colonne «&#xa0;%1&#xa0;» existe plusieurs fois&#xa0;: celle-ci s’appelle «&#xa0;%2&#xa0;».</translation>
+    </message>
+</context>
+<context>
     <name>TraceTexts</name>
     <message>
         <source>Report of a run</source>
@@ -4456,6 +4531,89 @@ GPL-3.0-or-later</translation>
     <message>
         <source>A run is in progress. To close the window, the run is stopped first; it can be resumed later.</source>
         <translation>Une exécution est en cours. Pour fermer la fenêtre, elle est d’abord arrêtée&#xa0;; elle pourra être reprise plus tard.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ColumnsDialog</name>
+    <message>
+        <source>The trace can be analysed.</source>
+        <translation>La trace peut être analysée.</translation>
+    </message>
+    <message>
+        <source>Without a position the columns are shown, but stops and errors are not looked for.</source>
+        <translation>Sans position, les colonnes sont affichées, mais ni les arrêts ni les erreurs ne sont recherchés.</translation>
+    </message>
+    <message>
+        <source>Unit of the numbers in the file</source>
+        <translation>Unité des nombres du fichier</translation>
+    </message>
+    <message>
+        <source>Unit of %1</source>
+        <translation>Unité de %1</translation>
+    </message>
+    <message>
+        <source>What this column is; without a meaning it is shown as it is</source>
+        <translation>Ce qu’est cette colonne&#xa0;; sans sens, elle est affichée telle quelle</translation>
+    </message>
+    <message>
+        <source>Meaning of %1</source>
+        <translation>Sens de %1</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Place of the first sample on the time axis that several files share</source>
+        <translation>Place du premier échantillon sur l’axe de temps commun à plusieurs fichiers</translation>
+    </message>
+    <message>
+        <source>First sample at</source>
+        <translation>Premier échantillon à</translation>
+    </message>
+    <message>
+        <source>For a table without a column of time</source>
+        <translation>Pour un tableau sans colonne de temps</translation>
+    </message>
+    <message>
+        <source>First values</source>
+        <translation>Premières valeurs</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Means</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Colonne</translation>
+    </message>
+    <message>
+        <source>Columns of the file</source>
+        <translation>Colonnes du fichier</translation>
+    </message>
+    <message>
+        <source>What do the columns mean? The answer is kept for all files with the same headings.</source>
+        <translation>Que signifient les colonnes ? La réponse est conservée pour tous les fichiers qui ont les mêmes en-têtes.</translation>
+    </message>
+    <message>
+        <source>Columns of %1</source>
+        <translation>Colonnes de %1</translation>
+    </message>
+    <message>
+        <source>Samples per second</source>
+        <translation>Échantillons par seconde</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
     </message>
 </context>
 <context>
@@ -6178,13 +6336,96 @@ GPL-3.0-or-later</translation>
         <source>No X and Y here</source>
         <translation>Pas de X ni de Y ici</translation>
     </message>
+</context>
+<context>
+    <name>rivulet::widgets::PathPanel</name>
     <message>
-        <source>Path in X and Y</source>
-        <translation>Trajectoire en X et Y</translation>
+        <source>Line %1 was executed %2 times. Cursor A is at number %3; click again for the next.</source>
+        <translation>La ligne %1 a été exécutée %2 fois. Le curseur A est au numéro %3&#xa0;; un autre clic mène au suivant.</translation>
     </message>
     <message>
-        <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B.</source>
-        <translation>La trajectoire du temps visible. Clic : curseur A. Maj et clic : curseur B.</translation>
+        <source>The line under cursor A is marked. A click on a line puts cursor A where it was executed.</source>
+        <translation>La ligne sous le curseur A est marquée. Un clic sur une ligne place le curseur A là où elle a été exécutée.</translation>
+    </message>
+    <message>
+        <source>Text of the program</source>
+        <translation>Texte du programme</translation>
+    </message>
+    <message>
+        <source>The signal that gives the path its colours</source>
+        <translation>Le signal qui donne ses couleurs à la trajectoire</translation>
+    </message>
+    <message>
+        <source>Colour of the path</source>
+        <translation>Couleur de la trajectoire</translation>
+    </message>
+    <message>
+        <source>Enlargement of the error</source>
+        <translation>Agrandissement de l’erreur</translation>
+    </message>
+    <message>
+        <source>Seen from the side; drag the path or press the arrow keys to turn it</source>
+        <translation>Vue de côté&#xa0;; glisser la trajectoire ou appuyer sur les flèches pour la tourner</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>X and Y, seen from above</source>
+        <translation>X et Y, vus du dessus</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>A click on a line puts cursor A where it was executed.</source>
+        <translation>Un clic sur une ligne place le curseur A là où elle a été exécutée.</translation>
+    </message>
+    <message>
+        <source>Nothing moved in line %1.</source>
+        <translation>Rien n’a bougé à la ligne %1.</translation>
+    </message>
+    <message>
+        <source>The trace does not show where it is in the program.</source>
+        <translation>La trace ne montre pas où elle se trouve dans le programme.</translation>
+    </message>
+    <message>
+        <source>Comparing the trace with the program …</source>
+        <translation>Comparaison de la trace avec le programme…</translation>
+    </message>
+    <message>
+        <source>The run was made with another program or another version of it. Open that one to see its lines with the cursor.</source>
+        <translation>L’exécution a été faite avec un autre programme ou une autre version. Ouvrir celui-là pour voir ses lignes avec le curseur.</translation>
+    </message>
+    <message>
+        <source>Lines and trace are linked when a trace is shown.</source>
+        <translation>Lignes et trace sont liées dès qu’une trace est affichée.</translation>
+    </message>
+    <message>
+        <source>Open the NC program of the trace to see its lines with the cursor.</source>
+        <translation>Ouvrir le programme CN de la trace pour voir ses lignes avec le curseur.</translation>
+    </message>
+    <message>
+        <source>Errors can be drawn larger after the trace has been compared with its NC program</source>
+        <translation>Les erreurs peuvent être agrandies après la comparaison de la trace avec son programme CN</translation>
+    </message>
+    <message>
+        <source>How many times larger the distance to the programmed path is drawn</source>
+        <translation>Combien de fois plus grande la distance à la trajectoire programmée est dessinée</translation>
+    </message>
+    <message>
+        <source>Error × %1</source>
+        <translation>Erreur × %1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>Couleur&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Colour: the trace</source>
+        <translation>Couleur&#xa0;: la trace</translation>
     </message>
 </context>
 <context>
@@ -6445,7 +6686,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Spindle: actual %1, commanded %2 1/min</source>
-        <translation>Broche : réelle %1, commandée %2 tr/min</translation>
+        <translation>Broche&#xa0;: réelle %1, commandée %2 tr/min</translation>
     </message>
     <message>
         <source>clockwise (M3)</source>
@@ -6477,11 +6718,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>%1. Read %2 ago: it may have changed since.</source>
-        <translation>%1. Lu il y a %2 : cela a pu changer depuis.</translation>
+        <translation>%1. Lu il y a %2&#xa0;: cela a pu changer depuis.</translation>
     </message>
     <message>
         <source>Live, but tool and spindle: read %1 ago</source>
-        <translation>En direct, mais outil et broche : lus il y a %1</translation>
+        <translation>En direct, mais outil et broche&#xa0;: lus il y a %1</translation>
     </message>
 </context>
 <context>
@@ -8249,6 +8490,157 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::TriggerPanel</name>
+    <message>
+        <source>The signal must go back this far before the trigger can fire again</source>
+        <translation>Le signal doit revenir d’autant avant que le déclencheur puisse agir à nouveau</translation>
+    </message>
+    <message>
+        <source>An armed trigger stops the live view when it fires and shows what was before and after</source>
+        <translation>Un déclencheur armé arrête l’affichage en direct quand il agit et montre l’avant et l’après</translation>
+    </message>
+    <message>
+        <source>Once: what was caught stays. Every time: the next one takes its place.</source>
+        <translation>Une fois&#xa0;: ce qui a été capturé reste. Chaque fois&#xa0;: le suivant prend sa place.</translation>
+    </message>
+    <message>
+        <source>How much is shown after the trigger</source>
+        <translation>Combien est affiché après le déclenchement</translation>
+    </message>
+    <message>
+        <source>How much is shown before the trigger</source>
+        <translation>Combien est affiché avant le déclenchement</translation>
+    </message>
+    <message>
+        <source>Upper end of the range</source>
+        <translation>Borne supérieure de la plage</translation>
+    </message>
+    <message>
+        <source>Lower end of the range</source>
+        <translation>Borne inférieure de la plage</translation>
+    </message>
+    <message>
+        <source>Value at which the trigger fires</source>
+        <translation>Valeur à laquelle le déclencheur agit</translation>
+    </message>
+    <message>
+        <source>What the trigger waits for</source>
+        <translation>Ce que le déclencheur attend</translation>
+    </message>
+    <message>
+        <source>The signal that is watched during a run</source>
+        <translation>Le signal surveillé pendant une exécution</translation>
+    </message>
+    <message>
+        <source>every time (normal)</source>
+        <translation>chaque fois (normal)</translation>
+    </message>
+    <message>
+        <source>once (single)</source>
+        <translation>une fois (single)</translation>
+    </message>
+    <message>
+        <source>an alarm comes</source>
+        <translation>une alarme arrive</translation>
+    </message>
+    <message>
+        <source>a pause begins</source>
+        <translation>une pause commence</translation>
+    </message>
+    <message>
+        <source>it is outside the range</source>
+        <translation>il est hors de la plage</translation>
+    </message>
+    <message>
+        <source>it is within the range</source>
+        <translation>il est dans la plage</translation>
+    </message>
+    <message>
+        <source>it is at the level or below</source>
+        <translation>il est au niveau ou au-dessous</translation>
+    </message>
+    <message>
+        <source>it is at the level or above</source>
+        <translation>il est au niveau ou au-dessus</translation>
+    </message>
+    <message>
+        <source>it falls through the level</source>
+        <translation>il descend sous le niveau</translation>
+    </message>
+    <message>
+        <source>it rises through the level</source>
+        <translation>il monte au-delà du niveau</translation>
+    </message>
+    <message>
+        <source>Fires</source>
+        <translation>Déclenche</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Après</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation>Hystérésis</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Quand</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Waiting for the next run</source>
+        <translation>Attente de la prochaine exécution</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger</source>
+        <translation>Attente du déclencheur</translation>
+    </message>
+    <message>
+        <source>Triggered at %1. Waiting for the next</source>
+        <translation>Déclenché à %1. Attente du suivant</translation>
+    </message>
+    <message>
+        <source>Triggered: waiting for the time after it</source>
+        <translation>Déclenché&#xa0;: attente du temps qui suit</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>Non armé</translation>
+    </message>
+    <message>
+        <source>Triggered at %1. Cursor A is there.</source>
+        <translation>Déclenché à %1. Le curseur A y est.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Armer</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Désarmer</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::TrustSheet</name>
     <message>
         <source>Is this the right machine?</source>
@@ -8453,406 +8845,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Acknowledge</source>
         <translation>Acquitter</translation>
-    </message>
-</context>
-<context>
-    <name>TraceRemarks</name>
-    <message>
-        <source>The program does not belong to this trace from %1 s on.</source>
-        <translation>À partir de %1 s, le programme n’appartient pas à cette trace.</translation>
-    </message>
-    <message>
-        <source>The trace of the control is incomplete: its memory was full.</source>
-        <translation>La trace de la commande est incomplète&#xa0;: sa mémoire était pleine.</translation>
-    </message>
-    <message>
-        <source>Lines of the recording that cannot be read and were left out: %1.</source>
-        <translation>Lignes illisibles de l’enregistrement, omises&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>The recording ends before its run: what came before is shown.</source>
-        <translation>L’enregistrement se termine avant son exécution&#xa0;: ce qui précède est affiché.</translation>
-    </message>
-    <message>
-        <source>The columns mean what was said for this layout before: %1.</source>
-        <translation>Les colonnes ont le sens indiqué auparavant pour cette disposition&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>The file does not say the units of its speeds: mm/min is assumed, as the control shows them.</source>
-        <translation>Le fichier ne donne pas les unités des vitesses&#xa0;: mm/min est supposé, comme la commande les affiche.</translation>
-    </message>
-    <message>
-        <source>The compressed file is cut or damaged: what came before was read.</source>
-        <translation>Le fichier compressé est coupé ou endommagé&#xa0;: ce qui précède a été lu.</translation>
-    </message>
-    <message>
-        <source>The file was cut off: its end is missing.</source>
-        <translation>Le fichier a été coupé&#xa0;: sa fin manque.</translation>
-    </message>
-    <message>
-        <source>The file ends within a row: it was cut off there.</source>
-        <translation>Le fichier se termine au milieu d’une ligne&#xa0;: il y a été coupé.</translation>
-    </message>
-    <message>
-        <source>Cells that are no numbers and were left empty: %1, the first in line %2.</source>
-        <translation>Cellules laissées vides parce qu’elles ne sont pas des nombres&#xa0;: %1, la première à la ligne %2.</translation>
-    </message>
-    <message>
-        <source>Rows that do not have %1 columns and were left out: %2, the first in line %3.</source>
-        <translation>Lignes omises parce qu’elles n’ont pas %1 colonnes&#xa0;: %2, la première à la ligne %3.</translation>
-    </message>
-    <message>
-        <source>The file has %1 columns of time; each belongs to the columns after it.</source>
-        <translation>Le fichier a %1 colonnes de temps&#xa0;; chacune vaut pour les colonnes qui la suivent.</translation>
-    </message>
-    <message>
-        <source>Values whose time runs backwards and that were left out: %1.</source>
-        <translation>Valeurs omises parce que leur temps recule&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>Rows that repeat the time of the row before and were left out: %1.</source>
-        <translation>Lignes omises parce qu’elles répètent le temps de la précédente&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>The time &quot;%1&quot; runs backwards at row %2. Rows that were left out until it goes on: %3.</source>
-        <translation>Le temps «&#xa0;%1&#xa0;» recule à la ligne %2. Lignes omises jusqu’à ce qu’il reprenne&#xa0;: %3.</translation>
-    </message>
-    <message>
-        <source>The file has no column of time: %1 Hz is assumed.</source>
-        <translation>Le fichier n’a pas de colonne de temps&#xa0;: %1 Hz sont supposés.</translation>
-    </message>
-    <message>
-        <source>The time &quot;%1&quot; has no unit: %2 is assumed.</source>
-        <translation>Le temps «&#xa0;%1&#xa0;» n’a pas d’unité&#xa0;: %2 est supposé.</translation>
-    </message>
-    <message>
-        <source>The column &quot;%1&quot; occurs more than once: this one is called &quot;%2&quot;.</source>
-        <translation>La colonne «&#xa0;%1&#xa0;» existe plusieurs fois&#xa0;: celle-ci s’appelle «&#xa0;%2&#xa0;».</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::ColumnsDialog</name>
-    <message>
-        <source>The trace can be analysed.</source>
-        <translation>La trace peut être analysée.</translation>
-    </message>
-    <message>
-        <source>Without a position the columns are shown, but stops and errors are not looked for.</source>
-        <translation>Sans position, les colonnes sont affichées, mais ni les arrêts ni les erreurs ne sont recherchés.</translation>
-    </message>
-    <message>
-        <source>Unit of the numbers in the file</source>
-        <translation>Unité des nombres du fichier</translation>
-    </message>
-    <message>
-        <source>Unit of %1</source>
-        <translation>Unité de %1</translation>
-    </message>
-    <message>
-        <source>What this column is; without a meaning it is shown as it is</source>
-        <translation>Ce qu’est cette colonne ; sans sens, elle est affichée telle quelle</translation>
-    </message>
-    <message>
-        <source>Meaning of %1</source>
-        <translation>Sens de %1</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Appliquer</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Place of the first sample on the time axis that several files share</source>
-        <translation>Place du premier échantillon sur l’axe de temps commun à plusieurs fichiers</translation>
-    </message>
-    <message>
-        <source>First sample at</source>
-        <translation>Premier échantillon à</translation>
-    </message>
-    <message>
-        <source>For a table without a column of time</source>
-        <translation>Pour un tableau sans colonne de temps</translation>
-    </message>
-    <message>
-        <source>First values</source>
-        <translation>Premières valeurs</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unité</translation>
-    </message>
-    <message>
-        <source>Means</source>
-        <translation>Sens</translation>
-    </message>
-    <message>
-        <source>Column</source>
-        <translation>Colonne</translation>
-    </message>
-    <message>
-        <source>Columns of the file</source>
-        <translation>Colonnes du fichier</translation>
-    </message>
-    <message>
-        <source>What do the columns mean? The answer is kept for all files with the same headings.</source>
-        <translation>Que signifient les colonnes ? La réponse est conservée pour tous les fichiers qui ont les mêmes en-têtes.</translation>
-    </message>
-    <message>
-        <source>Columns of %1</source>
-        <translation>Colonnes de %1</translation>
-    </message>
-    <message>
-        <source>Samples per second</source>
-        <translation>Échantillons par seconde</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::PathPanel</name>
-    <message>
-        <source>Line %1 was executed %2 times. Cursor A is at number %3; click again for the next.</source>
-        <translation>La ligne %1 a été exécutée %2 fois. Le curseur A est au numéro %3&#xa0;; un autre clic mène au suivant.</translation>
-    </message>
-    <message>
-        <source>The line under cursor A is marked. A click on a line puts cursor A where it was executed.</source>
-        <translation>La ligne sous le curseur A est marquée. Un clic sur une ligne place le curseur A là où elle a été exécutée.</translation>
-    </message>
-    <message>
-        <source>Text of the program</source>
-        <translation>Texte du programme</translation>
-    </message>
-    <message>
-        <source>The signal that gives the path its colours</source>
-        <translation>Le signal qui donne ses couleurs à la trajectoire</translation>
-    </message>
-    <message>
-        <source>Colour of the path</source>
-        <translation>Couleur de la trajectoire</translation>
-    </message>
-    <message>
-        <source>Enlargement of the error</source>
-        <translation>Agrandissement de l’erreur</translation>
-    </message>
-    <message>
-        <source>Seen from the side; drag the path or press the arrow keys to turn it</source>
-        <translation>Vue de côté&#xa0;; glisser la trajectoire ou appuyer sur les flèches pour la tourner</translation>
-    </message>
-    <message>
-        <source>3D</source>
-        <translation>3D</translation>
-    </message>
-    <message>
-        <source>X and Y, seen from above</source>
-        <translation>X et Y, vus du dessus</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Dessus</translation>
-    </message>
-    <message>
-        <source>A click on a line puts cursor A where it was executed.</source>
-        <translation>Un clic sur une ligne place le curseur A là où elle a été exécutée.</translation>
-    </message>
-    <message>
-        <source>Nothing moved in line %1.</source>
-        <translation>Rien n’a bougé à la ligne %1.</translation>
-    </message>
-    <message>
-        <source>The trace does not show where it is in the program.</source>
-        <translation>La trace ne montre pas où elle se trouve dans le programme.</translation>
-    </message>
-    <message>
-        <source>Comparing the trace with the program …</source>
-        <translation>Comparaison de la trace avec le programme…</translation>
-    </message>
-    <message>
-        <source>The run was made with another program or another version of it. Open that one to see its lines with the cursor.</source>
-        <translation>L’exécution a été faite avec un autre programme ou une autre version. Ouvrir celui-là pour voir ses lignes avec le curseur.</translation>
-    </message>
-    <message>
-        <source>Lines and trace are linked when a trace is shown.</source>
-        <translation>Lignes et trace sont liées dès qu’une trace est affichée.</translation>
-    </message>
-    <message>
-        <source>Open the NC program of the trace to see its lines with the cursor.</source>
-        <translation>Ouvrir le programme CN de la trace pour voir ses lignes avec le curseur.</translation>
-    </message>
-    <message>
-        <source>Errors can be drawn larger after the trace has been compared with its NC program</source>
-        <translation>Les erreurs peuvent être agrandies après la comparaison de la trace avec son programme CN</translation>
-    </message>
-    <message>
-        <source>How many times larger the distance to the programmed path is drawn</source>
-        <translation>Combien de fois plus grande la distance à la trajectoire programmée est dessinée</translation>
-    </message>
-    <message>
-        <source>Error × %1</source>
-        <translation>Erreur × %1</translation>
-    </message>
-    <message>
-        <source>Colour: %1</source>
-        <translation>Couleur&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Colour: the trace</source>
-        <translation>Couleur&#xa0;: la trace</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::TriggerPanel</name>
-    <message>
-        <source>The signal must go back this far before the trigger can fire again</source>
-        <translation>Le signal doit revenir d’autant avant que le déclencheur puisse agir à nouveau</translation>
-    </message>
-    <message>
-        <source>An armed trigger stops the live view when it fires and shows what was before and after</source>
-        <translation>Un déclencheur armé arrête l’affichage en direct quand il agit et montre l’avant et l’après</translation>
-    </message>
-    <message>
-        <source>Once: what was caught stays. Every time: the next one takes its place.</source>
-        <translation>Une fois&#xa0;: ce qui a été capturé reste. Chaque fois&#xa0;: le suivant prend sa place.</translation>
-    </message>
-    <message>
-        <source>How much is shown after the trigger</source>
-        <translation>Combien est affiché après le déclenchement</translation>
-    </message>
-    <message>
-        <source>How much is shown before the trigger</source>
-        <translation>Combien est affiché avant le déclenchement</translation>
-    </message>
-    <message>
-        <source>Upper end of the range</source>
-        <translation>Borne supérieure de la plage</translation>
-    </message>
-    <message>
-        <source>Lower end of the range</source>
-        <translation>Borne inférieure de la plage</translation>
-    </message>
-    <message>
-        <source>Value at which the trigger fires</source>
-        <translation>Valeur à laquelle le déclencheur agit</translation>
-    </message>
-    <message>
-        <source>What the trigger waits for</source>
-        <translation>Ce que le déclencheur attend</translation>
-    </message>
-    <message>
-        <source>The signal that is watched during a run</source>
-        <translation>Le signal surveillé pendant une exécution</translation>
-    </message>
-    <message>
-        <source>every time (normal)</source>
-        <translation>chaque fois (normal)</translation>
-    </message>
-    <message>
-        <source>once (single)</source>
-        <translation>une fois (single)</translation>
-    </message>
-    <message>
-        <source>an alarm comes</source>
-        <translation>une alarme arrive</translation>
-    </message>
-    <message>
-        <source>a pause begins</source>
-        <translation>une pause commence</translation>
-    </message>
-    <message>
-        <source>it is outside the range</source>
-        <translation>il est hors de la plage</translation>
-    </message>
-    <message>
-        <source>it is within the range</source>
-        <translation>il est dans la plage</translation>
-    </message>
-    <message>
-        <source>it is at the level or below</source>
-        <translation>il est au niveau ou au-dessous</translation>
-    </message>
-    <message>
-        <source>it is at the level or above</source>
-        <translation>il est au niveau ou au-dessus</translation>
-    </message>
-    <message>
-        <source>it falls through the level</source>
-        <translation>il descend sous le niveau</translation>
-    </message>
-    <message>
-        <source>it rises through the level</source>
-        <translation>il monte au-delà du niveau</translation>
-    </message>
-    <message>
-        <source>Fires</source>
-        <translation>Déclenche</translation>
-    </message>
-    <message>
-        <source>After</source>
-        <translation>Après</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>Avant</translation>
-    </message>
-    <message>
-        <source>Hysteresis</source>
-        <translation>Hystérésis</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>À</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>De</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <translation>Niveau</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>Quand</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Signal</translation>
-    </message>
-    <message>
-        <source>Waiting for the next run</source>
-        <translation>Attente de la prochaine exécution</translation>
-    </message>
-    <message>
-        <source>Waiting for the trigger</source>
-        <translation>Attente du déclencheur</translation>
-    </message>
-    <message>
-        <source>Triggered at %1. Waiting for the next</source>
-        <translation>Déclenché à %1. Attente du suivant</translation>
-    </message>
-    <message>
-        <source>Triggered: waiting for the time after it</source>
-        <translation>Déclenché&#xa0;: attente du temps qui suit</translation>
-    </message>
-    <message>
-        <source>Not armed</source>
-        <translation>Non armé</translation>
-    </message>
-    <message>
-        <source>Triggered at %1. Cursor A is there.</source>
-        <translation>Déclenché à %1. Le curseur A y est.</translation>
-    </message>
-    <message>
-        <source>Arm</source>
-        <translation>Armer</translation>
-    </message>
-    <message>
-        <source>Disarm</source>
-        <translation>Désarmer</translation>
     </message>
 </context>
 </TS>

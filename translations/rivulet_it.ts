@@ -2773,6 +2773,81 @@
     </message>
 </context>
 <context>
+    <name>TraceRemarks</name>
+    <message>
+        <source>The program does not belong to this trace from %1 s on.</source>
+        <translation>Da %1 s in poi il programma non appartiene a questa traccia.</translation>
+    </message>
+    <message>
+        <source>The trace of the control is incomplete: its memory was full.</source>
+        <translation>La traccia del controllo è incompleta: la sua memoria era piena.</translation>
+    </message>
+    <message>
+        <source>Lines of the recording that cannot be read and were left out: %1.</source>
+        <translation>Righe illeggibili della registrazione, tralasciate: %1.</translation>
+    </message>
+    <message>
+        <source>The recording ends before its run: what came before is shown.</source>
+        <translation>La registrazione finisce prima della sua esecuzione: è mostrato quanto precede.</translation>
+    </message>
+    <message>
+        <source>The columns mean what was said for this layout before: %1.</source>
+        <translation>Le colonne hanno il significato indicato in precedenza per questa disposizione: %1.</translation>
+    </message>
+    <message>
+        <source>The file does not say the units of its speeds: mm/min is assumed, as the control shows them.</source>
+        <translation>Il file non indica le unità delle velocità: si assume mm/min, come le mostra il controllo.</translation>
+    </message>
+    <message>
+        <source>The compressed file is cut or damaged: what came before was read.</source>
+        <translation>Il file compresso è troncato o danneggiato: è stato letto quanto precede.</translation>
+    </message>
+    <message>
+        <source>The file was cut off: its end is missing.</source>
+        <translation>Il file è stato troncato: manca la fine.</translation>
+    </message>
+    <message>
+        <source>The file ends within a row: it was cut off there.</source>
+        <translation>Il file finisce a metà di una riga: lì è stato troncato.</translation>
+    </message>
+    <message>
+        <source>Cells that are no numbers and were left empty: %1, the first in line %2.</source>
+        <translation>Celle lasciate vuote perché non sono numeri: %1, la prima alla riga %2.</translation>
+    </message>
+    <message>
+        <source>Rows that do not have %1 columns and were left out: %2, the first in line %3.</source>
+        <translation>Righe tralasciate perché non hanno %1 colonne: %2, la prima alla riga %3.</translation>
+    </message>
+    <message>
+        <source>The file has %1 columns of time; each belongs to the columns after it.</source>
+        <translation>Il file ha %1 colonne del tempo; ognuna vale per le colonne che la seguono.</translation>
+    </message>
+    <message>
+        <source>Values whose time runs backwards and that were left out: %1.</source>
+        <translation>Valori tralasciati perché il loro tempo torna indietro: %1.</translation>
+    </message>
+    <message>
+        <source>Rows that repeat the time of the row before and were left out: %1.</source>
+        <translation>Righe tralasciate perché ripetono il tempo della precedente: %1.</translation>
+    </message>
+    <message>
+        <source>The time &quot;%1&quot; runs backwards at row %2. Rows that were left out until it goes on: %3.</source>
+        <translation>Il tempo «%1» torna indietro alla riga %2. Righe tralasciate finché non prosegue: %3.</translation>
+    </message>
+    <message>
+        <source>The file has no column of time: %1 Hz is assumed.</source>
+        <translation>Il file non ha una colonna del tempo: si assumono %1 Hz.</translation>
+    </message>
+    <message>
+        <source>The time &quot;%1&quot; has no unit: %2 is assumed.</source>
+        <translation>Il tempo «%1» non ha unità: si assume %2.</translation>
+    </message>
+    <message>
+        <source>The column &quot;%1&quot; occurs more than once: this one is called &quot;%2&quot;.</source>
+        <translation>La colonna «%1» compare più volte: questa si chiama «%2».</translation>
+    </message>
+</context>
+<context>
     <name>TraceTexts</name>
     <message>
         <source>Report of a run</source>
@@ -4456,6 +4531,89 @@ GPL-3.0-or-later</translation>
     <message>
         <source>A run is in progress. To close the window, the run is stopped first; it can be resumed later.</source>
         <translation>Un’esecuzione è in corso. Per chiudere la finestra viene prima arrestata; si può riprendere in seguito.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ColumnsDialog</name>
+    <message>
+        <source>The trace can be analysed.</source>
+        <translation>La traccia può essere analizzata.</translation>
+    </message>
+    <message>
+        <source>Without a position the columns are shown, but stops and errors are not looked for.</source>
+        <translation>Senza posizione le colonne sono mostrate, ma non si cercano fermate né errori.</translation>
+    </message>
+    <message>
+        <source>Unit of the numbers in the file</source>
+        <translation>Unità dei numeri nel file</translation>
+    </message>
+    <message>
+        <source>Unit of %1</source>
+        <translation>Unità di %1</translation>
+    </message>
+    <message>
+        <source>What this column is; without a meaning it is shown as it is</source>
+        <translation>Che cos’è questa colonna; senza significato è mostrata così com’è</translation>
+    </message>
+    <message>
+        <source>Meaning of %1</source>
+        <translation>Significato di %1</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Applica</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Place of the first sample on the time axis that several files share</source>
+        <translation>Posto del primo campione sull’asse del tempo comune a più file</translation>
+    </message>
+    <message>
+        <source>First sample at</source>
+        <translation>Primo campione a</translation>
+    </message>
+    <message>
+        <source>For a table without a column of time</source>
+        <translation>Per una tabella senza colonna del tempo</translation>
+    </message>
+    <message>
+        <source>First values</source>
+        <translation>Primi valori</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unità</translation>
+    </message>
+    <message>
+        <source>Means</source>
+        <translation>Significato</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Colonna</translation>
+    </message>
+    <message>
+        <source>Columns of the file</source>
+        <translation>Colonne del file</translation>
+    </message>
+    <message>
+        <source>What do the columns mean? The answer is kept for all files with the same headings.</source>
+        <translation>Che cosa significano le colonne? La risposta vale per tutti i file con le stesse intestazioni.</translation>
+    </message>
+    <message>
+        <source>Columns of %1</source>
+        <translation>Colonne di %1</translation>
+    </message>
+    <message>
+        <source>Samples per second</source>
+        <translation>Campioni al secondo</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
     </message>
 </context>
 <context>
@@ -6178,13 +6336,96 @@ GPL-3.0-or-later</translation>
         <source>No X and Y here</source>
         <translation>Qui non ci sono X e Y</translation>
     </message>
+</context>
+<context>
+    <name>rivulet::widgets::PathPanel</name>
     <message>
-        <source>Path in X and Y</source>
-        <translation>Percorso in X e Y</translation>
+        <source>Line %1 was executed %2 times. Cursor A is at number %3; click again for the next.</source>
+        <translation>La riga %1 è stata eseguita %2 volte. Il cursore A è alla numero %3; un altro clic porta alla successiva.</translation>
     </message>
     <message>
-        <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B.</source>
-        <translation>Il percorso del tempo visibile. Clic: cursore A. Maiusc e clic: cursore B.</translation>
+        <source>The line under cursor A is marked. A click on a line puts cursor A where it was executed.</source>
+        <translation>La riga sotto il cursore A è evidenziata. Un clic su una riga porta il cursore A dove è stata eseguita.</translation>
+    </message>
+    <message>
+        <source>Text of the program</source>
+        <translation>Testo del programma</translation>
+    </message>
+    <message>
+        <source>The signal that gives the path its colours</source>
+        <translation>Il segnale che dà i colori al percorso</translation>
+    </message>
+    <message>
+        <source>Colour of the path</source>
+        <translation>Colore del percorso</translation>
+    </message>
+    <message>
+        <source>Enlargement of the error</source>
+        <translation>Ingrandimento dell’errore</translation>
+    </message>
+    <message>
+        <source>Seen from the side; drag the path or press the arrow keys to turn it</source>
+        <translation>Vista di lato; trascinare il percorso o premere le frecce per ruotarlo</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>X and Y, seen from above</source>
+        <translation>X e Y, visti dall’alto</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Alto</translation>
+    </message>
+    <message>
+        <source>A click on a line puts cursor A where it was executed.</source>
+        <translation>Un clic su una riga porta il cursore A dove è stata eseguita.</translation>
+    </message>
+    <message>
+        <source>Nothing moved in line %1.</source>
+        <translation>Nella riga %1 non si è mosso nulla.</translation>
+    </message>
+    <message>
+        <source>The trace does not show where it is in the program.</source>
+        <translation>La traccia non mostra a che punto del programma si trova.</translation>
+    </message>
+    <message>
+        <source>Comparing the trace with the program …</source>
+        <translation>Confronto della traccia con il programma…</translation>
+    </message>
+    <message>
+        <source>The run was made with another program or another version of it. Open that one to see its lines with the cursor.</source>
+        <translation>L’esecuzione è stata fatta con un altro programma o un’altra versione. Aprire quello per vederne le righe con il cursore.</translation>
+    </message>
+    <message>
+        <source>Lines and trace are linked when a trace is shown.</source>
+        <translation>Righe e traccia sono collegate quando è mostrata una traccia.</translation>
+    </message>
+    <message>
+        <source>Open the NC program of the trace to see its lines with the cursor.</source>
+        <translation>Aprire il programma NC della traccia per vederne le righe con il cursore.</translation>
+    </message>
+    <message>
+        <source>Errors can be drawn larger after the trace has been compared with its NC program</source>
+        <translation>Gli errori si possono ingrandire dopo il confronto della traccia con il suo programma NC</translation>
+    </message>
+    <message>
+        <source>How many times larger the distance to the programmed path is drawn</source>
+        <translation>Quante volte più grande è disegnata la distanza dal percorso programmato</translation>
+    </message>
+    <message>
+        <source>Error × %1</source>
+        <translation>Errore × %1</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>Colore: %1</translation>
+    </message>
+    <message>
+        <source>Colour: the trace</source>
+        <translation>Colore: la traccia</translation>
     </message>
 </context>
 <context>
@@ -8249,6 +8490,157 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::TriggerPanel</name>
+    <message>
+        <source>The signal must go back this far before the trigger can fire again</source>
+        <translation>Il segnale deve tornare indietro di tanto prima che il trigger possa scattare di nuovo</translation>
+    </message>
+    <message>
+        <source>An armed trigger stops the live view when it fires and shows what was before and after</source>
+        <translation>Un trigger armato ferma la vista in diretta quando scatta e mostra il prima e il dopo</translation>
+    </message>
+    <message>
+        <source>Once: what was caught stays. Every time: the next one takes its place.</source>
+        <translation>Una volta: ciò che è stato catturato resta. Ogni volta: il prossimo ne prende il posto.</translation>
+    </message>
+    <message>
+        <source>How much is shown after the trigger</source>
+        <translation>Quanto si mostra dopo lo scatto</translation>
+    </message>
+    <message>
+        <source>How much is shown before the trigger</source>
+        <translation>Quanto si mostra prima dello scatto</translation>
+    </message>
+    <message>
+        <source>Upper end of the range</source>
+        <translation>Estremo superiore dell’intervallo</translation>
+    </message>
+    <message>
+        <source>Lower end of the range</source>
+        <translation>Estremo inferiore dell’intervallo</translation>
+    </message>
+    <message>
+        <source>Value at which the trigger fires</source>
+        <translation>Valore al quale il trigger scatta</translation>
+    </message>
+    <message>
+        <source>What the trigger waits for</source>
+        <translation>Che cosa attende il trigger</translation>
+    </message>
+    <message>
+        <source>The signal that is watched during a run</source>
+        <translation>Il segnale osservato durante un’esecuzione</translation>
+    </message>
+    <message>
+        <source>every time (normal)</source>
+        <translation>ogni volta (normal)</translation>
+    </message>
+    <message>
+        <source>once (single)</source>
+        <translation>una volta (single)</translation>
+    </message>
+    <message>
+        <source>an alarm comes</source>
+        <translation>arriva un allarme</translation>
+    </message>
+    <message>
+        <source>a pause begins</source>
+        <translation>inizia una pausa</translation>
+    </message>
+    <message>
+        <source>it is outside the range</source>
+        <translation>è fuori dall’intervallo</translation>
+    </message>
+    <message>
+        <source>it is within the range</source>
+        <translation>è nell’intervallo</translation>
+    </message>
+    <message>
+        <source>it is at the level or below</source>
+        <translation>è al livello o sotto</translation>
+    </message>
+    <message>
+        <source>it is at the level or above</source>
+        <translation>è al livello o sopra</translation>
+    </message>
+    <message>
+        <source>it falls through the level</source>
+        <translation>scende sotto il livello</translation>
+    </message>
+    <message>
+        <source>it rises through the level</source>
+        <translation>sale oltre il livello</translation>
+    </message>
+    <message>
+        <source>Fires</source>
+        <translation>Scatta</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Dopo</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Prima</translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation>Isteresi</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Da</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Livello</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Quando</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Segnale</translation>
+    </message>
+    <message>
+        <source>Waiting for the next run</source>
+        <translation>Attende la prossima esecuzione</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger</source>
+        <translation>Attende il trigger</translation>
+    </message>
+    <message>
+        <source>Triggered at %1. Waiting for the next</source>
+        <translation>Scattato a %1. Attende il prossimo</translation>
+    </message>
+    <message>
+        <source>Triggered: waiting for the time after it</source>
+        <translation>Scattato: attende il tempo successivo</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>Non armato</translation>
+    </message>
+    <message>
+        <source>Triggered at %1. Cursor A is there.</source>
+        <translation>Scattato a %1. Lì si trova il cursore A.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arma</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Disarma</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::TrustSheet</name>
     <message>
         <source>Is this the right machine?</source>
@@ -8453,406 +8845,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Acknowledge</source>
         <translation>Tacita</translation>
-    </message>
-</context>
-<context>
-    <name>TraceRemarks</name>
-    <message>
-        <source>The program does not belong to this trace from %1 s on.</source>
-        <translation>Da %1 s in poi il programma non appartiene a questa traccia.</translation>
-    </message>
-    <message>
-        <source>The trace of the control is incomplete: its memory was full.</source>
-        <translation>La traccia del controllo è incompleta: la sua memoria era piena.</translation>
-    </message>
-    <message>
-        <source>Lines of the recording that cannot be read and were left out: %1.</source>
-        <translation>Righe illeggibili della registrazione, tralasciate: %1.</translation>
-    </message>
-    <message>
-        <source>The recording ends before its run: what came before is shown.</source>
-        <translation>La registrazione finisce prima della sua esecuzione: è mostrato quanto precede.</translation>
-    </message>
-    <message>
-        <source>The columns mean what was said for this layout before: %1.</source>
-        <translation>Le colonne hanno il significato indicato in precedenza per questa disposizione: %1.</translation>
-    </message>
-    <message>
-        <source>The file does not say the units of its speeds: mm/min is assumed, as the control shows them.</source>
-        <translation>Il file non indica le unità delle velocità: si assume mm/min, come le mostra il controllo.</translation>
-    </message>
-    <message>
-        <source>The compressed file is cut or damaged: what came before was read.</source>
-        <translation>Il file compresso è troncato o danneggiato: è stato letto quanto precede.</translation>
-    </message>
-    <message>
-        <source>The file was cut off: its end is missing.</source>
-        <translation>Il file è stato troncato: manca la fine.</translation>
-    </message>
-    <message>
-        <source>The file ends within a row: it was cut off there.</source>
-        <translation>Il file finisce a metà di una riga: lì è stato troncato.</translation>
-    </message>
-    <message>
-        <source>Cells that are no numbers and were left empty: %1, the first in line %2.</source>
-        <translation>Celle lasciate vuote perché non sono numeri: %1, la prima alla riga %2.</translation>
-    </message>
-    <message>
-        <source>Rows that do not have %1 columns and were left out: %2, the first in line %3.</source>
-        <translation>Righe tralasciate perché non hanno %1 colonne: %2, la prima alla riga %3.</translation>
-    </message>
-    <message>
-        <source>The file has %1 columns of time; each belongs to the columns after it.</source>
-        <translation>Il file ha %1 colonne del tempo; ognuna vale per le colonne che la seguono.</translation>
-    </message>
-    <message>
-        <source>Values whose time runs backwards and that were left out: %1.</source>
-        <translation>Valori tralasciati perché il loro tempo torna indietro: %1.</translation>
-    </message>
-    <message>
-        <source>Rows that repeat the time of the row before and were left out: %1.</source>
-        <translation>Righe tralasciate perché ripetono il tempo della precedente: %1.</translation>
-    </message>
-    <message>
-        <source>The time &quot;%1&quot; runs backwards at row %2. Rows that were left out until it goes on: %3.</source>
-        <translation>Il tempo «%1» torna indietro alla riga %2. Righe tralasciate finché non prosegue: %3.</translation>
-    </message>
-    <message>
-        <source>The file has no column of time: %1 Hz is assumed.</source>
-        <translation>Il file non ha una colonna del tempo: si assumono %1 Hz.</translation>
-    </message>
-    <message>
-        <source>The time &quot;%1&quot; has no unit: %2 is assumed.</source>
-        <translation>Il tempo «%1» non ha unità: si assume %2.</translation>
-    </message>
-    <message>
-        <source>The column &quot;%1&quot; occurs more than once: this one is called &quot;%2&quot;.</source>
-        <translation>La colonna «%1» compare più volte: questa si chiama «%2».</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::ColumnsDialog</name>
-    <message>
-        <source>The trace can be analysed.</source>
-        <translation>La traccia può essere analizzata.</translation>
-    </message>
-    <message>
-        <source>Without a position the columns are shown, but stops and errors are not looked for.</source>
-        <translation>Senza posizione le colonne sono mostrate, ma non si cercano fermate né errori.</translation>
-    </message>
-    <message>
-        <source>Unit of the numbers in the file</source>
-        <translation>Unità dei numeri nel file</translation>
-    </message>
-    <message>
-        <source>Unit of %1</source>
-        <translation>Unità di %1</translation>
-    </message>
-    <message>
-        <source>What this column is; without a meaning it is shown as it is</source>
-        <translation>Che cos’è questa colonna; senza significato è mostrata così com’è</translation>
-    </message>
-    <message>
-        <source>Meaning of %1</source>
-        <translation>Significato di %1</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Applica</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annulla</translation>
-    </message>
-    <message>
-        <source>Place of the first sample on the time axis that several files share</source>
-        <translation>Posto del primo campione sull’asse del tempo comune a più file</translation>
-    </message>
-    <message>
-        <source>First sample at</source>
-        <translation>Primo campione a</translation>
-    </message>
-    <message>
-        <source>For a table without a column of time</source>
-        <translation>Per una tabella senza colonna del tempo</translation>
-    </message>
-    <message>
-        <source>First values</source>
-        <translation>Primi valori</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unità</translation>
-    </message>
-    <message>
-        <source>Means</source>
-        <translation>Significato</translation>
-    </message>
-    <message>
-        <source>Column</source>
-        <translation>Colonna</translation>
-    </message>
-    <message>
-        <source>Columns of the file</source>
-        <translation>Colonne del file</translation>
-    </message>
-    <message>
-        <source>What do the columns mean? The answer is kept for all files with the same headings.</source>
-        <translation>Che cosa significano le colonne? La risposta vale per tutti i file con le stesse intestazioni.</translation>
-    </message>
-    <message>
-        <source>Columns of %1</source>
-        <translation>Colonne di %1</translation>
-    </message>
-    <message>
-        <source>Samples per second</source>
-        <translation>Campioni al secondo</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tempo</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::PathPanel</name>
-    <message>
-        <source>Line %1 was executed %2 times. Cursor A is at number %3; click again for the next.</source>
-        <translation>La riga %1 è stata eseguita %2 volte. Il cursore A è alla numero %3; un altro clic porta alla successiva.</translation>
-    </message>
-    <message>
-        <source>The line under cursor A is marked. A click on a line puts cursor A where it was executed.</source>
-        <translation>La riga sotto il cursore A è evidenziata. Un clic su una riga porta il cursore A dove è stata eseguita.</translation>
-    </message>
-    <message>
-        <source>Text of the program</source>
-        <translation>Testo del programma</translation>
-    </message>
-    <message>
-        <source>The signal that gives the path its colours</source>
-        <translation>Il segnale che dà i colori al percorso</translation>
-    </message>
-    <message>
-        <source>Colour of the path</source>
-        <translation>Colore del percorso</translation>
-    </message>
-    <message>
-        <source>Enlargement of the error</source>
-        <translation>Ingrandimento dell’errore</translation>
-    </message>
-    <message>
-        <source>Seen from the side; drag the path or press the arrow keys to turn it</source>
-        <translation>Vista di lato; trascinare il percorso o premere le frecce per ruotarlo</translation>
-    </message>
-    <message>
-        <source>3D</source>
-        <translation>3D</translation>
-    </message>
-    <message>
-        <source>X and Y, seen from above</source>
-        <translation>X e Y, visti dall’alto</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Alto</translation>
-    </message>
-    <message>
-        <source>A click on a line puts cursor A where it was executed.</source>
-        <translation>Un clic su una riga porta il cursore A dove è stata eseguita.</translation>
-    </message>
-    <message>
-        <source>Nothing moved in line %1.</source>
-        <translation>Nella riga %1 non si è mosso nulla.</translation>
-    </message>
-    <message>
-        <source>The trace does not show where it is in the program.</source>
-        <translation>La traccia non mostra a che punto del programma si trova.</translation>
-    </message>
-    <message>
-        <source>Comparing the trace with the program …</source>
-        <translation>Confronto della traccia con il programma…</translation>
-    </message>
-    <message>
-        <source>The run was made with another program or another version of it. Open that one to see its lines with the cursor.</source>
-        <translation>L’esecuzione è stata fatta con un altro programma o un’altra versione. Aprire quello per vederne le righe con il cursore.</translation>
-    </message>
-    <message>
-        <source>Lines and trace are linked when a trace is shown.</source>
-        <translation>Righe e traccia sono collegate quando è mostrata una traccia.</translation>
-    </message>
-    <message>
-        <source>Open the NC program of the trace to see its lines with the cursor.</source>
-        <translation>Aprire il programma NC della traccia per vederne le righe con il cursore.</translation>
-    </message>
-    <message>
-        <source>Errors can be drawn larger after the trace has been compared with its NC program</source>
-        <translation>Gli errori si possono ingrandire dopo il confronto della traccia con il suo programma NC</translation>
-    </message>
-    <message>
-        <source>How many times larger the distance to the programmed path is drawn</source>
-        <translation>Quante volte più grande è disegnata la distanza dal percorso programmato</translation>
-    </message>
-    <message>
-        <source>Error × %1</source>
-        <translation>Errore × %1</translation>
-    </message>
-    <message>
-        <source>Colour: %1</source>
-        <translation>Colore: %1</translation>
-    </message>
-    <message>
-        <source>Colour: the trace</source>
-        <translation>Colore: la traccia</translation>
-    </message>
-</context>
-<context>
-    <name>rivulet::widgets::TriggerPanel</name>
-    <message>
-        <source>The signal must go back this far before the trigger can fire again</source>
-        <translation>Il segnale deve tornare indietro di tanto prima che il trigger possa scattare di nuovo</translation>
-    </message>
-    <message>
-        <source>An armed trigger stops the live view when it fires and shows what was before and after</source>
-        <translation>Un trigger armato ferma la vista in diretta quando scatta e mostra il prima e il dopo</translation>
-    </message>
-    <message>
-        <source>Once: what was caught stays. Every time: the next one takes its place.</source>
-        <translation>Una volta: ciò che è stato catturato resta. Ogni volta: il prossimo ne prende il posto.</translation>
-    </message>
-    <message>
-        <source>How much is shown after the trigger</source>
-        <translation>Quanto si mostra dopo lo scatto</translation>
-    </message>
-    <message>
-        <source>How much is shown before the trigger</source>
-        <translation>Quanto si mostra prima dello scatto</translation>
-    </message>
-    <message>
-        <source>Upper end of the range</source>
-        <translation>Estremo superiore dell’intervallo</translation>
-    </message>
-    <message>
-        <source>Lower end of the range</source>
-        <translation>Estremo inferiore dell’intervallo</translation>
-    </message>
-    <message>
-        <source>Value at which the trigger fires</source>
-        <translation>Valore al quale il trigger scatta</translation>
-    </message>
-    <message>
-        <source>What the trigger waits for</source>
-        <translation>Che cosa attende il trigger</translation>
-    </message>
-    <message>
-        <source>The signal that is watched during a run</source>
-        <translation>Il segnale osservato durante un’esecuzione</translation>
-    </message>
-    <message>
-        <source>every time (normal)</source>
-        <translation>ogni volta (normal)</translation>
-    </message>
-    <message>
-        <source>once (single)</source>
-        <translation>una volta (single)</translation>
-    </message>
-    <message>
-        <source>an alarm comes</source>
-        <translation>arriva un allarme</translation>
-    </message>
-    <message>
-        <source>a pause begins</source>
-        <translation>inizia una pausa</translation>
-    </message>
-    <message>
-        <source>it is outside the range</source>
-        <translation>è fuori dall’intervallo</translation>
-    </message>
-    <message>
-        <source>it is within the range</source>
-        <translation>è nell’intervallo</translation>
-    </message>
-    <message>
-        <source>it is at the level or below</source>
-        <translation>è al livello o sotto</translation>
-    </message>
-    <message>
-        <source>it is at the level or above</source>
-        <translation>è al livello o sopra</translation>
-    </message>
-    <message>
-        <source>it falls through the level</source>
-        <translation>scende sotto il livello</translation>
-    </message>
-    <message>
-        <source>it rises through the level</source>
-        <translation>sale oltre il livello</translation>
-    </message>
-    <message>
-        <source>Fires</source>
-        <translation>Scatta</translation>
-    </message>
-    <message>
-        <source>After</source>
-        <translation>Dopo</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>Prima</translation>
-    </message>
-    <message>
-        <source>Hysteresis</source>
-        <translation>Isteresi</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>Da</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <translation>Livello</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>Quando</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Segnale</translation>
-    </message>
-    <message>
-        <source>Waiting for the next run</source>
-        <translation>Attende la prossima esecuzione</translation>
-    </message>
-    <message>
-        <source>Waiting for the trigger</source>
-        <translation>Attende il trigger</translation>
-    </message>
-    <message>
-        <source>Triggered at %1. Waiting for the next</source>
-        <translation>Scattato a %1. Attende il prossimo</translation>
-    </message>
-    <message>
-        <source>Triggered: waiting for the time after it</source>
-        <translation>Scattato: attende il tempo successivo</translation>
-    </message>
-    <message>
-        <source>Not armed</source>
-        <translation>Non armato</translation>
-    </message>
-    <message>
-        <source>Triggered at %1. Cursor A is there.</source>
-        <translation>Scattato a %1. Lì si trova il cursore A.</translation>
-    </message>
-    <message>
-        <source>Arm</source>
-        <translation>Arma</translation>
-    </message>
-    <message>
-        <source>Disarm</source>
-        <translation>Disarma</translation>
     </message>
 </context>
 </TS>
