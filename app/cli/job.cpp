@@ -71,6 +71,12 @@ class JobConsole final : public streaming::WholeJobSink, public streaming::RunOr
       say(fmt::format("the control executes the blocks before stretch {}\n", next));
     }
   }
+  /// Of the blocks that may take long, so that nobody wonders.
+  void nativeBlock(const job::NativeBlock& block) override {
+    if (!m_isQuiet && block.reason == job::NativeReason::Tool) {
+      say(fmt::format("the control executes line {}: {}\n", block.place.line.value, block.source));
+    }
+  }
   void stretchBegins(const job::Stretch& stretch, base::Vec3 startMm) override {
     if (!m_isQuiet) {
       say(fmt::format("stretch {}: lines {} to {}, {} points, from X {:.3f} Y {:.3f} Z {:.3f}\n",

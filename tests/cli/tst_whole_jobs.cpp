@@ -301,7 +301,7 @@ class TestWholeJobs : public QObject {
     job.start(QStringLiteral(RIVULET_CLI), QStringList{QStringLiteral("job")} + arguments);
     // The change takes 5 s, the other blocks up to the stretch nothing.
     QByteArray said;
-    QTRY_VERIFY_WITH_TIMEOUT((said += job.readAllStandardOutput()).contains("before stretch 2"),
+    QTRY_VERIFY_WITH_TIMEOUT((said += job.readAllStandardOutput()).contains("line 4: T1 M6"),
                              kRunMs);
     scene.switchOff();
     QVERIFY(job.waitForFinished(kRunMs));
