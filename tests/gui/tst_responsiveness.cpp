@@ -16,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/median.h"
 #include "base/random.h"
 #include "hmi/main_window.h"
 #include "support/simulated_control.h"
@@ -35,6 +36,12 @@ constexpr double kBusyMsMax = 50.0;
 /// What `referenceWork` takes on the computer that the limit was set on. A slower one gets more
 /// time.
 constexpr double kReferenceMs = 14.0;
+
+constexpr int kPasses = 3;
+/// How much longer something may take when it is done for the first time.
+constexpr double kFirstTimes = 2.0;
+/// Between what was done and the number of the pass.
+constexpr const char* kPass = ", pass ";
 
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
@@ -77,9 +84,17 @@ class Watchdog {
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
+  /// Everything is done again, by another window.
+  void beginPass(int number) { m_pass = QLatin1String(kPass) + QString::number(number); }
   /// What the test itself does is not counted; what the window does from now on belongs to `what`.
   void name(const QString& what) {
-    m_what = what;
+    m_what = what + m_pass;
+    m_listens = true;
+    m_since.reset();
+  }
+  /// What comes now is not counted.
+  void forget() {
+    m_listens = false;
     m_since.reset();
   }
   /// Does something that a user does, as one event.
@@ -94,9 +109,29 @@ class Watchdog {
     double ms = 0.0;
     QString what;
   };
-  /// Descending, one of each kind.
+  /// The longest of one pass.
+  [[nodiscard]] Longest longestOf(int pass) const {
+    Longest longest;
+    for (const Longest& one : m_longest) {
+      const bool isOfPass = one.what.section(QLatin1String(kPass), 1, 1).toInt() == pass;
+      longest = isOfPass && one.ms > longest.ms ? one : longest;
+    }
+    return longest;
+  }
+  /// Descending, one of each kind, each from the pass in which it took least: other work of the
+  /// computer makes a pass slower, never faster.
   [[nodiscard]] std::vector<Longest> longest() const {
-    std::vector<Longest> sorted = m_longest;
+    std::vector<Longest> sorted;
+    for (const Longest& one : m_longest) {
+      const QString kind = one.what.section(QLatin1String(kPass), 0, 0);
+      const auto found = std::find_if(sorted.begin(), sorted.end(),
+                                      [&kind](const Longest& other) { return other.what == kind; });
+      if (found == sorted.end()) {
+        sorted.push_back({one.ms, kind});
+      } else {
+        found->ms = std::min(found->ms, one.ms);
+      }
+    }
     std::sort(sorted.begin(), sorted.end(),
               [](const Longest& a, const Longest& b) { return a.ms > b.ms; });
     return sorted;
@@ -104,6 +139,9 @@ class Watchdog {
 
  private:
   void mark() {
+    if (!m_listens) {
+      return;
+    }
     if (m_since) {
       end();  // a nested loop, or one that does not sleep
     }
@@ -124,6 +162,8 @@ class Watchdog {
   QMetaObject::Connection m_woken;
   QMetaObject::Connection m_slept;
   std::optional<double> m_since;
+  QString m_pass;
+  bool m_listens = false;
   QString m_what;
   std::vector<Longest> m_longest;
 };
@@ -145,6 +185,39 @@ class TestResponsiveness : public QObject {
   }
 
   void guiThreadIsNeverBusyForLong() {
+    Watchdog dog;
+    double startMs = 0.0;
+    for (int pass = 0; pass < kPasses; ++pass) {
+      dog.beginPass(pass);
+      startMs = useAWindow(dog);
+      QVERIFY(startMs > 0.0);
+    }
+
+    // The median: what disturbs the window disturbs this work, too.
+    std::vector<double> references(5);
+    std::generate(references.begin(), references.end(), referenceWork);
+    const double referenceMs = base::median(references);
+    const double allowedMs = kBusyMsMax * std::max(1.0, referenceMs / kReferenceMs);
+    const auto longest = dog.longest();
+    QVERIFY(longest.size() > 10);
+    qInfo("start %.0f ms of work, reference %.1f ms, allowed %.0f ms", startMs, referenceMs,
+          allowedMs);
+    for (std::size_t i = 0; i < 8; ++i) {
+      qInfo("%6.1f ms %s", longest[i].ms, qPrintable(longest[i].what));
+    }
+    const auto text = [](const Watchdog::Longest& one) {
+      return QStringLiteral("%1 ms of work: %2").arg(one.ms).arg(one.what);
+    };
+    QVERIFY2(longest.front().ms <= allowedMs, qPrintable(text(longest.front())));
+    // Fonts, icons and texts are loaded once.
+    const Watchdog::Longest first = dog.longestOf(0);
+    qInfo("%6.1f ms %s", first.ms, qPrintable(first.what));
+    QVERIFY2(first.ms <= kFirstTimes * allowedMs, qPrintable(text(first)));
+  }
+
+ private:
+  /// Does what an operator does with it. @return the work of the start, ms; 0: it went wrong
+  static double useAWindow(Watchdog& dog) {
     tests::SimulatedControl machine("dmu75", kPace);
     hmi::Settings settings;
     settings.language = QStringLiteral("en");
@@ -154,10 +227,10 @@ class TestResponsiveness : public QObject {
                       [&machine](const auto& asked) { return machine.connect(asked.endpoint); });
     window.resize(1440, 900);
     window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    const bool isExposed = QTest::qWaitForWindowExposed(&window);
     const double startMs = workedMs() - beforeMs;
+    dog.forget();
 
-    Watchdog dog;
     visitPages(window, dog, QStringLiteral("empty"));
     widgets::StreamSettings stream;
     stream.parameters.method = base::MethodKind::Window;
@@ -167,7 +240,8 @@ class TestResponsiveness : public QObject {
     window.setStreamSettings(stream);
     window.openProgram(kScorpion);
     window.connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
-    QTRY_COMPARE_WITH_TIMEOUT(window.startBlockedReason(), QString(), kSoonMs);
+    const bool isReady =
+        QTest::qWaitFor([&] { return window.startBlockedReason().isEmpty(); }, kSoonMs);
     visitPages(window, dog, QStringLiteral("ready"));
     dog.measure(QStringLiteral("preflight"), [&window] {
       window.showPreflight();
@@ -175,44 +249,26 @@ class TestResponsiveness : public QObject {
     });
 
     QSignalSpy finished(&window, &MainWindow::runFinished);
-    dog.measure(QStringLiteral("start"), [&window] { window.start(); });
+    dog.measure(QStringLiteral("start of a run"), [&window] { window.start(); });
     dog.name(QStringLiteral("running"));
-    QTRY_VERIFY_WITH_TIMEOUT(window.lastUpdate().counters.executed >= 14, kRunMs);
+    const bool isRunning =
+        QTest::qWaitFor([&] { return window.lastUpdate().counters.executed >= 14; }, kRunMs);
     visitPages(window, dog, QStringLiteral("running"));
     dog.name(QStringLiteral("stop"));
     window.stop();
-    QTRY_VERIFY_WITH_TIMEOUT(!finished.isEmpty(), kRunMs);
+    const bool isStopped = QTest::qWaitFor([&] { return !finished.isEmpty(); }, kRunMs);
     visitPages(window, dog, QStringLiteral("stopped"));
-    for (const widgets::Theme theme : {widgets::Theme::Dark, widgets::Theme::Light}) {
-      dog.measure(QStringLiteral("theme"), [&] { window.setTheme(theme); });
-      dog.measure(QStringLiteral("theme, turn"), [] { QCoreApplication::processEvents(); });
-    }
-    for (const char* language : {"de", "en"}) {
-      dog.measure(QStringLiteral("language"),
-                  [&] { window.setLanguage(QString::fromLatin1(language)); });
-      dog.measure(QStringLiteral("language, turn"), [] { QCoreApplication::processEvents(); });
-    }
-
-    // The fastest of several: the first ones warm the caches.
-    double referenceMs = referenceWork();
-    for (int i = 0; i < 4; ++i) {
-      referenceMs = std::min(referenceMs, referenceWork());
-    }
-    const double allowedMs = kBusyMsMax * std::max(1.0, referenceMs / kReferenceMs);
-    const auto longest = dog.longest();
-    QVERIFY(longest.size() > 10);
-    qInfo("start %.0f ms of work, reference %.1f ms, allowed %.0f ms", startMs, referenceMs,
-          allowedMs);
-    for (std::size_t i = 0; i < 8; ++i) {
-      qInfo("%6.1f ms %s", longest[i].ms, qPrintable(longest[i].what));
-    }
-    QVERIFY2(
-        longest.front().ms <= allowedMs,
-        qPrintable(
-            QStringLiteral("%1 ms of work: %2").arg(longest.front().ms).arg(longest.front().what)));
+    const auto change = [&dog](const QString& what, const auto& action) {
+      dog.measure(what, action);
+      dog.measure(QStringLiteral("turn after ") + what, [] { QCoreApplication::processEvents(); });
+    };
+    change(QStringLiteral("dark"), [&] { window.setTheme(widgets::Theme::Dark); });
+    change(QStringLiteral("light"), [&] { window.setTheme(widgets::Theme::Light); });
+    change(QStringLiteral("German"), [&] { window.setLanguage(QStringLiteral("de")); });
+    change(QStringLiteral("English"), [&] { window.setLanguage(QStringLiteral("en")); });
+    dog.forget();
+    return isExposed && isReady && isRunning && isStopped ? startMs : 0.0;
   }
-
- private:
   static void visitPages(MainWindow& window, Watchdog& dog, const QString& scene) {
     for (int page = 0; page < window.pages()->count(); ++page) {
       const QString what = scene + QLatin1String(", page ") + QString::number(page);
