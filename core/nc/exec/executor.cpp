@@ -65,6 +65,9 @@ void Executor::execute(BlockWords& words) {
   } else {
     if (words.feed != nullptr && !(words.taken && words.rare && words.rare->macroCall)) {
       setFeed(words);
+      if (!(words.feed->value > 0.0)) {
+        words.feed = nullptr;  // reported; with G93, no motion takes it
+      }
     }
     if (!words.taken) {
       executeMotion(words);
