@@ -370,6 +370,22 @@ class TestInterpreter : public QObject {
     COMPARE_TEXT(::findings(text.toStdString()), expected);
   }
 
+  /// The program is refused for such a feed; its points are shown all the same.
+  void noPointHasANegativeFeed() {
+    for (const char* motion : {"G1 X10 F-6", "G3 X10 I5 J0 F-6", "G1 A90 F-6"}) {
+      const gcode::Interpretation result =
+          gcode::interpret(std::string("G0 X0 Y0 Z0 A0\nG93 ") + motion + "\n", {});
+      const std::vector<gcode::Diagnostic>& found = result.diagnostics;
+      QVERIFY(std::any_of(found.begin(), found.end(), [](const gcode::Diagnostic& one) {
+        return one.code == nc::FaultCode::FeedNotPositive;
+      }));
+      QVERIFY(result.trajectory.points.size() > 1);
+      for (const gcode::TrajectoryPoint& point : result.trajectory.points) {
+        QVERIFY(point.feedMmPerS >= 0.0);
+      }
+    }
+  }
+
   /// An inch program stays one, X is a diameter, and U and W are increments of X and Z.
   void lathesHaveTheirMode() {
     gcode::LoadOptions options;
