@@ -16,6 +16,7 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/found_run.h"
+#include "cli/record_file.h"
 #include "experiments/job_forecast.h"
 #include "experiments/job_restart.h"
 #include "experiments/large_machine.h"
@@ -427,12 +428,9 @@ base::Result<void> JobCommand::openRecording() {
   if (m_options.record.empty()) {
     return {};
   }
-  auto file = recorder::RecordingFile::open(m_options.record);
-  if (!file) {
-    return base::fail(file.error());
+  if (base::Result<void> opened = openRecordingFile(m_options.record, m_file, m_writer); !opened) {
+    return opened;
   }
-  m_file = std::move(*file);
-  m_writer = std::make_unique<trace::RecordingWriter>(m_file->sink());
   m_start.writer = m_writer.get();
   m_start.start.toolVersion = RIVULET_VERSION;
   m_start.start.endpoint = m_connection.name;

@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/paced_link.h"
+#include "cli/record_file.h"
 #include "cli/stream_settings.h"
 #include "live/point_stream.h"
 #include "log/log.h"
@@ -158,12 +159,9 @@ Result<void> LiveCommand::openRecording() {
   if (m_options.record.empty()) {
     return {};
   }
-  auto file = recorder::RecordingFile::open(m_options.record);
-  if (!file) {
-    return base::fail(file.error());
+  if (base::Result<void> opened = openRecordingFile(m_options.record, m_file, m_writer); !opened) {
+    return opened;
   }
-  m_file = std::move(*file);
-  m_writer = std::make_unique<trace::RecordingWriter>(m_file->sink());
   return {};
 }
 

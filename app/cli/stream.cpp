@@ -16,6 +16,7 @@
 #include "cli/connection.h"
 #include "cli/correction_source.h"
 #include "cli/found_run.h"
+#include "cli/record_file.h"
 #include "cli/stream_settings.h"
 #include "feasibility/verdict.h"
 #include "gcode/block_observer.h"
@@ -534,12 +535,9 @@ base::Result<void> StreamCommand::openRecording() {
     }
     return {};
   }
-  auto file = recorder::RecordingFile::open(m_options.record);
-  if (!file) {
-    return base::fail(file.error());
+  if (base::Result<void> opened = openRecordingFile(m_options.record, m_file, m_writer); !opened) {
+    return opened;
   }
-  m_file = std::move(*file);
-  m_writer = std::make_unique<trace::RecordingWriter>(m_file->sink());
   return {};
 }
 
@@ -715,8 +713,8 @@ base::Result<bool> isWholeJob(const StreamOptions& options) {
   }
   const auto leaveOut = [blocks](const std::string& why) {
     log::logger().warn(
-        "Only the motion is streamed: {}. {} blocks for the control are left out; set tool, "
-        "spindle and coolant there (--motion-only does not say so).",
+        "Only the motion is streamed: {}. {} blocks for the control are left out: set tool, "
+        "spindle and coolant at the control. With --motion-only there is no such warning.",
         why, blocks);
     return false;
   };
