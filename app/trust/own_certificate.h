@@ -15,10 +15,10 @@
 
 namespace rivulet::trust {
 
-/// Of which program the certificate is.
 /// Larger files are not read as certificates.
 inline constexpr std::uintmax_t kCertificateBytesMax = 65536;
 
+/// Of which program the certificate is.
 enum class Owner {
   Client,   ///< rivulet and rivulet-cli
   Machine,  ///< rivulet-machine
