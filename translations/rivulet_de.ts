@@ -1131,10 +1131,6 @@
         <translation>Der Punkt nennt eine Achse, die nicht zu diesem Lauf gehört.</translation>
     </message>
     <message>
-        <source>A UDP source has to number its points: N1 X0.5, then N2.</source>
-        <translation>Eine UDP-Quelle muss ihre Punkte nummerieren: N1 X0.5, dann N2.</translation>
-    </message>
-    <message>
         <source>A point is missing or came twice: the numbers are not in order.</source>
         <translation>Ein Punkt fehlt oder kam doppelt: Die Nummern folgen nicht aufeinander.</translation>
     </message>
@@ -1165,6 +1161,14 @@
     <message>
         <source>%1, line %2</source>
         <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>This source can lose points, so it has to number them: N1 X0.5, then N2.</source>
+        <translation>Diese Quelle kann Punkte verlieren und muss sie deshalb nummerieren: N1 X0.5, dann N2.</translation>
+    </message>
+    <message>
+        <source>The file of the source is not as the manual shows it (Live points).</source>
+        <translation>Die Datei der Quelle ist nicht so, wie das Handbuch sie zeigt (Live-Punkte).</translation>
     </message>
 </context>
 <context>
@@ -2332,6 +2336,30 @@
         <source>Live points from %1</source>
         <translation>Live-Punkte von %1</translation>
     </message>
+    <message>
+        <source>No tool</source>
+        <translation>Kein Werkzeug</translation>
+    </message>
+    <message>
+        <source>Before the first tool change</source>
+        <translation>Vor dem ersten Werkzeugwechsel</translation>
+    </message>
+    <message>
+        <source>%1 in the spindle</source>
+        <translation>%1 in der Spindel</translation>
+    </message>
+    <message>
+        <source>%1 change</source>
+        <translation>%1 Wechsel</translation>
+    </message>
+    <message>
+        <source>%1 at %2 1/min</source>
+        <translation>%1 mit %2 1/min</translation>
+    </message>
+    <message>
+        <source>%1 coolant</source>
+        <translation>%1 Kühlmittel</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2606,6 +2634,34 @@
     <message>
         <source>Delay from arrival to motion</source>
         <translation>Verzug von Ankunft bis Bewegung</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>In the spindle</source>
+        <translation>In der Spindel</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Wechsel</translation>
+    </message>
+    <message>
+        <source>Speed, 1/min</source>
+        <translation>Drehzahl, 1/min</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Drehend</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Kühlmittel</translation>
     </message>
 </context>
 <context>
@@ -5458,10 +5514,6 @@ GPL-3.0-or-later</translation>
         <translation>Standardeingabe dieses Fensters</translation>
     </message>
     <message>
-        <source>Only programs on this computer can send.</source>
-        <translation>Nur Programme auf diesem Rechner können senden.</translation>
-    </message>
-    <message>
         <source>0: any that is free</source>
         <translation>0: irgendein freier</translation>
     </message>
@@ -5588,6 +5640,38 @@ GPL-3.0-or-later</translation>
     <message>
         <source>After this much silence the run ends with an error.</source>
         <translation>Nach so langem Schweigen endet der Lauf mit einem Fehler.</translation>
+    </message>
+    <message>
+        <source>Variables of an OPC UA server</source>
+        <translation>Variablen eines OPC-UA-Servers</translation>
+    </message>
+    <message>
+        <source>To ports and sockets, only programs on this computer can send.</source>
+        <translation>An Ports und Sockets können nur Programme auf diesem Rechner senden.</translation>
+    </message>
+    <message>
+        <source>This file names the server and its variables (TOML).</source>
+        <translation>Diese Datei nennt den Server und seine Variablen (TOML).</translation>
+    </message>
+    <message>
+        <source>File of the source</source>
+        <translation>Datei der Quelle</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose the file of the source</source>
+        <translation>Datei der Quelle wählen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Sources (*.toml);;All files (*)</source>
+        <translation>Quellen (*.toml);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -7330,6 +7414,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Delay from arrival to motion</source>
         <translation>Verzug von Ankunft bis Bewegung</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
     </message>
 </context>
 <context>

@@ -1131,10 +1131,6 @@
         <translation>El punto nombra un eje que no es de esta ejecución.</translation>
     </message>
     <message>
-        <source>A UDP source has to number its points: N1 X0.5, then N2.</source>
-        <translation>Una fuente UDP tiene que numerar sus puntos: N1 X0.5, después N2.</translation>
-    </message>
-    <message>
         <source>A point is missing or came twice: the numbers are not in order.</source>
         <translation>Falta un punto o ha llegado dos veces: los números no están en orden.</translation>
     </message>
@@ -1165,6 +1161,14 @@
     <message>
         <source>%1, line %2</source>
         <translation>%1, línea %2</translation>
+    </message>
+    <message>
+        <source>This source can lose points, so it has to number them: N1 X0.5, then N2.</source>
+        <translation>Esta fuente puede perder puntos, por eso debe numerarlos: N1 X0.5, luego N2.</translation>
+    </message>
+    <message>
+        <source>The file of the source is not as the manual shows it (Live points).</source>
+        <translation>El archivo de la fuente no es como lo muestra el manual (puntos en directo).</translation>
     </message>
 </context>
 <context>
@@ -2332,6 +2336,30 @@
         <source>Live points from %1</source>
         <translation>Puntos en vivo de %1</translation>
     </message>
+    <message>
+        <source>No tool</source>
+        <translation>Sin herramienta</translation>
+    </message>
+    <message>
+        <source>Before the first tool change</source>
+        <translation>Antes del primer cambio de herramienta</translation>
+    </message>
+    <message>
+        <source>%1 in the spindle</source>
+        <translation>%1 en el husillo</translation>
+    </message>
+    <message>
+        <source>%1 change</source>
+        <translation>%1 cambio</translation>
+    </message>
+    <message>
+        <source>%1 at %2 1/min</source>
+        <translation>%1 a %2 rpm</translation>
+    </message>
+    <message>
+        <source>%1 coolant</source>
+        <translation>%1 refrigerante</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2606,6 +2634,34 @@
     <message>
         <source>Delay from arrival to motion</source>
         <translation>Retardo de la llegada al movimiento</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Herramienta</translation>
+    </message>
+    <message>
+        <source>In the spindle</source>
+        <translation>En el husillo</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambio</translation>
+    </message>
+    <message>
+        <source>Speed, 1/min</source>
+        <translation>Velocidad, rpm</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Girando</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Refrigerante</translation>
     </message>
 </context>
 <context>
@@ -5458,10 +5514,6 @@ GPL-3.0-or-later</translation>
         <translation>Entrada estándar de esta ventana</translation>
     </message>
     <message>
-        <source>Only programs on this computer can send.</source>
-        <translation>Solo los programas de este ordenador pueden enviar.</translation>
-    </message>
-    <message>
         <source>0: any that is free</source>
         <translation>0: uno libre</translation>
     </message>
@@ -5588,6 +5640,38 @@ GPL-3.0-or-later</translation>
     <message>
         <source>After this much silence the run ends with an error.</source>
         <translation>Tras este silencio la ejecución termina con un error.</translation>
+    </message>
+    <message>
+        <source>Variables of an OPC UA server</source>
+        <translation>Variables de un servidor OPC UA</translation>
+    </message>
+    <message>
+        <source>To ports and sockets, only programs on this computer can send.</source>
+        <translation>Solo los programas de este ordenador pueden enviar a puertos y sockets.</translation>
+    </message>
+    <message>
+        <source>This file names the server and its variables (TOML).</source>
+        <translation>Este archivo indica el servidor y sus variables (TOML).</translation>
+    </message>
+    <message>
+        <source>File of the source</source>
+        <translation>Archivo de la fuente</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Elegir …</translation>
+    </message>
+    <message>
+        <source>Choose the file of the source</source>
+        <translation>Elegir el archivo de la fuente</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Sources (*.toml);;All files (*)</source>
+        <translation>Fuentes (*.toml);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -7330,6 +7414,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Delay from arrival to motion</source>
         <translation>Retardo de la llegada al movimiento</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
     </message>
 </context>
 <context>

@@ -1131,10 +1131,6 @@
         <translation>Le point nomme un axe qui n’est pas de cette exécution.</translation>
     </message>
     <message>
-        <source>A UDP source has to number its points: N1 X0.5, then N2.</source>
-        <translation>Une source UDP doit numéroter ses points&#xa0;: N1 X0.5, puis N2.</translation>
-    </message>
-    <message>
         <source>A point is missing or came twice: the numbers are not in order.</source>
         <translation>Un point manque ou est arrivé deux fois&#xa0;: les numéros ne se suivent pas.</translation>
     </message>
@@ -1165,6 +1161,14 @@
     <message>
         <source>%1, line %2</source>
         <translation>%1, ligne %2</translation>
+    </message>
+    <message>
+        <source>This source can lose points, so it has to number them: N1 X0.5, then N2.</source>
+        <translation>Cette source peut perdre des points et doit donc les numéroter : N1 X0.5, puis N2.</translation>
+    </message>
+    <message>
+        <source>The file of the source is not as the manual shows it (Live points).</source>
+        <translation>Le fichier de la source n’est pas conforme au manuel (points en direct).</translation>
     </message>
 </context>
 <context>
@@ -2332,6 +2336,30 @@
         <source>Live points from %1</source>
         <translation>Points en direct de %1</translation>
     </message>
+    <message>
+        <source>No tool</source>
+        <translation>Aucun outil</translation>
+    </message>
+    <message>
+        <source>Before the first tool change</source>
+        <translation>Avant le premier changement d’outil</translation>
+    </message>
+    <message>
+        <source>%1 in the spindle</source>
+        <translation>%1 dans la broche</translation>
+    </message>
+    <message>
+        <source>%1 change</source>
+        <translation>%1 changement</translation>
+    </message>
+    <message>
+        <source>%1 at %2 1/min</source>
+        <translation>%1 à %2 tr/min</translation>
+    </message>
+    <message>
+        <source>%1 coolant</source>
+        <translation>%1 arrosage</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2606,6 +2634,34 @@
     <message>
         <source>Delay from arrival to motion</source>
         <translation>Délai de l’arrivée au mouvement</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>In the spindle</source>
+        <translation>Dans la broche</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changement</translation>
+    </message>
+    <message>
+        <source>Speed, 1/min</source>
+        <translation>Vitesse, tr/min</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>En rotation</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Arrosage</translation>
     </message>
 </context>
 <context>
@@ -5458,10 +5514,6 @@ GPL-3.0-or-later</translation>
         <translation>Entrée standard de cette fenêtre</translation>
     </message>
     <message>
-        <source>Only programs on this computer can send.</source>
-        <translation>Seuls les programmes de cet ordinateur peuvent envoyer.</translation>
-    </message>
-    <message>
         <source>0: any that is free</source>
         <translation>0&#xa0;: un port libre</translation>
     </message>
@@ -5588,6 +5640,38 @@ GPL-3.0-or-later</translation>
     <message>
         <source>After this much silence the run ends with an error.</source>
         <translation>Après ce silence, l’exécution se termine par une erreur.</translation>
+    </message>
+    <message>
+        <source>Variables of an OPC UA server</source>
+        <translation>Variables d’un serveur OPC UA</translation>
+    </message>
+    <message>
+        <source>To ports and sockets, only programs on this computer can send.</source>
+        <translation>Seuls les programmes de cet ordinateur peuvent envoyer aux ports et aux sockets.</translation>
+    </message>
+    <message>
+        <source>This file names the server and its variables (TOML).</source>
+        <translation>Ce fichier nomme le serveur et ses variables (TOML).</translation>
+    </message>
+    <message>
+        <source>File of the source</source>
+        <translation>Fichier de la source</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Choisir …</translation>
+    </message>
+    <message>
+        <source>Choose the file of the source</source>
+        <translation>Choisir le fichier de la source</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Sources (*.toml);;All files (*)</source>
+        <translation>Sources (*.toml);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -7330,6 +7414,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Delay from arrival to motion</source>
         <translation>Délai de l’arrivée au mouvement</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
     </message>
 </context>
 <context>

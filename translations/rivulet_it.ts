@@ -1131,10 +1131,6 @@
         <translation>Il punto nomina un asse che non fa parte di questa esecuzione.</translation>
     </message>
     <message>
-        <source>A UDP source has to number its points: N1 X0.5, then N2.</source>
-        <translation>Una sorgente UDP deve numerare i suoi punti: N1 X0.5, poi N2.</translation>
-    </message>
-    <message>
         <source>A point is missing or came twice: the numbers are not in order.</source>
         <translation>Un punto manca o è arrivato due volte: i numeri non sono in ordine.</translation>
     </message>
@@ -1165,6 +1161,14 @@
     <message>
         <source>%1, line %2</source>
         <translation>%1, riga %2</translation>
+    </message>
+    <message>
+        <source>This source can lose points, so it has to number them: N1 X0.5, then N2.</source>
+        <translation>Questa sorgente può perdere punti, quindi deve numerarli: N1 X0.5, poi N2.</translation>
+    </message>
+    <message>
+        <source>The file of the source is not as the manual shows it (Live points).</source>
+        <translation>Il file della sorgente non è come lo mostra il manuale (punti in diretta).</translation>
     </message>
 </context>
 <context>
@@ -2332,6 +2336,30 @@
         <source>Live points from %1</source>
         <translation>Punti in diretta da %1</translation>
     </message>
+    <message>
+        <source>No tool</source>
+        <translation>Nessun utensile</translation>
+    </message>
+    <message>
+        <source>Before the first tool change</source>
+        <translation>Prima del primo cambio utensile</translation>
+    </message>
+    <message>
+        <source>%1 in the spindle</source>
+        <translation>%1 nel mandrino</translation>
+    </message>
+    <message>
+        <source>%1 change</source>
+        <translation>%1 cambio</translation>
+    </message>
+    <message>
+        <source>%1 at %2 1/min</source>
+        <translation>%1 a %2 giri/min</translation>
+    </message>
+    <message>
+        <source>%1 coolant</source>
+        <translation>%1 refrigerante</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -2606,6 +2634,34 @@
     <message>
         <source>Delay from arrival to motion</source>
         <translation>Ritardo dall’arrivo al movimento</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Utensili</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Utensile</translation>
+    </message>
+    <message>
+        <source>In the spindle</source>
+        <translation>Nel mandrino</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambio</translation>
+    </message>
+    <message>
+        <source>Speed, 1/min</source>
+        <translation>Velocità, giri/min</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>In rotazione</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Refrigerante</translation>
     </message>
 </context>
 <context>
@@ -5458,10 +5514,6 @@ GPL-3.0-or-later</translation>
         <translation>Standard input di questa finestra</translation>
     </message>
     <message>
-        <source>Only programs on this computer can send.</source>
-        <translation>Solo i programmi di questo computer possono inviare.</translation>
-    </message>
-    <message>
         <source>0: any that is free</source>
         <translation>0: una qualsiasi libera</translation>
     </message>
@@ -5588,6 +5640,38 @@ GPL-3.0-or-later</translation>
     <message>
         <source>After this much silence the run ends with an error.</source>
         <translation>Dopo questo silenzio l’esecuzione termina con un errore.</translation>
+    </message>
+    <message>
+        <source>Variables of an OPC UA server</source>
+        <translation>Variabili di un server OPC UA</translation>
+    </message>
+    <message>
+        <source>To ports and sockets, only programs on this computer can send.</source>
+        <translation>Solo i programmi di questo computer possono inviare a porte e socket.</translation>
+    </message>
+    <message>
+        <source>This file names the server and its variables (TOML).</source>
+        <translation>Questo file indica il server e le sue variabili (TOML).</translation>
+    </message>
+    <message>
+        <source>File of the source</source>
+        <translation>File della sorgente</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Scegli …</translation>
+    </message>
+    <message>
+        <source>Choose the file of the source</source>
+        <translation>Scegli il file della sorgente</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>Sources (*.toml);;All files (*)</source>
+        <translation>Sorgenti (*.toml);;Tutti i file (*)</translation>
     </message>
 </context>
 <context>
@@ -7330,6 +7414,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Delay from arrival to motion</source>
         <translation>Ritardo dall’arrivo al movimento</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Utensili</translation>
     </message>
 </context>
 <context>

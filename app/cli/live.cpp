@@ -118,6 +118,9 @@ Result<void> LiveCommand::prepare() {
     return base::fail(source.error());
   }
   m_source = std::move(*source);
+  if (Result<void> ready = m_source->prepare(); !ready) {
+    return ready;
+  }
   fmt::print(stderr, "Points are taken from {}.\n", m_source->name());
   return {};
 }

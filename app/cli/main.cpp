@@ -260,8 +260,8 @@ void addTemplateCommand(CLI::App& app, Exit& exit) {
 void addLive(CLI::App* command, rivulet::cli::LiveOptions& live) {
   auto* source = command->add_option(
       "--live", live.source,
-      "Points that arrive while the machine moves: - (standard input), unix:PATH, tcp:PORT or "
-      "udp:PORT (docs/live.md)");
+      "Points that arrive while the machine moves: - (standard input), unix:PATH, tcp:PORT, "
+      "udp:PORT or opcua:FILE (docs/live.md)");
   auto* box = command
                   ->add_option("--box", live.boxMm,
                                "Agreed with the source: least and largest X, Y and Z, mm")

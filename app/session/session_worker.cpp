@@ -800,6 +800,9 @@ void SessionWorker::start(const StartCommand& command) {
     clear = base::fail(live::LiveError::NotOpened, "The live source is not open. Open it again.",
                        command.live->address);
   }
+  if (clear && command.live) {
+    clear = m_source->prepare();
+  }
   if (!clear) {
     auto report = std::make_shared<streaming::RunReport>();
     report->error = clear.error();
@@ -822,8 +825,8 @@ void SessionWorker::start(const StartCommand& command) {
   }
   const base::Error notKept = archive(command, done);
   tell(RunFinished{std::make_shared<const streaming::RunReport>(std::move(done.report)),
-                   done.isRecorded ? command.recordingPath : std::string(), notKept,
-                   done.jobTimes});
+                   done.isRecorded ? command.recordingPath : std::string(), notKept, done.jobTimes,
+                   done.tools});
   if (command.live) {
     // For the next run, at the port that was taken.
     const bool isInput = command.live->address == "-";

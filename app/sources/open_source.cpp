@@ -9,6 +9,9 @@
 #include "base/text.h"
 #include "live/error.h"
 #include "sources/socket_source.h"
+#ifdef RIVULET_WITH_OPEN62541
+#include "sources/server_source.h"
+#endif
 
 namespace rivulet::sources {
 
@@ -27,12 +30,17 @@ base::Result<std::unique_ptr<live::Source>> openSource(const std::string& addres
   if (kind == "unix") {
     return StreamSocketSource::listenUnix(rest);
   }
+#ifdef RIVULET_WITH_OPEN62541
+  if (kind == "opcua" && !rest.empty()) {
+    return ServerSource::open(rest);
+  }
+#endif
   const std::optional<int> port = base::parseInteger(rest);
   if ((kind == "tcp" || kind == "udp") && port && *port >= 0 && *port <= 65'535) {
     return kind == "tcp" ? StreamSocketSource::listenTcp(*port) : DatagramSource::listen(*port);
   }
   return base::fail(live::LiveError::NotOpened,
-                    "This is no live source. Give -, unix:PATH, tcp:PORT or udp:PORT.", address);
+                    "This is no live source. Give -, unix:PATH, tcp:PORT, udp:PORT or opcua:FILE.", address);
 }
 
 }  // namespace rivulet::sources

@@ -17,8 +17,9 @@ namespace rivulet::sources {
 /// it.
 [[nodiscard]] bool inputBringsPoints();
 
-/// @param address  "-": standard input; "unix:PATH"; "tcp:PORT" and "udp:PORT" on this computer
-/// @return NotOpened
+/// @param address  "-": standard input; "unix:PATH"; "tcp:PORT" and "udp:PORT" on this computer;
+/// "opcua:FILE": variables of another server, see `server_map.h`
+/// @return NotOpened, and what a connection returns
 [[nodiscard]] base::Result<std::unique_ptr<live::Source>> openSource(const std::string& address);
 
 }  // namespace rivulet::sources

@@ -169,9 +169,9 @@ std::size_t StreamSocketSource::read(std::span<char> into) {
   return done.bytes;
 }
 
-void StreamSocketSource::reply(std::string_view line) {
+void StreamSocketSource::tell(const live::Progress& progress) {
   // What it has sent before it closed its side is still to be read.
-  m_isDeaf = !sendNow(m_sender.number(), line);
+  m_isDeaf = !sendNow(m_sender.number(), live::progressLine(progress));
 }
 
 Result<SourcePtr> DatagramSource::listen(int port) {

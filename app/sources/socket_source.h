@@ -44,7 +44,7 @@ class StreamSocketSource final : public live::Source {
   std::size_t read(std::span<char> into) override;
   bool isClosed() const override { return m_isClosed; }
   bool takesReplies() const override { return m_sender.isOpen() && !m_isDeaf; }
-  void reply(std::string_view line) override;
+  void tell(const live::Progress& progress) override;
 
  private:
   StreamSocketSource(std::string name, Descriptor listener, std::string path)

@@ -99,6 +99,7 @@ opcua::Attempt connect(const ConnectRequest& request, const std::filesystem::pat
   options.security = choiceFor(request, *known);
   options.user = request.user;
   options.password = request.password;
+  options.nodes = request.nodes;
   options.own = [&] { return ownCertificate(folder, Owner::Client); };
   options.offered = [&](std::span<const opcua::EndpointOffer> offers) {
     seen.offers.assign(offers.begin(), offers.end());

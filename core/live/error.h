@@ -29,6 +29,7 @@ enum class LiveError {
   Overrun,        ///< a source that cannot wait was faster than the machine
   NoPoint,        ///< the source ended before its first point
   NotOpened,      ///< the source cannot be opened
+  BadSourceFile,  ///< the file that names the variables of a server
   NotAgreed,      ///< nothing can keep what is to be agreed
 };
 

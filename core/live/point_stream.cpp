@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/contract.h"
@@ -266,31 +265,30 @@ void PointStream::report(Instant now) {
   m_reportedAt = now;
   m_reportedAccepted = m_summary.accepted;
   m_reportedExecuted = m_executed;
-  const base::Vec3 at = m_executed == 0 ? m_tool.mm : m_points[m_executed - 1].positionMm;
-  const std::size_t line = m_executed == 0 ? 0 : m_points[m_executed - 1].line.value;
-  m_source.reply(
-      fmt::format("{{\"accepted\":{},\"executed\":{},\"line\":{},\"merged\":{},"
-                  "\"x\":{:.6f},\"y\":{:.6f},\"z\":{:.6f}}}\n",
-                  m_summary.accepted, m_executed, line, m_summary.merged, at.x, at.y, at.z));
+  m_source.tell(progress());
+}
+
+Progress PointStream::progress() const {
+  return {m_summary.accepted, m_executed, lastLine(), m_summary.merged,
+          m_executed == 0 ? m_tool.mm : m_points[m_executed - 1].positionMm};
+}
+
+std::size_t PointStream::lastLine() const {
+  return m_executed == 0 ? 0 : m_points[m_executed - 1].line.value;
 }
 
 void PointStream::finish(std::string_view outcome, const std::string& error) {
   if (!m_source.takesReplies()) {
     return;
   }
-  nlohmann::ordered_json json{{"end", outcome},
-                              {"accepted", m_summary.accepted},
-                              {"executed", m_executed},
-                              {"line", summary().lastLine}};
-  if (!error.empty()) {
-    json["error"] = error;
-  }
-  m_source.reply(json.dump() + "\n");
+  Progress last = progress();
+  last.end = Progress::End{std::string(outcome), error};
+  m_source.tell(last);
 }
 
 Summary PointStream::summary() const {
   Summary summary = m_summary;
-  summary.lastLine = m_executed == 0 ? 0 : m_points[m_executed - 1].line.value;
+  summary.lastLine = lastLine();
   summary.delay = m_delays.statistics();
   addTheory(summary.windowTime, summary.leastDelay, summary.mostDelay);
   return summary;

@@ -103,6 +103,9 @@ class PointStream {
   void checkSilence(base::Instant now);
   void closed();
   void report(base::Instant now);
+  [[nodiscard]] Progress progress() const;
+  /// Of the last point that was executed; 0: none.
+  [[nodiscard]] std::size_t lastLine() const;
   [[nodiscard]] SourceState state() const;
   /// Times of windows and what follows from them.
   void addTheory(base::Duration& windowTime, base::Duration& least, base::Duration& most) const;

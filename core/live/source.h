@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Where the bytes of a live source come from. Sockets and pipes implement it outside of
-/// core. @threadsafety one object, on the thread of the run.
+/// Where the bytes of a live source come from. Sockets, pipes and OPC UA servers implement it
+/// outside of core. @threadsafety one object, on the thread of the run.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <string>
-#include <string_view>
+
+#include "base/result.h"
+#include "live/progress.h"
 
 namespace rivulet::live {
 
@@ -30,8 +32,10 @@ class Source {
   [[nodiscard]] virtual bool canWait() const { return true; }
   /// True if the other side can be told how far the run is.
   [[nodiscard]] virtual bool takesReplies() const { return false; }
-  /// One line; never waits. A line that has no room is left out.
-  virtual void reply(std::string_view /*line*/) {}
+  /// Never waits. What has no room is left out.
+  virtual void tell(const Progress& /*progress*/) {}
+  /// Asked once before each run; may take as long as a connection. @return why it cannot be read
+  [[nodiscard]] virtual base::Result<void> prepare() { return {}; }
 };
 
 }  // namespace rivulet::live

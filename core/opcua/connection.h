@@ -14,6 +14,7 @@
 
 #include "base/result.h"
 #include "opcua/link.h"
+#include "opcua/node_map.h"
 #include "opcua/security.h"
 
 namespace rivulet::opcua {
@@ -44,6 +45,8 @@ struct ConnectRequest {
   std::string fingerprint = {};
   std::string user = {};  ///< empty: anonymous
   std::string password = {};
+  /// Of a server that is no SINUMERIK; empty: the nodes have the names of `node_map`.
+  NodeAddresses nodes = {};
 };
 
 /// What a person can decide after an attempt was refused. The answer is another attempt.

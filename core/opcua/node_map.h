@@ -3,10 +3,12 @@
 
 /// @file
 /// Names as on a SINUMERIK OPC UA server: variable ↔ node identifier, methods, program paths. The
-/// link uses them in requests; the virtual machine's front answers to them.
+/// link uses them in requests; the virtual machine's front answers to them. On other servers a
+/// table of addresses takes their place.
 /// @threadsafety pure.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,12 +18,21 @@
 
 namespace rivulet::opcua {
 
+/// The port that is registered for OPC UA; an endpoint without a port means this one.
+inline constexpr int kPort = 4840;
+/// Where a server on this computer is expected.
+inline constexpr std::string_view kLocalEndpoint = "opc.tcp://127.0.0.1:4840";
+
 /// Namespace of the variables and of the control's methods. Its index differs between servers:
 /// always resolve it by this URI.
 inline constexpr std::string_view kNamespaceUri = "SinumerikVarProvider";
 
 /// Namespace of what only a virtual machine offers. A server that has it is not a real control.
 inline constexpr std::string_view kVirtualNamespaceUri = "urn:rivulet:virtual-machine";
+
+/// Node of each variable on a server that is no SINUMERIK, in the text form of the standard
+/// (Part 6, 5.3.1.10): "ns=2;s=Robot.X", "i=2258", or "nsu=urn:robot;s=X" by the namespace's URI.
+using NodeAddresses = std::map<Variable, std::string>;
 
 /// Object of the control's methods, and the object newer controls keep the file methods in.
 inline constexpr std::string_view kMethodsObject = "/Methods";

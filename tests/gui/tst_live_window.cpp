@@ -12,13 +12,16 @@
 #include <QSlider>
 #include <QTcpServer>
 #include <QTcpSocket>
+#include <QTemporaryDir>
 #include <QtTest>
 #include <cmath>
 
+#include "base/file.h"
 #include "hmi/main_window.h"
 #include "live/error.h"
 #include "opcua/error.h"
 #include "report/run_history.h"
+#include "support/patient_sender.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
 #include "trace/recording.h"
@@ -361,6 +364,33 @@ class TestLiveWindow : public QObject {
     QVERIFY(!panel()->isVisible());
     const auto port = QString::fromStdString(name).section(QLatin1Char(':'), 1).toUShort();
     QTRY_VERIFY_WITH_TIMEOUT(QTcpServer().listen(QHostAddress::LocalHost, port), kSoonMs);
+  }
+
+  /// The server is there between two runs, and what is left in its variables is old.
+  void variablesOfAServerBringTwoRuns() {
+    tests::PatientSender sender;
+    const tests::PlainServer server(tests::kNumbers, {}, std::ref(sender));
+    const QTemporaryDir folder;
+    const std::string file = folder.filePath(QStringLiteral("source.toml")).toStdString();
+    QVERIFY(base::writeFile(
+        file, "endpoint = \"" + server.endpoint() + "\"\n" + tests::kWords + tests::kReplies));
+    live::Setup setup = agreed();
+    setup.address = "opcua:" + file;
+    setup.agreement.startMmMax = 20.0;  // the second run goes back to the beginning
+    m_window->openLive(setup);
+    m_window->connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
+    for (int run = 0; run < 2; ++run) {
+      QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+      const auto report = runToEnd();
+      QVERIFY(report);
+      QVERIFY2(report->outcome == Outcome::Completed, report->error.text().c_str());
+      QVERIFY(report->isFaultless());
+      QCOMPARE(report->integrity.executed, std::size_t{tests::kPoints});
+    }
+    setup.address = "opcua:" + file + ".none";
+    m_window->openLive(setup);
+    QTRY_VERIFY2_WITH_TIMEOUT(alarm().contains(QStringLiteral(".none")), qPrintable(alarm()),
+                              kSoonMs);
   }
 
   void onlyMethodsThatWaitTakeLivePoints() {

@@ -3,9 +3,6 @@
 
 /// The link against the real server: what is asked arrives, and every failure has its name.
 
-#include <open62541/server.h>
-#include <open62541/server_config_default.h>
-
 #include <QtTest>
 #include <cmath>
 #include <limits>
@@ -13,6 +10,7 @@
 
 #include "machine/front/variable_service.h"
 #include "support/loopback_machine.h"
+#include "support/plain_server.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -77,43 +75,6 @@ base::Duration serviceTime(const std::string& preset, std::uint64_t seed,
   }
   return served.time_since_epoch();
 }
-
-/// A server that is no control: it has nothing but the standard's own namespace.
-class PlainServer {
- public:
-  PlainServer() {
-    m_logger.log = [](void*, UA_LogLevel, UA_LogCategory, const char*, va_list) {};
-    UA_ServerConfig config{};
-    config.logging = &m_logger;
-    RIVULET_ASSERT(UA_ServerConfig_setMinimal(&config, 0, nullptr) == UA_STATUSCODE_GOOD);
-    UA_String_clear(&config.serverUrls[0]);
-    config.serverUrls[0] = UA_String_fromChars("opc.tcp://127.0.0.1:0");
-    config.tcpReuseAddr = false;
-    m_server = UA_Server_newWithConfig(&config);
-    RIVULET_ASSERT(UA_Server_run_startup(m_server) == UA_STATUSCODE_GOOD);
-    const UA_String& url = UA_Server_getConfig(m_server)->applicationDescription.discoveryUrls[0];
-    m_endpoint.assign(reinterpret_cast<const char*>(url.data), url.length);
-    m_thread = std::thread([this] {
-      while (!m_stop.load()) {
-        UA_Server_run_iterate(m_server, true);
-      }
-    });
-  }
-  ~PlainServer() {
-    m_stop.store(true);
-    m_thread.join();
-    UA_Server_run_shutdown(m_server);
-    UA_Server_delete(m_server);
-  }
-  [[nodiscard]] const std::string& endpoint() const { return m_endpoint; }
-
- private:
-  UA_Logger m_logger{};
-  UA_Server* m_server = nullptr;
-  std::string m_endpoint;
-  std::atomic<bool> m_stop{false};
-  std::thread m_thread;
-};
 
 }  // namespace
 
@@ -522,7 +483,7 @@ class TestUaLink : public QObject {
   }
 
   void anotherServerIsNoControl() {
-    const PlainServer plain;
+    const tests::PlainServer plain;
     opcua::ConnectOptions options;
     options.security = opcua::unencrypted();
     options.endpoint = plain.endpoint();

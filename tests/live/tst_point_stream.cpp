@@ -31,7 +31,9 @@ class TextSource final : public live::Source {
   bool endsByClosing() const override { return isPipe; }
   bool canWait() const override { return waits; }
   bool takesReplies() const override { return true; }
-  void reply(std::string_view line) override { replies.emplace_back(line); }
+  void tell(const live::Progress& progress) override {
+    replies.push_back(live::progressLine(progress));
+  }
 
   std::string text;
   std::vector<std::string> replies;

@@ -33,8 +33,8 @@ class AnsweringSource final : public tests::TimedSource {
   using TimedSource::TimedSource;
 
   bool takesReplies() const override { return true; }
-  void reply(std::string_view line) override {
-    lastReply = line;
+  void tell(const live::Progress& progress) override {
+    lastReply = live::progressLine(progress);
     if (answer) {
       if (const std::string text = answer(lastReply); !text.empty()) {
         say(time(), text);

@@ -95,7 +95,7 @@ struct ErrorTexts {
       case LiveError::AxisNotChosen:
         return tr("The point names an axis that is not one of this run.");
       case LiveError::NumberMissing:
-        return tr("A UDP source has to number its points: N1 X0.5, then N2.");
+        return tr("This source can lose points, so it has to number them: N1 X0.5, then N2.");
       case LiveError::NumberWrong:
         return tr("A point is missing or came twice: the numbers are not in order.");
       case LiveError::SourceClosed:
@@ -110,6 +110,8 @@ struct ErrorTexts {
         return tr("The source ended before its first point. Nothing has moved.");
       case LiveError::NotOpened:
         return tr("The source cannot be opened. Choose another port or path.");
+      case LiveError::BadSourceFile:
+        return tr("The file of the source is not as the manual shows it (Live points).");
       case LiveError::NotAgreed:
         return tr("These values cannot be kept together. Check box, step and times.");
     }

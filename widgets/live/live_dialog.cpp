@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QFileDialog>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QGroupBox>
@@ -32,6 +33,7 @@ constexpr int kPortMax = 65'535;
 constexpr int kPortDefault = 4001;
 constexpr int kDialogWidthMinPx = 700;
 constexpr double kMsOfSecond = 1000.0;
+const QString kServer = QStringLiteral("opcua:");
 
 }  // namespace
 
@@ -40,6 +42,8 @@ LiveDialog::LiveDialog(const live::Setup& setup, bool offersInput, QWidget* pare
       m_kind(new QComboBox(this)),
       m_port(new WholeNumberField(this)),
       m_path(new QLineEdit(this)),
+      m_fileRow(new QWidget(this)),
+      m_file(new QLineEdit(m_fileRow)),
       m_answer(new StatusLabel(this)) {
   setWindowTitle(tr("Live points"));
   setMinimumWidth(kDialogWidthMinPx);
@@ -104,10 +108,11 @@ QGroupBox* LiveDialog::makeSource(bool offersInput) {
   m_kind->addItem(tr("TCP port of this computer"), Tcp);
   m_kind->addItem(tr("UDP port of this computer"), Udp);
   m_kind->addItem(tr("UNIX socket"), Unix);
+  m_kind->addItem(tr("Variables of an OPC UA server"), Server);
   if (offersInput) {
     m_kind->addItem(tr("Standard input of this window"), Input);
   }
-  m_kind->setToolTip(tr("Only programs on this computer can send."));
+  m_kind->setToolTip(tr("To ports and sockets, only programs on this computer can send."));
   m_kind->setAccessibleName(tr("Source"));
   m_port->setObjectName(QStringLiteral("live-port"));
   m_port->setRange(0, kPortMax);
@@ -118,9 +123,24 @@ QGroupBox* LiveDialog::makeSource(bool offersInput) {
   m_path->setMinimumHeight(kTouchHeightPx);
   m_path->setToolTip(tr("File name of the socket, which only this user can write to"));
   m_path->setAccessibleName(tr("Path"));
+  m_file->setObjectName(QStringLiteral("live-file"));
+  m_file->setMinimumHeight(kTouchHeightPx);
+  m_file->setToolTip(tr("This file names the server and its variables (TOML)."));
+  m_file->setAccessibleName(tr("File of the source"));
+  auto* choose = makeTouchButton(m_fileRow);
+  choose->setObjectName(QStringLiteral("live-choose-file"));
+  choose->setText(tr("Choose …"));
+  choose->setToolTip(tr("Choose the file of the source"));
+  choose->setAutoDefault(false);
+  connect(choose, &QPushButton::clicked, this, &LiveDialog::chooseFile);
+  auto* fileRow = new QHBoxLayout(m_fileRow);
+  fileRow->setContentsMargins({});
+  fileRow->addWidget(m_file, 1);
+  fileRow->addWidget(choose);
   m_sourceForm->addRow(m_kind);
   m_sourceForm->addRow(tr("Port"), m_port);
   m_sourceForm->addRow(tr("Path"), m_path);
+  m_sourceForm->addRow(tr("File"), m_fileRow);
   return group;
 }
 
@@ -223,12 +243,14 @@ void LiveDialog::showSetup(const live::Setup& setup) {
   const Kind kind = address == QStringLiteral("-")                ? Input
                     : address.startsWith(QStringLiteral("unix:")) ? Unix
                     : address.startsWith(QStringLiteral("udp:"))  ? Udp
+                    : address.startsWith(kServer)                 ? Server
                                                                   : Tcp;
   m_kind->setCurrentIndex(std::max(0, m_kind->findData(kind)));
   bool isPort = false;
   const int port = rest.toInt(&isPort);
   m_port->setValue(isPort ? port : kPortDefault);
   m_path->setText(kind == Unix ? rest : QDir::temp().filePath(QStringLiteral("rivulet.sock")));
+  m_file->setText(kind == Server ? rest : QString());
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     m_lowest[axis]->setValue(setup.agreement.lowestMm[axis]);
     m_highest[axis]->setValue(setup.agreement.highestMm[axis]);
@@ -250,6 +272,15 @@ void LiveDialog::showKind() {
   const int kind = m_kind->currentData().toInt();
   m_sourceForm->setRowVisible(m_port, kind == Tcp || kind == Udp);
   m_sourceForm->setRowVisible(m_path, kind == Unix);
+  m_sourceForm->setRowVisible(m_fileRow, kind == Server);
+}
+
+void LiveDialog::chooseFile() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("File of the source"), m_file->text(),
+                                                    tr("Sources (*.toml);;All files (*)"));
+  if (!file.isEmpty()) {
+    m_file->setText(file);
+  }
 }
 
 live::Setup LiveDialog::setup() const {
@@ -260,6 +291,9 @@ live::Setup LiveDialog::setup() const {
       break;
     case Unix:
       setup.address = "unix:" + m_path->text().trimmed().toStdString();
+      break;
+    case Server:
+      setup.address = (kServer + m_file->text().trimmed()).toStdString();
       break;
     case Input:
       setup.address = "-";

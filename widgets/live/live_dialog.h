@@ -38,7 +38,7 @@ class LiveDialog final : public QDialog {
   void openRequested(const rivulet::live::Setup& setup);
 
  private:
-  enum Kind { Tcp, Udp, Unix, Input };
+  enum Kind { Tcp, Udp, Unix, Server, Input };
   /// Beside the box.
   enum Value { Step, Turn, Feed, First, Merge, Full, HoldAfter, EndAfter, ValueCount };
 
@@ -50,12 +50,15 @@ class LiveDialog final : public QDialog {
                         const QString& unit, const QString& hint);
   void showSetup(const live::Setup& setup);
   void showKind();
+  void chooseFile();
   void tryOpen();
 
   QComboBox* m_kind;
   QFormLayout* m_sourceForm = nullptr;
   WholeNumberField* m_port;
   QLineEdit* m_path;
+  QWidget* m_fileRow;
+  QLineEdit* m_file;  ///< names the variables of another server
   std::array<NumberField*, base::kAxisCount> m_lowest{};
   std::array<NumberField*, base::kAxisCount> m_highest{};
   std::array<QCheckBox*, base::kRotaryAxisCount> m_rotary{};

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstring>
 #include <deque>
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -50,6 +51,7 @@ using std::chrono::milliseconds;
 
 using CallResponse = Handle<UA_CallResponse, UA_TYPES_CALLRESPONSE>;
 using ReadResponse = Handle<UA_ReadResponse, UA_TYPES_READRESPONSE>;
+using NodeId = Handle<UA_ExpandedNodeId, UA_TYPES_EXPANDEDNODEID>;
 
 /// The library waits in whole milliseconds. A shorter remainder is waited for in naps of this
 /// length, with a check of the network between them.
@@ -238,6 +240,16 @@ void appendReadings(const UA_DataValue& value, std::size_t length, std::vector<R
 }
 
 constexpr std::string_view kNoneUri = "http://opcfoundation.org/UA/SecurityPolicy#None";
+
+[[nodiscard]] std::optional<UA_UInt16> namespaceIndex(std::span<const UA_String> uris,
+                                                      std::string_view uri) {
+  const auto found = std::find_if(uris.begin(), uris.end(),
+                                  [&](const UA_String& one) { return view(one) == uri; });
+  const std::ptrdiff_t index = found - uris.begin();
+  return found == uris.end() || index > UA_UINT16_MAX
+             ? std::nullopt
+             : std::optional(static_cast<UA_UInt16>(index));
+}
 
 /// The endpoints of a server, in the library's own memory.
 struct Endpoints {
@@ -531,6 +543,9 @@ class UaLink::Impl {
   void fail(Pending& pending, base::Error error);
   void noticeLoss();
   [[nodiscard]] const std::string& identifier(const Node& node);
+  /// Borrows; valid as long as the connection.
+  [[nodiscard]] UA_NodeId nodeId(const Node& node);
+  [[nodiscard]] base::Result<void> resolveAddresses(std::span<const UA_String> namespaces);
 
   [[nodiscard]] UA_StatusCode exchange(const void* request, const UA_DataType* requestType,
                                        void* response, const UA_DataType* responseType,
@@ -554,8 +569,9 @@ class UaLink::Impl {
   std::optional<UA_UInt16> m_virtualNamespace;
   std::string_view m_fileMethods = kMethodsObject;  ///< where this edition keeps them
 
-  /// Requests borrow from it: its elements stay where they are.
+  /// Requests borrow from both: their elements stay where they are.
   std::unordered_map<Node, std::string, NodeHash> m_identifiers;
+  std::map<Variable, NodeId> m_addressed;   ///< `ConnectOptions::nodes`
   std::vector<Node> m_nodes;                ///< scratch of `send`
   std::vector<UA_ReadValueId> m_readItems;  ///< scratch of `send`
   std::vector<UA_WriteValue> m_writeItems;  ///< scratch of `send`
@@ -844,18 +860,15 @@ base::Result<void> UaLink::Impl::resolveNamespaces(Instant deadline) {
     return base::fail(answer.error());
   }
   const UA_DataValue& value = (*answer)->results[0];
-  std::optional<UA_UInt16> found;
-  std::optional<UA_UInt16> foundVirtual;
+  std::span<const UA_String> uris;
   if (value.hasValue && UA_Variant_hasArrayType(&value.value, &UA_TYPES[UA_TYPES_STRING])) {
-    const auto* uris = static_cast<const UA_String*>(value.value.data);
-    for (std::size_t i = 0; i < value.value.arrayLength && i <= UA_UINT16_MAX; ++i) {
-      if (view(uris[i]) == kNamespaceUri) {
-        found = static_cast<UA_UInt16>(i);
-      } else if (view(uris[i]) == kVirtualNamespaceUri) {
-        foundVirtual = static_cast<UA_UInt16>(i);
-      }
-    }
+    uris = {static_cast<const UA_String*>(value.value.data), value.value.arrayLength};
   }
+  if (!m_options.nodes.empty()) {
+    return resolveAddresses(uris);
+  }
+  const std::optional<UA_UInt16> found = namespaceIndex(uris, kNamespaceUri);
+  const std::optional<UA_UInt16> foundVirtual = namespaceIndex(uris, kVirtualNamespaceUri);
   if (!found) {
     return base::fail(error(LinkError::NamespaceMissing));
   }
@@ -871,6 +884,27 @@ base::Result<void> UaLink::Impl::resolveNamespaces(Instant deadline) {
     if (nodeClass.hasValue && !(nodeClass.hasStatus && isBad(nodeClass.status))) {
       m_virtualNamespace = foundVirtual;
     }
+  }
+  return {};
+}
+
+base::Result<void> UaLink::Impl::resolveAddresses(std::span<const UA_String> namespaces) {
+  for (const auto& [variable, address] : m_options.nodes) {
+    NodeId id;
+    std::optional<UA_UInt16> index;
+    if (!isBad(UA_ExpandedNodeId_parse(id.get(), borrow(address))) && id->serverIndex == 0) {
+      index = id->namespaceUri.length > 0 ? namespaceIndex(namespaces, view(id->namespaceUri))
+                                          : id->nodeId.namespaceIndex;
+    }
+    if (!index) {
+      return base::fail(LinkError::VariableMissing,
+                        fmt::format("{} is no node of this server. Write it like ns=2;s=Robot.X or "
+                                    "nsu=urn:robot;s=X, as a browser of OPC UA shows it.",
+                                    address),
+                        endpoint());
+    }
+    id->nodeId.namespaceIndex = *index;
+    m_addressed.emplace(variable, std::move(id));
   }
   return {};
 }
@@ -929,8 +963,9 @@ base::Result<ReadResponse> UaLink::Impl::readAttribute(const UA_NodeId& node,
 }
 
 base::Result<bool> UaLink::Impl::mayWrite(const Variable& variable) {
-  const std::string name = identifier(Node{variable, 1, Grouping::List});
-  const auto answer = readAttribute(borrowNodeId(m_namespace, name), UA_ATTRIBUTEID_USERACCESSLEVEL,
+  const Node node{variable, 1, Grouping::List};
+  const std::string name = m_options.nodes.empty() ? identifier(node) : m_options.nodes[variable];
+  const auto answer = readAttribute(nodeId(node), UA_ATTRIBUTEID_USERACCESSLEVEL,
                                     addSaturating(now(), m_options.commandDeadline));
   if (!answer) {
     return base::fail(answer.error());
@@ -1087,7 +1122,7 @@ base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable>
   Pending pending;
   pending.id = ++m_lastId;
   pending.operation = operation;
-  pending.grouping = grouping;
+  pending.grouping = m_options.nodes.empty() ? grouping : Grouping::List;
   pending.variables = std::move(variables);
   pending.values = std::move(values);
   pending.event.kind = operation == Operation::Read ? EventKind::ReadDone : EventKind::WriteDone;
@@ -1167,6 +1202,15 @@ const std::string& UaLink::Impl::identifier(const Node& node) {
       .first->second;
 }
 
+UA_NodeId UaLink::Impl::nodeId(const Node& node) {
+  if (m_options.nodes.empty()) {
+    return borrowNodeId(m_namespace, identifier(node));
+  }
+  const auto found = m_addressed.find(node.first);
+  RIVULET_ASSERT(found != m_addressed.end());
+  return found->second->nodeId;
+}
+
 void UaLink::Impl::sendDue() {
   for (Pending& pending : m_pending) {
     if (m_lost || unanswered() >= kUnansweredMax) {
@@ -1207,7 +1251,7 @@ void UaLink::Impl::send(Pending& pending) {
     for (std::size_t i = 0; i < m_nodes.size(); ++i) {
       UA_ReadValueId& item = m_readItems[i];
       UA_ReadValueId_init(&item);
-      item.nodeId = borrowNodeId(m_namespace, identifier(m_nodes[i]));
+      item.nodeId = nodeId(m_nodes[i]);
       item.attributeId = UA_ATTRIBUTEID_VALUE;
     }
     UA_ReadRequest request;
@@ -1226,7 +1270,7 @@ void UaLink::Impl::send(Pending& pending) {
       // The value only: some servers refuse a write that carries a status or timestamps.
       UA_WriteValue& item = m_writeItems[i];
       UA_WriteValue_init(&item);
-      item.nodeId = borrowNodeId(m_namespace, identifier(m_nodes[i]));
+      item.nodeId = nodeId(m_nodes[i]);
       item.attributeId = UA_ATTRIBUTEID_VALUE;
       item.value.hasValue = true;
       if (m_nodes[i].length > 1) {

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "opcua/connection.h"
+#include "opcua/node_map.h"
 #include "opcua/security.h"
 
 namespace rivulet::opcua {
@@ -39,6 +40,8 @@ struct ConnectOptions {
   TrustCheck trust;
   std::string user;  ///< empty: anonymous
   std::string password;
+  /// Of a server that is no SINUMERIK. Only these variables are there, and no method is.
+  NodeAddresses nodes;
 };
 
 class UaLink final : public Link, public Control {
@@ -46,7 +49,8 @@ class UaLink final : public Link, public Control {
   /// Connects, opens a session and resolves the namespaces. A server that closes the connection is
   /// tried again, each time after a longer pause.
   /// @return NotReachable, Rejected, NamespaceMissing, EncryptionMissing, LoginRefused,
-  /// ClientNotTrusted, and what `ConnectOptions::trust` returns
+  /// ClientNotTrusted, VariableMissing for an address that is none, and what
+  /// `ConnectOptions::trust` returns
   [[nodiscard]] static base::Result<std::unique_ptr<UaLink>> connect(const ConnectOptions& options);
 
   /// Closes the session; blocks a second at most, whatever the other side does.

@@ -180,7 +180,7 @@ class TestLivePanel : public QObject {
   }
 
   void theDialogReturnsWhatItWasGiven() {
-    for (const char* address : {"udp:4100", "tcp:0", "unix:/tmp/points", "-"}) {
+    for (const char* address : {"udp:4100", "tcp:0", "unix:/tmp/points", "opcua:/tmp/robot.toml", "-"}) {
       live::Setup setup = someSetup();
       setup.address = address;
       const LiveDialog dialog(setup, true, nullptr);
@@ -227,7 +227,7 @@ class TestLivePanel : public QObject {
         QVERIFY2(field->minimumHeight() >= 44, qPrintable(field->objectName()));
       }
     }
-    QCOMPARE(fields, 20);
+    QCOMPARE(fields, 21);
   }
 };
 

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "live/progress.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace rivulet::live {
+
+std::string progressLine(const Progress& progress) {
+  if (!progress.end) {
+    const base::Vec3& at = progress.positionMm;
+    return fmt::format(
+        "{{\"accepted\":{},\"executed\":{},\"line\":{},\"merged\":{},"
+        "\"x\":{:.6f},\"y\":{:.6f},\"z\":{:.6f}}}\n",
+        progress.accepted, progress.executed, progress.line, progress.merged, at.x, at.y, at.z);
+  }
+  nlohmann::ordered_json json{{"end", progress.end->outcome},
+                              {"accepted", progress.accepted},
+                              {"executed", progress.executed},
+                              {"line", progress.line}};
+  if (!progress.end->error.empty()) {
+    json["error"] = progress.end->error;
+  }
+  return json.dump() + "\n";
+}
+
+}  // namespace rivulet::live

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// An OPC UA server of this process that is no control: it has the standard's own namespace and
+/// the variables that a test adds, as ns=1;s=NAME. @threadsafety its values belong to its thread,
+/// which calls `turn`.
+#pragma once
+
+#include <open62541/server.h>
+#include <open62541/server_config_default.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdarg>
+#include <functional>
+#include <map>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "base/contract.h"
+#include "opcua/open62541/handle.h"
+
+namespace rivulet::tests {
+
+class PlainServer {
+ public:
+  using Turn = std::function<void(PlainServer&)>;
+
+  /// @param turn  called every millisecond or so; may be empty
+  explicit PlainServer(const std::map<std::string, double>& numbers = {},
+                       const std::map<std::string, std::string>& texts = {}, Turn turn = {})
+      : m_turn(std::move(turn)) {
+    m_logger.log = [](void*, UA_LogLevel, UA_LogCategory, const char*, va_list) {};
+    UA_ServerConfig config{};
+    config.logging = &m_logger;
+    RIVULET_ASSERT(UA_ServerConfig_setMinimal(&config, 0, nullptr) == UA_STATUSCODE_GOOD);
+    UA_String_clear(&config.serverUrls[0]);
+    config.serverUrls[0] = UA_String_fromChars("opc.tcp://127.0.0.1:0");
+    config.tcpReuseAddr = false;
+    m_server = UA_Server_newWithConfig(&config);
+    for (auto [name, value] : numbers) {
+      add(name, opcua::borrowScalar(value, UA_TYPES_DOUBLE));
+    }
+    for (const auto& [name, value] : texts) {
+      UA_String text = opcua::borrow(value);
+      add(name, opcua::borrowScalar(text, UA_TYPES_STRING));
+    }
+    RIVULET_ASSERT(UA_Server_run_startup(m_server) == UA_STATUSCODE_GOOD);
+    m_endpoint =
+        opcua::view(UA_Server_getConfig(m_server)->applicationDescription.discoveryUrls[0]);
+    m_thread = std::thread([this] {
+      while (!m_stop.load()) {
+        UA_Server_run_iterate(m_server, !m_turn);
+        if (m_turn) {
+          m_turn(*this);
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+      }
+    });
+  }
+  ~PlainServer() {
+    m_stop.store(true);
+    m_thread.join();
+    UA_Server_run_shutdown(m_server);
+    UA_Server_delete(m_server);
+  }
+  PlainServer(const PlainServer&) = delete;
+  PlainServer& operator=(const PlainServer&) = delete;
+
+  [[nodiscard]] const std::string& endpoint() const { return m_endpoint; }
+
+  /// In `turn` only.
+  void set(const std::string& name, double value) {
+    write(name, opcua::borrowScalar(value, UA_TYPES_DOUBLE));
+  }
+  void set(const std::string& name, const std::string& value) {
+    UA_String text = opcua::borrow(value);
+    write(name, opcua::borrowScalar(text, UA_TYPES_STRING));
+  }
+  [[nodiscard]] double number(const std::string& name) {
+    opcua::Handle<UA_Variant, UA_TYPES_VARIANT> value;
+    UA_Server_readValue(m_server, opcua::borrowNodeId(1, name), value.get());
+    const double* number = opcua::scalarOf<double>(*value.get(), UA_TYPES_DOUBLE);
+    RIVULET_ASSERT(number != nullptr);
+    return *number;
+  }
+
+ private:
+  void add(const std::string& name, UA_Variant value) {
+    UA_VariableAttributes attributes = UA_VariableAttributes_default;
+    attributes.value = value;
+    attributes.dataType = value.type->typeId;
+    attributes.accessLevel = UA_ACCESSLEVELMASK_READ | UA_ACCESSLEVELMASK_WRITE;
+    RIVULET_ASSERT(UA_Server_addVariableNode(m_server, opcua::borrowNodeId(1, name),
+                                             opcua::standardNodeId(UA_NS0ID_OBJECTSFOLDER),
+                                             opcua::standardNodeId(UA_NS0ID_ORGANIZES),
+                                             UA_QualifiedName{1, opcua::borrow(name)},
+                                             opcua::standardNodeId(UA_NS0ID_BASEDATAVARIABLETYPE),
+                                             attributes, nullptr, nullptr) == UA_STATUSCODE_GOOD);
+  }
+  void write(const std::string& name, const UA_Variant& value) {
+    RIVULET_ASSERT(UA_Server_writeValue(m_server, opcua::borrowNodeId(1, name), value) ==
+                   UA_STATUSCODE_GOOD);
+  }
+
+  Turn m_turn;
+  UA_Logger m_logger{};
+  UA_Server* m_server = nullptr;
+  std::string m_endpoint;
+  std::atomic<bool> m_stop{false};
+  std::thread m_thread;
+};
+
+}  // namespace rivulet::tests
