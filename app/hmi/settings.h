@@ -11,13 +11,14 @@
 #include <filesystem>
 
 #include "live/setup.h"
+#include "opcua/node_map.h"
 #include "widgets/common/theme.h"
 #include "widgets/streaming/stream_settings.h"
 
 namespace rivulet::hmi {
 
 struct Settings {
-  QString endpoint = QStringLiteral("opc.tcp://127.0.0.1:4840");
+  QString endpoint = QString::fromUtf8(opcua::kLocalEndpoint);
   QStringList recentFiles;
   QString language;  ///< one of `languages()`; empty: the system's
   widgets::Theme theme = widgets::Theme::System;

@@ -27,6 +27,7 @@
 #include "machine/kept_state.h"
 #include "machine/machine.h"
 #include "machine/user.h"
+#include "opcua/node_map.h"
 #include "opcua/open62541/encryption.h"
 #include "trust/own_certificate.h"
 #include "trust/password.h"
@@ -88,7 +89,7 @@ struct Arguments {
 
 /// @param arguments  outlives the app
 void addOptions(CLI::App& app, Arguments& arguments) {
-  arguments.server.port = 4840;
+  arguments.server.port = rivulet::opcua::kPort;
   app.add_option("--host", arguments.server.host,
                  "Address to listen on; 0.0.0.0 allows other computers to connect")
       ->capture_default_str();

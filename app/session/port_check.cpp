@@ -9,12 +9,13 @@
 #include <QUrl>
 #include <chrono>
 
+#include "opcua/node_map.h"
+
 namespace rivulet::session {
 
 namespace {
 
 constexpr std::chrono::seconds kAnswerMax{2};
-constexpr int kOpcUaPort = 4840;
 
 }  // namespace
 
@@ -37,7 +38,7 @@ void PortCheck::look(const QString& endpoint) {
   connect(socket, &QTcpSocket::errorOccurred, this, [end] { end(false); });
   QTimer::singleShot(kAnswerMax, socket, [end] { end(false); });
   const QUrl url(endpoint);
-  socket->connectToHost(url.host(), static_cast<quint16>(url.port(kOpcUaPort)));
+  socket->connectToHost(url.host(), static_cast<quint16>(url.port(opcua::kPort)));
 }
 
 }  // namespace rivulet::session

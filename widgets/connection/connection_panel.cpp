@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
+#include "opcua/node_map.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
@@ -68,7 +69,7 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
 }
 
 void ConnectionPanel::buildConnection() {
-  m_endpoint->setText(QStringLiteral("opc.tcp://127.0.0.1:4840"));
+  m_endpoint->setText(QString::fromUtf8(opcua::kLocalEndpoint));
   m_endpointLabel->setBuddy(m_endpoint);
   m_connect->setObjectName(QStringLiteral("connect"));
   m_connectionStatus->setEmphasis(11.0, true);
