@@ -64,9 +64,11 @@ ordered_json partJson(const job::Part& part, const streaming::JobTimes& times) {
   return json;
 }
 
-ordered_json toolsJson(const trace::ControlTrace& trace) {
+}  // namespace
+
+ordered_json toolsJson(const std::vector<trace::ToolUse>& uses) {
   ordered_json tools = ordered_json::array();
-  for (const trace::ToolUse& use : trace::toolUses(trace)) {
+  for (const trace::ToolUse& use : uses) {
     ordered_json offsets = ordered_json::array();
     for (const int offset : use.workOffsets) {
       offsets.push_back(fmt::format("G{}", offset));
@@ -86,8 +88,6 @@ ordered_json toolsJson(const trace::ControlTrace& trace) {
   }
   return tools;
 }
-
-}  // namespace
 
 ordered_json wholeJobJson(const job::Plan& plan, const streaming::WholeJobReport& report) {
   std::size_t executed = 0;
@@ -117,7 +117,7 @@ ordered_json wholeJobJson(const job::Plan& plan, const streaming::WholeJobReport
                     {"runs", runs},
                     {"parts", parts}};
   if (report.controlTrace) {
-    json["tools"] = toolsJson(*report.controlTrace);
+    json["tools"] = toolsJson(trace::toolUses(*report.controlTrace));
   }
   json["judged"] = report.integrity.judged;
   if (report.integrity.judged) {

@@ -21,6 +21,7 @@ namespace rivulet::report {
 [[nodiscard]] nlohmann::ordered_json hazardsJson(const std::vector<experiments::Hazard>& hazards);
 /// In seconds.
 [[nodiscard]] nlohmann::ordered_json jobTimesJson(const streaming::JobTimes& times);
+[[nodiscard]] nlohmann::ordered_json toolsJson(const std::vector<trace::ToolUse>& uses);
 [[nodiscard]] nlohmann::ordered_json jobPlaceJson(const streaming::JobPlace& place);
 [[nodiscard]] nlohmann::ordered_json wholeJobJson(const job::Plan& plan,
                                                   const streaming::WholeJobReport& report);

@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "base/file.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "job/dry_plan.h"
 #include "live/error.h"
@@ -232,6 +233,33 @@ streaming::RunReport reportOf(Members& members) {
   return report;
 }
 
+/// As `toolsJson` writes it.
+trace::ToolUse toolOf(Members& item) {
+  trace::ToolUse use;
+  if (const nlohmann::json* number = item.find("/tool"); number != nullptr && number->is_number()) {
+    use.number = item.integer<int>("/tool", 0.0, kJsonCountMax);
+  }
+  use.name = item.text("/name");
+  use.change = seconds(item, "/change_s");
+  use.inSpindle = seconds(item, "/in_spindle_s");
+  use.turning = seconds(item, "/turning_s");
+  use.cooling = seconds(item, "/coolant_s");
+  use.perMinLeast = item.number("/per_min/0", 0.0, kJsonCountMax);
+  use.perMinMost = item.number("/per_min/1", 0.0, kJsonCountMax);
+  use.clockwise = item.flag("/clockwise");
+  use.counterclockwise = item.flag("/counterclockwise");
+  use.flood = item.flag("/flood");
+  use.mist = item.flag("/mist");
+  for (const std::string& offset : item.words("/work_offsets")) {
+    const auto number = base::parseInteger(std::string_view(offset).substr(offset.empty() ? 0 : 1));
+    if (!number || offset.front() != 'G') {
+      item.refuse("/work_offsets");
+    }
+    use.workOffsets.push_back(number.value_or(0));
+  }
+  return use;
+}
+
 /// What whoever made the run knew of it.
 streaming::RunSummary knownOf(Members& members) {
   streaming::RunSummary known;
@@ -251,6 +279,9 @@ streaming::RunSummary knownOf(Members& members) {
         seconds(members, "/job_times/streamed_s"), seconds(members, "/job_times/pauses_s"),
         seconds(members, "/job_times/native_s"), seconds(members, "/job_times/tool_change_s"),
         seconds(members, "/job_times/handover_s")};
+  }
+  if (members.has("/tools")) {
+    forEach(members, "/tools", [&known](Members& item) { known.tools.push_back(toolOf(item)); });
   }
   return known;
 }
@@ -273,6 +304,9 @@ ordered_json knownJson(const streaming::RunSummary& known) {
   }
   if (known.jobTimes) {
     json["job_times"] = jobTimesJson(*known.jobTimes);
+  }
+  if (!known.tools.empty()) {
+    json["tools"] = toolsJson(known.tools);
   }
   return json;
 }

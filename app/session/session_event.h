@@ -25,6 +25,7 @@
 #include "streaming/calibration_record.h"
 #include "streaming/equipment_watch.h"
 #include "streaming/job_times.h"
+#include "trace/analysis/tool_use.h"
 #include "streaming/machine_facts.h"
 #include "streaming/run.h"
 #include "trace/recording.h"
@@ -76,6 +77,7 @@ struct RunFinished {
   std::string recordingPath;  ///< empty: none could be written
   base::Error notKept{};      ///< why the history does not have the run; code clear: it has it
   std::optional<streaming::JobTimes> jobTimes{};  ///< of a whole job
+  std::vector<trace::ToolUse> tools{};            ///< of a whole job
 };
 
 /// How a whole job goes on that was left, or begins in the middle.

@@ -733,7 +733,9 @@ SessionWorker::Done SessionWorker::runWholeJob(const StartCommand& command,
     completed.outcome = streaming::Outcome::Completed;
     keeper->finish(completed);
   }
-  return {sink.reportOf(job, settings), job.times, file.finish()};
+  return {sink.reportOf(job, settings), job.times,
+          job.controlTrace ? trace::toolUses(*job.controlTrace) : std::vector<trace::ToolUse>(),
+          file.finish()};
 }
 
 void SessionWorker::listen(const std::string& address) {
@@ -844,6 +846,7 @@ base::Error SessionWorker::archive(const StartCommand& command, const Done& done
   known.recording = done.isRecorded ? command.recordingPath : std::string();
   known.ownsRecording = true;
   known.jobTimes = done.jobTimes;
+  known.tools = done.tools;
   known.dryRunMm = command.dryRunMm;
   const base::Vec3 startMm = report.checkpoint ? report.checkpoint->startMm : base::Vec3{};
   const auto kept = m_history.add(

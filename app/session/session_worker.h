@@ -66,6 +66,7 @@ class SessionWorker {
   struct Done {
     streaming::RunReport report;
     std::optional<streaming::JobTimes> jobTimes{};  ///< of a whole job
+    std::vector<trace::ToolUse> tools{};            ///< of a whole job
     bool isRecorded = false;
     std::vector<gcode::StreamPoint> livePoints{};  ///< of a live source
   };

@@ -8,9 +8,11 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "streaming/job_times.h"
 #include "streaming/run.h"
+#include "trace/analysis/tool_use.h"
 
 namespace rivulet::streaming {
 
@@ -25,7 +27,9 @@ struct RunSummary {
   /// The recording was made for the history, which removes it together with the run.
   bool ownsRecording = false;
   std::optional<JobTimes> jobTimes{};  ///< of a whole job; nothing: the motion alone was run
-  double dryRunMm = 0.0;               ///< > 0: it was a dry run, so much higher
+  /// Of a whole job, by the control's trace; empty: it was not kept, or the machine told nothing.
+  std::vector<trace::ToolUse> tools{};
+  double dryRunMm = 0.0;  ///< > 0: it was a dry run, so much higher
 
   // Taken from its report.
   std::string programName;

@@ -297,6 +297,14 @@ class TestRunController : public QObject {
     const auto read = report::readFinishedRun(report::RunHistory().reportFile(kept.id));
     QVERIFY(read && read->summary.jobTimes);
     QCOMPARE(read->summary.jobTimes->total(), kept.jobTimes->total());
+    QVERIFY(!kept.tools.empty());
+    QCOMPARE(read->summary.tools.size(), kept.tools.size());
+    const trace::ToolUse& lastTool = kept.tools.back();
+    QCOMPARE(lastTool.number, std::optional(2));
+    QVERIFY(lastTool.change > base::Duration{} && lastTool.inSpindle > base::Duration{});
+    QCOMPARE(read->summary.tools.back().inSpindle, lastTool.inSpindle);
+    QCOMPARE(read->summary.tools.back().number, lastTool.number);
+    QCOMPARE(read->summary.tools.back().workOffsets, lastTool.workOffsets);
   }
 
   /// A job begins with a stretch: what the program has set before it is listed, and done first.

@@ -18,6 +18,8 @@ namespace rivulet::widgets {
 
 namespace {
 
+using paper::Table;
+
 struct SheetTexts {
   Q_DECLARE_TR_FUNCTIONS(SheetTexts)
 
@@ -88,6 +90,23 @@ struct SheetTexts {
     }
     return lines;
   }
+  static Table tools(const RunSheet& sheet) {
+    Table table{tr("Tools"),
+                {tr("Tool"), tr("In the spindle"), tr("Change"), tr("Speed, 1/min"), tr("Turning"),
+                 tr("Coolant")},
+                {3.0, 2.0, 1.5, 2.0, 1.5, 1.5},
+                {}};
+    const auto time = [](base::Duration duration) {
+      return duration > base::Duration{} ? durationText(base::toSeconds(duration)) : noValue();
+    };
+    for (const trace::ToolUse& use : sheet.summary.tools) {
+      const QString perMin = perMinText(use);
+      table.rows.append({toolText(use), time(use.inSpindle), time(use.change),
+                         perMin.isEmpty() ? noValue() : perMin, time(use.turning),
+                         time(use.cooling)});
+    }
+    return table;
+  }
   static QList<paper::Fact> pauseLines(const RunSheet& sheet) {
     const streaming::RunSummary& run = sheet.summary;
     const trace::DurationStatistics& access = sheet.report.access.perNode;
@@ -154,6 +173,9 @@ paper::Page runPage(const RunSheet& sheet) {
                  {SheetTexts::result(), SheetTexts::resultLines(sheet)},
                  {SheetTexts::pauses(), SheetTexts::pauseLines(sheet)}};
   page.pictures = {pathPicture(sheet.sketch)};
+  if (!sheet.summary.tools.empty()) {
+    page.table = SheetTexts::tools(sheet);
+  }
   page.signature = SheetTexts::signature();
   page.footer = {SheetTexts::footer(sheet)};
   return page;

@@ -28,6 +28,33 @@ struct RunTexts {
         .arg(text(times.streamed), text(times.pauses), text(times.toolChange), text(times.native),
              text(times.handover), text(times.total()));
   }
+  static QString tool(const trace::ToolUse& use) {
+    const QString name = QString::fromStdString(use.name);
+    if (use.number.value_or(0) > 0) {
+      const QString number = QStringLiteral("T%1").arg(*use.number);
+      return name.isEmpty() ? number : QStringLiteral("%1 %2").arg(number, name);
+    }
+    return !name.isEmpty() ? name : use.number ? tr("No tool") : tr("Before the first tool change");
+  }
+  static QString toolUse(const trace::ToolUse& use) {
+    const auto time = [](base::Duration duration) {
+      return durationText(base::toSeconds(duration));
+    };
+    QStringList parts{tr("%1 in the spindle").arg(time(use.inSpindle))};
+    if (use.change > base::Duration{}) {
+      parts.append(tr("%1 change").arg(time(use.change)));
+    }
+    if (const QString perMin = perMinText(use); !perMin.isEmpty()) {
+      parts.append(tr("%1 at %2 1/min").arg(time(use.turning), perMin));
+    }
+    if (use.cooling > base::Duration{}) {
+      parts.append(tr("%1 coolant").arg(time(use.cooling)));
+    }
+    for (const int offset : use.workOffsets) {
+      parts.append(QStringLiteral("G%1").arg(offset));
+    }
+    return QStringLiteral("%1: %2").arg(tool(use), parts.join(QStringLiteral(", ")));
+  }
   static QString result(streaming::Outcome outcome, streaming::RunFinding finding) {
     if (outcome == streaming::Outcome::Failed) {
       return tr("Failed");
@@ -101,6 +128,24 @@ QString feedsText(const streaming::RunSettings& settings) {
 
 QString jobTimesText(const streaming::JobTimes& times) {
   return RunTexts::jobTimes(times);
+}
+
+QString toolText(const trace::ToolUse& use) {
+  return RunTexts::tool(use);
+}
+
+QString toolUseText(const trace::ToolUse& use) {
+  return RunTexts::toolUse(use);
+}
+
+QString perMinText(const trace::ToolUse& use) {
+  if (use.perMinMost <= 0.0) {
+    return {};
+  }
+  const QString most = numberText(use.perMinMost, 0);
+  return use.perMinLeast < use.perMinMost
+             ? QStringLiteral("%1 – %2").arg(numberText(use.perMinLeast, 0), most)
+             : most;
 }
 
 QString machineText(const streaming::RunSummary& run) {

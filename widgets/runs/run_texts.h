@@ -27,6 +27,12 @@ namespace rivulet::widgets {
 [[nodiscard]] QString feedsText(const streaming::RunSettings& settings);
 /// What the time of a whole job was spent on, in one sentence.
 [[nodiscard]] QString jobTimesText(const streaming::JobTimes& times);
+/// "T5 MILL: 1:01 in the spindle, 0:04 change, 0:58 at 3000 1/min, G54".
+[[nodiscard]] QString toolUseText(const trace::ToolUse& use);
+/// "T5 MILL"; for what was there before the first change, a sentence.
+[[nodiscard]] QString toolText(const trace::ToolUse& use);
+/// "3000", "500 – 3000"; empty if it did not turn.
+[[nodiscard]] QString perMinText(const trace::ToolUse& use);
 /// "anna on cell-pc-3".
 [[nodiscard]] QString originText(const streaming::RunOrigin& origin);
 

@@ -405,7 +405,7 @@ void RunsPage::takeSelection() {
 
 void RunsPage::setDetail(const std::string& id, const streaming::RunReport& report) {
   if (m_current && m_current->id == id) {
-    m_report->setReport(report, m_current->jobTimes);
+    m_report->setReport(report, m_current->jobTimes, m_current->tools);
     m_hasDetail = true;
     showActions();
   }
@@ -425,7 +425,7 @@ void RunsPage::showFile(const RunSummary& summary, const streaming::RunReport& r
   m_table->setCurrentIndex({});
   m_current = summary;
   m_current->id.clear();
-  m_report->setReport(report, summary.jobTimes);
+  m_report->setReport(report, summary.jobTimes, summary.tools);
   m_hasDetail = true;
   showActions();
 }

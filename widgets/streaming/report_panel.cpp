@@ -98,9 +98,11 @@ ReportPanel::ReportPanel(QWidget* parent)
 }
 
 void ReportPanel::setReport(const std::optional<streaming::RunReport>& report,
-                            const std::optional<streaming::JobTimes>& jobTimes) {
+                            const std::optional<streaming::JobTimes>& jobTimes,
+                            const std::vector<trace::ToolUse>& tools) {
   m_report = report;
   m_jobTimes = jobTimes;
+  m_tools = tools;
   showReport();
 }
 
@@ -118,6 +120,7 @@ void ReportPanel::retranslate() {
   name(Delta, QStringLiteral("δ"));
   name(Duration, tr("Duration"));
   name(TimeSpent, tr("Time spent"));
+  name(Tools, tr("Tools"));
   name(LiveLines, tr("Live lines"));
   name(LiveDelay, tr("Delay from arrival to motion"));
   name(Executed, tr("Executed"));
@@ -186,6 +189,12 @@ void ReportPanel::showRun(const streaming::RunReport& report) {
   static_cast<QFormLayout*>(m_runGroup->layout())
       ->setRowVisible(m_names[TimeSpent], m_jobTimes.has_value());
   show(TimeSpent, m_jobTimes ? jobTimesText(*m_jobTimes) : QString());
+  static_cast<QFormLayout*>(m_runGroup->layout())->setRowVisible(m_names[Tools], !m_tools.empty());
+  QStringList tools;
+  for (const trace::ToolUse& use : m_tools) {
+    tools.append(toolUseText(use));
+  }
+  show(Tools, tools.join(QLatin1Char('\n')));
   for (const Row row : {LiveLines, LiveDelay}) {
     static_cast<QFormLayout*>(m_runGroup->layout())
         ->setRowVisible(m_names[static_cast<std::size_t>(row)], report.live.has_value());

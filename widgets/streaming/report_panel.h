@@ -11,6 +11,7 @@
 
 #include "streaming/job_times.h"
 #include "streaming/run.h"
+#include "trace/analysis/tool_use.h"
 #include "widgets/common/page.h"
 #include "widgets/common/status_label.h"
 
@@ -29,9 +30,10 @@ class ReportPanel final : public Page {
   explicit ReportPanel(QWidget* parent = nullptr);
 
   /// @param report    nothing: no run yet
-  /// @param jobTimes  of a whole job
+  /// @param jobTimes  of a whole job @param tools  of a whole job
   void setReport(const std::optional<streaming::RunReport>& report,
-                 const std::optional<streaming::JobTimes>& jobTimes = {});
+                 const std::optional<streaming::JobTimes>& jobTimes = {},
+                 const std::vector<trace::ToolUse>& tools = {});
 
   [[nodiscard]] static Status resultStatus(streaming::Outcome outcome,
                                            streaming::RunFinding finding);
@@ -48,6 +50,7 @@ class ReportPanel final : public Page {
     Delta,
     Duration,
     TimeSpent,
+    Tools,
     LiveLines,
     LiveDelay,
     Executed,
@@ -79,6 +82,7 @@ class ReportPanel final : public Page {
 
   std::optional<streaming::RunReport> m_report;
   std::optional<streaming::JobTimes> m_jobTimes;
+  std::vector<trace::ToolUse> m_tools;
   StatusLabel* m_outcome;
   QLabel* m_detail;
   QGroupBox* m_runGroup;
