@@ -25,6 +25,7 @@
 #include "streaming/resume.h"
 #include "streaming/start_claim.h"
 #include "streaming/start_policy.h"
+#include "templates/continuation.h"
 #include "templates/generator.h"
 #include "templates/lint/lint.h"
 #include "trace/analysis/pauses.h"
@@ -140,7 +141,11 @@ class Job {
 
   void startRecording() {
     if (m_recorder.writer != nullptr) {
-      m_recorder.writer->start(runStartOf(std::move(m_recorder.start), m_settings, m_program));
+      trace::RunStart start = runStartOf(std::move(m_recorder.start), m_settings, m_program);
+      if (const auto text = templates::generateTemplate(m_settings.parameters)) {
+        start.continuations = templates::continuationsOf(*text);
+      }
+      m_recorder.writer->start(start);
     }
   }
   void recordPoints() {

@@ -24,6 +24,7 @@
 #include "streaming/ledger.h"
 #include "streaming/program_transfer.h"
 #include "streaming/start_claim.h"
+#include "templates/continuation.h"
 #include "templates/generator.h"
 #include "templates/lint/lint.h"
 
@@ -273,7 +274,9 @@ class WholeJob {
     if (m_options.writer != nullptr) {
       RunSettings settings = m_settings;
       settings.runNumber = m_firstRun;
-      m_options.writer->start(runStartOf(m_options.start, settings, m_plan.program));
+      trace::RunStart start = runStartOf(m_options.start, settings, m_plan.program);
+      start.continuations = templates::continuationsOf(m_programs.loop.text);
+      m_options.writer->start(start);
       m_isRecording = true;
     }
   }

@@ -6,11 +6,14 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "base/contract.h"
+#include "base/text.h"
 #include "trace/frames.h"
 #include "trace/import/compression.h"
 #include "trace/lines.h"
@@ -44,6 +47,43 @@ void appendText(std::string& out, std::string_view key, std::string_view text) {
   out += key;
   out += '=';
   lines::appendQuoted(out, text);
+}
+
+/// "12>13>14,20>21": each block can follow the one before it.
+std::string printContinuations(const std::vector<base::Continuation>& continuations) {
+  std::string text;
+  base::LineNumber last;
+  for (const base::Continuation& one : continuations) {
+    if (text.empty() || one.from != last) {
+      text += fmt::format("{}{}", text.empty() ? "" : ",", one.from.value);
+    }
+    text += fmt::format(">{}", one.to.value);
+    last = one.to;
+  }
+  return text;
+}
+
+std::optional<std::vector<base::Continuation>> parseContinuations(std::string_view text) {
+  std::vector<base::Continuation> continuations;
+  while (!text.empty()) {
+    std::string_view chain = text.substr(0, text.find(','));
+    text.remove_prefix(std::min(text.size(), chain.size() + 1));
+    base::LineNumber before;
+    while (!chain.empty()) {
+      const std::string_view digits = chain.substr(0, chain.find('>'));
+      chain.remove_prefix(std::min(chain.size(), digits.size() + 1));
+      const auto line = base::parseInteger(digits);
+      if (!line || *line < 1) {
+        return std::nullopt;
+      }
+      const base::LineNumber now{static_cast<std::uint32_t>(*line)};
+      if (before.value != 0) {
+        continuations.push_back({before, now});
+      }
+      before = now;
+    }
+  }
+  return continuations;
 }
 
 template <class Number>
@@ -160,6 +200,13 @@ bool Reader::readRun(Fields fields) {
       start.startedAtUtc = fields.quoted();
     } else if (key == "run_number") {
       start.runNumber = fields.integer<int>();
+    } else if (key == "continues") {
+      const auto continuations = parseContinuations(fields.quoted());
+      if (continuations) {
+        start.continuations = *continuations;
+      } else {
+        fields.refuse();
+      }
     } else if (key == "user") {
       start.user = fields.quoted();
     } else if (key == "computer") {
@@ -400,6 +447,9 @@ bool RecordingWriter::start(const RunStart& start) {
   appendText(m_lines, "started_utc", start.startedAtUtc);
   if (start.runNumber != 0) {
     appendNumber(m_lines, "run_number", start.runNumber);
+  }
+  if (!start.continuations.empty()) {
+    appendText(m_lines, "continues", printContinuations(start.continuations));
   }
   if (!start.user.empty()) {
     appendText(m_lines, "user", start.user);

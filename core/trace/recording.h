@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/axes.h"
+#include "base/continuation.h"
 #include "base/instant.h"
 #include "base/result.h"
 #include "base/vec3.h"
@@ -34,12 +35,15 @@ struct RunStart {
   double feedMmPerS = 0.0;  ///< of all moves; with `feedOverride` the largest one
   std::string programName;
   std::string programHash;
-  std::string endpoint;       ///< of the OPC UA server, or "simulated <preset> <seed>"
-  std::string startedAtUtc;   ///< ISO 8601, given by the caller (core reads no clock); may be empty
-  std::string axes{};         ///< letters of the axes that were streamed, "XYZAC"; empty: XYZ
-  int runNumber = 0;          ///< by which the control knows the run; 0: none
-  std::string user{};         ///< who started it; may be empty
-  std::string computer{};     ///< where; may be empty
+  std::string endpoint;      ///< of the OPC UA server, or "simulated <preset> <seed>"
+  std::string startedAtUtc;  ///< ISO 8601, given by the caller (core reads no clock); may be empty
+  std::string axes{};        ///< letters of the axes that were streamed, "XYZAC"; empty: XYZ
+  int runNumber = 0;         ///< by which the control knows the run; 0: none
+  std::string user{};        ///< who started it; may be empty
+  std::string computer{};    ///< where; may be empty
+  /// Of the program on the control, ascending. Between all other motion blocks of it the axes stop
+  /// for a STOPRE. Empty: not known.
+  std::vector<base::Continuation> continuations{};
   double feedOverride = 0.0;  ///< factor on the feeds of the program; 0: one feed for all moves
 };
 

@@ -110,7 +110,25 @@ struct Tally {
   std::size_t cleanByPositions = 0;
   std::size_t faultyByPositions = 0;
   std::map<std::string, std::size_t> methods;
+  /// Stops by their cause; those of recordings that do not know the program on the control, too.
+  std::map<std::string, std::size_t> causes;
+  std::map<std::string, std::size_t> causesWithoutProgram;
 };
+
+std::string printed(const std::map<std::string, std::size_t>& counts) {
+  std::string text;
+  for (const auto& [name, count] : counts) {
+    text += (text.empty() ? "" : ", ") + name + " " + std::to_string(count);
+  }
+  return text;
+}
+
+void count(const std::vector<trace::Standstill>& stops,
+           std::map<std::string, std::size_t>& causes) {
+  for (const trace::Standstill& stop : stops) {
+    ++causes[std::string(trace::stopCauseName(stop.cause))];
+  }
+}
 
 }  // namespace
 
@@ -143,12 +161,16 @@ class TestTraceAgreement : public QObject {
         }
       };
 
-      const auto recording = trace::parseRecording(run.recording);
+      auto recording = trace::parseRecording(run.recording);
       QVERIFY(recording.has_value());
       trace::TraceSubject subject;
       subject.toleranceMm = toleranceFor(drawn.pointsMm);
       subject.recording = &*recording;
-      compare("recording", printed(trace::analyseTrace(subject).blocks));
+      const trace::TraceAnalysis recorded = trace::analyseTrace(subject);
+      compare("recording", printed(recorded.blocks));
+      count(recorded.stops, tally.causes);
+      recording->start.continuations.clear();
+      count(trace::analyseTrace(subject).stops, tally.causesWithoutProgram);
 
       const auto bare =
           trace::parseControlTrace(trace::printControlTrace(*run.report.controlTrace));
@@ -176,13 +198,11 @@ class TestTraceAgreement : public QObject {
               qPrintable(printed(analysis.path)), qPrintable(expected));
       }
     }
-    std::string methods;
-    for (const auto& [method, runs] : tally.methods) {
-      methods += method + " " + std::to_string(runs) + " ";
-    }
     qInfo("%zu runs (%s): %zu faultless, %zu faulty; by positions alone %zu and %zu", tally.runs,
-          methods.c_str(), tally.faultless, tally.faulty, tally.cleanByPositions,
+          printed(tally.methods).c_str(), tally.faultless, tally.faulty, tally.cleanByPositions,
           tally.faultyByPositions);
+    qInfo("stops: %s; without the program on the control: %s", printed(tally.causes).c_str(),
+          printed(tally.causesWithoutProgram).c_str());
     QVERIFY2(disagreements.isEmpty(), qPrintable(disagreements.join(u'\n')));
     QVERIFY(tally.faulty > 0 && tally.faultless > 0);
   }

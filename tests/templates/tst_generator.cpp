@@ -5,9 +5,11 @@
 
 #include <QFile>
 #include <QtTest>
+#include <algorithm>
 #include <set>
 
 #include "support/test_program.h"
+#include "templates/continuation.h"
 #include "templates/generator.h"
 
 using namespace rivulet;
@@ -95,6 +97,40 @@ class TestGenerator : public QObject {
     QCOMPARE(linesOf(*text), linesOf(file.readAll().toStdString()));
     file.seek(0);
     QCOMPARE(actual, file.readAll());
+  }
+
+  /// Within a window the axes go on; from one window to the next, full or short, they stop. With
+  /// method credit they go on there, too.
+  void saysBetweenWhichBlocksItStops() {
+    for (const bool isCredit : {false, true}) {
+      TemplateParameters parameters;
+      parameters.method = isCredit ? MethodKind::Credit : MethodKind::Window;
+      parameters.pointsPerLoop = 3;
+      const auto text = templates::generateTemplate(parameters);
+      QVERIFY(text);
+      const QStringList lines = QString::fromStdString(*text).split(QLatin1Char('\n'));
+      std::vector<std::uint32_t> motion;
+      for (qsizetype i = 0; i < lines.size(); ++i) {
+        if (lines[i].startsWith(QStringLiteral("G1 "))) {
+          motion.push_back(static_cast<std::uint32_t>(i + 1));
+        }
+      }
+      const auto continuations = templates::continuationsOf(*text);
+      const auto goesOn = [&](std::size_t from, std::size_t to) {
+        const base::Continuation wanted{base::LineNumber{motion[from]},
+                                        base::LineNumber{motion[to]}};
+        return std::binary_search(continuations.begin(), continuations.end(), wanted);
+      };
+      QCOMPARE(motion.size(), std::size_t{6});  // a full window, and a short one
+      QVERIFY(goesOn(0, 1) && goesOn(1, 2) && goesOn(3, 4) && goesOn(4, 5));
+      QVERIFY(!goesOn(0, 2) && !goesOn(1, 0));
+      for (const std::size_t next : {std::size_t{0}, std::size_t{3}}) {
+        QCOMPARE(goesOn(2, next), isCredit);
+        QCOMPARE(goesOn(4, next), isCredit);
+      }
+    }
+    QVERIFY(templates::continuationsOf("").empty());
+    QVERIFY(templates::continuationsOf("G1 X1\nG1 X2\nM30\n").empty());  // it never stops
   }
 
   void everyTemplateIsPlainText() {

@@ -111,6 +111,25 @@ class TestRecording : public QObject {
     QVERIFY(parseRecording(text)->controlTrace->truncated);
   }
 
+  /// Which blocks of the program on the control follow each other without a stop.
+  void continuationsAreKept() {
+    const auto step = [](std::uint32_t from, std::uint32_t to) {
+      return rivulet::base::Continuation{rivulet::base::LineNumber{from},
+                                         rivulet::base::LineNumber{to}};
+    };
+    Recording recording = smallRecording();
+    recording.start.continuations = {step(12, 13), step(13, 14), step(14, 12), step(14, 20)};
+    const std::string text = printRecording(recording);
+    QVERIFY2(text.find(" continues=\"12>13>14>12,14>20\"") != std::string::npos, text.c_str());
+    QVERIFY(parseRecording(text)->start.continuations == recording.start.continuations);
+    QVERIFY(parseRecording(printRecording(smallRecording()))->start.continuations.empty());
+    for (const char* wrong : {"12>x", "0>1", "12>>13"}) {
+      std::string damaged = text;
+      damaged.replace(damaged.find("12>13>14>12"), 11, wrong);
+      QVERIFY(parseRecording(damaged)->unreadableLines > 0);
+    }
+  }
+
   void readsBackWhatWasWritten() {
     const Recording recording = smallRecording();
     const std::string text = printRecording(recording);

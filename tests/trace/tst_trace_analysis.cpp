@@ -166,6 +166,65 @@ class TestTraceAnalysis : public QObject {
     QCOMPARE(quality.corners.size(), std::size_t{4});
   }
 
+  /// A recording knows between which blocks of the program on the control there is a STOPRE.
+  void tellsAStopreByTheProgram_data() {
+    QTest::addColumn<QList<QPair<int, int>>>("continuations");
+    QTest::addColumn<int>("before");
+    QTest::addColumn<int>("after");
+    QTest::addColumn<bool>("endsBlock");
+    QTest::addColumn<QString>("evidence");
+    const QList<QPair<int, int>> windows{{10, 11}, {20, 21}};
+    QTest::newRow("next window, short")
+        << windows << 11 << 20 << true << "has a STOPRE between line 11 and line 20";
+    QTest::newRow("next window, full")
+        << windows << 11 << 10 << true << "has a STOPRE between line 11 and line 10";
+    QTest::newRow("next window of one point")
+        << windows << 20 << 20 << true << "has a STOPRE between line 20 and line 20";
+    QTest::newRow("within a block") << windows << 20 << 20 << false << "";
+    QTest::newRow("within a window") << windows << 10 << 11 << true << "";
+    QTest::newRow("over a block without a sample")
+        << QList<QPair<int, int>>{{11, 12}, {12, 20}} << 11 << 20 << true << "";
+    QTest::newRow("not recorded, back")
+        << QList<QPair<int, int>>{} << 11 << 10 << true << "jumps from line 11 back to line 10";
+    QTest::newRow("not recorded, on") << QList<QPair<int, int>>{} << 11 << 20 << true << "";
+  }
+  void tellsAStopreByTheProgram() {
+    using Lines = QList<QPair<int, int>>;
+    QFETCH(Lines, continuations);
+    QFETCH(int, before);
+    QFETCH(int, after);
+    QFETCH(bool, endsBlock);
+    QFETCH(QString, evidence);
+    const auto line = [](int number) {
+      return base::LineNumber{static_cast<std::uint32_t>(number)};
+    };
+    Recording recording;
+    for (const auto& [from, to] : continuations) {
+      recording.start.continuations.push_back({line(from), line(to)});
+    }
+    ControlTrace& trace = recording.controlTrace.emplace();
+    const auto at = [](int step) { return base::Instant{std::chrono::milliseconds{4 * step}}; };
+    double xMm = 0.0;
+    for (int step = 0; step < 60; ++step) {
+      const bool stands = step >= 20 && step < 40;
+      xMm += stands ? 0.0 : 0.04;
+      trace.samples.push_back({at(step),
+                               {xMm, 0.0, 0.0},
+                               {xMm, 0.0, 0.0},
+                               stands ? 0.0 : 10.0,
+                               line(step < 40 ? before : after)});
+    }
+    trace.blocks.push_back({at(0), at(endsBlock ? 20 : 59), line(before), {0.8, 0.0, 0.0}, 0.8});
+    TraceSubject subject;
+    subject.recording = &recording;
+    const std::vector<Standstill> stops = analyseTrace(subject).stops;
+    QCOMPARE(stops.size(), std::size_t{1});
+    QCOMPARE(stopCauseName(stops[0].cause),
+             std::string_view(evidence.isEmpty() ? "unknown" : "preprocessor stop"));
+    QVERIFY2(QString::fromStdString(stops[0].evidence).endsWith(evidence),
+             stops[0].evidence.c_str());
+  }
+
   /// The recordings of another control: which stops there are is known from their programs.
   void agreesWithTheGroundTruth_data() {
     QTest::addColumn<QString>("trace");

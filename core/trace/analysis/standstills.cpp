@@ -33,6 +33,10 @@ constexpr Duration kExactStopMax = std::chrono::milliseconds{30};
 /// Data that arrived this long before the end of a stop ended it.
 constexpr Duration kDataLeadMax = std::chrono::milliseconds{60};
 
+constexpr std::array<std::string_view, 8> kStopCauseNames{
+    "unknown",          "exact stop",       "dwell", "programmed stop", "tool change", "hold",
+    "waiting for data", "preprocessor stop"};
+
 double standstillMmPerS(const Motion& motion) {
   const double exact = PauseOptions{}.standstillMmPerSMax;
   if (motion.hasSpeed || motion.hasSet) {
@@ -183,14 +187,72 @@ bool findData(Standstill& stop, const Recording* recording) {
   return false;
 }
 
-/// The line before the stop is after the line behind it: the loop of a flexible program.
-bool findLoop(Standstill& stop, const Motion& motion) {
+/// Whether blocks that follow each other lead from a line to another one. Short blocks between them
+/// may have no sample.
+bool isReached(const std::vector<base::Continuation>& continuations, std::uint32_t from,
+               std::uint32_t to) {
+  std::vector<bool> isSeen(continuations.size(), false);
+  std::vector<std::uint32_t> next{from};
+  while (!next.empty()) {
+    const base::LineNumber line{next.back()};
+    next.pop_back();
+    const auto first = std::lower_bound(
+        continuations.begin(), continuations.end(), line,
+        [](const base::Continuation& one, base::LineNumber wanted) { return one.from < wanted; });
+    for (auto one = first; one != continuations.end() && one->from == line; ++one) {
+      const auto index = static_cast<std::size_t>(one - continuations.begin());
+      if (one->to.value == to) {
+        return true;
+      }
+      if (!isSeen[index]) {
+        isSeen[index] = true;
+        next.push_back(one->to.value);
+      }
+    }
+  }
+  return false;
+}
+
+/// Whether a block ends within the stop. Without one, the axes stood in the middle of a block.
+bool isBetweenBlocks(const Standstill& stop, const Motion& motion, const ControlTrace& trace) {
+  const base::Instant from = stop.start - motion.step;
+  const base::Instant to = stop.start + stop.duration + motion.step;
+  return std::any_of(trace.blocks.begin(), trace.blocks.end(), [&](const ExecutedBlock& block) {
+    return block.to >= from && block.to <= to;
+  });
+}
+
+/// The recording says which blocks of the program on the control follow each other without a
+/// STOPRE. @param after  line behind the stop
+bool findStopre(Standstill& stop, std::uint32_t after, const Motion& motion,
+                const Recording& recording) {
+  const std::vector<base::Continuation>& continuations = recording.start.continuations;
+  if (continuations.empty() || !recording.controlTrace ||
+      isReached(continuations, stop.line, after) ||
+      !isBetweenBlocks(stop, motion, *recording.controlTrace)) {
+    return false;
+  }
+  setCause(stop, StopCause::PreprocessorStop,
+           fmt::format("the program on the control has a STOPRE between line {} and line {}",
+                       stop.line, after));
+  return true;
+}
+
+/// The STOPRE of a flexible program. Where it is not known, a line before the stop that is after
+/// the line behind it tells: the program jumps back to its loop.
+bool findLoop(Standstill& stop, const Motion& motion, const Recording* recording) {
   const std::size_t next = indexAt(motion, stop.start + stop.duration) + 1;
   if (!motion.hasLine || next >= motion.samples.size()) {
     return false;
   }
   const std::uint32_t after = motion.samples[next].line;
-  if (stop.line == 0 || after == 0 || after >= stop.line) {
+  if (stop.line == 0 || after == 0) {
+    return false;
+  }
+  if (recording != nullptr && findStopre(stop, after, motion, *recording)) {
+    return true;
+  }
+  if (after >= stop.line) {
     return false;
   }
   setCause(stop, StopCause::PreprocessorStop,
@@ -202,10 +264,7 @@ bool findLoop(Standstill& stop, const Motion& motion) {
 }  // namespace
 
 std::string_view stopCauseName(StopCause cause) {
-  static constexpr std::array<std::string_view, 8> kNames{
-      "unknown",          "exact stop",       "dwell", "programmed stop", "tool change", "hold",
-      "waiting for data", "preprocessor stop"};
-  return kNames[static_cast<std::size_t>(cause)];
+  return kStopCauseNames[static_cast<std::size_t>(cause)];
 }
 
 std::vector<Standstill> findStandstills(const Motion& motion) {
@@ -236,7 +295,7 @@ std::vector<Standstill> findStandstills(const Motion& motion) {
 void findCauses(std::vector<Standstill>& stops, const Motion& motion, const Recording* recording) {
   for (Standstill& stop : stops) {
     if (findEvent(stop, motion) || findHold(stop, motion) || findData(stop, recording) ||
-        findLoop(stop, motion)) {
+        findLoop(stop, motion, recording)) {
       continue;
     }
     const auto turn = stop.duration <= kExactStopMax ? turnAt(motion, stop) : std::nullopt;
