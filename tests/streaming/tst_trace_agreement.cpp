@@ -123,8 +123,8 @@ std::string printed(const std::map<std::string, std::size_t>& counts) {
   return text;
 }
 
-void count(const std::vector<trace::Standstill>& stops,
-           std::map<std::string, std::size_t>& causes) {
+void countCauses(const std::vector<trace::Standstill>& stops,
+                 std::map<std::string, std::size_t>& causes) {
   for (const trace::Standstill& stop : stops) {
     ++causes[std::string(trace::stopCauseName(stop.cause))];
   }
@@ -168,9 +168,9 @@ class TestTraceAgreement : public QObject {
       subject.recording = &*recording;
       const trace::TraceAnalysis recorded = trace::analyseTrace(subject);
       compare("recording", printed(recorded.blocks));
-      count(recorded.stops, tally.causes);
+      countCauses(recorded.stops, tally.causes);
       recording->start.continuations.clear();
-      count(trace::analyseTrace(subject).stops, tally.causesWithoutProgram);
+      countCauses(trace::analyseTrace(subject).stops, tally.causesWithoutProgram);
 
       const auto bare =
           trace::parseControlTrace(trace::printControlTrace(*run.report.controlTrace));
