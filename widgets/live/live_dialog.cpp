@@ -320,6 +320,11 @@ live::Setup LiveDialog::setup() const {
 }
 
 void LiveDialog::tryOpen() {
+  if (m_kind->currentData().toInt() == Server && m_file->text().trimmed().isEmpty()) {
+    m_answer->setStatus(Status::Attention, tr("Choose the file of the source"));
+    m_answer->setVisible(true);
+    return;
+  }
   const live::Setup wanted = setup();
   if (const base::Result<void> sound = live::requireSound(wanted); !sound) {
     m_answer->setStatus(Status::Fault, errorText(sound.error()));
