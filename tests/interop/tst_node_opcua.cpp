@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Rivulet beside an OPC UA stack that others wrote: node-opcua, as the server that the command
+/// line connects to, and as the client of rivulet-machine behind it. Skipped where node-opcua is
+/// not installed; scripts/interop does that.
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cmath>
+#include <memory>
+
+#include "base/axes.h"
+#include "opcua/node_map.h"
+#include "support/machine_process.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+
+namespace {
+
+constexpr int kPatienceMs = 120'000;
+constexpr int kPoints = 20;
+const QString kUser = QStringLiteral("setter");
+const QString kPassword = QStringLiteral("only for this test");
+
+/// Where node finds the library; empty: nowhere.
+QString modules() {
+  const QString folder = qEnvironmentVariable(
+      "RIVULET_NODE_MODULES", QStringLiteral(RIVULET_SOURCE_DIR "/build/interop/node_modules"));
+  return QFile::exists(folder + QStringLiteral("/node-opcua/package.json")) ? folder : QString();
+}
+
+/// Everything that Rivulet reads or writes on a machine with five axes.
+QJsonArray variables() {
+  using opcua::VariableKind;
+  QJsonArray list;
+  const auto add = [&list](VariableKind kind, int index) {
+    list.append(QString::fromStdString(opcua::nodeIdentifier({kind, index})));
+  };
+  for (int number = 0; number < 1000; ++number) {
+    add(VariableKind::RParameter, number);
+  }
+  for (std::size_t axis = 0; axis < base::kAxisCount + base::kRotaryAxisCount; ++axis) {
+    for (const auto kind :
+         {VariableKind::ActualPosition, VariableKind::DistanceToGo, VariableKind::AxisName}) {
+      add(kind, static_cast<int>(axis));
+    }
+  }
+  for (const auto kind : {VariableKind::PathFeed, VariableKind::ProgramStatus,
+                          VariableKind::ChannelStatus, VariableKind::LineNumber,
+                          VariableKind::ProgramName, VariableKind::Message, VariableKind::Alarm}) {
+    add(kind, 0);
+  }
+  return list;
+}
+
+/// An arc of points that are 1 mm apart.
+QByteArray program() {
+  QByteArray text = "G17 G90 G71 G94\nG0 X0 Y0 Z50\n";
+  for (int i = 1; i < kPoints; ++i) {
+    const double angle = 0.2 * i;
+    text += "G1 X" + QByteArray::number(5.0 * std::sin(angle), 'f', 3) + " Y" +
+            QByteArray::number(5.0 - 5.0 * std::cos(angle), 'f', 3) + " F300\n";
+  }
+  return text + "M30\n";
+}
+
+}  // namespace
+
+class TestNodeOpcua : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    const QString node = QStandardPaths::findExecutable(QStringLiteral("node"));
+    if (node.isEmpty() || modules().isEmpty()) {
+      QSKIP("node-opcua is not installed: scripts/interop installs it and runs this test.");
+    }
+    write("arc.mpf", program());
+    m_machine = std::make_unique<tests::MachineProcess>(QStringLiteral(RIVULET_MACHINE));
+    QVERIFY(!m_machine->endpoint().isEmpty());
+    write("plan.json",
+          QJsonDocument(QJsonObject{{QStringLiteral("upstream"), m_machine->endpoint()},
+                                    {QStringLiteral("folder"), m_folder.path()},
+                                    {QStringLiteral("user"), kUser},
+                                    {QStringLiteral("password"), kPassword},
+                                    {QStringLiteral("variables"), variables()}})
+              .toJson());
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("NODE_PATH"), modules());
+    m_front.setProcessEnvironment(environment);
+    m_front.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    m_front.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGKILL); });
+    m_front.start(node, {QStringLiteral(RIVULET_SOURCE_DIR "/tests/interop/node_opcua_front.js"),
+                         m_folder.filePath(QStringLiteral("plan.json"))});
+    while (m_endpoint.isEmpty() &&
+           (m_front.canReadLine() || m_front.waitForReadyRead(kPatienceMs))) {
+      const QJsonObject said = QJsonDocument::fromJson(m_front.readLine()).object();
+      m_endpoint = said[QStringLiteral("endpoint")].toString();
+      m_fingerprint = said[QStringLiteral("fingerprint")].toString();
+    }
+    QVERIFY(!m_endpoint.isEmpty());
+  }
+  void cleanupTestCase() {
+    m_front.terminate();
+    m_front.waitForFinished(kPatienceMs);
+  }
+
+  /// Comes first: afterwards the certificate is known.
+  void anUnknownServerIsRefused() {
+    QProcess run;
+    start(run, {QStringLiteral("--security"), QStringLiteral("strongest"), QStringLiteral("rights"),
+                QStringLiteral("--endpoint"), m_endpoint});
+    const QByteArray said = run.readAllStandardError();
+    QCOMPARE(run.exitCode(), 3);
+    QVERIFY2(said.contains("--trust"), said.constData());
+  }
+
+  void aWrongPasswordIsRefused() {
+    QProcess run;
+    start(run,
+          protectedBy(QStringLiteral("encrypted")) +
+              QStringList{QStringLiteral("rights"), QStringLiteral("--endpoint"), m_endpoint},
+          QStringLiteral("wrong"));
+    QCOMPARE(run.exitCode(), 3);
+  }
+
+  /// Method credit is allowed on a control that has passed it.
+  void theTestOfCreditPasses() {
+    QProcess run;
+    start(run,
+          protectedBy(QStringLiteral("encrypted")) +
+              QStringList{QStringLiteral("commission"), QStringLiteral("--endpoint"), m_endpoint});
+    const QByteArray said = run.readAllStandardError() + run.readAllStandardOutput();
+    QVERIFY2(run.exitCode() == 0, said.constData());
+  }
+
+  void everyPointIsExecutedOnce_data() {
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<QString>("protection");
+    for (const char* method : {"window", "credit", "file", "signal", "position"}) {
+      for (const char* protection : {"plain", "encrypted"}) {
+        QTest::addRow("%s, %s", method, protection)
+            << QString::fromUtf8(method) << QString::fromUtf8(protection);
+      }
+    }
+  }
+  void everyPointIsExecutedOnce() {
+    QFETCH(QString, method);
+    QFETCH(QString, protection);
+    QProcess run;
+    start(run,
+          protectedBy(protection) +
+              QStringList{QStringLiteral("stream"), m_folder.filePath(QStringLiteral("arc.mpf")),
+                          QStringLiteral("--motion-only"), QStringLiteral("--method"), method,
+                          QStringLiteral("--feed"), QStringLiteral("300"), QStringLiteral("--json"),
+                          QStringLiteral("--endpoint"), m_endpoint});
+    const QByteArray said = run.readAllStandardError();
+    const QJsonObject report = QJsonDocument::fromJson(run.readAllStandardOutput()).object();
+    QVERIFY2(run.exitCode() == 0, said.constData());
+    QCOMPARE(report[QStringLiteral("executed")].toInt(), kPoints);
+    QVERIFY(report[QStringLiteral("judged")].toBool());
+    for (const char* wrong : {"repeated", "skipped", "foreign", "out_of_order"}) {
+      QCOMPARE(report[QString::fromUtf8(wrong)].toInt(-1), 0);
+    }
+  }
+
+  void theAccessTimeIsMeasured() {
+    QProcess run;
+    start(run, protectedBy(QStringLiteral("encrypted")) +
+                   QStringList{QStringLiteral("calibrate"), QStringLiteral("--json"),
+                               QStringLiteral("--first-cell"), QStringLiteral("60"),
+                               QStringLiteral("--last-cell"), QStringLiteral("99"),
+                               QStringLiteral("--shots"), QStringLiteral("20"),
+                               QStringLiteral("--endpoint"), m_endpoint});
+    const QByteArray said = run.readAllStandardError();
+    QVERIFY2(run.exitCode() == 0, said.constData());
+    QVERIFY(!QJsonDocument::fromJson(run.readAllStandardOutput()).object().isEmpty());
+  }
+
+ private:
+  void write(const char* name, const QByteArray& text) {
+    QFile file(m_folder.filePath(QString::fromUtf8(name)));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+  }
+  [[nodiscard]] QStringList protectedBy(const QString& protection) const {
+    return protection == QStringLiteral("plain")
+               ? QStringList{QStringLiteral("--security"), QStringLiteral("none")}
+               : QStringList{QStringLiteral("--security"), QStringLiteral("strongest"),
+                             QStringLiteral("--trust"),    m_fingerprint,
+                             QStringLiteral("--user"),     kUser};
+  }
+  void start(QProcess& run, const QStringList& arguments, const QString& password = kPassword) {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* folder : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
+      environment.insert(QString::fromUtf8(folder), m_folder.path());
+    }
+    environment.insert(QStringLiteral("RIVULET_PASSWORD"), password);
+    run.setProcessEnvironment(environment);
+    run.start(QStringLiteral(RIVULET_CLI), arguments);
+    QVERIFY(run.waitForFinished(kPatienceMs));
+  }
+
+  QTemporaryDir m_folder;
+  std::unique_ptr<tests::MachineProcess> m_machine;
+  QProcess m_front;
+  QString m_endpoint;
+  QString m_fingerprint;
+};
+
+RIVULET_TEST(TestNodeOpcua)
+#include "tst_node_opcua.moc"
