@@ -8458,7 +8458,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     </message>
     <message>
         <source>Live samples: read while the stream has time; short pauses may be missing from the curves</source>
-        <translation>Live-Messwerte: gelesen, solange der Strom Zeit hat; kurze Pausen können in den Kurven fehlen</translation>
+        <translation>Live-Messwerte: gelesen, wenn das Streamen Zeit lässt; kurze Pausen können in den Kurven fehlen</translation>
     </message>
     <message>
         <source>The control&apos;s own trace: one sample every %1</source>

@@ -70,7 +70,7 @@ PathPane::PathPane(ScopeCurves* curves, TimeWindow* window, ScopeCursors* cursor
 }
 
 QSize PathPane::minimumSizeHint() const {
-  return {160, 180};
+  return {160, 150};
 }
 
 void PathPane::schedule() {
@@ -159,12 +159,32 @@ QPointF PathPane::pixelOf(base::Vec3 positionMm) const {
           middle.y() - (place.up - m_middle.up) * m_pxPerMm};
 }
 
+/// Where a sample is on the programmed path. One that hardly moves has no length of its own: it is
+/// nearest to a place between those of its neighbours, which need not be that of the same time.
+double PathPane::lengthOn(const Course& course, base::Instant at, base::Vec3 positionMm) {
+  const trace::Envelope& lengths = *course.lengthMm;
+  const std::size_t next = lengths.firstAt(at);
+  if (next < lengths.size() && lengths.timeAt(next) == at) {
+    return lengths.valueAt(next);
+  }
+  if (next == 0 || next == lengths.size()) {
+    return trace::kNoValue;
+  }
+  const double fromMm = lengths.valueAt(next - 1);
+  const double toMm = lengths.valueAt(next);
+  if (!std::isfinite(fromMm) || !std::isfinite(toMm)) {
+    return trace::kNoValue;
+  }
+  return course.program->nearest(positionMm, std::min(fromMm, toMm), std::max(fromMm, toMm))
+      .lengthMm;
+}
+
 PathPane::Place PathPane::placeOn(const Course& course, base::Instant at,
                                   base::Vec3 positionMm) const {
   constexpr double kNone = trace::kNoValue;
   Place place{base::toSeconds(at), positionMm, {kNone, kNone, kNone}, kNone};
   if (m_enlargement > 1.0 && course.program && course.lengthMm) {
-    const double lengthMm = trace::valueAt(*course.lengthMm, at);
+    const double lengthMm = lengthOn(course, at, positionMm);
     if (std::isfinite(lengthMm)) {
       place.programmedMm = course.program->at(lengthMm);
       place.shownMm = place.programmedMm + m_enlargement * (positionMm - place.programmedMm);

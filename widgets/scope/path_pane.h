@@ -98,6 +98,8 @@ class PathPane final : public Page {
   void turn(double byDeg, double tiltByDeg);
   void chooseAt(QPointF place, bool isSecond);
   [[nodiscard]] Course courseOf(std::size_t trace) const;
+  [[nodiscard]] static double lengthOn(const Course& course, base::Instant at,
+                                       base::Vec3 positionMm);
   [[nodiscard]] Place placeOn(const Course& course, base::Instant at, base::Vec3 positionMm) const;
   [[nodiscard]] std::optional<Place> placeAt(double atS) const;
   [[nodiscard]] QRectF room() const;

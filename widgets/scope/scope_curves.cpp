@@ -252,14 +252,20 @@ void ScopeCurves::showDifferences(bool wanted) {
   }
 }
 
+std::vector<SignalOffer> ScopeCurves::liveOffers() {
+  std::vector<SignalOffer> offers;
+  for (const char* name : {"x_act", "y_act", "z_act"}) {
+    const std::string label(1, static_cast<char>(name[0] - 'a' + 'A'));
+    offers.push_back({SignalGroup::Actual, label, name, "mm"});
+  }
+  offers.push_back({SignalGroup::Speed, "", "per_min(path_speed)", "mm/min"});
+  return offers;
+}
+
 void ScopeCurves::startLive() {
   setTraces({});
   m_isLive = true;
-  for (const char* name : {"x_act", "y_act", "z_act"}) {
-    const std::string label(1, static_cast<char>(name[0] - 'a' + 'A'));
-    m_offers.push_back({SignalGroup::Actual, label, name, "mm"});
-  }
-  m_offers.push_back({SignalGroup::Speed, "", "per_min(path_speed)", "mm/min"});
+  m_offers = liveOffers();
   for (const SignalOffer& offer : m_offers) {
     m_live[QString::fromStdString(offer.formula)] = std::make_shared<trace::Envelope>();
   }

@@ -51,6 +51,8 @@ class ScopeCurves final : public QObject {
   [[nodiscard]] QString title(const QString& formula) const;
   [[nodiscard]] QString unit(const QString& formula) const;
 
+  /// What is seen of every run while it lasts.
+  [[nodiscard]] static std::vector<trace::SignalOffer> liveOffers();
   /// Begins a run: an empty trace to which values are appended.
   void startLive();
   /// A value that is older than the last one is shown at the time of that.

@@ -114,21 +114,16 @@ TriggerPanel::TriggerPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors
   layout->addStretch(1);
   connect(m_condition, &QComboBox::currentIndexChanged, this, &TriggerPanel::showFields);
   connect(m_signal, &QComboBox::currentIndexChanged, this, &TriggerPanel::showFields);
-  connect(m_curves, &ScopeCurves::tracesChanged, this, &TriggerPanel::listSignals);
   connect(m_arm, &QPushButton::clicked, this, &TriggerPanel::arm);
   retranslate();
 }
 
-/// Those of the live view; while files are shown, those that were offered last.
+/// Those of the live view, whatever is shown: a trigger may be armed before a run.
 void TriggerPanel::listSignals() {
-  const auto offers = m_curves->offers();
-  if (!m_curves->isLive() || offers.empty()) {
-    return;
-  }
   const QString chosen = formula();
   const QSignalBlocker quiet(m_signal);
   m_signal->clear();
-  for (const trace::SignalOffer& offer : offers) {
+  for (const trace::SignalOffer& offer : ScopeCurves::liveOffers()) {
     m_signal->addItem(signalTitle(offer), QString::fromStdString(offer.formula));
     m_signal->setItemData(m_signal->count() - 1, QString::fromStdString(offer.unit),
                           Qt::UserRole + 1);
@@ -193,7 +188,6 @@ void TriggerPanel::restart() {
     m_trigger.emplace(m_trigger->settings());
   }
   m_firedAtS.reset();
-  listSignals();
   showState();
 }
 

@@ -658,10 +658,49 @@ class TestTracePage : public QObject {
     QVERIFY2(problem->text().contains("w_act"), qPrintable(problem->text()));
   }
 
+  /// While the set point stands, the axes still close up. What is enlarged is how far they are off
+  /// the path, not where on it they are.
+  void anEnlargedErrorHasNoSpurs() {
+    const auto program = test::programFrom("LINE.MPF", "G17 G90\nG1 X10 Y0 Z0 F600\nM30\n");
+    trace::ControlTrace motion;
+    motion.cycle = std::chrono::milliseconds{4};
+    double setMm = 0.0;
+    double actualMm = 0.0;
+    for (int i = 0; i < 320; ++i) {
+      const bool stands = i >= 120 && i < 190;
+      setMm = std::min(10.0, setMm + (stands ? 0.0 : 0.04));
+      actualMm += 0.08 * (setMm - actualMm);
+      trace::ControlSample sample;
+      sample.at = base::Instant{std::chrono::milliseconds{4 * i}};
+      sample.commandMm = {setMm, 0.0, 0.0};
+      sample.actualMm = {actualMm, 0.01, 0.0};
+      sample.feedMmPerS = stands ? 0.0 : 10.0;
+      motion.samples.push_back(sample);
+    }
+    TracePage page;
+    page.showTraces({test::shownTrace(motion, "a", program.get())}, TracePage::Source::Files);
+    page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(3);
+    auto* path = page.findChild<PathPane*>("scopePath");
+    path->setEnlargement(100.0);
+    static_cast<void>(test::picture(page, {1000, 760}));
+    int seen = 0;
+    for (int i = 40; i < 240; ++i) {  // at first the axes are before the path
+      const auto shown = path->shownMm(0.004 * i);
+      QVERIFY(shown);
+      const base::Vec3 expected{motion.samples[static_cast<std::size_t>(i)].actualMm.x, 1.0, 0.0};
+      QVERIFY2(base::distance(*shown, expected) < 1e-4,
+               qPrintable(QStringLiteral("sample %1: %2 %3")
+                              .arg(i)
+                              .arg(shown->x - expected.x)
+                              .arg(shown->y - expected.y)));
+      ++seen;
+    }
+    QCOMPARE(seen, 200);
+  }
+
   void aTriggerFreezesTheLiveView() {
     test::Language language;
     TracePage page;
-    page.clear();
     page.findChild<QTabWidget*>("tracePanel")->setCurrentIndex(6);
     static_cast<void>(test::picture(page, {1000, 700}));
     auto* arm = page.findChild<QPushButton*>("triggerArm");
