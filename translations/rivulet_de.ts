@@ -3217,6 +3217,10 @@
         <source>Margin; of the slowest 1 %</source>
         <translation>Reserve; der langsamsten 1&#xa0;%</translation>
     </message>
+    <message>
+        <source>Path speed, cut off above %1 mm/min; stops are orange</source>
+        <translation>Bahngeschwindigkeit, oberhalb %1 mm/min abgeschnitten; Halte sind orange</translation>
+    </message>
 </context>
 <context>
     <name>TracesPage</name>

@@ -3217,6 +3217,10 @@
         <source>Margin; of the slowest 1 %</source>
         <translation>Margen; del 1&#xa0;% más lento</translation>
     </message>
+    <message>
+        <source>Path speed, cut off above %1 mm/min; stops are orange</source>
+        <translation>Velocidad en la trayectoria, cortada por encima de %1 mm/min; paradas en naranja</translation>
+    </message>
 </context>
 <context>
     <name>TracesPage</name>

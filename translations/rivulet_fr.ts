@@ -3217,6 +3217,10 @@
         <source>Margin; of the slowest 1 %</source>
         <translation>Marge&#xa0;; des 1&#xa0;% plus lentes</translation>
     </message>
+    <message>
+        <source>Path speed, cut off above %1 mm/min; stops are orange</source>
+        <translation>Vitesse sur trajectoire, coupée au-dessus de %1 mm/min&#xa0;; arrêts en orange</translation>
+    </message>
 </context>
 <context>
     <name>TracesPage</name>

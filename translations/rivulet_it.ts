@@ -3217,6 +3217,10 @@
         <source>Margin; of the slowest 1 %</source>
         <translation>Margine; dell’1&#xa0;% più lento</translation>
     </message>
+    <message>
+        <source>Path speed, cut off above %1 mm/min; stops are orange</source>
+        <translation>Velocità sul percorso, tagliata sopra %1 mm/min; fermate in arancione</translation>
+    </message>
 </context>
 <context>
     <name>TracesPage</name>

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <map>
 
@@ -60,8 +61,16 @@ Slope slopeOf(const MachineTrend& trend, Figure figure) {
   return slope;
 }
 
+/// Three digits, without an exponent.
+std::string slopeText(double slope) {
+  const double size = std::abs(slope);
+  const int decimals =
+      size > 0.0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 9) : 0;
+  return fmt::format("{:+.{}f}", slope, decimals);
+}
+
 std::string perDayText(const Slope& slope) {
-  return slope.perDay ? fmt::format("{:+.4g}", *slope.perDay) : std::string("-");
+  return slope.perDay ? slopeText(*slope.perDay) : std::string("-");
 }
 
 nlohmann::ordered_json slopeJson(const Slope& slope) {
@@ -71,28 +80,70 @@ nlohmann::ordered_json slopeJson(const Slope& slope) {
            slope.perDay ? nlohmann::ordered_json(*slope.perDay) : nlohmann::ordered_json(nullptr)}};
 }
 
-experiments::Plot plotOf(const std::vector<MachineTrend>& trends, const char* title,
-                         const char* label, Figure figure) {
-  experiments::Plot plot{title, "Run of the machine", label, {}};
+/// Whether the runs of all machines are shown by their dates.
+bool isByDay(const std::vector<MachineTrend>& trends) {
+  double spanDays = 0.0;
   for (const MachineTrend& trend : trends) {
+    spanDays = std::max(spanDays, trend.spanDays);
+  }
+  return spanDays >= 1.0 && std::all_of(trends.begin(), trends.end(), [](const auto& trend) {
+           return std::all_of(trend.runs.begin(), trend.runs.end(),
+                              [](const RunFigures& run) { return run.atDay.has_value(); });
+         });
+}
+
+double firstDayOf(const std::vector<MachineTrend>& trends) {
+  double first = *trends.front().runs.front().atDay;
+  for (const MachineTrend& trend : trends) {
+    first = std::min(first, *trend.runs.front().atDay);
+  }
+  return std::floor(first);
+}
+
+std::string dateText(double day) {
+  const std::chrono::year_month_day date{
+      std::chrono::sys_days{std::chrono::days{static_cast<int>(day)}}};
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()),
+                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
+}
+
+/// The runs of each machine as points, and their line of least squares.
+std::string pictureOf(const std::vector<MachineTrend>& trends, const char* title, const char* label,
+                      Figure figure) {
+  const bool isDated = isByDay(trends);
+  const double firstDay = isDated ? firstDayOf(trends) : 0.0;
+  experiments::Plot plot{
+      title, isDated ? "Days since " + dateText(firstDay) : "Run of the machine", label, {}};
+  PlotLook look;
+  double largest = 0.0;
+  for (std::size_t machine = 0; machine < trends.size(); ++machine) {
+    const MachineTrend& trend = trends[machine];
     experiments::Series runs;
     runs.name = trend.machine;
     runs.style = experiments::SeriesStyle::Points;
+    double middle = 0.0;
+    for (const RunFigures& run : trend.runs) {
+      runs.x.push_back(isDated ? *run.atDay - firstDay : static_cast<double>(runs.x.size() + 1));
+      runs.y.push_back(run.*figure);
+      middle += runs.x.back() / static_cast<double>(trend.runs.size());
+      largest = std::max(largest, std::abs(run.*figure));
+    }
+    const Slope slope = slopeOf(trend, figure);
     experiments::Series line;
     line.name = trend.machine + ", trend";
-    const Slope slope = slopeOf(trend, figure);
-    for (const RunFigures& run : trend.runs) {
-      const auto number = static_cast<double>(runs.x.size() + 1);
-      runs.x.push_back(number);
-      runs.y.push_back(run.*figure);
-      line.x.push_back(number);
+    for (const double x : {runs.x.front(), runs.x.back()}) {
+      line.x.push_back(x);
       line.y.push_back(slope.mean +
-                       slope.perRun * (number - (static_cast<double>(trend.runs.size()) + 1) / 2));
+                       (isDated ? slope.perDay.value_or(0.0) : slope.perRun) * (x - middle));
     }
     plot.series.push_back(std::move(runs));
     plot.series.push_back(std::move(line));
+    look.colours.insert(look.colours.end(), {machine, machine});
   }
-  return plot;
+  // What changes by less is not worth a slope that looks steep.
+  constexpr double kShareSeen = 0.2;
+  look.ySpanMin = kShareSeen * largest;
+  return svgPlot(plot, look);
 }
 
 }  // namespace
@@ -147,11 +198,11 @@ std::string trendText(const std::vector<MachineTrend>& trends) {
                                  "machine", "runs", "days", "access_ms", "per_run", "per_day",
                                  "paused_s", "per_run", "per_day");
   for (const MachineTrend& trend : trends) {
-    text += fmt::format(
-        "{:40} {:>6} {:>8.1f} {:>12.4g} {:>+12.4g} {:>12} {:>12.4g} {:>+12.4g} {:>12}\n",
-        trend.machine, trend.runs.size(), trend.spanDays, trend.accessMs.mean,
-        trend.accessMs.perRun, perDayText(trend.accessMs), trend.pausedS.mean, trend.pausedS.perRun,
-        perDayText(trend.pausedS));
+    text +=
+        fmt::format("{:40} {:>6} {:>8.1f} {:>12.4g} {:>12} {:>12} {:>12.4g} {:>12} {:>12}\n",
+                    trend.machine, trend.runs.size(), trend.spanDays, trend.accessMs.mean,
+                    slopeText(trend.accessMs.perRun), perDayText(trend.accessMs),
+                    trend.pausedS.mean, slopeText(trend.pausedS.perRun), perDayText(trend.pausedS));
   }
   return text;
 }
@@ -170,18 +221,18 @@ nlohmann::ordered_json trendJson(const std::vector<MachineTrend>& trends) {
 
 std::string trendPicture(const std::vector<MachineTrend>& trends, bool isHtml) {
   const std::string access =
-      svgPlot(plotOf(trends, "Access time per run", "Mean access time, ms", &RunFigures::accessMs));
+      pictureOf(trends, "Access time per run", "Mean access time, ms", &RunFigures::accessMs);
   if (!isHtml) {
     return access;
   }
   std::string rows;
   for (const MachineTrend& trend : trends) {
     rows += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td>{:.1f}</td><td>{:.4g}</td><td>{:+.4g}</td><td>{}</td>"
-        "<td>{:.4g}</td><td>{:+.4g}</td><td>{}</td></tr>\n",
+        "<tr><td>{}</td><td>{}</td><td>{:.1f}</td><td>{:.4g}</td><td>{}</td><td>{}</td>"
+        "<td>{:.4g}</td><td>{}</td><td>{}</td></tr>\n",
         markupText(trend.machine), trend.runs.size(), trend.spanDays, trend.accessMs.mean,
-        trend.accessMs.perRun, perDayText(trend.accessMs), trend.pausedS.mean, trend.pausedS.perRun,
-        perDayText(trend.pausedS));
+        slopeText(trend.accessMs.perRun), perDayText(trend.accessMs), trend.pausedS.mean,
+        slopeText(trend.pausedS.perRun), perDayText(trend.pausedS));
   }
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Trend of the "
@@ -191,8 +242,7 @@ std::string trendPicture(const std::vector<MachineTrend>& trends, bool isHtml) {
       "<h1>Trend of the runs</h1>\n<table><tr><th>Machine</th><th>Runs</th><th>Days</th>"
       "<th>Access, ms</th><th>per run</th><th>per day</th><th>Paused, s</th><th>per run</th>"
       "<th>per day</th></tr>\n{}</table>\n{}\n{}\n</body></html>\n",
-      rows, access,
-      svgPlot(plotOf(trends, "Pauses per run", "Time in pauses, s", &RunFigures::pausedS)));
+      rows, access, pictureOf(trends, "Pauses per run", "Time in pauses, s", &RunFigures::pausedS));
 }
 
 }  // namespace rivulet::report

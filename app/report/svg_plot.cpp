@@ -75,7 +75,8 @@ class Scale {
 
 class Picture {
  public:
-  explicit Picture(const Plot& plot) : m_plot(plot), m_x(scaleOf(true)), m_y(scaleOf(false)) {}
+  Picture(const Plot& plot, const PlotLook& look)
+      : m_plot(plot), m_look(look), m_x(scaleOf(true)), m_y(scaleOf(false)) {}
 
   std::string draw() {
     const double height =
@@ -133,6 +134,11 @@ class Picture {
       min = 0.0;
       max = 1.0;
     }
+    if (!horizontal && max - min < m_look.ySpanMin) {
+      const double room = (m_look.ySpanMin - (max - min)) / 2.0;
+      min -= room;
+      max += room;
+    }
     // An axis that nearly reaches zero shows it.
     if (min > 0.0 && min < 0.4 * max) {
       min = 0.0;
@@ -168,7 +174,10 @@ class Picture {
 
   [[nodiscard]] std::string_view colour(std::size_t index) const {
     return m_plot.series[index].fromPaper ? std::string_view("#000000")
-                                          : kColours[index % kColours.size()];
+                                          : kColours[colourNumber(index) % kColours.size()];
+  }
+  [[nodiscard]] std::size_t colourNumber(std::size_t index) const {
+    return index < m_look.colours.size() ? m_look.colours[index] : index;
   }
 
   void marker(std::size_t index, double x, double y) {
@@ -243,6 +252,7 @@ class Picture {
   }
 
   const Plot& m_plot;
+  const PlotLook& m_look;
   Scale m_x;
   Scale m_y;
   std::string m_text;
@@ -250,8 +260,8 @@ class Picture {
 
 }  // namespace
 
-std::string svgPlot(const Plot& plot) {
-  return Picture(plot).draw();
+std::string svgPlot(const Plot& plot, const PlotLook& look) {
+  return Picture(plot, look).draw();
 }
 
 }  // namespace rivulet::report

@@ -6,13 +6,20 @@
 /// differ even without colour. @threadsafety pure.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "experiments/experiment.h"
 
 namespace rivulet::report {
 
+struct PlotLook {
+  std::vector<std::size_t> colours{};  ///< number of each series' colour; empty: all different
+  double ySpanMin = 0.0;               ///< at least this much of the vertical axis is seen
+};
+
 /// The same plot gives the same text, to the byte.
-[[nodiscard]] std::string svgPlot(const experiments::Plot& plot);
+[[nodiscard]] std::string svgPlot(const experiments::Plot& plot, const PlotLook& look = {});
 
 }  // namespace rivulet::report

@@ -7,8 +7,11 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 #include "base/method_kind.h"
+#include "base/quantile.h"
 #include "base/units.h"
 #include "trace/analysis/statistics.h"
 #include "widgets/common/number_format.h"
@@ -98,6 +101,9 @@ struct TraceTexts {
   static QString path() { return tr("Program grey, motion blue"); }
   static QString noMotion() { return tr("The trace holds no motion."); }
   static QString speed() { return tr("Path speed; stops are orange"); }
+  static QString speedBelow(double mmPerMin) {
+    return tr("Path speed, cut off above %1 mm/min; stops are orange").arg(numberText(mmPerMin, 0));
+  }
   static QString access() { return tr("Duration of requests: median blue, longest orange"); }
   static QString seconds() { return tr("Time, s"); }
   static QString milliseconds() { return tr("ms"); }
@@ -245,7 +251,7 @@ struct TraceTexts {
     QString vibration = noValue();
     if (!quality.vibration.peaks.empty()) {
       const trace::SpectrumPeak& peak = quality.vibration.peaks.front();
-      vibration = QStringLiteral("%1  %2 Hz")
+      vibration = QStringLiteral("%1: %2\u00A0Hz")
                       .arg(QLatin1Char(base::kAxisNames[peak.axis]))
                       .arg(numberText(peak.hz, 1));
     }
@@ -353,6 +359,25 @@ paper::Picture pathPicture(const trace::TraceAnalysis& analysis) {
   return picture;
 }
 
+/// Up to which speed is shown, mm/s: some rapids must not flatten the feed of all other moves.
+/// @return nothing: all of it
+std::optional<double> speedShown(const std::vector<trace::MotionSample>& samples) {
+  constexpr double kOutlier = 4.0;
+  constexpr double kRoom = 1.5;
+  std::vector<double> speeds;
+  for (const trace::MotionSample& sample : samples) {
+    if (sample.pathMmPerS > 0.0) {
+      speeds.push_back(sample.pathMmPerS);
+    }
+  }
+  if (speeds.empty()) {
+    return std::nullopt;
+  }
+  std::sort(speeds.begin(), speeds.end());
+  const double usual = base::quantile(speeds, 950);
+  return speeds.back() > kOutlier * usual ? std::optional(kRoom * usual) : std::nullopt;
+}
+
 /// The lowest and the highest speed of each column of the picture, and the stops.
 paper::Picture speedPicture(const trace::TraceAnalysis& analysis) {
   const std::vector<trace::MotionSample>& samples = analysis.motion.samples;
@@ -369,10 +394,14 @@ paper::Picture speedPicture(const trace::TraceAnalysis& analysis) {
     const double from = base::toSeconds(stop.start - origin);
     picture.bands.push_back({from, from + base::toSeconds(stop.duration), kStop});
   }
+  const std::optional<double> shown = speedShown(samples);
+  if (shown) {
+    picture.caption = TraceTexts::speedBelow(base::mmPerMinFromMmPerS(*shown));
+  }
   paper::Line line{{}, kMeasured, 0.2};
   const auto add = [&](const trace::MotionSample& sample) {
-    line.points.append(
-        {base::toSeconds(sample.at - origin), base::mmPerMinFromMmPerS(sample.pathMmPerS)});
+    const double speed = shown ? std::min(*shown, sample.pathMmPerS) : sample.pathMmPerS;
+    line.points.append({base::toSeconds(sample.at - origin), base::mmPerMinFromMmPerS(speed)});
   };
   const std::size_t stride = 1 + samples.size() / (kPicturePoints / 2);
   for (std::size_t begin = 0; begin < samples.size(); begin += stride) {

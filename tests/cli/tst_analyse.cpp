@@ -207,7 +207,15 @@ class TestAnalyse : public QObject {
     QCOMPARE(run(files + options + QStringList{page}).exit, outcome.exit);
     QFile html(page);
     QVERIFY(html.open(QIODevice::ReadOnly));
-    QCOMPARE(html.readAll().count("<svg"), 2);
+    const QByteArray shown = html.readAll();
+    QCOMPARE(shown.count("<svg"), 2);
+    // By their dates; the line of a machine has the colour of its runs.
+    QCOMPARE(shown.count("Days since 2026-11-01"), 2);
+    for (const char* colour : {"#0072B2", "#D55E00"}) {
+      QVERIFY(shown.contains(QByteArray("fill=\"") + colour));
+      QVERIFY(shown.contains(QByteArray("stroke=\"") + colour));
+    }
+    QVERIFY(!shown.contains("#009E73"));
     QCOMPARE(run(files + options + QStringList{m_folder.filePath("trend.txt")}).exit, 2);
     QVERIFY(!report::daysOf("yesterday") && !report::daysOf("2026-13-01T00:00:00Z"));
     QCOMPARE(*report::daysOf("1970-01-02T12:00:00Z"), 1.5);
