@@ -1170,6 +1170,10 @@
         <source>The file of the source is not as the manual shows it (Live points).</source>
         <translation>Die Datei der Quelle ist nicht so, wie das Handbuch sie zeigt (Live-Punkte).</translation>
     </message>
+    <message>
+        <source>This Rivulet was built without HDF5. Use CSV, or build it with libhdf5-dev.</source>
+        <translation>Dieses Rivulet wurde ohne HDF5 gebaut. CSV verwenden oder mit libhdf5-dev bauen.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2826,6 +2830,18 @@
     <message>
         <source>Preprocessor stop</source>
         <translation>Vorlaufstopp</translation>
+    </message>
+    <message>
+        <source>Datasets that are no row of numbers and were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Datensätze, die keine Reihe von Zahlen sind und weggelassen wurden: %1, der erste „%2“.</translation>
+    </message>
+    <message>
+        <source>Datasets that are damaged and were read in part or not at all: %1, the first &quot;%2&quot;.</source>
+        <translation>Datensätze, die beschädigt sind und nur teilweise oder gar nicht gelesen wurden: %1, der erste „%2“.</translation>
+    </message>
+    <message>
+        <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Datensätze, zu deren Länge keine Zeit gehört und die weggelassen wurden: %1, der erste „%2“.</translation>
     </message>
 </context>
 <context>
@@ -8420,6 +8436,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Overview of the whole trace</source>
         <translation>Übersicht des ganzen Verlaufs</translation>
+    </message>
+    <message>
+        <source>Samples and events as HDF5</source>
+        <translation>Abtastwerte und Ereignisse als HDF5</translation>
     </message>
 </context>
 <context>

@@ -1170,6 +1170,10 @@
         <source>The file of the source is not as the manual shows it (Live points).</source>
         <translation>El archivo de la fuente no es como lo muestra el manual (puntos en directo).</translation>
     </message>
+    <message>
+        <source>This Rivulet was built without HDF5. Use CSV, or build it with libhdf5-dev.</source>
+        <translation>Este Rivulet se compiló sin HDF5. Usar CSV o compilarlo con libhdf5-dev.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2826,6 +2830,18 @@
     <message>
         <source>Preprocessor stop</source>
         <translation>Parada de preprocesamiento</translation>
+    </message>
+    <message>
+        <source>Datasets that are no row of numbers and were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Conjuntos de datos que no son una serie de números y se omitieron: %1, el primero «%2».</translation>
+    </message>
+    <message>
+        <source>Datasets that are damaged and were read in part or not at all: %1, the first &quot;%2&quot;.</source>
+        <translation>Conjuntos de datos dañados, leídos en parte o nada: %1, el primero «%2».</translation>
+    </message>
+    <message>
+        <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Conjuntos de datos sin un tiempo de la misma longitud, omitidos: %1, el primero «%2».</translation>
     </message>
 </context>
 <context>
@@ -8420,6 +8436,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Overview of the whole trace</source>
         <translation>Vista general del registro</translation>
+    </message>
+    <message>
+        <source>Samples and events as HDF5</source>
+        <translation>Muestras y eventos como HDF5</translation>
     </message>
 </context>
 <context>

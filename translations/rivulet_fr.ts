@@ -1170,6 +1170,10 @@
         <source>The file of the source is not as the manual shows it (Live points).</source>
         <translation>Le fichier de la source n’est pas conforme au manuel (points en direct).</translation>
     </message>
+    <message>
+        <source>This Rivulet was built without HDF5. Use CSV, or build it with libhdf5-dev.</source>
+        <translation>Ce Rivulet a été compilé sans HDF5. Utiliser CSV ou le compiler avec libhdf5-dev.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2826,6 +2830,18 @@
     <message>
         <source>Preprocessor stop</source>
         <translation>Arrêt du prétraitement</translation>
+    </message>
+    <message>
+        <source>Datasets that are no row of numbers and were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Jeux de données qui ne sont pas une suite de nombres et ont été omis&#xa0;: %1, le premier «&#xa0;%2&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Datasets that are damaged and were read in part or not at all: %1, the first &quot;%2&quot;.</source>
+        <translation>Jeux de données endommagés, lus en partie ou pas du tout&#xa0;: %1, le premier «&#xa0;%2&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Jeux de données sans temps de la même longueur, omis&#xa0;: %1, le premier «&#xa0;%2&#xa0;».</translation>
     </message>
 </context>
 <context>
@@ -8420,6 +8436,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Overview of the whole trace</source>
         <translation>Vue d’ensemble du tracé</translation>
+    </message>
+    <message>
+        <source>Samples and events as HDF5</source>
+        <translation>Échantillons et événements en HDF5</translation>
     </message>
 </context>
 <context>

@@ -1170,6 +1170,10 @@
         <source>The file of the source is not as the manual shows it (Live points).</source>
         <translation>Il file della sorgente non è come lo mostra il manuale (punti in diretta).</translation>
     </message>
+    <message>
+        <source>This Rivulet was built without HDF5. Use CSV, or build it with libhdf5-dev.</source>
+        <translation>Questo Rivulet è stato compilato senza HDF5. Usare CSV o compilarlo con libhdf5-dev.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2826,6 +2830,18 @@
     <message>
         <source>Preprocessor stop</source>
         <translation>Arresto preelaborazione</translation>
+    </message>
+    <message>
+        <source>Datasets that are no row of numbers and were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Insiemi di dati che non sono una serie di numeri e sono stati tralasciati: %1, il primo «%2».</translation>
+    </message>
+    <message>
+        <source>Datasets that are damaged and were read in part or not at all: %1, the first &quot;%2&quot;.</source>
+        <translation>Insiemi di dati danneggiati, letti in parte o per niente: %1, il primo «%2».</translation>
+    </message>
+    <message>
+        <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Insiemi di dati senza un tempo della stessa lunghezza, tralasciati: %1, il primo «%2».</translation>
     </message>
 </context>
 <context>
@@ -8420,6 +8436,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Overview of the whole trace</source>
         <translation>Panoramica dell’intera traccia</translation>
+    </message>
+    <message>
+        <source>Samples and events as HDF5</source>
+        <translation>Campioni ed eventi come HDF5</translation>
     </message>
 </context>
 <context>

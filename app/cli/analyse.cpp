@@ -22,6 +22,7 @@
 #include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
 #include "trace/analysis/trace_analysis.h"
+#include "trace/signal_file.h"
 #ifdef RIVULET_WITH_REPORTS
 #include "trace_report/write_page.h"
 #endif
@@ -320,6 +321,12 @@ base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions
                           : analyseImported(*subject.imported, analysis);
   report::addTraceAnalysis(analysed.json, analysis);
   analysed.text += report::traceAnalysisText(analysis);
+  if (!options.save.empty()) {
+    const trace::ShownTrace shown = trace::makeShownTrace(subject, analysis.motion, &analysis);
+    if (auto done = trace::saveSignals(options.save, trace::signalFileOf(shown)); !done) {
+      return base::fail(done.error());
+    }
+  }
   if (!options.report.empty()) {
     if (auto done = writeReport(options, file, *source, analysed, analysis); !done) {
       return base::fail(done.error());

@@ -187,6 +187,7 @@ struct AnalyseOptions {
   std::string failIf;                   ///< rule; empty: none
   std::string report;                   ///< PDF or HTML file for a page on one trace; empty: none
   std::string language = "en";          ///< of the report
+  std::string save;                     ///< CSV or HDF5 file for the signals of one trace; or empty
   bool json = false;
 
   [[nodiscard]] bool hasWindow() const { return fromS > 0.0 || std::isfinite(untilS); }

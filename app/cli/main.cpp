@@ -13,6 +13,7 @@
 #include "log/log.h"
 #include "opcua/security.h"
 #include "templates/cells.h"
+#include "trace/signal_file.h"
 
 namespace {
 
@@ -481,7 +482,7 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
   command
       ->add_option("FILE", options->files,
                    "Recordings of stream, traces of the control, or traces of other tools (CSV, "
-                   "XML, also compressed with zstd)")
+                   "XML, HDF5, also compressed with zstd)")
       ->required();
   command->add_option("--program", options->program, "NC program that the trace should show");
   addLoading(command, options->loading);
@@ -507,6 +508,8 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
                    "File for access time and pauses over the runs of each machine: .html, .svg or "
                    ".json")
       ->needs(summary);
+  command->add_option("--save", options->save,
+                      "File for all signals and events of the trace: .csv or .h5 (HDF5)");
   auto* page = command->add_option("--report", options->report,
                                    "File for one page with pictures, to be read or printed: .pdf "
                                    "or .html");
@@ -531,6 +534,12 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
   command->callback([options, &exit] {
     if (!options->report.empty() && options->files.size() > 1) {
       throw CLI::ValidationError("--report", "makes a page of one file");
+    }
+    if (!options->save.empty() && options->files.size() > 1) {
+      throw CLI::ValidationError("--save", "writes the signals of one file");
+    }
+    if (!options->save.empty() && !rivulet::trace::isSignalFile(options->save)) {
+      throw CLI::ValidationError("--save", "writes .csv or .h5");
     }
     if (options->fromS > options->untilS) {
       throw CLI::ValidationError("--until", "is before --from");

@@ -11,13 +11,6 @@ namespace rivulet::trace {
 
 namespace {
 
-/// Signals with the same instants.
-struct Group {
-  std::size_t begin = 0;  ///< index of the first sample, the same for all
-  std::size_t end = 0;
-  std::vector<const ExportedSignal*> members;
-};
-
 bool isSameTime(const Envelope& a, const Envelope& b, std::size_t begin, std::size_t end) {
   if (&a == &b) {
     return true;
@@ -48,13 +41,15 @@ std::string heading(std::string_view name, std::string_view unit) {
   return quoted + "\"";
 }
 
-std::vector<Group> groupsOf(const std::vector<ExportedSignal>& exported, base::Instant from,
-                            base::Instant to) {
-  std::vector<Group> groups;
+}  // namespace
+
+std::vector<SharedTimes> sharedTimesOf(const std::vector<ExportedSignal>& exported,
+                                       base::Instant from, base::Instant to) {
+  std::vector<SharedTimes> groups;
   for (const ExportedSignal& one : exported) {
     const std::size_t begin = one.samples->firstAt(from);
     const std::size_t end = std::max(begin, one.samples->firstAt(to + base::Duration{1}));
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const SharedTimes& group) {
       return group.begin == begin && group.end == end &&
              isSameTime(*group.members.front()->samples, *one.samples, begin, end);
     });
@@ -65,17 +60,15 @@ std::vector<Group> groupsOf(const std::vector<ExportedSignal>& exported, base::I
     }
   }
   // The last column is filled to the end: readers tell by it how wide the table is.
-  std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
+  std::stable_sort(groups.begin(), groups.end(), [](const SharedTimes& a, const SharedTimes& b) {
     return a.end - a.begin < b.end - b.begin;
   });
   return groups;
 }
 
-}  // namespace
-
 std::string printSignals(const std::vector<ExportedSignal>& exported, base::Instant from,
                          base::Instant to, std::string_view timeName, std::string_view timeUnit) {
-  const std::vector<Group> groups = groupsOf(exported, from, to);
+  const std::vector<SharedTimes> groups = sharedTimesOf(exported, from, to);
   std::string text;
   std::size_t rows = 0;
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -90,7 +83,7 @@ std::string printSignals(const std::vector<ExportedSignal>& exported, base::Inst
   text += '\n';
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t i = 0; i < groups.size(); ++i) {
-      const Group& group = groups[i];
+      const SharedTimes& group = groups[i];
       const std::size_t sample = group.begin + row;
       const bool isThere = sample < group.end;
       text += i == 0 ? "" : ";";

@@ -5,6 +5,7 @@
 /// Signals as a table that other tools, and `importTrace`, read. @threadsafety pure.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -20,6 +21,16 @@ struct ExportedSignal {
   std::string unit;  ///< may be empty
   std::shared_ptr<const Envelope> samples;
 };
+
+/// Signals with the same instants.
+struct SharedTimes {
+  std::size_t begin = 0;  ///< index of the first sample, the same for all
+  std::size_t end = 0;
+  std::vector<const ExportedSignal*> members;  ///< not empty
+};
+/// The samples between two instants, both included; those with the most samples last.
+[[nodiscard]] std::vector<SharedTimes> sharedTimesOf(const std::vector<ExportedSignal>& exported,
+                                                     base::Instant from, base::Instant to);
 
 /// A table of the samples between two instants, both included, without loss. Semicolons separate
 /// the columns: commas would be taken for decimal signs where all numbers are whole.

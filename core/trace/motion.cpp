@@ -187,6 +187,7 @@ Motion motionOf(const ImportedTrace& imported) {
     }
     motion.samples.push_back(sample);
   }
+  motion.notes = imported.trace.events;
   motion.step = medianStepOf(motion.samples);
   if (!motion.hasSpeed) {
     deriveSpeed(motion);

@@ -13,6 +13,7 @@
 #include "base/vec3.h"
 #include "trace/control_trace.h"
 #include "trace/import/import.h"
+#include "trace/signals.h"
 
 namespace rivulet::trace {
 
@@ -29,6 +30,7 @@ struct MotionSample {
 struct Motion {
   std::vector<MotionSample> samples;  ///< times strictly ascending
   std::vector<ControlEvent> events;   ///< what the control recorded besides
+  std::vector<SignalEvent> notes;     ///< what an imported file says besides
   base::Duration step{};              ///< median time between two samples
   bool hasSet = false;
   bool hasActual = false;

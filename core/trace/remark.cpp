@@ -54,6 +54,18 @@ const char* remarkPattern(RemarkCode code) {
     case RemarkCode::Remembered:
       return RIVULET_SENTENCE("TraceRemarks",
                               "The columns mean what was said for this layout before: %1.");
+    case RemarkCode::OtherDatasets:
+      return RIVULET_SENTENCE(
+          "TraceRemarks",
+          "Datasets that are no row of numbers and were left out: %1, the first \"%2\".");
+    case RemarkCode::DamagedDatasets:
+      return RIVULET_SENTENCE(
+          "TraceRemarks",
+          "Datasets that are damaged and were read in part or not at all: %1, the first \"%2\".");
+    case RemarkCode::DatasetsWithoutTime:
+      return RIVULET_SENTENCE("TraceRemarks",
+                              "Datasets to whose length no time belongs and that were left out: "
+                              "%1, the first \"%2\".");
     case RemarkCode::RecordingCut:
       return RIVULET_SENTENCE("TraceRemarks",
                               "The recording ends before its run: what came before is shown.");

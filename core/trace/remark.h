@@ -13,20 +13,23 @@ namespace rivulet::trace {
 
 enum class RemarkCode {
   // Files of other tools.
-  DuplicateColumn,    ///< name, name that it has now
-  TimeUnitAssumed,    ///< name of the column, unit
-  RateAssumed,        ///< Hz
-  TimeBackwards,      ///< name of the column, first row, rows
-  TimeRepeated,       ///< rows
-  ValuesBackwards,    ///< values
-  SeveralTimes,       ///< columns of time
-  OddRows,            ///< columns, rows, first line
-  NoNumbers,          ///< cells, line of the first
-  CutInRow,           ///< no value
-  CutFile,            ///< no value
-  CutCompressed,      ///< no value
-  SpeedUnitsAssumed,  ///< no value
-  Remembered,         ///< columns as `printColumnRoles`
+  DuplicateColumn,      ///< name, name that it has now
+  TimeUnitAssumed,      ///< name of the column, unit
+  RateAssumed,          ///< Hz
+  TimeBackwards,        ///< name of the column, first row, rows
+  TimeRepeated,         ///< rows
+  ValuesBackwards,      ///< values
+  SeveralTimes,         ///< columns of time
+  OddRows,              ///< columns, rows, first line
+  NoNumbers,            ///< cells, line of the first
+  CutInRow,             ///< no value
+  CutFile,              ///< no value
+  CutCompressed,        ///< no value
+  SpeedUnitsAssumed,    ///< no value
+  Remembered,           ///< columns as `printColumnRoles`
+  OtherDatasets,        ///< datasets, path of the first
+  DamagedDatasets,      ///< datasets, path of the first
+  DatasetsWithoutTime,  ///< datasets, path of the first
   // Recordings and traces of controls.
   RecordingCut,     ///< no value
   UnreadableLines,  ///< lines

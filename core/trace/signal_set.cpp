@@ -170,6 +170,40 @@ Instant originOf(const TraceSubject& subject, const Motion& motion) {
   return origin == Instant::max() ? Instant{} : Instant{origin - offset};
 }
 
+/// @param shown  with its stops and pauses
+void addEvents(ShownTrace& shown, const TraceSubject& subject, Instant origin) {
+  std::vector<SignalEvent>& events = shown.events;
+  for (const Standstill& stop : shown.stops) {
+    const std::string_view kind =
+        stop.cause == StopCause::Unknown ? "stop" : stopCauseName(stop.cause);
+    events.push_back({stop.start, stop.start + stop.duration, std::string(kind), stop.evidence});
+  }
+  for (const Pause& pause : shown.pauses) {
+    events.push_back({pause.start, pause.start + pause.duration, "pause",
+                      std::string(pauseOriginName(pause.origin))});
+  }
+  if (subject.recording != nullptr) {
+    for (const Note& note : subject.recording->notes) {
+      events.push_back({Instant{note.at - origin}, Instant{note.at - origin}, "note", note.text});
+    }
+  }
+  if (subject.imported != nullptr) {
+    for (const SignalEvent& event : subject.imported->trace.events) {
+      const SignalEvent moved{Instant{event.from - origin}, Instant{event.to - origin}, event.kind,
+                              event.text};
+      // Stops that were found again are there.
+      const bool isKnown = std::any_of(events.begin(), events.end(), [&](const SignalEvent& one) {
+        return one.kind == moved.kind && one.from <= moved.to && one.to >= moved.from;
+      });
+      if (!isKnown) {
+        events.push_back(moved);
+      }
+    }
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const SignalEvent& a, const SignalEvent& b) { return a.from < b.from; });
+}
+
 void addRemarks(ShownTrace& shown, const TraceSubject& subject, const TraceAnalysis* analysis) {
   if (subject.imported != nullptr) {
     shown.remarks = subject.imported->trace.remarks;
@@ -376,6 +410,7 @@ ShownTrace makeShownTrace(const TraceSubject& subject, const Motion& motion,
       pause.start = Instant{pause.start - origin};
     }
   }
+  addEvents(shown, subject, origin);
   addRemarks(shown, subject, analysis);
   return shown;
 }

@@ -20,6 +20,7 @@
 #include "trace/formula.h"
 #include "trace/pause.h"
 #include "trace/remark.h"
+#include "trace/signals.h"
 
 namespace rivulet::trace {
 
@@ -83,6 +84,9 @@ struct ShownTrace {
   base::Duration length{};
   base::Duration step{};          ///< median time between two samples of the position
   std::vector<Standstill> stops;  ///< with their causes
+  /// Stops with what shows their causes, pauses, notes of the recording or of the file, in time
+  /// order.
+  std::vector<SignalEvent> events;
   std::shared_ptr<const ProgramPath> programPath;  ///< null: not compared with a program
   std::string programHash;  ///< of the program that was run, as recorded; empty: not known
   /// Nothing but what the client read during the run; then `pauses` are those it noticed.

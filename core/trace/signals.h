@@ -32,10 +32,21 @@ struct Signal {
   std::vector<double> values;  ///< one per instant of the time base; NaN: no value there
 };
 
+/// What a trace says of a span of time, in words.
+struct SignalEvent {
+  base::Instant from{};
+  base::Instant to{};  ///< not before `from`
+  std::string kind;    ///< that of a stop is its `stopCauseName`
+  std::string text;    ///< one English sentence or less
+
+  friend bool operator==(const SignalEvent&, const SignalEvent&) = default;
+};
+
 struct SignalTrace {
   std::string format;  ///< "CSV", "TwinCAT Scope", ...
   std::vector<TimeBase> timeBases;
   std::vector<Signal> signalList;
+  std::vector<SignalEvent> events;
   std::vector<Remark> remarks;  ///< what could not be read or had to be assumed
 };
 

@@ -16,6 +16,7 @@
 #include "streaming/driver.h"
 #include "support/test_program.h"
 #include "trace/frames.h"
+#include "trace/hdf5.h"
 
 using namespace rivulet;
 using nlohmann::json;
@@ -219,6 +220,35 @@ class TestAnalyse : public QObject {
     QCOMPARE(run(files + options + QStringList{m_folder.filePath("trend.txt")}).exit, 2);
     QVERIFY(!report::daysOf("yesterday") && !report::daysOf("2026-13-01T00:00:00Z"));
     QCOMPARE(*report::daysOf("1970-01-02T12:00:00Z"), 1.5);
+  }
+
+  /// What is saved is analysed like the file itself.
+  void savesSignals() {
+    const QString whole = file("saved.csv", traceText("t_s;x_cmd;y_cmd\n", false));
+    const json expected = run({whole, QStringLiteral("--json")}).parsed();
+    for (const char* name : {"out.csv", "out.h5"}) {
+      const QString path = m_folder.filePath(QLatin1String(name));
+      const Outcome outcome = run({whole, QStringLiteral("--save"), path});
+      if (path.endsWith(QStringLiteral(".h5")) && !trace::hasHdf5()) {
+        QCOMPARE(outcome.exit, 2);
+        QVERIFY2(outcome.errors.find("built without HDF5") != std::string::npos,
+                 outcome.errors.c_str());
+        continue;
+      }
+      QCOMPARE(outcome.exit, 0);
+      const Outcome again = run({path, QStringLiteral("--json")});
+      QVERIFY2(again.exit == 0, again.errors.c_str());
+      const json shown = again.parsed();
+      QCOMPARE(shown["format"].get<std::string>(),
+               std::string(path.endsWith(QStringLiteral(".h5")) ? "HDF5" : "CSV"));
+      QCOMPARE(shown["samples"], expected["samples"]);
+      QCOMPARE(shown["standstill_count"], expected["standstill_count"]);
+      QCOMPARE(shown["step_ms"].get<double>(), expected["step_ms"].get<double>());
+    }
+    const QString save = QStringLiteral("--save");
+    QVERIFY(run({whole, save, m_folder.filePath("out.txt")}).exit != 0);
+    QVERIFY(run({whole, whole, save, m_folder.filePath("out.csv")}).exit != 0);
+    QCOMPARE(run({whole, save, m_folder.filePath("nowhere/out.csv")}).exit, 2);
   }
 
   /// Half of the motion: the other half is not missing.

@@ -209,6 +209,8 @@ struct ErrorTexts {
         return tr("The table has no such column.");
       case trace::ImportError::RoleTwice:
         return tr("Two columns have the same meaning. Choose one of them.");
+      case trace::ImportError::NoHdf5:
+        return tr("This Rivulet was built without HDF5. Use CSV, or build it with libhdf5-dev.");
     }
     return {};
   }

@@ -20,12 +20,15 @@
 #include <QUrl>
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "base/axes.h"
-#include "base/file.h"
 #include "base/units.h"
-#include "trace/export.h"
 #include "trace/formula.h"
+#include "trace/hdf5.h"
+#include "trace/import/import_error.h"
+#include "trace/signal_file.h"
+#include "widgets/common/error_text.h"
 #include "widgets/common/folding_tabs.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
@@ -498,11 +501,24 @@ void TracePage::keepLayout(const QString& name) {
 }
 
 void TracePage::chooseFileToSave() {
-  const QStringList suffixes{QStringLiteral("csv"), QStringLiteral("png"), QStringLiteral("svg"),
-                             QStringLiteral("pdf")};
-  QStringList filters{tr("Samples as a table") + QStringLiteral(" (*.csv)")};
-  for (const QString& suffix : suffixes.mid(1)) {
-    filters.append(tr("Picture") + QStringLiteral(" (*.%1)").arg(suffix));
+  struct Choice {
+    QString suffix;
+    QString filter;
+  };
+  std::vector<Choice> choices;
+  const auto offer = [&choices](const QString& what, const QString& suffix) {
+    choices.push_back({suffix, what + QStringLiteral(" (*.%1)").arg(suffix)});
+  };
+  offer(tr("Samples as a table"), QStringLiteral("csv"));
+  if (trace::hasHdf5()) {
+    offer(tr("Samples and events as HDF5"), QStringLiteral("h5"));
+  }
+  for (const char* suffix : {"png", "svg", "pdf"}) {
+    offer(tr("Picture"), QLatin1String(suffix));
+  }
+  QStringList filters;
+  for (const Choice& choice : choices) {
+    filters.append(choice.filter);
   }
   QString chosen;
   QString path = QFileDialog::getSaveFileName(this, tr("Save what the panes show"), QString(),
@@ -510,22 +526,33 @@ void TracePage::chooseFileToSave() {
   if (path.isEmpty()) {
     return;
   }
-  if (!suffixes.contains(QFileInfo(path).suffix().toLower())) {
-    path += QLatin1Char('.') + suffixes.value(filters.indexOf(chosen), suffixes.first());
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  const bool isKnown = trace::isSignalFile(path.toStdString()) ||
+                       std::any_of(choices.begin(), choices.end(), [&suffix](const Choice& choice) {
+                         return choice.suffix == suffix;
+                       });
+  if (!isKnown) {
+    const auto choice = std::max<qsizetype>(0, filters.indexOf(chosen));
+    path += QLatin1Char('.') + choices[static_cast<std::size_t>(choice)].suffix;
   }
   save(path);
 }
 
 void TracePage::save(const QString& path) {
-  if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+  if (trace::isSignalFile(path.toStdString())) {
     saveSignals(path);
-  } else {
-    showSaved(path, m_view->savePicture(path, traceNames().join(QStringLiteral(", "))));
+    return;
   }
+  const bool isSaved = m_view->savePicture(path, traceNames().join(QStringLiteral(", ")));
+  showSaved(path, isSaved ? QString() : cannotBeWritten(path));
+}
+
+QString TracePage::cannotBeWritten(const QString& path) {
+  return tr("%1 cannot be written. Choose another folder.").arg(path);
 }
 
 void TracePage::saveSignals(const QString& path) {
-  std::vector<trace::ExportedSignal> exported;
+  trace::SignalFile file;
   for (const QStringList& pane : m_view->arrangement()) {
     for (const QString& formula : pane) {
       std::size_t index = m_curves->showsDifferences() ? 1 : 0;
@@ -539,37 +566,47 @@ void TracePage::saveSignals(const QString& path) {
         }
         ++index;
         if (curve.samples && !curve.samples->empty()) {
-          exported.push_back(
+          file.exported.push_back(
               {name.toStdString(), m_curves->unit(formula).toStdString(), curve.samples});
         }
       }
     }
   }
-  const auto write = [exported = std::move(exported), from = instantOf(m_window->fromS()),
-                      to = instantOf(m_window->toS()), axis = m_curves->axis(),
-                      file = path.toStdString()] {
-    const std::string_view name = axis == trace::RunAxis::Time ? "t" : trace::runAxisName(axis);
-    const std::string text =
-        trace::printSignals(exported, from, to, name, trace::runAxisUnit(axis));
-    return base::writeFile(file, text).has_value();
+  file.from = instantOf(m_window->fromS());
+  file.to = instantOf(m_window->toS());
+  const trace::RunAxis axis = m_curves->axis();
+  if (axis != trace::RunAxis::Time) {
+    file.timeName = trace::runAxisName(axis);
+  } else if (!m_curves->traces().empty()) {
+    file.events = m_curves->traces().front()->events;  // as the bands
+  }
+  file.timeUnit = trace::runAxisUnit(axis);
+  const auto write = [file = std::move(file), path] {
+    const auto done = trace::saveSignals(path.toStdString(), file);
+    // The sentence is made on the GUI thread.
+    return done ? std::optional<base::Error>() : std::optional(done.error());
+  };
+  const auto show = [this, path](const std::optional<base::Error>& error) {
+    const bool isHdf5Missing = error && error->code == trace::ImportError::NoHdf5;
+    showSaved(path, !error ? QString() : isHdf5Missing ? errorText(*error) : cannotBeWritten(path));
   };
   if (m_curves->isLive()) {
-    showSaved(path, write());  // samples are appended meanwhile
+    show(write());  // samples are appended meanwhile
     return;
   }
-  m_curves->run([self = QPointer(this), path, write]() -> std::function<void()> {
-    const bool isSaved = write();
-    return [self, path, isSaved] {
+  m_curves->run([self = QPointer(this), show, write]() -> std::function<void()> {
+    const auto error = write();
+    return [self, show, error] {
       if (self) {
-        self->showSaved(path, isSaved);
+        show(error);
       }
     };
   });
 }
 
-void TracePage::showSaved(const QString& path, bool isSaved) {
-  m_saved = isSaved ? QFileInfo(path).fileName() : QString();
-  m_problem = isSaved ? QString() : tr("%1 cannot be written. Choose another folder.").arg(path);
+void TracePage::showSaved(const QString& path, const QString& problem) {
+  m_saved = problem.isEmpty() ? QFileInfo(path).fileName() : QString();
+  m_problem = problem;
   showNote();
 }
 
@@ -589,7 +626,8 @@ void TracePage::showProblem(const QString& sentence) {
 void TracePage::chooseFiles() {
   const QStringList paths = QFileDialog::getOpenFileNames(
       this, tr("Open traces"), QString(),
-      tr("Traces") + QStringLiteral(" (*.rivulet *.csv *.tsv *.txt *.xml *.zst *.dat *.log);;") +
+      tr("Traces") +
+          QStringLiteral(" (*.rivulet *.csv *.tsv *.txt *.xml *.h5 *.hdf5 *.zst *.dat *.log);;") +
           tr("All files") + QStringLiteral(" (*)"));
   if (!paths.isEmpty()) {
     Q_EMIT openRequested(paths);

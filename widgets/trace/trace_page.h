@@ -90,8 +90,8 @@ class TracePage final : public Page {
   void showLayout(const QString& name);
   void keepLayout(const QString& name);
 
-  /// What the panes show, into a file: .csv the samples of the time that is seen, .png, .svg and
-  /// .pdf the picture. A sentence on the page says whether it is there.
+  /// What the panes show, into a file: .csv the samples of the time that is seen, .h5 these and the
+  /// events, .png, .svg and .pdf the picture. A sentence on the page says whether it is there.
   void save(const QString& path);
   /// Draws pending changes at once: for pictures and tests.
   void redrawNow();
@@ -119,7 +119,9 @@ class TracePage final : public Page {
   void chooseFiles();
   void chooseFileToSave();
   void saveSignals(const QString& path);
-  void showSaved(const QString& path, bool isSaved);
+  /// @param problem  empty: it was written
+  void showSaved(const QString& path, const QString& problem);
+  [[nodiscard]] static QString cannotBeWritten(const QString& path);
   void changeLayouts(ScopeLayouts layouts);
   [[nodiscard]] bool canShow(const QString& formula) const;
   [[nodiscard]] QStringList traceNames() const;

@@ -155,6 +155,23 @@ bool findEvent(Standstill& stop, const Motion& motion) {
   return false;
 }
 
+/// The file says why.
+bool findNote(Standstill& stop, const Motion& motion) {
+  const base::Instant end = stop.start + stop.duration + motion.step;
+  for (const SignalEvent& note : motion.notes) {
+    if (note.from >= end || note.to <= stop.start - motion.step) {
+      continue;
+    }
+    for (std::size_t cause = 1; cause < kStopCauseNames.size(); ++cause) {
+      if (note.kind == kStopCauseNames[cause]) {
+        setCause(stop, static_cast<StopCause>(cause), note.text);
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool findHold(Standstill& stop, const Motion& motion) {
   constexpr double kHeld = 1e-3;
   const base::Instant end = stop.start + stop.duration;
@@ -294,8 +311,8 @@ std::vector<Standstill> findStandstills(const Motion& motion) {
 
 void findCauses(std::vector<Standstill>& stops, const Motion& motion, const Recording* recording) {
   for (Standstill& stop : stops) {
-    if (findEvent(stop, motion) || findHold(stop, motion) || findData(stop, recording) ||
-        findLoop(stop, motion, recording)) {
+    if (findEvent(stop, motion) || findNote(stop, motion) || findHold(stop, motion) ||
+        findData(stop, recording) || findLoop(stop, motion, recording)) {
       continue;
     }
     const auto turn = stop.duration <= kExactStopMax ? turnAt(motion, stop) : std::nullopt;

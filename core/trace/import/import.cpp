@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 
 #include "base/error.h"
 #include "base/median.h"
 #include "base/text.h"
+#include "trace/hdf5.h"
 #include "trace/import/compression.h"
 #include "trace/import/import_error.h"
 #include "trace/import/sinumerik_xml.h"
@@ -197,6 +199,99 @@ void guessTimeUnit(Column& column, std::vector<Remark>& remarks) {
   column.unit = step < 1000.0 ? "ms" : (step < 1e5 ? "us" : "ns");
   column.factor = unitFactor(column.unit, SignalRole::Time).value_or(1.0);
   remarks.push_back({RemarkCode::TimeUnitAssumed, {column.name, column.unit}});
+}
+
+bool isTimeRow(const Hdf5Row& row) {
+  const bool isCalled = guessRole(splitUnit(row.name).name) == SignalRole::Time;
+  return (isCalled || unitFactor(row.unit, SignalRole::Time)) && isAscending(row.values);
+}
+
+/// The row of time that a row belongs to: of the same length, in the same folder, or in the nearest
+/// one around it, or anywhere.
+const Hdf5Row* timeOf(const Hdf5Row& row, const std::vector<const Hdf5Row*>& times) {
+  const auto inFolder = [&](std::string_view folder) -> const Hdf5Row* {
+    const auto found = std::find_if(times.begin(), times.end(), [&](const Hdf5Row* time) {
+      return time->count == row.count && time->folder == folder;
+    });
+    return found == times.end() ? nullptr : *found;
+  };
+  std::string_view folder = row.folder;
+  while (true) {
+    if (const Hdf5Row* time = inFolder(folder)) {
+      return time;
+    }
+    if (folder.empty()) {
+      break;
+    }
+    const std::size_t slash = folder.rfind('/');
+    folder = folder.substr(0, slash == std::string_view::npos ? 0 : slash);
+  }
+  const auto anywhere = std::find_if(times.begin(), times.end(),
+                                     [&](const Hdf5Row* time) { return time->count == row.count; });
+  return anywhere == times.end() ? nullptr : *anywhere;
+}
+
+/// Each row of time, followed by the rows that belong to it. Names are short where they are unique.
+std::vector<Column> datasetColumns(Hdf5Content& content) {
+  std::map<std::string, int> count;
+  std::vector<const Hdf5Row*> times;
+  for (const Hdf5Row& row : content.rows) {
+    ++count[row.name];
+    // Of one folder and length, the first one named so is the time: others are signals.
+    if (isTimeRow(row) && std::none_of(times.begin(), times.end(), [&row](const Hdf5Row* time) {
+          return time->folder == row.folder && time->count == row.count;
+        })) {
+      times.push_back(&row);
+    }
+  }
+  std::vector<Column> columns;
+  const auto add = [&](Hdf5Row& row, std::size_t length) {
+    Column column;
+    column.name = count[row.name] > 1 ? row.path() : row.name;
+    column.unit = row.unit.empty() ? splitUnit(row.name).unit : row.unit;
+    column.values = std::move(row.values);
+    column.values.resize(length, kNoValue);
+    columns.push_back(std::move(column));
+  };
+  std::vector<const Hdf5Row*> owners;
+  for (const Hdf5Row& row : content.rows) {
+    owners.push_back(timeOf(row, times));
+  }
+  std::size_t without = 0;
+  std::string first;
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < content.rows.size(); ++i) {
+    longest = std::max(longest, content.rows[i].values.size());
+    if (owners[i] == nullptr && !times.empty()) {
+      ++without;
+      first = without == 1 ? content.rows[i].path() : first;
+    }
+  }
+  if (times.empty()) {
+    for (Hdf5Row& row : content.rows) {
+      add(row, longest);
+    }
+    return columns;
+  }
+  for (const Hdf5Row* time : times) {
+    const std::size_t length = time->values.size();
+    for (const bool isTime : {true, false}) {
+      for (std::size_t i = 0; i < content.rows.size(); ++i) {
+        Hdf5Row& row = content.rows[i];
+        if (owners[i] == time && (&row == time) == isTime) {
+          add(row, length);
+          if (isTime) {
+            columns.back().role = SignalRole::Time;
+            columns.back().factor = unitFactor(columns.back().unit, SignalRole::Time).value_or(1.0);
+          }
+        }
+      }
+    }
+  }
+  if (without > 0) {
+    content.remarks.push_back({RemarkCode::DatasetsWithoutTime, {std::to_string(without), first}});
+  }
+  return columns;
 }
 
 base::Result<void> applyChoice(std::vector<Column>& columns, const ColumnRole& choice) {
@@ -428,15 +523,10 @@ base::Result<ImportedTrace> importXml(std::string_view text, const TableMapping&
   return imported;
 }
 
-base::Result<ImportedTrace> importTable(std::string_view text, const TableMapping& mapping) {
-  auto table = readTable(text);
-  if (!table) {
-    return base::fail(table.error());
-  }
+/// @param columns  with the roles that the format itself tells
+base::Result<ImportedTrace> importColumns(std::vector<Column> columns, std::vector<Remark> remarks,
+                                          const TableMapping& mapping) {
   ImportedTrace imported;
-  const bool isScope = isTwinCat(*table);
-  std::vector<Remark> remarks = std::move(table->remarks);
-  std::vector<Column> columns = isScope ? scopeColumns(*table) : headedColumns(*table);
   makeUnique(columns, remarks);
   Row names;
   for (const Column& column : columns) {
@@ -452,7 +542,35 @@ base::Result<ImportedTrace> importTable(std::string_view text, const TableMappin
   imported.columns = rolesOf(columns);
   imported.table = previewOf(columns, mapping, remarks);
   imported.trace = signalsOf(columns, mapping, std::move(remarks));
-  imported.trace.format = isScope ? "TwinCAT Scope" : (table->head.empty() ? "halsampler" : "CSV");
+  return imported;
+}
+
+base::Result<ImportedTrace> importTable(std::string_view text, const TableMapping& mapping) {
+  auto table = readTable(text);
+  if (!table) {
+    return base::fail(table.error());
+  }
+  const bool isScope = isTwinCat(*table);
+  std::vector<Column> columns = isScope ? scopeColumns(*table) : headedColumns(*table);
+  auto imported = importColumns(std::move(columns), std::move(table->remarks), mapping);
+  if (imported) {
+    imported->trace.format =
+        isScope ? "TwinCAT Scope" : (table->head.empty() ? "halsampler" : "CSV");
+  }
+  return imported;
+}
+
+base::Result<ImportedTrace> importDatasets(std::string_view bytes, const TableMapping& mapping) {
+  auto content = readHdf5(bytes);
+  if (!content) {
+    return base::fail(content.error());
+  }
+  std::vector<Column> columns = datasetColumns(*content);
+  auto imported = importColumns(std::move(columns), std::move(content->remarks), mapping);
+  if (imported) {
+    imported->trace.format = "HDF5";
+    imported->trace.events = std::move(content->events);
+  }
   return imported;
 }
 
@@ -468,6 +586,9 @@ base::Result<ImportedTrace> importTrace(std::string_view bytes, const TableMappi
   if (isCompressed(bytes)) {
     unpacked = unpack(bytes);
     bytes = unpacked.text;
+  }
+  if (isHdf5(bytes)) {
+    return importDatasets(bytes, mapping);
   }
   const std::string text = toUtf8(bytes);
   auto imported = isSinumerikTrace(text) ? importXml(text, mapping) : importTable(text, mapping);

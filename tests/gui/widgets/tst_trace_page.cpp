@@ -24,6 +24,7 @@
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
 #include "support/test_program.h"
+#include "trace/hdf5.h"
 #include "trace/import/import.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
@@ -922,6 +923,21 @@ class TestTracePage : public QObject {
     QVERIFY(imported);
     QCOMPARE(imported->trace.signalList.size(), std::size_t{2});
     QCOMPARE(imported->trace.timeBases.front().at.front(), base::Instant{std::chrono::seconds{1}});
+    page.save(folder.filePath("part.h5"));
+    if (trace::hasHdf5()) {
+      QVERIFY2(note(page).startsWith("Saved: part.h5"), qPrintable(note(page)));
+      const auto bytes = base::readFile(folder.filePath("part.h5").toStdString());
+      const auto read = trace::importTrace(*bytes);
+      QVERIFY(read);
+      QCOMPARE(read->trace.format, std::string("HDF5"));
+      QCOMPARE(read->trace.signalList.size(), std::size_t{2});
+      QCOMPARE(read->trace.signalList[0].values, imported->trace.signalList[0].values);
+      // The stop that is seen, and no other.
+      QCOMPARE(read->trace.events.size(), std::size_t{1});
+      QCOMPARE(read->trace.events[0].kind, std::string("stop"));
+    } else {
+      QVERIFY2(note(page).contains("built without HDF5"), qPrintable(note(page)));
+    }
     for (const char* name : {"panes.png", "panes.svg", "panes.pdf"}) {
       page.save(folder.filePath(name));
       QVERIFY2(note(page).contains(name), qPrintable(note(page)));
