@@ -3234,8 +3234,8 @@
         <translation>Reserve; der langsamsten 1&#xa0;%</translation>
     </message>
     <message>
-        <source>Path speed, cut off above %1 mm/min; stops are orange</source>
-        <translation>Bahngeschwindigkeit, oberhalb %1 mm/min abgeschnitten; Halte sind orange</translation>
+        <source>Path speed up to %1 mm/min; stops are orange</source>
+        <translation>Bahngeschwindigkeit bis %1 mm/min; Halte sind orange</translation>
     </message>
 </context>
 <context>

@@ -3234,8 +3234,8 @@
         <translation>Margen; del 1&#xa0;% más lento</translation>
     </message>
     <message>
-        <source>Path speed, cut off above %1 mm/min; stops are orange</source>
-        <translation>Velocidad en la trayectoria, cortada por encima de %1 mm/min; paradas en naranja</translation>
+        <source>Path speed up to %1 mm/min; stops are orange</source>
+        <translation>Velocidad en la trayectoria hasta %1 mm/min; paradas en naranja</translation>
     </message>
 </context>
 <context>

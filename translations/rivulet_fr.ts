@@ -3234,8 +3234,8 @@
         <translation>Marge&#xa0;; des 1&#xa0;% plus lentes</translation>
     </message>
     <message>
-        <source>Path speed, cut off above %1 mm/min; stops are orange</source>
-        <translation>Vitesse sur trajectoire, coupée au-dessus de %1 mm/min&#xa0;; arrêts en orange</translation>
+        <source>Path speed up to %1 mm/min; stops are orange</source>
+        <translation>Vitesse sur trajectoire jusqu’à %1 mm/min&#xa0;; arrêts en orange</translation>
     </message>
 </context>
 <context>

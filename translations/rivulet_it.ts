@@ -3234,8 +3234,8 @@
         <translation>Margine; dell’1&#xa0;% più lento</translation>
     </message>
     <message>
-        <source>Path speed, cut off above %1 mm/min; stops are orange</source>
-        <translation>Velocità sul percorso, tagliata sopra %1 mm/min; fermate in arancione</translation>
+        <source>Path speed up to %1 mm/min; stops are orange</source>
+        <translation>Velocità sul percorso fino a %1 mm/min; fermate in arancione</translation>
     </message>
 </context>
 <context>

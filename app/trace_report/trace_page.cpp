@@ -102,7 +102,7 @@ struct TraceTexts {
   static QString noMotion() { return tr("The trace holds no motion."); }
   static QString speed() { return tr("Path speed; stops are orange"); }
   static QString speedBelow(double mmPerMin) {
-    return tr("Path speed, cut off above %1 mm/min; stops are orange").arg(numberText(mmPerMin, 0));
+    return tr("Path speed up to %1 mm/min; stops are orange").arg(numberText(mmPerMin, 0));
   }
   static QString access() { return tr("Duration of requests: median blue, longest orange"); }
   static QString seconds() { return tr("Time, s"); }
