@@ -139,7 +139,7 @@ class TestTraceAgreement : public QObject {
   void analysesAgreeWithTheReport() {
     bool isNumber = false;
     const auto asked = qEnvironmentVariable("RIVULET_SCENARIOS").toULongLong(&isNumber);
-    const std::uint64_t count = isNumber ? asked : 30;
+    const std::uint64_t count = isNumber ? asked : 200;
     Tally tally;
     QStringList disagreements;
     for (std::uint64_t seed = 1; seed <= count; ++seed) {
