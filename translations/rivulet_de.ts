@@ -2831,18 +2831,6 @@
         <source>Preprocessor stop</source>
         <translation>Vorlaufstopp</translation>
     </message>
-    <message>
-        <source>Datasets that are no row of numbers and were left out: %1, the first &quot;%2&quot;.</source>
-        <translation>Datensätze, die keine Reihe von Zahlen sind und weggelassen wurden: %1, der erste „%2“.</translation>
-    </message>
-    <message>
-        <source>Datasets that are damaged and were read in part or not at all: %1, the first &quot;%2&quot;.</source>
-        <translation>Datensätze, die beschädigt sind und nur teilweise oder gar nicht gelesen wurden: %1, der erste „%2“.</translation>
-    </message>
-    <message>
-        <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
-        <translation>Datensätze, zu deren Länge keine Zeit gehört und die weggelassen wurden: %1, der erste „%2“.</translation>
-    </message>
 </context>
 <context>
     <name>TraceRemarks</name>
@@ -2917,6 +2905,18 @@
     <message>
         <source>The column &quot;%1&quot; occurs more than once: this one is called &quot;%2&quot;.</source>
         <translation>Die Spalte „%1“ kommt mehrmals vor: Diese heißt „%2“.</translation>
+    </message>
+    <message>
+        <source>Datasets that are no row of numbers and were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Datensätze, die keine Reihe von Zahlen sind und weggelassen wurden: %1, der erste „%2“.</translation>
+    </message>
+    <message>
+        <source>Datasets that are damaged and were read in part or not at all: %1, the first &quot;%2&quot;.</source>
+        <translation>Datensätze, die beschädigt sind und nur teilweise oder gar nicht gelesen wurden: %1, der erste „%2“.</translation>
+    </message>
+    <message>
+        <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Datensätze, zu deren Länge keine Zeit gehört und die weggelassen wurden: %1, der erste „%2“.</translation>
     </message>
 </context>
 <context>
@@ -8437,10 +8437,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>Overview of the whole trace</source>
         <translation>Übersicht des ganzen Verlaufs</translation>
     </message>
-    <message>
-        <source>Samples and events as HDF5</source>
-        <translation>Abtastwerte und Ereignisse als HDF5</translation>
-    </message>
 </context>
 <context>
     <name>rivulet::widgets::TracePage</name>
@@ -8599,6 +8595,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Shown beside the panes</source>
         <translation>Neben den Kurven gezeigt</translation>
+    </message>
+    <message>
+        <source>Samples and events as HDF5</source>
+        <translation>Abtastwerte und Ereignisse als HDF5</translation>
     </message>
 </context>
 <context>

@@ -2831,18 +2831,6 @@
         <source>Preprocessor stop</source>
         <translation>Parada de preprocesamiento</translation>
     </message>
-    <message>
-        <source>Datasets that are no row of numbers and were left out: %1, the first &quot;%2&quot;.</source>
-        <translation>Conjuntos de datos que no son una serie de números y se omitieron: %1, el primero «%2».</translation>
-    </message>
-    <message>
-        <source>Datasets that are damaged and were read in part or not at all: %1, the first &quot;%2&quot;.</source>
-        <translation>Conjuntos de datos dañados, leídos en parte o nada: %1, el primero «%2».</translation>
-    </message>
-    <message>
-        <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
-        <translation>Conjuntos de datos sin un tiempo de la misma longitud, omitidos: %1, el primero «%2».</translation>
-    </message>
 </context>
 <context>
     <name>TraceRemarks</name>
@@ -2917,6 +2905,18 @@
     <message>
         <source>The column &quot;%1&quot; occurs more than once: this one is called &quot;%2&quot;.</source>
         <translation>La columna «%1» aparece varias veces: esta se llama «%2».</translation>
+    </message>
+    <message>
+        <source>Datasets that are no row of numbers and were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Conjuntos de datos que no son una serie de números y se omitieron: %1, el primero «%2».</translation>
+    </message>
+    <message>
+        <source>Datasets that are damaged and were read in part or not at all: %1, the first &quot;%2&quot;.</source>
+        <translation>Conjuntos de datos dañados, leídos en parte o nada: %1, el primero «%2».</translation>
+    </message>
+    <message>
+        <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Conjuntos de datos sin un tiempo de la misma longitud, omitidos: %1, el primero «%2».</translation>
     </message>
 </context>
 <context>
@@ -8437,10 +8437,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>Overview of the whole trace</source>
         <translation>Vista general del registro</translation>
     </message>
-    <message>
-        <source>Samples and events as HDF5</source>
-        <translation>Muestras y eventos como HDF5</translation>
-    </message>
 </context>
 <context>
     <name>rivulet::widgets::TracePage</name>
@@ -8599,6 +8595,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Shown beside the panes</source>
         <translation>Mostrado junto a las curvas</translation>
+    </message>
+    <message>
+        <source>Samples and events as HDF5</source>
+        <translation>Muestras y eventos como HDF5</translation>
     </message>
 </context>
 <context>

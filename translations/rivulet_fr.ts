@@ -2831,18 +2831,6 @@
         <source>Preprocessor stop</source>
         <translation>Arrêt du prétraitement</translation>
     </message>
-    <message>
-        <source>Datasets that are no row of numbers and were left out: %1, the first &quot;%2&quot;.</source>
-        <translation>Jeux de données qui ne sont pas une suite de nombres et ont été omis&#xa0;: %1, le premier «&#xa0;%2&#xa0;».</translation>
-    </message>
-    <message>
-        <source>Datasets that are damaged and were read in part or not at all: %1, the first &quot;%2&quot;.</source>
-        <translation>Jeux de données endommagés, lus en partie ou pas du tout&#xa0;: %1, le premier «&#xa0;%2&#xa0;».</translation>
-    </message>
-    <message>
-        <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
-        <translation>Jeux de données sans temps de la même longueur, omis&#xa0;: %1, le premier «&#xa0;%2&#xa0;».</translation>
-    </message>
 </context>
 <context>
     <name>TraceRemarks</name>
@@ -2917,6 +2905,18 @@
     <message>
         <source>The column &quot;%1&quot; occurs more than once: this one is called &quot;%2&quot;.</source>
         <translation>La colonne «&#xa0;%1&#xa0;» existe plusieurs fois&#xa0;: celle-ci s’appelle «&#xa0;%2&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Datasets that are no row of numbers and were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Jeux de données qui ne sont pas une suite de nombres et ont été omis&#xa0;: %1, le premier «&#xa0;%2&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Datasets that are damaged and were read in part or not at all: %1, the first &quot;%2&quot;.</source>
+        <translation>Jeux de données endommagés, lus en partie ou pas du tout&#xa0;: %1, le premier «&#xa0;%2&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Jeux de données sans temps de la même longueur, omis&#xa0;: %1, le premier «&#xa0;%2&#xa0;».</translation>
     </message>
 </context>
 <context>
@@ -8437,10 +8437,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <source>Overview of the whole trace</source>
         <translation>Vue d’ensemble du tracé</translation>
     </message>
-    <message>
-        <source>Samples and events as HDF5</source>
-        <translation>Échantillons et événements en HDF5</translation>
-    </message>
 </context>
 <context>
     <name>rivulet::widgets::TracePage</name>
@@ -8599,6 +8595,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Shown beside the panes</source>
         <translation>Affiché à côté des courbes</translation>
+    </message>
+    <message>
+        <source>Samples and events as HDF5</source>
+        <translation>Échantillons et événements en HDF5</translation>
     </message>
 </context>
 <context>

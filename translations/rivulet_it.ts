@@ -2831,18 +2831,6 @@
         <source>Preprocessor stop</source>
         <translation>Arresto preelaborazione</translation>
     </message>
-    <message>
-        <source>Datasets that are no row of numbers and were left out: %1, the first &quot;%2&quot;.</source>
-        <translation>Insiemi di dati che non sono una serie di numeri e sono stati tralasciati: %1, il primo «%2».</translation>
-    </message>
-    <message>
-        <source>Datasets that are damaged and were read in part or not at all: %1, the first &quot;%2&quot;.</source>
-        <translation>Insiemi di dati danneggiati, letti in parte o per niente: %1, il primo «%2».</translation>
-    </message>
-    <message>
-        <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
-        <translation>Insiemi di dati senza un tempo della stessa lunghezza, tralasciati: %1, il primo «%2».</translation>
-    </message>
 </context>
 <context>
     <name>TraceRemarks</name>
@@ -2917,6 +2905,18 @@
     <message>
         <source>The column &quot;%1&quot; occurs more than once: this one is called &quot;%2&quot;.</source>
         <translation>La colonna «%1» compare più volte: questa si chiama «%2».</translation>
+    </message>
+    <message>
+        <source>Datasets that are no row of numbers and were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Insiemi di dati che non sono una serie di numeri e sono stati tralasciati: %1, il primo «%2».</translation>
+    </message>
+    <message>
+        <source>Datasets that are damaged and were read in part or not at all: %1, the first &quot;%2&quot;.</source>
+        <translation>Insiemi di dati danneggiati, letti in parte o per niente: %1, il primo «%2».</translation>
+    </message>
+    <message>
+        <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
+        <translation>Insiemi di dati senza un tempo della stessa lunghezza, tralasciati: %1, il primo «%2».</translation>
     </message>
 </context>
 <context>
@@ -8437,10 +8437,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>Overview of the whole trace</source>
         <translation>Panoramica dell’intera traccia</translation>
     </message>
-    <message>
-        <source>Samples and events as HDF5</source>
-        <translation>Campioni ed eventi come HDF5</translation>
-    </message>
 </context>
 <context>
     <name>rivulet::widgets::TracePage</name>
@@ -8599,6 +8595,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Shown beside the panes</source>
         <translation>Mostrato accanto alle curve</translation>
+    </message>
+    <message>
+        <source>Samples and events as HDF5</source>
+        <translation>Campioni ed eventi come HDF5</translation>
     </message>
 </context>
 <context>
