@@ -43,6 +43,12 @@ inline constexpr std::string_view kSelect = "Select";
 /// The rights of the user who asks, separated by semicolons.
 inline constexpr std::string_view kGetMyAccessRights = "GetMyAccessRights";
 
+/// Namespace of what a bridge to a real control offers beyond a SINUMERIK.
+inline constexpr std::string_view kBridgeNamespaceUri = "urn:rivulet:bridge";
+/// The object of a bridge, in its namespace. It has those members of a virtual machine that the
+/// control is able to do.
+inline constexpr std::string_view kBridgeObject = "Bridge";
+
 /// Object of the virtual machine and its members, in `kVirtualNamespaceUri`.
 inline constexpr std::string_view kVirtualObject = "VirtualMachine";
 inline constexpr std::string_view kCycleStart = "CycleStart";

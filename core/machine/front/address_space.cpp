@@ -26,7 +26,6 @@ struct VariableRow {
   std::size_t type = UA_TYPES_DOUBLE;  ///< of the node, as on the control
   double (*number)(const MachineState&, std::size_t axis) = nullptr;
   std::string (*text)(const MachineState&, std::size_t axis) = nullptr;
-  bool (*isThere)(const MachineConfig&) = nullptr;  ///< null: at every machine
 };
 
 namespace {
@@ -78,15 +77,6 @@ double floodFunction(const MachineState& state, std::size_t /*axis*/) {
 double mistFunction(const MachineState& state, std::size_t /*axis*/) {
   return state.equipment.mist ? opcua::kMistOn : opcua::kCoolantOff;
 }
-bool hasTools(const MachineConfig& config) {
-  return config.tools.has_value();
-}
-bool hasSpindle(const MachineConfig& config) {
-  return config.spindle.has_value();
-}
-bool hasCoolant(const MachineConfig& config) {
-  return config.coolantTime.has_value();
-}
 double feed(const MachineState& state, std::size_t /*axis*/) {
   return base::mmPerMinFromMmPerS(state.feedMmPerS);
 }
@@ -120,19 +110,18 @@ std::string axisName(const MachineState& /*state*/, std::size_t axis) {
 
 /// A number of the channel.
 constexpr VariableRow scalar(std::string_view folder, std::string_view name, std::size_t type,
-                             double (*number)(const MachineState&, std::size_t),
-                             bool (*isThere)(const MachineConfig&) = nullptr) {
-  return {folder, name, false, type, number, nullptr, isThere};
+                             double (*number)(const MachineState&, std::size_t)) {
+  return {folder, name, false, type, number, nullptr};
 }
 /// A length or an angle per axis.
 constexpr VariableRow axes(std::string_view folder, std::string_view name,
                            double (*number)(const MachineState&, std::size_t)) {
-  return {folder, name, true, UA_TYPES_DOUBLE, number, nullptr, nullptr};
+  return {folder, name, true, UA_TYPES_DOUBLE, number, nullptr};
 }
 constexpr VariableRow text(std::string_view folder, std::string_view name,
                            std::string (*value)(const MachineState&, std::size_t),
-                           bool perAxis = false, bool (*isThere)(const MachineConfig&) = nullptr) {
-  return {folder, name, perAxis, UA_TYPES_STRING, nullptr, value, isThere};
+                           bool perAxis = false) {
+  return {folder, name, perAxis, UA_TYPES_STRING, nullptr, value};
 }
 
 constexpr std::array kRows{
@@ -150,12 +139,12 @@ constexpr std::array kRows{
     scalar("State", "progStatus", UA_TYPES_UINT16, programStatus),
     scalar("State", "chanStatus", UA_TYPES_UINT16, channelStatus),
     scalar("State", "chanAlarm", UA_TYPES_UINT32, alarm),
-    scalar("State", "actTNumber", UA_TYPES_UINT32, toolNumber, hasTools),
-    scalar("State", "actDNumber", UA_TYPES_UINT32, edgeNumber, hasTools),
-    text("State", "actToolIdent", toolName, false, hasTools),
-    scalar("Spindle", "actSpeed", UA_TYPES_DOUBLE, spindleSpeed, hasSpindle),
-    scalar("Spindle", "cmdSpeed", UA_TYPES_DOUBLE, spindleCommand, hasSpindle),
-    scalar("Spindle", "turnState", UA_TYPES_UINT16, spindleTurn, hasSpindle),
+    scalar("State", "actTNumber", UA_TYPES_UINT32, toolNumber),
+    scalar("State", "actDNumber", UA_TYPES_UINT32, edgeNumber),
+    text("State", "actToolIdent", toolName),
+    scalar("Spindle", "actSpeed", UA_TYPES_DOUBLE, spindleSpeed),
+    scalar("Spindle", "cmdSpeed", UA_TYPES_DOUBLE, spindleCommand),
+    scalar("Spindle", "turnState", UA_TYPES_UINT16, spindleTurn),
     text("ProgramInfo", "progName", programName),
     text("ProgramInfo", "selectedWorkPProg", programName),
     scalar("ProgramInfo", "actLineNumber", UA_TYPES_UINT32, line),
@@ -172,9 +161,9 @@ constexpr std::array kElements{
     ElementRow{{opcua::VariableKind::GFunction, opcua::kWorkOffsetGroup},
                text({}, "ncFktAct", workOffset)},
     ElementRow{{opcua::VariableKind::MFunction, opcua::kFloodGroup},
-               scalar({}, "acAuxfuMValue", UA_TYPES_DOUBLE, floodFunction, hasCoolant)},
+               scalar({}, "acAuxfuMValue", UA_TYPES_DOUBLE, floodFunction)},
     ElementRow{{opcua::VariableKind::MFunction, opcua::kMistGroup},
-               scalar({}, "acAuxfuMValue", UA_TYPES_DOUBLE, mistFunction, hasCoolant)},
+               scalar({}, "acAuxfuMValue", UA_TYPES_DOUBLE, mistFunction)},
 };
 
 constexpr std::string_view kSpindle = "Spindle";
@@ -199,7 +188,7 @@ UA_StatusCode setNumber(UA_Variant& variant, double value, std::size_t type) {
 
 /// Waits until the variable service has done its work on the node.
 void serve(const VariableNode& node, AccessKind kind) {
-  const ArrayCharge charge = node.service->machine().config().access.arrays.charge;
+  const ArrayCharge charge = node.service->control().facts().arrays.charge;
   const int times = charge == ArrayCharge::Element ? std::max(node.count, 1) : 1;
   for (int i = 0; i < times; ++i) {
     node.service->serve(kind);
@@ -217,19 +206,19 @@ UA_StatusCode onRead(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/,
     return UA_STATUSCODE_GOOD;
   }
   serve(node, AccessKind::Read);
-  const Machine& machine = node.service->machine();
+  const ServedControl& control = node.service->control();
   UA_StatusCode status = UA_STATUSCODE_GOOD;
   if (node.count > 0) {
     std::vector<UA_Double> values;
     for (int element = 0; element < node.count; ++element) {
-      values.push_back(machine.rParameter(node.index + element));
+      values.push_back(control.rParameter(node.index + element));
     }
     status = UA_Variant_setArrayCopy(&value->value, values.data(), values.size(),
                                      &UA_TYPES[UA_TYPES_DOUBLE]);
   } else if (node.row == nullptr) {
-    status = setNumber(value->value, machine.rParameter(node.index), UA_TYPES_DOUBLE);
+    status = setNumber(value->value, control.rParameter(node.index), UA_TYPES_DOUBLE);
   } else {
-    const MachineState state = machine.state();
+    const MachineState state = control.state();
     if (node.row->text != nullptr) {
       const std::string shown = node.row->text(state, static_cast<std::size_t>(node.index));
       const UA_String string = opcua::borrow(shown);
@@ -264,7 +253,7 @@ UA_StatusCode onWrite(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/,
     return UA_STATUSCODE_BADOUTOFRANGE;
   }
   node.service->serve(AccessKind::Write);
-  node.service->machine().writeRParameter(node.index, *number);
+  node.service->control().writeRParameter(node.index, *number);
   return UA_STATUSCODE_GOOD;
 }
 
@@ -287,10 +276,10 @@ UA_StatusCode onWriteArray(UA_Server* /*server*/, const UA_NodeId* /*sessionId*/
     return UA_STATUSCODE_BADOUTOFRANGE;
   }
   serve(node, AccessKind::Write);
-  Machine& machine = node.service->machine();
-  const bool firstOnly = machine.config().access.arrays.write == ArrayWrite::FirstOnly;
+  ServedControl& control = node.service->control();
+  const bool firstOnly = control.facts().arrays.write == ArrayWrite::FirstOnly;
   for (int element = 0; element < (firstOnly ? 1 : node.count); ++element) {
-    machine.writeRParameter(node.index + element, numbers[static_cast<std::size_t>(element)]);
+    control.writeRParameter(node.index + element, numbers[static_cast<std::size_t>(element)]);
   }
   return UA_STATUSCODE_GOOD;
 }
@@ -318,9 +307,8 @@ base::Result<void> AddressSpace::build() {
   if (status == UA_STATUSCODE_GOOD) {
     status = addParameters();
   }
-  const MachineConfig& config = m_service.machine().config();
-  const auto isThere = [&config](const VariableRow& row) {
-    return row.isThere == nullptr || row.isThere(config);
+  const auto isThere = [this](const VariableRow& row) {
+    return m_service.control().shows(row.folder, row.name);
   };
   for (const VariableRow& row : kRows) {
     if (status == UA_STATUSCODE_GOOD && isThere(row)) {
@@ -356,15 +344,15 @@ UA_StatusCode AddressSpace::addFolder(std::string_view parent, std::string_view 
 
 UA_StatusCode AddressSpace::addParameters() {
   constexpr std::string_view kFolder = "/Channel/Parameter";
-  const Machine& machine = m_service.machine();
+  const ServedControl& control = m_service.control();
   UA_StatusCode status = UA_STATUSCODE_GOOD;
-  for (int number = 0; machine.hasRParameter(number) && status == UA_STATUSCODE_GOOD; ++number) {
+  for (int number = 0; control.hasRParameter(number) && status == UA_STATUSCODE_GOOD; ++number) {
     status = addNode({}, opcua::nodeIdentifier(opcua::rParameter(number)), "R", nullptr, number);
     if (status == UA_STATUSCODE_GOOD) {
       status = addNode({}, fmt::format("{}/R[{}]", kFolder, number), "R", nullptr, number);
     }
   }
-  if (status == UA_STATUSCODE_GOOD && machine.hasRParameter(1)) {
+  if (status == UA_STATUSCODE_GOOD && control.hasRParameter(1)) {
     status = addNode(kFolder, fmt::format("{}/R", kFolder), "R", nullptr, 1);
   }
   return status;
@@ -374,14 +362,17 @@ UA_StatusCode AddressSpace::addVariable(const VariableRow& row) {
   const std::string folder = fmt::format("{}/{}", kChannel, row.folder);
   const std::string identifier = fmt::format("{}/{}", folder, row.name);
   UA_StatusCode status = addNode(folder, identifier, row.name, &row, 0);
-  const MachineConfig& config = m_service.machine().config();
+  const ServedFacts& facts = m_service.control().facts();
   const auto axisCount = row.folder == kSpindle ? 1
                          : row.perAxis
-                             ? static_cast<int>(base::kAxisCount + base::count(config.rotarySet()))
+                             ? static_cast<int>(base::kAxisCount + facts.rotaryAxes.size())
                              : 0;
   for (int axis = 0; axis < axisCount; ++axis) {
-    const std::optional<std::size_t> rotary = config.rotaryAt(axis);
-    const int index = rotary ? static_cast<int>(base::kAxisCount + *rotary) : axis;
+    const auto place = static_cast<std::size_t>(axis);
+    const int index =
+        place < base::kAxisCount
+            ? axis
+            : static_cast<int>(base::kAxisCount + facts.rotaryAxes[place - base::kAxisCount]);
     for (const std::string& alias : {fmt::format("{}[u1,{}]", identifier, axis + 1),
                                      fmt::format("{}[{}]", identifier, axis + 1)}) {
       if (status == UA_STATUSCODE_GOOD) {
@@ -424,9 +415,9 @@ const UA_Node* AddressSpace::arrayNode(UA_Nodestore& store, const UA_NodeId& id)
   }
   const std::optional<opcua::ParameterArray> array =
       opcua::arrayOf(opcua::view(id.identifier.string));
-  const Machine& machine = m_service.machine();
-  const ArrayAccess& arrays = machine.config().access.arrays;
-  if (!array || !machine.hasRParameter(array->first + array->count - 1) ||
+  const ServedControl& control = m_service.control();
+  const ArrayAccess& arrays = control.facts().arrays;
+  if (!array || !control.hasRParameter(array->first + array->count - 1) ||
       !(array->form == opcua::Grouping::ArrayCount ? arrays.count : arrays.range)) {
     return nullptr;
   }

@@ -45,7 +45,7 @@ constexpr std::array<OfferedPolicy, 3> kPolicies{
 
 ClientGate::ClientGate(VariableService& service, const ServerOptions& options)
     : m_service(service),
-      m_login(service.machine().config().users),
+      m_login(service.control().facts().users),
       m_trusted(options.trustedClients),
       m_onRefused(options.onRefusedClient) {
 }

@@ -13,7 +13,6 @@
 #include "opcua/link.h"
 #include "opcua/node_map.h"
 #include "opcua/open62541/handle.h"
-#include "trace/control_trace.h"
 
 namespace rivulet::machine {
 
@@ -72,7 +71,7 @@ UA_StatusCode copyFileToServer(Methods& methods, const UA_Variant* input, UA_Var
     return UA_STATUSCODE_BADREQUESTTOOLARGE;
   }
   methods.serveProgram(data.length);
-  const auto stored = methods.machine().storeProgram(*name, std::string(opcua::view(data)),
+  const auto stored = methods.control().storeProgram(*name, std::string(opcua::view(data)),
                                                      argument<UA_Boolean>(input, 2));
   return stored ? UA_STATUSCODE_GOOD : statusCodeOf(stored.error());
 }
@@ -82,7 +81,7 @@ UA_StatusCode copyFileFromServer(Methods& methods, const UA_Variant* input, UA_V
   if (!name) {
     return UA_STATUSCODE_BADINVALIDARGUMENT;
   }
-  const auto text = methods.machine().programText(*name);
+  const auto text = methods.control().programText(*name);
   if (!text) {
     return statusCodeOf(text.error());
   }
@@ -95,13 +94,13 @@ UA_StatusCode select(Methods& methods, const UA_Variant* input, UA_Variant* outp
   if (argument<UA_UInt32>(input, 1) != 1) {
     status = SelectStatus::NoSuchChannel;
   } else if (name) {
-    status = selectStatusOf(methods.machine().selectProgram(*name));
+    status = selectStatusOf(methods.control().selectProgram(*name));
   }
   return answer(output[0], static_cast<UA_Int32>(status), UA_TYPES_INT32);
 }
 
 UA_StatusCode cycleStart(Methods& methods, const UA_Variant* /*input*/, UA_Variant* output) {
-  const auto started = methods.machine().cycleStart();
+  const auto started = methods.control().cycleStart();
   if (started) {
     methods.rememberStarter();
   }
@@ -115,7 +114,7 @@ UA_StatusCode reset(Methods& methods, const UA_Variant* /*input*/, UA_Variant* /
   if (!methods.mayReset()) {
     return UA_STATUSCODE_BADUSERACCESSDENIED;
   }
-  methods.machine().reset();
+  methods.control().reset();
   return UA_STATUSCODE_GOOD;
 }
 
@@ -264,7 +263,7 @@ struct Signature {
 }  // namespace
 
 base::Result<void> Methods::build(UA_UInt16 namespaceIndex) {
-  const std::vector<Signature> control{
+  const std::vector<Signature> ofSinumerik{
       {opcua::kCopyToServer,
        &onCall<&copyFileToServer, Right::WriteFiles>,
        {{"TargetFilename", UA_TYPES_STRING},
@@ -283,34 +282,39 @@ base::Result<void> Methods::build(UA_UInt16 namespaceIndex) {
        &onCall<&getMyAccessRights, Right::Anyone>,
        {},
        {{"Rights", UA_TYPES_STRING}}}};
-  const std::vector<Signature> simulator{
-      {opcua::kCycleStart,
-       &onCall<&cycleStart, Right::Start>,
-       {},
-       {{"Status", UA_TYPES_INT32}, {"Message", UA_TYPES_STRING}}},
-      {opcua::kReset, &onCall<&reset, Right::Start>, {}, {}},
-      {opcua::kFetchTrace,
-       &onCall<&fetchTrace, Right::Anyone>,
-       {{"Offset", UA_TYPES_UINT64}},
-       {{"Data", UA_TYPES_BYTESTRING}, {"Total", UA_TYPES_UINT64}}}};
+  const ServedFacts& facts = control().facts();
+  std::vector<Signature> beyond;
+  if (facts.abilities.startsOnRequest) {
+    beyond.push_back({opcua::kCycleStart,
+                      &onCall<&cycleStart, Right::Start>,
+                      {},
+                      {{"Status", UA_TYPES_INT32}, {"Message", UA_TYPES_STRING}}});
+    beyond.push_back({opcua::kReset, &onCall<&reset, Right::Start>, {}, {}});
+  }
+  if (facts.abilities.keepsTrace) {
+    beyond.push_back({opcua::kFetchTrace,
+                      &onCall<&fetchTrace, Right::Anyone>,
+                      {{"Offset", UA_TYPES_UINT64}},
+                      {{"Data", UA_TYPES_BYTESTRING}, {"Total", UA_TYPES_UINT64}}});
+  }
 
   UA_StatusCode status =
       addObject(m_server, namespaceIndex, opcua::borrowNodeId(namespaceIndex, "Sinumerik"),
                 opcua::kMethodsObject, "Methods");
-  for (const Signature& signature : control) {
+  for (const Signature& signature : ofSinumerik) {
     status |= addMethod(m_server, namespaceIndex, opcua::kMethodsObject, signature, *this);
   }
 
-  const std::string uri(opcua::kVirtualNamespaceUri);
+  const std::string uri(facts.isVirtual ? opcua::kVirtualNamespaceUri : opcua::kBridgeNamespaceUri);
   const UA_UInt16 virtualIndex = UA_Server_addNamespace(m_server, uri.c_str());
-  const std::string_view object = opcua::kVirtualObject;
+  const std::string_view object = facts.isVirtual ? opcua::kVirtualObject : opcua::kBridgeObject;
   status |= addObject(m_server, virtualIndex, opcua::standardNodeId(UA_NS0ID_OBJECTSFOLDER), object,
                       object);
-  for (const Signature& signature : simulator) {
+  for (const Signature& signature : beyond) {
     status |= addMethod(m_server, virtualIndex, object, signature, *this);
   }
-  UA_Boolean simulated = true;
-  UA_String preset = opcua::borrow(machine().config().name);
+  UA_Boolean simulated = facts.isVirtual;
+  UA_String preset = opcua::borrow(facts.name);
   status |= addProperty(m_server, virtualIndex, object, opcua::kSimulated,
                         opcua::borrowScalar(simulated, UA_TYPES_BOOLEAN));
   status |= addProperty(m_server, virtualIndex, object, opcua::kPresetName,
@@ -325,7 +329,7 @@ base::Result<void> Methods::build(UA_UInt16 namespaceIndex) {
 
 const std::string& Methods::traceText(bool anew) {
   if (anew) {
-    m_traceText = trace::printControlTrace(machine().trace());
+    m_traceText = control().traceText();
   }
   return m_traceText;
 }

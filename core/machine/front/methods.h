@@ -44,8 +44,8 @@ class Methods {
   [[nodiscard]] bool mayCaller(const std::string& right) const {
     return m_user == nullptr || m_user->rights.contains(right);
   }
-  [[nodiscard]] Machine& machine() const { return m_service.machine(); }
-  /// Moves the machine to the present; every method begins with it.
+  [[nodiscard]] ServedControl& control() const { return m_service.control(); }
+  /// Moves the control to the present; every method begins with it.
   void advance() { m_service.advance(); }
   /// Writing a program takes time: the answer to the present request is due only then.
   void serveProgram(std::size_t bytes) { m_answerDue = m_service.serveProgram(bytes); }
@@ -67,7 +67,7 @@ class Methods {
   void rememberStarter() { m_starter = m_caller; }
   /// While a program runs whose client is still connected, only this client may reset it.
   [[nodiscard]] bool mayReset() const {
-    return m_service.machine().state().channel == ChannelStatus::Reset || m_starter == m_caller ||
+    return m_service.control().state().channel == ChannelStatus::Reset || m_starter == m_caller ||
            !m_isConnected || !m_isConnected(m_starter);
   }
   /// The trace as text; printed anew when a fetch begins at offset 0.

@@ -85,8 +85,11 @@ std::error_code make_error_code(FrontError code) {
 
 class Server::Impl {
  public:
-  Impl(Machine& machine, const ServerOptions& options)
-      : m_service(machine), m_gate(m_service, options) {}
+  Impl(ServedControl& control, const ServerOptions& options)
+      : m_service(control), m_gate(m_service, options) {}
+  /// @param machine  the control, if it is the virtual machine
+  Impl(std::unique_ptr<ServedMachine> machine, const ServerOptions& options)
+      : m_machine(std::move(machine)), m_service(*m_machine), m_gate(m_service, options) {}
   ~Impl();
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
@@ -138,6 +141,7 @@ class Server::Impl {
   static UA_StatusCode onSend(UA_ConnectionManager* manager, std::uintptr_t connectionId,
                               const UA_KeyValueMap* parameters, UA_ByteString* message) noexcept;
 
+  std::unique_ptr<ServedMachine> m_machine;
   opcua::QuietLogger m_logger;  ///< outlives the server that logs into it
   VariableService m_service;
   ClientGate m_gate;  ///< outlives the server that asks it
@@ -222,20 +226,21 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
     const UA_String source = opcua::borrow(text);
     return UA_String_copy(&source, &target);
   };
+  const ServedFacts& facts = m_service.control().facts();
   UA_StatusCode status = replace(config.serverUrls[0], urlOf(options.host, options.port));
   // The library refuses to start if its certificate names another application.
   status |= replace(config.applicationDescription.applicationUri,
                     options.certificate ? std::string_view(options.certificate->applicationUri)
-                                        : "urn:rivulet:machine");
+                                        : std::string_view(facts.applicationUri));
   status |= replace(config.applicationDescription.productUri, "urn:rivulet");
-  status |= replace(config.applicationDescription.applicationName.text, "Rivulet virtual machine");
+  status |= replace(config.applicationDescription.applicationName.text, facts.product);
   status |= replace(config.buildInfo.productUri, "urn:rivulet");
   status |= replace(config.buildInfo.manufacturerName, "Rivulet");
-  status |= replace(config.buildInfo.productName, "Rivulet virtual machine");
+  status |= replace(config.buildInfo.productName, facts.product);
   // The preset determines the cost of access: a client that stores its measurements must see when
   // the preset has changed.
   status |= replace(config.buildInfo.softwareVersion, RIVULET_VERSION);
-  status |= replace(config.buildInfo.buildNumber, m_service.machine().config().name);
+  status |= replace(config.buildInfo.buildNumber, facts.name);
   if (status != UA_STATUSCODE_GOOD) {
     UA_ServerConfig_clean(&config);
     return setUpFailed("be configured");
@@ -254,8 +259,7 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   config.maxMonitoredItemsPerCall = kMonitoredItemsMax;
   config.maxSubscriptions = kSubscriptionsMax;
   config.maxMonitoredItems = kMonitoredItemsMax;
-  const double samplingMsMin =
-      base::toMilliseconds(m_service.machine().config().access.samplingMin);
+  const double samplingMsMin = base::toMilliseconds(facts.samplingMin);
   config.samplingIntervalLimits = {samplingMsMin, kSamplingIntervalMsMax};
   config.publishingIntervalLimits = {samplingMsMin, kSamplingIntervalMsMax};
   config.queueSizeLimits = {1, kQueueSizeMax};
@@ -463,7 +467,16 @@ Server::~Server() = default;
 
 base::Result<std::unique_ptr<Server>> Server::start(Machine& machine,
                                                     const ServerOptions& options) {
-  auto impl = std::make_unique<Impl>(machine, options);
+  return start(std::make_unique<Impl>(std::make_unique<ServedMachine>(machine), options), options);
+}
+
+base::Result<std::unique_ptr<Server>> Server::start(ServedControl& control,
+                                                    const ServerOptions& options) {
+  return start(std::make_unique<Impl>(control, options), options);
+}
+
+base::Result<std::unique_ptr<Server>> Server::start(std::unique_ptr<Impl> impl,
+                                                    const ServerOptions& options) {
   if (auto started = impl->start(options); !started) {
     return base::fail(started.error());
   }

@@ -3,8 +3,9 @@
 
 /// @file
 /// The virtual machine as an OPC UA server that looks like a SINUMERIK: same namespace, same
-/// identifiers, same file methods, same cost of access. A separate namespace has what only a
-/// virtual machine offers: cycle start, reset, and the control's own trace.
+/// identifiers, same file methods, same cost of access. A separate namespace has what a SINUMERIK
+/// does not offer: cycle start, reset, and the control's own trace. Another control, behind a
+/// `ServedControl`, is shown in the same way; its own namespace says that its axes are real.
 ///
 /// Machine time is the wall time since the server was started. While a variable is served, the
 /// whole server waits: one service for all clients, one node after another, as on the control.
@@ -22,6 +23,7 @@
 
 #include "base/instant.h"
 #include "base/result.h"
+#include "machine/front/served_control.h"
 #include "machine/machine.h"
 #include "opcua/security.h"
 
@@ -59,6 +61,9 @@ class Server {
   /// @param machine outlives the server; nothing else may touch it while the server runs
   [[nodiscard]] static base::Result<std::unique_ptr<Server>> start(Machine& machine,
                                                                    const ServerOptions& options);
+  /// The same for another control than the virtual machine.
+  [[nodiscard]] static base::Result<std::unique_ptr<Server>> start(ServedControl& control,
+                                                                   const ServerOptions& options);
   /// Closes all connections.
   ~Server();
   Server(const Server&) = delete;
@@ -81,6 +86,8 @@ class Server {
  private:
   class Impl;
   explicit Server(std::unique_ptr<Impl> impl);
+  [[nodiscard]] static base::Result<std::unique_ptr<Server>> start(std::unique_ptr<Impl> impl,
+                                                                   const ServerOptions& options);
   std::unique_ptr<Impl> m_impl;
 };
 

@@ -5,12 +5,12 @@
 
 namespace rivulet::machine {
 
-VariableService::VariableService(Machine& machine)
-    : m_machine(machine), m_offset(machine.now().time_since_epoch()) {
+VariableService::VariableService(ServedControl& control)
+    : m_control(control), m_offset(control.now().time_since_epoch()) {
 }
 
 void VariableService::advance() {
-  m_machine.advance(now());
+  m_control.advance(now());
 }
 
 void VariableService::serve(AccessKind kind) {
@@ -23,18 +23,17 @@ void VariableService::serve(AccessKind kind) {
     // There is no need to wait for the returned turn: the first node is complete only after it. The
     // request was sent a moment ago. The time of transport and of waking both sides is part of the
     // request's overhead and must not be paid twice.
-    m_machine.beginRequest(kind, now() - kOnTheWay);
+    m_control.beginRequest(kind, now() - kOnTheWay);
   }
-  const base::Instant served = m_machine.serveNode();
+  const base::Instant served = m_control.serveNode(now());
   m_clock.sleepUntil(served - m_offset);
-  m_machine.advance(served);
+  m_control.advance(served);
   ++m_nodes;
 }
 
 base::Instant VariableService::serveProgram(std::size_t bytes) {
   m_request.reset();
-  const AccessCost& cost = m_machine.config().access;
-  return m_live ? now() - kOnTheWay + cost.writeOverhead + cost.programTime(bytes) : now();
+  return m_live ? now() - kOnTheWay + m_control.programTime(bytes) : now();
 }
 
 }  // namespace rivulet::machine

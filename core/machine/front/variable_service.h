@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "base/instant.h"
+#include "machine/front/served_control.h"
 #include "machine/machine.h"
 #include "opcua/open62541/monotonic_clock.h"
 
@@ -25,14 +26,14 @@ class VariableService {
   /// The presets' overheads include it.
   static constexpr base::Duration kOnTheWay = std::chrono::microseconds{500};
 
-  /// Machine time continues now, from the machine's present time.
-  explicit VariableService(Machine& machine);
+  /// The control's time continues now, from its present time.
+  explicit VariableService(ServedControl& control);
 
   /// Before this, accesses cost nothing: the library reads every variable when it is created.
   void goLive() { m_live = true; }
-  [[nodiscard]] Machine& machine() const { return m_machine; }
+  [[nodiscard]] ServedControl& control() const { return m_control; }
 
-  /// Moves the machine to the present.
+  /// Moves the control to the present.
   void advance();
   /// Waits until the next variable of the present request is served, and advances the machine to
   /// that moment; the caller then reads or writes.
@@ -50,7 +51,7 @@ class VariableService {
   [[nodiscard]] base::Instant now() const { return m_clock.now() + m_offset; }
 
  private:
-  Machine& m_machine;
+  ServedControl& m_control;
   opcua::MonotonicClock m_clock;
   base::Duration m_offset;  ///< machine time when the clock was started
   bool m_live = false;

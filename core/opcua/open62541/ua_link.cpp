@@ -441,7 +441,10 @@ class UaLink::Impl {
 
   [[nodiscard]] Instant now() const { return m_clock.now(); }
   [[nodiscard]] base::Result<ServerIdentity> identity();
-  [[nodiscard]] bool isVirtual() const { return m_virtualNamespace.has_value(); }
+  [[nodiscard]] bool isVirtual() const { return m_isVirtual; }
+  [[nodiscard]] Abilities abilities() const {
+    return m_commands ? m_commands->abilities : Abilities{};
+  }
   [[nodiscard]] const std::string& endpoint() const { return m_options.endpoint; }
   [[nodiscard]] const ChannelSecurity& security() const { return m_security; }
   [[nodiscard]] const std::optional<CertificateFacts>& serverCertificate() const {
@@ -466,8 +469,8 @@ class UaLink::Impl {
                                                        std::span<UA_Variant> inputs) {
     return call(m_namespace, kMethodsObject, method, inputs);
   }
-  [[nodiscard]] base::Result<CallResponse> callVirtual(std::string_view method,
-                                                       std::span<UA_Variant> inputs);
+  [[nodiscard]] base::Result<CallResponse> callBeyond(std::string_view method,
+                                                      std::span<UA_Variant> inputs);
 
  private:
   /// One request of the caller; its service calls are made from the front of the item list on.
@@ -551,6 +554,7 @@ class UaLink::Impl {
                                        void* response, const UA_DataType* responseType,
                                        Instant deadline);
   [[nodiscard]] base::Result<void> resolveNamespaces(Instant deadline);
+  [[nodiscard]] base::Result<bool> exists(const UA_NodeId& node, Instant deadline);
   [[nodiscard]] base::Result<ReadResponse> readAttribute(const UA_NodeId& node,
                                                          UA_AttributeId attribute,
                                                          Instant deadline);
@@ -566,7 +570,14 @@ class UaLink::Impl {
   UA_StatusCode (*m_send)(UA_ConnectionManager*, std::uintptr_t, const UA_KeyValueMap*,
                           UA_ByteString*) = nullptr;
   UA_UInt16 m_namespace = 0;
-  std::optional<UA_UInt16> m_virtualNamespace;
+  /// Where the methods are that a SINUMERIK does not have.
+  struct Commands {
+    UA_UInt16 nameSpace = 0;
+    std::string_view object;
+    Abilities abilities;
+  };
+  bool m_isVirtual = false;
+  std::optional<Commands> m_commands;
   std::string_view m_fileMethods = kMethodsObject;  ///< where this edition keeps them
 
   /// Requests borrow from both: their elements stay where they are.
@@ -869,21 +880,35 @@ base::Result<void> UaLink::Impl::resolveNamespaces(Instant deadline) {
   }
   const std::optional<UA_UInt16> found = namespaceIndex(uris, kNamespaceUri);
   const std::optional<UA_UInt16> foundVirtual = namespaceIndex(uris, kVirtualNamespaceUri);
+  const std::optional<UA_UInt16> foundBridge = namespaceIndex(uris, kBridgeNamespaceUri);
   if (!found) {
     return base::fail(error(LinkError::NamespaceMissing));
   }
   m_namespace = *found;
+  // The namespace alone proves nothing; the object itself must be there.
   if (foundVirtual) {
-    // The namespace alone proves nothing; the object itself must be there.
-    answer = readAttribute(borrowNodeId(*foundVirtual, kVirtualObject), UA_ATTRIBUTEID_NODECLASS,
-                           deadline);
-    if (!answer) {
-      return base::fail(answer.error());
+    const auto isThere = exists(borrowNodeId(*foundVirtual, kVirtualObject), deadline);
+    if (!isThere) {
+      return base::fail(isThere.error());
     }
-    const UA_DataValue& nodeClass = (*answer)->results[0];
-    if (nodeClass.hasValue && !(nodeClass.hasStatus && isBad(nodeClass.status))) {
-      m_virtualNamespace = foundVirtual;
+    if (*isThere) {
+      m_isVirtual = true;
+      m_commands = Commands{*foundVirtual, kVirtualObject, {true, true}};
+      return {};
     }
+  }
+  if (foundBridge) {
+    Abilities abilities;
+    for (const auto& [method, ability] : {std::pair(kCycleStart, &abilities.startsOnRequest),
+                                          {kFetchTrace, &abilities.keepsTrace}}) {
+      const std::string identifier = memberIdentifier(kBridgeObject, method);
+      const auto isThere = exists(borrowNodeId(*foundBridge, identifier), deadline);
+      if (!isThere) {
+        return base::fail(isThere.error());
+      }
+      *ability = *isThere;
+    }
+    m_commands = Commands{*foundBridge, kBridgeObject, abilities};
   }
   return {};
 }
@@ -907,6 +932,15 @@ base::Result<void> UaLink::Impl::resolveAddresses(std::span<const UA_String> nam
     m_addressed.emplace(variable, std::move(id));
   }
   return {};
+}
+
+base::Result<bool> UaLink::Impl::exists(const UA_NodeId& node, Instant deadline) {
+  const auto answer = readAttribute(node, UA_ATTRIBUTEID_NODECLASS, deadline);
+  if (!answer) {
+    return base::fail(answer.error());
+  }
+  const UA_DataValue& nodeClass = (*answer)->results[0];
+  return nodeClass.hasValue && !(nodeClass.hasStatus && isBad(nodeClass.status));
 }
 
 base::Result<ServerIdentity> UaLink::Impl::identity() {
@@ -1474,15 +1508,15 @@ base::Result<CallResponse> UaLink::Impl::callFileMethod(std::string_view method,
   return answer;
 }
 
-base::Result<CallResponse> UaLink::Impl::callVirtual(std::string_view method,
-                                                     std::span<UA_Variant> inputs) {
-  if (!m_virtualNamespace) {
+base::Result<CallResponse> UaLink::Impl::callBeyond(std::string_view method,
+                                                    std::span<UA_Variant> inputs) {
+  if (!m_commands) {
     return base::fail(
         LinkError::MethodMissing,
         "Only a virtual machine can do this. On a real control use the keys of its panel.",
         endpoint());
   }
-  return call(*m_virtualNamespace, kVirtualObject, method, inputs);
+  return call(m_commands->nameSpace, m_commands->object, method, inputs);
 }
 
 // --- the public face ----------------------------------------------------------------------------
@@ -1657,12 +1691,11 @@ bool UaLink::isVirtualMachine() const {
 }
 
 Abilities UaLink::abilities() const {
-  // The methods are in the namespace that identifies a virtual machine.
-  return {m_impl->isVirtual(), m_impl->isVirtual()};
+  return m_impl->abilities();
 }
 
 base::Result<void> UaLink::cycleStart() {
-  const auto answer = m_impl->callVirtual(kCycleStart, {});
+  const auto answer = m_impl->callBeyond(kCycleStart, {});
   if (!answer) {
     return base::fail(answer.error());
   }
@@ -1676,7 +1709,7 @@ base::Result<void> UaLink::cycleStart() {
 }
 
 base::Result<void> UaLink::reset() {
-  const auto answer = m_impl->callVirtual(kReset, {});
+  const auto answer = m_impl->callBeyond(kReset, {});
   if (!answer) {
     return base::fail(answer.error());
   }
@@ -1688,7 +1721,7 @@ base::Result<trace::ControlTrace> UaLink::fetchTrace() {
   for (;;) {
     UA_UInt64 offset = text.size();
     std::array inputs{borrowScalar(offset, UA_TYPES_UINT64)};
-    const auto answer = m_impl->callVirtual(kFetchTrace, inputs);
+    const auto answer = m_impl->callBeyond(kFetchTrace, inputs);
     if (!answer) {
       return base::fail(answer.error());
     }

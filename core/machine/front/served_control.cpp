@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "machine/front/served_control.h"
+
+#include "trace/control_trace.h"
+
+namespace rivulet::machine {
+
+ServedMachine::ServedMachine(Machine& machine) : m_machine(machine) {
+  const MachineConfig& config = machine.config();
+  m_facts.name = config.name;
+  m_facts.product = "Rivulet virtual machine";
+  m_facts.applicationUri = "urn:rivulet:machine";
+  m_facts.abilities = {true, true};
+  for (int axis = static_cast<int>(base::kAxisCount); config.rotaryAt(axis); ++axis) {
+    m_facts.rotaryAxes.push_back(*config.rotaryAt(axis));
+  }
+  m_facts.samplingMin = config.access.samplingMin;
+  m_facts.arrays = config.access.arrays;
+  m_facts.users = config.users;
+}
+
+bool ServedMachine::shows(std::string_view folder, std::string_view name) const {
+  const MachineConfig& config = m_machine.config();
+  if (folder == "Spindle") {
+    return config.spindle.has_value();
+  }
+  if (name == "actTNumber" || name == "actDNumber" || name == "actToolIdent") {
+    return config.tools.has_value();
+  }
+  return name != "acAuxfuMValue" || config.coolantTime.has_value();
+}
+
+base::Duration ServedMachine::programTime(std::size_t bytes) const {
+  const AccessCost& cost = m_machine.config().access;
+  return cost.writeOverhead + cost.programTime(bytes);
+}
+
+std::string ServedMachine::traceText() const {
+  return trace::printControlTrace(m_machine.trace());
+}
+
+}  // namespace rivulet::machine
