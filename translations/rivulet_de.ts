@@ -967,6 +967,10 @@
         <translation>Das sind keine Achsen. Aus X, Y, Z, A, B und C wählen.</translation>
     </message>
     <message>
+        <source>This make of control cannot do that. Choose another method or setting.</source>
+        <translation>Diese Steuerung kann das nicht. Eine andere Methode oder Einstellung wählen.</translation>
+    </message>
+    <message>
         <source>The program needs an axis that is not streamed. Move it to the position in the program, or stream it too.</source>
         <translation>Das Programm braucht eine Achse, die nicht gestreamt wird. Die Achse auf die Position im Programm fahren oder mitstreamen.</translation>
     </message>

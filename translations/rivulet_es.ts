@@ -967,6 +967,10 @@
         <translation>Estos no son ejes. Elegir entre X, Y, Z, A, B y C.</translation>
     </message>
     <message>
+        <source>This make of control cannot do that. Choose another method or setting.</source>
+        <translation>Este control no puede hacerlo. Elegir otro método u otro ajuste.</translation>
+    </message>
+    <message>
         <source>The program needs an axis that is not streamed. Move it to the position in the program, or stream it too.</source>
         <translation>El programa necesita un eje que no se transmite. Llevarlo a la posición del programa, o transmitirlo también.</translation>
     </message>

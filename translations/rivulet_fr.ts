@@ -967,6 +967,10 @@
         <translation>Ce ne sont pas des axes. Choisir parmi X, Y, Z, A, B et C.</translation>
     </message>
     <message>
+        <source>This make of control cannot do that. Choose another method or setting.</source>
+        <translation>Cette commande ne sait pas faire cela. Choisir une autre méthode ou un autre réglage.</translation>
+    </message>
+    <message>
         <source>The program needs an axis that is not streamed. Move it to the position in the program, or stream it too.</source>
         <translation>Le programme a besoin d’un axe qui n’est pas transmis. L’amener à la position du programme, ou le transmettre aussi.</translation>
     </message>

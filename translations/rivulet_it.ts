@@ -967,6 +967,10 @@
         <translation>Questi non sono assi. Scegliere tra X, Y, Z, A, B e C.</translation>
     </message>
     <message>
+        <source>This make of control cannot do that. Choose another method or setting.</source>
+        <translation>Questo controllo non può farlo. Scegliere un altro metodo o un’altra impostazione.</translation>
+    </message>
+    <message>
         <source>The program needs an axis that is not streamed. Move it to the position in the program, or stream it too.</source>
         <translation>Il programma richiede un asse che non viene trasmesso. Portarlo nella posizione indicata dal programma, o trasmettere anche questo.</translation>
     </message>

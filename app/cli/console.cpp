@@ -56,7 +56,9 @@ templates::TemplateParameters OperatingOptions::parameters() const {
   parameters.baseCell = baseCell;
   parameters.correctionLimitMm = correctionLimitMm;
   parameters.windowsAhead = windowsAhead;
-  parameters.slowDown = !noSlowDown;
+  parameters.target = templates::targetFromName(control).value_or(parameters.target);
+  // LinuxCNC has no such thing; its planner brakes when its queue ends.
+  parameters.slowDown = !noSlowDown && parameters.target != templates::TargetControl::LinuxCnc;
   parameters.feedPerPoint = feedCells == "point";
   if (!axes.empty()) {
     // The option parser has rejected everything that is not an axis.

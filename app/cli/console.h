@@ -47,6 +47,7 @@ struct OperatingOptions {
   int baseCell = 0;
   int windowsAhead = 3;
   bool noSlowDown = false;
+  std::string control = "sinumerik";
   double deltaMm = 0.3;
   double feedMmPerMin = 0.0;       ///< of all moves; 0: the feeds of the program
   double overridePercent = 100.0;  ///< on the feeds of the program

@@ -68,6 +68,10 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
     command.insert(command.end(),
                    {"--chord-tolerance", fmt::format("{:g}", run.reading.chordToleranceMm)});
   }
+  if (parameters.target != templates::TemplateParameters{}.target) {
+    command.insert(command.end(),
+                   {"--control", std::string(templates::targetName(parameters.target))});
+  }
   if (parameters.method == base::MethodKind::Credit) {
     command.insert(command.end(), {"--windows-ahead", std::to_string(parameters.windowsAhead)});
     if (!parameters.slowDown) {

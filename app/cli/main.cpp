@@ -126,6 +126,10 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
                    "Method credit: most windows that are copied but not executed")
       ->check(CLI::Range(1, 8))
       ->capture_default_str();
+  command
+      ->add_option("--control", point.control, "Make of control that the flexible program is for")
+      ->check(CLI::IsMember({"sinumerik", "linuxcnc"}))
+      ->capture_default_str();
   command->add_flag("--no-slow-down", point.noSlowDown,
                     "Method credit: full feed until nothing is left, then stop");
 }

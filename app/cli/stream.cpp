@@ -81,6 +81,9 @@ streaming::RunSettings settingsOf(const StreamOptions& options,
 }
 
 base::Result<void> requireTest(const StreamOptions& options, const Connection& connection) {
+  if (options.point.parameters().target == templates::TargetControl::LinuxCnc) {
+    return {};  // its interpreter reads a pin when it passes the block, see docs/linuxcnc.md
+  }
   if (!options.simulate) {
     const auto identity = connection.control->identity();
     if (!identity) {
@@ -326,6 +329,11 @@ base::Result<void> StreamCommand::prepare() {
 }
 
 base::Result<void> StreamCommand::load() {
+  if (m_options.simulate &&
+      m_options.point.parameters().target == templates::TargetControl::LinuxCnc) {
+    return base::fail(templates::TemplateError::NotOnTarget,
+                      "The virtual machine is no LinuxCNC: leave out --simulate or --control.");
+  }
   auto program = gcode::loadProgram(m_options.file, m_options.loading.loadOptions());
   if (!program) {
     return base::fail(program.error());

@@ -86,6 +86,7 @@ streaming::RunSettings runSettingsOf(Members& members) {
     members.refuse("/settings/axes");
   }
   readNamed(members, "/settings/layout", parameters.layout, templates::layoutFromName);
+  readNamed(members, "/settings/control", parameters.target, templates::targetFromName);
   readNamed(members, "/settings/passed_by", settings.passedBy, streaming::passedByFromName);
   readNamed(members, "/settings/grouping", settings.grouping, opcua::groupingFromName);
   members.ifThere("/settings/monitor", settings.monitor, flag);

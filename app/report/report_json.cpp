@@ -115,6 +115,7 @@ ordered_json settingsJson(const streaming::RunSettings& settings) {
                     {"windows_ahead", settings.parameters.windowsAhead},
                     {"slow_down", settings.parameters.slowDown},
                     {"layout", templates::layoutName(settings.parameters.layout)},
+                    {"control", templates::targetName(settings.parameters.target)},
                     {"axes", templates::axisLetters(settings.parameters)},
                     {"delta_mm", settings.deltaMm},
                     {"passed_by", streaming::passedByName(settings.passedBy)},

@@ -40,6 +40,19 @@ std::optional<Layout> layoutFromName(std::string_view name) {
   return std::nullopt;
 }
 
+std::string_view targetName(TargetControl target) {
+  return target == TargetControl::LinuxCnc ? "linuxcnc" : "sinumerik";
+}
+
+std::optional<TargetControl> targetFromName(std::string_view name) {
+  for (const TargetControl target : {TargetControl::Sinumerik, TargetControl::LinuxCnc}) {
+    if (targetName(target) == name) {
+      return target;
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<int> CellMap::slotCells(int slot) const {
   RIVULET_ASSERT(slot >= 0);
   RIVULET_ASSERT(slot < slotCount());
@@ -92,8 +105,15 @@ int correctionSteps(const WindowSettings& settings) {
 }
 
 base::Result<CellMap> planCellsAnywhere(const TemplateParameters& parameters) {
-  const MethodTemplate& method = methodTemplate(parameters.method);
+  const MethodTemplate& method = methodTemplate(parameters);
   const int axes = axisCount(parameters);
+  if (parameters.target == TargetControl::LinuxCnc &&
+      (!base::hasWindows(parameters.method) || base::sendsBlocks(parameters.method))) {
+    return base::fail(TemplateError::NotOnTarget,
+                      fmt::format("There is no program of method {} for LinuxCNC: choose method "
+                                  "window or credit.",
+                                  base::methodName(parameters.method)));
+  }
   if (axes == 0) {
     return base::fail(TemplateError::NoAxis,
                       "No axis is selected: choose at least one of X, Y, Z.");
@@ -148,7 +168,7 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
 }
 
 int pointsPerLoopMax(const TemplateParameters& parameters) {
-  return axisCount(parameters) == 0 ? 0 : methodTemplate(parameters.method).pointsMax(parameters);
+  return axisCount(parameters) == 0 ? 0 : methodTemplate(parameters).pointsMax(parameters);
 }
 
 int axisCount(const TemplateParameters& parameters) {
@@ -163,7 +183,7 @@ int cellsPerPoint(const TemplateParameters& parameters) {
 }
 
 int longestWrite(const TemplateParameters& parameters) {
-  return methodTemplate(parameters.method).longestWrite(parameters);
+  return methodTemplate(parameters).longestWrite(parameters);
 }
 
 std::string axisLetters(const TemplateParameters& parameters) {

@@ -32,6 +32,7 @@ enum class TemplateError {
   TooManyAxes,        ///< more than `base::kStreamedAxesMax`
   BadAxes,            ///< letters that are not axes
   BadCorrection,      ///< limit of the online correction out of range, or no axis or method for it
+  NotOnTarget,        ///< a method or setting that the make of control does not have
 };
 
 [[nodiscard]] std::error_code make_error_code(TemplateError code);
@@ -81,6 +82,16 @@ struct CreditSettings {
   bool slowDown = true;  ///< lower the feed while nothing follows the window in motion
 };
 
+/// The make of control that a program is written for.
+enum class TargetControl {
+  Sinumerik,
+  LinuxCnc,  ///< methods window and credit; its cells are pins of the HAL
+};
+
+/// "sinumerik", "linuxcnc".
+[[nodiscard]] std::string_view targetName(TargetControl target);
+[[nodiscard]] std::optional<TargetControl> targetFromName(std::string_view name);
+
 /// The settings of a program. A method reads its own settings and does not change the others, so
 /// that they are kept when the user tries another method.
 struct TemplateParameters : LoopSettings, WindowSettings, CreditSettings {
@@ -89,6 +100,7 @@ struct TemplateParameters : LoopSettings, WindowSettings, CreditSettings {
   std::array<bool, base::kAxisCount> axes{true, true, true};
   base::RotarySet rotaryAxes{};  ///< methods window and file: A, B, C, in degrees
   int rParameterCount = 100;     ///< MD28050: R0 to R(count-1) exist
+  TargetControl target = TargetControl::Sinumerik;
 };
 
 /// R numbers, inclusive at both ends.
@@ -106,12 +118,12 @@ struct LoopCells {
 
 /// Cells of methods window, credit and file; see `WindowProtocol`.
 struct WindowCells {
-  int delivered = 0;     ///< client, last of each window: windows it has completed
-  int latched = 0;       ///< NC: windows it has copied; their cells may be written again
-  int executed = 0;      ///< NC: windows whose last point the axes have reached
-  int state = 0;         ///< NC: `WindowState`
-  int client = 0;        ///< client: the number of its run, to be granted the cells
-  int owner = 0;         ///< NC: number of the run it obeys; only the first to ask is granted
+  int delivered = 0;  ///< client, last of each window: windows it has completed
+  int latched = 0;    ///< NC: windows it has copied; their cells may be written again
+  int executed = 0;   ///< NC: windows whose last point the axes have reached
+  int state = 0;      ///< NC: `WindowState`
+  int client = 0;     ///< client: the number of its run, to be granted the cells
+  int owner = 0;      ///< NC: number of the run it obeys; only the first to ask is granted
   /// Client: changes while it lives. Before the start of the program: who has claimed the cells;
   /// that also with the methods of [P1], at the same place.
   int heartbeat = 0;

@@ -21,7 +21,7 @@ constexpr int kNoNumber = 0;
 
 int numberOf(const TemplateParameters& parameters, const CellMap& cells) {
   constexpr std::uint64_t kNumbers = (1U << 24U) - 1;
-  const std::string text = methodTemplate(parameters.method).program(parameters, cells, kNoNumber);
+  const std::string text = methodTemplate(parameters).program(parameters, cells, kNoNumber);
   return 1 + static_cast<int>(base::hashOf(text) % kNumbers);
 }
 
@@ -32,8 +32,7 @@ base::Result<std::string> generateTemplate(const TemplateParameters& parameters)
   if (!cells) {
     return base::fail(cells.error());
   }
-  return methodTemplate(parameters.method)
-      .program(parameters, *cells, numberOf(parameters, *cells));
+  return methodTemplate(parameters).program(parameters, *cells, numberOf(parameters, *cells));
 }
 
 int layoutNumber(const TemplateParameters& parameters) {
@@ -46,7 +45,7 @@ std::string templateFileName(const TemplateParameters& parameters) {
   std::string name = base::toUpper(fmt::format(
       "{}{}_{}", kNamePrefix, base::methodName(parameters.method), parameters.pointsPerLoop));
   // Letters distinguish variants, so that one never replaces another on the control.
-  name += methodTemplate(parameters.method).nameSuffix(parameters);
+  name += methodTemplate(parameters).nameSuffix(parameters);
   if (parameters.axes != TemplateParameters{}.axes || base::any(parameters.rotaryAxes)) {
     name += axisLetters(parameters);
   }

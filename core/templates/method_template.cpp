@@ -3,30 +3,34 @@
 
 #include "templates/method_template.h"
 
+#include "templates/methods/linuxcnc.h"
 #include "templates/methods/loop.h"
 #include "templates/methods/window.h"
 
 namespace rivulet::templates {
 
-const MethodTemplate& methodTemplate(base::MethodKind method) {
+const MethodTemplate& methodTemplate(const TemplateParameters& parameters) {
   static const PositionTemplate position;
   static const SignalTemplate signal;
   static const WindowTemplate window;
   static const CreditTemplate credit;
   static const FileTemplate file;
-  switch (method) {
+  static const LinuxCncWindowTemplate linuxCncWindow;
+  static const LinuxCncCreditTemplate linuxCncCredit;
+  const bool isLinuxCnc = parameters.target == TargetControl::LinuxCnc;
+  switch (parameters.method) {
     case base::MethodKind::Position:
       return position;
     case base::MethodKind::Signal:
       return signal;
     case base::MethodKind::Credit:
-      return credit;
+      return isLinuxCnc ? static_cast<const MethodTemplate&>(linuxCncCredit) : credit;
     case base::MethodKind::File:
       return file;
     case base::MethodKind::Window:
       break;
   }
-  return window;
+  return isLinuxCnc ? static_cast<const MethodTemplate&>(linuxCncWindow) : window;
 }
 
 }  // namespace rivulet::templates

@@ -43,7 +43,8 @@ class MethodTemplate {
   [[nodiscard]] virtual int longestWrite(const TemplateParameters& parameters) const = 0;
 };
 
-[[nodiscard]] const MethodTemplate& methodTemplate(base::MethodKind method);
+/// Of the parameters' method, for their make of control.
+[[nodiscard]] const MethodTemplate& methodTemplate(const TemplateParameters& parameters);
 
 /// As `planCells`, whether the cells fit the control or not.
 [[nodiscard]] base::Result<CellMap> planCellsAnywhere(const TemplateParameters& parameters);

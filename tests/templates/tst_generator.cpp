@@ -81,6 +81,64 @@ class TestGenerator : public QObject {
   }
   void goldenWindow() { golden(); }
 
+  void goldenLinuxCnc_data() {
+    QTest::addColumn<TemplateParameters>("parameters");
+    TemplateParameters parameters = make(MethodKind::Window, 3);
+    parameters.target = templates::TargetControl::LinuxCnc;
+    QTest::newRow("linuxcnc_window_3") << parameters;
+    parameters =
+        make(MethodKind::Credit, 2, Layout::Paper, SignalStop::EachSignal, {true, false, true});
+    parameters.target = templates::TargetControl::LinuxCnc;
+    parameters.windows = 4;
+    parameters.baseCell = 20;
+    parameters.slowDown = false;
+    parameters.feedPerPoint = true;
+    QTest::newRow("linuxcnc_credit_2_xz") << parameters;
+  }
+  void goldenLinuxCnc() { golden(); }
+
+  /// LinuxCNC refuses a program in which an O-word has two beginnings, and lines of 256 characters.
+  void linuxCncTakesTheText() {
+    TemplateParameters parameters = make(MethodKind::Credit, 30);
+    parameters.target = templates::TargetControl::LinuxCnc;
+    parameters.windows = 8;
+    parameters.slowDown = false;
+    parameters.rParameterCount = 1000;
+    const QStringList blocks = blocksOf(parameters);
+    QVERIFY(!blocks.isEmpty());
+    std::set<QString> begun;
+    for (const QString& block : blocks) {
+      QVERIFY(block.size() < 255);
+      const QString first = block.section(QLatin1Char(' '), 0, 1);
+      if (first.endsWith(QLatin1String(" if")) || first.endsWith(QLatin1String(" while"))) {
+        QVERIFY2(begun.insert(first.section(QLatin1Char(' '), 0, 0)).second, qPrintable(block));
+      }
+    }
+  }
+
+  void whatLinuxCncDoesNotHave_data() {
+    QTest::addColumn<TemplateParameters>("parameters");
+    TemplateParameters parameters = make(MethodKind::Signal, 7);
+    parameters.target = templates::TargetControl::LinuxCnc;
+    QTest::newRow("method") << parameters;
+    parameters = make(MethodKind::Window, 7);
+    parameters.target = templates::TargetControl::LinuxCnc;
+    parameters.correctionLimitMm = 0.1;
+    QTest::newRow("correction") << parameters;
+    parameters = make(MethodKind::Credit, 7);
+    parameters.target = templates::TargetControl::LinuxCnc;
+    QTest::newRow("slower before windows run out") << parameters;
+    parameters.slowDown = false;
+    parameters.windows = 1;
+    QTest::newRow("one window") << parameters;
+  }
+  void whatLinuxCncDoesNotHave() {
+    QFETCH(const TemplateParameters, parameters);
+    const auto text = templates::generateTemplate(parameters);
+    QVERIFY(!text);
+    QVERIFY(text.error().code == templates::TemplateError::NotOnTarget);
+  }
+
   void golden() {
     QFETCH(const TemplateParameters, parameters);
     const auto text = templates::generateTemplate(parameters);

@@ -76,6 +76,7 @@ class TestLint : public QObject {
   void handWrittenLoopsAreFollowed();
   void boundsOfCellsAreFollowed();
   void rulesHaveNames();
+  void onlyTheGeneratedProgramForLinuxCnc();
   void settingsThatDoNotFit();
 };
 
@@ -387,6 +388,36 @@ void TestLint::rulesHaveNames() {
 
 void TestLint::settingsThatDoNotFit() {
   QVERIFY(!templates::lintProgram("M30\n", parametersOf(MethodKind::Signal, 1)));
+}
+
+void TestLint::onlyTheGeneratedProgramForLinuxCnc() {
+  templates::TemplateParameters parameters;
+  parameters.target = templates::TargetControl::LinuxCnc;
+  const auto text = templates::generateTemplate(parameters);
+  QVERIFY(text);
+  const QString program = QString::fromStdString(*text);
+  const auto linesAt = [&](const QString& changed) {
+    std::vector<unsigned> lines;
+    const auto findings = templates::lintProgram(changed.toStdString(), parameters);
+    for (const templates::LintFinding& finding : *findings) {
+      lines.push_back(finding.line.value);
+    }
+    return lines;
+  };
+  QVERIFY(linesAt(program).empty());
+  QVERIFY(linesAt(QStringLiteral("; another comment\n") + program).empty());
+  const auto lineOf = [&](const char* block) {
+    return static_cast<unsigned>(
+        program.left(program.indexOf(QLatin1String(block))).count(QLatin1Char('\n')) + 1);
+  };
+  QString changed = program;
+  changed.replace(QLatin1String("G64 P0.01"), QLatin1String("G64 P0.02"));
+  QCOMPARE(linesAt(changed), std::vector<unsigned>{lineOf("G64 P0.01")});
+  changed = program;
+  changed.replace(QLatin1String("M66 E0 L0\no111"), QLatin1String("o111"));
+  QCOMPARE(linesAt(changed), std::vector<unsigned>{lineOf("M66 E0 L0\no111")});
+  QCOMPARE(linesAt(program.left(program.size() / 2)).size(), std::size_t{1});
+  QVERIFY(!templates::requireSound(changed.toStdString(), parameters));
 }
 
 RIVULET_TEST(TestLint)

@@ -150,6 +150,8 @@ struct ErrorTexts {
         return tr("Too many axes. Choose at most five.");
       case TemplateError::BadAxes:
         return tr("These are not axes. Choose from X, Y, Z, A, B and C.");
+      case TemplateError::NotOnTarget:
+        return tr("This make of control cannot do that. Choose another method or setting.");
     }
     return {};
   }

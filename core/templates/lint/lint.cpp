@@ -19,6 +19,7 @@
 #include <variant>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "machine/main_run.h"
 #include "machine/motion_sink.h"
 #include "nc/cycles/drilling.h"
@@ -975,11 +976,55 @@ std::string_view lintRuleName(LintRule rule) {
   return kNames[static_cast<std::size_t>(rule) - 1];
 }
 
+namespace {
+
+/// The paths of programs for LinuxCNC are not followed: only the generated program, whose behaviour
+/// on LinuxCNC is tested, is accepted, be it with other comments.
+base::Result<std::vector<LintFinding>> compareWithGenerated(std::string_view text,
+                                                            const TemplateParameters& parameters) {
+  const base::Result<std::string> generated = generateTemplate(parameters);
+  if (!generated) {
+    return base::fail(generated.error());
+  }
+  const auto blocks = [](std::string_view program) {
+    std::vector<std::pair<unsigned, std::string_view>> list;
+    unsigned number = 0;
+    while (!program.empty()) {
+      ++number;
+      const std::string_view line = program.substr(0, program.find('\n'));
+      program.remove_prefix(std::min(line.size() + 1, program.size()));
+      const std::string_view block = base::trim(line.substr(0, line.find(';')));
+      if (!block.empty()) {
+        list.emplace_back(number, block);
+      }
+    }
+    return list;
+  };
+  const auto is = blocks(text);
+  const auto meant = blocks(*generated);
+  const auto [here, there] =
+      std::mismatch(is.begin(), is.end(), meant.begin(), meant.end(),
+                    [](const auto& a, const auto& b) { return a.second == b.second; });
+  std::vector<LintFinding> findings;
+  if (here != is.end() || there != meant.end()) {
+    const unsigned line = here != is.end() ? here->first : is.empty() ? 1 : is.back().first;
+    findings.push_back({LintRule::NotChecked, LintSeverity::Error, base::LineNumber{line},
+                        "differs from the program that is generated for LinuxCNC with these "
+                        "settings. Other programs are not checked: generate it anew."});
+  }
+  return findings;
+}
+
+}  // namespace
+
 base::Result<std::vector<LintFinding>> lintProgram(std::string_view text,
                                                    const TemplateParameters& parameters) {
   const base::Result<CellMap> cells = planCells(parameters);
   if (!cells) {
     return base::fail(cells.error());
+  }
+  if (parameters.target == TargetControl::LinuxCnc) {
+    return compareWithGenerated(text, parameters);
   }
   const std::shared_ptr<const nc::Tree> program = nc::parseSinumerik(std::string(text));
   return Linter(*program, parameters, *cells).run();
