@@ -333,6 +333,44 @@ class TestIntegrity : public QObject {
     }));
   }
 
+  /// A control that records no blocks: its set points say which points were executed.
+  void withoutBlocksTheSetPointsAreJudged() {
+    const std::vector<Vec3> corners{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
+    std::vector<StreamPoint> points;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      // As the pieces of an arc: each is a point of its own.
+      points.push_back({corners[i], {}, rivulet::gcode::MoveKind::ArcPiece});
+    }
+    const auto traceOf = [&corners](const std::vector<std::size_t>& course) {
+      ControlTrace trace;
+      trace.cycle = Duration{1'000'000};
+      for (std::size_t leg = 1; leg < course.size(); ++leg) {
+        const Vec3 from = corners[course[leg - 1]];
+        const Vec3 to = corners[course[leg]];
+        for (int step = leg == 1 ? 0 : 1; step <= 100; ++step) {
+          ControlSample sample;
+          sample.at = Instant{trace.cycle * static_cast<int>(trace.samples.size())};
+          sample.commandMm = from + (0.01 * step) * (to - from);
+          sample.actualMm = sample.commandMm;
+          trace.samples.push_back(sample);
+        }
+      }
+      return trace;
+    };
+    Integrity result = judgeRun(points, traceOf({0, 1, 2, 3}), {});
+    QVERIFY(result.judged && result.isFaultless());
+    QCOMPARE(result.executed, std::size_t{3});
+    result = judgeRun(points, traceOf({0, 1, 2, 1, 2, 3}), {});
+    QVERIFY(result.judged && !result.isFaultless());
+    QVERIFY(result.repeated > 0);
+    result = judgeRun(points, traceOf({0, 1, 3}), {});
+    QVERIFY(result.judged && !result.isFaultless());
+    ControlTrace cut = traceOf({0, 1, 2, 3});
+    cut.truncated = true;
+    QVERIFY(!judgeRun(points, cut, {}).judged);
+    QVERIFY(!judgeRun(points, traceOf({0, 1, 2, 3}), {true, false, false}).judged);
+  }
+
   void staysFastOnLongFaultyRuns() {
     // 20 000 laps over the same five places, every third block lost: a search through all points
     // of one place would not end within the time ctest allows.

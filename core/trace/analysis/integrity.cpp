@@ -39,6 +39,7 @@
 #include <utility>
 
 #include "base/contract.h"
+#include "trace/analysis/path_match.h"
 
 namespace rivulet::trace {
 namespace {
@@ -387,6 +388,33 @@ void Judge::findOutOfOrder() {
   }
 }
 
+/// A control that does not record its blocks is judged by its set points.
+Integrity judgeSamples(const std::vector<gcode::StreamPoint>& points, const ControlTrace& trace,
+                       const base::RotarySet& rotaryAxes) {
+  if (base::any(rotaryAxes)) {
+    return {};  // only places of X, Y and Z are compared
+  }
+  std::vector<gcode::StreamPoint> streamed = points;
+  for (gcode::StreamPoint& point : streamed) {
+    point.kind = gcode::MoveKind::Feed;  // each counts, also those of an arc
+  }
+  const ProgramPath path(std::move(streamed), trace.samples.front().commandMm);
+  const PathMatch match = matchPath(motionOf(trace), path);
+  Integrity result;
+  result.judged = match.judged && match.undecided == 0;
+  result.executed = match.executed;
+  result.repeated = match.repeated;
+  result.skipped = match.skipped;
+  result.foreign = match.foreign + (match.departure ? 1 : 0);
+  for (const PathFault& fault : match.faults) {
+    const auto kind = fault.kind == PathFault::Kind::Repeated  ? Kind::Repeated
+                      : fault.kind == PathFault::Kind::Skipped ? Kind::Skipped
+                                                               : Kind::Foreign;
+    result.faults.push_back({kind, fault.point, fault.at});
+  }
+  return result;
+}
+
 }  // namespace
 
 Integrity judgeIntegrity(const std::vector<gcode::StreamPoint>& points,
@@ -399,8 +427,13 @@ Integrity judgeIntegrity(const std::vector<gcode::StreamPoint>& points,
 
 Integrity judgeRun(const std::vector<gcode::StreamPoint>& points, const ControlTrace& trace,
                    const base::RotarySet& rotaryAxes) {
-  return trace.truncated ? Integrity{}
-                         : judgeIntegrity(points, trace.blocks, kPointToleranceMm, rotaryAxes);
+  if (trace.truncated) {
+    return {};
+  }
+  if (trace.blocks.empty() && !trace.samples.empty() && !points.empty()) {
+    return judgeSamples(points, trace, rotaryAxes);
+  }
+  return judgeIntegrity(points, trace.blocks, kPointToleranceMm, rotaryAxes);
 }
 
 }  // namespace rivulet::trace

@@ -61,7 +61,9 @@ struct Integrity {
 inline constexpr double kPointToleranceMm = 1e-6;
 
 /// The judgement of a run from the control's trace, for the run itself and for its recording alike.
-/// A trace of which a part is missing is not judged.
+/// A trace of which a part is missing is not judged. A trace without blocks is judged by its set
+/// points (`path_match`), to its tolerance; not if rotary axes were streamed, nor if its samples
+/// are too far apart to show each point.
 [[nodiscard]] Integrity judgeRun(const std::vector<gcode::StreamPoint>& points,
                                  const ControlTrace& trace, const base::RotarySet& rotaryAxes);
 
