@@ -20,6 +20,8 @@ constexpr double kLagS = 0.06;
 constexpr double kCutShare = 0.37;
 /// A tool that stands trembles, and overshoots when it stops.
 constexpr double kBackMm = 0.2;
+/// The tool can be on either of two pieces that are equally near: of a way there and back.
+constexpr double kNearerMm = 1e-3;
 
 /// The place on a segment that is nearest to a point.
 base::Vec3 nearestOn(base::Vec3 from, base::Vec3 to, base::Vec3 point) {
@@ -77,7 +79,7 @@ double PathWatch::follow(base::Vec3 positionMm, double fromMm, std::size_t to) {
     const base::Vec3 end = placeMm(place);
     const base::Vec3 nearest = nearestOn(from, end, positionMm);
     const double offMm = base::distance(positionMm, nearest);
-    if (isOnPath && offMm > leastMm) {
+    if (isOnPath && offMm > leastMm - kNearerMm) {
       break;  // the first piece that the tool can be on: farther ones say nothing
     }
     leastMm = std::min(leastMm, offMm);

@@ -155,6 +155,15 @@ class TestPathWatch : public QObject {
     }
   }
 
+  /// The tool rises and goes down where it came from: while it rises it is not on the way down.
+  void aLongMoveMayGoBack() {
+    const auto points = pointsAt({{0, 0, 6}, {0, 0, -1}, {5, 0, -1}});
+    PathWatch watch(points, {}, {50.0, 0.0, 0.0});
+    for (const double z : {0.4, 2.3, 4.9, 5.9, 4.9, 2.3, 0.1, -1.0}) {
+      QVERIFY(!watch.add({0, 0, z}, 0, 3));
+    }
+  }
+
   /// Points closer than δ: method position counts them as passed before they are, and the control
   /// executes old ones again. It is said while it happens.
   void repeatedPointsAreSeen() {
