@@ -1,0 +1,293 @@
+# SPDX-FileCopyrightText: 2026 The Rivulet authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""LinuxCNC with a simulated machine, the bridge in front of it, rivulet-cli as its client, and a judge
+who knows only the points of the program and what LinuxCNC's own halsampler has recorded in every servo
+cycle. For test_linuxcnc and scripts/linuxcnc."""
+
+import csv
+import io
+import json
+import math
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+TOLERANCE_MM = 0.05  # that of Rivulet's own judgement of traces
+CYCLE_S = 0.001
+CLIENT_S = 150.0
+SKIPPED = 77
+
+WINDOW = ["--method", "window", "--points", "8", "--windows", "3"]
+CREDIT = ["--method", "credit", "--points", "4", "--windows", "6", "--windows-ahead", "8"]
+
+FEED_MM_PER_S = 50.0
+FEED = ["--feed", "3000"]
+CORPUS = [
+    "pygcode/Mach4_write.tap",
+    "pygcode/Tweakie_s_CNC_Cube.nc",
+    "gcode-toolpath/t2laser.nc",
+]
+
+
+class Failed(Exception):
+    pass
+
+
+class Sample:
+    """One servo cycle."""
+
+    def __init__(self, words):
+        numbers = [float(word) for word in words]
+        self.cycle = int(numbers[0])
+        self.set = tuple(numbers[1:4])
+        self.actual = tuple(numbers[4:7])
+        self.speed = numbers[7]
+
+
+class Machine:
+    """@param bridge  rivulet-linuxcnc; its helper stands beside it"""
+
+    def __init__(self, source, bridge, cli):
+        self.source = pathlib.Path(source)
+        self.cli = cli
+        self.process = None
+        # Not in the home of root, which the user nobody cannot read.
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="rivulet-linuxcnc-"))
+        self.folder.chmod(0o755)
+        if os.geteuid() == 0:
+            for name in (bridge, bridge + "-helper"):
+                shutil.copy(name, self.folder)
+            bridge = str(self.folder / pathlib.Path(bridge).name)
+        self.home = self.folder / "client"
+        self.home.mkdir()
+        self.recorded = self.folder / "machine" / "samples.txt"
+        self.process = subprocess.Popen(
+            [
+                self.source / "examples" / "linuxcnc" / "start",
+                "--record",
+                self.folder / "machine",
+                bridge,
+                "--port",
+                "0",
+                "--allow-start",
+            ],
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        self.endpoint = self.process.stdout.readline().strip()
+        if not self.endpoint:
+            code = self.process.wait()
+            log = self.folder / "machine" / "linuxcnc.log"
+            text = log.read_text(encoding="utf-8")[-3000:] if log.exists() else ""
+            self.end()
+            if code == SKIPPED:
+                sys.exit(SKIPPED)
+            raise Failed("LinuxCNC or the bridge did not start (exit code %d)\n%s" % (code, text))
+
+    def end(self):
+        if self.process is not None and self.process.poll() is None:
+            self.process.terminate()
+            self.process.wait(30)
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def client(self, *words):
+        """Starts rivulet-cli with settings of its own."""
+        environment = dict(os.environ, HOME=str(self.home))
+        for name in ("CONFIG_HOME", "DATA_HOME", "STATE_HOME", "RUNTIME_DIR"):
+            place = self.home / name.lower()
+            place.mkdir(exist_ok=True, mode=0o700)
+            environment["XDG_" + name] = str(place)
+        return subprocess.Popen(
+            [self.cli, *map(str, words)],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            env=environment,
+        )
+
+    def answer(self, what, client, codes=(0,)):
+        """@return what the client has printed, when it has ended"""
+        try:
+            output, errors = client.communicate(timeout=CLIENT_S)
+        except subprocess.TimeoutExpired as late:
+            client.kill()
+            said = client.communicate()[1]
+            raise Failed("%s: no end after %.0f s: %s" % (what, CLIENT_S, said)) from late
+        if client.returncode not in codes:
+            raise Failed("%s: exit code %d: %s%s" % (what, client.returncode, output, errors))
+        return output
+
+    def calibrate(self):
+        """Measures what an access costs, for the verdicts."""
+        words = ["calibrate", "--endpoint", self.endpoint, "--security", "none", "--json", "--yes"]
+        words += ["--first-cell", 100, "--last-cell", 140, "--shots", 50, "--budget", 10]
+        return json.loads(self.answer("calibrate", self.client(*words)))
+
+    def points(self, file):
+        """The points of the program, in mm, as Rivulet reads them; None where an axis has not been moved
+        yet."""
+        text = self.answer("points", self.client("points", file))
+        return [
+            tuple(float(row[axis]) if row[axis] else None for axis in ("x_mm", "y_mm", "z_mm"))
+            for row in csv.DictReader(io.StringIO(text))
+        ]
+
+    def stream(self, file, words):
+        return self.client(
+            *["stream", file, "--motion-only", "--endpoint", self.endpoint, "--security", "none"],
+            *["--control", "linuxcnc", "--axes", "XYZ", "--json", *words],
+        )
+
+    def streamed(self, what, file, words):
+        """A whole run, which Rivulet itself judges from the trace that the bridge fetches."""
+        report = json.loads(self.answer(what, self.stream(file, words)))
+        if report["outcome"] != "completed" or report["finding"] != "faultless":
+            raise Failed("%s: %s" % (what, report))
+        return report
+
+    def mark(self):
+        """Everything recorded until now belongs to earlier runs."""
+        time.sleep(0.3)  # samples on their way
+        return self.recorded.stat().st_size
+
+    def place(self):
+        """Where the set points are now."""
+        with open(self.recorded, "rb") as file:
+            file.seek(max(self.recorded.stat().st_size - 1000, 0))
+            return Sample(file.read().split(b"\n")[-2].split()).set
+
+    def samples(self, since):
+        with open(self.recorded, encoding="ascii") as file:
+            file.seek(since)
+            lines = [line.split() for line in file]
+        samples = [Sample(line) for line in lines if len(line) == 9]
+        gaps = any(b.cycle != a.cycle + 1 for a, b in zip(samples, samples[1:]))
+        if ["overrun"] in lines or gaps:
+            raise Failed("the sampler has lost samples")
+        return samples
+
+
+def wave(origin, count, sense=1.0):
+    """Steps of 1 mm along X, in bends that the acceleration of the machine allows.
+    @param sense  1: X grows, -1: it falls"""
+    path = [origin]
+    for i in range(count):
+        angle = 0.6 * math.sin(i / 40.0)
+        x, y, z = path[-1]
+        path.append((x + sense * math.cos(angle), y + math.sin(angle), z))
+    return path
+
+
+def write(machine, name, path):
+    file = machine.folder / name
+    lines = ["G21 G90 G94"] + ["G1 X%.4f Y%.4f Z%.4f F3000" % point for point in path] + ["M30"]
+    file.write_text("\n".join(lines) + "\n", encoding="ascii")
+    return file
+
+
+def programs(machine):
+    """Three of the corpus, where it is; otherwise those that are always there."""
+    corpus = machine.source.parent / "shared" / "corpus"
+    files = [corpus / name for name in CORPUS]
+    if all(file.exists() for file in files):
+        return files
+    print("the corpus is not here: other programs are streamed", flush=True)
+    square = [(0.0, 0.0, 5.0), (0.0, 0.0, -1.0), (30.0, 0.0, -1.0), (30.0, 30.0, -1.0)]
+    square += [(0.0, 30.0, -1.0), (0.0, 0.0, -1.0), (0.0, 0.0, 5.0)]
+    return [
+        write(machine, "square.nc", square),
+        write(machine, "wave.nc", wave((0.0, 0.0, 0.0), 150)),
+        machine.source / "resources" / "programs" / "scorpion.tap",
+    ]
+
+
+def moving(samples):
+    """Without what is before the first motion and after the last."""
+    moves = [i for i in range(1, len(samples)) if samples[i].set != samples[i - 1].set]
+    return samples[moves[0] - 1 : moves[-1] + 1] if moves else []
+
+
+def whole(points, start):
+    """With the place of the start for axes that have not been moved yet."""
+    return [tuple(s if p is None else p for p, s in zip(point, start)) for point in points]
+
+
+def judge(what, samples, points):
+    """Follows the set points along the path: each point once, in order, nothing else.
+    @return how far they are from the path at most, in mm"""
+    if not samples:
+        raise Failed("%s: no motion was recorded" % what)
+    previous = samples[0].set
+    ends = [previous] + whole(points, previous)
+    legs = [(a, b, math.dist(a, b)) for a, b in zip(ends, ends[1:])]
+    begins = [0.0]
+    for _, _, length in legs:
+        begins.append(begins[-1] + length)
+    leg, along, off = 0, 0.0, 0.0
+    for sample in samples[1:]:
+        place = sample.set
+        step = math.dist(place, previous)
+        if step == 0.0:
+            continue
+        previous = place
+        # Corners are rounded, so the path is left out a little there, and never more.
+        farthest = along + 1.5 * step + 3.0 * TOLERANCE_MM
+        nearest, found = math.inf, None
+        for i in range(leg, len(legs)):
+            if begins[i] > farthest:
+                break
+            a, b, length = legs[i]
+            if length == 0.0:
+                continue
+            share = sum((p - q) * (r - q) for p, q, r in zip(place, a, b)) / length**2
+            share = min(max(share, 0.0), 1.0)
+            distance = math.dist(place, [q + share * (r - q) for q, r in zip(a, b)])
+            at = begins[i] + share * length
+            if at < along - TOLERANCE_MM or at > farthest:
+                continue
+            nearest = min(nearest, distance)
+            if distance <= TOLERANCE_MM and found is None:
+                found = (i, at)
+        if found is None:
+            raise Failed(
+                "%s: off the path, back on it or ahead of it by more than %.2f mm before point %d "
+                "(line %d of the path, %.3f of %.3f mm; %s; nearest %.3f mm)"
+                % (what, TOLERANCE_MM, leg + 1, leg + 1, along, begins[-1], place, nearest)
+            )
+        leg, along, off = found[0], max(along, found[1]), max(off, nearest)
+    if begins[-1] - along > TOLERANCE_MM:
+        done = sum(1 for end in begins[1:] if end <= along + TOLERANCE_MM)
+        raise Failed("%s: %d of %d points were executed" % (what, done, len(points)))
+    return off
+
+
+def from_first(samples, points):
+    """Without the way to the first point."""
+    start = next(i for i, s in enumerate(samples) if math.dist(s.set, points[0]) < TOLERANCE_MM)
+    return samples[start:]
+
+
+def even_part(samples, points):
+    """Of a run along a wave: from 20 mm after its first point to 5 mm before its end."""
+    samples = from_first(samples, points)
+    first, last = points[0][0] + 20.0, points[-1][0] - 5.0
+    begin = next(i for i, s in enumerate(samples) if s.set[0] > first)
+    end = next(i for i in range(begin, len(samples)) if samples[i].set[0] > last)
+    return samples[begin:end]
+
+
+def stops(samples, below_mm_per_s=0.01):
+    """Standstills between the first motion and the last: (first cycle, cycles)."""
+    found, begin = [], None
+    for i, sample in enumerate(samples):
+        if sample.speed < below_mm_per_s:
+            begin = i if begin is None else begin
+        elif begin is not None:
+            found.append((begin, i - begin))
+            begin = None
+    return found

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The bridge with a helper that only says what a test lets it say: no LinuxCNC is needed.
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "linuxcnc/linuxcnc_control.h"
+#include "linuxcnc/sampler.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+using linuxcnc::LinuxCncControl;
+using linuxcnc::LinuxCncOptions;
+
+namespace {
+
+/// A shell script in the place of the helper: says `ready`, writes what it is told to "heard", and
+/// repeats to us the lines after "echo".
+class Helper {
+ public:
+  explicit Helper(const QByteArray& first = "ready 1.0 0.001 7 2.9.0 mill") {
+    QFile script(m_folder.filePath(QStringLiteral("helper")));
+    if (!script.open(QIODevice::WriteOnly)) {
+      qFatal("no temporary file");
+    }
+    script.write("#!/bin/sh\necho '" + first + "'\nwhile read -r line; do\n  echo \"$line\" >>'" +
+                 heardFile().toUtf8() +
+                 "'\n  case $line in\n"
+                 "    \"open \"*) set -- $line; echo \"done $2\" ;;\n"
+                 "    \"run \"*) set -- $line; echo \"failed $2 not homed\" ;;\n"
+                 "  esac\n"
+                 "  if mv '" +
+                 sayFile().toUtf8() + "' '" + sayFile().toUtf8() +
+                 ".taken' 2>/dev/null; then cat '" + sayFile().toUtf8() + ".taken'; fi\ndone\n");
+    script.close();
+    script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    m_options.helper = script.fileName().toStdString();
+    m_options.cells = 30;
+    m_options.programs = m_folder.path().toStdString();
+  }
+
+  LinuxCncOptions& options() { return m_options; }
+
+  /// Lets the helper say the lines, and waits until `control` has understood them.
+  bool say(LinuxCncControl& control, const QByteArray& lines, const std::function<bool()>& done) {
+    // The helper must not see half of it.
+    QFile file(sayFile() + QStringLiteral(".new"));
+    if (!file.open(QIODevice::WriteOnly)) {
+      return false;
+    }
+    file.write(lines);
+    file.close();
+    if (!file.rename(sayFile())) {
+      return false;
+    }
+    control.writeRParameter(29, ++m_count);  // any line wakes the helper
+    return QTest::qWaitFor([&] {
+      control.advance(control.now() + std::chrono::milliseconds{1});
+      return done();
+    });
+  }
+  QByteArray heard() const {
+    QFile file(heardFile());
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+
+ private:
+  QString heardFile() const { return m_folder.filePath(QStringLiteral("heard")); }
+  QString sayFile() const { return m_folder.filePath(QStringLiteral("say")); }
+
+  QTemporaryDir m_folder;
+  LinuxCncOptions m_options;
+  double m_count = 0.0;
+};
+
+/// "state": on, interpreter, line, queue, speed, tool, spindle, flood, mist; then 4 positions.
+QByteArray state(int interpreter, int line, double xIs, double xOffset) {
+  return QStringLiteral(
+             "state 4 %1 %2 3 12.5 2 0.0 1 0 %3 0 0 0 0 0 %3 0 0 0 0 0 %4 0 0 0 0 0 1 0 0 "
+             "0 0 0 | /tmp/PART.MPF\n")
+      .arg(interpreter)
+      .arg(line)
+      .arg(xIs)
+      .arg(xOffset)
+      .toUtf8();
+}
+
+}  // namespace
+
+class TestLinuxCncControl : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void tellsWhyThereIsNoLinuxCnc() {
+    Helper helper("fatal LinuxCNC is not installed for this Python.");
+    const auto control = LinuxCncControl::connect(helper.options());
+    QVERIFY(!control);
+    QVERIFY(control.error().code == linuxcnc::LinuxCncError::NotRunning);
+    QCOMPARE(QString::fromStdString(control.error().message),
+             QStringLiteral("LinuxCNC is not installed for this Python."));
+  }
+
+  void facts() {
+    Helper helper;
+    helper.options().mayStart = true;
+    const auto control = LinuxCncControl::connect(helper.options());
+    QVERIFY(control);
+    QCOMPARE(QString::fromStdString((*control)->facts().name),
+             QStringLiteral("mill (LinuxCNC 2.9.0)"));
+    QVERIFY(!(*control)->facts().isVirtual);
+    QVERIFY((*control)->facts().abilities.startsOnRequest);
+    QVERIFY(!(*control)->facts().abilities.keepsTrace);
+    QVERIFY((*control)->shows("State", "actFeedRateIpo"));
+    QVERIFY(!(*control)->shows("State", "actDNumber"));
+    QVERIFY((*control)->shows("", "acAuxfuMValue"));
+    QVERIFY(!(*control)->shows("", "ncFktAct"));
+  }
+
+  /// The program counts its start: the cells of the run before are cleared, then it is answered.
+  void startClearsTheHeader() {
+    Helper helper;
+    const auto made = LinuxCncControl::connect(helper.options());
+    QVERIFY(made);
+    LinuxCncControl& control = **made;
+    // Base 10; latched 5 and executed 4 of an earlier run.
+    QVERIFY(helper.say(control, "out 1.0 5.0 4.0 77.0 1.0 9.0 10.0\n",
+                       [&] { return control.rParameter(12) == 5.0; }));
+    QCOMPARE(control.rParameter(13), 4.0);
+    QCOMPARE(control.rParameter(14), 77.0);
+    QCOMPARE(control.rParameter(17), 9.0);
+    control.writeRParameter(10, 1.0);
+    control.writeRParameter(11, 6.0);
+    control.writeRParameter(18, 3.0);
+    QVERIFY(helper.say(control, "out 2.0 5.0 4.0 0.0 1.0 9.0 10.0\n",
+                       [&] { return control.rParameter(12) == 0.0; }));
+    for (const int cell : {10, 11, 12, 13, 15, 16, 17}) {
+      QCOMPARE(control.rParameter(cell), 0.0);
+    }
+    QCOMPARE(control.rParameter(18), 3.0);  // the client's heartbeat
+    QTRY_VERIFY(helper.heard().contains("started 2\n"));
+    // Only a change is copied: what the client has written since stays.
+    control.writeRParameter(11, 1.0);
+    QVERIFY(helper.say(control, "out 2.0 1.0 0.0 78.0 0.0 4.0 10.0\n",
+                       [&] { return control.rParameter(12) == 1.0; }));
+    QCOMPARE(control.rParameter(11), 1.0);
+    QCOMPARE(control.rParameter(14), 78.0);
+    QTRY_VERIFY(helper.heard().contains("set 17 4\n"));
+  }
+
+  void stateOfTheProgram() {
+    Helper helper;
+    const auto made = LinuxCncControl::connect(helper.options());
+    QVERIFY(made);
+    LinuxCncControl& control = **made;
+    QVERIFY(
+        helper.say(control, state(2, 7, 30.0, 10.0), [&] { return control.state().line == 7; }));
+    QCOMPARE(control.state().channel, machine::ChannelStatus::Active);
+    QCOMPARE(control.state().program, machine::ProgramStatus::Running);
+    QCOMPARE(control.state().actualMm.x, 20.0);  // workpiece frame
+    QCOMPARE(control.state().distanceToGoMm.x, 1.0);
+    QCOMPARE(control.state().feedMmPerS, 12.5);
+    QVERIFY(control.state().equipment.flood && !control.state().equipment.mist);
+    QCOMPARE(QString::fromStdString(control.state().programName), QStringLiteral("PART.MPF"));
+    QVERIFY(control.selectProgram("PART.MPF").error().code ==
+            machine::MachineError::ProgramMissing);
+    QVERIFY(helper.say(control, "error 11 Linear move on line 7 would exceed X's limit\n",
+                       [&] { return control.state().alarm == 11; }));
+    QVERIFY(helper.say(control, state(1, 0, 30.0, 10.0),
+                       [&] { return control.state().channel == machine::ChannelStatus::Reset; }));
+    QCOMPARE(control.state().alarm, 11);  // for a moment: it stops no other program
+    control.advance(control.now() + std::chrono::seconds{3});
+    QCOMPARE(control.state().alarm, 0);
+    QVERIFY(!control.state().message.empty());
+    QVERIFY(helper.say(control, "state 2" + state(1, 0, 30.0, 10.0).mid(7),
+                       [&] { return control.state().alarm == 1; }));
+  }
+
+  void programs() {
+    Helper helper;
+    const auto made = LinuxCncControl::connect(helper.options());
+    QVERIFY(made);
+    LinuxCncControl& control = **made;
+    QVERIFY(control.storeProgram("a.MPF", "M2\n", false));
+    QVERIFY(control.storeProgram("A.MPF", "M30\n", false).error().code ==
+            machine::MachineError::FileExists);
+    QVERIFY(!control.storeProgram("../A.MPF", "M2\n", true));
+    QCOMPARE(QString::fromStdString(*control.programText("A.mpf")), QStringLiteral("M2\n"));
+    QVERIFY(control.selectProgram("A.MPF"));
+    QTRY_VERIFY(helper.heard().contains("/A.MPF\n"));
+    QVERIFY(helper.say(control, state(1, 0, 0.0, 0.0),
+                       [&] { return !control.state().programName.empty(); }));
+    const auto started = control.cycleStart();
+    QVERIFY(!started);
+    QCOMPARE(QString::fromStdString(started.error().message), QStringLiteral("not homed"));
+  }
+
+  void samples() {
+    const linuxcnc::SampleScale scale{std::chrono::milliseconds{1}, 25.4, {1.0, 0.0, 0.0}};
+    trace::ControlTrace trace;
+    QVERIFY(linuxcnc::addSample(trace, "5 1.0 2.0 3.0 0.5 2.0 3.0 0.25 12 ", scale));
+    QCOMPARE(trace.samples.size(), std::size_t{1});
+    const trace::ControlSample& sample = trace.samples.front();
+    QCOMPARE(base::toSeconds(sample.at), 0.005);
+    QCOMPARE(sample.commandMm.x, 24.4);
+    QCOMPARE(sample.actualMm.x, 11.7);
+    QCOMPARE(sample.feedMmPerS, 6.35);
+    QCOMPARE(sample.line.value, 12U);
+    QVERIFY(!trace.truncated);
+    QVERIFY(!linuxcnc::addSample(trace, "6 1.0 2.0", scale));
+    QVERIFY(linuxcnc::addSample(trace, "overrun", scale));
+    QVERIFY(trace.truncated);
+  }
+};
+
+RIVULET_TEST(TestLinuxCncControl)
+#include "tst_linuxcnc_control.moc"
