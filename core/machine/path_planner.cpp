@@ -15,10 +15,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A path shorter than this is no motion; far below the resolution of any control.
-constexpr double kLengthMmMin = 1e-9;
-/// A turn smaller than this is none.
-constexpr double kTurnDegMin = 1e-9;
 /// Time below this is rounding, not motion.
 constexpr double kTimeSMin = 1e-12;
 /// A motion that has left no more than this of a piece, or this share of it, ends there.
@@ -88,13 +84,17 @@ double weakestRotary(const MachineConfig& config, double RotaryLimits::*limit, d
 PathPlanner::PathPlanner(const MachineConfig& config, base::Vec3 startMm, base::RotaryDeg startDeg)
     : m_config(config),
       m_cycleS(base::toSeconds(config.interpolationCycle)),
-      m_commandMm(startMm),
+      m_place{.exactMm = startMm, .exactDeg = startDeg},
       m_endMm(startMm),
-      m_commandDeg(startDeg),
       m_endDeg(startDeg) {
 }
 
 void PathPlanner::append(const PreparedMotion& motion) {
+  append(roughMotion(motion, {m_endMm, m_endDeg}, m_config));
+}
+
+void PathPlanner::append(const RoughMotion& rough) {
+  const PreparedMotion& motion = rough.motion;
   ++m_appended;
   Block block;
   block.line = motion.line;
@@ -106,36 +106,19 @@ void PathPlanner::append(const PreparedMotion& motion) {
   block.isStraight = !motion.arc;
   block.toDeg = motion.targetDeg;
   block.zeroMm = motion.zeroMm;
+  block.turnDeg = rough.turnDeg;
   m_endZeroMm = motion.zeroMm;
-  const base::Vec3 fromMm = m_endMm;
-  const base::RotaryDeg fromDeg = m_endDeg;
   m_endMm = motion.targetMm;
   m_endDeg = motion.targetDeg;
-  block.turnDeg = base::turnDeg(fromDeg, motion.targetDeg);
-  const bool turns = block.turnDeg > kTurnDegMin;
-  const double straightMm = base::distance(fromMm, motion.targetMm);
-  if (!motion.arc && straightMm <= kLengthMmMin && !turns) {
+  if (!rough.moves) {
     m_blocks.push_back(block);
     return;
   }
-  const bool inDegrees = !motion.arc && turns && straightMm * base::kDegPerMmMax < block.turnDeg;
-  const PathPiece path = motion.arc  ? PathPiece::arc(fromMm, motion.targetMm, *motion.arc)
-                         : inDegrees ? PathPiece::turning(fromMm, motion.targetMm, block.turnDeg)
-                                     : PathPiece::line(fromMm, motion.targetMm);
-  block.lengthMm = path.lengthMm();
-  block.wayMm = inDegrees ? straightMm : path.lengthMm();
-  base::RotaryDeg degPerMm{};
-  for (std::size_t axis = 0; turns && axis < base::kRotaryAxisCount; ++axis) {
-    degPerMm[axis] = (motion.targetDeg[axis] - fromDeg[axis]) / path.lengthMm();
-  }
-  double feedMmPerS = inDegrees ? motion.feedDegPerS : motion.feedMmPerS;
-  if (m_config.blocksPerCycleMax > 0.0) {
-    // The main run takes a new block once a cycle at most: short blocks are passed slower.
-    feedMmPerS = std::min(feedMmPerS, m_config.blocksPerCycleMax * block.lengthMm / m_cycleS);
-  }
-  Piece piece = makePiece(path, feedMmPerS, motion.dynamics, degPerMm);
-  piece.startDeg = fromDeg;
-  piece.inDegrees = inDegrees;
+  block.lengthMm = rough.path.lengthMm();
+  block.wayMm = rough.wayMm;
+  Piece piece = makePiece(rough.path, rough.feedMmPerS, motion.dynamics, rough.degPerMm);
+  piece.startDeg = rough.fromDeg;
+  piece.inDegrees = rough.inDegrees;
   piece.endsBlock = true;
   boundToCycle(piece);
 
@@ -277,7 +260,7 @@ bool PathPlanner::connect(Block& next, Piece& piece) {
   const base::Vec3 change = piece.path.tangent(0.0) - last.path.tangent(last.path.lengthMm());
   const double turn = base::norm(change);
   const double rateTurn = base::turnDeg(last.degPerMm, piece.degPerMm);
-  const bool turns = m_blocks.back().turnDeg > kTurnDegMin || next.turnDeg > kTurnDegMin;
+  const bool turns = m_blocks.back().turnDeg > kPathTurnDegMin || next.turnDeg > kPathTurnDegMin;
   if (!turns && turn > kTurnMin && last.path.isStraight() && piece.path.isStraight() &&
       roundCornerInto(next, piece)) {
     return true;
@@ -326,7 +309,7 @@ bool PathPlanner::roundCornerInto(Block& next, Piece& piece) {
   piece.boundToCycle = piece.boundToCycle || soft;
   piece.junctionMmPerSMax = curvatureStepSpeed(second, piece);
   boundToCycle(piece);
-  if (last.path.lengthMm() <= kLengthMmMin) {
+  if (last.path.lengthMm() <= kPathLengthMmMin) {
     // Both corners of the block have used all of it: arc follows arc.
     const double junction = last.junctionMmPerSMax;
     m_pieces.pop_back();
@@ -548,18 +531,14 @@ double PathPlanner::advance(double seconds) {
   return left;
 }
 
-base::RotaryDeg PathPlanner::turned(const Piece& piece, double mm) {
-  base::RotaryDeg angles = piece.startDeg;
-  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    angles[axis] += mm * piece.degPerMm[axis];
-  }
-  return angles;
+void PathPlanner::moveTo(double mm) {
+  const Piece& piece = m_pieces.front();
+  m_place = {piece.path, mm, piece.startDeg, piece.degPerMm, {}, {}};
 }
 
 void PathPlanner::finishPiece() {
   const double lengthMm = m_pieces.front().path.lengthMm();
-  m_commandMm = m_pieces.front().path.at(lengthMm);
-  m_commandDeg = turned(m_pieces.front(), lengthMm);
+  moveTo(lengthMm);
   m_blockMm += lengthMm;
   m_pieces.pop_front();
   m_ceiling.popFront();
@@ -570,11 +549,11 @@ void PathPlanner::finishPiece() {
 void PathPlanner::finishBlock(base::Instant at, std::vector<trace::ExecutedBlock>& executed) {
   const Block& block = m_blocks.front();
   if (m_blocks.size() == 1) {
-    m_commandMm = block.toMm;
+    m_place.exactMm = block.toMm;
   }
   ++m_finished;
   if (!block.isDwell) {
-    m_commandDeg = block.toDeg;  // the end of a turn is never rounded
+    m_place.exactDeg = block.toDeg;  // the end of a turn is never rounded
     executed.push_back({block.startedAt.value_or(at), at, block.line, block.toMm - block.zeroMm,
                         block.wayMm, block.toDeg, block.turnDeg});
   }
@@ -619,8 +598,7 @@ void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& exe
         finishBlock(instantNow(), executed);
       }
     } else {
-      m_commandMm = m_pieces.front().path.at(m_pathMm);
-      m_commandDeg = turned(m_pieces.front(), m_pathMm);
+      moveTo(m_pathMm);
       if (m_aborting && m_standsAtEnd && isStanding()) {
         break;
       }
@@ -637,8 +615,8 @@ void PathPlanner::step(base::Instant end, std::vector<trace::ExecutedBlock>& exe
   m_profile.reset();
   m_isCommitted = false;
   m_standsAtEnd = false;
-  m_endMm = m_commandMm;
-  m_endDeg = m_commandDeg;
+  m_endMm = commandMm();
+  m_endDeg = commandDeg();
   m_pathMm = 0.0;
   m_blockMm = 0.0;
   m_state = {};
@@ -650,13 +628,14 @@ double PathPlanner::feedCommandMmPerS() const {
 }
 
 base::Vec3 PathPlanner::distanceToGoMm() const {
-  return m_blocks.empty() ? base::Vec3{} : m_blocks.front().toMm - m_commandMm;
+  return m_blocks.empty() ? base::Vec3{} : m_blocks.front().toMm - commandMm();
 }
 
 base::RotaryDeg PathPlanner::distanceToGoDeg() const {
   base::RotaryDeg toGo{};
+  const base::RotaryDeg command = commandDeg();
   for (std::size_t axis = 0; !m_blocks.empty() && axis < base::kRotaryAxisCount; ++axis) {
-    toGo[axis] = m_blocks.front().toDeg[axis] - m_commandDeg[axis];
+    toGo[axis] = m_blocks.front().toDeg[axis] - command[axis];
   }
   return toGo;
 }

@@ -45,7 +45,9 @@
 #include "base/instant.h"
 #include "machine/config.h"
 #include "machine/path_piece.h"
+#include "machine/path_place.h"
 #include "machine/prepared.h"
+#include "machine/rough_motion.h"
 #include "machine/speed_ceiling.h"
 #include "machine/speed_profile.h"
 #include "trace/control_trace.h"
@@ -68,6 +70,8 @@ class PathPlanner {
 
   /// Appends a block after the last one.
   void append(const PreparedMotion& motion);
+  /// The same of a block whose geometry is known. @param rough  begins where the last block ends
+  void append(const RoughMotion& rough);
   void append(const PreparedDwell& dwell);
   void append(PreparedActions actions);
 
@@ -95,7 +99,9 @@ class PathPlanner {
   void setOverride(double factor);
 
   /// Machine coordinates, as all places here.
-  [[nodiscard]] base::Vec3 commandMm() const { return m_commandMm; }
+  [[nodiscard]] base::Vec3 commandMm() const { return m_place.positionMm(); }
+  /// The same as a place on the path, not evaluated yet.
+  [[nodiscard]] const PathPlace& place() const { return m_place; }
   /// Of the workpiece frame in the block in motion, or after the last one.
   [[nodiscard]] base::Vec3 zeroMm() const { return m_zeroMm; }
   /// Of the frame that holds while no program runs, as after a reset.
@@ -103,7 +109,7 @@ class PathPlanner {
     m_zeroMm = zeroMm;
     m_endZeroMm = zeroMm;
   }
-  [[nodiscard]] const base::RotaryDeg& commandDeg() const { return m_commandDeg; }
+  [[nodiscard]] base::RotaryDeg commandDeg() const { return m_place.positionDeg(); }
   /// Path speed; deg/s in a block that only turns rotary axes.
   [[nodiscard]] double speedMmPerS() const { return m_state.speedMmPerS; }
   [[nodiscard]] double feedCommandMmPerS() const;
@@ -189,8 +195,8 @@ class PathPlanner {
   [[nodiscard]] std::optional<SpeedProfile> brakeFor(double seconds, double speedMmPerS) const;
   /// Moves on for at most `seconds`. @return the time left
   double advance(double seconds);
-  /// Where the rotary axes are. @param mm  place on the piece
-  [[nodiscard]] static base::RotaryDeg turned(const Piece& piece, double mm);
+  /// The axes are at a place of the piece in motion.
+  void moveTo(double mm);
   [[nodiscard]] double beginBlock(Block& block, base::Instant at);
   void finishPiece();
   void finishBlock(base::Instant at, std::vector<trace::ExecutedBlock>& executed);
@@ -214,9 +220,8 @@ class PathPlanner {
   std::uint64_t m_appended = 0;
   std::uint64_t m_finished = 0;
   bool m_aborting = false;
-  base::Vec3 m_commandMm;
+  PathPlace m_place;
   base::Vec3 m_endMm;
-  base::RotaryDeg m_commandDeg;
   base::RotaryDeg m_endDeg;
   base::LineNumber m_line;
   base::Vec3 m_zeroMm;

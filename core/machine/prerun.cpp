@@ -3,8 +3,6 @@
 
 #include "machine/prerun.h"
 
-#include <fmt/format.h>
-
 #include "machine/travel.h"
 
 namespace rivulet::machine {
@@ -35,7 +33,7 @@ void Prerun::interpret(base::Instant now) {
   // between is too late, as on the control.
   m_prepared = m_interpreter->next();
   if (const auto* motion = std::get_if<PreparedMotion>(&m_prepared)) {
-    if (std::optional<Alarm> alarm = limitAlarm(*motion)) {
+    if (std::optional<Alarm> alarm = travelAlarm(m_config, *motion)) {
       m_prepared = std::move(*alarm);
     }
   }
@@ -128,18 +126,6 @@ void Prerun::checkStand(base::Instant now, const PathPlanner& planner) {
 
 bool Prerun::takeStandstill() {
   return std::exchange(m_standstill, false);
-}
-
-std::optional<Alarm> Prerun::limitAlarm(const PreparedMotion& motion) const {
-  const std::optional<BeyondTravel> beyond = beyondTravel(m_config, motion);
-  if (!beyond) {
-    return std::nullopt;
-  }
-  const char* const unit = beyond->isRotary() ? "deg" : "mm";
-  return Alarm{10720, fmt::format("Line {}: axis {} is to go to {} {}, beyond its software limit "
-                                  "({} to {} {}).",
-                                  motion.line.value, beyond->axis, beyond->target, unit,
-                                  beyond->min, beyond->max, unit)};
 }
 
 }  // namespace rivulet::machine

@@ -58,7 +58,6 @@ class Prerun {
   void interpret(base::Instant now);
   void deliver(base::Instant now, PathPlanner& planner);
   void checkStand(base::Instant now, const PathPlanner& planner);
-  [[nodiscard]] std::optional<Alarm> limitAlarm(const PreparedMotion& motion) const;
 
   MachineConfig m_config;
   SyncActions& m_syncActions;

@@ -3,6 +3,8 @@
 
 #include "machine/travel.h"
 
+#include <fmt/format.h>
+
 namespace rivulet::machine {
 
 std::optional<BeyondTravel> beyondTravel(const MachineConfig& config,
@@ -24,6 +26,18 @@ std::optional<BeyondTravel> beyondTravel(const MachineConfig& config,
     }
   }
   return std::nullopt;
+}
+
+std::optional<Alarm> travelAlarm(const MachineConfig& config, const PreparedMotion& motion) {
+  const std::optional<BeyondTravel> beyond = beyondTravel(config, motion);
+  if (!beyond) {
+    return std::nullopt;
+  }
+  const char* const unit = beyond->isRotary() ? "deg" : "mm";
+  return Alarm{10720, fmt::format("Line {}: axis {} is to go to {} {}, beyond its software limit "
+                                  "({} to {} {}).",
+                                  motion.line.value, beyond->axis, beyond->target, unit,
+                                  beyond->min, beyond->max, unit)};
 }
 
 }  // namespace rivulet::machine

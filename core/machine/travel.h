@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "machine/alarm.h"
 #include "machine/config.h"
 #include "machine/prepared.h"
 
@@ -25,5 +26,9 @@ struct BeyondTravel {
 /// The first axis that would leave its travel; nothing if none does.
 [[nodiscard]] std::optional<BeyondTravel> beyondTravel(const MachineConfig& config,
                                                        const PreparedMotion& motion);
+
+/// The alarm of a motion that would leave the travel; nothing if it does not.
+[[nodiscard]] std::optional<Alarm> travelAlarm(const MachineConfig& config,
+                                               const PreparedMotion& motion);
 
 }  // namespace rivulet::machine
