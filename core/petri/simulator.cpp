@@ -134,6 +134,13 @@ bool Simulator::fire(std::size_t transition, Word time,
   return true;
 }
 
+bool Simulator::isEnabled(std::size_t transition, Word time) {
+  return m_binder
+      .firstAccepted(m_net.transitions[transition], time,
+                     [](const Evaluator::Frame&) { return true; })
+      .has_value();
+}
+
 std::vector<std::string> Simulator::violations() {
   std::vector<std::string> names;
   for (const Invariant& invariant : m_net.invariants) {

@@ -52,6 +52,9 @@ class Simulator {
   bool fire(std::size_t transition, Word time,
             const std::function<bool(const Evaluator::Frame&)>& accepts);
 
+  /// Whether a transition could fire at a time; nothing fires. For the replay of recorded events.
+  [[nodiscard]] bool isEnabled(std::size_t transition, Word time);
+
   [[nodiscard]] Word now() const { return m_now; }
   [[nodiscard]] std::uint64_t firings() const { return m_firings; }
   /// How often each transition has fired.
