@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "pipeline/policy.h"
+
+#include <cstddef>
+
+namespace rivulet::pipeline {
+
+const std::array<PolicyFacts, 4>& policies() {
+  static const std::array<PolicyFacts, 4> rows{{
+      {PolicyKind::TaskDependency, "task-dependency", "task dependency", &makeTaskDependency},
+      {PolicyKind::DataFlow, "data-flow", "data flow", &makeDataFlow},
+      {PolicyKind::EarliestStarvation, "earliest-starvation", "earliest starvation",
+       &makeEarliestStarvation},
+      {PolicyKind::Steady, "steady", "steady", &makeSteady},
+  }};
+  return rows;
+}
+
+const PolicyFacts& factsOf(PolicyKind kind) {
+  return policies()[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace rivulet::pipeline
