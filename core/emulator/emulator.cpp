@@ -173,14 +173,17 @@ base::Result<void> requireToStand(const AxisTrack& track, const std::string& run
 }
 
 base::Result<TrainingRun> trainingRunOf(const trace::Motion& motion, const std::string& name) {
-  if (motion.samples.size() < 2 || !motion.hasActual) {
-    return base::fail(EmulatorError::TooShort,
-                      "This trace has no actual positions: record set points and actual positions.",
+  if (motion.samples.size() < 2) {
+    return base::fail(EmulatorError::TooShort, "This trace has no positions: record a program.",
                       name);
   }
-  if (!motion.hasSet) {
-    return base::fail(EmulatorError::WrongProgram, "This trace has no set points: record them too.",
-                      name);
+  if (!motion.hasSet || !motion.hasActual) {
+    return base::fail(
+        EmulatorError::WrongProgram,
+        fmt::format("This trace has no {}: record set points and actual positions, or "
+                    "give the program of the trace.",
+                    motion.hasSet ? "actual positions" : "set points"),
+        name);
   }
   TrainingRun run{name, base::toSeconds(motion.step), {}, {}};
   const base::Instant begin = motion.samples.front().at;

@@ -32,7 +32,7 @@ struct Emulator {
 
 /// What a recorded motion says of X, Y and Z. Set points that came in unequal steps are put on an
 /// even grid.
-/// @return error EmulatorError::WrongProgram without set points, BadTimes
+/// @return error EmulatorError::WrongProgram without set points or actual positions, TooShort
 [[nodiscard]] base::Result<TrainingRun> trainingRunOf(const trace::Motion& motion,
                                                       const std::string& name);
 

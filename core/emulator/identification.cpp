@@ -26,8 +26,10 @@ constexpr double kGridStepS = 1e-3;
 constexpr double kStretchS = 1.0;
 constexpr double kStretchesMin = 6.0;  ///< shorter stretches of short runs
 constexpr double kWarmUpS = 0.3;       ///< simulated before a stretch, from an assumed state
-constexpr double kDenseS = 10.0;       ///< of all stretches, in traces of a control
-constexpr double kSparseS = 45.0;      ///< the same if observations are rare
+constexpr double kMovingShare = 0.05;  ///< of the largest step of a run: its first one, in motion
+constexpr double kShortRunS = 3.0;
+constexpr double kDenseS = 10.0;   ///< of all stretches, in traces of a control
+constexpr double kSparseS = 45.0;  ///< the same if observations are rare
 constexpr double kSparseSpacingS = 0.02;
 constexpr std::size_t kStepsToFinish = 30'000;  ///< longer runs leave little to be found
 constexpr double kMotionMmMin = 0.01;
@@ -103,8 +105,9 @@ void follow(const AxisParameters& parameters, const Stretch& stretch, const Take
 /// logarithmic scale, as x of bound_min·(max/min)^(1/(1+e^-x)), so that none can leave them.
 class Fit {
  public:
-  Fit(Parts parts, std::span<const Stretch> stretches)
-      : m_parts(std::move(parts)), m_stretches(stretches) {
+  /// @param isCancelled  asked before each simulation; may be empty
+  Fit(Parts parts, std::span<const Stretch> stretches, const std::function<bool()>& isCancelled)
+      : m_parts(std::move(parts)), m_stretches(stretches), m_isCancelled(isCancelled) {
     for (const Stretch& stretch : stretches) {
       m_count += stretch.atS.size();
     }
@@ -120,6 +123,10 @@ class Fit {
   [[nodiscard]] int values() const { return static_cast<int>(m_count); }
   int operator()(const InputType& x, ValueType& errors) const {
     errors.resize(values());
+    if (m_isCancelled && m_isCancelled()) {
+      errors.setZero();
+      return -1;  // ends the search
+    }
     Eigen::Index row = 0;
     const AxisParameters parameters = parametersAt(x);
     for (const Stretch& stretch : m_stretches) {
@@ -128,16 +135,21 @@ class Fit {
         errors[row++] = std::abs(error) < kLostMm ? error : kLostMm;
       });
     }
+    m_at = x;
+    m_errors = errors;
     return 0;
   }
   int df(const InputType& x, JacobianType& jacobian) const {
     constexpr double kStep = 1e-3;  // larger than what divided steps add to the errors
-    ValueType at;
+    ValueType at = m_errors;        // nearly always asked for at the last place
     ValueType beside;
-    (*this)(x, at);
+    if (x.size() != m_at.size() || x != m_at) {
+      (*this)(x, at);
+    }
+    const InputType place = x;
     jacobian.resize(values(), inputs());
     for (Eigen::Index column = 0; column < x.size(); ++column) {
-      InputType moved = x;
+      InputType moved = place;
       moved[column] += kStep;
       (*this)(moved, beside);
       jacobian.col(column) = (beside - at) / kStep;
@@ -191,7 +203,10 @@ class Fit {
  private:
   Parts m_parts;
   std::span<const Stretch> m_stretches;
+  const std::function<bool()>& m_isCancelled;
   std::size_t m_count = 0;
+  mutable InputType m_at;  ///< where the errors were asked for last
+  mutable ValueType m_errors;
 };
 
 Parts partsOf(const AxisParameters& parameters) {
@@ -240,6 +255,18 @@ base::Result<void> requireSameUnits(const Source& source, char axis) {
       source.run);
 }
 
+/// From when on a trace says how the axis follows: if it moves already when the trace begins, what
+/// it did before is not known. A short trace is taken as it is.
+double knownFromS(const AxisTrack& track, double endS) {
+  const std::vector<double>& mm = track.reference;
+  double largest = 0.0;
+  for (std::size_t i = 1; i < mm.size(); ++i) {
+    largest = std::max(largest, std::abs(mm[i] - mm[i - 1]));
+  }
+  const bool isMoving = mm.size() > 1 && std::abs(mm[1] - mm[0]) > kMovingShare * largest;
+  return isMoving && endS > kShortRunS ? kWarmUpS : 0.0;
+}
+
 /// The position of an axis in a run is learned from only if it moves there.
 base::Result<std::vector<Source>> sourcesOf(std::span<const TrainingRun> runs, char axis,
                                             bool goesStraight) {
@@ -253,13 +280,14 @@ base::Result<std::vector<Source>> sourcesOf(std::span<const TrainingRun> runs, c
     if (track == run.axes.end() || run.observedAt.empty()) {
       continue;
     }
-    if (rangeOf(track->reference) < kMotionMmMin) {
+    if (!moves(*track)) {
       continue;
     }
     Source source{run.name, setPointGrid(*track, run.period, goesStraight), {}, {}};
     const double endS = source.grid.stepS * static_cast<double>(source.grid.mm.size() - 1);
+    const double fromS = knownFromS(*track, endS);
     for (std::size_t i = 0; i < run.observedAt.size(); ++i) {
-      if (run.observedAt[i] >= 0.0 && run.observedAt[i] <= endS) {
+      if (run.observedAt[i] >= fromS && run.observedAt[i] <= endS) {
         source.atS.push_back(run.observedAt[i]);
         source.observedMm.push_back(track->observed[i]);
       }
@@ -414,8 +442,8 @@ struct Candidate {
 
 /// @param known  where to begin besides the seeded starts
 Candidate tryStructure(const Parts& parts, const Split& data, const AxisParameters& known,
-                       int followed) {
-  Fit fit(parts, data.fitted);
+                       int followed, const LearnOptions& options) {
+  Fit fit(parts, data.fitted, options.isCancelled);
   double best = std::numeric_limits<double>::infinity();
   Eigen::VectorXd bestX;
   for (Eigen::VectorXd& x : startsOf(fit, known, followed)) {
@@ -431,7 +459,7 @@ Candidate tryStructure(const Parts& parts, const Split& data, const AxisParamete
   Candidate candidate{parts, {}, std::numeric_limits<double>::infinity()};
   if (bestX.size() > 0) {
     candidate.parameters = fit.parametersAt(bestX);
-    const Fit check(parts, data.heldOut);
+    const Fit check(parts, data.heldOut, options.isCancelled);
     candidate.heldOutRmsMm = check.rmsMm(bestX);
   }
   return candidate;
@@ -457,6 +485,26 @@ Parts toggled(Parts parts, const Parts& toggles) {
   return parts;
 }
 
+bool isCancelled(const LearnOptions& options) {
+  return options.isCancelled && options.isCancelled();
+}
+
+tl::unexpected<base::Error> cancelled() {
+  return base::fail(EmulatorError::Cancelled, "Learning was cancelled: nothing was changed.");
+}
+
+/// Reports a part of the work as a part of the whole.
+LearnOptions partOf(const LearnOptions& options, double from, double to) {
+  LearnOptions part = options;
+  if (options.progress) {
+    part.progress = [outer = options.progress, from, to](LearnProgress progress) {
+      progress.share = from + (to - from) * progress.share;
+      return outer(progress);
+    };
+  }
+  return part;
+}
+
 base::Result<Candidate> chooseStructure(const Split& data, char axis, const LearnOptions& options) {
   std::vector<Parts> first{
       {P::PositionGain},
@@ -469,25 +517,28 @@ base::Result<Candidate> chooseStructure(const Split& data, char axis, const Lear
       with({P::FeedForward, P::FeedForwardLag, P::EffortLag, P::Delay}),
   };
   std::vector<Parts> changes{{P::Viscous}, {P::Delay}, {P::ResonanceHz, P::ResonanceDamping}};
-  if (!options.knowsTime) {
+  if (options.delay != DelayPart::Chosen) {
     for (Parts& parts : first) {
       std::erase(parts, P::Delay);
+      if (options.delay == DelayPart::With) {
+        parts.push_back(P::Delay);
+        std::ranges::sort(parts);
+      }
     }
     changes.erase(changes.begin() + 1);
   }
   Candidate best;
   LearnProgress progress{axis, 0, static_cast<int>(first.size() + changes.size()), {}};
   const auto consider = [&](const Parts& parts, const AxisParameters& known) {
-    const Candidate candidate = tryStructure(parts, data, known, kStartsFollowed);
+    const Candidate candidate = tryStructure(parts, data, known, kStartsFollowed, options);
     if (best.parts.empty() || isBetter(candidate, best)) {
       best = candidate;
     }
     ++progress.step;
+    progress.share = static_cast<double>(progress.step) / static_cast<double>(progress.steps);
+    progress.triedRmsMm = candidate.heldOutRmsMm;
     progress.heldOutRmsMm = best.heldOutRmsMm;
-    return !options.progress || options.progress(progress);
-  };
-  const auto cancelled = [&] {
-    return base::fail(EmulatorError::Cancelled, "Learning was cancelled: nothing was changed.");
+    return !isCancelled(options) && (!options.progress || options.progress(progress));
   };
   for (const Parts& parts : first) {
     if (!consider(parts, AxisParameters(best.parameters))) {
@@ -570,8 +621,8 @@ std::vector<ParameterEstimate> estimatesOf(const Fit& fit, const Eigen::VectorXd
 }
 
 /// How well a structure follows set points of either kind.
-double quickRmsMm(const LearnedAxis& learned, const Split& data) {
-  Fit fit(partsOf(learned.parameters), data.fitted);
+double quickRmsMm(const LearnedAxis& learned, const Split& data, const LearnOptions& options) {
+  Fit fit(partsOf(learned.parameters), data.fitted, options.isCancelled);
   Eigen::VectorXd x = fit.inputOf(learned.parameters);
   fit.improve(x, 12);
   return fit.rmsMm(x);
@@ -632,8 +683,8 @@ base::Result<LearnedAxis> learnFrom(const std::vector<Source>& sources, char axi
   }
   Candidate chosen;
   if (options.structure != nullptr) {
-    chosen =
-        tryStructure(partsOf(*options.structure), data, *options.structure, kStartsFollowedAlone);
+    chosen = tryStructure(partsOf(*options.structure), data, *options.structure,
+                          kStartsFollowedAlone, options);
   } else {
     auto found = chooseStructure(data, axis, options);
     if (!found) {
@@ -642,7 +693,7 @@ base::Result<LearnedAxis> learnFrom(const std::vector<Source>& sources, char axi
     chosen = std::move(*found);
   }
   const std::vector<Stretch> whole = wholeRuns(sources);
-  Fit fit(chosen.parts, whole);
+  Fit fit(chosen.parts, whole, options.isCancelled);
   Eigen::VectorXd x = fit.inputOf(chosen.parameters);
   std::size_t steps = 0;
   for (const Stretch& stretch : whole) {
@@ -655,6 +706,9 @@ base::Result<LearnedAxis> learnFrom(const std::vector<Source>& sources, char axi
   }
   LearnedAxis learned{axis, fit.parametersAt(x), estimatesOf(fit, x, options.confidence),
                       fit.rmsMm(x), chosen.heldOutRmsMm};
+  if (isCancelled(options)) {
+    return cancelled();
+  }
   if (auto follows = requireToFollow(learned, sources); !follows) {
     return base::fail(follows.error());
   }
@@ -669,6 +723,10 @@ double straightAt(std::span<const double> values, double place) {
 }
 
 }  // namespace
+
+bool moves(const AxisTrack& track) {
+  return !track.reference.empty() && rangeOf(track.reference) >= kMotionMmMin;
+}
 
 SetPointGrid setPointGrid(const AxisTrack& track, double periodS, bool goesStraight) {
   const auto parts =
@@ -701,18 +759,18 @@ base::Result<LearnedAxis> learnAxis(std::span<const TrainingRun> runs, char axis
   if (!smooth) {
     return base::fail(smooth.error());
   }
-  auto learned = learnFrom(*smooth, axis, options);
   const bool isCoarse = std::ranges::any_of(
       runs, [](const TrainingRun& run) { return run.period > 1.5 * kGridStepS; });
+  auto learned = learnFrom(*smooth, axis, isCoarse ? partOf(options, 0.0, 0.5) : options);
   if (!learned || !isCoarse) {
     return learned;
   }
   const auto straight = sourcesOf(runs, axis, true);
-  if (!straight || !(quickRmsMm(*learned, split(*straight)) <
-                     kStraightWorth * quickRmsMm(*learned, split(*smooth)))) {
+  if (!straight || !(quickRmsMm(*learned, split(*straight), options) <
+                     kStraightWorth * quickRmsMm(*learned, split(*smooth), options))) {
     return learned;
   }
-  auto other = learnFrom(*straight, axis, options);
+  auto other = learnFrom(*straight, axis, partOf(options, 0.5, 1.0));
   if (!other) {
     return other.error().code == EmulatorError::Cancelled ? other : learned;
   }
@@ -725,10 +783,7 @@ base::Result<std::vector<LearnedAxis>> learnAxes(std::span<const TrainingRun> ru
   std::string letters;
   for (const TrainingRun& run : runs) {
     for (const AxisTrack& track : run.axes) {
-      if (track.reference.empty() || letters.find(track.axis) != std::string::npos) {
-        continue;
-      }
-      if (rangeOf(track.reference) >= kMotionMmMin) {
+      if (moves(track) && letters.find(track.axis) == std::string::npos) {
         letters += track.axis;
       }
     }
@@ -738,8 +793,10 @@ base::Result<std::vector<LearnedAxis>> learnAxes(std::span<const TrainingRun> ru
                       "No axis moves in any of the runs: record a program that moves the axes.");
   }
   std::vector<LearnedAxis> axes;
+  const double part = 1.0 / static_cast<double>(letters.size());
   for (const char letter : letters) {
-    auto learned = learnAxis(runs, letter, options);
+    const double from = part * static_cast<double>(axes.size());
+    auto learned = learnAxis(runs, letter, partOf(options, from, from + part));
     if (!learned) {
       return base::fail(learned.error());
     }

@@ -58,7 +58,16 @@ struct LearnProgress {
   char axis = 'X';
   int step = 0;
   int steps = 0;
+  double triedRmsMm = std::numeric_limits<double>::infinity();    ///< of the last structure
   double heldOutRmsMm = std::numeric_limits<double>::infinity();  ///< best so far
+  double share = 0.0;                                             ///< of all axes, 0 to 1
+};
+
+/// Whether the model of an axis has a delay.
+enum class DelayPart {
+  Chosen,   ///< if that makes it better
+  Without,  ///< the times of the observations are known up to a constant, which is no delay
+  With,
 };
 
 struct LearnOptions {
@@ -68,11 +77,11 @@ struct LearnOptions {
   /// Only this structure: every part whose parameter is not 0. The values are where the search
   /// begins. Nullptr: the structure is chosen.
   const AxisParameters* structure = nullptr;
-  /// False: the times of the observations are known up to a constant, which a delay of the axis
-  /// could not be told from. The model has no delay then.
-  bool knowsTime = true;
-  /// @return false to stop; what has been found is lost then
+  DelayPart delay = DelayPart::Chosen;
+  /// Told after each structure. @return false to stop; what has been found is lost then
   std::function<bool(const LearnProgress&)> progress{};
+  /// Asked every few milliseconds. @return true to stop, as `progress` does
+  std::function<bool()> isCancelled{};
 };
 
 /// @return error EmulatorError::NoMotion, TooShort, BadUnits, BadTimes, BadNumbers, Diverged,
@@ -83,6 +92,9 @@ struct LearnOptions {
 /// All axes that move in any of the runs, in the order in which they are recorded.
 [[nodiscard]] base::Result<std::vector<LearnedAxis>> learnAxes(std::span<const TrainingRun> runs,
                                                                const LearnOptions& options = {});
+
+/// An axis that moves less is not learned.
+[[nodiscard]] bool moves(const AxisTrack& track);
 
 /// The set points of a run on the grid on which axes are simulated: at most 1 ms apart.
 struct SetPointGrid {

@@ -3,10 +3,17 @@
 
 #include "experiments/sparse_learning.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "emulator/emulator_error.h"
+#include "emulator/identification.h"
+#include "emulator/monitor.h"
 #include "experiments/recorded_run.h"
 
 namespace rivulet::experiments {
@@ -20,6 +27,10 @@ using emulator::TrainingRun;
 constexpr double kClockReachS = 0.6;
 /// Puts the delay that is looked for away from its bound at 0.
 constexpr double kAddedDelayS = 0.01;
+/// Stretches with motion are early or late by no more, one against another.
+constexpr double kSteadyS = 0.03;
+constexpr double kSteadyStretchS = 2.0;
+constexpr double kSteadyMotionMm = 1.0;
 
 /// Puts the times of a run on the time of its set points.
 void align(TrainingRun& run, const Emulator& emulator, double reachS) {
@@ -29,14 +40,101 @@ void align(TrainingRun& run, const Emulator& emulator, double reachS) {
   }
 }
 
+/// The least delay of the axes is taken as the shift of the clocks.
+void takeCommonDelay(Emulator& emulator) {
+  using emulator::AxisParameter;
+  double commonS = std::numeric_limits<double>::infinity();
+  for (const emulator::LearnedAxis& axis : emulator.axes) {
+    commonS = std::min(commonS, axis.parameters[AxisParameter::Delay]);
+  }
+  for (emulator::LearnedAxis& axis : emulator.axes) {
+    axis.parameters[AxisParameter::Delay] -= commonS;
+    for (emulator::ParameterEstimate& estimate : axis.estimates) {
+      if (estimate.parameter == AxisParameter::Delay) {
+        estimate.value -= commonS;
+        estimate.low = std::max(0.0, estimate.low - commonS);
+        estimate.high -= commonS;
+      }
+    }
+    std::erase_if(axis.estimates, [](const emulator::ParameterEstimate& estimate) {
+      return estimate.parameter == AxisParameter::Delay && estimate.value <= 0.0;
+    });
+  }
+}
+
 }  // namespace
 
 void alignClock(TrainingRun& run, const Emulator& emulator) {
   align(run, emulator, kClockReachS);
 }
 
-base::Result<Emulator> learnWithClocks(std::vector<TrainingRun> runs) {
-  constexpr int kRounds = 3;
+base::Result<void> requireSteadyClock(const TrainingRun& run, const Emulator& emulator) {
+  const auto residuals = emulator::residualsOf(emulator, run);
+  if (!residuals) {
+    return base::fail(residuals.error());
+  }
+  // To first order, a position that is seen s too early differs by -s times the speed: the shift of
+  // a stretch is that of least squares over all axes.
+  std::vector<double> products(run.observedAt.size(), 0.0);
+  std::vector<double> squares(run.observedAt.size(), 0.0);
+  for (const emulator::AxisResiduals& one : *residuals) {
+    const emulator::LearnedAxis& axis = *emulator.find(one.axis);
+    const auto track = std::ranges::find(run.axes, one.axis, &emulator::AxisTrack::axis);
+    const std::vector<emulator::AxisState> states = emulator::predict(
+        axis.parameters, emulator::setPointGrid(*track, run.period, axis.goesStraight),
+        run.observedAt);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      products[i] += one.mm[i] * states[i].mmPerS;
+      squares[i] += states[i].mmPerS * states[i].mmPerS;
+    }
+  }
+  struct Stretch {
+    double atS = 0.0;
+    double aheadS = 0.0;  ///< the machine is ahead of its program
+  };
+  std::vector<Stretch> stretches;
+  for (std::size_t begin = 0, end = 0; begin < run.observedAt.size(); begin = end) {
+    double product = 0.0;
+    double square = 0.0;
+    double movedMm = 0.0;
+    for (; end < run.observedAt.size() &&
+           run.observedAt[end] < run.observedAt[begin] + kSteadyStretchS;
+         ++end) {
+      product += products[end];
+      square += squares[end];
+      if (end > begin) {
+        movedMm += std::sqrt(squares[end]) * (run.observedAt[end] - run.observedAt[end - 1]);
+      }
+    }
+    if (movedMm > kSteadyMotionMm) {
+      stretches.push_back({run.observedAt[begin], product / square});
+    }
+  }
+  if (stretches.empty()) {
+    return {};
+  }
+  const auto [behind, ahead] = std::ranges::minmax_element(stretches, {}, &Stretch::aheadS);
+  const double driftS = ahead->aheadS - behind->aheadS;
+  if (driftS <= kSteadyS) {
+    return {};
+  }
+  const bool isLate = ahead < behind;
+  return base::fail(
+      emulator::EmulatorError::WrongProgram,
+      fmt::format(
+          "From {:.1f} s to {:.1f} s the machine {} {:.0f} ms {} its program: check that "
+          "the preset has the machine's limits, and that program and trace belong together.",
+          (isLate ? ahead : behind)->atS, (isLate ? behind : ahead)->atS, isLate ? "falls" : "gets",
+          1e3 * driftS, isLate ? "behind" : "ahead of"),
+      run.name);
+}
+
+base::Result<Emulator> learnWithClocks(std::vector<TrainingRun> runs,
+                                       const emulator::LearnOptions& options) {
+  // Without delays, a first model puts the clocks nearly right; with delays, the parts are chosen
+  // again, and then fitted once more.
+  enum Round { First, Chosen, Fitted, kRounds };
+  constexpr std::array<double, kRounds> kShareUntil{0.4, 0.9, 1.0};  // of the time
   Emulator emulator;
   for (const char letter : {'X', 'Y'}) {
     emulator::LearnedAxis axis;
@@ -50,38 +148,45 @@ base::Result<Emulator> learnWithClocks(std::vector<TrainingRun> runs) {
     }
     emulator.axes.push_back(axis);
   }
-  for (int round = 0; round < kRounds; ++round) {
+  for (const Round round : {First, Chosen, Fitted}) {
     for (TrainingRun& run : runs) {
-      align(run, emulator, round == 0 ? kClockReachS : 0.05);
+      align(run, emulator, round == First ? kClockReachS : 0.05);
+      for (double& atS : run.observedAt) {
+        // What is left of the clock's shift is found with the axes, as a delay of all of them.
+        atS += round == First ? 0.0 : kAddedDelayS;
+      }
     }
-    if (round == 0) {
-      auto axes = emulator::learnAxes(runs, {.knowsTime = false});
+    emulator::LearnOptions part{
+        .delay = round == First ? emulator::DelayPart::Without : emulator::DelayPart::With,
+        .isCancelled = options.isCancelled};
+    const double from = round == First ? 0.0 : kShareUntil[static_cast<std::size_t>(round) - 1];
+    const double until = kShareUntil[round];
+    if (options.progress) {
+      part.progress = [&options, from, until](emulator::LearnProgress progress) {
+        progress.share = from + (until - from) * progress.share;
+        return options.progress(progress);
+      };
+    }
+    if (round != Fitted) {
+      auto axes = emulator::learnAxes(runs, part);
       if (!axes) {
         return base::fail(axes.error());
       }
       emulator.axes = std::move(*axes);
-      continue;
-    }
-    // What is left of the clock's shift is found with the axes, as a delay of all of them.
-    for (TrainingRun& run : runs) {
-      for (double& atS : run.observedAt) {
-        atS += kAddedDelayS;
+    } else {
+      for (emulator::LearnedAxis& known : emulator.axes) {
+        emulator::AxisParameters structure = known.parameters;
+        structure[emulator::AxisParameter::Delay] += kAddedDelayS;
+        part.structure = &structure;
+        auto axis = emulator::learnAxis(runs, known.axis, part);
+        if (!axis) {
+          return base::fail(axis.error());
+        }
+        known = std::move(*axis);
       }
     }
-    double commonS = kAddedDelayS;
-    for (std::size_t i = 0; i < emulator.axes.size(); ++i) {
-      emulator::AxisParameters structure = emulator.axes[i].parameters;
-      structure[emulator::AxisParameter::Delay] = kAddedDelayS;
-      auto axis = emulator::learnAxis(runs, emulator.axes[i].axis, {.structure = &structure});
-      if (!axis) {
-        return base::fail(axis.error());
-      }
-      emulator.axes[i] = std::move(*axis);
-      const double delayS = emulator.axes[i].parameters[emulator::AxisParameter::Delay];
-      commonS = i == 0 ? delayS : std::min(commonS, delayS);
-    }
-    for (emulator::LearnedAxis& axis : emulator.axes) {
-      axis.parameters[emulator::AxisParameter::Delay] -= commonS;
+    if (round != First) {
+      takeCommonDelay(emulator);
     }
   }
   return emulator;

@@ -30,11 +30,18 @@ namespace rivulet::experiments {
 
 /// Clocks and axes in turn: the shift of a clock is found with the axes, and the axes with it.
 /// A part of the shift that is common to all axes cannot be told from a delay of the machine.
+/// @param options  progress and isCancelled; the rest is decided here
 /// @return what emulator::learnAxes returns
 [[nodiscard]] base::Result<emulator::Emulator> learnWithClocks(
-    std::vector<emulator::TrainingRun> runs);
+    std::vector<emulator::TrainingRun> runs, const emulator::LearnOptions& options = {});
 
 /// Puts the times of a run on the time of its set points.
 void alignClock(emulator::TrainingRun& run, const emulator::Emulator& emulator);
+
+/// Set points that were planned with the limits of another machine are early in some places and
+/// late in others: their clock cannot be put right.
+/// @param run  aligned  @return EmulatorError::WrongProgram, with the place
+[[nodiscard]] base::Result<void> requireSteadyClock(const emulator::TrainingRun& run,
+                                                    const emulator::Emulator& emulator);
 
 }  // namespace rivulet::experiments

@@ -288,6 +288,27 @@ class TestIdentification : public QObject {
     QVERIFY(!learned.error().message.empty());
   }
 
+  /// In the middle of a search, too: nothing waits for the end of a structure.
+  void canBeCancelledAtAnyTime() {
+    Random random(9);
+    const TrainingRun run = runOf(plantWithLag(random), setPoints(2.0), 0.001, 9);
+    for (const int asked : {1, 5, 300}) {
+      int left = asked;
+      int reportedLater = 0;
+      const auto learned = learnAxes({&run, 1}, {.progress =
+                                                     [&](const LearnProgress&) {
+                                                       reportedLater += left <= 0 ? 1 : 0;
+                                                       return true;
+                                                     },
+                                                 .isCancelled = [&left] { return --left <= 0; }});
+      QVERIFY(!learned);
+      QVERIFY(learned.error().code == EmulatorError::Cancelled);
+      // Asked no more often than a few searches take that end at once.
+      QVERIFY2(left > -300, qPrintable(QString::number(left)));
+      QCOMPARE(reportedLater, 0);
+    }
+  }
+
   void canBeCancelled() {
     Random random(9);
     const TrainingRun run = runOf(plantWithLag(random), setPoints(2.0), 0.001, 9);
