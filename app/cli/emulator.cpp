@@ -6,12 +6,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <filesystem>
+#include <utility>
 
 #include "base/file.h"
-#include "base/sha256.h"
 #include "base/units.h"
-#include "base/utc.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/emulator_runs.h"
@@ -20,9 +18,8 @@
 #include "emulator/emulator_error.h"
 #include "emulator/monitor.h"
 #include "experiments/design_study.h"
-#include "experiments/sparse_learning.h"
+#include "learning/learning.h"
 #include "machine/config.h"
-#include "utc/now.h"
 
 namespace rivulet::cli {
 
@@ -35,17 +32,6 @@ using nlohmann::ordered_json;
 base::Result<Emulator> loadEmulator(const std::string& file) {
   const auto text = base::readFile(file);
   return text ? emulator::parseEmulator(*text, file) : base::fail(text.error());
-}
-
-/// As the emulator's file names it: a path begins in the file's own folder.
-std::string presetBeside(const std::string& preset, const std::string& output) {
-  if (!machine::isPresetPath(preset) || output.empty()) {
-    return preset;
-  }
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path folder = fs::absolute(output, error).parent_path();
-  return fs::absolute(preset, error).lexically_proximate(folder).generic_string();
 }
 
 ordered_json axisJson(const emulator::LearnedAxis& axis) {
@@ -72,92 +58,71 @@ void printAxis(const emulator::LearnedAxis& axis) {
   }
 }
 
-base::Result<std::vector<emulator::LearnedAxis>> learnWithProgress(
-    const std::vector<TrainingRun>& runs) {
-  return emulator::learnAxes(
-      runs, {.progress = [](const emulator::LearnProgress& progress) {
-        if (isTerminal()) {
-          fmt::print(stderr, "\raxis {}: structure {} of {}, {:.3f} µm \x1b[K", progress.axis,
-                     progress.step, progress.steps, 1e3 * progress.heldOutRmsMm);
-        }
-        return !wasInterrupted();
-      }});
+bool showProgress(const emulator::LearnProgress& progress) {
+  if (isTerminal()) {
+    fmt::print(stderr, "\raxis {}: structure {} of {}, {:.3f} µm \x1b[K", progress.axis,
+               progress.step, progress.steps, 1e3 * progress.heldOutRmsMm);
+  }
+  return true;
 }
 
-/// Their clocks are put right as well.
-base::Result<std::vector<emulator::LearnedAxis>> learnFromPrograms(std::vector<TrainingRun>& runs) {
-  auto known = experiments::learnWithClocks(runs);
-  if (!known) {
-    return base::fail(known.error());
-  }
-  for (TrainingRun& run : runs) {
-    experiments::alignClock(run, *known);
-  }
-  return std::move(known->axes);
+void printTest(const emulator::RunFit& fit) {
+  fmt::print(
+      "{}: position {:.3f} µm RMS, {:.3f} µm at most; contour error {:.3f} µm RMS, "
+      "emulated {:.3f} µm; speed {:.3f} % of the feed outside corners\n",
+      fit.name, 1e3 * fit.positionRmsMm, 1e3 * fit.positionMaxMm, 1e3 * fit.contourRmsMm,
+      1e3 * fit.emulatedContourRmsMm, 1e2 * fit.speedRmsShare);
 }
 
 }  // namespace
 
 Exit learnEmulator(const EmulatorOptions& options) {
-  Emulator learned;
-  learned.preset = presetBeside(options.preset, options.output);
-  if (const auto machine = machine::loadPreset(options.preset); !machine) {
-    return reportError(machine.error(), options.json);
-  }
-  std::string hashes;
-  for (const std::string& file : options.files) {
-    const auto bytes = base::readFile(file);
-    if (!bytes) {
-      return reportError(bytes.error(), options.json);
-    }
-    hashes += base::sha256Hex(*bytes);
-  }
-  auto loaded = loadRuns(options);
-  if (!loaded) {
-    return reportError(loaded.error(), options.json);
-  }
-  std::vector<TrainingRun> runs = std::move(*loaded);
-  for (const TrainingRun& run : runs) {
-    learned.runs.push_back(run.name);
+  auto recordings = loadRecordings(options);
+  if (!recordings) {
+    return reportError(recordings.error(), options.json);
   }
   watchForInterrupt();
   const std::clock_t begin = std::clock();
-  auto axes = options.programs.empty() ? learnWithProgress(runs) : learnFromPrograms(runs);
+  const auto learned =
+      learning::learn({.learnFrom = std::move(*recordings),
+                       .testOn = {},
+                       .preset = learning::presetBeside(options.preset, options.output)},
+                      showProgress, wasInterrupted);
   const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   if (isTerminal()) {
     std::fputs("\r\x1b[K", stderr);
   }
-  if (!axes) {
-    return reportError(axes.error(), options.json);
+  if (!learned) {
+    return reportError(learned.error(), options.json);
   }
-  learned.axes = std::move(*axes);
-  // Short traces are enough to learn from, but not to say what is rare: `monitor` says so.
-  if (auto done = emulator::measurePeaks(learned, runs); !done && !options.json) {
-    fmt::print(stderr, "{}\n", done.error().text());
-  }
-  learned.dataHash = base::sha256Hex(hashes);
-  learned.date = base::utcText(utc::now());
   if (!options.output.empty()) {
-    const std::string head =
-        "# An emulator learned by rivulet-cli, and a preset of the virtual machine: "
-        "docs/emulator.md.\n";
-    if (auto done = base::writeFile(options.output, head + emulator::printEmulator(learned));
-        !done) {
+    if (auto done = base::writeFile(options.output, learning::presetText(*learned)); !done) {
       return reportError(done.error(), options.json);
     }
   }
+  const std::vector<emulator::LearnedAxis>& axes = learned->emulator.axes;
   if (options.json) {
-    ordered_json json{{"seconds", seconds}, {"data_sha256", learned.dataHash}};
-    for (const emulator::LearnedAxis& axis : learned.axes) {
+    ordered_json json{{"seconds", seconds}, {"data_sha256", learned->emulator.dataHash}};
+    for (const emulator::LearnedAxis& axis : axes) {
       json["axes"].push_back(axisJson(axis));
     }
     printJson(json);
     return Exit::Done;
   }
-  for (const emulator::LearnedAxis& axis : learned.axes) {
+  for (const emulator::LearnedAxis& axis : axes) {
     printAxis(axis);
   }
-  fmt::print("learned from {} runs in {:.2f} s of one core\n", runs.size(), seconds);
+  for (const learning::RunTest& test : learned->tests) {
+    printTest(test.fit);
+  }
+  fmt::print("learned from {} runs in {:.2f} s of one core\n", learned->recordings.size(), seconds);
+  if (std::ranges::any_of(axes, [](const auto& axis) { return axis.peaks.windows == 0; })) {
+    fmt::print(
+        stderr,
+        "The runs are too short to say how large deviations are at most: \"emulator monitor\" "
+        "needs {} s at least.\n",
+        emulator::kPeaksMin);
+  }
   return Exit::Done;
 }
 
@@ -183,11 +148,7 @@ Exit testEmulator(const EmulatorOptions& options) {
                       {"speed_rms_share", fit->speedRmsShare}});
       continue;
     }
-    fmt::print(
-        "{}: position {:.3f} µm RMS, {:.3f} µm at most; contour error {:.3f} µm RMS, "
-        "emulated {:.3f} µm; speed {:.3f} % of the feed outside corners\n",
-        fit->name, 1e3 * fit->positionRmsMm, 1e3 * fit->positionMaxMm, 1e3 * fit->contourRmsMm,
-        1e3 * fit->emulatedContourRmsMm, 1e2 * fit->speedRmsShare);
+    printTest(*fit);
   }
   if (options.json) {
     printJson(json);

@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "cli/commands.h"
 #include "emulator/training_run.h"
+#include "learning/recording.h"
 
 namespace rivulet::cli {
 
@@ -20,7 +21,7 @@ namespace rivulet::cli {
 
 /// All files; with programs, set points come from these, planned with the limits of the preset.
 /// @return EmulatorError::WrongProgram if there is not one program for each file
-[[nodiscard]] base::Result<std::vector<emulator::TrainingRun>> loadRuns(
+[[nodiscard]] base::Result<std::vector<learning::Recording>> loadRecordings(
     const EmulatorOptions& options);
 
 }  // namespace rivulet::cli

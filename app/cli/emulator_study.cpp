@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/connection.h"
@@ -49,22 +50,29 @@ LearnSettings learnSettings(const EmulatorOptions& options) {
 }
 
 base::Result<std::vector<Course>> loadCourses(const EmulatorOptions& options) {
-  auto runs = loadRuns(options);
-  if (!runs) {
-    return base::fail(runs.error());
+  auto recordings = loadRecordings(options);
+  if (!recordings) {
+    return base::fail(recordings.error());
+  }
+  std::vector<TrainingRun> runs;
+  for (learning::Recording& one : *recordings) {
+    runs.push_back(std::move(one.run));
   }
   if (!options.programs.empty()) {
-    const auto known = experiments::learnWithClocks(*runs);
+    const auto known = experiments::learnWithClocks(runs);
     if (!known) {
       return base::fail(known.error());
     }
-    for (TrainingRun& run : *runs) {
+    for (TrainingRun& run : runs) {
       experiments::alignClock(run, *known);
+      if (auto fits = experiments::requireSteadyClock(run, *known); !fits) {
+        return base::fail(fits.error());
+      }
       std::erase_if(run.axes, [](const emulator::AxisTrack& track) { return track.axis == 'Z'; });
     }
   }
   std::vector<Course> courses;
-  for (TrainingRun& run : *runs) {
+  for (TrainingRun& run : runs) {
     if (options.lambda > 0.0) {
       addSpeeds(run);
     }
