@@ -325,9 +325,17 @@ class Scheduler {
   }
 
   void checkCrew() {
-    if (const auto loss = m_crew.lost()) {
-      stopFor(fmt::format("The task {} has died: {}", nameOf(loss->task), loss->how), loss->task);
+    const auto loss = m_crew.lost();
+    if (!loss) {
+      return;
     }
+    // A task that has failed says why before it ends.
+    const Mailbox& mailbox = m_segment.mailbox(loss->task);
+    stopFor(
+        mailbox.hasAnswered.load() && mailbox.hasFailed
+            ? fmt::format("The task {} has failed: {}", nameOf(loss->task), mailbox.error.view())
+            : fmt::format("The task {} has died: {}", nameOf(loss->task), loss->how),
+        loss->task);
   }
 
   void stopFor(const std::string& reason, Task task) {
