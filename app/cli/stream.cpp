@@ -454,9 +454,10 @@ base::Result<void> StreamCommand::judge() {
   const std::vector<gcode::StreamPoint> points = this->points();
   m_judged.feasible = true;  // a single point needs no refill; method file waits
   if (points.size() >= 2 && point.method != base::MethodKind::File) {
+    // Fewer points per loop than two have no distances; the judge refuses them.
+    const int perLoop = std::max(2, point.pointsPerLoop);
     const auto verdict = feasibility::judge(
-        point, feasibility::programDistances(points, point.pointsPerLoop, point.feedMmPerS),
-        access());
+        point, feasibility::programDistances(points, perLoop, point.feedMmPerS), access());
     if (!verdict) {
       return base::fail(verdict.error());
     }

@@ -662,6 +662,8 @@ class TestCli : public QObject {
     QTest::newRow("no motion") << stream(still) + point << 2;
     QTest::newRow("N does not fit")
         << stream(kScorpion) + words("--points 60 --delta 0.3 --feed 500 --simulate") << 2;
+    QTest::newRow("one point per loop")
+        << stream(kScorpion) + words("--motion-only --points 1 --feed 500 --simulate") << 2;
     QTest::newRow("feed negative")
         << stream(kScorpion) + words("--points 7 --delta 0.3 --feed -5 --simulate") << 2;
     QTest::newRow("delta zero") << stream(kScorpion) +
