@@ -42,7 +42,6 @@ constexpr rivulet::base::Duration kStep = std::chrono::milliseconds{4};
 
 /// Of a random salt, 32 bits each.
 constexpr int kSaltWords = 4;
-/// A stranger can show as many certificates as he likes; only so many are kept.
 
 constexpr int kExitOk = 0;
 constexpr int kExitUsage = 2;

@@ -96,7 +96,7 @@ class TestPolicies : public QObject {
     }
   }
 
-  /// With a cost of each switch, those who switch less send more.
+  /// With a cost of each switch, every policy still sends set points; prints how many.
   void scoresWithSwitchCost() {
     for (const int processors : {1, 2, 5}) {
       QByteArray line = QByteArray::number(processors) + ":";
