@@ -224,9 +224,11 @@ class TestWindowTrust : public QObject {
   }
 
   void aChangedCertificateIsNotAcceptedSilently() {
+    const QStringList samePort{QStringLiteral("--port"), tests::portOfThisProcess()};
     QString endpoint;
     {
-      const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE), encrypted("first"));
+      const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE),
+                                          encrypted("first") + samePort);
       endpoint = machine.endpoint();
       m_window->connectTo(endpoint);
       QTRY_VERIFY_WITH_TIMEOUT(sheet()->isVisible(), kSoonMs);
@@ -234,10 +236,8 @@ class TestWindowTrust : public QObject {
       QTRY_VERIFY_WITH_TIMEOUT(isConnected(), kSoonMs);
     }
     QTRY_VERIFY_WITH_TIMEOUT(!isConnected(), kSoonMs);
-    const QString port = endpoint.mid(endpoint.lastIndexOf(QLatin1Char(':')) + 1);
-    const tests::MachineProcess other(
-        QStringLiteral(RIVULET_MACHINE),
-        encrypted("second") + QStringList{QStringLiteral("--port"), port});
+    const tests::MachineProcess other(QStringLiteral(RIVULET_MACHINE),
+                                      encrypted("second") + samePort);
     QCOMPARE(other.endpoint(), endpoint);
     m_window->connectTo(endpoint);
     QTRY_VERIFY_WITH_TIMEOUT(sheet()->isVisible(), kSoonMs);

@@ -111,13 +111,11 @@ class TestTrust : public QObject {
   }
 
   void aServerIsTrustedOnFirstUseAndAChangedOneIsNot() {
-    QString port;
-    const auto first = std::make_unique<tests::MachineProcess>(
-        QStringLiteral(RIVULET_MACHINE_PROGRAM), machineArguments("first"));
-    auto machine = first.get();
-    const QString endpoint = machine->endpoint();
+    const QStringList samePort{QStringLiteral("--port"), tests::portOfThisProcess()};
+    tests::MachineProcess first(QStringLiteral(RIVULET_MACHINE_PROGRAM),
+                                machineArguments("first") + samePort);
+    const QString endpoint = first.endpoint();
     QVERIFY2(endpoint.startsWith(QLatin1String("opc.tcp://")), qPrintable(endpoint));
-    port = endpoint.mid(endpoint.lastIndexOf(QLatin1Char(':')) + 1);
     const QStringList rights{QStringLiteral("rights"), QStringLiteral("--endpoint"), endpoint,
                              QStringLiteral("--user"), QStringLiteral("setter")};
 
@@ -146,10 +144,9 @@ class TestTrust : public QObject {
     QCOMPARE(plain.exit, 3);
 
     // The same address, another certificate.
-    machine->kill();
-    const tests::MachineProcess second(
-        QStringLiteral(RIVULET_MACHINE_PROGRAM),
-        machineArguments("second") + QStringList{QStringLiteral("--port"), port});
+    first.kill();
+    const tests::MachineProcess second(QStringLiteral(RIVULET_MACHINE_PROGRAM),
+                                       machineArguments("second") + samePort);
     QCOMPARE(second.endpoint(), endpoint);
     const Outcome changed = run("anna", rights, kPassword);
     QCOMPARE(changed.exit, 3);

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <QByteArray>
-#include <QCoreApplication>
 #include <QDebug>
 #include <QDir>
 #include <QFile>
@@ -64,9 +63,6 @@ class KillScene {
 
   /// For the first time, or after a loss of power.
   void switchOn() {
-    // A given port, below those the system gives to clients: it can be used again at once.
-    constexpr qint64 kFirstPort = 21'000;
-    constexpr qint64 kPorts = 8000;
     const bool hadPower = !m_endpoint.isEmpty();
     switchOff();
     m_machine = std::make_unique<MachineProcess>(
@@ -74,7 +70,7 @@ class KillScene {
         m_arguments +
             QStringList{QStringLiteral("--seed"), QStringLiteral("1"), QStringLiteral("--state"),
                         path("machine"), QStringLiteral("--port"),
-                        QString::number(kFirstPort + QCoreApplication::applicationPid() % kPorts)});
+                        portOfThisProcess()});
     m_endpoint = m_machine->endpoint();
     if (m_endpoint.isEmpty()) {
       qFatal("rivulet-machine does not start");

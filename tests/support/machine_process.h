@@ -9,12 +9,22 @@
 
 #include <sys/prctl.h>
 
+#include <QCoreApplication>
 #include <QProcess>
 #include <QString>
 #include <QStringList>
 #include <csignal>
 
 namespace rivulet::tests {
+
+/// For a server that is ended and started again under the same address: a port of this process,
+/// below those the system gives to clients. Of those, another test's client may take one while
+/// the server is away.
+[[nodiscard]] inline QString portOfThisProcess() {
+  constexpr qint64 kFirstPort = 21'000;
+  constexpr qint64 kPorts = 8000;
+  return QString::number(kFirstPort + QCoreApplication::applicationPid() % kPorts);
+}
 
 class MachineProcess {
  public:
