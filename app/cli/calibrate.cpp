@@ -13,6 +13,7 @@
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "interrupt/interrupt.h"
 #include "report/calibration_json.h"
 #include "report/machine_store.h"
 
@@ -100,7 +101,7 @@ class Bar {
                  progress.shotsMade, progress.shotsPlanned, base::toSeconds(progress.left));
       std::fflush(stderr);
     }
-    return !wasInterrupted();
+    return !interrupt::wasSeen();
   }
   void clear() const {
     if (m_percent >= 0) {
@@ -175,7 +176,7 @@ Exit calibrate(const CalibrateOptions& options) {
                base::toSeconds(
                    streaming::expectedDuration(plan, earlier ? &earlier->calibration : nullptr)));
   }
-  watchForInterrupt();
+  interrupt::watch();
   Bar bar;
   std::optional<Connection> again;
   streaming::CalibrationHooks hooks;

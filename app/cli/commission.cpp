@@ -8,6 +8,7 @@
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "interrupt/interrupt.h"
 #include "report/credit_test_json.h"
 #include "report/machine_store.h"
 #include "streaming/commissioning.h"
@@ -60,13 +61,13 @@ Exit commission(const CommissionOptions& options) {
   if (!connection->control->isVirtualMachine() || isByHand(options)) {
     printSteps(options);
   }
-  watchForInterrupt();
+  interrupt::watch();
   streaming::CommissioningPlan plan;
   plan.firstCell = options.baseCell;
   plan.transfer = isByHand(options) ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
   auto result =
       streaming::commission(*connection->link, *connection->control, plan,
-                            [](streaming::CommissioningStep) { return !wasInterrupted(); });
+                            [](streaming::CommissioningStep) { return !interrupt::wasSeen(); });
   if (!result) {
     return reportError(result.error(), options.json);
   }

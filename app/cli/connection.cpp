@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
-#include <csignal>
 #include <iostream>
 #include <optional>
 
@@ -24,12 +22,6 @@
 namespace rivulet::cli {
 
 namespace {
-
-std::atomic<bool> interrupted{false};
-
-extern "C" void onInterrupt(int) {
-  interrupted = true;
-}
 
 ConnectionOptions& connectionOptions() {
   static ConnectionOptions options;
@@ -150,22 +142,6 @@ Connection simulate(machine::MachineConfig config, const std::string& name, std:
   const auto cell = std::make_shared<SimulatedCell>(std::move(config), seed);
   return Connection{cell, &cell->link, &cell->link,
                     fmt::format("simulated {} seed {}", name, seed)};
-}
-
-void watchForInterrupt() {
-  struct sigaction action {};
-  action.sa_handler = &onInterrupt;
-  // A terminal that is closed and a limit of the shell stop a run in order, too.
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) {
-    sigaction(number, &action, nullptr);
-  }
-  // A reader of our output that has gone stops nothing.
-  action.sa_handler = SIG_IGN;
-  sigaction(SIGPIPE, &action, nullptr);
-}
-
-bool wasInterrupted() {
-  return interrupted;
 }
 
 bool isTerminal() {

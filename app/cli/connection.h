@@ -38,11 +38,6 @@ void setConnectionOptions(const ConnectionOptions& options);
 [[nodiscard]] Connection simulate(machine::MachineConfig config, const std::string& name,
                                   std::uint64_t seed);
 
-/// From now on Ctrl-C, SIGTERM, SIGHUP and SIGXFSZ do not end the program; `wasInterrupted` reports
-/// them.
-void watchForInterrupt();
-[[nodiscard]] bool wasInterrupted();
-
 /// Whether standard error is read by a person.
 [[nodiscard]] bool isTerminal();
 

@@ -18,6 +18,7 @@
 #include "emulator/emulator_error.h"
 #include "emulator/monitor.h"
 #include "experiments/design_study.h"
+#include "interrupt/interrupt.h"
 #include "learning/learning.h"
 #include "machine/config.h"
 
@@ -81,13 +82,13 @@ Exit learnEmulator(const EmulatorOptions& options) {
   if (!recordings) {
     return reportError(recordings.error(), options.json);
   }
-  watchForInterrupt();
+  interrupt::watch();
   const std::clock_t begin = std::clock();
   const auto learned =
       learning::learn({.learnFrom = std::move(*recordings),
                        .testOn = {},
                        .preset = learning::presetBeside(options.preset, options.output)},
-                      showProgress, wasInterrupted);
+                      showProgress, interrupt::wasSeen);
   const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   if (isTerminal()) {
     std::fputs("\r\x1b[K", stderr);
@@ -263,13 +264,13 @@ Exit designProgram(const EmulatorOptions& options) {
   box.feedMmPerSMin = base::mmPerSFromMmPerMin(options.feeds[0]);
   box.feedMmPerSMax = base::mmPerSFromMmPerMin(options.feeds[1]);
   box.durationS = options.seconds;
-  watchForInterrupt();
+  interrupt::watch();
   emulator::DesignOptions design{.seed = options.seed, .progress = [](double share) {
                                    if (isTerminal()) {
                                      fmt::print(stderr, "\rsearching: {:.0f} % \x1b[K",
                                                 100.0 * share);
                                    }
-                                   return !wasInterrupted();
+                                   return !interrupt::wasSeen();
                                  }};
   // The noise of a position is not larger than what the emulator is off.
   for (const emulator::LearnedAxis& axis : known->axes) {

@@ -14,6 +14,7 @@
 #include "cli/emulator_runs.h"
 #include "emulator/paper/study.h"
 #include "experiments/sparse_learning.h"
+#include "interrupt/interrupt.h"
 #include "parallel/thread_executor.h"
 
 namespace rivulet::cli {
@@ -90,14 +91,14 @@ base::Result<TrainTestMatrix> study(const EmulatorOptions& options) {
   if (!courses) {
     return base::fail(courses.error());
   }
-  watchForInterrupt();
+  interrupt::watch();
   parallel::ThreadExecutor executor(options.threads);
   auto matrix =
       emulator::paper::trainAndTest(*courses, learnSettings(options), executor, [](double share) {
         if (isTerminal()) {
           fmt::print(stderr, "\rlearning: {:.0f} % \x1b[K", 100.0 * share);
         }
-        return !wasInterrupted();
+        return !interrupt::wasSeen();
       });
   if (isTerminal()) {
     std::fputs("\r\x1b[K", stderr);

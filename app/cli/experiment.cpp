@@ -20,6 +20,7 @@
 #include "experiments/lookahead.h"
 #include "experiments/published_emulator.h"
 #include "experiments/tampering.h"
+#include "interrupt/interrupt.h"
 #include "parallel/thread_executor.h"
 #include "report/experiment_report.h"
 #include "report/svg_plot.h"
@@ -48,7 +49,7 @@ class ProgressLine {
       fmt::print(stderr, "\r{} {} %", m_name, percent);
       std::fflush(stderr);
     }
-    return !wasInterrupted();
+    return !interrupt::wasSeen();
   }
 
  private:
@@ -196,7 +197,7 @@ Exit experiment(const ExperimentCommandOptions& options) {
     }
     connection = std::move(*opened);
   }
-  watchForInterrupt();
+  interrupt::watch();
   std::vector<experiments::Experiment> results;
   for (const std::string& name : names) {
     auto result = run(name, options, *machine, connection ? &*connection : nullptr);

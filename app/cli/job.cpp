@@ -21,6 +21,7 @@
 #include "experiments/job_restart.h"
 #include "experiments/large_machine.h"
 #include "gcode/block_observer.h"
+#include "interrupt/interrupt.h"
 #include "job/dry_plan.h"
 #include "job/main_program.h"
 #include "log/log.h"
@@ -56,7 +57,7 @@ class JobConsole final : public streaming::WholeJobSink, public streaming::RunOr
 
   bool stopRequested(base::Instant now) override {
     m_first = m_first.value_or(now);
-    return wasInterrupted() ||
+    return interrupt::wasSeen() ||
            (m_stopAfterS > 0.0 && now - *m_first >= base::fromSeconds(m_stopAfterS));
   }
   void update(const streaming::LiveUpdate& update) override {
@@ -566,7 +567,7 @@ Exit JobCommand::run() {
 }  // namespace
 
 Exit job(const JobOptions& options) {
-  watchForInterrupt();
+  interrupt::watch();
   JobCommand command(options);
   base::Result<void> done = command.prepare();
   if (done && !options.output.empty()) {

@@ -13,6 +13,7 @@
 #include "cli/paced_link.h"
 #include "cli/record_file.h"
 #include "cli/stream_settings.h"
+#include "interrupt/interrupt.h"
 #include "live/point_stream.h"
 #include "log/log.h"
 #include "recorder/recording_file.h"
@@ -41,7 +42,7 @@ class LiveConsole final : public streaming::RunSink, public streaming::RunOrders
   }
   bool stopRequested(base::Instant now) override {
     m_first = m_first.value_or(now);
-    return wasInterrupted() ||
+    return interrupt::wasSeen() ||
            (m_stopAfterS > 0.0 && now - *m_first >= base::fromSeconds(m_stopAfterS));
   }
   void update(const streaming::LiveUpdate& update) override {
@@ -246,7 +247,7 @@ Exit LiveCommand::show(const streaming::RunReport& done, const Result<void>& rec
 }  // namespace
 
 Exit streamLive(const StreamOptions& options) {
-  watchForInterrupt();
+  interrupt::watch();
   LiveCommand command(options);
   if (const Result<void> prepared = command.prepare(); !prepared) {
     return reportError(prepared.error(), options.json);

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/found_run.h"
+#include "interrupt/interrupt.h"
 #include "report/report_json.h"
 #include "report/run_store.h"
 
@@ -52,7 +53,7 @@ Exit watch(const report::RunStore& store, const Connection& connection,
   std::optional<std::size_t> shown;
   std::vector<std::size_t> ends;
   int number = 0;
-  while (!wasInterrupted()) {
+  while (!interrupt::wasSeen()) {
     const auto found = report::findRun(store, *connection.link, *connection.control,
                                        options.baseCell, base::Duration{0});
     if (!found) {
@@ -115,7 +116,7 @@ void printList(const std::vector<report::SavedRun>& runs) {
 }  // namespace
 
 Exit runs(const RunsOptions& options) {
-  watchForInterrupt();
+  interrupt::watch();
   const report::RunStore store;
   if (options.forget != 0) {
     const auto run = store.find(options.forget);

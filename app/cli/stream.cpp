@@ -21,6 +21,7 @@
 #include "feasibility/verdict.h"
 #include "gcode/block_observer.h"
 #include "gcode/program.h"
+#include "interrupt/interrupt.h"
 #include "job/main_program.h"
 #include "job/plan.h"
 #include "log/log.h"
@@ -116,7 +117,7 @@ class ConsoleOrders final : public streaming::RunOrders {
   ConsoleOrders(double stopAfterS, CorrectionSource* source)
       : m_stopAfterS(stopAfterS), m_source(source) {}
   bool stopRequested(base::Instant now) override {
-    if (wasInterrupted()) {
+    if (interrupt::wasSeen()) {
       return true;
     }
     if (m_stopAfterS <= 0.0) {
@@ -318,7 +319,7 @@ base::Result<void> StreamCommand::prepare() {
     if (base::Result<void> done = (this->*step)(); !done) {
       return done;
     }
-    if (wasInterrupted()) {
+    if (interrupt::wasSeen()) {
       return base::fail(streaming::StreamError::Cancelled,
                         "Stopped before the run was started. Nothing has moved.");
     }
@@ -749,7 +750,7 @@ base::Result<bool> isWholeJob(const StreamOptions& options) {
 }  // namespace
 
 Exit stream(const StreamOptions& options) {
-  watchForInterrupt();
+  interrupt::watch();
   const base::Result<bool> isWhole = isWholeJob(options);
   if (!isWhole) {
     return reportError(isWhole.error(), options.json);

@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -17,6 +15,7 @@
 #include "cnc/cnc_run.h"
 #include "cnc/event_file.h"
 #include "cnc/jitter.h"
+#include "interrupt/interrupt.h"
 #include "log/log.h"
 #include "pipeline/conformance.h"
 #include "pipeline/ring.h"
@@ -31,21 +30,6 @@ constexpr int kExitUsage = 2;
 constexpr double kUsPerNs = 1e-3;
 /// Of SCHED_FIFO: above the threads of the kernel's interrupts.
 constexpr int kPriority = 80;
-
-std::atomic<bool> g_stop{false};
-
-extern "C" void onSignal(int /*signal*/) {
-  g_stop.store(true);
-}
-
-void installSignalHandlers() {
-  struct sigaction action {};
-  action.sa_handler = &onSignal;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  action.sa_handler = SIG_IGN;
-  sigaction(SIGPIPE, &action, nullptr);
-}
 
 int complain(const base::Error& error, int code) {
   log::logger().error(error.text());
@@ -134,7 +118,7 @@ int run(Arguments& arguments) {
     log::logger().error("Name a program, or let it come over TCP with --listen; not both.");
     return kExitUsage;
   }
-  auto result = cnc::runCnc(arguments.run, g_stop);
+  auto result = cnc::runCnc(arguments.run, interrupt::flag());
   if (!result) {
     return complain(result.error(), kExitUsage);
   }
@@ -174,7 +158,7 @@ int jitter(Arguments& arguments) {
   options.run = arguments.run;
   options.duration = base::fromSeconds(arguments.seconds);
   options.withLoad = arguments.load;
-  const auto measured = cnc::measureJitter(options, g_stop);
+  const auto measured = cnc::measureJitter(options, interrupt::flag());
   if (!measured) {
     return complain(measured.error(), kExitUsage);
   }
@@ -221,7 +205,7 @@ int conformance(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  installSignalHandlers();
+  interrupt::watch();
   Arguments arguments;
   arguments.run.preset = machine::kDefaultPreset;
   CLI::App app{

@@ -8,33 +8,28 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
-#include <csignal>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <random>
-#include <set>
 #include <string>
-#include <string_view>
-#include <system_error>
 
 #include "base/file.h"
+#include "interrupt/interrupt.h"
 #include "log/log.h"
 #include "machine/config.h"
 #include "machine/front/server.h"
 #include "machine/kept_state.h"
 #include "machine/machine.h"
 #include "machine/user.h"
-#include "opcua/node_map.h"
-#include "opcua/open62541/encryption.h"
-#include "trust/own_certificate.h"
+#include "serving/serving.h"
 #include "trust/password.h"
-#include "trust/private_file.h"
-#include "trust/trust_store.h"
 
 namespace {
+
+using rivulet::serving::complain;
+using rivulet::serving::kExitOk;
+using rivulet::serving::kExitUsage;
 
 /// Clients are answered at once; this is how often the machine goes on without any, and how old
 /// the state on disk may be.
@@ -43,57 +38,19 @@ constexpr rivulet::base::Duration kStep = std::chrono::milliseconds{4};
 /// Of a random salt, 32 bits each.
 constexpr int kSaltWords = 4;
 
-constexpr int kExitOk = 0;
-constexpr int kExitUsage = 2;
-constexpr int kExitNoPort = 3;
-
-/// Set by a signal, checked between two iterations of the server.
-std::atomic<bool> g_stop{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch it only so");
-
-extern "C" void onSignal(int /*signal*/) {
-  g_stop.store(true);
-}
-
-void installSignalHandlers() {
-  struct sigaction action {};
-  action.sa_handler = &onSignal;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  // A reader of our output that has gone is no reason to end without cleaning up.
-  action.sa_handler = SIG_IGN;
-  sigaction(SIGPIPE, &action, nullptr);
-}
-
-int complain(const rivulet::base::Error& error, int exitCode) {
-  rivulet::log::logger().error(error.text());
-  return exitCode;
-}
-
 struct Arguments {
-  rivulet::machine::ServerOptions server;
+  rivulet::serving::Options serving;
   std::string preset = rivulet::machine::kDefaultPreset;
   std::uint64_t seed = 1;
   bool noFileRights = false;
   std::string program;
   std::string stateFolder;
-  std::string certificates;  ///< folder; empty: the user's
-  bool encrypted = false;
-  bool insecure = false;
-  bool onlyTrustedClients = false;
   bool hashPassword = false;
-  bool renewCertificate = false;
-  std::string logLevel;
 };
 
 /// @param arguments  outlives the app
 void addOptions(CLI::App& app, Arguments& arguments) {
-  arguments.server.port = rivulet::opcua::kPort;
-  app.add_option("--host", arguments.server.host,
-                 "Address to listen on; 0.0.0.0 allows other computers to connect")
-      ->capture_default_str();
-  app.add_option("--port", arguments.server.port, "TCP port; 0: any free port")
-      ->capture_default_str();
+  rivulet::serving::addOptions(app, arguments.serving);
   app.add_option("--preset", arguments.preset, "Machine: a built-in preset or a TOML file")
       ->capture_default_str();
   app.add_flag("--no-file-rights", arguments.noFileRights,
@@ -105,25 +62,8 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--state", arguments.stateFolder,
                  "Folder that keeps R-parameters, part programs and the places of the axes, as a "
                  "control does when it is switched off");
-  app.add_flag("--encrypted", arguments.encrypted,
-               "Clients must connect encrypted; always so with an address other than this "
-               "computer's");
-  app.add_flag("--insecure", arguments.insecure,
-               "Clients on other computers may connect without encryption: everybody on the "
-               "network can then move the machine");
-  app.add_flag("--only-trusted-clients", arguments.onlyTrustedClients,
-               "Encrypted clients must have a certificate in the folder clients/trusted of "
-               "--certificates; others are kept in clients/rejected");
-  app.add_option("--certificates", arguments.certificates,
-                 "Folder of the machine's certificate (default: ~/.config/rivulet/trust)");
-  app.add_flag("--renew-certificate", arguments.renewCertificate,
-               "Make a new certificate; every client has to accept it again");
   app.add_flag("--hash-password", arguments.hashPassword,
                "Ask for a password, print what a preset holds in its place, and end");
-  app.add_option("--log-level", arguments.logLevel,
-                 "What is logged on standard error (default: warning) and in the log file "
-                 "(default: info)")
-      ->check(CLI::IsMember(rivulet::log::levelNames()));
   app.set_version_flag("--version", "rivulet-machine " RIVULET_VERSION);
 }
 
@@ -156,65 +96,10 @@ int printHash() {
   return kExitOk;
 }
 
-/// Reads the certificates of the clients that may connect.
-rivulet::base::Result<std::set<std::string>> trustedClients(const std::filesystem::path& folder) {
-  std::set<std::string> fingerprints;
-  if (auto made = rivulet::trust::makePrivateFolder(folder); !made) {
-    return tl::unexpected(made.error());
-  }
-  std::error_code status;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, status)) {
-    const auto text = rivulet::base::readFile(entry.path(), rivulet::trust::kCertificateBytesMax);
-    const auto facts = text ? rivulet::opcua::readCertificate(*text)
-                            : tl::unexpected<rivulet::base::Error>(text.error());
-    if (!facts) {
-      return rivulet::base::fail(facts.error().code, facts.error().message, entry.path().string());
-    }
-    fingerprints.insert(facts->fingerprint);
-  }
-  return fingerprints;
-}
-
-/// Certificate, encryption and clients, as the options say.
-rivulet::base::Result<void> protect(Arguments& arguments) {
-  namespace trust = rivulet::trust;
-  const std::filesystem::path folder = arguments.certificates.empty()
-                                           ? trust::trustFolder()
-                                           : std::filesystem::path(arguments.certificates);
-  rivulet::machine::ServerOptions& server = arguments.server;
-  const bool isLocal =
-      rivulet::opcua::isLoopback("opc.tcp://" + server.host) || server.host == "::1";
-  server.unencrypted = !arguments.encrypted && (isLocal || arguments.insecure);
-  auto own = arguments.renewCertificate ? trust::renewCertificate(folder, trust::Owner::Machine)
-                                        : trust::ownCertificate(folder, trust::Owner::Machine);
-  if (!own) {
-    return tl::unexpected(own.error());
-  }
-  if (const auto facts = rivulet::opcua::readCertificate(own->certificate)) {
-    rivulet::log::logger().info("certificate: {}; encryption by {}", trust::describe(*facts),
-                                rivulet::opcua::encryptionLibrary());
-  }
-  server.certificate = std::move(*own);
-  if (arguments.onlyTrustedClients) {
-    auto clients = trustedClients(folder / "clients" / "trusted");
-    if (!clients) {
-      return tl::unexpected(clients.error());
-    }
-    server.trustedClients = std::move(*clients);
-    server.onRefusedClient = [rejected = folder / "clients" / "rejected"](
-                                 const rivulet::opcua::CertificateFacts& facts,
-                                 std::string_view der) {
-      rivulet::log::logger().warn("a client is not trusted: {}", trust::describe(facts));
-      trust::keepRejected(rejected, facts, der);
-    };
-  }
-  return {};
-}
-
 /// Serves until the program is interrupted. @return the exit code
 int serve(rivulet::machine::Server& server, const rivulet::machine::Machine& machine,
           rivulet::machine::KeptState* kept) {
-  while (!g_stop.load()) {
+  while (!rivulet::interrupt::wasSeen()) {
     server.iterate(kStep);
     if (kept != nullptr) {
       if (const auto done = kept->keep(machine); !done) {
@@ -229,7 +114,7 @@ int serve(rivulet::machine::Server& server, const rivulet::machine::Machine& mac
 }  // namespace
 
 int main(int argc, char** argv) {
-  installSignalHandlers();
+  rivulet::interrupt::watch();
 
   Arguments arguments;
   CLI::App app{
@@ -242,11 +127,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? kExitOk : kExitUsage;
   }
 
-  if (const auto done = rivulet::log::setUp(
-          {"rivulet-machine", arguments.logLevel, rivulet::log::recordingsFolder()});
-      !done) {
-    rivulet::log::logger().info(done.error().text());
-  }
+  rivulet::serving::setUpLog("rivulet-machine", arguments.serving);
   if (arguments.hashPassword) {
     return printHash();
   }
@@ -271,17 +152,15 @@ int main(int argc, char** argv) {
       return complain(selected.error(), kExitUsage);
     }
   }
-  arguments.server.fileRights = !arguments.noFileRights;
-  if (const auto done = protect(arguments); !done) {
+  arguments.serving.server.fileRights = !arguments.noFileRights;
+  if (const auto done = rivulet::serving::protect(arguments.serving); !done) {
     return complain(done.error(), kExitUsage);
   }
-  const auto server = rivulet::machine::Server::start(machine, arguments.server);
+  const auto server = rivulet::machine::Server::start(machine, arguments.serving.server);
   if (!server) {
-    const bool isAddress = server.error().code == rivulet::machine::FrontError::AddressUnusable;
-    return complain(server.error(), isAddress ? kExitUsage : kExitNoPort);
+    return rivulet::serving::complainOfStart(server.error());
   }
-  fmt::print("{}\n", (*server)->endpoint());
-  std::fflush(stdout);
+  rivulet::serving::printEndpoint(**server);
   rivulet::log::logger().info("{} serves {} with seed {}", (*server)->endpoint(), arguments.preset,
                               arguments.seed);
   return serve(**server, machine, kept ? &*kept : nullptr);

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "interrupt/interrupt.h"
+
+#include <csignal>
+
+namespace rivulet::interrupt {
+
+namespace {
+
+std::atomic<bool> g_seen{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch it only so");
+
+extern "C" void onInterrupt(int /*signal*/) {
+  g_seen.store(true);
+}
+
+}  // namespace
+
+void watch() {
+  struct sigaction action {};
+  action.sa_handler = &onInterrupt;
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) {
+    sigaction(number, &action, nullptr);
+  }
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &action, nullptr);
+}
+
+bool wasSeen() {
+  return g_seen.load();
+}
+
+const std::atomic<bool>& flag() {
+  return g_seen;
+}
+
+}  // namespace rivulet::interrupt

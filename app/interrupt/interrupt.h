@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// How a program without a window is told to end: it finishes what it must not leave, and ends.
+/// @threadsafety any thread.
+#pragma once
+
+#include <atomic>
+
+namespace rivulet::interrupt {
+
+/// From now on Ctrl-C, SIGTERM, a closed terminal (SIGHUP) and a file that grows beyond the shell's
+/// limit (SIGXFSZ) do not end the program; `wasSeen` reports them. A reader of its output that has
+/// gone (SIGPIPE) does nothing.
+void watch();
+
+[[nodiscard]] bool wasSeen();
+/// The same, for code that is also told to end by others.
+[[nodiscard]] const std::atomic<bool>& flag();
+
+}  // namespace rivulet::interrupt
