@@ -30,15 +30,7 @@ class DryRunner {
 
   DryRun run(const std::string& text) {
     RParameters parameters(m_config.rParameterCount);
-    InterpreterOptions options;
-    options.startMm = m_at.mm;
-    options.startDeg = m_at.deg;
-    options.rotaryAxes = m_config.rotarySet();
-    options.rapidMmPerS = m_config.rapidMmPerS;
-    options.roundingMm = m_config.roundingMm;
-    options.dynamics = m_config.resetDynamics;
-    options.feedMmPerS = m_config.defaultFeedMmPerS;
-    options.machine = &m_config;
+    InterpreterOptions options = interpreterOptions(m_config, m_at);
     options.library = [](const std::string&) { return nullptr; };
     Interpreter interpreter(nc::parseSinumerik(text), parameters, options);
     for (std::size_t block = 0; block < kBlocksMax && !m_hasEnded; ++block) {

@@ -146,6 +146,20 @@ void Interpreter::Values::refresh() {
   }
 }
 
+InterpreterOptions interpreterOptions(const MachineConfig& config,
+                                      const base::AxisPosition& start) {
+  InterpreterOptions options;
+  options.startMm = start.mm;
+  options.startDeg = start.deg;
+  options.rotaryAxes = config.rotarySet();
+  options.rapidMmPerS = config.rapidMmPerS;
+  options.feedMmPerS = config.defaultFeedMmPerS;
+  options.roundingMm = config.roundingMm;
+  options.dynamics = config.resetDynamics;
+  options.machine = &config;
+  return options;
+}
+
 // --- statement by statement -------------------------------------------------------------------
 
 Interpreter::Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& parameters,

@@ -45,6 +45,11 @@ struct InterpreterOptions {
   Tool tool;  ///< in the spindle
 };
 
+/// As the machine is configured, with the axes at `start`; its equipment too.
+/// @param config  outlives the interpreter
+[[nodiscard]] InterpreterOptions interpreterOptions(const MachineConfig& config,
+                                                    const base::AxisPosition& start);
+
 class Interpreter {
  public:
   /// @param parameters  must outlive the interpreter, as must the main run

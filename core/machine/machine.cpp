@@ -195,16 +195,9 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
     m_recording = false;
     m_moved = false;
     m_holdUntil = m_now;
-    InterpreterOptions options;
-    options.startMm = m_planner.endMm();
-    options.startDeg = m_planner.endDeg();
-    options.rotaryAxes = m_config.rotarySet();
-    options.rapidMmPerS = m_config.rapidMmPerS;
-    options.feedMmPerS = m_config.defaultFeedMmPerS;
-    options.roundingMm = m_config.roundingMm;
-    options.dynamics = m_config.resetDynamics;
+    InterpreterOptions options =
+        interpreterOptions(m_config, {m_planner.endMm(), m_planner.endDeg()});
     options.mainRun = this;
-    options.machine = &m_config;
     options.tool = m_equipment.tool();
     options.library = [this](const std::string& name) { return subprogram(name); };
     m_syncActions.clear();

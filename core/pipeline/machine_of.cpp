@@ -14,18 +14,4 @@ machine::MachineConfig pipelineMachine(machine::MachineConfig config) {
   return config;
 }
 
-machine::InterpreterOptions interpreterOptions(const machine::MachineConfig& config) {
-  const base::AxisPosition start = config.start();
-  machine::InterpreterOptions options;
-  options.startMm = start.mm;
-  options.startDeg = start.deg;
-  options.rotaryAxes = config.rotarySet();
-  options.rapidMmPerS = config.rapidMmPerS;
-  options.feedMmPerS = config.defaultFeedMmPerS;
-  options.roundingMm = config.roundingMm;
-  options.dynamics = config.resetDynamics;
-  options.machine = &config;
-  return options;
-}
-
 }  // namespace rivulet::pipeline

@@ -6,15 +6,10 @@
 #pragma once
 
 #include "machine/config.h"
-#include "machine/interpreter.h"
 
 namespace rivulet::pipeline {
 
 /// Nobody presses cycle start: M0 and M1 do not wait. Tools that are missing are accepted.
 [[nodiscard]] machine::MachineConfig pipelineMachine(machine::MachineConfig config);
-
-/// A program begins where the axes stand when the machine is switched on. @param config  outlives
-/// the interpreter
-[[nodiscard]] machine::InterpreterOptions interpreterOptions(const machine::MachineConfig& config);
 
 }  // namespace rivulet::pipeline

@@ -54,7 +54,7 @@ Planned planInProcess(const machine::MachineConfig& given, const std::string& te
   Auxiliaries auxiliaries(config, planned);
   machine::RParameters parameters(config.rParameterCount);
   machine::Interpreter interpreter(nc::parseSinumerik(text), parameters,
-                                   pipeline::interpreterOptions(config));
+                                   machine::interpreterOptions(config, config.start()));
   machine::PathPlanner planner(config, config.start().mm, config.start().deg);
   planner.setAuxiliaryRun(auxiliaries);
   bool hasEnded = false;

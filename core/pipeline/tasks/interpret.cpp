@@ -73,7 +73,7 @@ base::Result<StepDone> InterpretTask::collect() {
   }
   if (item->endsProgram) {
     m_interpreter.emplace(nc::parseSinumerik(std::move(m_text)), m_parameters,
-                          interpreterOptions(m_config));
+                          machine::interpreterOptions(m_config, m_config.start()));
   }
   return StepDone{false, need()};
 }
