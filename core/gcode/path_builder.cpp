@@ -7,7 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "nc/unknown.h"
 
 namespace rivulet::gcode {
 
@@ -16,8 +17,7 @@ using base::Vec3;
 PathBuilder::PathBuilder(const LoadOptions& options, Trajectory& trajectory, Statistics& statistics,
                          nc::FaultSink& faults)
     : m_options(options), m_trajectory(trajectory), m_statistics(statistics), m_faults(faults) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  m_statistics.minMm = {kUnknown, kUnknown, kUnknown};
+  m_statistics.minMm = {nc::kUnknown, nc::kUnknown, nc::kUnknown};
   m_statistics.maxMm = m_statistics.minMm;
 }
 

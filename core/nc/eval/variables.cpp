@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/contract.h"
 #include "base/text.h"
+#include "nc/unknown.h"
 
 namespace rivulet::nc {
 
@@ -22,7 +22,6 @@ constexpr int kLocalNumberMax = 33;
 /// From here on # variables are the control's own; those below are 0 until they are assigned.
 constexpr int kFirstOfControl = 5000;
 constexpr double kIntMax = 2147483647.0;
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 bool holdsText(Type type) {
   return type == Type::String || type == Type::Axis || type == Type::Frame;

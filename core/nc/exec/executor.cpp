@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "base/text.h"
 #include "base/units.h"
+#include "nc/unknown.h"
 
 namespace rivulet::nc {
 
@@ -199,7 +199,7 @@ void Executor::executeDwell(const BlockWords& words) {
     }
   }
   rejectArcWords(words);
-  double seconds = std::numeric_limits<double>::quiet_NaN();
+  double seconds = kUnknown;
   if (words.spindle != nullptr) {
     m_state.spindlePerMin = words.spindleBefore;
     if (words.spindleBefore > 0.0) {

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "base/text.h"
 #include "nc/exec/executor.h"
+#include "nc/unknown.h"
 
 namespace rivulet::nc {
 
@@ -255,7 +255,6 @@ Vec3 Executor::targetOf(const BlockWords& words) {
 
 /// @return NaN if it is not known: the axis stays where it is
 double Executor::coordinate(const BlockWords& words, std::size_t axis, Vec3 from) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   double value = lengthMm(words, axis);
   if (!(std::abs(value) <= kCoordinateMmMax)) {
     if (!std::isnan(value)) {  // else it has been reported

@@ -4,12 +4,12 @@
 #include "nc/exec/position.h"
 
 #include <cmath>
-#include <limits>
+
+#include "nc/unknown.h"
 
 namespace rivulet::nc {
 
 Position::Position() {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   programmedMm = {kUnknown, kUnknown, kUnknown};
   rotaryDeg.fill(kUnknown);
 }
