@@ -95,7 +95,8 @@ void StatusLabel::setEmphasis(qreal pointSize, bool bold) {
 
 void StatusLabel::setWordWrap(bool wrap) {
   m_text->setWordWrap(wrap);
-  // Beside the first of several lines.
+  // Beside the first of several lines, also where something next to the label is higher.
+  m_text->setAlignment(Qt::AlignLeft | (wrap ? Qt::AlignTop : Qt::AlignVCenter));
   layout()->setAlignment(m_icon, wrap ? Qt::AlignTop : Qt::AlignVCenter);
 }
 
