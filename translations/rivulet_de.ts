@@ -1993,7 +1993,7 @@
     </message>
     <message>
         <source>Configure</source>
-        <translation>Einrichten</translation>
+        <translation>Konfiguration</translation>
     </message>
     <message>
         <source>Machines</source>

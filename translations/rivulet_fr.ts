@@ -7717,7 +7717,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
     <message>
         <source>Resume goes on where the run was left.</source>
-        <translation>Reprendre continue là où l’exécution s’est interrompue.</translation>
+        <translation>Reprendre continue à cet endroit.</translation>
     </message>
     <message>
         <source>A new start begins at the first point.</source>
