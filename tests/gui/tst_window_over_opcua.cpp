@@ -5,6 +5,7 @@
 /// to it over OPC UA, in real time. What the window does is tested in virtual time, in
 /// tst_main_window; this shows that it also does it on a real connection.
 
+#include <QComboBox>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
@@ -24,7 +25,12 @@
 #include "support/machine_process.h"
 #include "support/test_program.h"
 #include "widgets/alarms/alarm_line.h"
+#include "widgets/common/number_field.h"
+#include "widgets/plots/time_window.h"
+#include "widgets/scope/scope_curves.h"
+#include "widgets/scope/scope_pane.h"
 #include "widgets/streaming/resume_bar.h"
+#include "widgets/trace/trace_page.h"
 
 using namespace rivulet;
 using hmi::MainWindow;
@@ -33,6 +39,7 @@ namespace {
 
 constexpr int kSoonMs = 20000;
 constexpr int kRunMs = 120000;
+constexpr int kRising = 0;  // of the list of conditions
 
 hmi::Settings settings() {
   hmi::Settings settings;
@@ -87,6 +94,64 @@ class TestWindowOverOpcua : public QObject {
     QVERIFY(report->integrity.isFaultless());
     QVERIFY(report->counters.total > 20);
     QCOMPARE(report->integrity.executed, report->counters.total);
+  }
+
+  /// A trigger that was armed before the run catches what it waits for, with the time before it,
+  /// while the machine goes on.
+  void aTriggerCatchesTheRun() {
+    const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE),
+                                        {QStringLiteral("--seed"), QStringLiteral("1"),
+                                         QStringLiteral("--preset"), QStringLiteral("dmu75")});
+    MainWindow window(settings(), false);
+    window.show();
+    widgets::StreamSettings stream;
+    stream.feedMmPerS = base::mmPerSFromMmPerMin(3000.0);
+    window.setStreamSettings(stream);
+    window.openProgram(beginning(40));
+    window.connectTo(machine.endpoint());
+    QTRY_COMPARE_WITH_TIMEOUT(window.startBlockedReason(), QString(), kSoonMs);
+    widgets::TracePage& page = *window.tracePage();
+    const auto field = [&page](const char* name) {
+      return page.findChild<widgets::NumberField*>(QLatin1String(name));
+    };
+    constexpr double kLevelMm = 60.0;
+    constexpr double kBeforeS = 0.4;
+    constexpr double kAfterS = 0.2;
+    auto* signal = page.findChild<QComboBox*>("triggerSignal");
+    signal->setCurrentIndex(signal->findData(QStringLiteral("x_act")));
+    page.findChild<QComboBox*>("triggerCondition")->setCurrentIndex(kRising);
+    field("triggerLevel")->setValue(kLevelMm);
+    field("triggerBefore")->setValue(kBeforeS);
+    field("triggerAfter")->setValue(kAfterS);
+    auto* arm = page.findChild<QPushButton*>("triggerArm");
+    arm->click();
+    QVERIFY(arm->isChecked());
+    QSignalSpy finished(&window, &MainWindow::runFinished);
+    QVERIFY(window.start());
+    QTRY_VERIFY_WITH_TIMEOUT(!arm->isChecked(), kRunMs);
+    // It fired during the run, and what it caught stays while the run goes on.
+    QCOMPARE(finished.count(), 0);
+    const auto atS = page.findChild<widgets::ScopeCursors*>()->atS(widgets::ScopeCursors::A);
+    QVERIFY(atS);
+    const auto isCaught = [&] {
+      return !page.timeWindow()->isLive() &&
+             std::abs(page.timeWindow()->fromS() - (*atS - kBeforeS)) < 1e-6 &&
+             std::abs(page.timeWindow()->toS() - (*atS + kAfterS)) < 1e-6;
+    };
+    QVERIFY(isCaught());
+    const auto samples =
+        page.findChild<widgets::ScopeCurves*>()->samples(0, QStringLiteral("x_act"));
+    const std::size_t fired = samples->firstAt(base::Instant{base::fromSeconds(*atS)});
+    QVERIFY(fired > 0 && fired < samples->size());
+    QVERIFY(samples->valueAt(fired) >= kLevelMm);
+    QVERIFY(samples->valueAt(fired - 1) < kLevelMm);
+    // The time before is there, from the same run.
+    QVERIFY(samples->timeAt(0) <= base::Instant{base::fromSeconds(*atS - kBeforeS)});
+    const std::size_t size = samples->size();
+    QTRY_VERIFY_WITH_TIMEOUT(samples->size() > size + 5 || finished.count() > 0, kRunMs);
+    QVERIFY(finished.count() > 0 || isCaught());
+    QVERIFY(finished.count() > 0 || finished.wait(kRunMs));
+    QVERIFY(window.lastReport()->integrity.isFaultless());
   }
 
   /// A program of its own sends points over TCP and reacts to what has been executed: it is never
