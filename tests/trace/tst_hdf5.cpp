@@ -251,6 +251,33 @@ class TestHdf5 : public QObject {
     QCOMPARE(shown.events[1].text, std::string("the end is near"));
   }
 
+  /// Samples that do not move have no line of the program: that signal has fewer samples, and so
+  /// comes first in the file.
+  void keepsTheLineOnTheControl() {
+    auto x = std::make_shared<Envelope>();
+    auto onControl = std::make_shared<Envelope>();
+    auto ofProgram = std::make_shared<Envelope>();
+    for (int i = 0; i < 100; ++i) {
+      x->append(at(0.004 * i), 0.04 * i);
+      onControl->append(at(0.004 * i), 20.0 + i % 5);
+      if (i > 10) {
+        ofProgram->append(at(0.004 * i), 3.0);
+      }
+    }
+    const auto imported = importTrace(
+        *printHdf5({{"x_set", "mm", x}, {"program_line", "", ofProgram}, {"line", "", onControl}},
+                   {}, kStart, kEnd, "t", "s"));
+    QVERIFY(imported);
+    TraceSubject subject;
+    subject.imported = &*imported;
+    const TraceAnalysis analysis = analyseTrace(subject);
+    QVERIFY(analysis.motion.hasLine);
+    QCOMPARE(analysis.motion.samples[53].line, 23U);
+    const ShownTrace shown = makeShownTrace(subject, analysis.motion, &analysis);
+    QCOMPARE(valueAt(*shown.signalSet.find("line")->samples, at(0.004 * 53)), 23.0);
+    QCOMPARE(valueAt(*shown.signalSet.find("program_line")->samples, at(0.004 * 53)), 3.0);
+  }
+
   void readsOtherPeoplesFiles() {
     OtherFile file;
     file.group("/axes");

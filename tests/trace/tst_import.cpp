@@ -112,6 +112,11 @@ void TestImport::guessesRoles_data() {
   row("time,joint.0.pos-cmd,joint.1.pos-cmd,joint.0.f-error,feed override",
       "time=time:s,x_set=joint.0.pos-cmd,y_set=joint.1.pos-cmd,override=feed override");
   row("timestamp,ActPosX,SetPosX,x acceleration", "time=timestamp:s,x_set=SetPosX,x_act=ActPosX");
+  // What panes and recordings save: formulas are no positions, and names of ours are exact.
+  row("t [s],program_line,d(x_act) [mm/s],x_set - x_act [mm],line,x_act [mm]",
+      "time=t [s]:s,x_act=x_act [mm]:mm,line=line");
+  row("t [s],x [mm/s],y [mm],y cmd [A]", "time=t [s]:s,y_act=y [mm]:mm");
+  row("t [s],motion.program-line,x [mm]", "time=t [s]:s,x_act=x [mm]:mm,line=motion.program-line");
 }
 
 void TestImport::guessesRoles() {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "trace/formula.h"
 #include "trace/import/import_error.h"
 
 namespace rivulet::trace {
@@ -132,6 +133,21 @@ SignalRole forAxis(SignalRole ofX, std::size_t axis) {
   return static_cast<SignalRole>(static_cast<std::size_t>(ofX) + axis);
 }
 
+std::optional<SignalRole> roleNamed(std::string_view name) {
+  const auto found = std::find(kRoleNames.begin(), kRoleNames.end(), name);
+  return found == kRoleNames.end()
+             ? std::nullopt
+             : std::optional(static_cast<SignalRole>(found - kRoleNames.begin()));
+}
+
+/// "x_set - x_act": signals that were calculated are saved under their formula.
+bool isCalculated(std::string_view name) {
+  const auto formula = Formula::parse(name);
+  return formula && !formula->isName() && !formula->names().empty() &&
+         std::all_of(formula->names().begin(), formula->names().end(),
+                     [](const std::string& one) { return roleNamed(one).has_value(); });
+}
+
 }  // namespace
 
 std::string_view signalRoleName(SignalRole role) {
@@ -148,14 +164,14 @@ base::Result<TableMapping> parseTableMapping(std::string_view text) {
     std::string_view value =
         equal == std::string_view::npos ? std::string_view() : base::trim(item.substr(equal + 1));
     const auto number = base::parseNumber(value);
-    const auto name = std::find(kRoleNames.begin(), kRoleNames.end(), key);
+    const auto named = roleNamed(key);
     if (key == "rate" && number && *number > 0.0) {
       mapping.rateHz = *number;
     } else if (key == "offset" && number && std::abs(*number) <= kOffsetSMax) {
       mapping.offsetS = *number;
     } else if (key == "guess" && value == "no") {
       mapping.isComplete = true;
-    } else if (name == kRoleNames.end() || value.empty()) {
+    } else if (!named || value.empty()) {
       return base::fail(ImportError::BadMapping,
                         fmt::format("\"{}\" maps no column. Write ROLE=COLUMN or ROLE=COLUMN:UNIT "
                                     "with one of the roles {}; or rate=HZ, offset=SECONDS, "
@@ -163,7 +179,7 @@ base::Result<TableMapping> parseTableMapping(std::string_view text) {
                                     item, fmt::join(kRoleNames, ", ")));
     } else {
       ColumnRole role;
-      role.role = static_cast<SignalRole>(name - kRoleNames.begin());
+      role.role = *named;
       const std::size_t colon = value.rfind(':');
       if (colon != std::string_view::npos && unitFactor(value.substr(colon + 1), role.role)) {
         role.unit = value.substr(colon + 1);
@@ -295,6 +311,12 @@ std::optional<double> unitFactor(std::string_view unit, SignalRole role) {
 }
 
 std::optional<SignalRole> guessRole(std::string_view name) {
+  if (const auto named = roleNamed(name)) {
+    return named;
+  }
+  if (isCalculated(name)) {
+    return std::nullopt;
+  }
   const Words words = wordsOf(name);
   if (words.empty()) {
     return std::nullopt;

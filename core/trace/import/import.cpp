@@ -320,7 +320,15 @@ base::Result<void> applyChoice(std::vector<Column>& columns, const ColumnRole& c
   return {};
 }
 
-/// Roles by name for what the user left open; of each role but Time the first column.
+/// Whether a column of this unit can have the role: a position in mm/s is none.
+bool isOfRole(std::string_view unit, SignalRole role) {
+  const bool isMeasured = role >= SignalRole::XSet && role <= SignalRole::ProgrammedFeed;
+  const bool isOther = isUnit(unit) && unit != "1" && unit != "-";
+  return !isMeasured || !isOther || unitFactor(unit, role);
+}
+
+/// Roles by name for what the user left open; of each role but Time the first column, but before
+/// all others that which is called as the role: beside "line", "program_line" is another signal.
 void guessRoles(std::vector<Column>& columns, bool isComplete, std::vector<Remark>& remarks) {
   std::set<SignalRole> taken;
   bool hasTime = false;
@@ -331,21 +339,26 @@ void guessRoles(std::vector<Column>& columns, bool isComplete, std::vector<Remar
     }
   }
   const bool timeIsChosen = hasTime;
-  for (Column& column : columns) {
-    if (column.role || isComplete) {
-      continue;
+  for (const bool isNamed : {true, false}) {
+    for (Column& column : columns) {
+      if (column.role || isComplete) {
+        continue;
+      }
+      const std::string name = column.unit.empty() ? column.name : splitUnit(column.name).name;
+      const auto role = guessRole(name);
+      if (!role || (isNamed && name != signalRoleName(*role)) ||
+          (*role == SignalRole::Time ? timeIsChosen : taken.contains(*role)) ||
+          !isOfRole(column.unit, *role)) {
+        continue;
+      }
+      if (*role == SignalRole::Time && !isAscending(column.values)) {
+        continue;
+      }
+      column.role = role;
+      column.factor = unitFactor(column.unit, *role).value_or(1.0);
+      taken.insert(*role);
+      hasTime = hasTime || *role == SignalRole::Time;
     }
-    const auto role = guessRole(column.unit.empty() ? column.name : splitUnit(column.name).name);
-    if (!role || (*role == SignalRole::Time ? timeIsChosen : taken.contains(*role))) {
-      continue;
-    }
-    if (*role == SignalRole::Time && !isAscending(column.values)) {
-      continue;
-    }
-    column.role = role;
-    column.factor = unitFactor(column.unit, *role).value_or(1.0);
-    taken.insert(*role);
-    hasTime = hasTime || *role == SignalRole::Time;
   }
   // A first column that ascends is the time, unless it counts the samples.
   if (!isComplete && !hasTime && !columns.empty() && !columns[0].role &&
