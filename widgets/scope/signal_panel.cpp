@@ -11,6 +11,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
+#include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -42,6 +43,17 @@ class SignalTree final : public QTreeWidget {
   }
 };
 
+/// A row is high enough for a finger.
+class TouchRow final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
+                               const QModelIndex& index) const override {
+    return QStyledItemDelegate::sizeHint(option, index).expandedTo({0, kTouchHeightPx});
+  }
+};
+
 }  // namespace
 
 SignalPanel::SignalPanel(std::function<bool(const QString&)> isShown, QWidget* parent)
@@ -63,6 +75,7 @@ SignalPanel::SignalPanel(std::function<bool(const QString&)> isShown, QWidget* p
   m_tree->setColumnCount(2);
   m_tree->setHeaderHidden(true);
   m_tree->setDragEnabled(true);
+  m_tree->setItemDelegate(new TouchRow(m_tree));
   m_tree->setUniformRowHeights(true);
   m_tree->header()->setStretchLastSection(false);
   m_tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);

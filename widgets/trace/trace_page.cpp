@@ -215,9 +215,10 @@ void TracePage::layOut() {
   body->setHandleWidth(6);
   body->addWidget(m_view);
   body->addWidget(m_panel);
-  body->setStretchFactor(0, 1);
-  body->setStretchFactor(1, 0);
-  body->setSizes({4 * kPanelPx, kPanelPx});
+  // A wide page has room for whole causes.
+  body->setStretchFactor(0, 3);
+  body->setStretchFactor(1, 1);
+  body->setSizes({3 * kPanelPx, kPanelPx});
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(top);
   layout->addWidget(body, 1);

@@ -609,6 +609,7 @@ class TestTracePage : public QObject {
     QTest::keyClick(tree, Qt::Key_Delete);
     QCOMPARE(page.view()->panes().size(), panes);
     const QRect place = tree->visualItemRect(jerk);
+    QVERIFY(place.height() >= kTouchHeightPx);
     QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, place.center());
     QTest::mouseDClick(tree->viewport(), Qt::LeftButton, {}, place.center());
     QCOMPARE(page.view()->panes().size(), panes + 1);
