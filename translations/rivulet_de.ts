@@ -3254,6 +3254,71 @@
     </message>
 </context>
 <context>
+    <name>TrendWords</name>
+    <message>
+        <source>Trend of the runs</source>
+        <translation>Trend der Läufe</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Days</source>
+        <translation>Tage</translation>
+    </message>
+    <message>
+        <source>Access, ms</source>
+        <translation>Zugriff, ms</translation>
+    </message>
+    <message>
+        <source>Paused, s</source>
+        <translation>Pausen, s</translation>
+    </message>
+    <message>
+        <source>per run</source>
+        <translation>je Lauf</translation>
+    </message>
+    <message>
+        <source>per day</source>
+        <translation>je Tag</translation>
+    </message>
+    <message>
+        <source>Access time per run</source>
+        <translation>Zugriffszeit je Lauf</translation>
+    </message>
+    <message>
+        <source>Mean access time, ms</source>
+        <translation>Mittlere Zugriffszeit, ms</translation>
+    </message>
+    <message>
+        <source>Pauses per run</source>
+        <translation>Pausen je Lauf</translation>
+    </message>
+    <message>
+        <source>Time in pauses, s</source>
+        <translation>Zeit in Pausen, s</translation>
+    </message>
+    <message>
+        <source>Run of the machine</source>
+        <translation>Lauf der Maschine</translation>
+    </message>
+    <message>
+        <source>Days since %1</source>
+        <comment>a date</comment>
+        <translation>Tage seit %1</translation>
+    </message>
+    <message>
+        <source>%1, trend</source>
+        <comment>of a machine</comment>
+        <translation>%1, Trend</translation>
+    </message>
+</context>
+<context>
     <name>TrustTexts</name>
     <message>
         <source>Only an engineer can do this.</source>

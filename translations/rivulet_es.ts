@@ -3254,6 +3254,71 @@
     </message>
 </context>
 <context>
+    <name>TrendWords</name>
+    <message>
+        <source>Trend of the runs</source>
+        <translation>Tendencia de las ejecuciones</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Ejecuciones</translation>
+    </message>
+    <message>
+        <source>Days</source>
+        <translation>Días</translation>
+    </message>
+    <message>
+        <source>Access, ms</source>
+        <translation>Acceso, ms</translation>
+    </message>
+    <message>
+        <source>Paused, s</source>
+        <translation>Pausas, s</translation>
+    </message>
+    <message>
+        <source>per run</source>
+        <translation>por ejecución</translation>
+    </message>
+    <message>
+        <source>per day</source>
+        <translation>por día</translation>
+    </message>
+    <message>
+        <source>Access time per run</source>
+        <translation>Tiempo de acceso por ejecución</translation>
+    </message>
+    <message>
+        <source>Mean access time, ms</source>
+        <translation>Tiempo de acceso medio, ms</translation>
+    </message>
+    <message>
+        <source>Pauses per run</source>
+        <translation>Pausas por ejecución</translation>
+    </message>
+    <message>
+        <source>Time in pauses, s</source>
+        <translation>Tiempo en pausa, s</translation>
+    </message>
+    <message>
+        <source>Run of the machine</source>
+        <translation>Ejecución de la máquina</translation>
+    </message>
+    <message>
+        <source>Days since %1</source>
+        <comment>a date</comment>
+        <translation>Días desde el %1</translation>
+    </message>
+    <message>
+        <source>%1, trend</source>
+        <comment>of a machine</comment>
+        <translation>%1, tendencia</translation>
+    </message>
+</context>
+<context>
     <name>TrustTexts</name>
     <message>
         <source>Only an engineer can do this.</source>

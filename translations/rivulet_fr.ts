@@ -3254,6 +3254,71 @@
     </message>
 </context>
 <context>
+    <name>TrendWords</name>
+    <message>
+        <source>Trend of the runs</source>
+        <translation>Tendance des exécutions</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Exécutions</translation>
+    </message>
+    <message>
+        <source>Days</source>
+        <translation>Jours</translation>
+    </message>
+    <message>
+        <source>Access, ms</source>
+        <translation>Accès, ms</translation>
+    </message>
+    <message>
+        <source>Paused, s</source>
+        <translation>Pauses, s</translation>
+    </message>
+    <message>
+        <source>per run</source>
+        <translation>par exécution</translation>
+    </message>
+    <message>
+        <source>per day</source>
+        <translation>par jour</translation>
+    </message>
+    <message>
+        <source>Access time per run</source>
+        <translation>Temps d’accès par exécution</translation>
+    </message>
+    <message>
+        <source>Mean access time, ms</source>
+        <translation>Temps d’accès moyen, ms</translation>
+    </message>
+    <message>
+        <source>Pauses per run</source>
+        <translation>Pauses par exécution</translation>
+    </message>
+    <message>
+        <source>Time in pauses, s</source>
+        <translation>Temps en pause, s</translation>
+    </message>
+    <message>
+        <source>Run of the machine</source>
+        <translation>Exécution de la machine</translation>
+    </message>
+    <message>
+        <source>Days since %1</source>
+        <comment>a date</comment>
+        <translation>Jours depuis le %1</translation>
+    </message>
+    <message>
+        <source>%1, trend</source>
+        <comment>of a machine</comment>
+        <translation>%1, tendance</translation>
+    </message>
+</context>
+<context>
     <name>TrustTexts</name>
     <message>
         <source>Only an engineer can do this.</source>

@@ -3254,6 +3254,71 @@
     </message>
 </context>
 <context>
+    <name>TrendWords</name>
+    <message>
+        <source>Trend of the runs</source>
+        <translation>Andamento delle esecuzioni</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Esecuzioni</translation>
+    </message>
+    <message>
+        <source>Days</source>
+        <translation>Giorni</translation>
+    </message>
+    <message>
+        <source>Access, ms</source>
+        <translation>Accesso, ms</translation>
+    </message>
+    <message>
+        <source>Paused, s</source>
+        <translation>Pause, s</translation>
+    </message>
+    <message>
+        <source>per run</source>
+        <translation>per esecuzione</translation>
+    </message>
+    <message>
+        <source>per day</source>
+        <translation>al giorno</translation>
+    </message>
+    <message>
+        <source>Access time per run</source>
+        <translation>Tempo di accesso per esecuzione</translation>
+    </message>
+    <message>
+        <source>Mean access time, ms</source>
+        <translation>Tempo di accesso medio, ms</translation>
+    </message>
+    <message>
+        <source>Pauses per run</source>
+        <translation>Pause per esecuzione</translation>
+    </message>
+    <message>
+        <source>Time in pauses, s</source>
+        <translation>Tempo in pausa, s</translation>
+    </message>
+    <message>
+        <source>Run of the machine</source>
+        <translation>Esecuzione della macchina</translation>
+    </message>
+    <message>
+        <source>Days since %1</source>
+        <comment>a date</comment>
+        <translation>Giorni dal %1</translation>
+    </message>
+    <message>
+        <source>%1, trend</source>
+        <comment>of a machine</comment>
+        <translation>%1, andamento</translation>
+    </message>
+</context>
+<context>
     <name>TrustTexts</name>
     <message>
         <source>Only an engineer can do this.</source>

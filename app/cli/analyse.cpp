@@ -379,9 +379,19 @@ base::Result<void> writeTrend(const AnalyseOptions& options,
   if (!options.json && !options.csv) {
     fmt::print("\n{}", report::trendText(trends));
   }
-  return base::writeFile(options.trend, suffix == ".json"
-                                            ? report::trendJson(trends).dump(2) + "\n"
-                                            : report::trendPicture(trends, suffix == ".html"));
+  if (suffix == ".json") {
+    return base::writeFile(options.trend, report::trendJson(trends).dump(2) + "\n");
+  }
+#ifdef RIVULET_WITH_REPORTS
+  const report::TrendTexts texts = trace_report::trendTexts(options.language);
+#else
+  if (options.language != "en") {
+    return base::fail(base::FileError::NotWritable,
+                      "This rivulet-cli was built without translations. Leave out --language.");
+  }
+  const report::TrendTexts texts;
+#endif
+  return base::writeFile(options.trend, report::trendPicture(trends, suffix == ".html", texts));
 }
 
 std::string ruleText(const report::Rule::Verdict& verdict) {

@@ -186,7 +186,7 @@ struct AnalyseOptions {
   std::vector<std::string> signalList;  ///< formulas to compare; empty: the usual ones
   std::string failIf;                   ///< rule; empty: none
   std::string report;                   ///< PDF or HTML file for a page on one trace; empty: none
-  std::string language = "en";          ///< of the report
+  std::string language = "en";          ///< of the report and the trend
   std::string save;                     ///< CSV or HDF5 file for the signals of one trace; or empty
   bool json = false;
 

@@ -514,13 +514,13 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
       ->needs(summary);
   command->add_option("--save", options->save,
                       "File for all signals and events of the trace: .csv or .h5 (HDF5)");
-  auto* page = command->add_option("--report", options->report,
-                                   "File for one page with pictures, to be read or printed: .pdf "
-                                   "or .html");
-  command->add_option("--language", options->language, "Of the report")
-      ->check(CLI::IsMember({"de", "en", "es", "fr", "it"}))
-      ->capture_default_str()
-      ->needs(page);
+  command->add_option("--report", options->report,
+                      "File for one page with pictures, to be read or printed: .pdf "
+                      "or .html");
+  auto* language =
+      command->add_option("--language", options->language, "Of the report and the trend")
+          ->check(CLI::IsMember({"de", "en", "es", "fr", "it"}))
+          ->capture_default_str();
   auto* compare =
       command
           ->add_option("--compare", options->compare,
@@ -535,7 +535,10 @@ void addAnalyseCommand(CLI::App& app, Exit& exit) {
                       "Exit with 4 if the rule applies to a file, such as \"skipped>0 or "
                       "contour_error.max>0.05\"");
   addJson(command, options->json);
-  command->callback([options, &exit] {
+  command->callback([options, language, &exit] {
+    if (language->count() > 0 && options->report.empty() && options->trend.empty()) {
+      throw CLI::ValidationError("--language", "is that of --report or --trend");
+    }
     if (!options->report.empty() && options->files.size() > 1) {
       throw CLI::ValidationError("--report", "makes a page of one file");
     }

@@ -107,14 +107,22 @@ std::string dateText(double day) {
                      static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
 }
 
+/// A text with a name or a date in its place.
+std::string filled(std::string text, std::string_view value) {
+  constexpr std::string_view kPlace = "%1";
+  const std::size_t at = text.find(kPlace);
+  return at == std::string::npos ? text : text.replace(at, kPlace.size(), value);
+}
+
 /// The runs of each machine as points, and their line of least squares.
-std::string pictureOf(const std::vector<MachineTrend>& trends, const char* title, const char* label,
-                      Figure figure) {
+std::string pictureOf(const std::vector<MachineTrend>& trends, const TrendTexts& texts,
+                      const std::string& title, const std::string& label, Figure figure) {
   const bool isDated = isByDay(trends);
   const double firstDay = isDated ? firstDayOf(trends) : 0.0;
   experiments::Plot plot{
-      title, isDated ? "Days since " + dateText(firstDay) : "Run of the machine", label, {}};
+      title, isDated ? filled(texts.dayAxis, dateText(firstDay)) : texts.runAxis, label, {}};
   PlotLook look;
+  look.decimalSign = texts.decimalSign;
   double largest = 0.0;
   for (std::size_t machine = 0; machine < trends.size(); ++machine) {
     const MachineTrend& trend = trends[machine];
@@ -130,7 +138,7 @@ std::string pictureOf(const std::vector<MachineTrend>& trends, const char* title
     }
     const Slope slope = slopeOf(trend, figure);
     experiments::Series line;
-    line.name = trend.machine + ", trend";
+    line.name = filled(texts.line, trend.machine);
     for (const double x : {runs.x.front(), runs.x.back()}) {
       line.x.push_back(x);
       line.y.push_back(slope.mean +
@@ -219,30 +227,46 @@ nlohmann::ordered_json trendJson(const std::vector<MachineTrend>& trends) {
   return json;
 }
 
-std::string trendPicture(const std::vector<MachineTrend>& trends, bool isHtml) {
+std::string trendPicture(const std::vector<MachineTrend>& trends, bool isHtml,
+                         const TrendTexts& texts) {
   const std::string access =
-      pictureOf(trends, "Access time per run", "Mean access time, ms", &RunFigures::accessMs);
+      pictureOf(trends, texts, texts.accessPicture, texts.accessAxis, &RunFigures::accessMs);
   if (!isHtml) {
     return access;
   }
-  std::string rows;
+  const auto row = [](std::string_view tag, const std::vector<std::string>& cells) {
+    std::string text = "<tr>";
+    for (const std::string& cell : cells) {
+      text += fmt::format("<{0}>{1}</{0}>", tag, markupText(cell));
+    }
+    return text + "</tr>\n";
+  };
+  const auto number = [&texts](std::string text) {
+    std::replace(text.begin(), text.end(), '.', texts.decimalSign);
+    return text;
+  };
+  std::string table = row("th", {texts.machine, texts.runs, texts.days, texts.access, texts.perRun,
+                                 texts.perDay, texts.paused, texts.perRun, texts.perDay});
   for (const MachineTrend& trend : trends) {
-    rows += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td>{:.1f}</td><td>{:.4g}</td><td>{}</td><td>{}</td>"
-        "<td>{:.4g}</td><td>{}</td><td>{}</td></tr>\n",
-        markupText(trend.machine), trend.runs.size(), trend.spanDays, trend.accessMs.mean,
-        slopeText(trend.accessMs.perRun), perDayText(trend.accessMs), trend.pausedS.mean,
-        slopeText(trend.pausedS.perRun), perDayText(trend.pausedS));
+    table +=
+        row("td", {trend.machine, std::to_string(trend.runs.size()),
+                   number(fmt::format("{:.1f}", trend.spanDays)),
+                   number(fmt::format("{:.4g}", trend.accessMs.mean)),
+                   number(slopeText(trend.accessMs.perRun)), number(perDayText(trend.accessMs)),
+                   number(fmt::format("{:.4g}", trend.pausedS.mean)),
+                   number(slopeText(trend.pausedS.perRun)), number(perDayText(trend.pausedS))});
   }
+  // On a narrow screen, the table scrolls and the pictures become smaller.
   return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Trend of the "
-      "runs</title><style>body{{font-family:sans-serif;margin:2em}}table{{border-collapse:"
-      "collapse;margin-bottom:2em}}td,th{{border-bottom:1px solid #bbb;padding:4px 12px;"
-      "text-align:right}}td:first-child,th:first-child{{text-align:left}}</style></head><body>\n"
-      "<h1>Trend of the runs</h1>\n<table><tr><th>Machine</th><th>Runs</th><th>Days</th>"
-      "<th>Access, ms</th><th>per run</th><th>per day</th><th>Paused, s</th><th>per run</th>"
-      "<th>per day</th></tr>\n{}</table>\n{}\n{}\n</body></html>\n",
-      rows, access, pictureOf(trends, "Pauses per run", "Time in pauses, s", &RunFigures::pausedS));
+      "<!DOCTYPE html>\n<html lang=\"{0}\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width\"><title>{1}</title><style>body{{font-family:sans-serif;"
+      "margin:2em}}div{{overflow-x:auto;margin-bottom:2em}}table{{border-collapse:collapse}}"
+      "td,th{{border-bottom:1px solid #bbb;padding:4px 12px;text-align:right;white-space:nowrap}}"
+      "td:first-child,th:first-child{{text-align:left}}svg{{max-width:100%;height:auto}}"
+      "@media(max-width:600px){{body{{margin:1em}}}}</style></head><body>\n"
+      "<h1>{1}</h1>\n<div><table>\n{2}</table></div>\n{3}\n{4}\n</body></html>\n",
+      markupText(texts.language), markupText(texts.title), table, access,
+      pictureOf(trends, texts, texts.pausedPicture, texts.pausedAxis, &RunFigures::pausedS));
 }
 
 }  // namespace rivulet::report

@@ -46,8 +46,30 @@ struct MachineTrend {
 [[nodiscard]] std::string trendText(const std::vector<MachineTrend>& trends);
 [[nodiscard]] nlohmann::ordered_json trendJson(const std::vector<MachineTrend>& trends);
 
+/// The words of the pictures and their page, in the language of the reader.
+struct TrendTexts {
+  std::string language = "en";
+  char decimalSign = '.';
+  std::string title = "Trend of the runs";
+  std::string machine = "Machine";
+  std::string runs = "Runs";
+  std::string days = "Days";
+  std::string access = "Access, ms";
+  std::string paused = "Paused, s";
+  std::string perRun = "per run";
+  std::string perDay = "per day";
+  std::string accessPicture = "Access time per run";
+  std::string accessAxis = "Mean access time, ms";
+  std::string pausedPicture = "Pauses per run";
+  std::string pausedAxis = "Time in pauses, s";
+  std::string runAxis = "Run of the machine";
+  std::string dayAxis = "Days since %1";  ///< a date
+  std::string line = "%1, trend";         ///< a machine
+};
+
 /// Access time and pauses over the runs of each machine as two pictures.
 /// @param isHtml  with the table, as a file that needs no other; else one SVG
-[[nodiscard]] std::string trendPicture(const std::vector<MachineTrend>& trends, bool isHtml);
+[[nodiscard]] std::string trendPicture(const std::vector<MachineTrend>& trends, bool isHtml,
+                                       const TrendTexts& texts = {});
 
 }  // namespace rivulet::report

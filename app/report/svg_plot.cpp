@@ -61,9 +61,12 @@ class Scale {
     }
     return values;
   }
-  [[nodiscard]] std::string label(double value) const {
+  [[nodiscard]] std::string label(double value, char decimalSign) const {
     // A zero without a sign.
-    return fmt::format("{:.{}f}", std::abs(value) < 1e-9 * m_step ? 0.0 : value, m_decimals);
+    std::string text =
+        fmt::format("{:.{}f}", std::abs(value) < 1e-9 * m_step ? 0.0 : value, m_decimals);
+    std::replace(text.begin(), text.end(), '.', decimalSign);
+    return text;
   }
 
  private:
@@ -156,13 +159,13 @@ class Picture {
       line(R"(<path d="M{0:.2f} {1:g}V{2:g}" stroke="#e3e3e3"/>)", xOf(tick), kTop,
            kTop + kPlotHeight);
       line(R"(<text x="{:.2f}" y="{:g}" text-anchor="middle">{}</text>)", xOf(tick),
-           kTop + kPlotHeight + 19.0, m_x.label(tick));
+           kTop + kPlotHeight + 19.0, m_x.label(tick, m_look.decimalSign));
     }
     for (const double tick : m_y.ticks()) {
       line(R"(<path d="M{0:g} {1:.2f}H{2:g}" stroke="#e3e3e3"/>)", kLeft, yOf(tick),
            kLeft + kPlotWidth);
       line(R"(<text x="{:g}" y="{:.2f}" text-anchor="end">{}</text>)", kLeft - 8.0, yOf(tick) + 4.5,
-           m_y.label(tick));
+           m_y.label(tick, m_look.decimalSign));
     }
     line(R"(<path d="M{0:g} {1:g}V{2:g}H{3:g}" fill="none" stroke="#222222"/>)", kLeft, kTop,
          kTop + kPlotHeight, kLeft + kPlotWidth);

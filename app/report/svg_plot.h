@@ -17,6 +17,7 @@ namespace rivulet::report {
 struct PlotLook {
   std::vector<std::size_t> colours{};  ///< number of each series' colour; empty: all different
   double ySpanMin = 0.0;               ///< at least this much of the vertical axis is seen
+  char decimalSign = '.';              ///< of the numbers at the axes
 };
 
 /// The same plot gives the same text, to the byte.

@@ -3,7 +3,9 @@
 
 #include "trace_report/write_page.h"
 
+#include <QCoreApplication>
 #include <QGuiApplication>
+#include <QLocale>
 #include <QLoggingCategory>
 #include <memory>
 
@@ -32,7 +34,40 @@ struct PageApplication {
   }
 };
 
+struct TrendWords {
+  Q_DECLARE_TR_FUNCTIONS(TrendWords)
+
+ public:
+  static void translate(report::TrendTexts& texts) {
+    texts.decimalSign = QLocale().decimalPoint().at(0).toLatin1();
+    texts.title = tr("Trend of the runs").toStdString();
+    texts.machine = tr("Machine").toStdString();
+    texts.runs = tr("Runs").toStdString();
+    texts.days = tr("Days").toStdString();
+    texts.access = tr("Access, ms").toStdString();
+    texts.paused = tr("Paused, s").toStdString();
+    texts.perRun = tr("per run").toStdString();
+    texts.perDay = tr("per day").toStdString();
+    texts.accessPicture = tr("Access time per run").toStdString();
+    texts.accessAxis = tr("Mean access time, ms").toStdString();
+    texts.pausedPicture = tr("Pauses per run").toStdString();
+    texts.pausedAxis = tr("Time in pauses, s").toStdString();
+    texts.runAxis = tr("Run of the machine").toStdString();
+    texts.dayAxis = tr("Days since %1", "a date").toStdString();
+    texts.line = tr("%1, trend", "of a machine").toStdString();
+  }
+};
+
 }  // namespace
+
+report::TrendTexts trendTexts(const std::string& language) {
+  PageApplication application;
+  application.translator.setLanguage(QString::fromStdString(language));
+  report::TrendTexts texts;
+  TrendWords::translate(texts);
+  texts.language = language;
+  return texts;
+}
 
 base::Result<void> writeTracePage(const std::filesystem::path& file, const std::string& language,
                                   const TraceFacts& facts) {

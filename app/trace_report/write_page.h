@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Writes the page of a trace for programs without a window. Needs Qt's fonts, but no display.
+/// Writes the page of a trace, and says the words of a trend, for programs without a window. Needs
+/// Qt's fonts, but no display.
 /// @threadsafety main thread; the first call makes the application object.
 #pragma once
 
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "report/run_trend.h"
 #include "trace_report/trace_page.h"
 
 namespace rivulet::trace_report {
@@ -20,5 +22,8 @@ namespace rivulet::trace_report {
 [[nodiscard]] base::Result<void> writeTracePage(const std::filesystem::path& file,
                                                 const std::string& language,
                                                 const TraceFacts& facts);
+
+/// The words of a trend. @param language  as above
+[[nodiscard]] report::TrendTexts trendTexts(const std::string& language);
 
 }  // namespace rivulet::trace_report

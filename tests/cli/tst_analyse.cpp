@@ -217,6 +217,20 @@ class TestAnalyse : public QObject {
       QVERIFY(shown.contains(QByteArray("stroke=\"") + colour));
     }
     QVERIFY(!shown.contains("#009E73"));
+    // English ones have a point, German ones a comma.
+    QVERIFY(shown.contains("<html lang=\"en\"") && shown.contains("<td>16</td><td>+2.00</td>"));
+    const QStringList german{QStringLiteral("--language"), QStringLiteral("de")};
+    QCOMPARE(run(files + options + QStringList{page} + german).exit, outcome.exit);
+    html.close();
+    QVERIFY(html.open(QIODevice::ReadOnly));
+    const QByteArray translated = html.readAll();
+    QCOMPARE(translated.count("Tage seit 2026-11-01"), 2);
+    QVERIFY(translated.contains("<html lang=\"de\"") && translated.contains("Trend der Läufe"));
+    QVERIFY(translated.contains("<td>16</td><td>+2,00</td>") && translated.contains(">0,5</text>"));
+    for (const char* english : {"Trend of", "Machine", "per run", "Access", "Days", ", trend"}) {
+      QVERIFY2(!translated.contains(english), english);
+    }
+    QVERIFY(run(files + QStringList{QStringLiteral("--summary")} + german).exit != outcome.exit);
     QCOMPARE(run(files + options + QStringList{m_folder.filePath("trend.txt")}).exit, 2);
     QVERIFY(!report::daysOf("yesterday") && !report::daysOf("2026-13-01T00:00:00Z"));
     QCOMPARE(*report::daysOf("1970-01-02T12:00:00Z"), 1.5);
@@ -403,6 +417,7 @@ class TestAnalyse : public QObject {
     QVERIFY(html.contains(QStringLiteral("<svg")));
     QVERIFY(html.contains(QStringLiteral("part &lt;1&gt;.mpf")) &&
             !html.contains(QStringLiteral("<1>")));
+    QVERIFY(html.contains(QStringLiteral("name=\"viewport\"")));  // telephones scale it otherwise
     // It needs no other file.
     QVERIFY(!html.contains(QStringLiteral("src=")) && !html.contains(QStringLiteral("href")));
     const QByteArray pdf = write("page.pdf");
