@@ -226,21 +226,28 @@ qsizetype rowsThatFit(const Page& page, double leftMm) {
 }
 
 constexpr double kHtmlWidthMm = 180.0;
-constexpr double kHtmlPictureMm = 56.0;
+constexpr double kHtmlPictureMm = 48.0;
+/// One sheet of paper, and one column on a narrow screen.
 constexpr const char* kStyle =
-    "@page{size:A4;margin:14mm}html{background:#fff}body{font:13px/1.35 sans-serif;color:#1c2430;"
+    "@page{size:A4;margin:12mm 14mm}html{background:#fff}body{font:13px/1.35 "
+    "sans-serif;color:#1c2430;"
     "max-width:720px;margin:16px auto;padding:0 8px}h1{font-size:21px;margin:0 0 4px}h2{font-size:"
     "14px;margin:8px 0 3px}p{margin:3px 0}.result{font-weight:bold;font-size:16px;margin:4px 0;"
     "padding-bottom:5px;border-bottom:1px solid #888}.good{color:#1b6e2f}.bad{color:#b02a1d}"
     ".groups{display:grid;grid-template-columns:1fr 1fr;gap:0 22px}dl{display:grid;"
-    "grid-template-columns:auto 1fr;gap:0 "
+    "grid-template-columns:fit-content(60%) 1fr;align-content:start;gap:0 "
     "14px;margin:0}dt{color:#4d555d}dd{margin:0;overflow-wrap:anywhere}"
-    ".row{display:grid;grid-template-columns:38% 62%;align-items:end}figure{margin:6px "
+    ".row{display:grid;grid-template-columns:38fr 62fr;gap:0 6px;align-items:end}figure{margin:6px "
     "0;break-inside:avoid}svg{width:100%;height:auto;display:block}svg text{"
     "font-family:sans-serif}figcaption{color:#4d555d}table{border-collapse:collapse;width:100%}"
     "td,th{text-align:left;padding:0 10px 0 0;vertical-align:top}th{font-weight:normal;color:"
     "#4d555d}.sign{margin-top:44px;border-top:1px solid #1c2430;width:45%;font-size:11px}footer{"
-    "color:#4d555d;font-size:11px;overflow-wrap:anywhere}";
+    "color:#4d555d;font-size:11px;overflow-wrap:anywhere}"
+    "@media print{body{font-size:10px;line-height:1.2;margin:0 auto;padding:0}h1{font-size:18px}"
+    "h2{font-size:12px}.result{font-size:14px}figure{margin:3px 0}.sign{margin-top:28px}.sign,"
+    "footer{font-size:9px}}"
+    "@media screen and (max-width:600px){.groups,.row{grid-template-columns:minmax(0,1fr)}"
+    "td,th{padding-right:6px}.sign{width:auto}}";
 
 QString cells(const QStringList& texts, const QString& tag) {
   QString out = QStringLiteral("<tr>");
@@ -304,8 +311,9 @@ QString pageHtml(const Page& page) {
                        : page.mood == Mood::Bad ? QStringLiteral("bad")
                                                 : QString();
   QString out = QStringLiteral(
-                    "<!DOCTYPE html>\n<html lang=\"%1\"><head><meta charset=\"utf-8\"><title>%2"
-                    "</title><style>%3</style></head><body>\n")
+                    "<!DOCTYPE html>\n<html lang=\"%1\"><head><meta charset=\"utf-8\"><meta "
+                    "name=\"viewport\" content=\"width=device-width\"><title>%2</title>"
+                    "<style>%3</style></head><body>\n")
                     .arg(page.language, page.title.toHtmlEscaped(), QString::fromLatin1(kStyle));
   out += QStringLiteral("<h1>%1</h1>\n<div class=\"result %2\">%3</div>\n")
              .arg(page.title.toHtmlEscaped(), mood, page.result.toHtmlEscaped());
