@@ -9,6 +9,7 @@
 
 #include "support/test_program.h"
 #include "trace/formula.h"
+#include "trace/import/import.h"
 #include "trace/signal_set.h"
 
 using namespace rivulet;
@@ -197,6 +198,37 @@ class TestSignalSet : public QObject {
     QCOMPARE((*sum)->size(), std::size_t{4});
     QVERIFY(std::abs((*sum)->valueAt(2) - (2.0 + 10.0 + 10.0 * 0.8 / 1.2)) < 1e-9);
     QVERIFY(std::isnan((*sum)->valueAt(3)));  // b has ended
+  }
+
+  /// A line is that of the last block that began: nothing is between two of them.
+  void holdsValuesThatChangeInSteps() {
+    const Channel lines = channel("line", {10.0, 10.0, 20.0, kNaN, 10.0});
+    QVERIFY(std::isnan(heldValueAt(*lines.samples, at(-0.1))));
+    QCOMPARE(heldValueAt(*lines.samples, at(0.0)), 10.0);
+    QCOMPARE(heldValueAt(*lines.samples, at(1.9)), 10.0);
+    QCOMPARE(heldValueAt(*lines.samples, at(2.0)), 20.0);
+    QVERIFY(std::isnan(heldValueAt(*lines.samples, at(3.5))));
+    QCOMPARE(heldValueAt(*lines.samples, at(99.0)), 10.0);
+    const std::vector<ValueSpan> spans = spansOf(*lines.samples, 10.0);
+    QCOMPARE(spans.size(), std::size_t{2});
+    QCOMPARE(spans[0].from, at(0.0));
+    QCOMPARE(spans[0].to, at(2.0));
+    QCOMPARE(spans[1].from, at(4.0));
+  }
+
+  /// Files that are seen together begin where the user says.
+  void beginsAtTheOffset() {
+    const std::string text = "t_s,x_act\n100,1\n100.5,2\n101,3\n";
+    for (const double offsetS : {0.0, 1.5, -0.25}) {
+      TableMapping mapping;
+      mapping.offsetS = offsetS;
+      const auto imported = importTrace(text, mapping);
+      QVERIFY(imported);
+      TraceSubject subject;
+      subject.imported = &*imported;
+      const ShownTrace shown = makeShownTrace(subject, motionOf(*imported), nullptr);
+      QCOMPARE(shown.signalSet.find("x_act")->samples->timeAt(1), at(offsetS + 0.5));
+    }
   }
 
   void countsBetweenTwoInstants() {
