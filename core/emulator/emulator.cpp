@@ -225,10 +225,16 @@ base::Result<RunFit> testRun(const Emulator& emulator, const TrainingRun& run) {
     return base::fail(EmulatorError::TooShort, "This run has no set points or no observations.",
                       run.name);
   }
+  const auto known = std::ranges::lower_bound(run.observedAt, knownFromS(run));
+  const auto first = static_cast<std::size_t>(known - run.observedAt.begin());
+  if (first == run.observedAt.size()) {
+    return base::fail(EmulatorError::TooShort,
+                      "This run has no observations after its axes have begun to move.", run.name);
+  }
   RunFit fit{run.name};
-  const auto count = static_cast<double>(run.observedAt.size());
+  const auto count = static_cast<double>(run.observedAt.size() - first);
   const double reach = kNearS / compared->stepS;
-  for (std::size_t i = 0; i < run.observedAt.size(); ++i) {
+  for (std::size_t i = first; i < run.observedAt.size(); ++i) {
     const double error = base::distance(compared->emulated[i], compared->observed[i]);
     fit.positionRmsMm += error * error / count;
     fit.positionMaxMm = std::max(fit.positionMaxMm, error);

@@ -64,10 +64,27 @@ struct Source {
 };
 
 AxisState slopedAt(const SetPointGrid& grid, std::size_t index) {
-  const std::size_t before = index > 0 ? index - 1 : 0;
+  if (index == 0) {
+    return {grid.mm.front(), grid.startMmPerS};
+  }
   const std::size_t after = std::min(index + 1, grid.mm.size() - 1);
-  const double steps = static_cast<double>(std::max<std::size_t>(1, after - before));
-  return {grid.mm[index], (grid.mm[after] - grid.mm[before]) / (steps * grid.stepS)};
+  const double steps = static_cast<double>(after - index + 1);
+  return {grid.mm[index], (grid.mm[after] - grid.mm[index - 1]) / (steps * grid.stepS)};
+}
+
+/// Speed of the set point when a run begins, from its first two steps at even acceleration; 0 if it
+/// stood two periods before at most: the axis has hardly moved then.
+double startMmPerS(const std::vector<double>& mm, double periodS) {
+  constexpr double kPeriodsOfRest = 2.0;
+  if (mm.size() < 3) {
+    return mm.size() < 2 ? 0.0 : (mm[1] - mm[0]) / periodS;
+  }
+  const double first = mm[1] - mm[0];
+  const double gain = (mm[2] - mm[1]) - first;  // of the step, in a period
+  const double step = first - 0.5 * gain;       // at the beginning
+  const bool rests =
+      step * first <= 0.0 || std::abs(step) < kPeriodsOfRest * gain * std::copysign(1.0, step);
+  return rests ? 0.0 : step / periodS;
 }
 
 /// Between two states of an axis: the cubic that has their positions and speeds.
@@ -620,12 +637,25 @@ std::vector<ParameterEstimate> estimatesOf(const Fit& fit, const Eigen::VectorXd
   return estimates;
 }
 
-/// How well a structure follows set points of either kind.
+/// How well a structure follows set points of either kind, also with a part less: what a wrong kind
+/// was made up for with must not stay, and can become small, but not 0.
 double quickRmsMm(const LearnedAxis& learned, const Split& data, const LearnOptions& options) {
-  Fit fit(partsOf(learned.parameters), data.fitted, options.isCancelled);
-  Eigen::VectorXd x = fit.inputOf(learned.parameters);
-  fit.improve(x, 12);
-  return fit.rmsMm(x);
+  const Parts parts = partsOf(learned.parameters);
+  std::vector<Parts> structures{parts};
+  for (const P part : parts) {
+    if (std::ranges::find(kCascade, part) == kCascade.end() && part != P::ResonanceHz &&
+        part != P::ResonanceDamping) {
+      structures.push_back(toggled(parts, {part}));
+    }
+  }
+  double best = std::numeric_limits<double>::infinity();
+  for (const Parts& structure : structures) {
+    Fit fit(structure, data.fitted, options.isCancelled);
+    Eigen::VectorXd x = fit.inputOf(learned.parameters);
+    fit.improve(x, 12);
+    best = std::min(best, fit.rmsMm(x));
+  }
+  return best;
 }
 
 /// A model must explain most of what keeps the axis from its set points.
@@ -724,6 +754,15 @@ double straightAt(std::span<const double> values, double place) {
 
 }  // namespace
 
+double knownFromS(const TrainingRun& run) {
+  double latest = 0.0;
+  for (const AxisTrack& track : run.axes) {
+    const double endS = run.period * (static_cast<double>(track.reference.size()) - 1.0);
+    latest = std::max(latest, knownFromS(track, endS));
+  }
+  return latest;
+}
+
 bool moves(const AxisTrack& track) {
   return !track.reference.empty() && rangeOf(track.reference) >= kMotionMmMin;
 }
@@ -731,10 +770,11 @@ bool moves(const AxisTrack& track) {
 SetPointGrid setPointGrid(const AxisTrack& track, double periodS, bool goesStraight) {
   const auto parts =
       static_cast<std::size_t>(std::max(1.0, std::ceil(periodS / kGridStepS - 1e-6)));
+  const double startSpeed = startMmPerS(track.reference, periodS);
   if (parts == 1) {
-    return {periodS, track.reference};
+    return {periodS, track.reference, startSpeed};
   }
-  SetPointGrid grid{periodS / static_cast<double>(parts), {}};
+  SetPointGrid grid{periodS / static_cast<double>(parts), {}, startSpeed};
   const std::size_t count = (track.reference.size() - 1) * parts + 1;
   grid.mm.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {

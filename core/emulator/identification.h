@@ -96,10 +96,16 @@ struct LearnOptions {
 /// An axis that moves less is not learned.
 [[nodiscard]] bool moves(const AxisTrack& track);
 
+/// From when on a run says how its axes follow. Of an axis that moves already when the run begins
+/// nobody knows what it did before; a short run is taken as it is all the same.
+/// @return s on the time of the run
+[[nodiscard]] double knownFromS(const TrainingRun& run);
+
 /// The set points of a run on the grid on which axes are simulated: at most 1 ms apart.
 struct SetPointGrid {
   double stepS = 0.0;
   std::vector<double> mm;
+  double startMmPerS = 0.0;  ///< speed of the set point at the first one
 };
 /// @param goesStraight  see LearnedAxis
 [[nodiscard]] SetPointGrid setPointGrid(const AxisTrack& track, double periodS, bool goesStraight);

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "emulator/emulator_error.h"
+#include "emulator/identification.h"
 
 namespace rivulet::emulator {
 
@@ -24,9 +25,11 @@ struct Window {
 };
 
 /// Whole windows of a run, and what is left at its end if that is more than half of one.
-std::vector<Window> windowsOf(std::span<const double> atS) {
+/// @param fromS  nothing is looked at before
+std::vector<Window> windowsOf(std::span<const double> atS, double fromS) {
   std::vector<Window> windows;
-  for (std::size_t i = 0; i < atS.size();) {
+  auto i = static_cast<std::size_t>(std::ranges::lower_bound(atS, fromS) - atS.begin());
+  while (i < atS.size()) {
     Window window{atS[i], atS[i] + kPeakWindowS, i, i};
     while (window.end < atS.size() && atS[window.end] < window.toS) {
       ++window.end;
@@ -103,7 +106,7 @@ base::Result<void> measurePeaks(Emulator& emulator, std::span<const TrainingRun>
       if (found == residuals->end()) {
         continue;
       }
-      for (const Window& window : windowsOf(run.observedAt)) {
+      for (const Window& window : windowsOf(run.observedAt, knownFromS(run))) {
         peaks.push_back(std::abs(largestOf(found->mm, window)));
       }
     }
@@ -144,7 +147,7 @@ base::Result<std::vector<Deviation>> findDeviations(const Emulator& emulator,
   if (!residuals) {
     return base::fail(residuals.error());
   }
-  const std::vector<Window> windows = windowsOf(run.observedAt);
+  const std::vector<Window> windows = windowsOf(run.observedAt, knownFromS(run));
   std::vector<Deviation> deviations;
   for (const AxisResiduals& axis : *residuals) {
     const ResidualPeaks& peaks = emulator.find(axis.axis)->peaks;
@@ -182,7 +185,7 @@ MissingShare missingWatermark(std::span<const double> residuals, std::span<const
   };
   std::vector<Sums> windows;
   Sums all;
-  for (const Window& window : windowsOf(atS)) {
+  for (const Window& window : windowsOf(atS, atS.empty() ? 0.0 : atS.front())) {
     Sums sums;
     for (std::size_t i = window.first; i < window.end; ++i) {
       sums.product -= residuals[i] * answer[i];

@@ -243,6 +243,42 @@ class TestIdentification : public QObject {
     QVERIFY(std::abs(learned->parameters[P::PositionGain] / plant[P::PositionGain] - 1.0) < 0.01);
   }
 
+  /// A model that began otherwise would find parameters that hide it.
+  void beginsAsItsSetPointsDo() {
+    constexpr double kCycleS = 0.004;
+    const AxisParameters plant = firstOrderLag(0.02);
+    const std::vector<double> begin{0.0};
+    for (const bool goesStraight : {false, true}) {
+      const auto firstOf = [&](const std::vector<double>& mm) {
+        return predict(plant, setPointGrid({'X', mm, {}}, kCycleS, goesStraight), begin).front();
+      };
+      const AxisState rests = firstOf({0.0, 0.1, 0.4, 0.9, 1.6});  // at even acceleration
+      QCOMPARE(rests.mm, 0.0);
+      QCOMPARE(rests.mmPerS, 0.0);
+      QCOMPARE(firstOf({-0.001, -0.008, -0.027, -0.064}).mmPerS, 0.0);  // at even jerk, just begun
+      const AxisState moves = firstOf({0.0, 0.2, 0.4, 0.6, 0.8});
+      QVERIFY(std::abs(moves.mmPerS - 50.0) < 1e-9);
+      QVERIFY(std::abs(moves.mm + 50.0 * 0.02) < 1e-9);                          // late by its lag
+      QVERIFY(std::abs(firstOf({0.0, -0.3, -0.5, -0.6}).mmPerS + 87.5) < 1e-9);  // it brakes
+    }
+  }
+
+  /// Of an axis that moves already, nobody knows what it did before.
+  void doesNotLookAtTheBeginOfARunThatBeginsInMotion() {
+    std::vector<double> moving;
+    std::vector<double> fromRest;
+    for (int i = 0; i < 5000; ++i) {
+      moving.push_back(8.0 * std::sin(0.006 * i));
+      fromRest.push_back(8.0 * (1.0 - std::cos(0.006 * i)));
+    }
+    QCOMPARE(knownFromS({"rests", kPeriodS, {{'X', fromRest, {}}}, {}}), 0.0);
+    const double knownS =
+        knownFromS({"moves", kPeriodS, {{'X', fromRest, {}}, {'Y', moving, {}}}, {}});
+    QVERIFY(knownS > 0.2 && knownS < 1.0);
+    moving.resize(2000);  // there is little enough of it
+    QCOMPARE(knownFromS({"short", kPeriodS, {{'X', moving, {}}}, {}}), 0.0);
+  }
+
   void refusesWhatCannotBeLearnedFrom_data() {
     QTest::addColumn<int>("fault");
     QTest::addColumn<EmulatorError>("code");

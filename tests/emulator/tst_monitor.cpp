@@ -105,6 +105,21 @@ class TestMonitor : public QObject {
     QVERIFY(found->front().thresholdMm < 0.01);
   }
 
+  /// What the axis did before the trace began is not a deviation.
+  void forgivesWhatIsLeftOfTheTimeBefore() {
+    const Emulator emulator = withPeaks();
+    TrainingRun run = runOf(emulator, 60.0, 40);
+    for (std::size_t i = 0; i < run.observedAt.size(); ++i) {
+      run.axes[0].observed[i] += 0.05 * std::exp(-50.0 * run.observedAt[i]);
+    }
+    const auto found = findDeviations(emulator, run);
+    QVERIFY2(found, found ? "" : found.error().text().c_str());
+    QVERIFY(found->empty());
+    const auto fit = testRun(emulator, run);
+    QVERIFY2(fit, fit ? "" : fit.error().text().c_str());
+    QVERIFY2(fit->positionMaxMm < 0.01, qPrintable(QString::number(fit->positionMaxMm)));
+  }
+
   void keepsItsPeaksInTheFile() {
     const Emulator emulator = withPeaks();
     const auto read = parseEmulator(printEmulator(emulator), "mine.toml");
