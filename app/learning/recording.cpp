@@ -3,6 +3,8 @@
 
 #include "learning/recording.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -11,10 +13,13 @@
 #include "base/file.h"
 #include "base/sha256.h"
 #include "emulator/emulator.h"
+#include "emulator/emulator_error.h"
 #include "emulator/identification.h"
 #include "experiments/sparse_learning.h"
 #include "report/trace_source.h"
 #include "trace/analysis/trace_analysis.h"
+#include "trace/import/import.h"
+#include "trace/remark.h"
 
 namespace rivulet::learning {
 
@@ -22,11 +27,48 @@ namespace {
 
 /// Speeds are taken over so long, at least: less is noise.
 constexpr double kSpeedOverS = 0.02;
+/// Of the values of a column: if more are missing, it was recorded less often than others.
+constexpr double kDamagedShare = 0.1;
 
 /// "data/G1_g61_250hz.csv.zst" is run G1_g61_250hz.
 std::string runName(const std::string& file) {
   const std::string name = std::filesystem::path(file).filename().string();
   return name.substr(0, name.find('.'));
+}
+
+bool isPosition(trace::SignalRole role) {
+  return role >= trace::SignalRole::XSet && role <= trace::SignalRole::ZActual;
+}
+
+/// A table can be looked at where some of its rows are damaged; a model would learn the damage.
+base::Result<void> requireSound(const trace::ImportedTrace& imported, const std::string& name) {
+  for (const trace::Remark& remark : imported.trace.remarks) {
+    if (remark.code == trace::RemarkCode::TimeBackwards) {
+      return base::fail(emulator::EmulatorError::BadTimes,
+                        fmt::format("Time runs backwards at row {}: record the run again, or cut "
+                                    "the file there.",
+                                    remark.values[1]),
+                        name);
+    }
+  }
+  for (const trace::ColumnRole& column : imported.columns) {
+    const auto signal =
+        std::ranges::find(imported.trace.signalList, column.column, &trace::Signal::name);
+    if (!isPosition(column.role) || signal == imported.trace.signalList.end()) {
+      continue;
+    }
+    const auto isBad = [](double value) { return !std::isfinite(value); };
+    const auto bad = std::ranges::find_if(signal->values, isBad);
+    const auto count = static_cast<double>(std::ranges::count_if(signal->values, isBad));
+    if (count > 0.0 && count < kDamagedShare * static_cast<double>(signal->values.size())) {
+      return base::fail(emulator::EmulatorError::BadNumbers,
+                        fmt::format("Value {} of {} is not a number: leave its row out of the "
+                                    "file.",
+                                    bad - signal->values.begin() + 1, column.column),
+                        name);
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -40,6 +82,11 @@ base::Result<Recording> readRecording(const RecordingFile& file,
   const auto source = report::openTrace(file.trace, file.columns, 0.0);
   if (!source) {
     return base::fail(source.error());
+  }
+  if (source->imported) {
+    if (auto sound = requireSound(*source->imported, file.trace); !sound) {
+      return base::fail(sound.error());
+    }
   }
   const trace::Motion motion = trace::motionOf(source->subject());
   Recording recording{file, {}, base::sha256Hex(*bytes)};
