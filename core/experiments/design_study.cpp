@@ -34,6 +34,7 @@ using emulator::TrainingRun;
 constexpr double kDurationS = 25.0;  ///< that of G1 as it was recorded
 constexpr double kDesignNoiseMm = 0.002;
 constexpr double kStairMm = 12.0;
+constexpr double kRestS = 0.3;
 /// Extent of G1 and G3.
 constexpr Vec3 kDesignBoxMm{60.0, 48.0, 0.0};
 
@@ -234,7 +235,9 @@ emulator::PlanMoves planMovesOn(const machine::MachineConfig& config) {
       at = block.targetMm;
       blocks.push_back(block);
     }
-    PlannedMoves planned{base::toSeconds(config.interpolationCycle), {startMm}};
+    // The axes stand first, so that their state is known when they begin to move.
+    PlannedMoves planned{base::toSeconds(config.interpolationCycle), {}};
+    planned.setPointsMm.assign(static_cast<std::size_t>(kRestS / planned.periodS), startMm);
     const PlannedRun run = planRun(blocks, startMm, config);
     planned.setPointsMm.insert(planned.setPointsMm.end(), run.commandsMm.begin(),
                                run.commandsMm.end());

@@ -55,6 +55,33 @@ double lastMotionS(const TrainingRun& run) {
   return run.period * static_cast<double>(last);
 }
 
+/// Direction in which a block ends.
+base::Vec3 directionAt(const machine::PreparedMotion& block, base::Vec3 fromMm, base::Vec3 atMm) {
+  base::Vec3 along = block.targetMm - fromMm;
+  if (block.arc) {
+    const base::Vec3 radius = atMm - block.arc->centreMm;
+    along = block.arc->axis.z > 0.0 ? base::Vec3{-radius.y, radius.x, 0.0}
+                                    : base::Vec3{radius.y, -radius.x, 0.0};
+  }
+  return (1.0 / base::norm(along)) * along;
+}
+
+/// The recorded planner stops exactly at corners, not where the path goes on in its direction.
+void passWhereItGoesOnStraight(std::vector<machine::PreparedMotion>& blocks, base::Vec3 startMm) {
+  constexpr double kTurn = 1e-3;
+  base::Vec3 fromMm = startMm;
+  for (std::size_t i = 0; i + 1 < blocks.size(); ++i) {
+    const base::Vec3 atMm = blocks[i].targetMm;
+    const base::Vec3 turn =
+        directionAt(blocks[i + 1], atMm, atMm) - directionAt(blocks[i], fromMm, atMm);
+    if (blocks[i].end == machine::BlockEnd::ExactStop && base::norm(turn) < kTurn) {
+      blocks[i].end = machine::BlockEnd::Rounded;
+      blocks[i].roundingMm = 0.0;
+    }
+    fromMm = atMm;
+  }
+}
+
 /// The recorded run with set points that the virtual machine has planned from its program.
 Result<TrainingRun> plannedFrom(const fs::path& program, const TrainingRun& recorded) {
   const auto text = base::readFile(program);
@@ -65,11 +92,12 @@ Result<TrainingRun> plannedFrom(const fs::path& program, const TrainingRun& reco
   for (std::size_t axis = 0; axis < recorded.axes.size(); ++axis) {
     startMm.set(axis, recorded.axes[axis].reference.front());
   }
-  const auto blocks = parseRecordedProgram(*text, startMm);
+  auto blocks = parseRecordedProgram(*text, startMm);
   if (!blocks) {
     return base::fail(blocks.error());
   }
   const bool stops = !blocks->empty() && blocks->front().end == machine::BlockEnd::ExactStop;
+  passWhereItGoesOnStraight(*blocks, startMm);
   const MachineConfig config = recordedMachine(stops ? kExactStopShare : 1.0);
   const PlannedRun planned = planRun(*blocks, startMm, config);
   TrainingRun run{recorded.name, base::toSeconds(config.interpolationCycle), {}, {}};

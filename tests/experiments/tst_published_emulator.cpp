@@ -62,7 +62,7 @@ class TestPublishedEmulator : public QObject {
             check.reference);
       QVERIFY2(check.passed(), check.what.c_str());
     }
-    QCOMPARE(result->tables.size(), std::size_t{5});
+    QCOMPARE(result->tables.size(), std::size_t{6});
     QCOMPARE(result->plots.size(), std::size_t{6});
     for (const experiments::Plot& plot : result->plots) {
       for (const experiments::Series& series : plot.series) {
