@@ -247,36 +247,42 @@ class Scheduler {
     for (std::size_t i = 0; i < kTaskCount; ++i) {
       Mailbox& mailbox = m_segment.mailboxes[i];
       const Task task = static_cast<Task>(i);
-      if (mailbox.inputHasArrived.exchange(false)) {
+      // Input that a step has asked for arrives after its answer. Looked at first and handled last,
+      // it is never taken for input that nobody waits for.
+      const bool hasInput = mailbox.inputHasArrived.exchange(false);
+      if (mailbox.hasAnswered.exchange(false)) {
+        takeAnswer(task, mailbox, at);
+      }
+      if (hasInput) {
         m_dispatcher.inputArrived();
       }
-      if (!mailbox.hasAnswered.exchange(false)) {
-        continue;
+    }
+  }
+
+  /// @param at  as in `collect`
+  void takeAnswer(Task task, const Mailbox& mailbox, base::Instant& at) {
+    if (mailbox.hasFailed) {
+      stopFor(fmt::format("The task {} has failed: {}", nameOf(task), mailbox.error.view()), task);
+      return;
+    }
+    if (mailbox.next > static_cast<std::uint8_t>(Need::Ended)) {
+      stopFor(fmt::format("The task {} says what cannot be.", nameOf(task)), task);
+      return;
+    }
+    if (task == Task::Position) {
+      if (m_isReleased) {
+        // It has begun by itself at its instant: that comes before its end, and after what has
+        // happened so far.
+        advance(at);
+        at = now();
+        advance(at);
       }
-      if (mailbox.hasFailed) {
-        stopFor(fmt::format("The task {} has failed: {}", nameOf(task), mailbox.error.view()),
-                task);
-        continue;
-      }
-      if (mailbox.next > static_cast<std::uint8_t>(Need::Ended)) {
-        stopFor(fmt::format("The task {} says what cannot be.", nameOf(task)), task);
-        continue;
-      }
-      if (task == Task::Position) {
-        if (m_isReleased) {
-          // It has begun by itself at its instant: that comes before its end, and after what has
-          // happened so far.
-          advance(at);
-          at = now();
-          advance(at);
-        }
-        m_wakeUps.push_back(base::Duration{mailbox.beganNs - m_dueNs});
-      }
-      const auto ended =
-          m_dispatcher.complete(task, {mailbox.made != 0, static_cast<Need>(mailbox.next)}, at);
-      if (!ended) {
-        stopFor(ended.error().text(), task);
-      }
+      m_wakeUps.push_back(base::Duration{mailbox.beganNs - m_dueNs});
+    }
+    const auto ended =
+        m_dispatcher.complete(task, {mailbox.made != 0, static_cast<Need>(mailbox.next)}, at);
+    if (!ended) {
+      stopFor(ended.error().text(), task);
     }
   }
 

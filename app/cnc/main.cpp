@@ -142,7 +142,11 @@ int run(Arguments& arguments) {
     log::logger().error(result->failure);
     return kExitFailed;
   }
-  return result->hasEnded ? kExitOk : kExitFailed;
+  if (!result->hasEnded) {
+    log::logger().error("The run was stopped before the end of the program. Start it again.");
+    return kExitFailed;
+  }
+  return kExitOk;
 }
 
 void printDistribution(const char* what, const cnc::Distribution& times) {
