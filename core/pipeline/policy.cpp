@@ -7,6 +7,13 @@
 
 namespace rivulet::pipeline {
 
+namespace {
+
+/// More saves hardly any switches and keeps more items waiting: docs/parallel.md.
+constexpr int kBatch = 8;
+
+}  // namespace
+
 const std::array<PolicyFacts, 4>& policies() {
   static const std::array<PolicyFacts, 4> rows{{
       {PolicyKind::TaskDependency, "task-dependency", "task dependency", &makeTaskDependency},
@@ -16,6 +23,10 @@ const std::array<PolicyFacts, 4>& policies() {
       {PolicyKind::Steady, "steady", "steady", &makeSteady},
   }};
   return rows;
+}
+
+bool isWithinBatch(const Candidate& candidate) {
+  return candidate.isWarm && candidate.downstream < kBatch;
 }
 
 const PolicyFacts& factsOf(PolicyKind kind) {

@@ -27,6 +27,10 @@ struct Candidate {
   bool isWarm = false;  ///< a processor that is free has executed it last
 };
 
+/// Whether a processor that stays with its task saves a switch and keeps nobody waiting for long: the
+/// task has executed last, and what lies after it is less than a batch.
+[[nodiscard]] bool isWithinBatch(const Candidate& candidate);
+
 /// What the scheduler knows besides.
 struct Outlook {
   std::array<int, kBufferCount> levels{};

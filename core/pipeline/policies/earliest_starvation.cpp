@@ -4,7 +4,8 @@
 /// The task goes first without which position control would be without a set point first. What lies
 /// after a task lasts for some time; less the time that it and those after it need, this is how
 /// long the task can wait. An item of a buffer is worth as many set points as have come of one so
-/// far, so a block counts for more than a place on the path. Ours.
+/// far, so a block counts for more than a place on the path. Of tasks that are all too late, the one
+/// that has executed last goes on for a batch: a switch would cost time, too. Ours.
 
 #include <algorithm>
 
@@ -24,7 +25,6 @@ double slackS(Task task, const Outlook& outlook) {
     slack += outlook.levels[i] * (points / items) * base::toSeconds(outlook.positionCycle);
     slack -= base::toSeconds(outlook.meanTimes[i]);
   }
-  // Too late for several: then the shortest way to the next set point counts.
   return std::max(0.0, slack);
 }
 
@@ -34,7 +34,11 @@ class EarliestStarvation final : public SchedulingPolicy {
                                 const Outlook& outlook) const override {
     const double slackA = slackS(a.task, outlook);
     const double slackB = slackS(b.task, outlook);
-    return slackA != slackB ? slackA < slackB : indexOf(a.task) > indexOf(b.task);
+    if (slackA != slackB) {
+      return slackA < slackB;
+    }
+    const bool staysA = isWithinBatch(a);
+    return staysA != isWithinBatch(b) ? staysA : indexOf(a.task) > indexOf(b.task);
   }
 };
 

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// A processor stays with its task while that can run: a switch of tasks costs time and brings
-/// nothing by itself. Only when the set points run short, the tasks go by their dependency; so a
-/// processor changes when its task has no data, no room, or when position control is in danger.
+/// A processor stays with its task for a batch: a switch of tasks costs time and brings nothing by
+/// itself. After that, or when its task has no data or no room, the tasks go by their dependency.
 /// Ours.
 
 #include "pipeline/policy.h"
@@ -12,17 +11,12 @@ namespace rivulet::pipeline {
 
 namespace {
 
-/// Set points below which the shortest way to the next one counts.
-constexpr int kReserve = 4;
-
 class Steady final : public SchedulingPolicy {
  public:
   [[nodiscard]] bool goesBefore(const Candidate& a, const Candidate& b,
-                                const Outlook& outlook) const override {
-    if (a.isWarm != b.isWarm && outlook.levels.back() >= kReserve) {
-      return a.isWarm;
-    }
-    return indexOf(a.task) > indexOf(b.task);
+                                const Outlook& /*outlook*/) const override {
+    const bool staysA = isWithinBatch(a);
+    return staysA != isWithinBatch(b) ? staysA : indexOf(a.task) > indexOf(b.task);
   }
 };
 
