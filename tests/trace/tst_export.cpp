@@ -43,11 +43,16 @@ class TestExport : public QObject {
   void isReadBack() {
     const std::vector<ExportedSignal> exported{{"x_act", "mm", samples(50, 0.004, 1.0 / 3.0)},
                                                {"load", "%", samples(9, 0.02, 1e-7)},
+                                               {"a;b", "", samples(50, 0.004, 7.0)},
                                                {"y_act", "mm", samples(50, 0.004, 2.0)}};
-    const auto imported = importTrace(printSignals(exported, kStart, kEnd, "t", "s"));
+    const std::string text = printSignals(exported, kStart, kEnd, "t", "s");
+    // The last columns are full: other tools tell by them how many there are.
+    QCOMPARE(text.substr(0, text.find('\n')),
+             std::string("t [s];load [%];t 2 [s];x_act [mm];\"a;b\";y_act [mm]"));
+    const auto imported = importTrace(text);
     QVERIFY(imported);
     QCOMPARE(imported->trace.timeBases.size(), std::size_t{2});
-    QCOMPARE(imported->trace.signalList.size(), std::size_t{3});
+    QCOMPARE(imported->trace.signalList.size(), std::size_t{4});
     for (const ExportedSignal& one : exported) {
       const auto found =
           std::find_if(imported->trace.signalList.begin(), imported->trace.signalList.end(),

@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "base/random.h"
 #include "support/test_program.h"
 #include "trace/frames.h"
 #include "trace/recording.h"
@@ -61,6 +62,22 @@ class TestFrames : public QObject {
       QVERIFY(frames.text.size() + 500 >= static_cast<std::size_t>(whole) * frameText);
       QVERIFY(!frames.hasTable);
     }
+  }
+
+  /// Of a long frame that was cut, what can be unpacked is read.
+  void aLongFrameIsReadUpToItsCut() {
+    rivulet::base::Random random(7);
+    std::string lines;
+    while (lines.size() < 1'000'000) {
+      lines += "n " + std::to_string(random.uniform()) + " \"note\"\n";
+    }
+    FrameWriter writer;
+    const std::string bytes = writer.frame(lines);
+    const Frames frames = readFrames(std::string_view(bytes).substr(0, bytes.size() / 2));
+    QVERIFY(frames.isCut);
+    QVERIFY2(frames.text.size() > lines.size() / 4 && frames.text.size() < lines.size(),
+             std::to_string(frames.text.size()).c_str());
+    QCOMPARE(lines.compare(0, frames.text.size(), frames.text), 0);
   }
 
   /// A damaged frame is left out; those before and after it are read.

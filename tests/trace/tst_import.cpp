@@ -79,6 +79,10 @@ void TestImport::readsAnyLayout_data() {
   row("separator at the end", "t_s;x_cmd;y_cmd;\n0;1.5;-2;\n0.004;1.75;-2.5;\n0.008;2;-3;\n");
   row("time of day",
       "time,x_cmd,y_cmd\n00:00:00.000,1.5,-2\n00:00:00.004,1.75,-2.5\n00:00:00.008,2,-3\n");
+  row("across an hour",
+      "time,x_cmd,y_cmd\n13:59:59.996,1.5,-2\n14:00:00.000,1.75,-2.5\n14:00:00.004,2,-3\n");
+  row("separators in quotes",
+      "\"t_s\",\"x_cmd, first\",\"y_cmd, second\"\n0,1.5,-2\n0.004,1.75,-2.5\n0.008,2,-3\n");
   row("last column nearly empty",
       "t_s,x_cmd,y_cmd,note\n0,1.5,-2,\n0.004,1.75,-2.5,\n0.008,2,-3,\n");
   row("byte order mark", "\xEF\xBB\xBFt_s,x_cmd,y_cmd\n0,1.5,-2\n0.004,1.75,-2.5\n0.008,2,-3\n");
@@ -88,6 +92,7 @@ void TestImport::readsAnyLayout() {
   QFETCH(QByteArray, text);
   const ImportedTrace trace = imported(text.toStdString());
   QCOMPARE(remarks(trace), std::string());
+  QVERIFY(trace.trace.timeBases[0].name.find('t') == 0);  // nothing before it
   const Motion motion = motionOf(trace);
   QCOMPARE(motion.samples.size(), std::size_t{3});
   QVERIFY(motion.hasSet && !motion.hasActual && !motion.hasSpeed);
@@ -278,6 +283,11 @@ void TestImport::readsTwinCatScope() {
   QCOMPARE(motion.step, base::Duration{std::chrono::milliseconds{2}});
   QCOMPARE(motion.samples[1].setMm.x, 1.6);
   QCOMPARE(motion.samples[1].actualMm.x, 1.5);
+  // Other versions count the samples.
+  const Motion counted = motionOf(
+      imported("Name\tScope Project\nFile\tC:\\a.svdx\n\nName\tAxis1.SetPos\nData-Type\tREAL64\n"
+               "SampleTime[ms]\t2\nUnit\tmm\n\n0\t1,5\n1\t1,6\n2\t1,7\n3\t1,8\n4\t1,9\n"));
+  QCOMPARE(counted.step, base::Duration{std::chrono::milliseconds{2}});
 }
 
 void TestImport::readsSinumerikXml() {
@@ -295,9 +305,11 @@ void TestImport::readsSinumerikXml() {
       "unitsType=\"posn\"/>\n"
       "<rec time=\"0\" f1=\"1.5\" f2=\"-3\" f3=\"0.1\"/>\n<rec time=\"0.002\" f1=\"1.6\"/>\n"
       "<rec time=\"0.004\" f1=\"1.7\" f2=\"-4\" f3=\"9221120237041090560\"/>\n"
-      "<rec time=\"0.006\" f1=\"1.8\" f2=";
+      "<rec time=\"0.003\" f1=\"9\"/>\n<rec time=\"0.006\" f1=\"1.8\" f2=";
   const ImportedTrace trace = imported(text);
   QCOMPARE(trace.trace.format, std::string("SINUMERIK trace"));
+  QCOMPARE(trace.trace.signalList[0].values, (std::vector<double>{1.5, 1.6, 1.7}));
+  QVERIFY(remarks(trace).find("runs backwards and that were left out: 1.") != std::string::npos);
   QCOMPARE(trace.trace.signalList[2].values.size(), std::size_t{1});
   const Motion motion = motionOf(trace);
   QCOMPARE(motion.samples.size(), std::size_t{3});

@@ -204,6 +204,7 @@ class TestSignalSet : public QObject {
   void holdsValuesThatChangeInSteps() {
     const Channel lines = channel("line", {10.0, 10.0, 20.0, kNaN, 10.0});
     QVERIFY(std::isnan(heldValueAt(*lines.samples, at(-0.1))));
+    QVERIFY(std::isnan(valueAt(*lines.samples, at(-0.1))));
     QCOMPARE(heldValueAt(*lines.samples, at(0.0)), 10.0);
     QCOMPARE(heldValueAt(*lines.samples, at(1.9)), 10.0);
     QCOMPARE(heldValueAt(*lines.samples, at(2.0)), 20.0);

@@ -92,6 +92,15 @@ class TestTraceAnalysis : public QObject {
     QVERIFY(stepS > 0.01 || match.undecided == 0);
   }
 
+  /// Between two samples, the motion may have gone to the tip and back, or not.
+  void leavesOpenWhatSamplesDoNotShow() {
+    const std::vector<base::Vec3> spike{{0, 0, 0}, {10, 0, 0}, {10, 3, 0}, {10, 0, 0}, {20, 0, 0}};
+    const PathMatch match = matchPath(motionAlong(spike, 10.0, 1.0), pathThrough(spike));
+    QVERIFY(match.isFaultless());
+    QCOMPARE(printed(match),
+             QStringLiteral("executed 3 undecided 1 repeated 0 skipped 0 foreign 0"));
+  }
+
   /// The same places in the opposite direction, and twice.
   void followsAPathThatComesBack() {
     const std::vector<base::Vec3> there{{0, 0, 0}, {10, 0, 0}, {0, 0, 0}, {10, 0, 0}, {20, 0, 0}};
@@ -164,6 +173,102 @@ class TestTraceAnalysis : public QObject {
     QVERIFY(std::abs(quality.actualContour.rightMm + 0.02) < 1e-6);
     QVERIFY(std::abs(quality.following[1].maxMm - 0.02) < 1e-6);
     QCOMPARE(quality.corners.size(), std::size_t{4});
+  }
+
+  /// Backlash of 10 µm beside a lag that grows with the speed.
+  void tellsBacklashFromLag() {
+    constexpr double kLagS = 0.002;
+    constexpr double kBacklashMm = 0.01;
+    Motion motion;
+    motion.hasSet = motion.hasActual = true;
+    motion.step = std::chrono::milliseconds{4};
+    for (int i = 0; i < 1000; ++i) {
+      const double atS = 0.004 * i;
+      const double mmPerS = 40.0 * std::cos(2.0 * atS);
+      MotionSample sample;
+      sample.at = base::Instant{base::fromSeconds(atS)};
+      sample.setMm.x = 20.0 * std::sin(2.0 * atS);
+      sample.actualMm.x =
+          sample.setMm.x - kLagS * mmPerS - std::copysign(0.5 * kBacklashMm, mmPerS);
+      motion.samples.push_back(sample);
+    }
+    const MotionQuality quality = judgeMotion(motion, {}, nullptr, nullptr);
+    QVERIFY(quality.following[0].reversalMm.has_value());
+    QVERIFY(std::abs(*quality.following[0].reversalMm - kBacklashMm) < 1e-4);
+    QVERIFY(!quality.following[1].reversalMm);
+  }
+
+  /// Programmed with 10 mm/s: a third of the path at 5 mm/s takes as long again.
+  void measuresTheFeedKept() {
+    constexpr double kStepS = 0.004;
+    Motion motion = motionAlong({{0, 0, 0}, {20, 0, 0}}, 10.0, kStepS);
+    for (const MotionSample& slow : motionAlong({{20, 0, 0}, {30, 0, 0}}, 5.0, kStepS).samples) {
+      MotionSample sample = slow;
+      sample.at += base::fromSeconds(2.0);
+      if (sample.at > motion.samples.back().at) {
+        motion.samples.push_back(sample);
+      }
+    }
+    motion.hasFeed = true;
+    for (MotionSample& sample : motion.samples) {
+      sample.feedMmPerS = 10.0;
+    }
+    const FeedKept feed = judgeMotion(motion, {}, nullptr, nullptr).feed;
+    QVERIFY(feed.known);
+    QVERIFY2(std::abs(feed.share - 2.0 / 3.0) < 1e-3, qPrintable(QString::number(feed.share)));
+    QVERIFY(std::abs(feed.programmedS - 3.0) < 1e-6);
+    QVERIFY(std::abs(feed.motionS - 4.0) < 0.01);
+    QVERIFY(std::abs(feed.slowS - 1.0) < 0.01);
+  }
+
+  /// A corner that is cut by a line from 1 mm before it to 1 mm after it.
+  void measuresCorners() {
+    Motion motion =
+        motionAlong({{0, 0, 0}, {9, 0, 0}, {10, 1, 0}, {10, 5, 0}, {20, 5, 0}}, 10.0, 0.001);
+    motion.hasSpeed = true;
+    for (MotionSample& sample : motion.samples) {
+      sample.pathMmPerS = sample.setMm.y > 0.4 && sample.setMm.y < 0.6 ? 3.0 : 10.0;
+    }
+    const ProgramPath path = pathThrough({{0, 0, 0}, {10, 0, 0}, {10, 5, 0}, {20, 5, 0}});
+    const PathMatch match = matchPath(motion, path);
+    const MotionQuality quality = judgeMotion(motion, {}, &path, &match);
+    QCOMPARE(quality.corners.size(), std::size_t{2});
+    QVERIFY(std::abs(quality.corners[0].turnDeg - 90.0) < 1e-9);
+    QVERIFY(std::abs(quality.corners[0].setMm - std::sqrt(0.5)) < 1e-6);
+    QCOMPARE(quality.corners[0].mmPerSMin, 3.0);
+    QVERIFY(quality.corners[1].setMm < 0.01);  // the samples are so far apart
+  }
+
+  /// Braking to zero between two samples is a stop, a missing sample in a shallow dip is none.
+  void aGapIsNoStop_data() {
+    QTest::addColumn<QList<double>>("mmPerS");
+    QTest::addColumn<int>("gapSteps");
+    QTest::addColumn<int>("stops");
+    QTest::newRow("for a moment") << QList<double>{10, 10, 3, 3, 10, 10} << 1 << 1;
+    QTest::newRow("dip") << QList<double>{10, 10, 7, 7, 10, 10} << 1 << 0;
+    QTest::newRow("dip with a gap") << QList<double>{10, 10, 7, 7, 10, 10} << 8 << 0;
+  }
+  void aGapIsNoStop() {
+    QFETCH(QList<double>, mmPerS);
+    QFETCH(int, gapSteps);
+    QFETCH(int, stops);
+    constexpr double kStepS = 0.004;
+    Motion motion;
+    motion.hasSet = motion.hasSpeed = true;
+    motion.step = base::fromSeconds(kStepS);
+    double atS = 0.0;
+    double xMm = 0.0;
+    for (qsizetype i = 0; i < mmPerS.size(); ++i) {
+      const double stepS = i == mmPerS.size() / 2 ? gapSteps * kStepS : kStepS;
+      atS += stepS;
+      xMm += stepS * mmPerS[i];
+      MotionSample sample;
+      sample.at = base::Instant{base::fromSeconds(atS)};
+      sample.setMm.x = xMm;
+      sample.pathMmPerS = mmPerS[i];
+      motion.samples.push_back(sample);
+    }
+    QCOMPARE(static_cast<int>(findStandstills(motion).size()), stops);
   }
 
   /// A recording knows between which blocks of the program on the control there is a STOPRE.
