@@ -69,7 +69,8 @@ bool isTraceFile(const QString& path) {
   static const QStringList suffixes{QStringLiteral("rivulet"), QStringLiteral("csv"),
                                     QStringLiteral("tsv"),     QStringLiteral("xml"),
                                     QStringLiteral("zst"),     QStringLiteral("trace"),
-                                    QStringLiteral("dat"),     QStringLiteral("log")};
+                                    QStringLiteral("dat"),     QStringLiteral("log"),
+                                    QStringLiteral("h5"),      QStringLiteral("hdf5")};
   return suffixes.contains(QFileInfo(path).suffix().toLower());
 }
 
@@ -82,6 +83,16 @@ QStringList traceFilesOf(const QMimeData* data) {
   }
   return paths;
 }
+
+/// Asks for no more height than it needs: a page scrolls in a window that is lower than its hint.
+class PageSplitter final : public QSplitter {
+ public:
+  using QSplitter::QSplitter;
+
+  [[nodiscard]] QSize sizeHint() const override {
+    return {QSplitter::sizeHint().width(), minimumSizeHint().height()};
+  }
+};
 
 }  // namespace
 
@@ -209,7 +220,7 @@ void TracePage::layOut() {
     top->addWidget(button);
   }
   m_panel->setMinimumWidth(kPanelPx);
-  auto* body = new QSplitter(Qt::Horizontal, this);
+  auto* body = new PageSplitter(Qt::Horizontal, this);
   body->setObjectName(QStringLiteral("traceBody"));
   body->setChildrenCollapsible(false);
   body->setHandleWidth(6);

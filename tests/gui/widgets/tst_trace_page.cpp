@@ -573,6 +573,18 @@ class TestTracePage : public QObject {
     QTest::keyClick(table, Qt::Key_Return);
   }
 
+  /// Four panes beside the list do not make the window scroll at 1024 x 768.
+  void fitsALowWindow() {
+    test::Language language;
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9))}, TracePage::Source::Files);
+    static_cast<void>(test::picture(page, {780, 560}));
+    QCOMPARE(page.view()->panes().size(), std::size_t{4});
+    const int height = page.layout()->hasHeightForWidth() ? page.layout()->heightForWidth(780)
+                                                          : page.minimumSizeHint().height();
+    QVERIFY2(height <= 560, qPrintable(QString::number(height)));
+  }
+
   void signalsAreFoundAndShown() {
     test::Language language;
     TracePage page;
@@ -633,10 +645,11 @@ class TestTracePage : public QObject {
     QSignalSpy opened(&page, &TracePage::openRequested);
     QMimeData dragged;
     dragged.setUrls({QUrl::fromLocalFile("/data/a.rivulet"), QUrl::fromLocalFile("/data/b.CSV"),
-                     QUrl::fromLocalFile("/data/part.mpf")});
+                     QUrl::fromLocalFile("/data/c.h5"), QUrl::fromLocalFile("/data/part.mpf")});
     drop(&page, dragged);
     QCOMPARE(opened.size(), 1);
-    QCOMPARE(opened[0][0].toStringList(), QStringList({"/data/a.rivulet", "/data/b.CSV"}));
+    QCOMPARE(opened[0][0].toStringList(),
+             QStringList({"/data/a.rivulet", "/data/b.CSV", "/data/c.h5"}));
   }
 
   void formulasAreShownOrRefused() {
