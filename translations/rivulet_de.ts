@@ -749,6 +749,136 @@
     </message>
 </context>
 <context>
+    <name>EmulatorPageTexts</name>
+    <message>
+        <source>A run is in progress. Learn after it has ended: both would take the same processor.</source>
+        <translation>Ein Lauf ist im Gang. Erst danach lernen: Beides braucht denselben Prozessor.</translation>
+    </message>
+</context>
+<context>
+    <name>EmulatorTexts</name>
+    <message>
+        <source>Position gain</source>
+        <translation>Lageverstärkung</translation>
+    </message>
+    <message>
+        <source>The larger it is, the smaller the following error.</source>
+        <translation>Je größer, desto kleiner der Schleppfehler.</translation>
+    </message>
+    <message>
+        <source>Feed-forward</source>
+        <translation>Vorsteuerung</translation>
+    </message>
+    <message>
+        <source>Share of the speed that needs no following error. With 1 there is none at constant speed.</source>
+        <translation>Anteil der Geschwindigkeit, der keinen Schleppfehler braucht. Bei 1 gibt es bei konstanter Geschwindigkeit keinen.</translation>
+    </message>
+    <message>
+        <source>Filter of the feed-forward</source>
+        <translation>Filter der Vorsteuerung</translation>
+    </message>
+    <message>
+        <source>How late the feed-forward takes effect.</source>
+        <translation>Wie spät die Vorsteuerung wirkt.</translation>
+    </message>
+    <message>
+        <source>Speed gain</source>
+        <translation>Drehzahlverstärkung</translation>
+    </message>
+    <message>
+        <source>How quickly the drive reaches the speed it is told.</source>
+        <translation>Wie schnell der Antrieb die verlangte Geschwindigkeit erreicht.</translation>
+    </message>
+    <message>
+        <source>Reset time</source>
+        <translation>Nachstellzeit</translation>
+    </message>
+    <message>
+        <source>How soon the drive removes the rest of an error in speed.</source>
+        <translation>Wie bald der Antrieb den Rest eines Drehzahlfehlers beseitigt.</translation>
+    </message>
+    <message>
+        <source>Lag of the drive</source>
+        <translation>Verzug des Antriebs</translation>
+    </message>
+    <message>
+        <source>How late the force follows its command.</source>
+        <translation>Wie spät die Kraft ihrem Befehl folgt.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Force against every motion, as the acceleration it costs. It makes the bumps where an axis reverses.</source>
+        <translation>Kraft gegen jede Bewegung, als Beschleunigung, die sie kostet. Von ihr kommen die Buckel, wo eine Achse umkehrt.</translation>
+    </message>
+    <message>
+        <source>Speed of friction</source>
+        <translation>Geschwindigkeit der Reibung</translation>
+    </message>
+    <message>
+        <source>From this speed on, friction has its full force.</source>
+        <translation>Ab dieser Geschwindigkeit wirkt die Reibung voll.</translation>
+    </message>
+    <message>
+        <source>Viscous friction</source>
+        <translation>Viskose Reibung</translation>
+    </message>
+    <message>
+        <source>Friction that grows with the speed.</source>
+        <translation>Reibung, die mit der Geschwindigkeit wächst.</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Totzeit</translation>
+    </message>
+    <message>
+        <source>Time until a set point takes effect.</source>
+        <translation>Zeit, bis ein Sollwert wirkt.</translation>
+    </message>
+    <message>
+        <source>Resonance</source>
+        <translation>Resonanz</translation>
+    </message>
+    <message>
+        <source>Frequency at which motor and table swing against each other.</source>
+        <translation>Frequenz, mit der Motor und Tisch gegeneinander schwingen.</translation>
+    </message>
+    <message>
+        <source>Damping of the resonance</source>
+        <translation>Dämpfung der Resonanz</translation>
+    </message>
+    <message>
+        <source>The smaller it is, the longer the swinging lasts; with 1 there is none.</source>
+        <translation>Je kleiner, desto länger schwingt es nach; bei 1 gar nicht.</translation>
+    </message>
+    <message>
+        <source>On %1, which it was not learned from, positions are right within %2 (RMS), %3 at most.</source>
+        <translation>Auf %1, woraus er nicht gelernt wurde, stimmen die Positionen auf %2 (RMS), höchstens %3.</translation>
+    </message>
+    <message>
+        <source>The contour error there is off by %1 of %2 (RMS).</source>
+        <translation>Der Konturfehler weicht dort um %1 von %2 ab (RMS).</translation>
+    </message>
+    <message>
+        <source>It was tested only on stretches of the same recordings: right within %1 (RMS). Add a recording of another program and use it to test.</source>
+        <translation>Er wurde nur an Abschnitten derselben Aufzeichnungen geprüft: richtig auf %1 (RMS). Die Aufzeichnung eines anderen Programms hinzufügen und zum Prüfen nehmen.</translation>
+    </message>
+    <message>
+        <source>Good for simulating and timing programs that move %1 at feeds up to %2. What is faster was not tested.</source>
+        <translation>Gut, um Programme mit %1 bis %2 zu simulieren und ihre Dauer zu schätzen. Schnelleres ist nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>Do not rely on the contour errors that it predicts.</source>
+        <translation>Auf die vorhergesagten Konturfehler ist kein Verlass.</translation>
+    </message>
+    <message>
+        <source>Limits of speed, acceleration and jerk are those of preset %1: correct them in the file if the machine has others.</source>
+        <translation>Die Grenzen für Geschwindigkeit, Beschleunigung und Ruck sind die der Vorgabe %1: in der Datei berichtigen, wenn die Maschine andere hat.</translation>
+    </message>
+</context>
+<context>
     <name>ErrorTexts</name>
     <message>
         <source>Two columns have the same meaning. Choose one of them.</source>
@@ -1177,6 +1307,42 @@
     <message>
         <source>This Rivulet was built without HDF5. Use CSV, or build it with libhdf5-dev.</source>
         <translation>Dieses Rivulet wurde ohne HDF5 gebaut. CSV verwenden oder mit libhdf5-dev bauen.</translation>
+    </message>
+    <message>
+        <source>Times and positions do not fit together. Record the run again.</source>
+        <translation>Zeiten und Positionen passen nicht zusammen. Den Lauf neu aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>A value is not a number. Leave its row out of the file.</source>
+        <translation>Ein Wert ist keine Zahl. Seine Zeile aus der Datei nehmen.</translation>
+    </message>
+    <message>
+        <source>An axis does not move in these recordings. Add one that moves it.</source>
+        <translation>Eine Achse bewegt sich in diesen Aufzeichnungen nicht. Eine hinzufügen, die sie bewegt.</translation>
+    </message>
+    <message>
+        <source>There are too few samples to learn from. Record a longer program, with set points and actual positions.</source>
+        <translation>Es sind zu wenige Messwerte, um daraus zu lernen. Ein längeres Programm aufzeichnen, mit Soll- und Istpositionen.</translation>
+    </message>
+    <message>
+        <source>Set points and actual positions differ by a factor. Check their units.</source>
+        <translation>Soll- und Istpositionen unterscheiden sich um einen Faktor. Ihre Einheiten prüfen.</translation>
+    </message>
+    <message>
+        <source>Recording and program do not fit together. Check the program, and that the preset has the machine&apos;s limits.</source>
+        <translation>Aufzeichnung und Programm passen nicht zusammen. Das Programm prüfen, und ob die Vorgabe die Grenzen der Maschine hat.</translation>
+    </message>
+    <message>
+        <source>No model follows this recording. Check that set points and positions belong together.</source>
+        <translation>Kein Modell folgt dieser Aufzeichnung. Prüfen, ob Sollwerte und Positionen zusammengehören.</translation>
+    </message>
+    <message>
+        <source>Learning was cancelled. What was learned before stays.</source>
+        <translation>Das Lernen wurde abgebrochen. Was vorher gelernt wurde, bleibt.</translation>
+    </message>
+    <message>
+        <source>The file is not an emulator, or one of a later version.</source>
+        <translation>Die Datei ist kein Emulator, oder einer von einer neueren Version.</translation>
     </message>
 </context>
 <context>
@@ -1998,6 +2164,10 @@
     <message>
         <source>Machines</source>
         <translation>Maschinen</translation>
+    </message>
+    <message>
+        <source>Emulator</source>
+        <translation>Emulator</translation>
     </message>
 </context>
 <context>
@@ -5217,6 +5387,333 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::EmulatorPage</name>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Wozu</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Lernen</translation>
+    </message>
+    <message>
+        <source>NC program</source>
+        <translation>NC-Programm</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>not needed</source>
+        <translation>nicht nötig</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Samples per s</source>
+        <translation>Werte je s</translation>
+    </message>
+    <message>
+        <source>Largest feed</source>
+        <translation>Größter Vorschub</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Intervall</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Position RMS, µm</source>
+        <translation>Position RMS, µm</translation>
+    </message>
+    <message>
+        <source>at most, µm</source>
+        <translation>höchstens, µm</translation>
+    </message>
+    <message>
+        <source>Contour RMS, µm</source>
+        <translation>Kontur RMS, µm</translation>
+    </message>
+    <message>
+        <source>emulated, µm</source>
+        <translation>emuliert, µm</translation>
+    </message>
+    <message>
+        <source>Speed, %</source>
+        <translation>Geschw.,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei…</translation>
+    </message>
+    <message>
+        <source>Add recordings</source>
+        <translation>Aufzeichnungen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Verläufe</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+    <message>
+        <source>NC program of %1</source>
+        <translation>NC-Programm von %1</translation>
+    </message>
+    <message>
+        <source>Preset of the machine</source>
+        <translation>Vorgabe der Maschine</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Als Vorgabe speichern</translation>
+    </message>
+    <message>
+        <source>Use to learn</source>
+        <translation>Zum Lernen</translation>
+    </message>
+    <message>
+        <source>Use to test</source>
+        <translation>Zum Prüfen</translation>
+    </message>
+    <message>
+        <source>Nothing is learned yet.</source>
+        <translation>Noch ist nichts gelernt.</translation>
+    </message>
+    <message>
+        <source>On stretches that were held out while learning (RMS): %1. A recording used to test was not learned from at all.</source>
+        <translation>An Abschnitten, die beim Lernen zurückgehalten wurden (RMS): %1. Aus einer Aufzeichnung zum Prüfen wurde gar nichts gelernt.</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Liest %1 …</translation>
+    </message>
+    <message>
+        <source>%1 has no set points: choose its NC program.</source>
+        <translation>%1 hat keine Sollwerte: ihr NC-Programm wählen.</translation>
+    </message>
+    <message>
+        <source>Record a few programs with different feeds, corners and reversals, and add the recordings here.</source>
+        <translation>Einige Programme mit verschiedenen Vorschüben, Ecken und Umkehrungen aufzeichnen und die Aufzeichnungen hier hinzufügen.</translation>
+    </message>
+    <message>
+        <source>All recordings are used to test: use one to learn.</source>
+        <translation>Alle Aufzeichnungen sind zum Prüfen: eine zum Lernen nehmen.</translation>
+    </message>
+    <message>
+        <source>Learning axis %1: %2 of %3 models tried, the best is right within %4.</source>
+        <translation>Lernt Achse %1: %2 von %3 Modellen probiert, das beste stimmt auf %4.</translation>
+    </message>
+    <message>
+        <source>Learning …</source>
+        <translation>Lernt …</translation>
+    </message>
+    <message>
+        <source>Saved as %1. Give it to the virtual machine as its preset.</source>
+        <translation>Gespeichert als %1. Der virtuellen Maschine als Vorgabe geben.</translation>
+    </message>
+    <message>
+        <source>Learned and tested. Save it as a preset to use it.</source>
+        <translation>Gelernt und geprüft. Zum Benutzen als Vorgabe speichern.</translation>
+    </message>
+    <message>
+        <source>Ready to learn. Recordings used to test show how good the emulator is on programs it has not seen.</source>
+        <translation>Bereit zu lernen. Aufzeichnungen zum Prüfen zeigen, wie gut der Emulator bei unbekannten Programmen ist.</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add recordings of the machine</source>
+        <translation>Aufzeichnungen der Maschine hinzufügen</translation>
+    </message>
+    <message>
+        <source>Learn from the recordings how the axes follow their set points</source>
+        <translation>Aus den Aufzeichnungen lernen, wie die Achsen ihren Sollwerten folgen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop learning; what was learned before stays</source>
+        <translation>Das Lernen beenden; was vorher gelernt wurde, bleibt</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save the emulator as a preset of the virtual machine</source>
+        <translation>Den Emulator als Vorgabe der virtuellen Maschine speichern</translation>
+    </message>
+    <message>
+        <source>NC program…</source>
+        <translation>NC-Programm…</translation>
+    </message>
+    <message>
+        <source>What ran: needed for a recording without set points</source>
+        <translation>Was lief: nötig für eine Aufzeichnung ohne Sollwerte</translation>
+    </message>
+    <message>
+        <source>A recording used to test is not learned from</source>
+        <translation>Aus einer Aufzeichnung zum Prüfen wird nicht gelernt</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes the recording from the list; the file stays</source>
+        <translation>Nimmt die Aufzeichnung aus der Liste; die Datei bleibt</translation>
+    </message>
+    <message>
+        <source>Bode and step plots</source>
+        <translation>Bode und Sprungantwort</translation>
+    </message>
+    <message>
+        <source>For those who know control engineering</source>
+        <translation>Für Kenner der Regelungstechnik</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>What recordings do not say</source>
+        <translation>Was Aufzeichnungen nicht sagen</translation>
+    </message>
+    <message>
+        <source>Preset that has the limits of the machine; set points of programs are planned with them</source>
+        <translation>Vorgabe mit den Grenzen der Maschine; mit ihnen werden Sollwerte aus Programmen geplant</translation>
+    </message>
+    <message>
+        <source>Error on stretches held out, while learning</source>
+        <translation>Fehler an zurückgehaltenen Abschnitten während des Lernens</translation>
+    </message>
+    <message>
+        <source>Models tried</source>
+        <translation>Probierte Modelle</translation>
+    </message>
+    <message>
+        <source>Error, µm</source>
+        <translation>Fehler, µm</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Enter changes the use of a recording</source>
+        <translation>Eingabe ändert, wozu eine Aufzeichnung dient</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Part of the page</source>
+        <translation>Teil der Seite</translation>
+    </message>
+    <message>
+        <source>How far an emulator is off that was learned from one recording alone.</source>
+        <translation>Wie weit ein Emulator danebenliegt, der aus nur einer Aufzeichnung gelernt wurde.</translation>
+    </message>
+    <message>
+        <source>Learns from each recording alone and tests on all others. So you see which recordings teach most, and what each parameter is worth.</source>
+        <translation>Lernt aus jeder Aufzeichnung allein und prüft an allen anderen. So zeigt sich, welche Aufzeichnungen am meisten lehren und was jeder Parameter wert ist.</translation>
+    </message>
+    <message>
+        <source>How much the positions would change on each recording if a parameter were 10 % larger.</source>
+        <translation>Wie stark sich die Positionen auf jeder Aufzeichnung ändern würden, wenn ein Parameter um 10&#xa0;% größer wäre.</translation>
+    </message>
+    <message>
+        <source>Learning from each recording alone …</source>
+        <translation>Lernt aus jeder Aufzeichnung allein …</translation>
+    </message>
+    <message>
+        <source>Compare recordings</source>
+        <translation>Aufzeichnungen vergleichen</translation>
+    </message>
+    <message>
+        <source>Takes at most as long as learning, for each recording</source>
+        <translation>Dauert für jede Aufzeichnung höchstens so lange wie das Lernen</translation>
+    </message>
+    <message>
+        <source>Matrix of errors</source>
+        <translation>Matrix der Fehler</translation>
+    </message>
+    <message>
+        <source>Tested on</source>
+        <translation>Geprüft an</translation>
+    </message>
+    <message>
+        <source>Learned from (error RMS in µm)</source>
+        <translation>Gelernt aus (Fehler RMS in µm)</translation>
+    </message>
+    <message>
+        <source>Worth of the parameters</source>
+        <translation>Wert der Parameter</translation>
+    </message>
+    <message>
+        <source>Change of the positions, RMS, µm</source>
+        <translation>Änderung der Positionen, RMS, µm</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matrix</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::FeasibilityPage</name>
     <message>
         <source>F over d_min</source>
@@ -6484,6 +6981,41 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::OverlayPanel</name>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Emulator</source>
+        <translation>Emulator</translation>
+    </message>
+    <message>
+        <source>%1 machine − emulator</source>
+        <translation>%1 Maschine − Emulator</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recording on which machine and emulator are compared</source>
+        <translation>Aufzeichnung, an der Maschine und Emulator verglichen werden</translation>
+    </message>
+    <message>
+        <source>Errors drawn larger</source>
+        <translation>Fehler vergrößert</translation>
+    </message>
+    <message>
+        <source>How many times larger the distance to the path of the set points is drawn</source>
+        <translation>Wievielmal größer der Abstand zur Bahn der Sollwerte gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Error × %1</source>
+        <translation>Fehler × %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathPane</name>
     <message>
         <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
@@ -7507,6 +8039,49 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ResponsePanel</name>
+    <message>
+        <source>Bode plot: gain</source>
+        <translation>Bode-Diagramm: Verstärkung</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>Gain, dB</source>
+        <translation>Verstärkung, dB</translation>
+    </message>
+    <message>
+        <source>Bode plot: phase</source>
+        <translation>Bode-Diagramm: Phase</translation>
+    </message>
+    <message>
+        <source>Phase, °</source>
+        <translation>Phase, °</translation>
+    </message>
+    <message>
+        <source>Answer to a step of 1 mm</source>
+        <translation>Antwort auf einen Sprung von 1 mm</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Position, mm</source>
+        <translation>Position, mm</translation>
+    </message>
+    <message>
+        <source>%1 follows up to %2 Hz (−3 dB).</source>
+        <translation>%1 folgt bis %2 Hz (−3 dB).</translation>
+    </message>
+    <message>
+        <source>From set point to actual position; the Bode plot is without friction.</source>
+        <translation>Vom Sollwert zur Istposition; das Bode-Diagramm ohne Reibung.</translation>
     </message>
 </context>
 <context>

@@ -749,6 +749,136 @@
     </message>
 </context>
 <context>
+    <name>EmulatorPageTexts</name>
+    <message>
+        <source>A run is in progress. Learn after it has ended: both would take the same processor.</source>
+        <translation>Hay una ejecución en curso. Aprender después: ambas usarían el mismo procesador.</translation>
+    </message>
+</context>
+<context>
+    <name>EmulatorTexts</name>
+    <message>
+        <source>Position gain</source>
+        <translation>Ganancia de posición</translation>
+    </message>
+    <message>
+        <source>The larger it is, the smaller the following error.</source>
+        <translation>Cuanto mayor, menor es el error de seguimiento.</translation>
+    </message>
+    <message>
+        <source>Feed-forward</source>
+        <translation>Control anticipativo</translation>
+    </message>
+    <message>
+        <source>Share of the speed that needs no following error. With 1 there is none at constant speed.</source>
+        <translation>Parte de la velocidad que no necesita error de seguimiento. Con 1 no lo hay a velocidad constante.</translation>
+    </message>
+    <message>
+        <source>Filter of the feed-forward</source>
+        <translation>Filtro del control anticipativo</translation>
+    </message>
+    <message>
+        <source>How late the feed-forward takes effect.</source>
+        <translation>Con cuánto retardo actúa el control anticipativo.</translation>
+    </message>
+    <message>
+        <source>Speed gain</source>
+        <translation>Ganancia de velocidad</translation>
+    </message>
+    <message>
+        <source>How quickly the drive reaches the speed it is told.</source>
+        <translation>Con qué rapidez alcanza el accionamiento la velocidad pedida.</translation>
+    </message>
+    <message>
+        <source>Reset time</source>
+        <translation>Tiempo de integración</translation>
+    </message>
+    <message>
+        <source>How soon the drive removes the rest of an error in speed.</source>
+        <translation>En cuánto tiempo elimina el accionamiento el resto de un error de velocidad.</translation>
+    </message>
+    <message>
+        <source>Lag of the drive</source>
+        <translation>Retardo del accionamiento</translation>
+    </message>
+    <message>
+        <source>How late the force follows its command.</source>
+        <translation>Con cuánto retardo sigue la fuerza a su orden.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Fricción</translation>
+    </message>
+    <message>
+        <source>Force against every motion, as the acceleration it costs. It makes the bumps where an axis reverses.</source>
+        <translation>Fuerza contra todo movimiento, expresada como la aceleración que cuesta. Causa los picos donde un eje se invierte.</translation>
+    </message>
+    <message>
+        <source>Speed of friction</source>
+        <translation>Velocidad de la fricción</translation>
+    </message>
+    <message>
+        <source>From this speed on, friction has its full force.</source>
+        <translation>Desde esta velocidad la fricción actúa por completo.</translation>
+    </message>
+    <message>
+        <source>Viscous friction</source>
+        <translation>Fricción viscosa</translation>
+    </message>
+    <message>
+        <source>Friction that grows with the speed.</source>
+        <translation>Fricción que crece con la velocidad.</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Retardo puro</translation>
+    </message>
+    <message>
+        <source>Time until a set point takes effect.</source>
+        <translation>Tiempo hasta que una consigna tiene efecto.</translation>
+    </message>
+    <message>
+        <source>Resonance</source>
+        <translation>Resonancia</translation>
+    </message>
+    <message>
+        <source>Frequency at which motor and table swing against each other.</source>
+        <translation>Frecuencia con la que motor y mesa oscilan entre sí.</translation>
+    </message>
+    <message>
+        <source>Damping of the resonance</source>
+        <translation>Amortiguación de la resonancia</translation>
+    </message>
+    <message>
+        <source>The smaller it is, the longer the swinging lasts; with 1 there is none.</source>
+        <translation>Cuanto menor, más dura la oscilación; con 1 no la hay.</translation>
+    </message>
+    <message>
+        <source>On %1, which it was not learned from, positions are right within %2 (RMS), %3 at most.</source>
+        <translation>En %1, de la que no aprendió, las posiciones aciertan dentro de %2 (RMS), %3 como máximo.</translation>
+    </message>
+    <message>
+        <source>The contour error there is off by %1 of %2 (RMS).</source>
+        <translation>El error de contorno se desvía allí %1 de %2 (RMS).</translation>
+    </message>
+    <message>
+        <source>It was tested only on stretches of the same recordings: right within %1 (RMS). Add a recording of another program and use it to test.</source>
+        <translation>Solo se comprobó con tramos de las mismas grabaciones: acierta dentro de %1 (RMS). Añadir la grabación de otro programa y usarla para comprobar.</translation>
+    </message>
+    <message>
+        <source>Good for simulating and timing programs that move %1 at feeds up to %2. What is faster was not tested.</source>
+        <translation>Sirve para simular programas que mueven %1 hasta %2 y estimar su duración. Lo más rápido no está comprobado.</translation>
+    </message>
+    <message>
+        <source>Do not rely on the contour errors that it predicts.</source>
+        <translation>No fiarse de los errores de contorno que predice.</translation>
+    </message>
+    <message>
+        <source>Limits of speed, acceleration and jerk are those of preset %1: correct them in the file if the machine has others.</source>
+        <translation>Los límites de velocidad, aceleración y sobreaceleración son los del preajuste %1: corregirlos en el archivo si la máquina tiene otros.</translation>
+    </message>
+</context>
+<context>
     <name>ErrorTexts</name>
     <message>
         <source>Two columns have the same meaning. Choose one of them.</source>
@@ -1177,6 +1307,42 @@
     <message>
         <source>This Rivulet was built without HDF5. Use CSV, or build it with libhdf5-dev.</source>
         <translation>Este Rivulet se compiló sin HDF5. Usar CSV o compilarlo con libhdf5-dev.</translation>
+    </message>
+    <message>
+        <source>Times and positions do not fit together. Record the run again.</source>
+        <translation>Los tiempos y las posiciones no concuerdan. Grabar de nuevo la ejecución.</translation>
+    </message>
+    <message>
+        <source>A value is not a number. Leave its row out of the file.</source>
+        <translation>Un valor no es un número. Quitar su fila del archivo.</translation>
+    </message>
+    <message>
+        <source>An axis does not move in these recordings. Add one that moves it.</source>
+        <translation>Un eje no se mueve en estas grabaciones. Añadir una que lo mueva.</translation>
+    </message>
+    <message>
+        <source>There are too few samples to learn from. Record a longer program, with set points and actual positions.</source>
+        <translation>Hay muy pocas muestras para aprender. Grabar un programa más largo, con consignas y posiciones reales.</translation>
+    </message>
+    <message>
+        <source>Set points and actual positions differ by a factor. Check their units.</source>
+        <translation>Las consignas y las posiciones reales difieren en un factor. Comprobar sus unidades.</translation>
+    </message>
+    <message>
+        <source>Recording and program do not fit together. Check the program, and that the preset has the machine&apos;s limits.</source>
+        <translation>La grabación y el programa no concuerdan. Comprobar el programa y que el preajuste tenga los límites de la máquina.</translation>
+    </message>
+    <message>
+        <source>No model follows this recording. Check that set points and positions belong together.</source>
+        <translation>Ningún modelo sigue esta grabación. Comprobar que consignas y posiciones van juntas.</translation>
+    </message>
+    <message>
+        <source>Learning was cancelled. What was learned before stays.</source>
+        <translation>Se canceló el aprendizaje. Queda lo aprendido antes.</translation>
+    </message>
+    <message>
+        <source>The file is not an emulator, or one of a later version.</source>
+        <translation>El archivo no es un emulador, o es de una versión posterior.</translation>
     </message>
 </context>
 <context>
@@ -1998,6 +2164,10 @@
     <message>
         <source>Machines</source>
         <translation>Máquinas</translation>
+    </message>
+    <message>
+        <source>Emulator</source>
+        <translation>Emulador</translation>
     </message>
 </context>
 <context>
@@ -5217,6 +5387,333 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::EmulatorPage</name>
+    <message>
+        <source>Recording</source>
+        <translation>Grabación</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Uso</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Comprobar</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Aprender</translation>
+    </message>
+    <message>
+        <source>NC program</source>
+        <translation>Programa CN</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>falta</translation>
+    </message>
+    <message>
+        <source>not needed</source>
+        <translation>no hace falta</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Ejes</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>Samples per s</source>
+        <translation>Valores por s</translation>
+    </message>
+    <message>
+        <source>Largest feed</source>
+        <translation>Avance máximo</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eje</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parámetro</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Intervalo</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 a %2</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Significado</translation>
+    </message>
+    <message>
+        <source>Position RMS, µm</source>
+        <translation>Posición RMS, µm</translation>
+    </message>
+    <message>
+        <source>at most, µm</source>
+        <translation>como máximo, µm</translation>
+    </message>
+    <message>
+        <source>Contour RMS, µm</source>
+        <translation>Contorno RMS, µm</translation>
+    </message>
+    <message>
+        <source>emulated, µm</source>
+        <translation>emulado, µm</translation>
+    </message>
+    <message>
+        <source>Speed, %</source>
+        <translation>Velocidad,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Archivo…</translation>
+    </message>
+    <message>
+        <source>Add recordings</source>
+        <translation>Añadir grabaciones</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Curvas</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Todos los archivos</translation>
+    </message>
+    <message>
+        <source>NC program of %1</source>
+        <translation>Programa CN de %1</translation>
+    </message>
+    <message>
+        <source>Preset of the machine</source>
+        <translation>Preajuste de la máquina</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Preajustes</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Guardar como preajuste</translation>
+    </message>
+    <message>
+        <source>Use to learn</source>
+        <translation>Para aprender</translation>
+    </message>
+    <message>
+        <source>Use to test</source>
+        <translation>Para comprobar</translation>
+    </message>
+    <message>
+        <source>Nothing is learned yet.</source>
+        <translation>Aún no se ha aprendido nada.</translation>
+    </message>
+    <message>
+        <source>On stretches that were held out while learning (RMS): %1. A recording used to test was not learned from at all.</source>
+        <translation>En tramos reservados al aprender (RMS): %1. De una grabación usada para comprobar no se aprendió nada.</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Leyendo %1…</translation>
+    </message>
+    <message>
+        <source>%1 has no set points: choose its NC program.</source>
+        <translation>%1 no tiene consignas: elegir su programa CN.</translation>
+    </message>
+    <message>
+        <source>Record a few programs with different feeds, corners and reversals, and add the recordings here.</source>
+        <translation>Grabar algunos programas con distintos avances, esquinas e inversiones, y añadir aquí las grabaciones.</translation>
+    </message>
+    <message>
+        <source>All recordings are used to test: use one to learn.</source>
+        <translation>Todas las grabaciones son para comprobar: usar una para aprender.</translation>
+    </message>
+    <message>
+        <source>Learning axis %1: %2 of %3 models tried, the best is right within %4.</source>
+        <translation>Aprende el eje %1: probados %2 de %3 modelos, el mejor acierta dentro de %4.</translation>
+    </message>
+    <message>
+        <source>Learning …</source>
+        <translation>Aprendiendo…</translation>
+    </message>
+    <message>
+        <source>Saved as %1. Give it to the virtual machine as its preset.</source>
+        <translation>Guardado como %1. Darlo a la máquina virtual como preajuste.</translation>
+    </message>
+    <message>
+        <source>Learned and tested. Save it as a preset to use it.</source>
+        <translation>Aprendido y comprobado. Guardarlo como preajuste para usarlo.</translation>
+    </message>
+    <message>
+        <source>Ready to learn. Recordings used to test show how good the emulator is on programs it has not seen.</source>
+        <translation>Listo para aprender. Las grabaciones para comprobar muestran cómo acierta el emulador en programas que no ha visto.</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Añadir…</translation>
+    </message>
+    <message>
+        <source>Add recordings of the machine</source>
+        <translation>Añadir grabaciones de la máquina</translation>
+    </message>
+    <message>
+        <source>Learn from the recordings how the axes follow their set points</source>
+        <translation>Aprender de las grabaciones cómo siguen los ejes sus consignas</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop learning; what was learned before stays</source>
+        <translation>Detener el aprendizaje; queda lo aprendido antes</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Save the emulator as a preset of the virtual machine</source>
+        <translation>Guardar el emulador como preajuste de la máquina virtual</translation>
+    </message>
+    <message>
+        <source>NC program…</source>
+        <translation>Programa CN…</translation>
+    </message>
+    <message>
+        <source>What ran: needed for a recording without set points</source>
+        <translation>Lo que se ejecutó: necesario para una grabación sin consignas</translation>
+    </message>
+    <message>
+        <source>A recording used to test is not learned from</source>
+        <translation>De una grabación usada para comprobar no se aprende</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Takes the recording from the list; the file stays</source>
+        <translation>Quita la grabación de la lista; el archivo queda</translation>
+    </message>
+    <message>
+        <source>Bode and step plots</source>
+        <translation>Bode y respuesta al escalón</translation>
+    </message>
+    <message>
+        <source>For those who know control engineering</source>
+        <translation>Para quien conoce la regulación automática</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>What recordings do not say</source>
+        <translation>Lo que las grabaciones no dicen</translation>
+    </message>
+    <message>
+        <source>Preset that has the limits of the machine; set points of programs are planned with them</source>
+        <translation>Preajuste con los límites de la máquina; con ellos se planifican las consignas de los programas</translation>
+    </message>
+    <message>
+        <source>Error on stretches held out, while learning</source>
+        <translation>Error en los tramos reservados, durante el aprendizaje</translation>
+    </message>
+    <message>
+        <source>Models tried</source>
+        <translation>Modelos probados</translation>
+    </message>
+    <message>
+        <source>Error, µm</source>
+        <translation>Error, µm</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Grabaciones</translation>
+    </message>
+    <message>
+        <source>Enter changes the use of a recording</source>
+        <translation>Intro cambia el uso de una grabación</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parámetros</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Comprobaciones</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparación</translation>
+    </message>
+    <message>
+        <source>Part of the page</source>
+        <translation>Parte de la página</translation>
+    </message>
+    <message>
+        <source>How far an emulator is off that was learned from one recording alone.</source>
+        <translation>Cuánto se desvía un emulador aprendido de una sola grabación.</translation>
+    </message>
+    <message>
+        <source>Learns from each recording alone and tests on all others. So you see which recordings teach most, and what each parameter is worth.</source>
+        <translation>Aprende de cada grabación por separado y comprueba con todas las demás. Así se ve qué grabaciones enseñan más y cuánto vale cada parámetro.</translation>
+    </message>
+    <message>
+        <source>How much the positions would change on each recording if a parameter were 10 % larger.</source>
+        <translation>Cuánto cambiarían las posiciones en cada grabación si un parámetro fuera un 10&#xa0;% mayor.</translation>
+    </message>
+    <message>
+        <source>Learning from each recording alone …</source>
+        <translation>Aprendiendo de cada grabación por separado…</translation>
+    </message>
+    <message>
+        <source>Compare recordings</source>
+        <translation>Comparar grabaciones</translation>
+    </message>
+    <message>
+        <source>Takes at most as long as learning, for each recording</source>
+        <translation>Tarda como máximo lo que el aprendizaje, por cada grabación</translation>
+    </message>
+    <message>
+        <source>Matrix of errors</source>
+        <translation>Matriz de errores</translation>
+    </message>
+    <message>
+        <source>Tested on</source>
+        <translation>Comprobado con</translation>
+    </message>
+    <message>
+        <source>Learned from (error RMS in µm)</source>
+        <translation>Aprendido de (error RMS en µm)</translation>
+    </message>
+    <message>
+        <source>Worth of the parameters</source>
+        <translation>Valor de los parámetros</translation>
+    </message>
+    <message>
+        <source>Change of the positions, RMS, µm</source>
+        <translation>Cambio de las posiciones, RMS, µm</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matriz</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::FeasibilityPage</name>
     <message>
         <source>F over d_min</source>
@@ -6484,6 +6981,41 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::OverlayPanel</name>
+    <message>
+        <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Emulator</source>
+        <translation>Emulador</translation>
+    </message>
+    <message>
+        <source>%1 machine − emulator</source>
+        <translation>%1 máquina − emulador</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Grabación</translation>
+    </message>
+    <message>
+        <source>Recording on which machine and emulator are compared</source>
+        <translation>Grabación en la que se comparan máquina y emulador</translation>
+    </message>
+    <message>
+        <source>Errors drawn larger</source>
+        <translation>Errores ampliados</translation>
+    </message>
+    <message>
+        <source>How many times larger the distance to the path of the set points is drawn</source>
+        <translation>Cuántas veces mayor se dibuja la distancia a la trayectoria de las consignas</translation>
+    </message>
+    <message>
+        <source>Error × %1</source>
+        <translation>Error × %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathPane</name>
     <message>
         <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
@@ -7507,6 +8039,49 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Tools</source>
         <translation>Herramientas</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ResponsePanel</name>
+    <message>
+        <source>Bode plot: gain</source>
+        <translation>Diagrama de Bode: ganancia</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Frecuencia, Hz</translation>
+    </message>
+    <message>
+        <source>Gain, dB</source>
+        <translation>Ganancia, dB</translation>
+    </message>
+    <message>
+        <source>Bode plot: phase</source>
+        <translation>Diagrama de Bode: fase</translation>
+    </message>
+    <message>
+        <source>Phase, °</source>
+        <translation>Fase, °</translation>
+    </message>
+    <message>
+        <source>Answer to a step of 1 mm</source>
+        <translation>Respuesta a un escalón de 1 mm</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Tiempo, s</translation>
+    </message>
+    <message>
+        <source>Position, mm</source>
+        <translation>Posición, mm</translation>
+    </message>
+    <message>
+        <source>%1 follows up to %2 Hz (−3 dB).</source>
+        <translation>%1 sigue hasta %2 Hz (−3 dB).</translation>
+    </message>
+    <message>
+        <source>From set point to actual position; the Bode plot is without friction.</source>
+        <translation>De la consigna a la posición real; el diagrama de Bode sin fricción.</translation>
     </message>
 </context>
 <context>

@@ -749,6 +749,136 @@
     </message>
 </context>
 <context>
+    <name>EmulatorPageTexts</name>
+    <message>
+        <source>A run is in progress. Learn after it has ended: both would take the same processor.</source>
+        <translation>Une exécution est en cours. Apprendre ensuite&#xa0;: les deux demanderaient le même processeur.</translation>
+    </message>
+</context>
+<context>
+    <name>EmulatorTexts</name>
+    <message>
+        <source>Position gain</source>
+        <translation>Gain de position</translation>
+    </message>
+    <message>
+        <source>The larger it is, the smaller the following error.</source>
+        <translation>Plus il est grand, plus l’erreur de poursuite est petite.</translation>
+    </message>
+    <message>
+        <source>Feed-forward</source>
+        <translation>Anticipation</translation>
+    </message>
+    <message>
+        <source>Share of the speed that needs no following error. With 1 there is none at constant speed.</source>
+        <translation>Part de la vitesse qui se passe d’erreur de poursuite. Avec 1, il n’y en a pas à vitesse constante.</translation>
+    </message>
+    <message>
+        <source>Filter of the feed-forward</source>
+        <translation>Filtre de l’anticipation</translation>
+    </message>
+    <message>
+        <source>How late the feed-forward takes effect.</source>
+        <translation>Retard avec lequel l’anticipation agit.</translation>
+    </message>
+    <message>
+        <source>Speed gain</source>
+        <translation>Gain de vitesse</translation>
+    </message>
+    <message>
+        <source>How quickly the drive reaches the speed it is told.</source>
+        <translation>Rapidité avec laquelle l’entraînement atteint la vitesse demandée.</translation>
+    </message>
+    <message>
+        <source>Reset time</source>
+        <translation>Temps d’intégration</translation>
+    </message>
+    <message>
+        <source>How soon the drive removes the rest of an error in speed.</source>
+        <translation>Délai pour que l’entraînement élimine le reste d’une erreur de vitesse.</translation>
+    </message>
+    <message>
+        <source>Lag of the drive</source>
+        <translation>Retard de l’entraînement</translation>
+    </message>
+    <message>
+        <source>How late the force follows its command.</source>
+        <translation>Retard de la force sur sa consigne.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Frottement</translation>
+    </message>
+    <message>
+        <source>Force against every motion, as the acceleration it costs. It makes the bumps where an axis reverses.</source>
+        <translation>Force contre tout mouvement, exprimée par l’accélération qu’elle coûte. Elle fait les bosses aux inversions d’un axe.</translation>
+    </message>
+    <message>
+        <source>Speed of friction</source>
+        <translation>Vitesse du frottement</translation>
+    </message>
+    <message>
+        <source>From this speed on, friction has its full force.</source>
+        <translation>À partir de cette vitesse, le frottement agit pleinement.</translation>
+    </message>
+    <message>
+        <source>Viscous friction</source>
+        <translation>Frottement visqueux</translation>
+    </message>
+    <message>
+        <source>Friction that grows with the speed.</source>
+        <translation>Frottement qui croît avec la vitesse.</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Retard pur</translation>
+    </message>
+    <message>
+        <source>Time until a set point takes effect.</source>
+        <translation>Temps jusqu’à l’effet d’une consigne.</translation>
+    </message>
+    <message>
+        <source>Resonance</source>
+        <translation>Résonance</translation>
+    </message>
+    <message>
+        <source>Frequency at which motor and table swing against each other.</source>
+        <translation>Fréquence à laquelle le moteur et la table oscillent l’un contre l’autre.</translation>
+    </message>
+    <message>
+        <source>Damping of the resonance</source>
+        <translation>Amortissement de la résonance</translation>
+    </message>
+    <message>
+        <source>The smaller it is, the longer the swinging lasts; with 1 there is none.</source>
+        <translation>Plus il est petit, plus l’oscillation dure&#xa0;; avec 1, il n’y en a pas.</translation>
+    </message>
+    <message>
+        <source>On %1, which it was not learned from, positions are right within %2 (RMS), %3 at most.</source>
+        <translation>Sur %1, dont il n’a rien appris, les positions sont justes à %2 près (RMS), %3 au plus.</translation>
+    </message>
+    <message>
+        <source>The contour error there is off by %1 of %2 (RMS).</source>
+        <translation>L’erreur de contour s’y écarte de %1 sur %2 (RMS).</translation>
+    </message>
+    <message>
+        <source>It was tested only on stretches of the same recordings: right within %1 (RMS). Add a recording of another program and use it to test.</source>
+        <translation>Il n’a été vérifié que sur des tronçons des mêmes enregistrements&#xa0;: juste à %1 près (RMS). Ajouter l’enregistrement d’un autre programme et l’utiliser pour vérifier.</translation>
+    </message>
+    <message>
+        <source>Good for simulating and timing programs that move %1 at feeds up to %2. What is faster was not tested.</source>
+        <translation>Bon pour simuler des programmes qui déplacent %1 jusqu’à %2 et pour estimer leur durée. Au-delà, rien n’est vérifié.</translation>
+    </message>
+    <message>
+        <source>Do not rely on the contour errors that it predicts.</source>
+        <translation>Ne pas se fier aux erreurs de contour qu’il prédit.</translation>
+    </message>
+    <message>
+        <source>Limits of speed, acceleration and jerk are those of preset %1: correct them in the file if the machine has others.</source>
+        <translation>Les limites de vitesse, d’accélération et de jerk sont celles du préréglage %1&#xa0;: les corriger dans le fichier si la machine en a d’autres.</translation>
+    </message>
+</context>
+<context>
     <name>ErrorTexts</name>
     <message>
         <source>Two columns have the same meaning. Choose one of them.</source>
@@ -1177,6 +1307,42 @@
     <message>
         <source>This Rivulet was built without HDF5. Use CSV, or build it with libhdf5-dev.</source>
         <translation>Ce Rivulet a été compilé sans HDF5. Utiliser CSV ou le compiler avec libhdf5-dev.</translation>
+    </message>
+    <message>
+        <source>Times and positions do not fit together. Record the run again.</source>
+        <translation>Les temps et les positions ne vont pas ensemble. Enregistrer de nouveau l’exécution.</translation>
+    </message>
+    <message>
+        <source>A value is not a number. Leave its row out of the file.</source>
+        <translation>Une valeur n’est pas un nombre. Retirer sa ligne du fichier.</translation>
+    </message>
+    <message>
+        <source>An axis does not move in these recordings. Add one that moves it.</source>
+        <translation>Un axe ne bouge pas dans ces enregistrements. En ajouter un qui le déplace.</translation>
+    </message>
+    <message>
+        <source>There are too few samples to learn from. Record a longer program, with set points and actual positions.</source>
+        <translation>Il y a trop peu d’échantillons pour apprendre. Enregistrer un programme plus long, avec consignes et positions réelles.</translation>
+    </message>
+    <message>
+        <source>Set points and actual positions differ by a factor. Check their units.</source>
+        <translation>Les consignes et les positions réelles diffèrent d’un facteur. Vérifier leurs unités.</translation>
+    </message>
+    <message>
+        <source>Recording and program do not fit together. Check the program, and that the preset has the machine&apos;s limits.</source>
+        <translation>L’enregistrement et le programme ne vont pas ensemble. Vérifier le programme et que le préréglage a les limites de la machine.</translation>
+    </message>
+    <message>
+        <source>No model follows this recording. Check that set points and positions belong together.</source>
+        <translation>Aucun modèle ne suit cet enregistrement. Vérifier que consignes et positions vont ensemble.</translation>
+    </message>
+    <message>
+        <source>Learning was cancelled. What was learned before stays.</source>
+        <translation>L’apprentissage a été annulé. Ce qui a été appris auparavant reste.</translation>
+    </message>
+    <message>
+        <source>The file is not an emulator, or one of a later version.</source>
+        <translation>Le fichier n’est pas un émulateur, ou vient d’une version plus récente.</translation>
     </message>
 </context>
 <context>
@@ -1998,6 +2164,10 @@
     <message>
         <source>Machines</source>
         <translation>Machines</translation>
+    </message>
+    <message>
+        <source>Emulator</source>
+        <translation>Émulateur</translation>
     </message>
 </context>
 <context>
@@ -5217,6 +5387,333 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::EmulatorPage</name>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Usage</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Vérifier</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Apprendre</translation>
+    </message>
+    <message>
+        <source>NC program</source>
+        <translation>Programme CN</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>manque</translation>
+    </message>
+    <message>
+        <source>not needed</source>
+        <translation>inutile</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Samples per s</source>
+        <translation>Valeurs par s</translation>
+    </message>
+    <message>
+        <source>Largest feed</source>
+        <translation>Avance maximale</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Paramètre</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Intervalle</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Signification</translation>
+    </message>
+    <message>
+        <source>Position RMS, µm</source>
+        <translation>Position RMS, µm</translation>
+    </message>
+    <message>
+        <source>at most, µm</source>
+        <translation>au plus, µm</translation>
+    </message>
+    <message>
+        <source>Contour RMS, µm</source>
+        <translation>Contour RMS, µm</translation>
+    </message>
+    <message>
+        <source>emulated, µm</source>
+        <translation>émulée, µm</translation>
+    </message>
+    <message>
+        <source>Speed, %</source>
+        <translation>Vitesse,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Fichier…</translation>
+    </message>
+    <message>
+        <source>Add recordings</source>
+        <translation>Ajouter des enregistrements</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Tous les fichiers</translation>
+    </message>
+    <message>
+        <source>NC program of %1</source>
+        <translation>Programme CN de %1</translation>
+    </message>
+    <message>
+        <source>Preset of the machine</source>
+        <translation>Préréglage de la machine</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Préréglages</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Enregistrer comme préréglage</translation>
+    </message>
+    <message>
+        <source>Use to learn</source>
+        <translation>Pour apprendre</translation>
+    </message>
+    <message>
+        <source>Use to test</source>
+        <translation>Pour vérifier</translation>
+    </message>
+    <message>
+        <source>Nothing is learned yet.</source>
+        <translation>Rien n’est encore appris.</translation>
+    </message>
+    <message>
+        <source>On stretches that were held out while learning (RMS): %1. A recording used to test was not learned from at all.</source>
+        <translation>Sur des tronçons mis de côté pendant l’apprentissage (RMS)&#xa0;: %1. D’un enregistrement utilisé pour vérifier, rien n’a été appris.</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Lecture de %1…</translation>
+    </message>
+    <message>
+        <source>%1 has no set points: choose its NC program.</source>
+        <translation>%1 n’a pas de consignes&#xa0;: choisir son programme CN.</translation>
+    </message>
+    <message>
+        <source>Record a few programs with different feeds, corners and reversals, and add the recordings here.</source>
+        <translation>Enregistrer quelques programmes avec divers avances, angles et inversions, et ajouter ici les enregistrements.</translation>
+    </message>
+    <message>
+        <source>All recordings are used to test: use one to learn.</source>
+        <translation>Tous les enregistrements servent à vérifier&#xa0;: en prendre un pour apprendre.</translation>
+    </message>
+    <message>
+        <source>Learning axis %1: %2 of %3 models tried, the best is right within %4.</source>
+        <translation>Apprend l’axe %1&#xa0;: %2 modèles essayés sur %3, le meilleur est juste à %4 près.</translation>
+    </message>
+    <message>
+        <source>Learning …</source>
+        <translation>Apprentissage…</translation>
+    </message>
+    <message>
+        <source>Saved as %1. Give it to the virtual machine as its preset.</source>
+        <translation>Enregistré sous %1. Le donner à la machine virtuelle comme préréglage.</translation>
+    </message>
+    <message>
+        <source>Learned and tested. Save it as a preset to use it.</source>
+        <translation>Appris et vérifié. L’enregistrer comme préréglage pour l’utiliser.</translation>
+    </message>
+    <message>
+        <source>Ready to learn. Recordings used to test show how good the emulator is on programs it has not seen.</source>
+        <translation>Prêt à apprendre. Les enregistrements pour vérifier montrent ce que vaut l’émulateur sur des programmes inconnus.</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Ajouter…</translation>
+    </message>
+    <message>
+        <source>Add recordings of the machine</source>
+        <translation>Ajouter des enregistrements de la machine</translation>
+    </message>
+    <message>
+        <source>Learn from the recordings how the axes follow their set points</source>
+        <translation>Apprendre des enregistrements comment les axes suivent leurs consignes</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Stop learning; what was learned before stays</source>
+        <translation>Arrêter l’apprentissage&#xa0;; ce qui a été appris auparavant reste</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Save the emulator as a preset of the virtual machine</source>
+        <translation>Enregistrer l’émulateur comme préréglage de la machine virtuelle</translation>
+    </message>
+    <message>
+        <source>NC program…</source>
+        <translation>Programme CN…</translation>
+    </message>
+    <message>
+        <source>What ran: needed for a recording without set points</source>
+        <translation>Ce qui a tourné&#xa0;: nécessaire pour un enregistrement sans consignes</translation>
+    </message>
+    <message>
+        <source>A recording used to test is not learned from</source>
+        <translation>Un enregistrement utilisé pour vérifier ne sert pas à apprendre</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Takes the recording from the list; the file stays</source>
+        <translation>Retire l’enregistrement de la liste&#xa0;; le fichier reste</translation>
+    </message>
+    <message>
+        <source>Bode and step plots</source>
+        <translation>Bode et réponse indicielle</translation>
+    </message>
+    <message>
+        <source>For those who know control engineering</source>
+        <translation>Pour qui connaît l’automatique</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Avancement</translation>
+    </message>
+    <message>
+        <source>What recordings do not say</source>
+        <translation>Ce que les enregistrements ne disent pas</translation>
+    </message>
+    <message>
+        <source>Preset that has the limits of the machine; set points of programs are planned with them</source>
+        <translation>Préréglage avec les limites de la machine&#xa0;; les consignes des programmes sont planifiées avec elles</translation>
+    </message>
+    <message>
+        <source>Error on stretches held out, while learning</source>
+        <translation>Erreur sur les tronçons mis de côté, pendant l’apprentissage</translation>
+    </message>
+    <message>
+        <source>Models tried</source>
+        <translation>Modèles essayés</translation>
+    </message>
+    <message>
+        <source>Error, µm</source>
+        <translation>Erreur, µm</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Enregistrements</translation>
+    </message>
+    <message>
+        <source>Enter changes the use of a recording</source>
+        <translation>Entrée change l’usage d’un enregistrement</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Vérifications</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparaison</translation>
+    </message>
+    <message>
+        <source>Part of the page</source>
+        <translation>Partie de la page</translation>
+    </message>
+    <message>
+        <source>How far an emulator is off that was learned from one recording alone.</source>
+        <translation>Écart d’un émulateur appris à partir d’un seul enregistrement.</translation>
+    </message>
+    <message>
+        <source>Learns from each recording alone and tests on all others. So you see which recordings teach most, and what each parameter is worth.</source>
+        <translation>Apprend à partir de chaque enregistrement seul et vérifie sur tous les autres. On voit ainsi quels enregistrements apprennent le plus et ce que vaut chaque paramètre.</translation>
+    </message>
+    <message>
+        <source>How much the positions would change on each recording if a parameter were 10 % larger.</source>
+        <translation>De combien les positions changeraient sur chaque enregistrement si un paramètre était 10&#xa0;% plus grand.</translation>
+    </message>
+    <message>
+        <source>Learning from each recording alone …</source>
+        <translation>Apprentissage à partir de chaque enregistrement seul…</translation>
+    </message>
+    <message>
+        <source>Compare recordings</source>
+        <translation>Comparer les enregistrements</translation>
+    </message>
+    <message>
+        <source>Takes at most as long as learning, for each recording</source>
+        <translation>Dure au plus autant que l’apprentissage, pour chaque enregistrement</translation>
+    </message>
+    <message>
+        <source>Matrix of errors</source>
+        <translation>Matrice des erreurs</translation>
+    </message>
+    <message>
+        <source>Tested on</source>
+        <translation>Vérifié sur</translation>
+    </message>
+    <message>
+        <source>Learned from (error RMS in µm)</source>
+        <translation>Appris de (erreur RMS en µm)</translation>
+    </message>
+    <message>
+        <source>Worth of the parameters</source>
+        <translation>Valeur des paramètres</translation>
+    </message>
+    <message>
+        <source>Change of the positions, RMS, µm</source>
+        <translation>Changement des positions, RMS, µm</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matrice</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::FeasibilityPage</name>
     <message>
         <source>F over d_min</source>
@@ -6484,6 +6981,41 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::OverlayPanel</name>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Emulator</source>
+        <translation>Émulateur</translation>
+    </message>
+    <message>
+        <source>%1 machine − emulator</source>
+        <translation>%1 machine − émulateur</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Recording on which machine and emulator are compared</source>
+        <translation>Enregistrement sur lequel machine et émulateur sont comparés</translation>
+    </message>
+    <message>
+        <source>Errors drawn larger</source>
+        <translation>Erreurs agrandies</translation>
+    </message>
+    <message>
+        <source>How many times larger the distance to the path of the set points is drawn</source>
+        <translation>Combien de fois plus grande est dessinée la distance à la trajectoire des consignes</translation>
+    </message>
+    <message>
+        <source>Error × %1</source>
+        <translation>Erreur × %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathPane</name>
     <message>
         <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
@@ -7507,6 +8039,49 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Tools</source>
         <translation>Outils</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ResponsePanel</name>
+    <message>
+        <source>Bode plot: gain</source>
+        <translation>Diagramme de Bode&#xa0;: gain</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Fréquence, Hz</translation>
+    </message>
+    <message>
+        <source>Gain, dB</source>
+        <translation>Gain, dB</translation>
+    </message>
+    <message>
+        <source>Bode plot: phase</source>
+        <translation>Diagramme de Bode&#xa0;: phase</translation>
+    </message>
+    <message>
+        <source>Phase, °</source>
+        <translation>Phase, °</translation>
+    </message>
+    <message>
+        <source>Answer to a step of 1 mm</source>
+        <translation>Réponse à un échelon de 1 mm</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Temps, s</translation>
+    </message>
+    <message>
+        <source>Position, mm</source>
+        <translation>Position, mm</translation>
+    </message>
+    <message>
+        <source>%1 follows up to %2 Hz (−3 dB).</source>
+        <translation>%1 suit jusqu’à %2 Hz (−3 dB).</translation>
+    </message>
+    <message>
+        <source>From set point to actual position; the Bode plot is without friction.</source>
+        <translation>De la consigne à la position réelle&#xa0;; le diagramme de Bode sans frottement.</translation>
     </message>
 </context>
 <context>

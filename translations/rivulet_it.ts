@@ -749,6 +749,136 @@
     </message>
 </context>
 <context>
+    <name>EmulatorPageTexts</name>
+    <message>
+        <source>A run is in progress. Learn after it has ended: both would take the same processor.</source>
+        <translation>È in corso un’esecuzione. Apprendere dopo: entrambe userebbero lo stesso processore.</translation>
+    </message>
+</context>
+<context>
+    <name>EmulatorTexts</name>
+    <message>
+        <source>Position gain</source>
+        <translation>Guadagno di posizione</translation>
+    </message>
+    <message>
+        <source>The larger it is, the smaller the following error.</source>
+        <translation>Più è grande, più piccolo è l’errore di inseguimento.</translation>
+    </message>
+    <message>
+        <source>Feed-forward</source>
+        <translation>Azione in avanti</translation>
+    </message>
+    <message>
+        <source>Share of the speed that needs no following error. With 1 there is none at constant speed.</source>
+        <translation>Parte della velocità che non richiede errore di inseguimento. Con 1 non ce n’è a velocità costante.</translation>
+    </message>
+    <message>
+        <source>Filter of the feed-forward</source>
+        <translation>Filtro dell’azione in avanti</translation>
+    </message>
+    <message>
+        <source>How late the feed-forward takes effect.</source>
+        <translation>Con quale ritardo agisce l’azione in avanti.</translation>
+    </message>
+    <message>
+        <source>Speed gain</source>
+        <translation>Guadagno di velocità</translation>
+    </message>
+    <message>
+        <source>How quickly the drive reaches the speed it is told.</source>
+        <translation>Quanto in fretta l’azionamento raggiunge la velocità richiesta.</translation>
+    </message>
+    <message>
+        <source>Reset time</source>
+        <translation>Tempo integrale</translation>
+    </message>
+    <message>
+        <source>How soon the drive removes the rest of an error in speed.</source>
+        <translation>In quanto tempo l’azionamento elimina il resto di un errore di velocità.</translation>
+    </message>
+    <message>
+        <source>Lag of the drive</source>
+        <translation>Ritardo dell’azionamento</translation>
+    </message>
+    <message>
+        <source>How late the force follows its command.</source>
+        <translation>Con quale ritardo la forza segue il comando.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Attrito</translation>
+    </message>
+    <message>
+        <source>Force against every motion, as the acceleration it costs. It makes the bumps where an axis reverses.</source>
+        <translation>Forza contro ogni movimento, espressa dall’accelerazione che costa. Causa i picchi dove un asse si inverte.</translation>
+    </message>
+    <message>
+        <source>Speed of friction</source>
+        <translation>Velocità dell’attrito</translation>
+    </message>
+    <message>
+        <source>From this speed on, friction has its full force.</source>
+        <translation>Da questa velocità l’attrito agisce per intero.</translation>
+    </message>
+    <message>
+        <source>Viscous friction</source>
+        <translation>Attrito viscoso</translation>
+    </message>
+    <message>
+        <source>Friction that grows with the speed.</source>
+        <translation>Attrito che cresce con la velocità.</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Ritardo puro</translation>
+    </message>
+    <message>
+        <source>Time until a set point takes effect.</source>
+        <translation>Tempo prima che un valore nominale abbia effetto.</translation>
+    </message>
+    <message>
+        <source>Resonance</source>
+        <translation>Risonanza</translation>
+    </message>
+    <message>
+        <source>Frequency at which motor and table swing against each other.</source>
+        <translation>Frequenza con cui motore e tavola oscillano l’uno contro l’altra.</translation>
+    </message>
+    <message>
+        <source>Damping of the resonance</source>
+        <translation>Smorzamento della risonanza</translation>
+    </message>
+    <message>
+        <source>The smaller it is, the longer the swinging lasts; with 1 there is none.</source>
+        <translation>Più è piccolo, più a lungo dura l’oscillazione; con 1 non ce n’è.</translation>
+    </message>
+    <message>
+        <source>On %1, which it was not learned from, positions are right within %2 (RMS), %3 at most.</source>
+        <translation>Su %1, da cui non ha appreso, le posizioni sono giuste entro %2 (RMS), al massimo %3.</translation>
+    </message>
+    <message>
+        <source>The contour error there is off by %1 of %2 (RMS).</source>
+        <translation>L’errore di contorno lì si scosta di %1 su %2 (RMS).</translation>
+    </message>
+    <message>
+        <source>It was tested only on stretches of the same recordings: right within %1 (RMS). Add a recording of another program and use it to test.</source>
+        <translation>È stato verificato solo su tratti delle stesse registrazioni: giusto entro %1 (RMS). Aggiungere la registrazione di un altro programma e usarla per la verifica.</translation>
+    </message>
+    <message>
+        <source>Good for simulating and timing programs that move %1 at feeds up to %2. What is faster was not tested.</source>
+        <translation>Buono per simulare programmi che muovono %1 fino a %2 e stimarne la durata. Oltre non è verificato.</translation>
+    </message>
+    <message>
+        <source>Do not rely on the contour errors that it predicts.</source>
+        <translation>Non fare affidamento sugli errori di contorno previsti.</translation>
+    </message>
+    <message>
+        <source>Limits of speed, acceleration and jerk are those of preset %1: correct them in the file if the machine has others.</source>
+        <translation>I limiti di velocità, accelerazione e jerk sono quelli del preset %1: correggerli nel file se la macchina ne ha altri.</translation>
+    </message>
+</context>
+<context>
     <name>ErrorTexts</name>
     <message>
         <source>Two columns have the same meaning. Choose one of them.</source>
@@ -1177,6 +1307,42 @@
     <message>
         <source>This Rivulet was built without HDF5. Use CSV, or build it with libhdf5-dev.</source>
         <translation>Questo Rivulet è stato compilato senza HDF5. Usare CSV o compilarlo con libhdf5-dev.</translation>
+    </message>
+    <message>
+        <source>Times and positions do not fit together. Record the run again.</source>
+        <translation>Tempi e posizioni non concordano. Registrare di nuovo l’esecuzione.</translation>
+    </message>
+    <message>
+        <source>A value is not a number. Leave its row out of the file.</source>
+        <translation>Un valore non è un numero. Togliere la sua riga dal file.</translation>
+    </message>
+    <message>
+        <source>An axis does not move in these recordings. Add one that moves it.</source>
+        <translation>Un asse non si muove in queste registrazioni. Aggiungerne una che lo muova.</translation>
+    </message>
+    <message>
+        <source>There are too few samples to learn from. Record a longer program, with set points and actual positions.</source>
+        <translation>I campioni sono troppo pochi per apprendere. Registrare un programma più lungo, con posizioni nominali e reali.</translation>
+    </message>
+    <message>
+        <source>Set points and actual positions differ by a factor. Check their units.</source>
+        <translation>Posizioni nominali e reali differiscono di un fattore. Controllarne le unità.</translation>
+    </message>
+    <message>
+        <source>Recording and program do not fit together. Check the program, and that the preset has the machine&apos;s limits.</source>
+        <translation>Registrazione e programma non concordano. Controllare il programma e che il preset abbia i limiti della macchina.</translation>
+    </message>
+    <message>
+        <source>No model follows this recording. Check that set points and positions belong together.</source>
+        <translation>Nessun modello segue questa registrazione. Controllare che valori nominali e posizioni vadano insieme.</translation>
+    </message>
+    <message>
+        <source>Learning was cancelled. What was learned before stays.</source>
+        <translation>L’apprendimento è stato annullato. Resta ciò che è stato appreso prima.</translation>
+    </message>
+    <message>
+        <source>The file is not an emulator, or one of a later version.</source>
+        <translation>Il file non è un emulatore, o è di una versione successiva.</translation>
     </message>
 </context>
 <context>
@@ -1998,6 +2164,10 @@
     <message>
         <source>Machines</source>
         <translation>Macchine</translation>
+    </message>
+    <message>
+        <source>Emulator</source>
+        <translation>Emulatore</translation>
     </message>
 </context>
 <context>
@@ -5217,6 +5387,333 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::EmulatorPage</name>
+    <message>
+        <source>Recording</source>
+        <translation>Registrazione</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Uso</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Verifica</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Apprendi</translation>
+    </message>
+    <message>
+        <source>NC program</source>
+        <translation>Programma NC</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>manca</translation>
+    </message>
+    <message>
+        <source>not needed</source>
+        <translation>non serve</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Assi</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Durata</translation>
+    </message>
+    <message>
+        <source>Samples per s</source>
+        <translation>Valori al s</translation>
+    </message>
+    <message>
+        <source>Largest feed</source>
+        <translation>Avanzamento massimo</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Asse</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parametro</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valore</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Intervallo</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>da %1 a %2</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Significato</translation>
+    </message>
+    <message>
+        <source>Position RMS, µm</source>
+        <translation>Posizione RMS, µm</translation>
+    </message>
+    <message>
+        <source>at most, µm</source>
+        <translation>al massimo, µm</translation>
+    </message>
+    <message>
+        <source>Contour RMS, µm</source>
+        <translation>Contorno RMS, µm</translation>
+    </message>
+    <message>
+        <source>emulated, µm</source>
+        <translation>emulato, µm</translation>
+    </message>
+    <message>
+        <source>Speed, %</source>
+        <translation>Velocità,&#xa0;%</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>File…</translation>
+    </message>
+    <message>
+        <source>Add recordings</source>
+        <translation>Aggiungi registrazioni</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Curve</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Tutti i file</translation>
+    </message>
+    <message>
+        <source>NC program of %1</source>
+        <translation>Programma NC di %1</translation>
+    </message>
+    <message>
+        <source>Preset of the machine</source>
+        <translation>Preset della macchina</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Preset</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Salva come preset</translation>
+    </message>
+    <message>
+        <source>Use to learn</source>
+        <translation>Per apprendere</translation>
+    </message>
+    <message>
+        <source>Use to test</source>
+        <translation>Per verificare</translation>
+    </message>
+    <message>
+        <source>Nothing is learned yet.</source>
+        <translation>Non è ancora stato appreso nulla.</translation>
+    </message>
+    <message>
+        <source>On stretches that were held out while learning (RMS): %1. A recording used to test was not learned from at all.</source>
+        <translation>Su tratti esclusi dall’apprendimento (RMS): %1. Da una registrazione usata per verificare non si è appreso nulla.</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>Lettura di %1…</translation>
+    </message>
+    <message>
+        <source>%1 has no set points: choose its NC program.</source>
+        <translation>%1 non ha valori nominali: scegliere il suo programma NC.</translation>
+    </message>
+    <message>
+        <source>Record a few programs with different feeds, corners and reversals, and add the recordings here.</source>
+        <translation>Registrare alcuni programmi con avanzamenti, angoli e inversioni diversi, e aggiungere qui le registrazioni.</translation>
+    </message>
+    <message>
+        <source>All recordings are used to test: use one to learn.</source>
+        <translation>Tutte le registrazioni servono a verificare: usarne una per apprendere.</translation>
+    </message>
+    <message>
+        <source>Learning axis %1: %2 of %3 models tried, the best is right within %4.</source>
+        <translation>Apprende l’asse %1: provati %2 modelli su %3, il migliore è giusto entro %4.</translation>
+    </message>
+    <message>
+        <source>Learning …</source>
+        <translation>Apprendimento…</translation>
+    </message>
+    <message>
+        <source>Saved as %1. Give it to the virtual machine as its preset.</source>
+        <translation>Salvato come %1. Darlo alla macchina virtuale come preset.</translation>
+    </message>
+    <message>
+        <source>Learned and tested. Save it as a preset to use it.</source>
+        <translation>Appreso e verificato. Salvarlo come preset per usarlo.</translation>
+    </message>
+    <message>
+        <source>Ready to learn. Recordings used to test show how good the emulator is on programs it has not seen.</source>
+        <translation>Pronto ad apprendere. Le registrazioni per verificare mostrano quanto vale l’emulatore su programmi mai visti.</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Aggiungi…</translation>
+    </message>
+    <message>
+        <source>Add recordings of the machine</source>
+        <translation>Aggiungi registrazioni della macchina</translation>
+    </message>
+    <message>
+        <source>Learn from the recordings how the axes follow their set points</source>
+        <translation>Apprendi dalle registrazioni come gli assi seguono i valori nominali</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Stop learning; what was learned before stays</source>
+        <translation>Ferma l’apprendimento; resta ciò che è stato appreso prima</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Salva…</translation>
+    </message>
+    <message>
+        <source>Save the emulator as a preset of the virtual machine</source>
+        <translation>Salva l’emulatore come preset della macchina virtuale</translation>
+    </message>
+    <message>
+        <source>NC program…</source>
+        <translation>Programma NC…</translation>
+    </message>
+    <message>
+        <source>What ran: needed for a recording without set points</source>
+        <translation>Ciò che è stato eseguito: serve per una registrazione senza valori nominali</translation>
+    </message>
+    <message>
+        <source>A recording used to test is not learned from</source>
+        <translation>Da una registrazione usata per verificare non si apprende</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Rimuovi</translation>
+    </message>
+    <message>
+        <source>Takes the recording from the list; the file stays</source>
+        <translation>Toglie la registrazione dall’elenco; il file resta</translation>
+    </message>
+    <message>
+        <source>Bode and step plots</source>
+        <translation>Bode e risposta al gradino</translation>
+    </message>
+    <message>
+        <source>For those who know control engineering</source>
+        <translation>Per chi conosce la regolazione automatica</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Avanzamento</translation>
+    </message>
+    <message>
+        <source>What recordings do not say</source>
+        <translation>Ciò che le registrazioni non dicono</translation>
+    </message>
+    <message>
+        <source>Preset that has the limits of the machine; set points of programs are planned with them</source>
+        <translation>Preset con i limiti della macchina; con essi si pianificano i valori nominali dei programmi</translation>
+    </message>
+    <message>
+        <source>Error on stretches held out, while learning</source>
+        <translation>Errore sui tratti esclusi, durante l’apprendimento</translation>
+    </message>
+    <message>
+        <source>Models tried</source>
+        <translation>Modelli provati</translation>
+    </message>
+    <message>
+        <source>Error, µm</source>
+        <translation>Errore, µm</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Registrazioni</translation>
+    </message>
+    <message>
+        <source>Enter changes the use of a recording</source>
+        <translation>Invio cambia l’uso di una registrazione</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parametri</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Verifiche</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Confronto</translation>
+    </message>
+    <message>
+        <source>Part of the page</source>
+        <translation>Parte della pagina</translation>
+    </message>
+    <message>
+        <source>How far an emulator is off that was learned from one recording alone.</source>
+        <translation>Di quanto sbaglia un emulatore appreso da una sola registrazione.</translation>
+    </message>
+    <message>
+        <source>Learns from each recording alone and tests on all others. So you see which recordings teach most, and what each parameter is worth.</source>
+        <translation>Apprende da ogni registrazione da sola e verifica su tutte le altre. Così si vede quali registrazioni insegnano di più e quanto vale ogni parametro.</translation>
+    </message>
+    <message>
+        <source>How much the positions would change on each recording if a parameter were 10 % larger.</source>
+        <translation>Di quanto cambierebbero le posizioni in ogni registrazione se un parametro fosse maggiore del 10&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>Learning from each recording alone …</source>
+        <translation>Apprendimento da ogni registrazione da sola…</translation>
+    </message>
+    <message>
+        <source>Compare recordings</source>
+        <translation>Confronta registrazioni</translation>
+    </message>
+    <message>
+        <source>Takes at most as long as learning, for each recording</source>
+        <translation>Dura al massimo quanto l’apprendimento, per ogni registrazione</translation>
+    </message>
+    <message>
+        <source>Matrix of errors</source>
+        <translation>Matrice degli errori</translation>
+    </message>
+    <message>
+        <source>Tested on</source>
+        <translation>Verificato su</translation>
+    </message>
+    <message>
+        <source>Learned from (error RMS in µm)</source>
+        <translation>Appreso da (errore RMS in µm)</translation>
+    </message>
+    <message>
+        <source>Worth of the parameters</source>
+        <translation>Valore dei parametri</translation>
+    </message>
+    <message>
+        <source>Change of the positions, RMS, µm</source>
+        <translation>Variazione delle posizioni, RMS, µm</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matrice</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::FeasibilityPage</name>
     <message>
         <source>F over d_min</source>
@@ -6484,6 +6981,41 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::OverlayPanel</name>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Emulator</source>
+        <translation>Emulatore</translation>
+    </message>
+    <message>
+        <source>%1 machine − emulator</source>
+        <translation>%1 macchina − emulatore</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Registrazione</translation>
+    </message>
+    <message>
+        <source>Recording on which machine and emulator are compared</source>
+        <translation>Registrazione su cui si confrontano macchina ed emulatore</translation>
+    </message>
+    <message>
+        <source>Errors drawn larger</source>
+        <translation>Errori ingranditi</translation>
+    </message>
+    <message>
+        <source>How many times larger the distance to the path of the set points is drawn</source>
+        <translation>Quante volte più grande è disegnata la distanza dal percorso dei valori nominali</translation>
+    </message>
+    <message>
+        <source>Error × %1</source>
+        <translation>Errore × %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathPane</name>
     <message>
         <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
@@ -7507,6 +8039,49 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Tools</source>
         <translation>Utensili</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ResponsePanel</name>
+    <message>
+        <source>Bode plot: gain</source>
+        <translation>Diagramma di Bode: guadagno</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Frequenza, Hz</translation>
+    </message>
+    <message>
+        <source>Gain, dB</source>
+        <translation>Guadagno, dB</translation>
+    </message>
+    <message>
+        <source>Bode plot: phase</source>
+        <translation>Diagramma di Bode: fase</translation>
+    </message>
+    <message>
+        <source>Phase, °</source>
+        <translation>Fase, °</translation>
+    </message>
+    <message>
+        <source>Answer to a step of 1 mm</source>
+        <translation>Risposta a un gradino di 1 mm</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Tempo, s</translation>
+    </message>
+    <message>
+        <source>Position, mm</source>
+        <translation>Posizione, mm</translation>
+    </message>
+    <message>
+        <source>%1 follows up to %2 Hz (−3 dB).</source>
+        <translation>%1 segue fino a %2 Hz (−3 dB).</translation>
+    </message>
+    <message>
+        <source>From set point to actual position; the Bode plot is without friction.</source>
+        <translation>Dal valore nominale alla posizione reale; il diagramma di Bode senza attrito.</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@
 #include "hmi/audit.h"
 #include "hmi/certificates.h"
 #include "hmi/document.h"
+#include "hmi/emulator_learning.h"
 #include "hmi/found_runs.h"
 #include "hmi/live_source.h"
 #include "hmi/logins.h"
@@ -171,6 +172,7 @@ class MainWindow final : public QMainWindow {
   Machines m_machines;
   Traces m_traces;
   Certificates m_certificates;
+  EmulatorLearning m_learning;
   const opcua::TrustQuestion* m_question = nullptr;  ///< shown; for comparison only
 
   bool m_closesAfterRun = false;

@@ -7,6 +7,7 @@
 #include <QLocale>
 
 #include "base/file.h"
+#include "emulator/emulator_error.h"
 #include "feasibility/verdict.h"
 #include "gcode/error.h"
 #include "live/error.h"
@@ -50,6 +51,34 @@ struct ErrorTexts {
         return tr("Parts of the program are not understood. See the list of findings.");
       case GcodeError::Cancelled:
         return tr("Loading was cancelled.");
+    }
+    return {};
+  }
+
+  static QString text(emulator::EmulatorError code) {
+    using emulator::EmulatorError;
+    switch (code) {
+      case EmulatorError::BadTimes:
+        return tr("Times and positions do not fit together. Record the run again.");
+      case EmulatorError::BadNumbers:
+        return tr("A value is not a number. Leave its row out of the file.");
+      case EmulatorError::NoMotion:
+        return tr("An axis does not move in these recordings. Add one that moves it.");
+      case EmulatorError::TooShort:
+        return tr("There are too few samples to learn from. Record a longer program, with set "
+                  "points and actual positions.");
+      case EmulatorError::BadUnits:
+        return tr("Set points and actual positions differ by a factor. Check their units.");
+      case EmulatorError::WrongProgram:
+        return tr("Recording and program do not fit together. Check the program, and that the "
+                  "preset has the machine's limits.");
+      case EmulatorError::Diverged:
+        return tr("No model follows this recording. Check that set points and positions belong "
+                  "together.");
+      case EmulatorError::Cancelled:
+        return tr("Learning was cancelled. What was learned before stays.");
+      case EmulatorError::BadFile:
+        return tr("The file is not an emulator, or one of a later version.");
     }
     return {};
   }
@@ -413,6 +442,9 @@ QString errorCodeText(const std::error_code& code) {
   }
   if (belongsTo<gcode::GcodeError>(code)) {
     return ErrorTexts::text(static_cast<gcode::GcodeError>(code.value()));
+  }
+  if (belongsTo<emulator::EmulatorError>(code)) {
+    return ErrorTexts::text(static_cast<emulator::EmulatorError>(code.value()));
   }
   if (belongsTo<feasibility::FeasibilityError>(code)) {
     return ErrorTexts::text(static_cast<feasibility::FeasibilityError>(code.value()));

@@ -10,6 +10,7 @@
 
 #include <QPixmap>
 #include <QTimer>
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,6 +31,9 @@ class PathPane final : public Page {
  public:
   PathPane(ScopeCurves* curves, TimeWindow* window, ScopeCursors* cursors,
            QWidget* parent = nullptr);
+
+  /// Offered for `setEnlargement`.
+  static constexpr std::array<double, 7> kEnlargements{1.0, 10.0, 20.0, 50.0, 100.0, 500.0, 1000.0};
 
   /// The signal that colours the path. @param formula  empty: each trace has its own colour
   void setColouring(const QString& formula);

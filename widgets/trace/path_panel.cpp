@@ -11,7 +11,6 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -25,8 +24,6 @@
 namespace rivulet::widgets {
 
 namespace {
-
-constexpr std::array<double, 7> kEnlargements{1.0, 10.0, 20.0, 50.0, 100.0, 500.0, 1000.0};
 
 QString lineSignal() {
   return QStringLiteral("program_line");
@@ -65,7 +62,7 @@ PathPanel::PathPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors* curs
     list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     list->setMinimumContentsLength(6);
   }
-  for (const double factor : kEnlargements) {
+  for (const double factor : PathPane::kEnlargements) {
     m_error->addItem(QString(), factor);
   }
   auto* look = new QHBoxLayout;
@@ -138,7 +135,8 @@ void PathPanel::listSignals() {
 void PathPanel::setEnlargements() {
   for (int i = 0; i < m_error->count(); ++i) {
     m_error->setItemText(
-        i, tr("Error × %1").arg(numberText(kEnlargements[static_cast<std::size_t>(i)], 0)));
+        i,
+        tr("Error × %1").arg(numberText(PathPane::kEnlargements[static_cast<std::size_t>(i)], 0)));
   }
 }
 

@@ -13,6 +13,7 @@
 #include "hmi/certificates.h"
 #include "hmi/credit_commissioning.h"
 #include "hmi/document.h"
+#include "hmi/emulator_learning.h"
 #include "hmi/found_runs.h"
 #include "hmi/live_source.h"
 #include "hmi/logins.h"
@@ -56,6 +57,7 @@ struct Models {
   Traces& traces;
   Certificates& certificates;
   Logins& logins;
+  EmulatorLearning& learning;
 };
 
 /// A page of the tab widget.
@@ -82,6 +84,7 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeAlarmPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeAuditPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeUsersPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeEmulatorPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeLogPage(const Models& models, QWidget* parent);
 
 /// Beside, above and below the tabs.

@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hmi/emulator_learning.h"
+
+#include <QCoreApplication>
+#include <QPointer>
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "base/file.h"
+#include "emulator/emulator_error.h"
+#include "hmi/background.h"
+
+namespace rivulet::hmi {
+
+namespace {
+
+using State = widgets::RecordingView::State;
+
+/// As many recordings leave one to test.
+constexpr std::size_t kRecordingsToSpare = 3;
+
+std::shared_ptr<const widgets::EmulatorView> viewOf(const learning::Learned& learned) {
+  auto view = std::make_shared<widgets::EmulatorView>();
+  view->emulator = learned.emulator;
+  view->feedMmPerSMax = learned.feedMmPerSMax;
+  for (const learning::RunTest& test : learned.tests) {
+    (test.isUnseen ? view->unseen : view->learnedFrom).push_back(test.fit);
+  }
+  return view;
+}
+
+}  // namespace
+
+EmulatorLearning::EmulatorLearning() : m_preset(QLatin1String(machine::kDefaultPreset)) {
+}
+
+EmulatorLearning::~EmulatorLearning() {
+  cancel();
+}
+
+std::vector<widgets::RecordingView> EmulatorLearning::recordings() const {
+  std::vector<widgets::RecordingView> views;
+  for (const Entry& entry : m_entries) {
+    widgets::RecordingView view;
+    view.trace = QString::fromStdString(entry.file.trace);
+    view.program = QString::fromStdString(entry.file.program);
+    view.isForTest = entry.isForTest;
+    view.state = entry.state;
+    view.lengthS = entry.facts.lengthS;
+    view.samplesPerS = entry.facts.samplesPerS;
+    view.axes = entry.facts.axes;
+    view.feedMmPerSMax = entry.facts.feedMmPerSMax;
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+EmulatorLearning::Entry* EmulatorLearning::find(int id) {
+  const auto found = std::find_if(m_entries.begin(), m_entries.end(),
+                                  [id](const Entry& entry) { return entry.id == id; });
+  return found == m_entries.end() ? nullptr : &*found;
+}
+
+void EmulatorLearning::add(const QStringList& paths) {
+  if (isLearning()) {
+    return;
+  }
+  for (const QString& path : paths) {
+    const std::string file = path.toStdString();
+    const bool isThere =
+        std::any_of(m_entries.begin(), m_entries.end(),
+                    [&file](const Entry& entry) { return entry.file.trace == file; });
+    if (!isThere) {
+      Entry& entry = m_entries.emplace_back();
+      entry.id = ++m_lastId;
+      entry.file.trace = file;
+      read(entry, entry.file);
+    }
+  }
+  Q_EMIT recordingsChanged();
+}
+
+void EmulatorLearning::read(Entry& entry, const learning::RecordingFile& file) {
+  entry.state = State::Reading;
+  const QPointer<EmulatorLearning> guard(this);
+  runInBackground([guard, file, id = entry.id, preset = m_preset.toStdString(),
+                   machine = m_machine]() -> std::function<void()> {
+    using Result = base::Result<learning::Recording>;
+    std::shared_ptr<const machine::MachineConfig> known = machine;
+    std::shared_ptr<const Result> result;
+    if (!known) {
+      auto loaded = machine::loadPreset(preset);
+      if (loaded) {
+        known = std::make_shared<const machine::MachineConfig>(std::move(*loaded));
+      } else {
+        result = std::make_shared<const Result>(base::fail(loaded.error()));
+      }
+    }
+    if (known) {
+      result = std::make_shared<const Result>(learning::readRecording(file, *known));
+    }
+    const learning::RecordingFacts facts =
+        *result ? learning::factsOf(**result) : learning::RecordingFacts{};
+    return [guard, file, id, result, facts] {
+      if (guard) {
+        guard->take(id, file, *result, facts);
+      }
+    };
+  });
+}
+
+void EmulatorLearning::take(int id, const learning::RecordingFile& file,
+                            const base::Result<learning::Recording>& result,
+                            const learning::RecordingFacts& facts) {
+  Entry* entry = find(id);
+  if (entry == nullptr) {
+    return;  // removed meanwhile
+  }
+  if (result) {
+    entry->file = file;
+    entry->recording = std::make_shared<const learning::Recording>(*result);
+    entry->facts = facts;
+    entry->state = State::Ready;
+  } else if (entry->recording) {
+    entry->state = State::Ready;  // as it was
+  } else if (result.error().code == emulator::EmulatorError::WrongProgram ||
+             !file.program.empty()) {
+    entry->state = State::NeedsProgram;
+  } else {
+    m_entries.erase(m_entries.begin() + (entry - m_entries.data()));
+  }
+  proposeUses();
+  Q_EMIT recordingsChanged();
+  const bool wantsProgram = !result &&
+                            result.error().code == emulator::EmulatorError::WrongProgram &&
+                            file.program.empty();
+  if (!result && !wantsProgram) {
+    Q_EMIT failed(result.error());
+  }
+}
+
+void EmulatorLearning::proposeUses() {
+  const bool isReading = std::any_of(m_entries.begin(), m_entries.end(), [](const Entry& entry) {
+    return entry.state == State::Reading;
+  });
+  if (m_usesAreChosen || isReading) {
+    return;
+  }
+  for (Entry& entry : m_entries) {
+    entry.isForTest = m_entries.size() >= kRecordingsToSpare && &entry == &m_entries.back();
+  }
+}
+
+void EmulatorLearning::remove(int recording) {
+  if (!isLearning() && recording >= 0 && recording < static_cast<int>(m_entries.size())) {
+    m_entries.erase(m_entries.begin() + recording);
+    proposeUses();
+    Q_EMIT recordingsChanged();
+  }
+}
+
+void EmulatorLearning::setProgram(int recording, const QString& path) {
+  if (!isLearning() && recording >= 0 && recording < static_cast<int>(m_entries.size())) {
+    Entry& entry = m_entries[static_cast<std::size_t>(recording)];
+    learning::RecordingFile file = entry.file;
+    file.program = path.toStdString();
+    read(entry, file);
+    Q_EMIT recordingsChanged();
+  }
+}
+
+void EmulatorLearning::setUse(int recording, bool isForTest) {
+  if (!isLearning() && recording >= 0 && recording < static_cast<int>(m_entries.size())) {
+    m_usesAreChosen = true;
+    m_entries[static_cast<std::size_t>(recording)].isForTest = isForTest;
+    Q_EMIT recordingsChanged();
+  }
+}
+
+void EmulatorLearning::setPreset(const QString& preset) {
+  const QPointer<EmulatorLearning> guard(this);
+  runInBackground([guard, preset, request = ++m_presetRequest]() -> std::function<void()> {
+    auto loaded = machine::loadPreset(preset.toStdString());
+    const auto result =
+        std::make_shared<const base::Result<machine::MachineConfig>>(std::move(loaded));
+    return [guard, preset, request, result] {
+      if (!guard || guard->m_presetRequest != request || guard->isLearning()) {
+        return;
+      }
+      if (!*result) {
+        Q_EMIT guard->failed(result->error());
+        return;
+      }
+      guard->m_preset = preset;
+      guard->m_machine = std::make_shared<const machine::MachineConfig>(**result);
+      for (Entry& entry : guard->m_entries) {
+        if (!entry.file.program.empty()) {
+          guard->read(entry, entry.file);
+        }
+      }
+      Q_EMIT guard->presetChanged();
+      Q_EMIT guard->recordingsChanged();
+    };
+  });
+}
+
+void EmulatorLearning::learn() {
+  const bool isReady = std::all_of(m_entries.begin(), m_entries.end(),
+                                   [](const Entry& entry) { return entry.state == State::Ready; });
+  if (isLearning() || !isReady) {
+    return;
+  }
+  learning::LearnRequest request;
+  request.preset = m_preset.toStdString();
+  for (const Entry& entry : m_entries) {
+    (entry.isForTest ? request.testOn : request.learnFrom).push_back(*entry.recording);
+  }
+  m_cancelled = std::make_shared<std::atomic<bool>>(false);
+  const QPointer<EmulatorLearning> guard(this);
+  runInBackground([guard, request = std::move(request),
+                   cancelled = m_cancelled]() mutable -> std::function<void()> {
+    const auto report = [guard, cancelled](const emulator::LearnProgress& progress) {
+      QMetaObject::invokeMethod(
+          qApp,
+          [guard, cancelled, progress] {
+            if (guard && guard->m_cancelled == cancelled) {
+              Q_EMIT guard->progressed(progress);
+            }
+          },
+          Qt::QueuedConnection);
+      return true;
+    };
+    auto result = std::make_shared<const base::Result<learning::Learned>>(
+        learning::learn(std::move(request), report, [cancelled] { return cancelled->load(); }));
+    return [guard, cancelled, result] {
+      if (!guard || guard->m_cancelled != cancelled) {
+        return;
+      }
+      guard->m_cancelled = nullptr;
+      Q_EMIT guard->ended();
+      if (!*result) {
+        Q_EMIT guard->failed(result->error());
+        return;
+      }
+      guard->m_learned = std::shared_ptr<const learning::Learned>(result, &result->value());
+      Q_EMIT guard->learned(viewOf(*guard->m_learned));
+    };
+  });
+  Q_EMIT started();
+}
+
+void EmulatorLearning::compare() {
+  if (isLearning() || !m_learned) {
+    return;
+  }
+  m_cancelled = std::make_shared<std::atomic<bool>>(false);
+  const QPointer<EmulatorLearning> guard(this);
+  runInBackground([guard, learned = m_learned, cancelled = m_cancelled]() -> std::function<void()> {
+    std::vector<emulator::TrainingRun> runs;
+    for (const learning::Recording& recording : learned->recordings) {
+      runs.push_back(recording.run);
+    }
+    const auto report = [guard, cancelled](double share) {
+      QMetaObject::invokeMethod(
+          qApp,
+          [guard, cancelled, share] {
+            if (guard && guard->m_cancelled == cancelled) {
+              Q_EMIT guard->comparing(share);
+            }
+          },
+          Qt::QueuedConnection);
+      return true;
+    };
+    auto result = std::make_shared<const base::Result<emulator::CrossTest>>(emulator::crossTest(
+        learned->emulator, runs,
+        {.progress = report, .isCancelled = [cancelled] { return cancelled->load(); }}));
+    return [guard, cancelled, result] {
+      if (!guard || guard->m_cancelled != cancelled) {
+        return;
+      }
+      guard->m_cancelled = nullptr;
+      Q_EMIT guard->ended();
+      if (*result) {
+        Q_EMIT guard->compared(**result);
+      } else {
+        Q_EMIT guard->failed(result->error());
+      }
+    };
+  });
+  Q_EMIT comparing(0.0);
+}
+
+void EmulatorLearning::cancel() {
+  if (m_cancelled) {
+    m_cancelled->store(true);
+  }
+}
+
+void EmulatorLearning::save(const QString& path) {
+  if (!m_learned) {
+    return;
+  }
+  learning::Learned copy = *m_learned;
+  copy.emulator.preset = learning::presetBeside(copy.emulator.preset, path.toStdString());
+  if (auto done = base::writeFile(path.toStdString(), learning::presetText(copy)); !done) {
+    Q_EMIT failed(done.error());
+    return;
+  }
+  Q_EMIT saved(path);
+}
+
+void EmulatorLearning::drawOverlay(int run, const emulator::OverlayNames& names) {
+  if (!m_learned || run < 0 || run >= static_cast<int>(m_learned->recordings.size())) {
+    return;
+  }
+  const QPointer<EmulatorLearning> guard(this);
+  runInBackground([guard, learned = m_learned, run, names,
+                   request = ++m_overlayRequest]() -> std::function<void()> {
+    auto overlay = emulator::overlayOf(
+        learned->emulator, learned->recordings[static_cast<std::size_t>(run)].run, names);
+    return [guard, request, overlay = std::move(overlay)] {
+      if (!guard || guard->m_overlayRequest != request) {
+        return;
+      }
+      if (overlay) {
+        Q_EMIT guard->overlayDrawn(*overlay);
+      } else {
+        Q_EMIT guard->failed(overlay.error());
+      }
+    };
+  });
+}
+
+}  // namespace rivulet::hmi

@@ -1,0 +1,738 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/emulator/emulator_page.h"
+
+#include <QComboBox>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTableView>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "widgets/common/folding_tabs.h"
+#include "widgets/common/number_format.h"
+#include "widgets/common/status_label.h"
+#include "widgets/common/table_style.h"
+#include "widgets/common/theme.h"
+#include "widgets/emulator/emulator_text.h"
+#include "widgets/emulator/overlay_panel.h"
+#include "widgets/emulator/response_panel.h"
+#include "widgets/plots/box_plot.h"
+#include "widgets/plots/curve_chart.h"
+#include "widgets/plots/heat_map.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+enum Tab { kRecordings, kParameters, kTests, kMatrix, kOverlay };
+
+constexpr int kBarSteps = 1000;
+constexpr int kRecordingTablePx = 150;
+constexpr int kCurvePx = 150;
+constexpr int kMicrometreDigits = 3;
+
+QString nameOfFile(const QString& path) {
+  return QFileInfo(path).fileName();
+}
+
+/// A number of µm in a column that says so.
+QString micrometres(double mm) {
+  constexpr double kFinestMm = 1e-6;
+  return mm < kFinestMm ? QStringLiteral("<\u00a0%1").arg(numberText(1e3 * kFinestMm, 3))
+                        : significantText(1e3 * mm, kMicrometreDigits);
+}
+
+QTableView* makeTable(QAbstractItemModel* model, const char* name, QWidget* parent) {
+  auto* table = new QTableView(parent);
+  styleTable(table);
+  table->setObjectName(QLatin1String(name));
+  table->setModel(model);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table->verticalHeader()->setDefaultSectionSize(kTouchHeightPx);
+  return table;
+}
+
+}  // namespace
+
+EmulatorPage::EmulatorPage(QWidget* parent)
+    : Page(parent),
+      m_note(new StatusLabel(this)),
+      m_add(makeTouchButton(this)),
+      m_learn(makeTouchButton(this)),
+      m_cancel(makeTouchButton(this)),
+      m_save(makeTouchButton(this)),
+      m_bar(new QProgressBar(this)),
+      m_tabs(new FoldingTabs(this)) {
+  setAcceptDrops(true);
+  m_note->setObjectName(QStringLiteral("emulatorNote"));
+  m_note->setWordWrap(true);
+  m_add->setObjectName(QStringLiteral("emulatorAdd"));
+  m_learn->setObjectName(QStringLiteral("emulatorLearn"));
+  m_cancel->setObjectName(QStringLiteral("emulatorCancel"));
+  m_save->setObjectName(QStringLiteral("emulatorSave"));
+  m_bar->setObjectName(QStringLiteral("emulatorProgress"));
+  m_bar->setRange(0, kBarSteps);
+  m_tabs->tabs()->setObjectName(QStringLiteral("emulatorTabs"));
+  m_tabs->tabs()->setDocumentMode(true);
+  m_overlay = new OverlayPanel(this);
+  m_tabs->addPage(makeRecordings());
+  m_tabs->addPage(makeParameters());
+  m_tabs->addPage(makeTests());
+  m_tabs->addPage(makeMatrix());
+  m_tabs->addPage(m_overlay);
+  auto* top = new QHBoxLayout;
+  top->addWidget(m_note, 1, Qt::AlignVCenter);
+  for (QPushButton* button : {m_add, m_learn, m_cancel, m_save}) {
+    top->addWidget(button);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(top);
+  layout->addWidget(m_bar);
+  layout->addWidget(m_tabs, 1);
+  connectParts();
+  retranslate();
+  restyle();
+}
+
+EmulatorPage::~EmulatorPage() = default;
+
+QWidget* EmulatorPage::makeRecordings() {
+  auto* page = new QWidget(this);
+  m_recordingModel = new TableModel<RecordingView>(
+      {{[] { return tr("Recording"); },
+        [](const RecordingView& row) { return nameOfFile(row.trace); }},
+       {[] { return tr("Use"); },
+        [](const RecordingView& row) { return row.isForTest ? tr("Test") : tr("Learn"); }},
+       {[] { return tr("NC program"); },
+        [](const RecordingView& row) {
+          return row.state == RecordingView::State::NeedsProgram ? tr("missing")
+                 : row.program.isEmpty()                         ? tr("not needed")
+                                                                 : nameOfFile(row.program);
+        }},
+       {[] { return tr("Axes"); },
+        [](const RecordingView& row) {
+          return row.axes.empty() ? noValue() : QString::fromStdString(row.axes);
+        }},
+       {[] { return tr("Length"); },
+        [](const RecordingView& row) {
+          return row.lengthS > 0.0 ? durationText(row.lengthS) : noValue();
+        },
+        true},
+       {[] { return tr("Samples per s"); },
+        [](const RecordingView& row) {
+          return row.samplesPerS > 0.0 ? significantText(row.samplesPerS, 3) : noValue();
+        },
+        true},
+       {[] { return tr("Largest feed"); },
+        [](const RecordingView& row) {
+          return row.feedMmPerSMax > 0.0 ? feedText(row.feedMmPerSMax) : noValue();
+        },
+        true}},
+      this);
+  m_recordingTable = makeTable(m_recordingModel, "emulatorRecordings", page);
+  m_recordingTable->setMinimumHeight(kRecordingTablePx);
+  m_recordingTable->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  m_program = makeTouchButton(page);
+  m_program->setObjectName(QStringLiteral("emulatorProgram"));
+  m_use = makeTouchButton(page);
+  m_use->setObjectName(QStringLiteral("emulatorUse"));
+  m_remove = makeTouchButton(page);
+  m_remove->setObjectName(QStringLiteral("emulatorRemove"));
+  m_presetName = new QLabel(page);
+  m_presetList = new QComboBox(page);
+  m_presetList->setObjectName(QStringLiteral("emulatorPreset"));
+  m_presetList->setMinimumHeight(kTouchHeightPx);
+  m_presetList->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  m_presetList->setMinimumContentsLength(12);
+  m_presetName->setBuddy(m_presetList);
+  m_curve = new CurveChart(AxisScale::Even, AxisScale::Logarithmic, page);
+  m_curve->setObjectName(QStringLiteral("emulatorCurve"));
+  m_curve->setMinimumHeight(kCurvePx);
+  m_curve->setCounts();
+  auto* actions = new QHBoxLayout;
+  for (QPushButton* button : {m_program, m_use, m_remove}) {
+    actions->addWidget(button);
+  }
+  actions->addStretch();
+  auto* preset = new QHBoxLayout;
+  preset->addWidget(m_presetName);
+  preset->addWidget(m_presetList);
+  preset->addStretch();
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(4, 6, 4, 4);
+  layout->addWidget(m_recordingTable, 1);
+  layout->addLayout(actions);
+  layout->addLayout(preset);
+  layout->addWidget(m_curve, 1);
+  return page;
+}
+
+QWidget* EmulatorPage::makeParameters() {
+  auto* page = new QWidget(this);
+  m_remark = new StatusLabel(page);
+  m_remark->setObjectName(QStringLiteral("emulatorRemark"));
+  m_remark->setWordWrap(true);
+  const auto withUnit = [](const QString& text, emulator::AxisParameter parameter) {
+    const QString unit = parameterUnit(parameter);
+    return unit.isEmpty() ? text : QStringLiteral("%1\u00a0%2").arg(text, unit);
+  };
+  m_parameterModel = new TableModel<ParameterRow>(
+      {{[] { return tr("Axis"); },
+        [](const ParameterRow& row) { return QString(QLatin1Char(row.axis)); }},
+       {[] { return tr("Parameter"); },
+        [](const ParameterRow& row) { return parameterName(row.estimate.parameter); }},
+       {[] { return tr("Value"); },
+        [withUnit](const ParameterRow& row) {
+          const emulator::AxisParameter parameter = row.estimate.parameter;
+          return withUnit(parameterText(parameter, row.estimate.value), parameter);
+        },
+        true},
+       {[] { return tr("Interval"); },
+        [](const ParameterRow& row) {
+          const emulator::ParameterEstimate& estimate = row.estimate;
+          return tr("%1 to %2")
+              .arg(parameterText(estimate.parameter, estimate.low),
+                   parameterText(estimate.parameter, estimate.high));
+        },
+        true},
+       {[] { return tr("Meaning"); },
+        [](const ParameterRow& row) { return parameterMeaning(row.estimate.parameter); }}},
+      this);
+  m_parameterTable = makeTable(m_parameterModel, "emulatorParameters", page);
+  m_parameterTable->setWordWrap(true);
+  m_parameterTable->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  m_parameterTable->horizontalHeader()->setSectionResizeMode(m_parameterModel->columnCount() - 1,
+                                                             QHeaderView::Stretch);
+  m_parameterTable->setMinimumHeight(kRecordingTablePx);
+  m_more = makeTouchButton(page);
+  m_more->setObjectName(QStringLiteral("emulatorMore"));
+  m_more->setCheckable(true);
+  m_response = new ResponsePanel(page);
+  m_response->setObjectName(QStringLiteral("emulatorResponse"));
+  m_response->hide();
+  auto* more = new QHBoxLayout;
+  more->addWidget(m_more);
+  more->addStretch();
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(4, 6, 4, 4);
+  layout->addWidget(m_remark);
+  layout->addWidget(m_parameterTable, 1);
+  layout->addLayout(more);
+  layout->addWidget(m_response, 1);
+  return page;
+}
+
+QWidget* EmulatorPage::makeTests() {
+  auto* page = new QWidget(this);
+  m_stretches = makeValueLabel(page);
+  m_stretches->setObjectName(QStringLiteral("emulatorStretches"));
+  m_stretches->setWordWrap(true);
+  m_testModel = new TableModel<TestRow>(
+      {{[] { return tr("Recording"); },
+        [](const TestRow& row) { return QString::fromStdString(row.fit.name); }},
+       {[] { return tr("Use"); },
+        [](const TestRow& row) { return row.isUnseen ? tr("Test") : tr("Learn"); }},
+       {[] { return tr("Position RMS, µm"); },
+        [](const TestRow& row) { return micrometres(row.fit.positionRmsMm); }, true},
+       {[] { return tr("at most, µm"); },
+        [](const TestRow& row) { return micrometres(row.fit.positionMaxMm); }, true},
+       {[] { return tr("Contour RMS, µm"); },
+        [](const TestRow& row) { return micrometres(row.fit.contourRmsMm); }, true},
+       {[] { return tr("emulated, µm"); },
+        [](const TestRow& row) { return micrometres(row.fit.emulatedContourRmsMm); }, true},
+       {[] { return tr("Speed, %"); },
+        [](const TestRow& row) { return significantText(1e2 * row.fit.speedRmsShare, 2); }, true}},
+      this);
+  m_testTable = makeTable(m_testModel, "emulatorTests", page);
+  m_testTable->setMinimumHeight(kRecordingTablePx);
+  m_testTable->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(4, 6, 4, 4);
+  layout->addWidget(m_stretches);
+  layout->addWidget(m_testTable, 1);
+  return page;
+}
+
+QWidget* EmulatorPage::makeMatrix() {
+  auto* page = new QWidget(this);
+  m_compare = makeTouchButton(page);
+  m_compare->setObjectName(QStringLiteral("emulatorCompare"));
+  m_matrixText = makeValueLabel(page);
+  m_worthText = makeValueLabel(page);
+  m_matrix = new HeatMap(page);
+  m_matrix->setObjectName(QStringLiteral("emulatorMatrix"));
+  m_worth = new BoxPlot(page);
+  m_worth->setObjectName(QStringLiteral("emulatorWorth"));
+  auto* charts = new QGridLayout;
+  charts->setHorizontalSpacing(16);
+  int column = 0;
+  for (const auto& [text, chart] :
+       {std::pair<QLabel*, QWidget*>{m_matrixText, m_matrix}, {m_worthText, m_worth}}) {
+    text->setWordWrap(true);
+    charts->addWidget(text, 0, column, Qt::AlignTop);
+    charts->addWidget(chart, 1, column);
+    charts->setColumnStretch(column, 1);
+    ++column;
+  }
+  charts->setRowStretch(1, 1);
+  auto* top = new QHBoxLayout;
+  top->addWidget(m_compare);
+  top->addStretch();
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(4, 6, 4, 4);
+  layout->addLayout(top);
+  layout->addLayout(charts, 1);
+  return page;
+}
+
+void EmulatorPage::connectParts() {
+  connect(m_add, &QPushButton::clicked, this, &EmulatorPage::chooseRecordings);
+  connect(m_program, &QPushButton::clicked, this, &EmulatorPage::chooseProgram);
+  connect(m_save, &QPushButton::clicked, this, &EmulatorPage::chooseFileToSave);
+  connect(m_learn, &QPushButton::clicked, this, &EmulatorPage::learnRequested);
+  connect(m_cancel, &QPushButton::clicked, this, &EmulatorPage::cancelRequested);
+  connect(m_compare, &QPushButton::clicked, this, [this] {
+    forgetNews();
+    Q_EMIT compareRequested();
+  });
+  connect(m_remove, &QPushButton::clicked, this, [this] {
+    forgetNews();
+    Q_EMIT removeRequested(chosenRecording());
+  });
+  const auto changeUse = [this] {
+    const int row = chosenRecording();
+    if (row >= 0 && m_use->isEnabled()) {
+      forgetNews();
+      Q_EMIT useChosen(row, !m_recordings[static_cast<std::size_t>(row)].isForTest);
+    }
+  };
+  connect(m_use, &QPushButton::clicked, this, changeUse);
+  connect(m_recordingTable, &QTableView::activated, this, changeUse);
+  connect(m_recordingTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          &EmulatorPage::showChoice);
+  connect(m_presetList, &QComboBox::activated, this, &EmulatorPage::choosePreset);
+  connect(m_more, &QPushButton::toggled, m_response, &QWidget::setVisible);
+}
+
+int EmulatorPage::chosenRecording() const {
+  const int row = m_recordingTable->currentIndex().row();
+  return row < static_cast<int>(m_recordings.size()) ? row : -1;
+}
+
+void EmulatorPage::setBlocked(const QString& reason) {
+  m_blocked = reason;
+  refresh();
+}
+
+void EmulatorPage::setRecordings(std::vector<RecordingView> recordings) {
+  const int row = m_recordingTable->currentIndex().row();
+  m_recordings = std::move(recordings);
+  m_recordingModel->setRows(m_recordings);
+  if (!m_recordings.empty()) {
+    m_recordingTable->selectRow(std::clamp(row, 0, static_cast<int>(m_recordings.size()) - 1));
+  }
+  showChoice();
+  refresh();
+}
+
+void EmulatorPage::setPresets(const QStringList& names, const QString& chosen) {
+  m_presets = names;
+  m_preset = chosen;
+  if (!m_presets.contains(chosen)) {
+    m_presets.append(chosen);
+  }
+  m_presetList->clear();
+  for (const QString& name : std::as_const(m_presets)) {
+    m_presetList->addItem(nameOfFile(name));
+  }
+  m_presetList->addItem(tr("File…"));
+  m_presetList->setCurrentIndex(static_cast<int>(m_presets.indexOf(chosen)));
+}
+
+void EmulatorPage::startLearning() {
+  m_isLearning = true;
+  forgetNews();
+  m_progress.reset();
+  m_steps.clear();
+  m_shareShown = 0.0;
+  m_tabs->tabs()->setCurrentIndex(kRecordings);
+  showCurve();
+  refresh();
+}
+
+void EmulatorPage::addProgress(const emulator::LearnProgress& progress) {
+  m_progress = progress;
+  m_shareShown = std::max(m_shareShown, progress.share);
+  m_steps[progress.axis].push_back(progress);
+  showCurve();
+  refresh();
+}
+
+void EmulatorPage::showComparing(double share) {
+  m_isComparing = true;
+  m_shareShown = share;
+  refresh();
+}
+
+void EmulatorPage::endLearning() {
+  m_isLearning = false;
+  m_isComparing = false;
+  refresh();
+}
+
+void EmulatorPage::setEmulator(std::shared_ptr<const EmulatorView> emulator) {
+  const bool isNew = emulator && emulator != m_emulator;
+  m_emulator = std::move(emulator);
+  forgetNews();
+  if (isNew) {
+    m_crossTest = {};
+  }
+  showResult();
+  QStringList runs;
+  if (m_emulator) {
+    for (const auto* list : {&m_emulator->learnedFrom, &m_emulator->unseen}) {
+      for (const emulator::RunFit& fit : *list) {
+        runs.append(QString::fromStdString(fit.name));
+      }
+    }
+  }
+  m_overlay->setRuns(runs);
+  if (isNew) {
+    m_tabs->tabs()->setCurrentIndex(kParameters);
+  }
+  refresh();
+}
+
+void EmulatorPage::setCrossTest(emulator::CrossTest test) {
+  m_crossTest = std::move(test);
+  showMatrix();
+}
+
+void EmulatorPage::forgetNews() {
+  m_problem.clear();
+  m_saved.clear();
+}
+
+void EmulatorPage::showProblem(const QString& sentence) {
+  m_problem = sentence;
+  refresh();
+}
+
+void EmulatorPage::showSaved(const QString& path) {
+  m_problem.clear();
+  m_saved = path;
+  refresh();
+}
+
+void EmulatorPage::chooseRecordings() {
+  forgetNews();
+  const QStringList paths = QFileDialog::getOpenFileNames(
+      this, tr("Add recordings"), QString(),
+      tr("Traces") + QStringLiteral(" (*.rivulet *.csv *.tsv *.txt *.xml *.zst *.dat *.log);;") +
+          tr("All files") + QStringLiteral(" (*)"));
+  if (!paths.isEmpty()) {
+    Q_EMIT addRequested(paths);
+  }
+}
+
+void EmulatorPage::chooseProgram() {
+  const int row = chosenRecording();
+  if (row < 0) {
+    return;
+  }
+  forgetNews();
+  const RecordingView& recording = m_recordings[static_cast<std::size_t>(row)];
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("NC program of %1").arg(nameOfFile(recording.trace)),
+      QFileInfo(recording.trace).path(), tr("All files") + QStringLiteral(" (*)"));
+  if (!path.isEmpty()) {
+    Q_EMIT programChosen(row, path);
+  }
+}
+
+void EmulatorPage::choosePreset(int index) {
+  QString preset = m_presets.value(index);
+  if (index == m_presets.size()) {
+    preset = QFileDialog::getOpenFileName(this, tr("Preset of the machine"), QString(),
+                                          tr("Presets") + QStringLiteral(" (*.toml)"));
+  }
+  m_presetList->setCurrentIndex(static_cast<int>(m_presets.indexOf(m_preset)));
+  if (!preset.isEmpty() && preset != m_preset) {
+    forgetNews();
+    Q_EMIT presetChosen(preset);
+  }
+}
+
+void EmulatorPage::chooseFileToSave() {
+  QString path =
+      QFileDialog::getSaveFileName(this, tr("Save as preset"), QStringLiteral("machine.toml"),
+                                   tr("Presets") + QStringLiteral(" (*.toml)"));
+  if (path.isEmpty()) {
+    return;
+  }
+  if (QFileInfo(path).suffix().toLower() != QLatin1String("toml")) {
+    path += QStringLiteral(".toml");
+  }
+  Q_EMIT saveRequested(path);
+}
+
+void EmulatorPage::showChoice() {
+  const int row = chosenRecording();
+  const bool isFree = row >= 0 && !m_isLearning && !m_isComparing;
+  for (QPushButton* button : {m_program, m_use, m_remove}) {
+    button->setEnabled(isFree);
+  }
+  const bool isForTest = row >= 0 && m_recordings[static_cast<std::size_t>(row)].isForTest;
+  m_use->setText(isForTest ? tr("Use to learn") : tr("Use to test"));
+  m_use->setAccessibleName(m_use->text());
+}
+
+void EmulatorPage::showCurve() {
+  std::vector<ChartCurve> curves;
+  std::size_t color = 0;
+  for (const auto& [axis, steps] : m_steps) {
+    ChartCurve best{QString(QLatin1Char(axis)), color, false, {}};
+    ChartCurve tried{{}, color, true, {}};
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const auto at = static_cast<double>(i + 1);
+      best.points.emplace_back(at, 1e3 * steps[i].heldOutRmsMm);
+      tried.points.emplace_back(at, 1e3 * steps[i].triedRmsMm);
+    }
+    curves.push_back(std::move(best));
+    curves.push_back(std::move(tried));
+    ++color;
+  }
+  m_curve->setCurves(std::move(curves));
+  m_curve->setVisible(m_isLearning || !m_steps.empty());
+}
+
+void EmulatorPage::showResult() {
+  std::vector<ParameterRow> parameters;
+  std::vector<TestRow> tests;
+  QStringList stretches;
+  if (m_emulator) {
+    for (const emulator::LearnedAxis& axis : m_emulator->emulator.axes) {
+      for (const emulator::ParameterEstimate& estimate : axis.estimates) {
+        parameters.push_back({axis.axis, estimate});
+      }
+      stretches.append(QString(QLatin1Char(axis.axis)) + QLatin1Char(' ') +
+                       errorLengthText(axis.heldOutRmsMm));
+    }
+    for (const emulator::RunFit& fit : m_emulator->unseen) {
+      tests.push_back({fit, true});
+    }
+    for (const emulator::RunFit& fit : m_emulator->learnedFrom) {
+      tests.push_back({fit, false});
+    }
+    const EmulatorRemark remark = emulatorRemark(*m_emulator);
+    m_remark->setStatus(remark.status, remark.text);
+  } else {
+    m_remark->setStatus(Status::Unknown, tr("Nothing is learned yet."));
+  }
+  m_parameterModel->setRows(parameters);
+  m_testModel->setRows(tests);
+  m_stretches->setText(
+      stretches.isEmpty()
+          ? tr("Nothing is learned yet.")
+          : tr("On stretches that were held out while learning (RMS): %1. A recording used to test "
+               "was not learned from at all.")
+                .arg(stretches.join(QStringLiteral(", "))));
+  m_response->setAxes(m_emulator ? m_emulator->emulator.axes
+                                 : std::vector<emulator::LearnedAxis>{});
+  m_parameterTable->setVisible(m_emulator != nullptr);
+  m_testTable->setVisible(m_emulator != nullptr);
+  m_more->setVisible(m_emulator != nullptr);
+  m_response->setVisible(m_emulator != nullptr && m_more->isChecked());
+  showMatrix();
+}
+
+void EmulatorPage::showMatrix() {
+  const bool isThere = !m_crossTest.runs.empty();
+  QStringList names;
+  for (const std::string& run : m_crossTest.runs) {
+    names.append(QString::fromStdString(run));
+  }
+  std::vector<std::vector<double>> micrometre = m_crossTest.rmsMm;
+  for (std::vector<double>& row : micrometre) {
+    for (double& value : row) {
+      value *= 1e3;
+    }
+  }
+  m_matrix->setCells(names, std::move(micrometre));
+  std::vector<ChartBox> boxes;
+  std::size_t color = 0;
+  for (const emulator::ParameterWorth& worth : m_crossTest.worth) {
+    if (!boxes.empty() && !boxes.back().name.startsWith(QLatin1Char(worth.axis))) {
+      ++color;
+    }
+    ChartBox box{
+        QString(QLatin1Char(worth.axis)) + QLatin1Char(' ') + parameterName(worth.parameter),
+        color,
+        {}};
+    for (const double mm : worth.rmsMm) {
+      box.values.push_back(1e3 * mm);
+    }
+    boxes.push_back(std::move(box));
+  }
+  m_worth->setBoxes(std::move(boxes));
+  m_matrixText->setText(
+      isThere ? tr("How far an emulator is off that was learned from one recording alone.")
+              : tr("Learns from each recording alone and tests on all others. So you see which "
+                   "recordings teach most, and what each parameter is worth."));
+  m_worthText->setText(
+      tr("How much the positions would change on each recording if a parameter were 10 % larger."));
+  m_matrix->setVisible(isThere);
+  m_worthText->setVisible(isThere);
+  m_worth->setVisible(isThere);
+}
+
+QString EmulatorPage::obstacle() const {
+  bool learnsFrom = false;
+  for (const RecordingView& row : m_recordings) {
+    if (row.state == RecordingView::State::Reading) {
+      return tr("Reading %1 …").arg(nameOfFile(row.trace));
+    }
+    if (row.state == RecordingView::State::NeedsProgram) {
+      return tr("%1 has no set points: choose its NC program.").arg(nameOfFile(row.trace));
+    }
+    learnsFrom = learnsFrom || !row.isForTest;
+  }
+  if (m_recordings.empty()) {
+    return tr(
+        "Record a few programs with different feeds, corners and reversals, and add the "
+        "recordings here.");
+  }
+  return learnsFrom ? QString() : tr("All recordings are used to test: use one to learn.");
+}
+
+void EmulatorPage::refresh() {
+  const QString blocking = obstacle();
+  const bool isBusy = m_isLearning || m_isComparing;
+  m_learn->setVisible(!isBusy);
+  m_cancel->setVisible(isBusy);
+  m_bar->setVisible(isBusy);
+  m_add->setEnabled(!isBusy);
+  m_save->setEnabled(!isBusy && m_emulator != nullptr);
+  m_compare->setEnabled(!isBusy && m_blocked.isEmpty() && m_emulator != nullptr);
+  m_presetList->setEnabled(!isBusy);
+  m_learn->setEnabled(m_blocked.isEmpty() && blocking.isEmpty());
+  m_bar->setValue(static_cast<int>(std::lround(kBarSteps * m_shareShown)));
+  showChoice();
+  if (m_isComparing) {
+    m_note->setStatus(Status::Busy, tr("Learning from each recording alone …"));
+  } else if (m_isLearning) {
+    m_note->setStatus(
+        Status::Busy,
+        m_progress ? tr("Learning axis %1: %2 of %3 models tried, the best is right within %4.")
+                         .arg(QString(QLatin1Char(m_progress->axis)),
+                              QString::number(m_progress->step), QString::number(m_progress->steps),
+                              errorLengthText(m_progress->heldOutRmsMm))
+                   : tr("Learning …"));
+  } else if (!m_problem.isEmpty()) {
+    m_note->setStatus(Status::Fault, m_problem);
+  } else if (!m_blocked.isEmpty()) {
+    m_note->setStatus(Status::Attention, m_blocked);
+  } else if (!m_saved.isEmpty()) {
+    m_note->setStatus(
+        Status::Good,
+        tr("Saved as %1. Give it to the virtual machine as its preset.").arg(m_saved));
+  } else if (!blocking.isEmpty()) {
+    const bool isReading = std::any_of(
+        m_recordings.begin(), m_recordings.end(),
+        [](const RecordingView& row) { return row.state == RecordingView::State::Reading; });
+    m_note->setStatus(isReading              ? Status::Busy
+                      : m_recordings.empty() ? Status::Plain
+                                             : Status::Attention,
+                      blocking);
+  } else if (m_emulator) {
+    m_note->setStatus(Status::Good, tr("Learned and tested. Save it as a preset to use it."));
+  } else {
+    m_note->setStatus(Status::Plain, tr("Ready to learn. Recordings used to test show how good the "
+                                        "emulator is on programs it has not seen."));
+  }
+}
+
+void EmulatorPage::retranslate() {
+  const auto label = [](QPushButton* button, const QString& text, const QString& tip) {
+    button->setText(text);
+    button->setAccessibleName(text);
+    button->setToolTip(tip);
+  };
+  label(m_add, tr("Add…"), tr("Add recordings of the machine"));
+  label(m_learn, tr("Learn"), tr("Learn from the recordings how the axes follow their set points"));
+  label(m_cancel, tr("Cancel"), tr("Stop learning; what was learned before stays"));
+  label(m_save, tr("Save…"), tr("Save the emulator as a preset of the virtual machine"));
+  label(m_program, tr("NC program…"), tr("What ran: needed for a recording without set points"));
+  m_use->setToolTip(tr("A recording used to test is not learned from"));
+  label(m_remove, tr("Remove"), tr("Takes the recording from the list; the file stays"));
+  label(m_compare, tr("Compare recordings"),
+        tr("Takes at most as long as learning, for each recording"));
+  label(m_more, tr("Bode and step plots"), tr("For those who know control engineering"));
+  m_bar->setAccessibleName(tr("Progress"));
+  m_presetName->setText(tr("What recordings do not say"));
+  m_presetList->setAccessibleName(m_presetName->text());
+  m_presetList->setToolTip(tr(
+      "Preset that has the limits of the machine; set points of programs are planned with them"));
+  m_presetList->setItemText(m_presetList->count() - 1, tr("File…"));
+  m_curve->setTitles(tr("Error on stretches held out, while learning"), tr("Models tried"),
+                     tr("Error, µm"));
+  m_recordingTable->setAccessibleName(tr("Recordings"));
+  m_recordingTable->setToolTip(tr("Enter changes the use of a recording"));
+  m_parameterTable->setAccessibleName(tr("Parameters"));
+  m_testTable->setAccessibleName(tr("Tests"));
+  m_matrix->setTitles(tr("Matrix of errors"), tr("Tested on"),
+                      tr("Learned from (error RMS in µm)"));
+  m_worth->setTitles(tr("Worth of the parameters"), tr("Change of the positions, RMS, µm"));
+  m_tabs->setTexts(
+      {tr("Recordings"), tr("Parameters"), tr("Tests"), tr("Matrix"), tr("Comparison")},
+      tr("Part of the page"));
+  m_recordingModel->refresh();
+  m_parameterModel->refresh();
+  m_testModel->refresh();
+  showCurve();
+  showResult();
+  refresh();
+}
+
+void EmulatorPage::restyle() {
+  m_curve->update();
+}
+
+void EmulatorPage::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  const bool isFile =
+      std::any_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); });
+  if (isFile && m_add->isEnabled()) {
+    event->acceptProposedAction();
+  }
+}
+
+void EmulatorPage::dropEvent(QDropEvent* event) {
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (url.isLocalFile()) {
+      paths.append(url.toLocalFile());
+    }
+  }
+  if (!paths.isEmpty()) {
+    forgetNews();
+    event->acceptProposedAction();
+    Q_EMIT addRequested(paths);
+  }
+}
+
+}  // namespace rivulet::widgets
