@@ -6,10 +6,12 @@
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QDragEnterEvent>
+#include <QGestureEvent>
 #include <QMenu>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPinchGesture>
 #include <QWheelEvent>
 #include <algorithm>
 #include <array>
@@ -51,6 +53,7 @@ ScopePane::ScopePane(ScopeCurves* curves, TimeWindow* window, ScopeCursors* curs
   setFocusPolicy(Qt::StrongFocus);
   setAcceptDrops(true);
   setMouseTracking(true);
+  grabGesture(Qt::PinchGesture);
   setAttribute(Qt::WA_OpaquePaintEvent);
   QFont small = font();
   small.setPointSizeF(kScopeFontPt);
@@ -359,6 +362,25 @@ std::optional<ScopeCursors::Which> ScopePane::cursorAt(double x) const {
     }
   }
   return std::nullopt;
+}
+
+/// Two fingers zoom: the time between them stays there.
+bool ScopePane::event(QEvent* event) {
+  if (event->type() != QEvent::Gesture) {
+    return Page::event(event);
+  }
+  auto* gestures = static_cast<QGestureEvent*>(event);
+  auto* pinch = static_cast<QPinchGesture*>(gestures->gesture(Qt::PinchGesture));
+  if (pinch == nullptr) {
+    return false;
+  }
+  m_drag = Drag::None;
+  if (pinch->changeFlags().testFlag(QPinchGesture::ScaleFactorChanged) &&
+      pinch->scaleFactor() > 0.0) {
+    m_window->zoom(1.0 / pinch->scaleFactor(), secondsAt(mapFromGlobal(pinch->centerPoint()).x()));
+  }
+  gestures->accept(pinch);
+  return true;
 }
 
 void ScopePane::wheelEvent(QWheelEvent* event) {

@@ -86,6 +86,7 @@ class ScopePane final : public Page {
  protected:
   void retranslate() override;
   void restyle() override;
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QMimeData>
+#include <QPointingDevice>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
@@ -571,6 +572,37 @@ class TestTracePage : public QObject {
     QVERIFY(std::abs(page.timeWindow()->toS() - page.timeWindow()->fromS() - 0.5) < 1e-9);
     QTest::keyClick(table, Qt::Key_Down);
     QTest::keyClick(table, Qt::Key_Return);
+  }
+
+  /// The time in the middle of two fingers stays there.
+  void aPinchZooms() {
+    TracePage page;
+    page.showTraces({test::shownTrace(*test::controlTrace(0.9))}, TracePage::Source::Files);
+    page.resize(1000, 640);
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    ScopePane* pane = page.view()->panes()[0];
+    const std::unique_ptr<QPointingDevice> touch(QTest::createTouchDevice());
+    const TimeWindow& time = *page.timeWindow();
+    const double fromS = time.fromS();
+    const double spanS = time.toS() - fromS;
+    const QPoint middle = pane->rect().center();
+    const auto apart = [&middle](int px) {
+      return std::pair(middle - QPoint(px, 0), middle + QPoint(px, 0));
+    };
+    const auto [left, right] = apart(40);
+    QTest::touchEvent(pane, touch.get()).press(0, left, pane).press(1, right, pane);
+    for (int px = 50; px <= 100; px += 10) {
+      const auto [a, b] = apart(px);
+      QTest::touchEvent(pane, touch.get()).move(0, a, pane).move(1, b, pane);
+    }
+    const auto [a, b] = apart(100);
+    QTest::touchEvent(pane, touch.get()).release(0, a, pane).release(1, b, pane);
+    const double share = (time.toS() - time.fromS()) / spanS;
+    QVERIFY2(share > 0.35 && share < 0.6, qPrintable(QString::number(share)));
+    QVERIFY(time.fromS() > fromS && time.toS() < fromS + spanS);
+    // Two fingers are neither a click nor a drag.
+    QVERIFY(!page.findChild<ScopeCursors*>()->atS(ScopeCursors::A));
   }
 
   /// Four panes beside the list do not make the window scroll at 1024 x 768.
