@@ -3,7 +3,7 @@
 
 // How fast long traces are drawn: five signals of so many samples in the panes of the window, and
 // as line series of Qt Charts. The same views one after another: first all, then zooms and moves.
-// Times are those of the processor.
+// Then what following a run takes that sends twenty signals. Times are those of the processor.
 
 #include <fmt/format.h>
 
@@ -34,6 +34,9 @@ constexpr double kStepS = 0.001;
 constexpr int kWidth = 1600;
 constexpr int kHeight = 900;
 constexpr double kChartsBudgetS = 60.0;
+constexpr int kLiveSignals = 20;
+constexpr int kLiveS = 120;
+constexpr int kLiveFramesPerS = 25;
 
 template <class Work>
 double millisecondsOf(const Work& work) {
@@ -126,6 +129,42 @@ void measurePanes(int samples, const std::vector<View>& views) {
              packedMb * 1e6 / kSignals / samples);
 }
 
+/// A run as it is followed: the samples since the last picture, then a picture of what is seen.
+void measureLive() {
+  std::vector<trace::SignalOffer> offers;
+  std::vector<QStringList> panes(kSignals);
+  for (int signal = 0; signal < kLiveSignals; ++signal) {
+    const std::string name = fmt::format("s{}", signal);
+    offers.push_back({trace::SignalGroup::Actual, name, name, "mm"});
+    panes[static_cast<std::size_t>(signal % kSignals)].append(QString::fromStdString(name));
+  }
+  widgets::ScopeCurves curves;
+  widgets::TimeWindow window;
+  widgets::ScopeCursors cursors;
+  const std::vector<widgets::StopRow> stops;
+  widgets::ScopeView view(&curves, &window, &cursors, &stops);
+  view.resize(kWidth, kHeight);
+  curves.startLive(std::move(offers));
+  view.setArrangement(panes);
+  constexpr int kSamples = static_cast<int>(1.0 / kStepS) / kLiveFramesPerS;
+  const double spentMs = millisecondsOf([&] {
+    for (int frame = 0; frame < kLiveS * kLiveFramesPerS; ++frame) {
+      for (int i = 0; i < kSamples; ++i) {
+        const int sample = frame * kSamples + i;
+        for (int signal = 0; signal < kLiveSignals; ++signal) {
+          curves.appendLive(QStringLiteral("s%1").arg(signal), sample * kStepS,
+                            valueOf(signal, sample));
+        }
+        window.setEnd(sample * kStepS);
+      }
+      view.redrawNow();
+      static_cast<void>(view.grab());
+    }
+  });
+  fmt::print("live: {} signals of 1 kHz in {} panes, {} pictures per second: {:.1f} % of a core\n",
+             kLiveSignals, kSignals, kLiveFramesPerS, 100.0 * spentMs / (1e3 * kLiveS));
+}
+
 void measureCharts(int samples, const std::vector<View>& views) {
   const double before = bench::residentMb();
   QChart chart;
@@ -180,5 +219,6 @@ int main(int argc, char** argv) {
   fmt::print("{:12} {:>9} {:>11} {:>9} {:>9} {:>9} {:>9}\n", "", "made, ms", "first, ms", "median",
              "slowest", "frames", "MB");
   measurePanes(samples, views);
+  measureLive();
   measureCharts(samples, views);
 }

@@ -262,10 +262,10 @@ std::vector<SignalOffer> ScopeCurves::liveOffers() {
   return offers;
 }
 
-void ScopeCurves::startLive() {
+void ScopeCurves::startLive(std::vector<SignalOffer> offers) {
   setTraces({});
   m_isLive = true;
-  m_offers = liveOffers();
+  m_offers = std::move(offers);
   for (const SignalOffer& offer : m_offers) {
     m_live[QString::fromStdString(offer.formula)] = std::make_shared<trace::Envelope>();
   }

@@ -53,8 +53,8 @@ class ScopeCurves final : public QObject {
 
   /// What is seen of every run while it lasts.
   [[nodiscard]] static std::vector<trace::SignalOffer> liveOffers();
-  /// Begins a run: an empty trace to which values are appended.
-  void startLive();
+  /// Begins a run: an empty trace to which values are appended. @param offers  its signals
+  void startLive(std::vector<trace::SignalOffer> offers = liveOffers());
   /// A value that is older than the last one is shown at the time of that.
   void appendLive(const QString& formula, double atS, double value);
 
