@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -363,8 +364,10 @@ void addDesigns(const std::vector<Design>& designs, Experiment& result) {
 
 /// The motion that is left of an axis long after a kick.
 struct SlowestMode {
-  double growthPerS = 0.0;  ///< of its amplitude, natural logarithm; below 0: it dies away
+  /// Of its amplitude, natural logarithm; nothing: too little was left to measure it.
+  std::optional<double> growthPerS;
   double hz = 0.0;
+  bool ranAway = false;  ///< an axis of the same emulator did, before the end
 };
 
 /// Seen in the model itself: its set point is 1 mm for 0.1 s and 0 for 200 s then, without the
@@ -390,6 +393,7 @@ std::array<SlowestMode, 2> slowestModes(emulator::paper::Parameters values,
   const auto perWindow = static_cast<std::size_t>(kWindowS / (kStepS * kPointEach));
   std::array<SlowestMode, 2> modes;
   for (std::size_t axis = 0; axis < modes.size(); ++axis) {
+    modes[axis].ranAway = answer.diverged();
     const std::vector<double>& mm = answer.mm[axis];
     std::vector<double> peaks;
     for (std::size_t from = 0; from + perWindow <= mm.size(); from += perWindow) {
@@ -403,7 +407,6 @@ std::array<SlowestMode, 2> slowestModes(emulator::paper::Parameters values,
       peaks.push_back(peak);
     }
     if (peaks.size() < 3) {
-      modes[axis].growthPerS = peaks.empty() ? 0.0 : std::log(kFaintestMm) / kWindowS;
       continue;
     }
     const std::size_t first = peaks.size() / 2;
@@ -424,13 +427,17 @@ void addModes(const TrainTestMatrix& matrix, const LearnSettings& settings, Tabl
   for (std::size_t i = 0; i < matrix.learned.size(); ++i) {
     const auto modes = slowestModes(matrix.learned[i].values, settings.plant);
     for (std::size_t axis = 0; axis < modes.size(); ++axis) {
-      const auto grownBy = [&](double seconds) {
-        return fmt::format("{:.3g}", std::exp(modes[axis].growthPerS * seconds));
+      const std::optional<double>& growth = modes[axis].growthPerS;
+      const auto grownBy = [&growth](double seconds) {
+        return growth ? fmt::format("{:.3g}", std::exp(*growth * seconds)) : std::string("–");
       };
       table.rows.push_back({kPublishedDesigns[i], fmt::format("{:g}", matrix.lambda),
-                            axis == kAxisX ? "X" : "Y", fmt::format("{:.2f}", modes[axis].hz),
-                            fmt::format("{:+.4f}", modes[axis].growthPerS), grownBy(28.0),
-                            grownBy(98.0)});
+                            axis == kAxisX ? "X" : "Y",
+                            growth ? fmt::format("{:.2f}", modes[axis].hz) : "–",
+                            growth                ? fmt::format("{:+.4f}", *growth)
+                            : modes[axis].ranAway ? "ran away within 15 s"
+                                                  : "gone within 15 s",
+                            grownBy(28.0), grownBy(98.0)});
     }
   }
 }
