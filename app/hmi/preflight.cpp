@@ -126,12 +126,19 @@ std::vector<PreflightItem> Preflight::items() const {
   if (const auto blocked = isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked()) {
     items.push_back({Status::Fault, tr("In the way"), widgets::blockedText(blocked), {}, 0});
   }
-  if (m_document.live()) {
-    for (PreflightItem& item : liveItems()) {
-      items.push_back(std::move(item));
-    }
-    return items;
+  for (PreflightItem& item : m_document.live() ? liveItems() : programItems()) {
+    items.push_back(std::move(item));
   }
+  items.push_back(accessItem());
+  items.push_back(originItem());
+  if (m_users != nullptr && m_users->isSetUp()) {
+    items.push_back(releaseItem());
+  }
+  return items;
+}
+
+std::vector<PreflightItem> Preflight::programItems() const {
+  std::vector<PreflightItem> items;
   items.push_back(programItem());
   items.push_back(machineItem());
   if (m_document.outline() != nullptr && !isForChosenLine()) {
@@ -152,11 +159,6 @@ std::vector<PreflightItem> Preflight::items() const {
                      widgets::rehearsalText(*rehearsal),
                      {},
                      0});
-  }
-  items.push_back(accessItem());
-  items.push_back(originItem());
-  if (m_users != nullptr && m_users->isSetUp()) {
-    items.push_back(releaseItem());
   }
   return items;
 }
@@ -201,11 +203,6 @@ std::vector<PreflightItem> Preflight::liveItems() const {
                        .arg(widgets::silenceText(live.setup.limits)),
                    {},
                    0});
-  items.push_back(accessItem());
-  items.push_back(originItem());
-  if (m_users != nullptr && m_users->isSetUp()) {
-    items.push_back(releaseItem());
-  }
   return items;
 }
 

@@ -69,6 +69,7 @@ class Preflight final : public QObject {
   void stretchRequested(int stretches);
 
  private:
+  [[nodiscard]] std::vector<widgets::PreflightItem> programItems() const;
   /// Of a live source.
   [[nodiscard]] std::vector<widgets::PreflightItem> liveItems() const;
   [[nodiscard]] widgets::PreflightItem liveStartItem() const;
