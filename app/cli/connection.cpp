@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "machine/machine.h"
+#include "opcua/control_map.h"
 #include "streaming/simulation/simulated_link.h"
 
 #ifdef RIVULET_WITH_OPEN62541
@@ -39,6 +40,18 @@ struct SimulatedCell {
 
 void setConnectionOptions(const ConnectionOptions& options) {
   connectionOptions() = options;
+}
+
+base::Result<std::shared_ptr<const opcua::ControlMap>> chosenMap() {
+  const std::string& file = connectionOptions().mapFile;
+  if (file.empty()) {
+    return nullptr;
+  }
+  auto map = opcua::readControlMap(file);
+  if (!map) {
+    return base::fail(map.error());
+  }
+  return std::make_shared<const opcua::ControlMap>(std::move(*map));
 }
 
 #ifdef RIVULET_WITH_OPEN62541
@@ -90,9 +103,25 @@ base::Error withOption(base::Error error) {
 }  // namespace
 
 base::Result<Connection> connectTo(const std::string& endpoint) {
+  auto map = chosenMap();
+  if (!map) {
+    return base::fail(map.error());
+  }
+  if (*map != nullptr) {
+    for (const opcua::MapGap& gap : opcua::gapsOf(**map)) {
+      log::logger().warn("{} has no {}: {}.", connectionOptions().mapFile, gap.key,
+                         gap.consequence);
+    }
+  }
+  return connectTo(endpoint, std::move(*map));
+}
+
+base::Result<Connection> connectTo(const std::string& endpoint,
+                                   std::shared_ptr<const opcua::ControlMap> map) {
   const ConnectionOptions& options = connectionOptions();
   opcua::ConnectRequest request;
   request.endpoint = endpoint;
+  request.map = std::move(map);
   request.sessionName = "rivulet-cli";
   if (!options.security.empty()) {
     request.security = opcua::securityChoiceOf(options.security);
@@ -125,7 +154,12 @@ base::Result<Connection> connectTo(const std::string& endpoint) {
 
 #else
 
-base::Result<Connection> connectTo(const std::string& /*endpoint*/) {
+base::Result<Connection> connectTo(const std::string& endpoint) {
+  return connectTo(endpoint, nullptr);
+}
+
+base::Result<Connection> connectTo(const std::string& /*endpoint*/,
+                                   std::shared_ptr<const opcua::ControlMap> /*map*/) {
   return base::fail(opcua::LinkError::NotReachable,
                     "This build has no OPC UA. Use --simulate, or build with open62541.");
 }

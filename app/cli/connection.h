@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "base/result.h"
@@ -23,15 +24,22 @@ struct ConnectionOptions {
   std::string fingerprint;   ///< of the server's certificate that is accepted
   std::string user;          ///< empty: anonymous
   std::string passwordFile;  ///< empty: asked for, or from the environment
+  std::string mapFile;       ///< of a control that is no SINUMERIK; empty: it is one
 };
 
 /// For all connections from now on.
 void setConnectionOptions(const ConnectionOptions& options);
 
-/// Says on standard error if the connection is not protected, and asks on the terminal about the
-/// certificate of a server that is not known.
+/// Says on standard error if the connection is not protected, and what its map does not name. Asks
+/// on the terminal about the certificate of a server that is not known.
 /// @param endpoint  "opc.tcp://host:port"
 [[nodiscard]] base::Result<Connection> connectTo(const std::string& endpoint);
+/// The same with this map, whatever file was named.
+[[nodiscard]] base::Result<Connection> connectTo(const std::string& endpoint,
+                                                 std::shared_ptr<const opcua::ControlMap> map);
+
+/// The map of the option; null without it.
+[[nodiscard]] base::Result<std::shared_ptr<const opcua::ControlMap>> chosenMap();
 
 /// @param preset  name or file
 [[nodiscard]] base::Result<Connection> simulate(const std::string& preset, std::uint64_t seed);

@@ -827,6 +827,8 @@ void addConnection(CLI::App& app, rivulet::cli::ConnectionOptions& options) {
   app.add_option("--password-file", options.passwordFile,
                  "File of mode 0600 with the password; else RIVULET_PASSWORD, the systemd "
                  "credential rivulet-password, or the terminal");
+  app.add_option("--map", options.mapFile,
+                 "Map of a control that is no SINUMERIK, .toml: which node is what");
 }
 
 #endif

@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/console.h"
+#include "opcua/control_map.h"
 
 namespace rivulet::cli {
 
@@ -59,7 +60,10 @@ Exit rights(const RightsOptions& options) {
   if (!connection) {
     return reportError(connection.error(), options.json);
   }
-  const auto report = opcua::examineRights(*connection->link, *connection->control);
+  const auto map = chosenMap();
+  const int cell = map && *map != nullptr ? (*map)->cells.first : 0;
+  const auto report = opcua::examineRights(*connection->link, *connection->control,
+                                           opcua::kRightsDeadline, opcua::rParameter(cell));
   if (!report) {
     return reportError(report.error(), options.json);
   }

@@ -100,6 +100,7 @@ opcua::Attempt connect(const ConnectRequest& request, const std::filesystem::pat
   options.user = request.user;
   options.password = request.password;
   options.nodes = request.nodes;
+  options.map = request.map;
   options.own = [&] { return ownCertificate(folder, Owner::Client); };
   options.offered = [&](std::span<const opcua::EndpointOffer> offers) {
     seen.offers.assign(offers.begin(), offers.end());

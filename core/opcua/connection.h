@@ -19,6 +19,9 @@
 
 namespace rivulet::opcua {
 
+class NodeBrowser;
+struct ControlMap;
+
 struct Connection {
   std::shared_ptr<void> owner;  ///< keeps both interfaces alive
   Link* link = nullptr;
@@ -28,6 +31,7 @@ struct Connection {
   std::optional<ChannelSecurity> security = std::nullopt;
   /// Of the server; nothing without encryption.
   std::optional<CertificateFacts> certificate = std::nullopt;
+  NodeBrowser* browser = nullptr;  ///< of a connection over OPC UA
 
   explicit operator bool() const { return link != nullptr; }
 };
@@ -47,6 +51,8 @@ struct ConnectRequest {
   std::string password = {};
   /// Of a server that is no SINUMERIK; empty: the nodes have the names of `node_map`.
   NodeAddresses nodes = {};
+  /// Of a control that is no SINUMERIK; null: it is one, or `nodes` says what it has.
+  std::shared_ptr<const ControlMap> map = nullptr;
 };
 
 /// What a person can decide after an attempt was refused. The answer is another attempt.

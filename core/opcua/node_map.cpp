@@ -165,10 +165,12 @@ std::optional<ParameterArray> arrayOf(std::string_view identifier) {
   return ParameterArray{*first, count, isCount ? Grouping::ArrayCount : Grouping::ArrayRange};
 }
 
+bool isSubprogramName(std::string_view name) {
+  return name.size() >= 4 && base::toUpper(name.substr(name.size() - 4)) == ".SPF";
+}
+
 std::string programPath(std::string_view name) {
-  const bool isSubprogram =
-      name.size() >= 4 && base::toUpper(name.substr(name.size() - 4)) == ".SPF";
-  return std::string(isSubprogram ? kSubPrograms : kPartPrograms).append(name);
+  return std::string(isSubprogramName(name) ? kSubPrograms : kPartPrograms).append(name);
 }
 
 std::optional<std::string> programNameOf(std::string_view path) {

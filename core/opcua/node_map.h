@@ -84,6 +84,9 @@ struct ParameterArray {
 /// ("R[10,#5]"). @return nothing for anything else, an empty array included
 [[nodiscard]] std::optional<ParameterArray> arrayOf(std::string_view identifier);
 
+/// Whether this is the name of a subprogram: it ends in SPF.
+[[nodiscard]] bool isSubprogramName(std::string_view name);
+
 /// Path of a part program in the control's file system.
 [[nodiscard]] std::string programPath(std::string_view name);
 

@@ -93,19 +93,18 @@ constexpr const char* kAbsentProgram = "RIVULET_RIGHTS_TEST.MPF";
 
 /// What the server does, as far as it can be seen without changing anything.
 [[nodiscard]] base::Result<std::optional<bool>> tryRight(RunRight right, Link& link,
-                                                         Control& control,
+                                                         Control& control, const Variable& cell,
                                                          base::Duration deadline) {
-  const Variable first = rParameter(0);
   switch (right) {
     case RunRight::ReadVariables: {
-      const auto readings = readNow(link, {&first, 1}, deadline);
+      const auto readings = readNow(link, {&cell, 1}, deadline);
       if (!readings) {
         return base::fail(readings.error());
       }
       return !readings->front().status;
     }
     case RunRight::WriteParameters: {
-      const auto may = control.mayWrite(first);
+      const auto may = control.mayWrite(cell);
       return may ? std::optional(*may) : std::nullopt;
     }
     case RunRight::ReadPrograms: {
@@ -125,7 +124,8 @@ constexpr const char* kAbsentProgram = "RIVULET_RIGHTS_TEST.MPF";
 
 }  // namespace
 
-base::Result<RightsReport> examineRights(Link& link, Control& control, base::Duration deadline) {
+base::Result<RightsReport> examineRights(Link& link, Control& control, base::Duration deadline,
+                                         const Variable& cell) {
   RightsReport report;
   std::vector<std::string> listed;
   if (const auto rights = control.accessRights()) {
@@ -134,7 +134,7 @@ base::Result<RightsReport> examineRights(Link& link, Control& control, base::Dur
   }
   for (const RightFacts& facts : kRights) {
     // What the server does counts more than what it says.
-    const auto tried = tryRight(facts.right, link, control, deadline);
+    const auto tried = tryRight(facts.right, link, control, cell, deadline);
     if (!tried) {
       return base::fail(tried.error());
     }

@@ -34,9 +34,11 @@ struct RightsReport {
 inline constexpr base::Duration kRightsDeadline = std::chrono::seconds(5);
 
 /// Asks without changing anything on the control.
+/// @param cell  an R-parameter that the control has
 /// @return the error of the link if it is lost
 [[nodiscard]] base::Result<RightsReport> examineRights(Link& link, Control& control,
-                                                       base::Duration deadline = kRightsDeadline);
+                                                       base::Duration deadline = kRightsDeadline,
+                                                       const Variable& cell = rParameter(0));
 
 /// "read variables"
 [[nodiscard]] std::string_view rightTitle(RunRight right);

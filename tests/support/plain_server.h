@@ -18,6 +18,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "base/contract.h"
 #include "opcua/open62541/handle.h"
@@ -30,7 +31,8 @@ class PlainServer {
 
   /// @param turn  called every millisecond or so; may be empty
   explicit PlainServer(const std::map<std::string, double>& numbers = {},
-                       const std::map<std::string, std::string>& texts = {}, Turn turn = {})
+                       const std::map<std::string, std::string>& texts = {}, Turn turn = {},
+                       const std::map<std::string, std::vector<double>>& arrays = {})
       : m_turn(std::move(turn)) {
     m_logger.log = [](void*, UA_LogLevel, UA_LogCategory, const char*, va_list) {};
     UA_ServerConfig config{};
@@ -46,6 +48,12 @@ class PlainServer {
     for (const auto& [name, value] : texts) {
       UA_String text = opcua::borrow(value);
       add(name, opcua::borrowScalar(text, UA_TYPES_STRING));
+    }
+    for (auto [name, values] : arrays) {
+      UA_Variant array;
+      UA_Variant_init(&array);
+      UA_Variant_setArray(&array, values.data(), values.size(), &UA_TYPES[UA_TYPES_DOUBLE]);
+      add(name, array);
     }
     RIVULET_ASSERT(UA_Server_run_startup(m_server) == UA_STATUSCODE_GOOD);
     m_endpoint =
@@ -92,6 +100,12 @@ class PlainServer {
     UA_VariableAttributes attributes = UA_VariableAttributes_default;
     attributes.value = value;
     attributes.dataType = value.type->typeId;
+    UA_UInt32 anyLength = 0;
+    if (!UA_Variant_isScalar(&value)) {
+      attributes.valueRank = UA_VALUERANK_ONE_DIMENSION;
+      attributes.arrayDimensions = &anyLength;
+      attributes.arrayDimensionsSize = 1;
+    }
     attributes.accessLevel = UA_ACCESSLEVELMASK_READ | UA_ACCESSLEVELMASK_WRITE;
     RIVULET_ASSERT(UA_Server_addVariableNode(m_server, opcua::borrowNodeId(1, name),
                                              opcua::standardNodeId(UA_NS0ID_OBJECTSFOLDER),

@@ -22,6 +22,7 @@
 
 #include "base/contract.h"
 #include "base/random.h"
+#include "opcua/control_map.h"
 #include "opcua/node_map.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/monotonic_clock.h"
@@ -74,6 +75,13 @@ constexpr Duration kRetryPause = milliseconds(100);
 /// For closing the session.
 constexpr Duration kCloseDeadline = std::chrono::seconds(1);
 constexpr UA_UInt32 kCloseStepMs = 10;
+/// More nodes below one node are not listed.
+constexpr std::size_t kChildrenMax = 20'000;
+/// Nodes that are examined in one request; each has three attributes that are read.
+constexpr std::size_t kExaminedAtOnce = 100;
+/// Of a value that is shown to a person.
+constexpr std::size_t kShownCharacters = 60;
+constexpr std::size_t kShownElements = 3;
 /// A part program or trace that is larger is an error of the other side.
 constexpr std::size_t kTraceBytesMax = std::size_t{1} << 30U;
 
@@ -147,6 +155,28 @@ template <class T>
     return reading;
   }
   reading.status = LinkError::BadValue;
+  return reading;
+}
+
+/// A reading of a variable that a map names.
+[[nodiscard]] Reading mappedReading(const UA_DataValue& value, const ControlMap& map,
+                                    const Variable& variable) {
+  if (isText(variable.kind) || (value.hasStatus && isBad(value.status))) {
+    return readingOf(value, variable.kind);
+  }
+  std::optional<StateValue> shown;
+  if (const auto number = value.hasValue ? numberOf(value.value) : std::nullopt) {
+    shown = *number;
+  } else if (auto text = value.hasValue ? textOf(value.value) : std::nullopt) {
+    shown = std::move(*text);
+  }
+  const auto meant = shown ? meaningOf(map, variable, *shown) : std::nullopt;
+  Reading reading;
+  if (meant && std::isfinite(*meant)) {
+    reading.number = *meant;
+  } else {
+    reading.status = LinkError::BadValue;
+  }
   return reading;
 }
 
@@ -451,6 +481,13 @@ class UaLink::Impl {
     return m_certificate;
   }
   [[nodiscard]] base::Result<bool> mayWrite(const Variable& variable);
+  [[nodiscard]] base::Result<std::vector<BrowsedNode>> children(const std::string& address);
+  [[nodiscard]] base::Result<std::vector<NodeFacts>> examine(
+      std::span<const std::string> addresses);
+  /// Of a program in the control's file system.
+  [[nodiscard]] std::string pathOf(std::string_view name) const {
+    return isMapped() ? mappedProgramPath(m_map->methods, name) : programPath(name);
+  }
 
   base::RequestId request(Operation operation, std::vector<Variable> variables,
                           std::vector<double> values, Duration deadline, Grouping grouping);
@@ -467,7 +504,8 @@ class UaLink::Impl {
                                                           std::span<UA_Variant> inputs);
   [[nodiscard]] base::Result<CallResponse> callMethods(std::string_view method,
                                                        std::span<UA_Variant> inputs) {
-    return call(m_namespace, kMethodsObject, method, inputs);
+    return isMapped() ? callMapped(method, inputs)
+                      : call(m_namespace, kMethodsObject, method, inputs);
   }
   [[nodiscard]] base::Result<CallResponse> callBeyond(std::string_view method,
                                                       std::span<UA_Variant> inputs);
@@ -509,8 +547,8 @@ class UaLink::Impl {
   static void onState(UA_Client* client, UA_SecureChannelState channel, UA_SessionState session,
                       UA_StatusCode status) noexcept;
   void answered(std::uint64_t serial, void* response);
-  static void takeRead(Pending& pending, const UA_ReadResponse& response);
-  static void takeWrite(Pending& pending, const UA_WriteResponse& response);
+  void takeRead(Pending& pending, const UA_ReadResponse& response);
+  void takeWrite(Pending& pending, const UA_WriteResponse& response);
   static void takeCall(Pending& pending, const UA_CallResponse& response);
 
   [[nodiscard]] base::Error error(LinkError code) const;
@@ -545,10 +583,42 @@ class UaLink::Impl {
   [[nodiscard]] UA_StatusCode sendCall(Pending& pending, void* serial);
   void fail(Pending& pending, base::Error error);
   void noticeLoss();
+  /// Where a variable is on a server that is no SINUMERIK.
+  struct Address {
+    NodeId id;          ///< null: nowhere; every server refuses it
+    std::string range;  ///< elements of an array; empty: the whole value
+
+    [[nodiscard]] bool isNowhere() const { return UA_NodeId_isNull(&id->nodeId); }
+  };
+  struct MethodAddress {
+    NodeId object;
+    NodeId method;
+  };
+
+  /// Whether variables have the addresses of a map, be it of a control or of anything else.
+  [[nodiscard]] bool isMapped() const { return m_map != nullptr; }
   [[nodiscard]] const std::string& identifier(const Node& node);
-  /// Borrows; valid as long as the connection.
-  [[nodiscard]] UA_NodeId nodeId(const Node& node);
-  [[nodiscard]] base::Result<void> resolveAddresses(std::span<const UA_String> namespaces);
+  /// Borrows; valid as long as the connection. @param range  set for elements of an array
+  [[nodiscard]] UA_NodeId nodeId(const Node& node, UA_String& range);
+  [[nodiscard]] const Address& addressOf(const Node& node);
+  [[nodiscard]] Reading nowhere(const Variable& variable) const;
+  [[nodiscard]] base::Result<void> resolveMap();
+  [[nodiscard]] base::Result<void> resolveVariables();
+  [[nodiscard]] base::Result<void> resolveMethods();
+  [[nodiscard]] base::Result<void> checkAddresses();
+  [[nodiscard]] base::Result<NodeId> resolve(const std::string& address, const std::string& key);
+  [[nodiscard]] base::Result<NodeId> resolvePath(const std::string& path, const std::string& key);
+  /// Nothing for a text that is no node id of this server.
+  [[nodiscard]] std::optional<NodeId> parsed(const std::string& address) const;
+  [[nodiscard]] std::string addressText(const UA_NodeId& id) const;
+  [[nodiscard]] base::Error wrongAddress(const std::string& key, const std::string& what) const;
+  [[nodiscard]] base::Result<CallResponse> callMapped(std::string_view method,
+                                                      std::span<UA_Variant> inputs);
+  [[nodiscard]] base::Result<CallResponse> callNode(const UA_NodeId& object,
+                                                    const UA_NodeId& method,
+                                                    const std::string& name,
+                                                    std::span<UA_Variant> inputs);
+  void appendChildren(const UA_BrowseResult& result, std::vector<BrowsedNode>& nodes) const;
 
   [[nodiscard]] UA_StatusCode exchange(const void* request, const UA_DataType* requestType,
                                        void* response, const UA_DataType* responseType,
@@ -582,7 +652,12 @@ class UaLink::Impl {
 
   /// Requests borrow from both: their elements stay where they are.
   std::unordered_map<Node, std::string, NodeHash> m_identifiers;
-  std::map<Variable, NodeId> m_addressed;   ///< `ConnectOptions::nodes`
+  std::shared_ptr<const ControlMap> m_map;  ///< null: names of a SINUMERIK
+  std::map<Variable, Address> m_addressed;
+  std::unordered_map<Node, Address, NodeHash> m_blocks;       ///< of several cells
+  std::map<std::string_view, MethodAddress> m_methods;        ///< by the SINUMERIK's names
+  std::map<std::string, std::vector<BrowsedNode>> m_browsed;  ///< while paths are resolved
+  std::vector<std::string> m_namespaces;
   std::vector<Node> m_nodes;                ///< scratch of `send`
   std::vector<UA_ReadValueId> m_readItems;  ///< scratch of `send`
   std::vector<UA_WriteValue> m_writeItems;  ///< scratch of `send`
@@ -875,16 +950,27 @@ base::Result<void> UaLink::Impl::resolveNamespaces(Instant deadline) {
   if (value.hasValue && UA_Variant_hasArrayType(&value.value, &UA_TYPES[UA_TYPES_STRING])) {
     uris = {static_cast<const UA_String*>(value.value.data), value.value.arrayLength};
   }
-  if (!m_options.nodes.empty()) {
-    return resolveAddresses(uris);
+  for (const UA_String& uri : uris) {
+    m_namespaces.emplace_back(view(uri));
+  }
+  if (m_options.map != nullptr) {
+    m_map = m_options.map;
+    if (auto resolved = resolveMap(); !resolved) {
+      return resolved;
+    }
+  } else if (!m_options.nodes.empty()) {
+    ControlMap map;
+    map.nodes = std::move(m_options.nodes);
+    m_map = std::make_shared<const ControlMap>(std::move(map));
+    return resolveVariables();  // no control
   }
   const std::optional<UA_UInt16> found = namespaceIndex(uris, kNamespaceUri);
   const std::optional<UA_UInt16> foundVirtual = namespaceIndex(uris, kVirtualNamespaceUri);
   const std::optional<UA_UInt16> foundBridge = namespaceIndex(uris, kBridgeNamespaceUri);
-  if (!found) {
+  if (!found && !isMapped()) {
     return base::fail(error(LinkError::NamespaceMissing));
   }
-  m_namespace = *found;
+  m_namespace = found.value_or(0);
   // The namespace alone proves nothing; the object itself must be there.
   if (foundVirtual) {
     const auto isThere = exists(borrowNodeId(*foundVirtual, kVirtualObject), deadline);
@@ -913,26 +999,411 @@ base::Result<void> UaLink::Impl::resolveNamespaces(Instant deadline) {
   return {};
 }
 
-base::Result<void> UaLink::Impl::resolveAddresses(std::span<const UA_String> namespaces) {
-  for (const auto& [variable, address] : m_options.nodes) {
-    NodeId id;
-    std::optional<UA_UInt16> index;
-    if (!isBad(UA_ExpandedNodeId_parse(id.get(), borrow(address))) && id->serverIndex == 0) {
-      index = id->namespaceUri.length > 0 ? namespaceIndex(namespaces, view(id->namespaceUri))
-                                          : id->nodeId.namespaceIndex;
+// --- addresses of a map -------------------------------------------------------------------------
+
+std::optional<NodeId> UaLink::Impl::parsed(const std::string& address) const {
+  NodeId id;
+  if (isBad(UA_ExpandedNodeId_parse(id.get(), borrow(address))) || id->serverIndex != 0) {
+    return std::nullopt;
+  }
+  if (id->namespaceUri.length > 0) {
+    const auto found = std::find(m_namespaces.begin(), m_namespaces.end(), view(id->namespaceUri));
+    if (found == m_namespaces.end()) {
+      return std::nullopt;
     }
-    if (!index) {
-      return base::fail(LinkError::VariableMissing,
-                        fmt::format("{} is no node of this server. Write it like ns=2;s=Robot.X or "
-                                    "nsu=urn:robot;s=X, as a browser of OPC UA shows it.",
-                                    address),
-                        endpoint());
+    id->nodeId.namespaceIndex = static_cast<UA_UInt16>(found - m_namespaces.begin());
+  }
+  return id;
+}
+
+base::Error UaLink::Impl::wrongAddress(const std::string& key, const std::string& what) const {
+  return base::makeError(MapError::WrongAddress,
+                         fmt::format("{} of the map: {} Correct the map.", key, what), endpoint());
+}
+
+base::Result<NodeId> UaLink::Impl::resolve(const std::string& address, const std::string& key) {
+  if (isBrowsePath(address)) {
+    return resolvePath(address, key);
+  }
+  auto id = parsed(address);
+  if (!id) {
+    return base::fail(wrongAddress(
+        key, fmt::format("{} is in a namespace that the server does not have.", address)));
+  }
+  return std::move(*id);
+}
+
+/// By browsing, level after level: names are compared in whatever namespace they are. The levels
+/// are kept, because many addresses share them.
+base::Result<NodeId> UaLink::Impl::resolvePath(const std::string& path, const std::string& key) {
+  std::string at = kObjectsFolder;
+  for (const BrowseStep& step : browseSteps(path)) {
+    auto known = m_browsed.find(at);
+    if (known == m_browsed.end()) {
+      auto nodes = children(at);
+      if (!nodes) {
+        return base::fail(nodes.error());
+      }
+      known = m_browsed.emplace(at, std::move(*nodes)).first;
     }
-    id->nodeId.namespaceIndex = *index;
-    m_addressed.emplace(variable, std::move(id));
+    const BrowsedNode* found = nullptr;
+    for (const BrowsedNode& node : known->second) {
+      if (node.name != step.name || (step.nameSpace && *step.nameSpace != node.nameSpace)) {
+        continue;
+      }
+      if (found != nullptr && found->address != node.address) {
+        return base::fail(wrongAddress(
+            key, fmt::format("{} is ambiguous: there are two nodes {}. Write the node id.", path,
+                             step.name)));
+      }
+      found = &node;
+    }
+    if (found == nullptr) {
+      return base::fail(
+          wrongAddress(key, fmt::format("{} ends at {}: there is no such node.", path, step.name)));
+    }
+    at = found->address;
+  }
+  auto id = parsed(at);
+  if (!id) {
+    return base::fail(wrongAddress(key, fmt::format("{} is on another server.", path)));
+  }
+  return std::move(*id);
+}
+
+base::Result<void> UaLink::Impl::resolveMap() {
+  for (const auto step : {&Impl::resolveVariables, &Impl::resolveMethods, &Impl::checkAddresses}) {
+    if (auto done = (this->*step)(); !done) {
+      return done;
+    }
+  }
+  m_browsed.clear();
+  return {};
+}
+
+base::Result<void> UaLink::Impl::resolveVariables() {
+  for (const auto& [variable, address] : m_map->nodes) {
+    if (m_options.map == nullptr) {
+      auto id = parsed(address);
+      if (!id) {
+        return base::fail(LinkError::VariableMissing,
+                          fmt::format("{} is no node of this server. Write it like ns=2;s=Robot.X "
+                                      "or nsu=urn:robot;s=X, as a browser of OPC UA shows it.",
+                                      address),
+                          endpoint());
+      }
+      m_addressed[variable].id = std::move(*id);
+      continue;
+    }
+    auto id = resolve(address, mapKeyOf(variable));
+    if (!id) {
+      return base::fail(id.error());
+    }
+    m_addressed[variable].id = std::move(*id);
+  }
+  const CellNodes& cells = m_map->cells;
+  for (int number = cells.first; number <= cells.last; ++number) {
+    auto id = resolve(cellAddress(cells, number), mapKeyOf(rParameter(number)));
+    if (!id) {
+      return base::fail(id.error());
+    }
+    Address& address = m_addressed[rParameter(number)];
+    address.id = std::move(*id);
+    if (cells.isArray) {
+      address.range = std::to_string(number + cells.offset);
+    }
   }
   return {};
 }
+
+base::Result<void> UaLink::Impl::resolveMethods() {
+  const MethodNodes& methods = m_map->methods;
+  const std::array<std::pair<std::string_view, const std::string*>, 3> named{
+      {{kCopyToServer, &methods.write},
+       {kCopyFromServer, &methods.read},
+       {kSelect, &methods.select}}};
+  for (const auto& [name, address] : named) {
+    if (address->empty()) {
+      continue;
+    }
+    auto object = resolve(methods.object, "methods.object");
+    if (!object) {
+      return base::fail(object.error());
+    }
+    auto method = resolve(*address, "methods");
+    if (!method) {
+      return base::fail(method.error());
+    }
+    m_methods.emplace(name, MethodAddress{std::move(*object), std::move(*method)});
+  }
+  return {};
+}
+
+/// A wrong address would otherwise be noticed in the middle of a run, or never.
+base::Result<void> UaLink::Impl::checkAddresses() {
+  const CellNodes& cells = m_map->cells;
+  for (const auto& [variable, address] : m_addressed) {
+    const bool isCell = variable.kind == VariableKind::RParameter;
+    if (isCell && variable.index != cells.first && variable.index != cells.last) {
+      continue;  // all others are made in the same way
+    }
+    const auto answer = readAttribute(address.id->nodeId, UA_ATTRIBUTEID_VALUE,
+                                      addSaturating(now(), m_options.commandDeadline));
+    if (!answer) {
+      return base::fail(answer.error());
+    }
+    const UA_DataValue& value = (*answer)->results[0];
+    const std::string node =
+        isCell ? cellAddress(cells, variable.index) : addressText(address.id->nodeId);
+    const LinkError status = value.hasStatus && isBad(value.status)
+                                 ? linkErrorOf(value.status, Operation::Read)
+                                 : LinkError{};
+    if (status == LinkError::VariableMissing) {
+      return base::fail(
+          wrongAddress(mapKeyOf(variable), fmt::format("the server has no variable {}.", node)));
+    }
+    if (!isCell || status != LinkError{}) {
+      continue;  // a value may be missing for a while
+    }
+    const bool isRight =
+        cells.isArray
+            ? value.hasValue && UA_Variant_hasArrayType(&value.value, &UA_TYPES[UA_TYPES_DOUBLE]) &&
+                  value.value.arrayLength > static_cast<std::size_t>(variable.index + cells.offset)
+            : value.hasValue && scalarOf<UA_Double>(value.value, UA_TYPES_DOUBLE) != nullptr;
+    if (!isRight) {
+      return base::fail(wrongAddress(
+          mapKeyOf(variable),
+          fmt::format("R{} is {}, which is no {}. Cells carry numbers of type Double only.",
+                      variable.index, node,
+                      cells.isArray ? "array of Double with this element" : "Double")));
+    }
+  }
+  return {};
+}
+
+std::string UaLink::Impl::addressText(const UA_NodeId& id) const {
+  UA_String printed = UA_STRING_NULL;
+  if (isBad(UA_NodeId_print(&id, &printed))) {
+    return {};
+  }
+  std::string text(view(printed));
+  UA_String_clear(&printed);
+  const std::size_t index = id.namespaceIndex;
+  if (index > 0 && index < m_namespaces.size() &&
+      m_namespaces[index].find(';') == std::string::npos) {
+    text = fmt::format("nsu={};{}", m_namespaces[index], text.substr(text.find(';') + 1));
+  }
+  return text;
+}
+
+void UaLink::Impl::appendChildren(const UA_BrowseResult& result,
+                                  std::vector<BrowsedNode>& nodes) const {
+  for (std::size_t i = 0; i < result.referencesSize; ++i) {
+    const UA_ReferenceDescription& reference = result.references[i];
+    if (reference.nodeId.serverIndex != 0) {
+      continue;
+    }
+    BrowsedNode node;
+    node.address = addressText(reference.nodeId.nodeId);
+    node.nameSpace = reference.browseName.namespaceIndex;
+    node.name = view(reference.browseName.name);
+    node.kind = reference.nodeClass == UA_NODECLASS_VARIABLE ? NodeKind::Variable
+                : reference.nodeClass == UA_NODECLASS_OBJECT ? NodeKind::Object
+                : reference.nodeClass == UA_NODECLASS_METHOD ? NodeKind::Method
+                                                             : NodeKind::Other;
+    nodes.push_back(std::move(node));
+  }
+}
+
+base::Result<std::vector<BrowsedNode>> UaLink::Impl::children(const std::string& address) {
+  const auto id = parsed(address);
+  if (!id) {
+    return base::fail(LinkError::VariableMissing, "The server has no such node.", address);
+  }
+  UA_BrowseDescription item;
+  UA_BrowseDescription_init(&item);
+  item.nodeId = (*id)->nodeId;
+  item.browseDirection = UA_BROWSEDIRECTION_FORWARD;
+  item.referenceTypeId = standardNodeId(UA_NS0ID_HIERARCHICALREFERENCES);
+  item.includeSubtypes = true;
+  item.resultMask = UA_BROWSERESULTMASK_NODECLASS | UA_BROWSERESULTMASK_BROWSENAME;
+  UA_BrowseRequest request;
+  UA_BrowseRequest_init(&request);
+  request.requestHeader.timeoutHint = kLibraryTimeoutMs;
+  request.nodesToBrowse = &item;
+  request.nodesToBrowseSize = 1;
+  Handle<UA_BrowseResponse, UA_TYPES_BROWSERESPONSE> response;
+  const Instant deadline = addSaturating(now(), m_options.commandDeadline);
+  UA_StatusCode status = exchange(&request, &UA_TYPES[UA_TYPES_BROWSEREQUEST], response.get(),
+                                  response.type(), deadline);
+  if (!isBad(status)) {
+    status = response->resultsSize == 1 ? response->results[0].statusCode
+                                        : UA_STATUSCODE_BADUNKNOWNRESPONSE;
+  }
+  if (isBad(status)) {
+    return base::fail(requestError(status, Operation::Read, address));
+  }
+  std::vector<BrowsedNode> nodes;
+  appendChildren(response->results[0], nodes);
+  std::string more(view(response->results[0].continuationPoint));
+  while (!more.empty()) {
+    UA_ByteString point = borrow(more);
+    UA_BrowseNextRequest next;
+    UA_BrowseNextRequest_init(&next);
+    next.requestHeader.timeoutHint = kLibraryTimeoutMs;
+    next.continuationPoints = &point;
+    next.continuationPointsSize = 1;
+    next.releaseContinuationPoints = nodes.size() > kChildrenMax;
+    Handle<UA_BrowseNextResponse, UA_TYPES_BROWSENEXTRESPONSE> rest;
+    status = exchange(&next, &UA_TYPES[UA_TYPES_BROWSENEXTREQUEST], rest.get(), rest.type(),
+                      addSaturating(now(), m_options.commandDeadline));
+    if (nodes.size() > kChildrenMax) {
+      return base::fail(LinkError::TooManyItems,
+                        fmt::format("More than {} nodes are below this one.", kChildrenMax),
+                        address);
+    }
+    if (!isBad(status)) {
+      status =
+          rest->resultsSize == 1 ? rest->results[0].statusCode : UA_STATUSCODE_BADUNKNOWNRESPONSE;
+    }
+    if (isBad(status)) {
+      return base::fail(requestError(status, Operation::Read, address));
+    }
+    appendChildren(rest->results[0], nodes);
+    more = view(rest->results[0].continuationPoint);
+  }
+  return nodes;
+}
+
+namespace {
+
+/// Names of the built-in types, by their numbers. @source OPC UA part 6, 5.1.2
+constexpr std::array<std::string_view, 26> kTypeNames{"",
+                                                      "Boolean",
+                                                      "SByte",
+                                                      "Byte",
+                                                      "Int16",
+                                                      "UInt16",
+                                                      "Int32",
+                                                      "UInt32",
+                                                      "Int64",
+                                                      "UInt64",
+                                                      "Float",
+                                                      "Double",
+                                                      "String",
+                                                      "DateTime",
+                                                      "Guid",
+                                                      "ByteString",
+                                                      "XmlElement",
+                                                      "NodeId",
+                                                      "ExpandedNodeId",
+                                                      "StatusCode",
+                                                      "QualifiedName",
+                                                      "LocalizedText",
+                                                      "Structure",
+                                                      "DataValue",
+                                                      "BaseDataType",
+                                                      "DiagnosticInfo"};
+
+[[nodiscard]] std::string typeName(const UA_DataValue& value) {
+  const auto* id = value.hasValue ? scalarOf<UA_NodeId>(value.value, UA_TYPES_NODEID) : nullptr;
+  return id != nullptr && id->namespaceIndex == 0 && id->identifierType == UA_NODEIDTYPE_NUMERIC &&
+                 id->identifier.numeric < kTypeNames.size()
+             ? std::string(kTypeNames[id->identifier.numeric])
+             : std::string();
+}
+
+[[nodiscard]] std::string shownValue(const UA_Variant& variant) {
+  if (const auto number = numberOf(variant)) {
+    return fmt::format("{}", *number);
+  }
+  if (const auto text = textOf(variant)) {
+    return text->size() <= kShownCharacters ? *text : text->substr(0, kShownCharacters - 1) + "…";
+  }
+  if (UA_Variant_hasArrayType(&variant, &UA_TYPES[UA_TYPES_DOUBLE])) {
+    const auto* const numbers = static_cast<const double*>(variant.data);
+    std::string text;
+    for (std::size_t i = 0; i < std::min(variant.arrayLength, kShownElements); ++i) {
+      text += fmt::format("{}{}", i == 0 ? "" : ", ", numbers[i]);
+    }
+    return variant.arrayLength > kShownElements ? text + ", …" : text;
+  }
+  return {};
+}
+
+[[nodiscard]] NodeFacts factsOf(const UA_DataValue& value, const UA_DataValue& type,
+                                const UA_DataValue& level) {
+  NodeFacts facts;
+  facts.type = typeName(type);
+  const auto rights = level.hasValue ? numberOf(level.value) : std::nullopt;
+  const auto mask = static_cast<unsigned>(rights.value_or(0.0));
+  facts.mayRead = (mask & UA_ACCESSLEVELMASK_READ) != 0;
+  facts.mayWrite = (mask & UA_ACCESSLEVELMASK_WRITE) != 0;
+  if (value.hasStatus && isBad(value.status)) {
+    facts.status = linkErrorOf(value.status, Operation::Read);
+    return facts;
+  }
+  if (!value.hasValue || value.value.type == nullptr) {
+    facts.status = LinkError::BadValue;
+    return facts;
+  }
+  const UA_Variant& variant = value.value;
+  facts.isArray = !UA_Variant_isScalar(&variant);
+  facts.length = facts.isArray ? variant.arrayLength : 1;
+  const UA_UInt32 kind = variant.type->typeKind;
+  facts.isBoolean = kind == UA_DATATYPEKIND_BOOLEAN;
+  facts.isNumber = kind >= UA_DATATYPEKIND_SBYTE && kind <= UA_DATATYPEKIND_DOUBLE;
+  facts.isText = kind == UA_DATATYPEKIND_STRING || kind == UA_DATATYPEKIND_LOCALIZEDTEXT;
+  facts.value = shownValue(variant);
+  return facts;
+}
+
+}  // namespace
+
+base::Result<std::vector<NodeFacts>> UaLink::Impl::examine(std::span<const std::string> addresses) {
+  constexpr std::array kAttributes{UA_ATTRIBUTEID_VALUE, UA_ATTRIBUTEID_DATATYPE,
+                                   UA_ATTRIBUTEID_USERACCESSLEVEL};
+  std::vector<NodeFacts> facts;
+  while (!addresses.empty()) {
+    const auto some = addresses.first(std::min(addresses.size(), kExaminedAtOnce));
+    addresses = addresses.subspan(some.size());
+    std::vector<NodeId> ids;
+    std::vector<UA_ReadValueId> items;
+    for (const std::string& address : some) {
+      auto id = parsed(address);
+      ids.push_back(id ? std::move(*id) : NodeId());
+      for (const UA_AttributeId attribute : kAttributes) {
+        UA_ReadValueId& item = items.emplace_back();
+        UA_ReadValueId_init(&item);
+        item.nodeId = ids.back()->nodeId;
+        item.attributeId = static_cast<UA_UInt32>(attribute);
+      }
+    }
+    UA_ReadRequest request;
+    UA_ReadRequest_init(&request);
+    request.requestHeader.timeoutHint = kLibraryTimeoutMs;
+    request.timestampsToReturn = UA_TIMESTAMPSTORETURN_NEITHER;
+    request.nodesToRead = items.data();
+    request.nodesToReadSize = items.size();
+    ReadResponse response;
+    UA_StatusCode status =
+        exchange(&request, &UA_TYPES[UA_TYPES_READREQUEST], response.get(), ReadResponse::type(),
+                 addSaturating(now(), m_options.commandDeadline));
+    if (!isBad(status) && response->resultsSize != items.size()) {
+      status = UA_STATUSCODE_BADUNKNOWNRESPONSE;
+    }
+    if (isBad(status)) {
+      return base::fail(requestError(status, Operation::Read, endpoint()));
+    }
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const UA_DataValue* const of = &response->results[i * kAttributes.size()];
+      facts.push_back(factsOf(of[0], of[1], of[2]));
+    }
+  }
+  return facts;
+}
+
+// --- further questions --------------------------------------------------------------------------
 
 base::Result<bool> UaLink::Impl::exists(const UA_NodeId& node, Instant deadline) {
   const auto answer = readAttribute(node, UA_ATTRIBUTEID_NODECLASS, deadline);
@@ -998,8 +1469,9 @@ base::Result<ReadResponse> UaLink::Impl::readAttribute(const UA_NodeId& node,
 
 base::Result<bool> UaLink::Impl::mayWrite(const Variable& variable) {
   const Node node{variable, 1, Grouping::List};
-  const std::string name = m_options.nodes.empty() ? identifier(node) : m_options.nodes[variable];
-  const auto answer = readAttribute(nodeId(node), UA_ATTRIBUTEID_USERACCESSLEVEL,
+  const std::string name = isMapped() ? mapKeyOf(variable) : identifier(node);
+  UA_String range{};
+  const auto answer = readAttribute(nodeId(node, range), UA_ATTRIBUTEID_USERACCESSLEVEL,
                                     addSaturating(now(), m_options.commandDeadline));
   if (!answer) {
     return base::fail(answer.error());
@@ -1116,11 +1588,18 @@ void UaLink::Impl::takeRead(Pending& pending, const UA_ReadResponse& response) {
   for (std::size_t i = 0; i < response.resultsSize; ++i) {
     const std::size_t length =
         sharedNodeLength(pending.variables, readings.size(), pending.grouping);
-    if (length > 1) {
+    const Variable& variable = pending.variables[readings.size()];
+    const Address* const address =
+        isMapped() ? &addressOf({variable, length, length > 1 ? pending.grouping : Grouping::List})
+                   : nullptr;
+    if (address != nullptr && address->isNowhere()) {
+      readings.insert(readings.end(), length, nowhere(variable));
+    } else if (length > 1 || (address != nullptr && !address->range.empty())) {
       appendReadings(response.results[i], length, readings);
+    } else if (address != nullptr) {
+      readings.push_back(mappedReading(response.results[i], *m_map, variable));
     } else {
-      const VariableKind kind = pending.variables[readings.size()].kind;
-      readings.push_back(readingOf(response.results[i], kind));
+      readings.push_back(readingOf(response.results[i], variable.kind));
     }
   }
   pending.done = readings.size() == pending.variables.size();
@@ -1134,9 +1613,15 @@ void UaLink::Impl::takeWrite(Pending& pending, const UA_WriteResponse& response)
     return;
   }
   for (std::size_t i = 0; i < response.resultsSize; ++i) {
-    const UA_StatusCode status = response.results[i];
+    const std::size_t length =
+        sharedNodeLength(pending.variables, statuses.size(), pending.grouping);
+    const Variable& variable = pending.variables[statuses.size()];
+    const bool isNowhere =
+        isMapped() &&
+        addressOf({variable, length, length > 1 ? pending.grouping : Grouping::List}).isNowhere();
+    const UA_StatusCode status = isNowhere ? UA_STATUSCODE_BADNODEIDUNKNOWN : response.results[i];
     statuses.insert(
-        statuses.end(), sharedNodeLength(pending.variables, statuses.size(), pending.grouping),
+        statuses.end(), length,
         isBad(status) ? make_error_code(linkErrorOf(status, Operation::Write)) : std::error_code());
   }
   pending.done = statuses.size() == pending.variables.size();
@@ -1156,7 +1641,8 @@ base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable>
   Pending pending;
   pending.id = ++m_lastId;
   pending.operation = operation;
-  pending.grouping = m_options.nodes.empty() ? grouping : Grouping::List;
+  const bool isControl = m_options.map != nullptr || !isMapped();
+  pending.grouping = isControl ? grouping : Grouping::List;
   pending.variables = std::move(variables);
   pending.values = std::move(values);
   pending.event.kind = operation == Operation::Read ? EventKind::ReadDone : EventKind::WriteDone;
@@ -1192,7 +1678,7 @@ base::RequestId UaLink::Impl::store(const std::string& name, const std::string& 
   Pending pending;
   pending.id = ++m_lastId;
   pending.operation = Operation::Call;
-  pending.path = programPath(name);
+  pending.path = pathOf(name);
   pending.text = text;
   pending.event.kind = EventKind::WriteDone;
   pending.event.request = pending.id;
@@ -1202,6 +1688,8 @@ base::RequestId UaLink::Impl::store(const std::string& name, const std::string& 
   noticeLoss();  // comes before this request
   if (m_lost) {
     fail(pending, error(LinkError::ConnectionLost));
+  } else if (isMapped() && !m_methods.contains(kCopyToServer)) {
+    fail(pending, error(LinkError::MethodMissing));
   } else {
     m_pending.push_back(std::move(pending));
     sendDue();
@@ -1216,8 +1704,12 @@ UA_StatusCode UaLink::Impl::sendCall(Pending& pending, void* serial) {
   std::array inputs{borrowScalar(target, UA_TYPES_STRING), borrowScalar(data, UA_TYPES_BYTESTRING),
                     borrowScalar(mayOverwrite, UA_TYPES_BOOLEAN)};
   const std::string methodIdentifier = memberIdentifier(m_fileMethods, kCopyToServer);
-  MethodCall method(borrowNodeId(m_namespace, m_fileMethods),
-                    borrowNodeId(m_namespace, methodIdentifier), inputs);
+  const auto mapped = m_methods.find(kCopyToServer);
+  const bool isMappedMethod = mapped != m_methods.end();
+  MethodCall method(
+      isMappedMethod ? mapped->second.object->nodeId : borrowNodeId(m_namespace, m_fileMethods),
+      isMappedMethod ? mapped->second.method->nodeId : borrowNodeId(m_namespace, methodIdentifier),
+      inputs);
   pending.isCalled = true;
   return __UA_Client_AsyncService(m_client, &method.request, &UA_TYPES[UA_TYPES_CALLREQUEST],
                                   &Impl::onAnswer, &UA_TYPES[UA_TYPES_CALLRESPONSE], serial,
@@ -1236,13 +1728,50 @@ const std::string& UaLink::Impl::identifier(const Node& node) {
       .first->second;
 }
 
-UA_NodeId UaLink::Impl::nodeId(const Node& node) {
-  if (m_options.nodes.empty()) {
+const UaLink::Impl::Address& UaLink::Impl::addressOf(const Node& node) {
+  static const Address kNowhere;
+  if (node.length == 1) {
+    const auto found = m_addressed.find(node.first);
+    return found == m_addressed.end() ? kNowhere : found->second;
+  }
+  const auto known = m_blocks.find(node);
+  if (known != m_blocks.end()) {
+    return known->second;
+  }
+  Address address;
+  const CellNodes& cells = m_map->cells;
+  const ParameterArray block{node.first.index, static_cast<int>(node.length), node.form};
+  if (const std::string text = blockAddress(cells, block); !text.empty()) {
+    if (cells.isArray) {
+      const auto first = m_addressed.find(node.first);
+      UA_copy(first->second.id.get(), address.id.get(), NodeId::type());
+      const int from = block.first + cells.offset;
+      address.range = fmt::format("{}:{}", from, from + block.count - 1);
+    } else if (auto id = parsed(text)) {
+      address.id = std::move(*id);
+    }
+  }
+  return m_blocks.emplace(node, std::move(address)).first->second;
+}
+
+/// What the map says of a variable that the server does not have.
+Reading UaLink::Impl::nowhere(const Variable& variable) const {
+  Reading reading;
+  if (auto letter = axisLetterOf(*m_map, variable)) {
+    reading.text = std::move(*letter);
+  } else {
+    reading.status = LinkError::VariableMissing;
+  }
+  return reading;
+}
+
+UA_NodeId UaLink::Impl::nodeId(const Node& node, UA_String& range) {
+  if (!isMapped()) {
     return borrowNodeId(m_namespace, identifier(node));
   }
-  const auto found = m_addressed.find(node.first);
-  RIVULET_ASSERT(found != m_addressed.end());
-  return found->second->nodeId;
+  const Address& address = addressOf(node);
+  range = borrow(address.range);
+  return address.id->nodeId;
 }
 
 void UaLink::Impl::sendDue() {
@@ -1285,7 +1814,7 @@ void UaLink::Impl::send(Pending& pending) {
     for (std::size_t i = 0; i < m_nodes.size(); ++i) {
       UA_ReadValueId& item = m_readItems[i];
       UA_ReadValueId_init(&item);
-      item.nodeId = nodeId(m_nodes[i]);
+      item.nodeId = nodeId(m_nodes[i], item.indexRange);
       item.attributeId = UA_ATTRIBUTEID_VALUE;
     }
     UA_ReadRequest request;
@@ -1304,10 +1833,10 @@ void UaLink::Impl::send(Pending& pending) {
       // The value only: some servers refuse a write that carries a status or timestamps.
       UA_WriteValue& item = m_writeItems[i];
       UA_WriteValue_init(&item);
-      item.nodeId = nodeId(m_nodes[i]);
+      item.nodeId = nodeId(m_nodes[i], item.indexRange);
       item.attributeId = UA_ATTRIBUTEID_VALUE;
       item.value.hasValue = true;
-      if (m_nodes[i].length > 1) {
+      if (m_nodes[i].length > 1 || item.indexRange.length > 0) {
         UA_Variant_setArray(&item.value.value, &pending.values[value], m_nodes[i].length,
                             &UA_TYPES[UA_TYPES_DOUBLE]);
       } else {
@@ -1479,8 +2008,25 @@ base::Result<CallResponse> UaLink::Impl::call(UA_UInt16 namespaceIndex, std::str
                                               std::string_view method,
                                               std::span<UA_Variant> inputs) {
   const std::string methodIdentifier = memberIdentifier(object, method);
-  MethodCall call(borrowNodeId(namespaceIndex, object),
-                  borrowNodeId(namespaceIndex, methodIdentifier), inputs);
+  return callNode(borrowNodeId(namespaceIndex, object),
+                  borrowNodeId(namespaceIndex, methodIdentifier), methodIdentifier, inputs);
+}
+
+base::Result<CallResponse> UaLink::Impl::callMapped(std::string_view method,
+                                                    std::span<UA_Variant> inputs) {
+  const auto found = m_methods.find(method);
+  if (found == m_methods.end()) {
+    return base::fail(LinkError::MethodMissing, "The map of this server names no such method.",
+                      std::string(method));
+  }
+  return callNode(found->second.object->nodeId, found->second.method->nodeId, std::string(method),
+                  inputs);
+}
+
+base::Result<CallResponse> UaLink::Impl::callNode(const UA_NodeId& object, const UA_NodeId& method,
+                                                  const std::string& name,
+                                                  std::span<UA_Variant> inputs) {
+  MethodCall call(object, method, inputs);
   CallResponse response;
   UA_StatusCode status =
       exchange(&call.request, &UA_TYPES[UA_TYPES_CALLREQUEST], response.get(), CallResponse::type(),
@@ -1490,14 +2036,16 @@ base::Result<CallResponse> UaLink::Impl::call(UA_UInt16 namespaceIndex, std::str
                                         : UA_STATUSCODE_BADUNKNOWNRESPONSE;
   }
   if (isBad(status)) {
-    return base::fail(m_isSilent ? lossError()
-                                 : requestError(status, Operation::Call, methodIdentifier));
+    return base::fail(m_isSilent ? lossError() : requestError(status, Operation::Call, name));
   }
   return response;
 }
 
 base::Result<CallResponse> UaLink::Impl::callFileMethod(std::string_view method,
                                                         std::span<UA_Variant> inputs) {
+  if (isMapped()) {
+    return callMapped(method, inputs);
+  }
   auto answer = call(m_namespace, m_fileMethods, method, inputs);
   if (!answer && answer.error().code == LinkError::MethodMissing) {
     const std::string_view other =
@@ -1573,8 +2121,13 @@ base::Result<Connection> openConnection(const ConnectOptions& options) {
     return base::fail(opened.error());
   }
   const std::shared_ptr<UaLink> link = std::move(*opened);
-  return Connection{
-      link, link.get(), link.get(), options.endpoint, link->security(), link->serverCertificate()};
+  return Connection{link,
+                    link.get(),
+                    link.get(),
+                    options.endpoint,
+                    link->security(),
+                    link->serverCertificate(),
+                    link.get()};
 }
 
 base::Instant UaLink::now() const {
@@ -1616,7 +2169,7 @@ base::Duration UaLink::silence() const {
 
 base::Result<void> UaLink::uploadProgram(const std::string& name, const std::string& text,
                                          bool overwrite) {
-  const std::string path = programPath(name);
+  const std::string path = m_impl->pathOf(name);
   UA_String target = borrow(path);
   UA_ByteString data = borrow(text);
   UA_Boolean mayOverwrite = overwrite;
@@ -1630,7 +2183,7 @@ base::Result<void> UaLink::uploadProgram(const std::string& name, const std::str
 }
 
 base::Result<std::string> UaLink::downloadProgram(const std::string& name) {
-  const std::string path = programPath(name);
+  const std::string path = m_impl->pathOf(name);
   UA_String source = borrow(path);
   std::array inputs{borrowScalar(source, UA_TYPES_STRING)};
   const auto answer = m_impl->callFileMethod(kCopyFromServer, inputs);
@@ -1645,7 +2198,7 @@ base::Result<std::string> UaLink::downloadProgram(const std::string& name) {
 }
 
 base::Result<void> UaLink::selectProgram(const std::string& name) {
-  const std::string path = programPath(name);
+  const std::string path = m_impl->pathOf(name);
   UA_String source = borrow(path);
   UA_UInt32 channel = 1;
   std::array inputs{borrowScalar(source, UA_TYPES_STRING), borrowScalar(channel, UA_TYPES_UINT32)};
@@ -1676,6 +2229,14 @@ base::Result<std::string> UaLink::accessRights() {
 
 base::Result<bool> UaLink::mayWrite(const Variable& variable) {
   return m_impl->mayWrite(variable);
+}
+
+base::Result<std::vector<BrowsedNode>> UaLink::children(const std::string& address) {
+  return m_impl->children(address);
+}
+
+base::Result<std::vector<NodeFacts>> UaLink::examine(std::span<const std::string> addresses) {
+  return m_impl->examine(addresses);
 }
 
 const ChannelSecurity& UaLink::security() const {

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "opcua/connection.h"
+#include "opcua/node_browser.h"
 #include "opcua/node_map.h"
 #include "opcua/security.h"
 
@@ -42,15 +43,18 @@ struct ConnectOptions {
   std::string password;
   /// Of a server that is no SINUMERIK. Only these variables are there, and no method is.
   NodeAddresses nodes;
+  /// Of a control that is no SINUMERIK; null: `nodes` says what there is, or it is one. An empty
+  /// map is for browsing only.
+  std::shared_ptr<const ControlMap> map;
 };
 
-class UaLink final : public Link, public Control {
+class UaLink final : public Link, public Control, public NodeBrowser {
  public:
   /// Connects, opens a session and resolves the namespaces. A server that closes the connection is
   /// tried again, each time after a longer pause.
   /// @return NotReachable, Rejected, NamespaceMissing, EncryptionMissing, LoginRefused,
-  /// ClientNotTrusted, VariableMissing for an address that is none, and what
-  /// `ConnectOptions::trust` returns
+  /// ClientNotTrusted, VariableMissing for an address that is none, `MapError::WrongAddress` for
+  /// one of a map that the server does not have, and what `ConnectOptions::trust` returns
   [[nodiscard]] static base::Result<std::unique_ptr<UaLink>> connect(const ConnectOptions& options);
 
   /// Closes the session; blocks a second at most, whatever the other side does.
@@ -87,6 +91,8 @@ class UaLink final : public Link, public Control {
   base::Result<void> cycleStart() override;
   base::Result<void> reset() override;
   base::Result<trace::ControlTrace> fetchTrace() override;
+  base::Result<std::vector<BrowsedNode>> children(const std::string& address) override;
+  base::Result<std::vector<NodeFacts>> examine(std::span<const std::string> addresses) override;
 
  private:
   class Impl;
