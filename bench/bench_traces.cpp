@@ -23,6 +23,7 @@
 #include "base/median.h"
 #include "measuring.h"
 #include "widgets/plots/time_window.h"
+#include "widgets/scope/scope_pane.h"
 #include "widgets/scope/scope_view.h"
 
 namespace {
@@ -36,7 +37,7 @@ constexpr int kHeight = 900;
 constexpr double kChartsBudgetS = 60.0;
 constexpr int kLiveSignals = 20;
 constexpr int kLiveS = 120;
-constexpr int kLiveFramesPerS = 25;
+constexpr int kLiveFramesPerS = 1000 / widgets::ScopePane::kFollowMs;
 
 template <class Work>
 double millisecondsOf(const Work& work) {

@@ -60,7 +60,6 @@ ScopePane::ScopePane(ScopeCurves* curves, TimeWindow* window, ScopeCursors* curs
   setFont(small);
   m_redraw.setParent(this);  // whoever waits for the page finds it
   m_redraw.setSingleShot(true);
-  m_redraw.setInterval(kRedrawMs);
   connect(&m_redraw, &QTimer::timeout, this, &ScopePane::drawCurves);
   connect(m_window, &TimeWindow::changed, this, &ScopePane::scheduleRedraw);
   connect(m_curves, &ScopeCurves::changed, this, &ScopePane::scheduleRedraw);
@@ -93,8 +92,9 @@ QSize ScopePane::sizeHint() const {
 }
 
 void ScopePane::scheduleRedraw() {
-  if (!m_redraw.isActive()) {
-    m_redraw.start();
+  const bool follows = m_curves->isLive() && m_window->isLive();
+  if (!m_redraw.isActive() || (!follows && m_redraw.remainingTime() > kRedrawMs)) {
+    m_redraw.start(follows ? kFollowMs : kRedrawMs);
   }
 }
 

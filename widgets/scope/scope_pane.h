@@ -50,6 +50,10 @@ class ScopePane final : public Page {
   Q_OBJECT
 
  public:
+  /// Between two pictures while a run is followed, ms: the eye needs no more, and a run needs the
+  /// processor.
+  static constexpr int kFollowMs = 100;
+
   /// @param stops  outlives the pane
   ScopePane(ScopeCurves* curves, TimeWindow* window, ScopeCursors* cursors,
             const std::vector<StopRow>* stops, QWidget* parent = nullptr);
