@@ -62,7 +62,7 @@ ComparePanel::ComparePanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors
   axis->addWidget(m_axisName);
   axis->addWidget(m_axis, 1);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 6, 4, 4);
+  layout->setContentsMargins(2, 6, 2, 4);
   layout->addLayout(axis);
   layout->addWidget(m_differences);
   layout->addWidget(m_note);
