@@ -41,6 +41,16 @@ auto findIn(const Table& table, Is is) -> decltype(&table[0]) {
   return found == table.end() ? nullptr : &*found;
 }
 
+/// A pattern with a number in each place: "ns=2;i={}" is an address for every number.
+std::string withNumbers(std::string text) {
+  for (const std::string_view place : {"{}", "{first}", "{count}", "{last}"}) {
+    for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at)) {
+      text.replace(at, place.size(), "0");
+    }
+  }
+  return text;
+}
+
 class MapFileReader {
  public:
   explicit MapFileReader(const std::string& path)
@@ -77,7 +87,7 @@ class MapFileReader {
  private:
   void takeAddress(std::string_view key, const toml::node& node, std::string& into) {
     m_reader.takeText(key, node, into);
-    if (!into.empty() && !isAddress(into)) {
+    if (!into.empty() && !isAddress(withNumbers(into))) {
       m_reader.problem(node, fmt::format("{} is no node: write it like ns=2;s=Cell.X, "
                                          "nsu=urn:cell;i=5 or /Cell/Axes/X, not {}",
                                          key, into));

@@ -105,6 +105,14 @@ class TestControlMap : public QObject {
     QVERIFY(gapsOf(map).empty());
   }
 
+  void cellsMayHaveNumericNodeIds() {
+    const ControlMap map = parsed(
+        "[cells]\nnode = \"ns=2;i={}\"\nfirst = 0\nlast = 9\noffset = 5000\n"
+        "block_by_last = \"ns=3;i=1{first}0{last}\"\n");
+    QCOMPARE(map.cells.last, 9);
+    QCOMPARE(cellAddress(map.cells, 7), std::string("ns=2;i=5007"));
+  }
+
   void valuesHaveTheMeaningOfTheMap() {
     const ControlMap map = parsed(kWhole);
     const Variable status{VariableKind::ChannelStatus, 0};
