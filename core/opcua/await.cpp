@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+
+#include "opcua/control_map.h"
 
 namespace rivulet::opcua {
 
@@ -49,6 +52,16 @@ base::Result<std::vector<Reading>> readNow(Link& link, std::span<const Variable>
   return std::move(event->readings);
 }
 
+namespace {
+
+/// "R12", "channel.status"
+std::string variableName(const Variable& variable) {
+  return variable.kind == VariableKind::RParameter ? fmt::format("R{}", variable.index)
+                                                   : mapKeyOf(variable);
+}
+
+}  // namespace
+
 base::Result<std::vector<double>> readNumbers(Link& link, std::span<const Variable> variables,
                                               base::Duration deadline) {
   base::Error error;
@@ -59,15 +72,21 @@ base::Result<std::vector<double>> readNumbers(Link& link, std::span<const Variab
     } else {
       std::vector<double> numbers;
       std::error_code refused;
-      for (const Reading& reading : *readings) {
-        refused = refused ? refused : reading.status;
+      std::string name;
+      for (std::size_t i = 0; i < readings->size(); ++i) {
+        const Reading& reading = (*readings)[i];
+        if (reading.status && !refused) {
+          refused = reading.status;
+          name = variableName(variables[i]);
+        }
         numbers.push_back(reading.number);
       }
       if (!refused) {
         return numbers;
       }
-      error = base::makeError(refused, fmt::format("A variable of the control cannot be read. {}",
-                                                   remedyForItem(refused)));
+      error =
+          base::makeError(refused, fmt::format("A variable of the control cannot be read ({}). {}",
+                                               name, remedyForItem(refused)));
     }
     if (!mayBeFalsified(error.code)) {
       break;

@@ -239,7 +239,8 @@ name = "/Program"
     QTest::newRow("no channel status")
         << QByteArray("status") << QByteArray("has no channel.status");
     QTest::newRow("no alarm") << QByteArray("alarm") << QByteArray("has no alarm.number");
-    QTest::newRow("unknown state") << QByteArray("unknown") << QByteArray("cannot be read");
+    QTest::newRow("unknown state")
+        << QByteArray("unknown") << QByteArray("cannot be read (channel.status)");
   }
   void whatIsNotMappedIsNotAssumed() {
     QFETCH(QByteArray, what);
