@@ -1770,7 +1770,9 @@ UA_NodeId UaLink::Impl::nodeId(const Node& node, UA_String& range) {
     return borrowNodeId(m_namespace, identifier(node));
   }
   const Address& address = addressOf(node);
-  range = borrow(address.range);
+  if (!address.range.empty()) {
+    range = borrow(address.range);  // an empty text is not none: node-opcua cuts a text by it
+  }
   return address.id->nodeId;
 }
 
