@@ -9,6 +9,10 @@
 // usage: node node_opcua_front.js PLAN.json
 // PLAN: {"upstream": "opc.tcp://…", "folder": "…", "variables": ["/Channel/…", …],
 //        "user": "…", "password": "…"}
+// With "namespace" it is no SINUMERIK: that is the namespace of its variables, and these are objects:
+//        {"of": "/Channel/…", "id": "i=5001", "name": "Cell_1", "folder": "Cells"}; "scale": by what
+//        a number is multiplied, "texts": what the numbers from 0 are shown as. "methods" has such
+//        rows, too, and "methods_object" the object they belong to.
 // prints one line of JSON when it listens, among what the library says: {"endpoint": "…", "fingerprint": "…"}
 
 "use strict";
@@ -82,29 +86,59 @@ async function readAll(session, nodes, attributeId) {
   return values;
 }
 
-async function addVariables(session, space, upstreamIndex, parent, identifiers) {
-  const nodes = identifiers.map((id) => `ns=${upstreamIndex};s=${id}`);
+/// A row of the plan; the names of a SINUMERIK stand for themselves.
+function rowOf(entry) {
+  return typeof entry === "string" ? { of: entry, id: `s=${entry}`, name: entry } : entry;
+}
+
+/// A value as this server shows it.
+function shown(row, value) {
+  if (!value.statusCode.isGood() || (!row.scale && !row.texts)) {
+    return value;
+  }
+  const number = Number(value.value.value);
+  return new opcua.DataValue({
+    sourceTimestamp: value.sourceTimestamp,
+    value: row.texts
+      ? { dataType: opcua.DataType.String, value: row.texts[number] ?? `state ${number}` }
+      : { dataType: opcua.DataType.Double, value: number * row.scale },
+  });
+}
+
+async function addVariables(session, space, upstreamIndex, parent, entries) {
+  const rows = entries.map(rowOf);
+  const nodes = rows.map((row) => `ns=${upstreamIndex};s=${row.of}`);
+  const folders = new Map();
+  const folderOf = (name) => {
+    if (!name) {
+      return parent;
+    }
+    if (!folders.has(name)) {
+      folders.set(name, space.addObject({ organizedBy: parent, browseName: name }));
+    }
+    return folders.get(name);
+  };
   const reads = new Batch((ids) =>
     session.read(ids.map((nodeId) => ({ nodeId, attributeId: AttributeIds.Value })))
   );
   const writes = new Batch((items) => session.write(items));
   const types = await readAll(session, nodes, AttributeIds.DataType);
   const levels = await readAll(session, nodes, AttributeIds.AccessLevel);
-  identifiers.forEach((id, i) => {
+  rows.forEach((row, i) => {
     if (!types[i].statusCode.isGood()) {
       return; // this machine does not have it
     }
     const isWritable = (levels[i].value.value & opcua.AccessLevelFlag.CurrentWrite) !== 0;
     space.addVariable({
-      componentOf: parent,
-      nodeId: `s=${id}`,
-      browseName: id,
-      dataType: types[i].value.value,
+      componentOf: folderOf(row.folder),
+      nodeId: row.id,
+      browseName: row.name,
+      dataType: row.texts ? "String" : row.scale ? "Double" : types[i].value.value,
       minimumSamplingInterval: 100,
       accessLevel: isWritable ? "CurrentRead | CurrentWrite" : "CurrentRead",
       userAccessLevel: isWritable ? "CurrentRead | CurrentWrite" : "CurrentRead",
       value: {
-        timestamped_get: () => reads.add(nodes[i]),
+        timestamped_get: () => reads.add(nodes[i]).then((value) => shown(row, value)),
         timestamped_set: isWritable
           ? (value) =>
               writes.add({
@@ -118,12 +152,14 @@ async function addVariables(session, space, upstreamIndex, parent, identifiers) 
   });
 }
 
-async function addMethods(session, space, upstreamIndex, identifier, parent) {
+/// @param names  rows of the methods that are shown, and of the object; without them all, as they are
+async function addMethods(session, space, upstreamIndex, identifier, parent, names) {
   const objectId = `ns=${upstreamIndex};s=${identifier}`;
+  const own = names ? names.object : rowOf(identifier);
   const object = space.addObject({
     organizedBy: parent,
-    nodeId: `s=${identifier}`,
-    browseName: identifier,
+    nodeId: own.id,
+    browseName: own.name,
   });
   const found = await session.browse({
     nodeId: objectId,
@@ -134,12 +170,18 @@ async function addMethods(session, space, upstreamIndex, identifier, parent) {
     resultMask: 63,
   });
   for (const { nodeId, browseName } of found.references) {
+    const row = names
+      ? names.methods.find((one) => one.of === browseName.name)
+      : { id: `s=${nodeId.value}`, name: browseName.name };
+    if (!row) {
+      continue;
+    }
     const signature = await session.getArgumentDefinition(nodeId);
     const bare = (list) =>
       list.map((one) => ({ name: one.name, dataType: one.dataType, valueRank: one.valueRank }));
     const method = space.addMethod(object, {
-      nodeId: `s=${nodeId.value}`,
-      browseName: browseName.name,
+      nodeId: row.id,
+      browseName: row.name,
       inputArguments: bare(signature.inputArguments),
       outputArguments: bare(signature.outputArguments),
     });
@@ -185,16 +227,17 @@ async function main() {
   // The other way round than on the machine, behind one that is nobody's.
   addressSpace.registerNamespace("urn:nobody");
   const virtualSpace = addressSpace.registerNamespace(virtual);
-  const controlSpace = addressSpace.registerNamespace(control);
+  const controlSpace = addressSpace.registerNamespace(plan.namespace ?? control);
   const root = addressSpace.rootFolder.objects;
   const sinumerik = controlSpace.addObject({
     organizedBy: root,
     nodeId: "s=Sinumerik",
-    browseName: "Sinumerik",
+    browseName: plan.namespace ? "Machine" : "Sinumerik",
   });
   const controlIndex = uris.indexOf(control);
   await addVariables(session, controlSpace, controlIndex, sinumerik, plan.variables);
-  await addMethods(session, controlSpace, controlIndex, "/Methods", sinumerik);
+  const names = plan.methods && { object: plan.methods_object, methods: plan.methods };
+  await addMethods(session, controlSpace, controlIndex, "/Methods", sinumerik, names);
   await addMethods(session, virtualSpace, uris.indexOf(virtual), "VirtualMachine", root);
   await server.start();
   const der = server.getCertificate();

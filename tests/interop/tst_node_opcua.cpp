@@ -10,13 +10,13 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <cmath>
 #include <memory>
 
 #include "base/axes.h"
+#include "interop/node_front.h"
 #include "opcua/node_map.h"
 #include "support/machine_process.h"
 #include "support/test_program.h"
@@ -29,13 +29,6 @@ constexpr int kPatienceMs = 120'000;
 constexpr int kPoints = 20;
 const QString kUser = QStringLiteral("setter");
 const QString kPassword = QStringLiteral("only for this test");
-
-/// Where node finds the library; empty: nowhere.
-QString modules() {
-  const QString folder = qEnvironmentVariable(
-      "RIVULET_NODE_MODULES", QStringLiteral(RIVULET_SOURCE_DIR "/build/interop/node_modules"));
-  return QFile::exists(folder + QStringLiteral("/node-opcua/package.json")) ? folder : QString();
-}
 
 /// Everything that Rivulet reads or writes on a machine with five axes.
 QJsonArray variables() {
@@ -79,39 +72,23 @@ class TestNodeOpcua : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    const QString node = QStandardPaths::findExecutable(QStringLiteral("node"));
-    if (node.isEmpty() || modules().isEmpty()) {
-      QSKIP("node-opcua is not installed: scripts/interop installs it and runs this test.");
+    if (!tests::NodeFront::obstacle().isEmpty()) {
+      QSKIP(qPrintable(tests::NodeFront::obstacle()));
     }
     write("arc.mpf", program());
     m_machine = std::make_unique<tests::MachineProcess>(QStringLiteral(RIVULET_MACHINE));
     QVERIFY(!m_machine->endpoint().isEmpty());
-    write("plan.json",
-          QJsonDocument(QJsonObject{{QStringLiteral("upstream"), m_machine->endpoint()},
-                                    {QStringLiteral("folder"), m_folder.path()},
-                                    {QStringLiteral("user"), kUser},
-                                    {QStringLiteral("password"), kPassword},
-                                    {QStringLiteral("variables"), variables()}})
-              .toJson());
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("NODE_PATH"), modules());
-    m_front.setProcessEnvironment(environment);
-    m_front.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    m_front.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGKILL); });
-    m_front.start(node, {QStringLiteral(RIVULET_SOURCE_DIR "/tests/interop/node_opcua_front.js"),
-                         m_folder.filePath(QStringLiteral("plan.json"))});
-    while (m_endpoint.isEmpty() &&
-           (m_front.canReadLine() || m_front.waitForReadyRead(kPatienceMs))) {
-      const QJsonObject said = QJsonDocument::fromJson(m_front.readLine()).object();
-      m_endpoint = said[QStringLiteral("endpoint")].toString();
-      m_fingerprint = said[QStringLiteral("fingerprint")].toString();
-    }
+    m_front = std::make_unique<tests::NodeFront>(
+        QJsonObject{{QStringLiteral("upstream"), m_machine->endpoint()},
+                    {QStringLiteral("user"), kUser},
+                    {QStringLiteral("password"), kPassword},
+                    {QStringLiteral("variables"), variables()}},
+        m_folder.path());
+    m_endpoint = m_front->endpoint();
+    m_fingerprint = m_front->fingerprint();
     QVERIFY(!m_endpoint.isEmpty());
   }
-  void cleanupTestCase() {
-    m_front.terminate();
-    m_front.waitForFinished(kPatienceMs);
-  }
+  void cleanupTestCase() { m_front.reset(); }
 
   /// Comes first: afterwards the certificate is known.
   void anUnknownServerIsRefused() {
@@ -210,7 +187,7 @@ class TestNodeOpcua : public QObject {
 
   QTemporaryDir m_folder;
   std::unique_ptr<tests::MachineProcess> m_machine;
-  QProcess m_front;
+  std::unique_ptr<tests::NodeFront> m_front;
   QString m_endpoint;
   QString m_fingerprint;
 };

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A server of node-opcua in front of `rivulet-machine` (node_opcua_front.js), in a process of its
+/// own that ends with the object.
+#pragma once
+
+#include <sys/prctl.h>
+
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QString>
+#include <csignal>
+
+namespace rivulet::tests {
+
+class NodeFront {
+ public:
+  /// Why it cannot be started; empty: it can.
+  [[nodiscard]] static QString obstacle() {
+    return node().isEmpty() || modules().isEmpty()
+               ? QStringLiteral(
+                     "node-opcua is not installed: scripts/interop installs it and runs this test.")
+               : QString();
+  }
+
+  /// @param folder  for the plan and the certificates
+  NodeFront(QJsonObject plan, const QString& folder) {
+    plan.insert(QStringLiteral("folder"), folder);
+    QFile file(folder + QStringLiteral("/plan.json"));
+    if (!file.open(QIODevice::WriteOnly) || file.write(QJsonDocument(plan).toJson()) < 0) {
+      return;
+    }
+    file.close();
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("NODE_PATH"), modules());
+    m_process.setProcessEnvironment(environment);
+    m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    m_process.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGKILL); });
+    m_process.start(
+        node(),
+        {QStringLiteral(RIVULET_SOURCE_DIR "/tests/interop/node_opcua_front.js"), file.fileName()});
+    while (m_endpoint.isEmpty() &&
+           (m_process.canReadLine() || m_process.waitForReadyRead(kPatienceMs))) {
+      const QJsonObject said = QJsonDocument::fromJson(m_process.readLine()).object();
+      m_endpoint = said[QStringLiteral("endpoint")].toString();
+      m_fingerprint = said[QStringLiteral("fingerprint")].toString();
+    }
+  }
+  ~NodeFront() {
+    m_process.terminate();
+    m_process.waitForFinished(kPatienceMs);
+  }
+  NodeFront(const NodeFront&) = delete;
+  NodeFront& operator=(const NodeFront&) = delete;
+
+  /// Empty if it did not start.
+  [[nodiscard]] const QString& endpoint() const { return m_endpoint; }
+  [[nodiscard]] const QString& fingerprint() const { return m_fingerprint; }
+
+ private:
+  static constexpr int kPatienceMs = 120'000;
+
+  static QString node() { return QStandardPaths::findExecutable(QStringLiteral("node")); }
+  /// Where node finds the library; empty: nowhere.
+  static QString modules() {
+    const QString folder = qEnvironmentVariable(
+        "RIVULET_NODE_MODULES", QStringLiteral(RIVULET_SOURCE_DIR "/build/interop/node_modules"));
+    return QFile::exists(folder + QStringLiteral("/node-opcua/package.json")) ? folder : QString();
+  }
+
+  QProcess m_process;
+  QString m_endpoint;
+  QString m_fingerprint;
+};
+
+}  // namespace rivulet::tests
