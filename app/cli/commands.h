@@ -269,6 +269,17 @@ struct RightsOptions {
 /// Says which rights a run needs and this user has. Wrong if one is missing that every run needs.
 [[nodiscard]] Exit rights(const RightsOptions& options);
 
+struct MapOptions {
+  std::string endpoint;
+  std::string output;  ///< empty: standard output
+  std::size_t nodesMax = 20'000;
+  int depthMax = 8;
+  double timeMaxS = 60.0;
+  bool json = false;
+};
+/// Asks only, writes nothing on the server.
+[[nodiscard]] Exit map(const MapOptions& options);
+
 struct CertificateOptions {
   bool renew = false;
   std::string exportFile;  ///< empty: none

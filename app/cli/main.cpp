@@ -795,6 +795,24 @@ void addRightsCommand(CLI::App& app, Exit& exit) {
   command->callback([options, &exit] { exit = rivulet::cli::rights(*options); });
 }
 
+void addMapCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::MapOptions>();
+  CLI::App* command = app.add_subcommand(
+      "map", "Propose a map of a server that is no SINUMERIK, and read what it names");
+  command->add_option("--endpoint", options->endpoint, "OPC UA server")->required();
+  command->add_option("-o,--output", options->output, "File for the map; else standard output");
+  command->add_option("--max-nodes", options->nodesMax, "Look at no more nodes")
+      ->capture_default_str();
+  command->add_option("--max-depth", options->depthMax, "Levels below Objects")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  command->add_option("--max-time", options->timeMaxS, "Browse no longer, in s")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  addJson(command, options->json);
+  command->callback([options, &exit] { exit = rivulet::cli::map(*options); });
+}
+
 void addCertificateCommand(CLI::App& app, Exit& exit) {
   const auto options = std::make_shared<rivulet::cli::CertificateOptions>();
   CLI::App* command = app.add_subcommand(
@@ -828,7 +846,8 @@ void addConnection(CLI::App& app, rivulet::cli::ConnectionOptions& options) {
                  "File of mode 0600 with the password; else RIVULET_PASSWORD, the systemd "
                  "credential rivulet-password, or the terminal");
   app.add_option("--map", options.mapFile,
-                 "Map of a control that is no SINUMERIK, .toml: which node is what");
+                 "Map of a control that is no SINUMERIK, .toml: which node is what; command map "
+                 "proposes one");
 }
 
 #endif
@@ -868,6 +887,7 @@ int main(int argc, char** argv) {
   addPetriCommand(app, exit);
 #ifdef RIVULET_WITH_OPEN62541
   addRightsCommand(app, exit);
+  addMapCommand(app, exit);
   addCertificateCommand(app, exit);
   addConnection(app, connection);
 #endif

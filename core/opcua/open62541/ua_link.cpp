@@ -1017,8 +1017,11 @@ std::optional<NodeId> UaLink::Impl::parsed(const std::string& address) const {
 }
 
 base::Error UaLink::Impl::wrongAddress(const std::string& key, const std::string& what) const {
-  return base::makeError(MapError::WrongAddress,
-                         fmt::format("{} of the map: {} Correct the map.", key, what), endpoint());
+  return base::makeError(
+      MapError::WrongAddress,
+      fmt::format("{} of the map: {} Correct the map; rivulet-cli map shows what the server has.",
+                  key, what),
+      endpoint());
 }
 
 base::Result<NodeId> UaLink::Impl::resolve(const std::string& address, const std::string& key) {
