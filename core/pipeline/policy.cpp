@@ -9,7 +9,8 @@ namespace rivulet::pipeline {
 
 namespace {
 
-/// More saves hardly any switches and keeps more items waiting: docs/parallel.md.
+/// Of 1, 2, 4, 6, 8, 16 and 40, none gave `steady` more set points with one and two processors and
+/// 1 ms per switch. With less, processors switch more often; with more, position control waits.
 constexpr int kBatch = 8;
 
 }  // namespace
