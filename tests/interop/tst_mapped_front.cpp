@@ -12,7 +12,6 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
-#include <cmath>
 #include <memory>
 
 #include "interop/node_front.h"
@@ -83,17 +82,6 @@ QJsonObject method(const char* of, const char* id, const char* name) {
           {QStringLiteral("name"), QString::fromUtf8(name)}};
 }
 
-/// An arc of points that are 1 mm apart.
-QByteArray program() {
-  QByteArray text = "G17 G90 G71 G94\nG0 X0 Y0 Z50\n";
-  for (int i = 1; i < kPoints; ++i) {
-    const double angle = 0.2 * i;
-    text += "G1 X" + QByteArray::number(5.0 * std::sin(angle), 'f', 3) + " Y" +
-            QByteArray::number(5.0 - 5.0 * std::cos(angle), 'f', 3) + " F300\n";
-  }
-  return text + "M30\n";
-}
-
 }  // namespace
 
 class TestMappedFront : public QObject {
@@ -104,7 +92,7 @@ class TestMappedFront : public QObject {
     if (!tests::NodeFront::obstacle().isEmpty()) {
       QSKIP(qPrintable(tests::NodeFront::obstacle()));
     }
-    write("arc.mpf", program());
+    write("arc.mpf", tests::arcProgram(kPoints));
     m_machine = std::make_unique<tests::MachineProcess>(QStringLiteral(RIVULET_MACHINE));
     QVERIFY(!m_machine->endpoint().isEmpty());
     m_front = std::make_unique<tests::NodeFront>(
