@@ -175,7 +175,7 @@ class MapFileReader {
     }
     MethodNodes& methods = m_map.methods;
     for (const auto& [key, value] : *section) {
-      const auto is = [&](const auto& one) { return one.first == key.str(); };
+      const auto is = [name = key.str()](const auto& one) { return one.first == name; };
       if (const auto* const method = findIn(kMethodKeys, is)) {
         takeAddress(key.str(), value, methods.*method->second);
       } else if (const auto* const path = findIn(kPathKeys, is)) {
