@@ -6,6 +6,7 @@
 #include <QtTest>
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <string>
 
 #include "base/random.h"
@@ -122,6 +123,51 @@ std::vector<StreamPoint> crowdedPoints(Random& random, std::size_t count) {
     points.push_back({at, {}});
   }
   return points;
+}
+
+/// The points with stretches lost, executed twice or exchanged, and motions to foreign places.
+std::vector<ExecutedBlock> disturbed(Random& random, const std::vector<StreamPoint>& points) {
+  const std::size_t rarity = 2 + random.below(200);
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t fault = random.below(rarity);
+    if (fault == 0) {
+      i += random.below(9);
+    }
+    if (fault == 1 && !order.empty()) {
+      const std::size_t from =
+          order.size() - 1 - random.below(std::min<std::size_t>(9, order.size()));
+      order.push_back(order[from]);
+    }
+    order.push_back(std::min(i, points.size() - 1));
+    if (fault == 2 && order.size() > 1) {
+      std::swap(order.back(), order[order.size() - 2]);
+    }
+  }
+  std::vector<ExecutedBlock> blocks = blocksOf(points, order);
+  for (ExecutedBlock& block : blocks) {
+    if (random.below(3 * rarity) == 0) {
+      block.targetMm.x += 0.5;
+    } else if (random.below(3 * rarity) == 0) {
+      block.lengthMm = 0.0;
+    }
+  }
+  return blocks;
+}
+
+/// Everything that a judgement says.
+std::string text(const Integrity& result) {
+  std::string all = result.judged ? "judged" : "not judged";
+  for (const std::size_t number :
+       {result.executed, result.repeated, result.skipped, result.foreign, result.outOfOrder}) {
+    all += "/" + std::to_string(number);
+  }
+  for (const IntegrityFault& fault : result.faults) {
+    all += " " + std::to_string(static_cast<int>(fault.kind)) + ":" +
+           std::to_string(fault.point.value) + "@" +
+           std::to_string(fault.at.time_since_epoch().count());
+  }
+  return all;
 }
 
 std::vector<std::size_t> faithful(std::size_t count) {
@@ -369,6 +415,55 @@ class TestIntegrity : public QObject {
     cut.truncated = true;
     QVERIFY(!judgeRun(points, cut, {}).judged);
     QVERIFY(!judgeRun(points, traceOf({0, 1, 2, 3}), {true, false, false}).judged);
+  }
+
+  /// While the run lasts, its blocks come in pieces, and the points of a live run with them.
+  void piecesGiveTheSameJudgementAsTheWhole() {
+    QVERIFY(rc::check("judged in pieces as in one", [] {
+      Random random(*rc::gen::arbitrary<std::uint64_t>());
+      const std::size_t count = 1 + random.below(700);
+      const bool isCrowded = random.below(2) == 0;
+      const std::vector<StreamPoint> points =
+          isCrowded ? crowdedPoints(random, count) : distinctPoints(random, count);
+      const std::vector<ExecutedBlock> blocks = disturbed(random, points);
+      const Integrity whole = judgeIntegrity(points, blocks, kToleranceMm);
+
+      std::vector<StreamPoint> growing;
+      IntegrityJudge judge(points, kToleranceMm, {}, PointsOfRun::Known);
+      IntegrityJudge live(growing, kToleranceMm, {}, PointsOfRun::Growing);
+      for (std::size_t from = 0; from < blocks.size();) {
+        const std::size_t size = std::min(1 + random.below(400), blocks.size() - from);
+        const std::size_t known = std::min(points.size(), from + size + random.below(30));
+        growing.insert(
+            growing.end(), points.begin() + static_cast<std::ptrdiff_t>(growing.size()),
+            points.begin() + static_cast<std::ptrdiff_t>(std::max(known, growing.size())));
+        judge.add(std::span(blocks).subspan(from, size));
+        live.add(std::span(blocks).subspan(from, size));
+        from += size;
+      }
+      growing = points;
+      RC_ASSERT(text(judge.finish()) == text(whole));
+      RC_ASSERT(text(live.finish()) == text(whole));
+    }));
+  }
+
+  void aTraceInPiecesIsJudgedAsTheWhole() {
+    const std::vector<StreamPoint> points = program("ABCDEFG");
+    ControlTrace whole;
+    whole.blocks = executed("ABCDEFG");
+    ControlTrace first = whole;
+    first.blocks.resize(3);
+    ControlTrace second = whole;
+    second.blocks.erase(second.blocks.begin(), second.blocks.begin() + 3);
+    RunJudge judge(points, {}, PointsOfRun::Known);
+    judge.add(first);
+    judge.add(second);
+    QVERIFY(judge.finish().isFaultless());
+    RunJudge incomplete(points, {}, PointsOfRun::Known);
+    first.truncated = true;
+    incomplete.add(first);
+    incomplete.add(second);
+    QVERIFY(!incomplete.finish().judged);
   }
 
   void staysFastOnLongFaultyRuns() {

@@ -27,6 +27,10 @@
 //
 // The counts do not depend on each single decision: executions and distinct points are counted, and
 // skipped points and points out of order are determined from the whole run at the end.
+//
+// Blocks are judged as they come, so that a run of any length can be judged while it lasts: only
+// the blocks that decide between candidates are waited for. Until the first fault, one number says
+// which points have been executed; from then on, each point takes twelve bytes and a bit.
 
 #include "trace/analysis/integrity.h"
 
@@ -34,6 +38,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -68,6 +73,8 @@ bool isSame(const gcode::StreamPoint& point, const AxisPosition& place, double t
 AxisPosition endOf(const ExecutedBlock& block) {
   return {block.targetMm, block.targetDeg};
 }
+
+}  // namespace
 
 /// Finds the points at a place: points sorted by the cell of a grid they lie in.
 class PointGrid {
@@ -173,44 +180,54 @@ class PointGrid {
   std::vector<Entry> m_entries;
 };
 
-class Judge {
+class IntegrityJudge::Impl {
  public:
-  Judge(const std::vector<gcode::StreamPoint>& points, const std::vector<ExecutedBlock>& blocks,
-        double toleranceMm, const base::RotarySet& rotaryAxes)
+  Impl(const std::vector<gcode::StreamPoint>& points, double toleranceMm,
+       const base::RotarySet& rotaryAxes, bool isGrowing)
       : m_points(points),
-        m_blocks(blocks),
         m_toleranceMm(toleranceMm),
         m_rotaryAxes(rotaryAxes),
-        m_firstBlock(points.size(), kNone) {}
+        m_isGrowing(isGrowing) {}
 
-  [[nodiscard]] Integrity judge();
+  void add(std::span<const ExecutedBlock> blocks);
+  [[nodiscard]] Integrity finish();
 
  private:
-  [[nodiscard]] bool matches(std::size_t block, std::size_t point) const {
+  /// First executions from the first that was not that of the next point on.
+  struct Late {
+    std::vector<bool> isExecuted;      ///< by point
+    std::vector<std::uint32_t> order;  ///< points in the order of their first executions
+    std::vector<base::Instant> from;   ///< the same: when the block began
+  };
+
+  [[nodiscard]] bool matches(const ExecutedBlock& block, std::size_t point) const {
     return point < m_points.size() &&
-           isSame(m_points[point], endOf(m_blocks[block]), m_toleranceMm, m_rotaryAxes);
+           isSame(m_points[point], endOf(block), m_toleranceMm, m_rotaryAxes);
   }
   [[nodiscard]] static bool isHold(const ExecutedBlock& block) {
     return block.lengthMm < kHoldMm && block.turnDeg < kHoldDeg;
   }
-  void judgeHold(std::size_t block);
-  void judgeMotion(std::size_t block);
-  void execute(std::size_t block, std::size_t point);
-  void passOverDuePointsHere(std::size_t block);
-  [[nodiscard]] std::size_t choose(std::size_t block);
-  [[nodiscard]] std::size_t explained(std::size_t block, std::size_t point) const;
-  void addFault(Kind kind, std::size_t point, base::Instant at) {
-    m_faults.push_back({kind, base::PointIndex{static_cast<std::uint32_t>(point)}, at});
-  }
+  [[nodiscard]] bool isDecidable(const ExecutedBlock& block) const;
+  void judgeFirst();
+  void judgeHold(const ExecutedBlock& block);
+  void judgeMotion(const ExecutedBlock& block);
+  void execute(const ExecutedBlock& block, std::size_t point);
+  [[nodiscard]] bool isExecuted(std::size_t point) const;
+  void passOverDuePointsHere(const ExecutedBlock& block);
+  [[nodiscard]] std::size_t choose(const ExecutedBlock& block);
+  [[nodiscard]] std::size_t explained(std::size_t point) const;
+  void addFault(Kind kind, std::size_t point, base::Instant at);
+  void keepFirstFaults();
   void findSkipped();
   void findOutOfOrder();
 
   const std::vector<gcode::StreamPoint>& m_points;
-  const std::vector<ExecutedBlock>& m_blocks;
   double m_toleranceMm;
   base::RotarySet m_rotaryAxes;
-  std::vector<std::size_t> m_firstBlock;  ///< per point the block that executed it first
-  std::vector<std::size_t> m_order;       ///< points in the order of their first executions
+  bool m_isGrowing;
+  std::deque<ExecutedBlock> m_blocks;  ///< the one to be judged next, and those after it
+  std::size_t m_inTurn = 0;            ///< points executed before the first that was not next
+  std::optional<Late> m_late;          ///< made at the first fault
   std::size_t m_due = 0;
   std::size_t m_last = kNone;
   std::optional<AxisPosition> m_position;  ///< position of the axes; unknown before the first block
@@ -220,32 +237,68 @@ class Judge {
   std::vector<IntegrityFault> m_faults;
 };
 
-Integrity Judge::judge() {
-  m_result.judged = true;
-  m_order.reserve(m_points.size());
-  for (std::size_t block = 0; block < m_blocks.size(); ++block) {
-    if (isHold(m_blocks[block])) {
-      judgeHold(block);
-    } else {
-      judgeMotion(block);
+void IntegrityJudge::Impl::add(std::span<const ExecutedBlock> blocks) {
+  for (const ExecutedBlock& block : blocks) {
+    m_blocks.push_back(block);
+    while (m_blocks.size() >= kLookAheadBlocks && isDecidable(m_blocks.front())) {
+      judgeFirst();
     }
   }
-  m_result.executed = m_order.size();
-  findSkipped();
+}
+
+Integrity IntegrityJudge::Impl::finish() {
+  m_isGrowing = false;
+  while (!m_blocks.empty()) {
+    judgeFirst();
+  }
+  m_result.judged = true;
+  m_result.executed = m_inTurn + (m_late ? m_late->order.size() : 0);
+  if (m_late) {
+    findSkipped();
+  }
   if (!m_inOrder) {
     findOutOfOrder();
   }
-  std::stable_sort(m_faults.begin(), m_faults.end(),
-                   [](const IntegrityFault& a, const IntegrityFault& b) { return a.at < b.at; });
-  m_faults.resize(std::min(m_faults.size(), kFaultsMax));
+  keepFirstFaults();
   m_result.faults = std::move(m_faults);
   return std::move(m_result);
 }
 
-void Judge::judgeHold(std::size_t block) {
+/// A block that fits is judged alike whatever points follow; for another, all have to be known.
+bool IntegrityJudge::Impl::isDecidable(const ExecutedBlock& block) const {
+  return !m_isGrowing ||
+         (m_due < m_points.size() && (isHold(block) || matches(block, m_due) ||
+                                      (m_last != kNone && matches(block, m_last + 1))));
+}
+
+void IntegrityJudge::Impl::judgeFirst() {
+  const ExecutedBlock& block = m_blocks.front();
+  if (isHold(block)) {
+    judgeHold(block);
+  } else {
+    judgeMotion(block);
+  }
+  m_blocks.pop_front();
+}
+
+/// Of equally early faults those that were found first.
+void IntegrityJudge::Impl::keepFirstFaults() {
+  std::stable_sort(m_faults.begin(), m_faults.end(),
+                   [](const IntegrityFault& a, const IntegrityFault& b) { return a.at < b.at; });
+  m_faults.resize(std::min(m_faults.size(), kFaultsMax));
+}
+
+void IntegrityJudge::Impl::addFault(Kind kind, std::size_t point, base::Instant at) {
+  m_faults.push_back({kind, base::PointIndex{static_cast<std::uint32_t>(point)}, at});
+  if (m_faults.size() >= 2 * kFaultsMax) {
+    keepFirstFaults();
+  }
+}
+
+void IntegrityJudge::Impl::judgeHold(const ExecutedBlock& block) {
   // A block that moves nothing cannot be wrong. It executes the point due if the axes are there
   // already.
-  const AxisPosition target = endOf(m_blocks[block]);
+  const AxisPosition target = endOf(block);
   if (m_position &&
       (base::distance(m_position->mm, target.mm) > m_toleranceMm ||
        base::differenceDeg(m_position->deg, target.deg, m_rotaryAxes) > m_toleranceMm)) {
@@ -257,23 +310,23 @@ void Judge::judgeHold(std::size_t block) {
   }
 }
 
-void Judge::judgeMotion(std::size_t block) {
+void IntegrityJudge::Impl::judgeMotion(const ExecutedBlock& block) {
   if (!matches(block, m_due)) {
     passOverDuePointsHere(block);
   }
   const std::size_t point = choose(block);
-  m_position = endOf(m_blocks[block]);
+  m_position = endOf(block);
   if (point == kNone) {
     ++m_result.foreign;
     addFault(Kind::Foreign, std::min(m_due, m_points.empty() ? 0 : m_points.size() - 1),
-             m_blocks[block].from);
+             block.from);
     return;
   }
   execute(block, point);
 }
 
 /// Due points at which the axes are already need no block: they were executed on arrival.
-void Judge::passOverDuePointsHere(std::size_t block) {
+void IntegrityJudge::Impl::passOverDuePointsHere(const ExecutedBlock& block) {
   while (m_position && m_last != kNone && m_due == m_last + 1 && m_due < m_points.size() &&
          base::distance(m_points[m_due].positionMm, m_points[m_last].positionMm) < kHoldMm &&
          base::differenceDeg(m_points[m_due].rotaryDeg, m_points[m_last].rotaryDeg, m_rotaryAxes) <
@@ -282,20 +335,36 @@ void Judge::passOverDuePointsHere(std::size_t block) {
   }
 }
 
-void Judge::execute(std::size_t block, std::size_t point) {
-  m_last = point;
-  if (m_firstBlock[point] == kNone) {
-    m_inOrder = m_inOrder && (m_order.empty() || m_order.back() < point);
-    m_firstBlock[point] = block;
-    m_order.push_back(point);
-  } else {
-    ++m_result.repeated;
-    addFault(Kind::Repeated, point, m_blocks[block].from);
-  }
-  m_due = std::max(m_due, point + 1);
+bool IntegrityJudge::Impl::isExecuted(std::size_t point) const {
+  return point < m_inTurn ||
+         (m_late && point < m_late->isExecuted.size() && m_late->isExecuted[point]);
 }
 
-std::size_t Judge::choose(std::size_t block) {
+void IntegrityJudge::Impl::execute(const ExecutedBlock& block, std::size_t point) {
+  m_last = point;
+  m_due = std::max(m_due, point + 1);
+  if (isExecuted(point)) {
+    ++m_result.repeated;
+    addFault(Kind::Repeated, point, block.from);
+    return;
+  }
+  if (!m_late && point == m_inTurn) {
+    ++m_inTurn;
+    return;
+  }
+  if (!m_late) {
+    m_late.emplace();
+  }
+  if (point >= m_late->isExecuted.size()) {
+    m_late->isExecuted.resize(std::max(point + 1, m_points.size()));
+  }
+  m_inOrder = m_inOrder && (m_late->order.empty() || m_late->order.back() < point);
+  m_late->isExecuted[point] = true;
+  m_late->order.push_back(static_cast<std::uint32_t>(point));
+  m_late->from.push_back(block.from);
+}
+
+std::size_t IntegrityJudge::Impl::choose(const ExecutedBlock& block) {
   if (matches(block, m_due)) {
     return m_due;
   }
@@ -305,7 +374,7 @@ std::size_t Judge::choose(std::size_t block) {
   if (!m_grid) {
     m_grid.emplace(m_points, m_toleranceMm, m_rotaryAxes);
   }
-  const std::vector<std::size_t> candidates = m_grid->at(endOf(m_blocks[block]), m_due);
+  const std::vector<std::size_t> candidates = m_grid->at(endOf(block), m_due);
   if (candidates.size() < 2) {
     return candidates.empty() ? kNone : candidates.front();
   }
@@ -315,7 +384,7 @@ std::size_t Judge::choose(std::size_t block) {
   std::size_t best = kNone;
   std::size_t bestExplained = 0;
   for (const std::size_t point : candidates) {  // ascending: of equals the earlier one stays
-    const std::size_t count = explained(block, point);
+    const std::size_t count = explained(point);
     if (best == kNone || count > bestExplained ||
         (count == bestExplained && distanceToDue(point) < distanceToDue(best))) {
       best = point;
@@ -325,19 +394,19 @@ std::size_t Judge::choose(std::size_t block) {
   return best;
 }
 
-/// Number of blocks from `block` on that fit without another jump if `block` executed `point`.
-std::size_t Judge::explained(std::size_t block, std::size_t point) const {
+/// Number of blocks from the first on that fit without another jump if it executed `point`.
+std::size_t IntegrityJudge::Impl::explained(std::size_t point) const {
   std::size_t due = std::max(m_due, point + 1);
   std::size_t last = point;
   std::size_t count = 1;
-  const std::size_t end = std::min(m_blocks.size(), block + kLookAheadBlocks);
-  for (std::size_t i = block + 1; i < end; ++i) {
+  const std::size_t end = std::min(m_blocks.size(), kLookAheadBlocks);
+  for (std::size_t i = 1; i < end; ++i) {
     if (isHold(m_blocks[i])) {
       continue;
     }
-    if (matches(i, due)) {
+    if (matches(m_blocks[i], due)) {
       last = due++;
-    } else if (matches(i, last + 1)) {
+    } else if (matches(m_blocks[i], last + 1)) {
       due = std::max(due, ++last + 1);
     } else {
       break;
@@ -348,52 +417,57 @@ std::size_t Judge::explained(std::size_t block, std::size_t point) const {
 }
 
 /// A point is skipped if it was never executed although a later one was.
-void Judge::findSkipped() {
-  std::size_t passedBy = kNone;  // the earliest block that executed a later point
-  for (std::size_t point = m_points.size(); point-- > 0;) {
-    if (m_firstBlock[point] != kNone) {
-      passedBy = std::min(passedBy, m_firstBlock[point]);
-    } else if (passedBy != kNone) {
+void IntegrityJudge::Impl::findSkipped() {
+  constexpr auto kNever = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> turnOf(m_points.size() - m_inTurn, kNever);
+  for (std::size_t i = 0; i < m_late->order.size(); ++i) {
+    turnOf[m_late->order[i] - m_inTurn] = static_cast<std::uint32_t>(i);
+  }
+  std::uint32_t passedBy = kNever;  // the earliest execution of a later point
+  for (std::size_t i = turnOf.size(); i-- > 0;) {
+    if (turnOf[i] != kNever) {
+      passedBy = std::min(passedBy, turnOf[i]);
+    } else if (passedBy != kNever) {
       ++m_result.skipped;
-      addFault(Kind::Skipped, point, m_blocks[passedBy].from);
+      addFault(Kind::Skipped, m_inTurn + i, m_late->from[passedBy]);
     }
   }
 }
 
 /// The longest ascending subsequence of the first executions is what was in order (patience
-/// sorting: `tails[k]` is the smallest end of an ascending sequence of k + 1 points).
-void Judge::findOutOfOrder() {
-  std::vector<std::size_t> tails;
-  std::vector<std::size_t> rank(m_order.size());
-  for (std::size_t i = 0; i < m_order.size(); ++i) {
-    const auto place = std::lower_bound(tails.begin(), tails.end(), m_order[i]);
-    rank[i] = static_cast<std::size_t>(place - tails.begin());
+/// sorting: `tails[k]` is the smallest end of an ascending sequence of k + 1 points). The points
+/// before the first fault belong to it.
+void IntegrityJudge::Impl::findOutOfOrder() {
+  const std::vector<std::uint32_t>& order = m_late->order;
+  std::vector<std::uint32_t> tails;
+  std::vector<std::uint32_t> rank(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto place = std::lower_bound(tails.begin(), tails.end(), order[i]);
+    rank[i] = static_cast<std::uint32_t>(place - tails.begin());
     if (place == tails.end()) {
-      tails.push_back(m_order[i]);
+      tails.push_back(order[i]);
     } else {
-      *place = m_order[i];
+      *place = order[i];
     }
   }
   // Backwards: the last point of each rank that is below its successor belongs to the sequence.
   std::size_t wanted = tails.size();
   std::size_t successor = m_points.size();
-  for (std::size_t i = m_order.size(); i-- > 0;) {
-    if (wanted > 0 && rank[i] == wanted - 1 && m_order[i] < successor) {
-      successor = m_order[i];
+  for (std::size_t i = order.size(); i-- > 0;) {
+    if (wanted > 0 && rank[i] == wanted - 1 && order[i] < successor) {
+      successor = order[i];
       --wanted;
     } else {
       ++m_result.outOfOrder;
-      addFault(Kind::OutOfOrder, m_order[i], m_blocks[m_firstBlock[m_order[i]]].from);
+      addFault(Kind::OutOfOrder, order[i], m_late->from[i]);
     }
   }
 }
 
+namespace {
+
 /// A control that does not record its blocks is judged by its set points.
-Integrity judgeSamples(const std::vector<gcode::StreamPoint>& points, const ControlTrace& trace,
-                       const base::RotarySet& rotaryAxes) {
-  if (base::any(rotaryAxes)) {
-    return {};  // only places of X, Y and Z are compared
-  }
+Integrity judgeSamples(const std::vector<gcode::StreamPoint>& points, const ControlTrace& trace) {
   std::vector<gcode::StreamPoint> streamed = points;
   for (gcode::StreamPoint& point : streamed) {
     point.kind = gcode::MoveKind::Feed;  // each counts, also those of an arc
@@ -417,23 +491,72 @@ Integrity judgeSamples(const std::vector<gcode::StreamPoint>& points, const Cont
 
 }  // namespace
 
+IntegrityJudge::IntegrityJudge(const std::vector<gcode::StreamPoint>& points, double toleranceMm,
+                               const base::RotarySet& rotaryAxes, PointsOfRun known) {
+  RIVULET_ASSERT(toleranceMm >= 0.0);
+  RIVULET_ASSERT(points.size() <= std::numeric_limits<std::uint32_t>::max());
+  m_impl = std::make_unique<Impl>(points, toleranceMm, rotaryAxes, known == PointsOfRun::Growing);
+}
+
+IntegrityJudge::~IntegrityJudge() = default;
+
+void IntegrityJudge::add(std::span<const ExecutedBlock> blocks) {
+  m_impl->add(blocks);
+}
+
+Integrity IntegrityJudge::finish() {
+  return m_impl->finish();
+}
+
 Integrity judgeIntegrity(const std::vector<gcode::StreamPoint>& points,
                          const std::vector<ExecutedBlock>& blocks, double toleranceMm,
                          const base::RotarySet& rotaryAxes) {
-  RIVULET_ASSERT(toleranceMm >= 0.0);
-  RIVULET_ASSERT(points.size() <= std::numeric_limits<std::uint32_t>::max());
-  return Judge(points, blocks, toleranceMm, rotaryAxes).judge();
+  IntegrityJudge judge(points, toleranceMm, rotaryAxes, PointsOfRun::Known);
+  judge.add(blocks);
+  return judge.finish();
+}
+
+RunJudge::RunJudge(const std::vector<gcode::StreamPoint>& points, const base::RotarySet& rotaryAxes,
+                   PointsOfRun known)
+    : m_points(points),
+      m_bySamples(!base::any(rotaryAxes)),  // only places of X, Y and Z are compared
+      m_blocks(points, kPointToleranceMm, rotaryAxes, known) {
+}
+
+void RunJudge::add(const ControlTrace& piece) {
+  m_isTruncated = m_isTruncated || piece.truncated;
+  if (m_isTruncated) {
+    return;
+  }
+  if (!piece.blocks.empty() && !m_hasBlocks) {
+    m_hasBlocks = true;
+    m_withoutBlocks = {};
+  }
+  m_hasSamples = m_hasSamples || !piece.samples.empty();
+  m_blocks.add(piece.blocks);
+  if (!m_hasBlocks && m_bySamples) {
+    m_withoutBlocks.cycle = piece.cycle;
+    m_withoutBlocks.rotaryAxes = piece.rotaryAxes;
+    m_withoutBlocks.samples.insert(m_withoutBlocks.samples.end(), piece.samples.begin(),
+                                   piece.samples.end());
+  }
+}
+
+Integrity RunJudge::finish() {
+  if (m_isTruncated) {
+    return {};
+  }
+  if (m_hasBlocks || !m_hasSamples || m_points.empty()) {
+    return m_blocks.finish();
+  }
+  return m_bySamples ? judgeSamples(m_points, m_withoutBlocks) : Integrity{};
 }
 
 Integrity judgeRun(const std::vector<gcode::StreamPoint>& points, const ControlTrace& trace,
                    const base::RotarySet& rotaryAxes) {
-  if (trace.truncated) {
-    return {};
-  }
-  if (trace.blocks.empty() && !trace.samples.empty() && !points.empty()) {
-    return judgeSamples(points, trace, rotaryAxes);
-  }
-  return judgeIntegrity(points, trace.blocks, kPointToleranceMm, rotaryAxes);
+  RunJudge judge(points, rotaryAxes, PointsOfRun::Known);
+  judge.add(trace);
+  return judge.finish();
 }
 
 }  // namespace rivulet::trace

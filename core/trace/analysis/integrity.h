@@ -8,6 +8,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "base/axes.h"
@@ -56,6 +58,34 @@ struct Integrity {
                                        const std::vector<ExecutedBlock>& blocks, double toleranceMm,
                                        const base::RotarySet& rotaryAxes = {});
 
+/// Whether all points are known when the first block is judged.
+enum class PointsOfRun {
+  Known,
+  Growing,  ///< a live run: a block that does not fit waits for `finish`
+};
+
+/// The same judgement while the run lasts: blocks in pieces of any size. Bounded memory until the
+/// first fault.
+class IntegrityJudge {
+ public:
+  /// @param points  as for `judgeIntegrity`; must outlive the judge, and may grow if `known` says
+  /// so
+  IntegrityJudge(const std::vector<gcode::StreamPoint>& points, double toleranceMm,
+                 const base::RotarySet& rotaryAxes, PointsOfRun known);
+  ~IntegrityJudge();
+  IntegrityJudge(const IntegrityJudge&) = delete;
+  IntegrityJudge& operator=(const IntegrityJudge&) = delete;
+
+  /// The next blocks, in time order.
+  void add(std::span<const ExecutedBlock> blocks);
+  /// The judgement of all of them. To be called once, when all points are known.
+  [[nodiscard]] Integrity finish();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
 /// R-parameters are doubles on both sides: a point arrives as it was sent. A thousandth of a
 /// micrometre leaves room for a control that rounds its display values.
 inline constexpr double kPointToleranceMm = 1e-6;
@@ -63,7 +93,30 @@ inline constexpr double kPointToleranceMm = 1e-6;
 /// The judgement of a run from the control's trace, for the run itself and for its recording alike.
 /// A trace of which a part is missing is not judged. A trace without blocks is judged by its set
 /// points (`path_match`), to its tolerance; not if rotary axes were streamed, nor if its samples
-/// are too far apart to show each point.
+/// are too far apart to show each point. Such a trace is kept until the end; of all others only
+/// what `IntegrityJudge` needs.
+class RunJudge {
+ public:
+  /// @param points  see `IntegrityJudge`
+  RunJudge(const std::vector<gcode::StreamPoint>& points, const base::RotarySet& rotaryAxes,
+           PointsOfRun known);
+
+  /// The next part of the trace.
+  void add(const ControlTrace& piece);
+  /// To be called once, when all points are known.
+  [[nodiscard]] Integrity finish();
+
+ private:
+  const std::vector<gcode::StreamPoint>& m_points;
+  bool m_bySamples;
+  IntegrityJudge m_blocks;
+  ControlTrace m_withoutBlocks;
+  bool m_hasBlocks = false;
+  bool m_hasSamples = false;
+  bool m_isTruncated = false;
+};
+
+/// The same of a whole trace.
 [[nodiscard]] Integrity judgeRun(const std::vector<gcode::StreamPoint>& points,
                                  const ControlTrace& trace, const base::RotarySet& rotaryAxes);
 

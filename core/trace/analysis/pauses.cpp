@@ -25,23 +25,30 @@ bool isShort(Duration gap, Duration seen) {
 
 }  // namespace
 
+std::optional<Pause> PauseFinder::add(const ControlSample& sample) {
+  if (sample.feedMmPerS <= m_options.standstillMmPerSMax) {
+    m_lastStanding = sample.at;
+    return std::nullopt;
+  }
+  std::optional<Pause> found;
+  if (m_lastMoving && m_lastStanding) {
+    const Duration duration = *m_lastStanding - *m_lastMoving;
+    if (duration >= m_options.durationMin) {
+      found = Pause{*m_lastMoving, duration, PauseOrigin::Measured};
+    }
+  }
+  m_lastMoving = sample.at;
+  m_lastStanding.reset();
+  return found;
+}
+
 std::vector<Pause> findPauses(const ControlTrace& trace, const PauseOptions& options) {
   std::vector<Pause> pauses;
-  std::optional<Instant> lastMoving;
-  std::optional<Instant> lastStanding;
+  PauseFinder finder(options);
   for (const ControlSample& sample : trace.samples) {
-    if (sample.feedMmPerS <= options.standstillMmPerSMax) {
-      lastStanding = sample.at;
-      continue;
+    if (const std::optional<Pause> pause = finder.add(sample)) {
+      pauses.push_back(*pause);
     }
-    if (lastMoving && lastStanding) {
-      const Duration duration = *lastStanding - *lastMoving;
-      if (duration >= options.durationMin) {
-        pauses.push_back({*lastMoving, duration, PauseOrigin::Measured});
-      }
-    }
-    lastMoving = sample.at;
-    lastStanding.reset();
   }
   return pauses;
 }

@@ -25,13 +25,29 @@ struct PauseOptions {
   base::Duration durationMin = std::chrono::milliseconds{8};
 };
 
-/// The pauses between the first and the last motion of a trace, in time order, origin Measured.
+/// Finds the pauses between the first and the last motion of a trace, sample by sample; origin
+/// Measured.
 ///
 /// A sample's feed is the speed of the cycle that ends at the sample. So the set point is at
 /// standstill from the last moving sample, at which it arrives, to the last standing sample, after
 /// which it leaves. `start` is the instant of the former; `duration` is the time between the two,
 /// which is the number of standing samples times the cycle. A sample whose feed is not a number
 /// counts as moving.
+class PauseFinder {
+ public:
+  explicit PauseFinder(const PauseOptions& options = {}) : m_options(options) {}
+
+  /// @param sample  the next one in time order
+  /// @return the pause that this sample ended
+  [[nodiscard]] std::optional<Pause> add(const ControlSample& sample);
+
+ private:
+  PauseOptions m_options;
+  std::optional<base::Instant> m_lastMoving;
+  std::optional<base::Instant> m_lastStanding;
+};
+
+/// The pauses of a whole trace, in time order.
 [[nodiscard]] std::vector<Pause> findPauses(const ControlTrace& trace,
                                             const PauseOptions& options = {});
 
