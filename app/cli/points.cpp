@@ -73,7 +73,10 @@ gcode::Trajectory ResamplingOptions::resampled(gcode::Trajectory trajectory) con
                        thinned.errorMmMax);
     trajectory = std::move(thinned.trajectory);
   }
-  return splitMm > 0.0 ? gcode::split(trajectory, splitMm) : trajectory;
+  if (splitMm > 0.0) {
+    return gcode::split(trajectory, splitMm);
+  }
+  return trajectory;
 }
 
 Exit points(const PointsOptions& options) {

@@ -42,6 +42,10 @@ constexpr int kOffsetStays = 2;
 constexpr std::uint64_t kStandstillStream = 1;
 constexpr std::uint64_t kAccessStream = 2;
 
+/// Samples that were taken are forgotten when there are this many, or half of what the trace can
+/// hold, except the newer half of them.
+constexpr std::size_t kTakenSamplesMax = 120'000;
+
 }  // namespace
 
 class Machine::Impl final : public MainRun, public AuxiliaryRun {
@@ -192,6 +196,8 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
     m_trace.blocks.clear();
     m_trace.events.clear();
     m_trace.truncated = false;
+    m_forgotten = {m_forgotten.start + 1, 0, 0, 0};
+    m_traceIsFull = false;
     m_recording = false;
     m_moved = false;
     m_holdUntil = m_now;
@@ -225,6 +231,20 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
     enterReset();
   }
 
+  trace::TracePiece takeTrace(const trace::TracePosition& from) {
+    if (from.start == m_forgotten.start) {
+      forgetTaken(from);
+    }
+    trace::TracePiece piece = trace::cutPiece(m_trace, m_forgotten, from);
+    piece.records.truncated = piece.records.truncated || m_traceIsFull;
+    if (m_channel != ChannelStatus::Reset && !piece.records.events.empty() &&
+        piece.next.events == m_forgotten.events + m_trace.events.size()) {
+      piece.records.events.pop_back();
+      --piece.next.events;
+    }
+    return piece;
+  }
+
   MachineConfig m_config;
   base::Random m_standstillRandom;
   base::Random m_accessRandom;
@@ -235,6 +255,8 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
   ServoModel m_servo;
   Equipment m_equipment;
   trace::ControlTrace m_trace;
+  trace::TracePosition m_forgotten;  ///< where `m_trace` begins
+  bool m_traceIsFull = false;
   std::map<std::string, std::string> m_programs;
   std::string m_selected;
   Instant m_now{};
@@ -267,8 +289,9 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
   }
 
   void dwell(base::LineNumber line, Instant at, double seconds) override {
-    const bool continues = m_blocksAtDwell == m_trace.blocks.size();
-    m_blocksAtDwell = m_trace.blocks.size();
+    const std::size_t blocks = m_forgotten.blocks + m_trace.blocks.size();
+    const bool continues = m_blocksAtDwell == blocks;
+    m_blocksAtDwell = blocks;
     m_equipment.recordDwell(line, at, seconds, continues, m_trace.events);
   }
 
@@ -463,12 +486,41 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
     m_recording = false;
   }
 
+  [[nodiscard]] std::size_t samplesMax() const {
+    return static_cast<std::size_t>(m_config.traceLimit / m_config.interpolationCycle);
+  }
+
+  void forgetTaken(const trace::TracePosition& taken) {
+    const std::size_t takenMax = std::min(kTakenSamplesMax, samplesMax() / 2);
+    if (taken.samples <= m_forgotten.samples + takenMax ||
+        taken.samples > m_forgotten.samples + m_trace.samples.size()) {
+      return;
+    }
+    const std::size_t samples = taken.samples - m_forgotten.samples - takenMax / 2 - 1;
+    const Instant until = m_trace.samples[samples].at;
+    const auto forget = [until](auto& records, std::uint64_t& forgotten, std::uint64_t takenCount) {
+      std::size_t count = 0;
+      while (forgotten + count < takenCount && count + 1 < records.size() &&
+             records[count].to < until) {
+        ++count;
+      }
+      records.erase(records.begin(), records.begin() + static_cast<std::ptrdiff_t>(count));
+      forgotten += count;
+    };
+    forget(m_trace.blocks, m_forgotten.blocks, taken.blocks);
+    forget(m_trace.events, m_forgotten.events, taken.events);
+    m_trace.samples.erase(m_trace.samples.begin(),
+                          m_trace.samples.begin() + static_cast<std::ptrdiff_t>(samples));
+    m_forgotten.samples += samples;
+    m_trace.truncated = true;
+  }
+
   void record(base::Vec3 actual, const base::RotaryDeg& actualDeg) {
     if (!m_recording) {
       return;
     }
-    const auto limit = static_cast<std::size_t>(m_config.traceLimit / m_config.interpolationCycle);
-    if (m_trace.samples.size() >= limit) {
+    if (m_trace.samples.size() >= samplesMax()) {
+      m_traceIsFull = true;
       m_trace.truncated = true;
       return;
     }
@@ -579,6 +631,10 @@ Result<void> Machine::cycleStart() {
 
 void Machine::reset() {
   m_impl->reset();
+}
+
+trace::TracePiece Machine::takeTrace(const trace::TracePosition& from) {
+  return m_impl->takeTrace(from);
 }
 
 const trace::ControlTrace& Machine::trace() const {

@@ -19,6 +19,7 @@
 #include "base/vec3.h"
 #include "machine/config.h"
 #include "trace/control_trace.h"
+#include "trace/trace_piece.h"
 
 namespace rivulet::machine {
 
@@ -112,8 +113,12 @@ class Machine {
   /// Ends whatever is in progress; the axes brake to a standstill first. Always allowed.
   void reset();
 
-  /// The control's own trace since the last cycle start.
+  /// The control's own trace since the last cycle start, as far as it has not been taken.
   [[nodiscard]] const trace::ControlTrace& trace() const;
+  /// The next part of it. Of what lies before `from`, only the last minutes are kept; so a client
+  /// that takes the trace while the program runs gets all of it, however long the run is. While the
+  /// program runs, the last event is held back: it may still change.
+  [[nodiscard]] trace::TracePiece takeTrace(const trace::TracePosition& from);
 
  private:
   class Impl;

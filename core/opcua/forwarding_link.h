@@ -33,6 +33,9 @@ class ForwardingLink : public Link {
                         base::Duration deadline) override {
     return m_link.store(name, text, deadline);
   }
+  base::RequestId readTrace(const trace::TracePosition& from, base::Duration deadline) override {
+    return m_link.readTrace(from, deadline);
+  }
   std::optional<Event> wait(base::Instant until) override { return m_link.wait(until); }
   [[nodiscard]] base::Duration silence() const override { return m_link.silence(); }
 

@@ -8,6 +8,7 @@
 /// @threadsafety one object, one thread at a time.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,12 +22,14 @@
 #include "opcua/server_identity.h"
 #include "opcua/variable.h"
 #include "trace/control_trace.h"
+#include "trace/trace_piece.h"
 
 namespace rivulet::opcua {
 
 enum class EventKind {
   ReadDone,
   WriteDone,
+  TraceDone,
   RequestFailed,   ///< this request; `error` says why; the connection may go on
   ConnectionLost,  ///< everything outstanding has failed; nothing is retried by the link
 };
@@ -35,10 +38,11 @@ struct Event {
   EventKind kind = EventKind::ReadDone;
   base::RequestId request;
   base::Instant sent{};
-  base::Instant at{};                     ///< when the answer arrived
-  std::vector<Reading> readings;          ///< ReadDone: one per variable, in order
-  std::vector<std::error_code> statuses;  ///< WriteDone: one per assignment, in order
-  base::Error error;                      ///< RequestFailed, ConnectionLost
+  base::Instant at{};                                ///< when the answer arrived
+  std::vector<Reading> readings;                     ///< ReadDone: one per variable, in order
+  std::vector<std::error_code> statuses;             ///< WriteDone: one per assignment, in order
+  base::Error error;                                 ///< RequestFailed, ConnectionLost
+  std::shared_ptr<const trace::TracePiece> trace{};  ///< TraceDone
 };
 
 /// Asynchronous variable access. Requests are served in order; several may be outstanding.
@@ -62,6 +66,14 @@ class Link {
   /// Names end in MPF (part programs) or SPF (subprograms).
   virtual base::RequestId store(const std::string& name, const std::string& text,
                                 base::Duration deadline) = 0;
+
+  /// Asks for the next part of the control's own trace while a stream runs: TraceDone. What lies
+  /// before `from` may be forgotten by the control.
+  /// @return 0 if the control gives its trace only as a whole, after the run
+  virtual base::RequestId readTrace(const trace::TracePosition& /*from*/,
+                                    base::Duration /*deadline*/) {
+    return {};
+  }
 
   /// The next event; waits no longer than `until`. @return nothing if that time has come
   virtual std::optional<Event> wait(base::Instant until) = 0;
@@ -117,8 +129,10 @@ class Control {
   [[nodiscard]] virtual Abilities abilities() const = 0;
   virtual base::Result<void> cycleStart() = 0;
   virtual base::Result<void> reset() = 0;
-  /// The control's own trace of the last run.
+  /// The control's own trace of the last run, as far as it still has it.
   virtual base::Result<trace::ControlTrace> fetchTrace() = 0;
+  /// The part of it that follows `from`; the same as `Link::readTrace`, after the stream.
+  virtual base::Result<trace::TracePiece> fetchTracePiece(const trace::TracePosition& from);
 };
 
 }  // namespace rivulet::opcua

@@ -54,6 +54,7 @@ inline constexpr std::string_view kVirtualObject = "VirtualMachine";
 inline constexpr std::string_view kCycleStart = "CycleStart";
 inline constexpr std::string_view kReset = "Reset";
 inline constexpr std::string_view kFetchTrace = "FetchTrace";
+inline constexpr std::string_view kFetchTracePiece = "FetchTracePiece";
 inline constexpr std::string_view kSimulated = "Simulated";
 inline constexpr std::string_view kPresetName = "PresetName";
 

@@ -46,6 +46,13 @@ constexpr Duration kNoteInterval = std::chrono::seconds{1};
 /// A display read may take this many times its estimate before the method is due.
 constexpr int kSlackFactor = 2;
 
+/// The control's trace is fetched this often, where the stream leaves time; else later, but before
+/// a piece is full.
+constexpr Duration kTraceInterval = std::chrono::seconds{2};
+constexpr Duration kTraceOverdue = std::chrono::seconds{8};
+/// Variables that can be read in the time of a piece of the trace.
+constexpr int kTraceNodes = 3;
+
 /// Files travel more slowly than variables.
 constexpr Duration kStoreDeadline = std::chrono::seconds{10};
 
@@ -94,12 +101,14 @@ void Driver::watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf) 
 
 StreamEnd Driver::run() {
   m_shownAt = m_link.now();
+  m_nextTrace = m_link.now() + kTraceInterval;
   while (!m_done) {
     readSource();
     checkOrders();
     if (m_abandonedAt) {
       submitStop();
     }
+    submitTrace();
     submitMonitor();
     if (!m_abandonedAt) {
       submitMethod();
@@ -382,6 +391,10 @@ void Driver::handle(const opcua::Event& event) {
     m_stopSent = event.kind != opcua::EventKind::RequestFailed;
     return;
   }
+  if (m_tracePending == event.request) {
+    handleTrace(event);
+    return;
+  }
   const bool forMethod = m_methodPending && m_methodPending->id == event.request;
   const bool forMonitor = m_monitorPending && m_monitorPending->id == event.request;
   if (!forMethod && !forMonitor) {
@@ -426,6 +439,34 @@ void Driver::handle(const opcua::Event& event) {
     publish();
   } else {
     handleMonitor(event);
+  }
+}
+
+void Driver::submitTrace() {
+  const Duration late = m_link.now() - m_nextTrace;
+  const bool mayAsk = m_trace != nullptr && !m_tracePending && !m_methodPending &&
+                      !m_monitorPending && !m_abandonedAt;
+  if (!mayAsk || late < Duration{0} || (late < kTraceOverdue && !hasSlackFor(kTraceNodes))) {
+    return;
+  }
+  const base::RequestId id =
+      m_link.readTrace(m_trace->position(), patient(m_settings.requestDeadline));
+  if (id == base::RequestId{}) {
+    m_trace = nullptr;  // as a whole, after the run
+  } else {
+    m_tracePending = id;
+  }
+}
+
+/// What was not answered is fetched later: the run does not depend on it.
+void Driver::handleTrace(const opcua::Event& event) {
+  m_tracePending.reset();
+  m_nextTrace = m_link.now() + kTraceInterval;
+  if (event.kind == opcua::EventKind::TraceDone) {
+    m_trace->take(*event.trace);
+    if (!event.trace->isLast) {
+      m_nextTrace = m_link.now();
+    }
   }
 }
 

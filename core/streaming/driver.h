@@ -18,6 +18,7 @@
 #include "streaming/equipment_watch.h"
 #include "streaming/method.h"
 #include "streaming/path_watch.h"
+#include "streaming/run_trace.h"
 #include "trace/analysis/pauses.h"
 #include "trace/recording.h"
 
@@ -78,6 +79,8 @@ class Driver {
   /// The path, so that a tool that leaves it is noticed. Without it only the method's own signs of
   /// wrong motion are.
   void watchPath(PathWatch path) { m_path = std::move(path); }
+  /// Fetches the control's own trace while the stream has slack, if the control gives it in pieces.
+  void watchTrace(RunTrace& trace) { m_trace = &trace; }
   /// The points arrive during the run; the method takes them from here, too.
   void watchSource(live::PointStream& source) { m_source = &source; }
   /// Rotary axes to be shown beside X, Y and Z. @param axisOf  see `ControlAxes`
@@ -154,6 +157,8 @@ class Driver {
   /// The stream cannot continue: command the control to end its program, and wait for that.
   void abandon(base::Error error);
   void submitStop();
+  void submitTrace();
+  void handleTrace(const opcua::Event& event);
 
   opcua::Link& m_link;
   Method& m_method;
@@ -193,6 +198,9 @@ class Driver {
   trace::StandstillByPosition m_standstill;
   std::optional<PathWatch> m_path;
   live::PointStream* m_source = nullptr;
+  RunTrace* m_trace = nullptr;
+  std::optional<base::RequestId> m_tracePending;
+  base::Instant m_nextTrace{};
   std::deque<trace::Pause> m_inferred;  // waiting for a measurement to take their place
   std::vector<trace::Pause> m_pauses;
   std::size_t m_stopsSeen = 0;

@@ -23,12 +23,12 @@
 #include "streaming/method.h"
 #include "streaming/pause_placement.h"
 #include "streaming/resume.h"
+#include "streaming/run_trace.h"
 #include "streaming/start_claim.h"
 #include "streaming/start_policy.h"
 #include "templates/continuation.h"
 #include "templates/generator.h"
 #include "templates/lint/lint.h"
-#include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
 
 namespace rivulet::streaming {
@@ -130,6 +130,10 @@ class Job {
   virtual bool isWhole(const ProgramEnd& end) { return end.isDone; }
   /// The program on the control has ended, or the connection.
   virtual void streamed() {}
+  /// The points to be judged: complete when the run has ended.
+  [[nodiscard]] virtual const std::vector<gcode::StreamPoint>& pointsOfRun() const {
+    return m_flight.points.points;
+  }
   virtual void finished() {}
 
   [[nodiscard]] virtual Result<void> mayStart() {
@@ -411,6 +415,12 @@ class Job {
     if (live::PointStream* const points = source()) {
       driver.watchSource(*points);
     }
+    if (m_control.abilities().keepsTrace) {
+      m_trace.emplace(pointsOfRun(), m_cells.rotaryAxes,
+                      source() != nullptr ? trace::PointsOfRun::Growing : trace::PointsOfRun::Known,
+                      m_recorder.writer);
+      driver.watchTrace(*m_trace);
+    }
     const bool isByPosition = m_settings.parameters.method == base::MethodKind::Position;
     driver.watchPath({m_flight.points.points,
                       m_flight.toolMm,
@@ -503,31 +513,25 @@ class Job {
 
   /// The control's own trace replaces the client's view.
   void judge() {
-    if (!m_control.abilities().keepsTrace ||
-        m_report.error.code == opcua::LinkError::ConnectionLost) {
+    if (!m_trace || m_report.error.code == opcua::LinkError::ConnectionLost) {
       return;
     }
     publish(m_report.outcome == Outcome::Stopped ? RunState::Stopping : RunState::Running, "trace");
-    Result<trace::ControlTrace> trace = m_control.fetchTrace();
-    if (!trace) {
-      m_ledger.note(
-          {m_link.now(), "the control's trace could not be fetched: " + trace.error().text()});
-      return;
+    bool isLast = false;
+    while (!isLast) {
+      const Result<trace::TracePiece> piece = m_control.fetchTracePiece(m_trace->position());
+      if (!piece) {
+        m_ledger.note(
+            {m_link.now(), "the control's trace could not be fetched: " + piece.error().text()});
+        return;
+      }
+      m_trace->take(*piece);
+      isLast = piece->isLast;
     }
-    m_report.integrity = trace::judgeRun(m_flight.points.points, *trace, m_cells.rotaryAxes);
-    if (trace->truncated) {
+    if (!m_trace->finish(m_report)) {
       // Its pauses and its time are those of a part of the run.
       m_ledger.note({m_link.now(), "the control's trace is incomplete: the run is not judged"});
-    } else {
-      m_report.pauses = trace::findPauses(*trace);
     }
-    if (!trace->truncated && !trace->samples.empty()) {
-      m_report.duration = trace->samples.back().at - trace->samples.front().at;
-    }
-    if (m_recorder.writer != nullptr) {
-      m_recorder.writer->controlTrace(*trace);
-    }
-    m_report.controlTrace = std::make_shared<const trace::ControlTrace>(std::move(*trace));
   }
 
   void pause(Duration duration) {
@@ -549,6 +553,7 @@ class Job {
     m_ledger.update(update);
   }
 
+  std::optional<RunTrace> m_trace;
   bool m_cancelled = false;
   bool m_streamed = false;
 };
@@ -614,6 +619,9 @@ class LiveJob final : public Job {
   }
 
   live::PointStream* source() override { return &m_source; }
+  [[nodiscard]] const std::vector<gcode::StreamPoint>& pointsOfRun() const override {
+    return m_source.points();
+  }
 
   /// The source is read from now on.
   void begin() override {

@@ -512,6 +512,15 @@ bool RecordingWriter::note(const Note& note) {
 }
 
 bool RecordingWriter::controlTrace(const ControlTrace& trace) {
+  controlTraceBegin(trace);
+  controlTracePiece(trace);
+  return controlTraceEnd();
+}
+
+bool RecordingWriter::controlTraceBegin(const ControlTrace& trace) {
+  m_traceSamples = 0;
+  m_traceBlocks = 0;
+  m_traceEvents = 0;
   m_lines += "trace";
   appendNumber(m_lines, "cycle_ns", trace.cycle.count());
   appendNumber(m_lines, "truncated", trace.truncated ? 1 : 0);
@@ -519,6 +528,13 @@ bool RecordingWriter::controlTrace(const ControlTrace& trace) {
     m_lines += " rotary=" + base::rotaryNames(trace.rotaryAxes);
   }
   m_lines += '\n';
+  return flush();
+}
+
+bool RecordingWriter::controlTracePiece(const ControlTrace& trace) {
+  m_traceSamples += trace.samples.size();
+  m_traceBlocks += trace.blocks.size();
+  m_traceEvents += trace.events.size();
   for (const ControlSample& sample : trace.samples) {
     lines::appendSample(m_lines, sample, trace.rotaryAxes);
     flushIfLarge();
@@ -531,11 +547,15 @@ bool RecordingWriter::controlTrace(const ControlTrace& trace) {
     lines::appendEvent(m_lines, event);
     flushIfLarge();
   }
+  return flush();
+}
+
+bool RecordingWriter::controlTraceEnd() {
   m_lines += "trace-end";
-  appendNumber(m_lines, "samples", trace.samples.size());
-  appendNumber(m_lines, "blocks", trace.blocks.size());
-  if (!trace.events.empty()) {
-    appendNumber(m_lines, "events", trace.events.size());
+  appendNumber(m_lines, "samples", m_traceSamples);
+  appendNumber(m_lines, "blocks", m_traceBlocks);
+  if (m_traceEvents > 0) {
+    appendNumber(m_lines, "events", m_traceEvents);
   }
   m_lines += '\n';
   return flush();

@@ -116,6 +116,11 @@ class RecordingWriter {
   bool pause(const Pause& pause);
   bool note(const Note& note);
   bool controlTrace(const ControlTrace& trace);
+  /// The same in pieces, between the other records. Without `controlTraceEnd`, whoever reads the
+  /// recording knows that a part is missing.
+  bool controlTraceBegin(const ControlTrace& head);
+  bool controlTracePiece(const ControlTrace& piece);
+  bool controlTraceEnd();
   /// The last record.
   bool end(const RunEnd& end);
 
@@ -130,6 +135,9 @@ class RecordingWriter {
   RecordingSink m_sink;
   base::RotarySet m_rotaryAxes{};  ///< of the run
   std::string m_lines;
+  std::size_t m_traceSamples = 0;
+  std::size_t m_traceBlocks = 0;
+  std::size_t m_traceEvents = 0;
   bool m_ok = true;
 };
 

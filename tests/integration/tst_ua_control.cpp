@@ -168,6 +168,45 @@ class TestUaControl : public QObject {
     QCOMPARE(trace->events.front().value, 1000.0);
   }
 
+  /// While the program runs, piece by piece, without waiting for an answer.
+  void theTraceIsReadWhileTheProgramRuns() {
+    LoopbackMachine cell;
+    const auto link = cell.connect();
+    QVERIFY(link->uploadProgram("SQUARE.MPF", kSquare, false));
+    QVERIFY(link->selectProgram("SQUARE.MPF"));
+    QVERIFY(link->cycleStart());
+    trace::ControlTrace all;
+    trace::TracePosition position;
+    std::size_t pieces = 0;
+    const auto take = [&](const trace::TracePiece& piece) {
+      all.cycle = piece.records.cycle;
+      all.truncated = all.truncated || piece.records.truncated;
+      all.samples.insert(all.samples.end(), piece.records.samples.begin(),
+                         piece.records.samples.end());
+      all.blocks.insert(all.blocks.end(), piece.records.blocks.begin(), piece.records.blocks.end());
+      all.events.insert(all.events.end(), piece.records.events.begin(), piece.records.events.end());
+      pieces += piece.records.samples.empty() ? 0 : 1;
+      position = piece.next;
+    };
+    while (readOne(*link, {VariableKind::ChannelStatus, 0}).number != 0.0) {
+      const base::RequestId id = link->readTrace(position, kPatience);
+      QVERIFY(id != base::RequestId{});
+      const auto event = link->wait(link->now() + kPatience);
+      QVERIFY(event && event->kind == opcua::EventKind::TraceDone && event->request == id);
+      take(*event->trace);
+    }
+    QVERIFY(pieces > 2);
+    for (bool isLast = false; !isLast;) {
+      const auto piece = link->fetchTracePiece(position);
+      QVERIFY(piece.has_value());
+      take(*piece);
+      isLast = piece->isLast;
+    }
+    const auto whole = link->fetchTrace();
+    QVERIFY(whole.has_value());
+    QVERIFY(trace::printControlTrace(all) == trace::printControlTrace(*whole));
+  }
+
   /// Longer than one answer of the server.
   void aLongTraceIsFetchedInParts() {
     LoopbackMachine cell;

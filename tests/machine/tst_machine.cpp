@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 #include "machine/machine.h"
@@ -40,6 +41,53 @@ class TestMachine : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// A client that takes the trace while the program runs has all of it in the end, although the
+  /// machine keeps only a part.
+  void theTraceIsTakenWhileTheProgramRuns() {
+    std::string text;
+    for (int i = 0; i < 60; ++i) {
+      text += "G1 X" + std::to_string(i % 2 * 5) + " F600\nG4 F0.1\n";
+    }
+    Bench whole(text + "M30\n");
+    machine::MachineConfig config = *machine::loadPreset("dmu75");
+    config.traceLimit = std::chrono::seconds{4};
+    Bench taken(text + "M30\n", 1, config);
+    trace::ControlTrace all;
+    trace::TracePosition position;
+    const auto take = [&] {
+      for (bool isLast = false; !isLast;) {
+        const trace::TracePiece piece = taken->takeTrace(position);
+        all.samples.insert(all.samples.end(), piece.records.samples.begin(),
+                           piece.records.samples.end());
+        all.blocks.insert(all.blocks.end(), piece.records.blocks.begin(),
+                          piece.records.blocks.end());
+        all.events.insert(all.events.end(), piece.records.events.begin(),
+                          piece.records.events.end());
+        all.truncated = all.truncated || piece.records.truncated;
+        all.cycle = piece.records.cycle;
+        position = piece.next;
+        isLast = piece.isLast;
+      }
+    };
+    std::size_t keptMax = 0;
+    for (int i = 0; i < 60; ++i) {
+      whole.runS(1.0);
+      taken.runS(1.0);
+      take();
+      keptMax = std::max(keptMax, taken->trace().samples.size());
+    }
+    QVERIFY(taken->state().channel == ChannelStatus::Reset);
+    QVERIFY(whole->trace().samples.size() > 8'000);
+    QVERIFY2(keptMax <= 1'000, "the machine keeps no more than its trace can hold");
+    QVERIFY(trace::printControlTrace(all) == trace::printControlTrace(whole->trace()));
+    // Who did not take it in time is told.
+    QVERIFY(taken->takeTrace({}).records.truncated);
+    QVERIFY(taken->trace().truncated);
+    trace::TracePosition ofAnotherStart = position;
+    ++ofAnotherStart.start;
+    QVERIFY(taken->takeTrace(ofAnotherStart).records.truncated);
+  }
+
   void language_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<double>("r5");

@@ -149,6 +149,44 @@ class TestRecording : public QObject {
     QCOMPARE(printRecording(*back), text);
   }
 
+  /// While the run lasts, its trace comes in pieces between the other records.
+  void aTraceInPiecesIsReadAsOne() {
+    Recording recording = smallRecording();
+    ControlTrace& trace = *recording.controlTrace;
+    trace.samples.resize(7, trace.samples.front());
+    trace.blocks.resize(3, trace.blocks.front());
+    for (const bool isWhole : {true, false}) {
+      std::string text;
+      RecordingWriter writer([&text](std::string_view lines) {
+        text += lines;
+        return true;
+      });
+      writer.start(recording.start);
+      writer.points(recording.points);
+      ControlTrace piece;
+      piece.cycle = trace.cycle;
+      writer.controlTraceBegin(piece);
+      piece.samples.assign(trace.samples.begin(), trace.samples.begin() + 4);
+      piece.blocks.assign(trace.blocks.begin(), trace.blocks.begin() + 1);
+      writer.controlTracePiece(piece);
+      writer.note(recording.notes.front());
+      piece.samples.assign(trace.samples.begin() + 4, trace.samples.end());
+      piece.blocks.assign(trace.blocks.begin() + 1, trace.blocks.end());
+      writer.controlTracePiece(piece);
+      if (isWhole) {
+        writer.controlTraceEnd();
+      }
+      writer.end(*recording.end);
+      const auto read = parseRecording(text);
+      QVERIFY(read.has_value() && read->controlTrace);
+      QCOMPARE(read->controlTrace->truncated, !isWhole);
+      QCOMPARE(read->notes.size(), std::size_t{1});
+      ControlTrace seen = *read->controlTrace;
+      seen.truncated = false;
+      QVERIFY(printControlTrace(seen) == printControlTrace(trace));
+    }
+  }
+
   void aRunStillOpenIsReadable() {
     Recording recording = smallRecording();
     recording.end.reset();

@@ -13,6 +13,7 @@
 #include "opcua/link.h"
 #include "opcua/node_map.h"
 #include "opcua/open62541/handle.h"
+#include "trace/control_trace.h"
 
 namespace rivulet::machine {
 
@@ -138,6 +139,19 @@ UA_StatusCode fetchTrace(Methods& methods, const UA_Variant* input, UA_Variant* 
   const auto chunk = std::string_view(text).substr(offset, kTraceChunkBytesMax);
   return answer(output[0], opcua::borrow(chunk), UA_TYPES_BYTESTRING) |
          answer(output[1], UA_UInt64{text.size()}, UA_TYPES_UINT64);
+}
+
+UA_StatusCode fetchTracePiece(Methods& methods, const UA_Variant* input, UA_Variant* output) {
+  const trace::TracePiece piece =
+      methods.control().takeTrace({argument<UA_UInt64>(input, 0), argument<UA_UInt64>(input, 1),
+                                   argument<UA_UInt64>(input, 2), argument<UA_UInt64>(input, 3)});
+  const std::string text = trace::printControlTrace(piece.records);
+  return answer(output[0], opcua::borrow(text), UA_TYPES_BYTESTRING) |
+         answer(output[1], piece.next.start, UA_TYPES_UINT64) |
+         answer(output[2], piece.next.samples, UA_TYPES_UINT64) |
+         answer(output[3], piece.next.blocks, UA_TYPES_UINT64) |
+         answer(output[4], piece.next.events, UA_TYPES_UINT64) |
+         answer(output[5], piece.isLast, UA_TYPES_BOOLEAN);
 }
 
 }  // namespace
@@ -296,6 +310,21 @@ base::Result<void> Methods::build(UA_UInt16 namespaceIndex) {
                       &onCall<&fetchTrace, Right::Anyone>,
                       {{"Offset", UA_TYPES_UINT64}},
                       {{"Data", UA_TYPES_BYTESTRING}, {"Total", UA_TYPES_UINT64}}});
+  }
+
+  if (facts.tracePieces) {
+    beyond.push_back({opcua::kFetchTracePiece,
+                      &onCall<&fetchTracePiece, Right::Anyone>,
+                      {{"Start", UA_TYPES_UINT64},
+                       {"Samples", UA_TYPES_UINT64},
+                       {"Blocks", UA_TYPES_UINT64},
+                       {"Events", UA_TYPES_UINT64}},
+                      {{"Data", UA_TYPES_BYTESTRING},
+                       {"NextStart", UA_TYPES_UINT64},
+                       {"NextSamples", UA_TYPES_UINT64},
+                       {"NextBlocks", UA_TYPES_UINT64},
+                       {"NextEvents", UA_TYPES_UINT64},
+                       {"IsLast", UA_TYPES_BOOLEAN}}});
   }
 
   UA_StatusCode status =

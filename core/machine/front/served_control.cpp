@@ -13,6 +13,7 @@ ServedMachine::ServedMachine(Machine& machine) : m_machine(machine) {
   m_facts.product = "Rivulet virtual machine";
   m_facts.applicationUri = "urn:rivulet:machine";
   m_facts.abilities = {true, true};
+  m_facts.tracePieces = true;
   for (int axis = static_cast<int>(base::kAxisCount); config.rotaryAt(axis); ++axis) {
     m_facts.rotaryAxes.push_back(*config.rotaryAt(axis));
   }

@@ -18,6 +18,7 @@
 #include "machine/config.h"
 #include "machine/machine.h"
 #include "opcua/link.h"
+#include "trace/trace_piece.h"
 
 namespace rivulet::machine {
 
@@ -28,6 +29,7 @@ struct ServedFacts {
   std::string applicationUri;  ///< of a server without a certificate
   bool isVirtual = true;       ///< no real axis moves
   opcua::Abilities abilities;  ///< which methods beside those of the file system there are
+  bool tracePieces = false;    ///< `takeTrace`
   /// Rotary axes of the channel, in the order after X, Y and Z: 0 to 2 for A, B, C.
   std::vector<std::size_t> rotaryAxes;
   base::Duration samplingMin{};  ///< shortest sampling and publishing interval
@@ -77,6 +79,10 @@ class ServedControl {
   virtual void reset() = 0;
   /// The control's own trace since the last cycle start, as `trace::printControlTrace` writes it.
   [[nodiscard]] virtual std::string traceText() const = 0;
+  /// The next part of it, see `Machine::takeTrace`; only if `ServedFacts::tracePieces`.
+  [[nodiscard]] virtual trace::TracePiece takeTrace(const trace::TracePosition& /*from*/) {
+    return {};
+  }
 };
 
 /// The virtual machine as such a control.
@@ -115,6 +121,9 @@ class ServedMachine final : public ServedControl {
   base::Result<void> cycleStart() override { return m_machine.cycleStart(); }
   void reset() override { m_machine.reset(); }
   [[nodiscard]] std::string traceText() const override;
+  [[nodiscard]] trace::TracePiece takeTrace(const trace::TracePosition& from) override {
+    return m_machine.takeTrace(from);
+  }
 
  private:
   Machine& m_machine;

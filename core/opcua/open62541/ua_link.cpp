@@ -17,6 +17,8 @@
 #include <cstring>
 #include <deque>
 #include <map>
+#include <memory>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -199,6 +201,47 @@ struct MethodCall {
   UA_CallMethodRequest item;
   UA_CallRequest request;
 };
+
+/// The arguments of `kFetchTracePiece`. @param from  outlives them
+[[nodiscard]] std::array<UA_Variant, 4> traceInputs(trace::TracePosition& from) {
+  return {borrowScalar(from.start, UA_TYPES_UINT64), borrowScalar(from.samples, UA_TYPES_UINT64),
+          borrowScalar(from.blocks, UA_TYPES_UINT64), borrowScalar(from.events, UA_TYPES_UINT64)};
+}
+
+/// Its answer.
+[[nodiscard]] base::Result<trace::TracePiece> tracePieceOf(const UA_CallMethodResult& result) {
+  constexpr std::size_t kOutputs = 6;
+  const std::span outputs(result.outputArguments, result.outputArgumentsSize);
+  const auto unknown = [] {
+    return base::fail(LinkError::Rejected,
+                      "The server's method returns a form that Rivulet does not know.",
+                      std::string(kFetchTracePiece));
+  };
+  if (outputs.size() != kOutputs) {
+    return unknown();
+  }
+  const auto* const text = scalarOf<UA_ByteString>(outputs[0], UA_TYPES_BYTESTRING);
+  const auto* const isLast = scalarOf<UA_Boolean>(outputs[kOutputs - 1], UA_TYPES_BOOLEAN);
+  trace::TracePiece piece;
+  bool isComplete = text != nullptr && isLast != nullptr;
+  std::size_t index = 1;
+  for (std::uint64_t* const next :
+       {&piece.next.start, &piece.next.samples, &piece.next.blocks, &piece.next.events}) {
+    const auto* const number = scalarOf<UA_UInt64>(outputs[index++], UA_TYPES_UINT64);
+    isComplete = isComplete && number != nullptr;
+    *next = number != nullptr ? *number : 0;
+  }
+  if (!isComplete) {
+    return unknown();
+  }
+  auto records = trace::parseControlTrace(view(*text));
+  if (!records) {
+    return base::fail(records.error());
+  }
+  piece.records = std::move(*records);
+  piece.isLast = *isLast;
+  return piece;
+}
 
 /// A unit of a request: a variable, or consecutive R-parameters.
 struct Node {
@@ -492,6 +535,8 @@ class UaLink::Impl {
   base::RequestId request(Operation operation, std::vector<Variable> variables,
                           std::vector<double> values, Duration deadline, Grouping grouping);
   base::RequestId store(const std::string& name, const std::string& text, Duration deadline);
+  [[nodiscard]] bool givesTracePieces() const { return m_commands && m_commands->tracePieces; }
+  base::RequestId readTrace(const trace::TracePosition& from, Duration deadline);
   std::optional<Event> wait(Instant until);
   [[nodiscard]] Duration silence() const;
 
@@ -517,10 +562,11 @@ class UaLink::Impl {
     Operation operation = Operation::Read;
     Grouping grouping = Grouping::List;
     std::vector<Variable> variables;
-    std::vector<double> values;  ///< Write: one per variable
-    std::string path;            ///< Call: of the program to be stored
-    std::string text;            ///< Call
-    bool isCalled = false;       ///< Call: has been sent
+    std::vector<double> values;                ///< Write: one per variable
+    std::string path;                          ///< Call: of the program to be stored
+    std::string text;                          ///< Call
+    std::optional<trace::TracePosition> from;  ///< Call: for the trace, not for a program
+    bool isCalled = false;                     ///< Call: has been sent
     Instant deadline{};
     std::uint64_t serial = 0;  ///< of the service call in progress; 0 none
     std::size_t itemsSent = 0;
@@ -645,6 +691,7 @@ class UaLink::Impl {
     UA_UInt16 nameSpace = 0;
     std::string_view object;
     Abilities abilities;
+    bool tracePieces = false;  ///< `kFetchTracePiece`
   };
   bool m_isVirtual = false;
   std::optional<Commands> m_commands;
@@ -979,7 +1026,12 @@ base::Result<void> UaLink::Impl::resolveNamespaces(Instant deadline) {
     }
     if (*isThere) {
       m_isVirtual = true;
-      m_commands = Commands{*foundVirtual, kVirtualObject, {true, true}};
+      const std::string piece = memberIdentifier(kVirtualObject, kFetchTracePiece);
+      const auto givesPieces = exists(borrowNodeId(*foundVirtual, piece), deadline);
+      if (!givesPieces) {
+        return base::fail(givesPieces.error());
+      }
+      m_commands = Commands{*foundVirtual, kVirtualObject, {true, true}, *givesPieces};
       return {};
     }
   }
@@ -1634,6 +1686,14 @@ void UaLink::Impl::takeCall(Pending& pending, const UA_CallResponse& response) {
   pending.failure =
       response.resultsSize == 1 ? response.results[0].statusCode : UA_STATUSCODE_BADUNKNOWNRESPONSE;
   pending.done = true;
+  if (!pending.from || isBad(pending.failure)) {
+    return;
+  }
+  if (auto piece = tracePieceOf(response.results[0])) {
+    pending.event.trace = std::make_shared<const trace::TracePiece>(*std::move(piece));
+  } else {
+    pending.failure = UA_STATUSCODE_BADUNKNOWNRESPONSE;
+  }
 }
 
 // --- requests -----------------------------------------------------------------------------------
@@ -1700,7 +1760,40 @@ base::RequestId UaLink::Impl::store(const std::string& name, const std::string& 
   return m_lastId;
 }
 
+base::RequestId UaLink::Impl::readTrace(const trace::TracePosition& from, Duration deadline) {
+  if (!givesTracePieces()) {
+    return {};
+  }
+  Pending pending;
+  pending.id = ++m_lastId;
+  pending.operation = Operation::Call;
+  pending.from = from;
+  pending.event.kind = EventKind::TraceDone;
+  pending.event.request = pending.id;
+  pending.event.sent = now();
+  pending.event.at = pending.event.sent;
+  pending.deadline = addSaturating(pending.event.sent, deadline);
+  noticeLoss();  // comes before this request
+  if (m_lost) {
+    fail(pending, error(LinkError::ConnectionLost));
+  } else {
+    m_pending.push_back(std::move(pending));
+    sendDue();
+  }
+  return m_lastId;
+}
+
 UA_StatusCode UaLink::Impl::sendCall(Pending& pending, void* serial) {
+  if (pending.from) {
+    std::array inputs = traceInputs(*pending.from);
+    const std::string piece = memberIdentifier(m_commands->object, kFetchTracePiece);
+    MethodCall method(borrowNodeId(m_commands->nameSpace, m_commands->object),
+                      borrowNodeId(m_commands->nameSpace, piece), inputs);
+    pending.isCalled = true;
+    return __UA_Client_AsyncService(m_client, &method.request, &UA_TYPES[UA_TYPES_CALLREQUEST],
+                                    &Impl::onAnswer, &UA_TYPES[UA_TYPES_CALLRESPONSE], serial,
+                                    nullptr);
+  }
   UA_String target = borrow(pending.path);
   UA_ByteString data = borrow(pending.text);
   UA_Boolean mayOverwrite = true;
@@ -2164,6 +2257,10 @@ base::RequestId UaLink::store(const std::string& name, const std::string& text,
   return m_impl->store(name, text, deadline);
 }
 
+base::RequestId UaLink::readTrace(const trace::TracePosition& from, base::Duration deadline) {
+  return m_impl->readTrace(from, deadline);
+}
+
 std::optional<Event> UaLink::wait(base::Instant until) {
   return m_impl->wait(until);
 }
@@ -2280,6 +2377,17 @@ base::Result<void> UaLink::reset() {
     return base::fail(answer.error());
   }
   return {};
+}
+
+base::Result<trace::TracePiece> UaLink::fetchTracePiece(const trace::TracePosition& from) {
+  if (!m_impl->givesTracePieces()) {
+    return Control::fetchTracePiece(from);
+  }
+  trace::TracePosition position = from;
+  std::array inputs = traceInputs(position);
+  const auto answer = m_impl->callBeyond(kFetchTracePiece, inputs);
+  return answer ? tracePieceOf((*answer)->results[0])
+                : base::Result<trace::TracePiece>(base::fail(answer.error()));
 }
 
 base::Result<trace::ControlTrace> UaLink::fetchTrace() {

@@ -70,6 +70,7 @@ class UaLink final : public Link, public Control, public NodeBrowser {
                         Grouping grouping) override;
   base::RequestId store(const std::string& name, const std::string& text,
                         base::Duration deadline) override;
+  base::RequestId readTrace(const trace::TracePosition& from, base::Duration deadline) override;
   /// Never returns before `until` without an event, also after the connection is lost.
   /// An answer found in time is reported even if this call came after the request's deadline.
   std::optional<Event> wait(base::Instant until) override;
@@ -91,6 +92,7 @@ class UaLink final : public Link, public Control, public NodeBrowser {
   base::Result<void> cycleStart() override;
   base::Result<void> reset() override;
   base::Result<trace::ControlTrace> fetchTrace() override;
+  base::Result<trace::TracePiece> fetchTracePiece(const trace::TracePosition& from) override;
   base::Result<std::vector<BrowsedNode>> children(const std::string& address) override;
   base::Result<std::vector<NodeFacts>> examine(std::span<const std::string> addresses) override;
 

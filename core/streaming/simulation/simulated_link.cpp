@@ -57,6 +57,18 @@ base::RequestId SimulatedLink::store(const std::string& name, const std::string&
   return submit(std::move(request), deadline);
 }
 
+base::RequestId SimulatedLink::readTrace(const trace::TracePosition& from,
+                                         base::Duration /*deadline*/) {
+  Event event;
+  event.kind = EventKind::TraceDone;
+  event.request = ++m_lastId;
+  event.sent = now();
+  event.at = now();
+  event.trace = std::make_shared<const trace::TracePiece>(m_machine.takeTrace(from));
+  m_traces.push_back(std::move(event));
+  return m_lastId;
+}
+
 base::RequestId SimulatedLink::submit(Request request, base::Duration deadline) {
   request.id = ++m_lastId;
   request.sent = now();
@@ -109,6 +121,11 @@ bool SimulatedLink::offers(opcua::Grouping grouping) const {
 }
 
 std::optional<Event> SimulatedLink::wait(Instant until) {
+  if (!m_traces.empty()) {
+    Event event = std::move(m_traces.front());
+    m_traces.pop_front();
+    return event;
+  }
   while (!m_requests.empty()) {
     Request& request = m_requests.front();
     const auto finish = [&]() -> std::optional<Event> {
@@ -367,6 +384,10 @@ base::Result<void> SimulatedLink::reset() {
 
 base::Result<trace::ControlTrace> SimulatedLink::fetchTrace() {
   return m_machine.trace();
+}
+
+base::Result<trace::TracePiece> SimulatedLink::fetchTracePiece(const trace::TracePosition& from) {
+  return m_machine.takeTrace(from);
 }
 
 }  // namespace rivulet::streaming

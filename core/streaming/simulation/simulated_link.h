@@ -41,6 +41,8 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
                         opcua::Grouping grouping) override;
   base::RequestId store(const std::string& name, const std::string& text,
                         base::Duration deadline) override;
+  /// Costs no time, so that a run is the same whether its trace is fetched or not.
+  base::RequestId readTrace(const trace::TracePosition& from, base::Duration deadline) override;
   std::optional<opcua::Event> wait(base::Instant until) override;
 
   base::Result<void> uploadProgram(const std::string& name, const std::string& text,
@@ -52,6 +54,7 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
   base::Result<void> cycleStart() override;
   base::Result<void> reset() override;
   base::Result<trace::ControlTrace> fetchTrace() override;
+  base::Result<trace::TracePiece> fetchTracePiece(const trace::TracePosition& from) override;
 
  private:
   struct Request {
@@ -90,6 +93,7 @@ class SimulatedLink final : public opcua::Link, public opcua::Control {
   ServiceLoad m_served;
   base::RequestId m_lastId;
   std::deque<Request> m_requests;
+  std::deque<opcua::Event> m_traces;  ///< answers to `readTrace`
 };
 
 }  // namespace rivulet::streaming
