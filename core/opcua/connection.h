@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,18 @@ namespace rivulet::opcua {
 class NodeBrowser;
 struct ControlMap;
 
+/// Which library makes the connection.
+enum class LinkKind {
+  Open62541,  ///< `UaLink`
+  QtOpcUa,    ///< Qt OPC UA, where it was found when Rivulet was built
+};
+
+enum class LinkKindError {
+  NotBuilt = 1,  ///< this build does not have the library
+  NotAble,       ///< the library cannot make such a connection
+};
+[[nodiscard]] std::error_code make_error_code(LinkKindError code);
+
 struct Connection {
   std::shared_ptr<void> owner;  ///< keeps both interfaces alive
   Link* link = nullptr;
@@ -31,7 +44,9 @@ struct Connection {
   std::optional<ChannelSecurity> security = std::nullopt;
   /// Of the server; nothing without encryption.
   std::optional<CertificateFacts> certificate = std::nullopt;
-  NodeBrowser* browser = nullptr;  ///< of a connection over OPC UA
+  NodeBrowser* browser = nullptr;  ///< of a connection with `LinkKind::Open62541`
+  /// That the connection was made with; null: the control is a SINUMERIK.
+  std::shared_ptr<const ControlMap> map = nullptr;
 
   explicit operator bool() const { return link != nullptr; }
 };
@@ -53,6 +68,7 @@ struct ConnectRequest {
   NodeAddresses nodes = {};
   /// Of a control that is no SINUMERIK; null: it is one, or `nodes` says what it has.
   std::shared_ptr<const ControlMap> map = nullptr;
+  LinkKind link = LinkKind::Open62541;
 };
 
 /// What a person can decide after an attempt was refused. The answer is another attempt.
@@ -87,3 +103,6 @@ struct Attempt {
 using Connector = std::function<Attempt(const ConnectRequest&)>;
 
 }  // namespace rivulet::opcua
+
+template <>
+struct std::is_error_code_enum<rivulet::opcua::LinkKindError> : std::true_type {};

@@ -82,7 +82,7 @@ constexpr const char* kAbsentProgram = "RIVULET_RIGHTS_TEST.MPF";
   return parts;
 }
 
-[[nodiscard]] bool contains(const std::vector<std::string>& names, std::string_view name) {
+[[nodiscard]] bool isListed(const std::vector<std::string>& names, std::string_view name) {
   return !name.empty() && std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -140,7 +140,7 @@ base::Result<RightsReport> examineRights(Link& link, Control& control, base::Dur
     }
     RightFinding finding{facts.right, *tried};
     if (!finding.isGiven && report.isListed) {
-      finding.isGiven = contains(listed, facts.names[0]) || contains(listed, facts.names[1]);
+      finding.isGiven = isListed(listed, facts.names[0]) || isListed(listed, facts.names[1]);
     }
     report.findings.push_back(finding);
   }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/contract.h"
+#include "opcua/link.h"
 
 namespace rivulet::opcua {
 
@@ -155,6 +156,65 @@ base::Error requestError(UA_StatusCode status, Operation operation, const std::s
           : sentenceOf(error);
   return base::makeError(error, fmt::format("{} ({})", sentence, UA_StatusCode_name(status)),
                          context);
+}
+
+base::Error connectError(UA_StatusCode status, const std::string& endpoint) {
+  if (status == UA_STATUSCODE_BADTCPENDPOINTURLINVALID) {
+    return base::makeError(LinkError::NotReachable,
+                           "This is not an OPC UA address. Example: opc.tcp://host:4840.",
+                           endpoint);
+  }
+  const StatusAdvice* advice = adviceOn(status);
+  if (advice == nullptr) {
+    return base::makeError(
+        LinkError::NotReachable,
+        fmt::format("{} ({})", sentenceOf(LinkError::NotReachable), UA_StatusCode_name(status)),
+        endpoint);
+  }
+  return base::makeError(
+      advice->whileConnecting,
+      fmt::format("Cannot connect: {}. {} ({})", advice->cause, advice->nextStep, advice->name),
+      endpoint);
+}
+
+base::Error silenceError(base::Duration silenceMax, const std::string& endpoint) {
+  return base::makeError(
+      LinkError::ConnectionLost,
+      fmt::format("Nothing has come from the control for {:.0f} s: the network is interrupted, or "
+                  "the server hangs. Check cable, switch and server, then connect again.",
+                  base::toSeconds(silenceMax)),
+      endpoint);
+}
+
+base::Error unknownForm(std::string_view method) {
+  return base::makeError(LinkError::Rejected,
+                         "The server's method returns a form that Rivulet does not know.",
+                         std::string(method));
+}
+
+base::Error onlyVirtual(const std::string& endpoint) {
+  return base::makeError(
+      LinkError::MethodMissing,
+      "Only a virtual machine can do this. On a real control use the keys of its panel.", endpoint);
+}
+
+base::Result<void> commandResult(int status, const std::string& subject,
+                                 const std::string& detail) {
+  const auto failed = [&](LinkError error) {
+    return base::fail(error, detail.empty() ? sentenceOf(error) : detail, subject);
+  };
+  switch (static_cast<SelectStatus>(status)) {
+    case SelectStatus::Done:
+      return {};
+    case SelectStatus::NoSuchProgram:
+      return failed(LinkError::ProgramMissing);
+    case SelectStatus::NotInReset:
+      return failed(LinkError::ChannelNotInReset);
+    case SelectStatus::NoSuchChannel:
+    case SelectStatus::Rejected:
+      break;
+  }
+  return failed(LinkError::Rejected);
 }
 
 }  // namespace rivulet::opcua

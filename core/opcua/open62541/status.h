@@ -8,8 +8,10 @@
 #include <open62541/types.h>
 
 #include <string>
+#include <string_view>
 
-#include "base/error.h"
+#include "base/instant.h"
+#include "base/result.h"
 #include "opcua/error.h"
 
 namespace rivulet::opcua {
@@ -33,5 +35,22 @@ enum class Operation { Read, Write, Call };
 /// The error of a failed request: sentence, name of the status code, place.
 [[nodiscard]] base::Error requestError(UA_StatusCode status, Operation operation,
                                        const std::string& context);
+
+/// The error of an attempt to connect.
+[[nodiscard]] base::Error connectError(UA_StatusCode status, const std::string& endpoint);
+
+/// The other side has been silent for so long that the connection counts as lost.
+[[nodiscard]] base::Error silenceError(base::Duration silenceMax, const std::string& endpoint);
+
+/// A method has answered with other arguments than those of a SINUMERIK.
+[[nodiscard]] base::Error unknownForm(std::string_view method);
+
+/// A command was given that a real control does not take over OPC UA.
+[[nodiscard]] base::Error onlyVirtual(const std::string& endpoint);
+
+/// The answer of a method to `Select` or `CycleStart`.
+/// @param status  as `SelectStatus` @param detail  empty: the sentence of the error
+[[nodiscard]] base::Result<void> commandResult(int status, const std::string& subject,
+                                               const std::string& detail = {});
 
 }  // namespace rivulet::opcua

@@ -31,6 +31,7 @@
 #include "opcua/open62541/quiet_logger.h"
 #include "opcua/open62541/status.h"
 #include "opcua/open62541/tcp_manager.h"
+#include "opcua/trace_parts.h"
 
 // How it works. Requests wait in one queue, oldest first. A request of Grouping::List is one
 // service call. A request of Grouping::Single is a chain of calls, each sent when the previous one
@@ -84,8 +85,6 @@ constexpr std::size_t kExaminedAtOnce = 100;
 /// Of a value that is shown to a person.
 constexpr std::size_t kShownCharacters = 60;
 constexpr std::size_t kShownElements = 3;
-/// A part program or trace that is larger is an error of the other side.
-constexpr std::size_t kTraceBytesMax = std::size_t{1} << 30U;
 
 [[nodiscard]] Instant addSaturating(Instant instant, Duration duration) {
   return duration > Instant::max() - instant ? Instant::max() : instant + duration;
@@ -212,11 +211,7 @@ struct MethodCall {
 [[nodiscard]] base::Result<trace::TracePiece> tracePieceOf(const UA_CallMethodResult& result) {
   constexpr std::size_t kOutputs = 6;
   const std::span outputs(result.outputArguments, result.outputArgumentsSize);
-  const auto unknown = [] {
-    return base::fail(LinkError::Rejected,
-                      "The server's method returns a form that Rivulet does not know.",
-                      std::string(kFetchTracePiece));
-  };
+  const auto unknown = [] { return base::fail(unknownForm(kFetchTracePiece)); };
   if (outputs.size() != kOutputs) {
     return unknown();
   }
@@ -290,26 +285,6 @@ void appendReadings(const UA_DataValue& value, std::size_t length, std::vector<R
     }
     readings.push_back(std::move(reading));
   }
-}
-
-/// The answer of a method to `Select` or `CycleStart`.
-[[nodiscard]] base::Result<void> resultOf(int status, const std::string& subject,
-                                          const std::string& detail = {}) {
-  const auto failed = [&](LinkError error) {
-    return base::fail(error, detail.empty() ? sentenceOf(error) : detail, subject);
-  };
-  switch (static_cast<SelectStatus>(status)) {
-    case SelectStatus::Done:
-      return {};
-    case SelectStatus::NoSuchProgram:
-      return failed(LinkError::ProgramMissing);
-    case SelectStatus::NotInReset:
-      return failed(LinkError::ChannelNotInReset);
-    case SelectStatus::NoSuchChannel:
-    case SelectStatus::Rejected:
-      break;
-  }
-  return failed(LinkError::Rejected);
 }
 
 constexpr std::string_view kNoneUri = "http://opcfoundation.org/UA/SecurityPolicy#None";
@@ -598,7 +573,9 @@ class UaLink::Impl {
   static void takeCall(Pending& pending, const UA_CallResponse& response);
 
   [[nodiscard]] base::Error error(LinkError code) const;
-  [[nodiscard]] base::Error connectError(UA_StatusCode status) const;
+  [[nodiscard]] base::Error connectError(UA_StatusCode status) const {
+    return opcua::connectError(status, endpoint());
+  }
 
   void limitSending();
   static UA_StatusCode onSend(UA_ConnectionManager* manager, std::uintptr_t connectionId,
@@ -1543,25 +1520,6 @@ base::Error UaLink::Impl::error(LinkError code) const {
   return base::makeError(code, sentenceOf(code), endpoint());
 }
 
-base::Error UaLink::Impl::connectError(UA_StatusCode status) const {
-  if (status == UA_STATUSCODE_BADTCPENDPOINTURLINVALID) {
-    return base::makeError(LinkError::NotReachable,
-                           "This is not an OPC UA address. Example: opc.tcp://host:4840.",
-                           endpoint());
-  }
-  const StatusAdvice* advice = adviceOn(status);
-  if (advice == nullptr) {
-    return base::makeError(
-        LinkError::NotReachable,
-        fmt::format("{} ({})", sentenceOf(LinkError::NotReachable), UA_StatusCode_name(status)),
-        endpoint());
-  }
-  return base::makeError(
-      advice->whileConnecting,
-      fmt::format("Cannot connect: {}. {} ({})", advice->cause, advice->nextStep, advice->name),
-      endpoint());
-}
-
 // --- callbacks of the library -------------------------------------------------------------------
 
 void UaLink::Impl::onState(UA_Client* client, UA_SecureChannelState channel,
@@ -2004,12 +1962,7 @@ base::Error UaLink::Impl::lossError() const {
   if (!m_isSilent) {
     return error(LinkError::ConnectionLost);
   }
-  return base::makeError(
-      LinkError::ConnectionLost,
-      fmt::format("Nothing has come from the control for {:.0f} s: the network is interrupted, or "
-                  "the server hangs. Check cable, switch and server, then connect again.",
-                  base::toSeconds(m_options.silenceMax)),
-      endpoint());
+  return silenceError(m_options.silenceMax, endpoint());
 }
 
 void UaLink::Impl::noticeLoss() {
@@ -2157,10 +2110,7 @@ base::Result<CallResponse> UaLink::Impl::callFileMethod(std::string_view method,
 base::Result<CallResponse> UaLink::Impl::callBeyond(std::string_view method,
                                                     std::span<UA_Variant> inputs) {
   if (!m_commands) {
-    return base::fail(
-        LinkError::MethodMissing,
-        "Only a virtual machine can do this. On a real control use the keys of its panel.",
-        endpoint());
+    return base::fail(onlyVirtual(endpoint()));
   }
   return call(m_commands->nameSpace, m_commands->object, method, inputs);
 }
@@ -2178,9 +2128,7 @@ template <class T>
                        ? scalarOf<T>(result.outputArguments[index], typeIndex)
                        : nullptr;
   if (value == nullptr) {
-    return base::fail(LinkError::Rejected,
-                      "The server's method returns a form that Rivulet does not know.",
-                      std::string(method));
+    return base::fail(unknownForm(method));
   }
   return *value;
 }
@@ -2192,9 +2140,7 @@ template <class T>
   const auto number =
       result.outputArgumentsSize > 0 ? numberOf(result.outputArguments[0]) : std::nullopt;
   if (!number || std::abs(*number) > 1e6) {
-    return base::fail(LinkError::Rejected,
-                      "The server's method returns a form that Rivulet does not know.",
-                      std::string(method));
+    return base::fail(unknownForm(method));
   }
   return static_cast<int>(*number);
 }
@@ -2225,7 +2171,8 @@ base::Result<Connection> openConnection(const ConnectOptions& options) {
                     options.endpoint,
                     link->security(),
                     link->serverCertificate(),
-                    link.get()};
+                    link.get(),
+                    options.map};
 }
 
 base::Instant UaLink::now() const {
@@ -2312,7 +2259,7 @@ base::Result<void> UaLink::selectProgram(const std::string& name) {
   if (!status) {
     return base::fail(status.error());
   }
-  return resultOf(*status, name);
+  return commandResult(*status, name);
 }
 
 base::Result<ServerIdentity> UaLink::identity() {
@@ -2367,7 +2314,7 @@ base::Result<void> UaLink::cycleStart() {
     return base::fail(status.error());
   }
   const auto message = output<UA_String>(*answer, 1, UA_TYPES_STRING, kCycleStart);
-  return resultOf(*status, m_impl->endpoint(),
+  return commandResult(*status, m_impl->endpoint(),
                   message ? std::string(view(*message)) : std::string());
 }
 
@@ -2391,9 +2338,8 @@ base::Result<trace::TracePiece> UaLink::fetchTracePiece(const trace::TracePositi
 }
 
 base::Result<trace::ControlTrace> UaLink::fetchTrace() {
-  std::string text;
-  for (;;) {
-    UA_UInt64 offset = text.size();
+  return joinTrace([this](std::uint64_t from) -> base::Result<TracePart> {
+    UA_UInt64 offset = from;
     std::array inputs{borrowScalar(offset, UA_TYPES_UINT64)};
     const auto answer = m_impl->callBeyond(kFetchTrace, inputs);
     if (!answer) {
@@ -2404,16 +2350,8 @@ base::Result<trace::ControlTrace> UaLink::fetchTrace() {
     if (!data || !total) {
       return base::fail(!data ? data.error() : total.error());
     }
-    text.append(view(*data));
-    if (text.size() == *total) {
-      return trace::parseControlTrace(text);
-    }
-    if (data->length == 0 || text.size() > *total || *total > kTraceBytesMax) {
-      return base::fail(LinkError::Rejected,
-                        "The trace of the control changed while it was fetched. Fetch it again.",
-                        std::string(kFetchTrace));
-    }
-  }
+    return TracePart{std::string(view(*data)), *total};
+  });
 }
 
 }  // namespace rivulet::opcua
