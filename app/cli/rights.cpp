@@ -11,7 +11,6 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/console.h"
-#include "opcua/control_map.h"
 
 namespace rivulet::cli {
 
@@ -60,10 +59,7 @@ Exit rights(const RightsOptions& options) {
   if (!connection) {
     return reportError(connection.error(), options.json);
   }
-  const auto map = chosenMap();
-  const int cell = map && *map != nullptr ? (*map)->cells.first : 0;
-  const auto report = opcua::examineRights(*connection->link, *connection->control,
-                                           opcua::kRightsDeadline, opcua::rParameter(cell));
+  const auto report = opcua::examineRights(*connection);
   if (!report) {
     return reportError(report.error(), options.json);
   }

@@ -579,7 +579,7 @@ void SessionWorker::examineRights() {
     tell(RightsSeen{std::nullopt, notConnected()});
     return;
   }
-  auto report = opcua::examineRights(*m_connection.link, *m_connection.control);
+  auto report = opcua::examineRights(m_connection);
   tell(report ? RightsSeen{std::move(*report), {}} : RightsSeen{std::nullopt, report.error()});
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/sentence.h"
 #include "opcua/await.h"
+#include "opcua/control_map.h"
 
 namespace rivulet::opcua {
 
@@ -123,6 +124,11 @@ constexpr const char* kAbsentProgram = "RIVULET_RIGHTS_TEST.MPF";
 }
 
 }  // namespace
+
+base::Result<RightsReport> examineRights(const Connection& connection) {
+  const int cell = connection.map != nullptr ? connection.map->cells.first : 0;
+  return examineRights(*connection.link, *connection.control, kRightsDeadline, rParameter(cell));
+}
 
 base::Result<RightsReport> examineRights(Link& link, Control& control, base::Duration deadline,
                                          const Variable& cell) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/instant.h"
+#include "opcua/connection.h"
 #include "opcua/link.h"
 
 namespace rivulet::opcua {
@@ -39,6 +40,9 @@ inline constexpr base::Duration kRightsDeadline = std::chrono::seconds(5);
 [[nodiscard]] base::Result<RightsReport> examineRights(Link& link, Control& control,
                                                        base::Duration deadline = kRightsDeadline,
                                                        const Variable& cell = rParameter(0));
+
+/// The same for a connection, with the map that it was made with.
+[[nodiscard]] base::Result<RightsReport> examineRights(const Connection& connection);
 
 /// "read variables"
 [[nodiscard]] std::string_view rightTitle(RunRight right);
