@@ -15,6 +15,7 @@
 
 #ifdef RIVULET_WITH_OPEN62541
 #include "log/log.h"
+#include "qtopcua/open_link.h"
 #include "trust/connect.h"
 #include "trust/password.h"
 #include "trust/trust_store.h"
@@ -42,6 +43,11 @@ void setConnectionOptions(const ConnectionOptions& options) {
   connectionOptions() = options;
 }
 
+#ifdef RIVULET_WITH_OPEN62541
+
+namespace {
+
+/// The map of the option; null without it.
 base::Result<std::shared_ptr<const opcua::ControlMap>> chosenMap() {
   const std::string& file = connectionOptions().mapFile;
   if (file.empty()) {
@@ -53,10 +59,6 @@ base::Result<std::shared_ptr<const opcua::ControlMap>> chosenMap() {
   }
   return std::make_shared<const opcua::ControlMap>(std::move(*map));
 }
-
-#ifdef RIVULET_WITH_OPEN62541
-
-namespace {
 
 /// Asked for once, however often a command connects.
 base::Result<std::string> passwordOnce(const ConnectionOptions& options) {
@@ -123,6 +125,7 @@ base::Result<Connection> connectTo(const std::string& endpoint,
   request.endpoint = endpoint;
   request.map = std::move(map);
   request.sessionName = "rivulet-cli";
+  request.link = options.link;
   if (!options.security.empty()) {
     request.security = opcua::securityChoiceOf(options.security);
   }
@@ -135,12 +138,15 @@ base::Result<Connection> connectTo(const std::string& endpoint,
     }
     request.password = std::move(*password);
   }
-  opcua::Attempt attempt = trust::connect(request);
+  const auto open = [&](const opcua::ConnectOptions& asked) {
+    return qtopcua::openLink(request.link, asked);
+  };
+  opcua::Attempt attempt = trust::connect(request, trust::trustFolder(), open);
   // A certificate that has changed is never asked about: its fingerprint has to be given.
   if (attempt.question && attempt.question->kind == opcua::TrustQuestion::Kind::NewServer &&
       isAccepted(attempt.question->shown)) {
     request.fingerprint = attempt.question->shown.fingerprint;
-    attempt = trust::connect(request);
+    attempt = trust::connect(request, trust::trustFolder(), open);
   }
   base::Result<Connection>& connection = attempt.connection;
   if (!connection) {

@@ -25,6 +25,7 @@ struct ConnectionOptions {
   std::string user;          ///< empty: anonymous
   std::string passwordFile;  ///< empty: asked for, or from the environment
   std::string mapFile;       ///< of a control that is no SINUMERIK; empty: it is one
+  opcua::LinkKind link = opcua::LinkKind::Open62541;
 };
 
 /// For all connections from now on.
@@ -37,9 +38,6 @@ void setConnectionOptions(const ConnectionOptions& options);
 /// The same with this map, whatever file was named.
 [[nodiscard]] base::Result<Connection> connectTo(const std::string& endpoint,
                                                  std::shared_ptr<const opcua::ControlMap> map);
-
-/// The map of the option; null without it.
-[[nodiscard]] base::Result<std::shared_ptr<const opcua::ControlMap>> chosenMap();
 
 /// @param preset  name or file
 [[nodiscard]] base::Result<Connection> simulate(const std::string& preset, std::uint64_t seed);

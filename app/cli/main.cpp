@@ -15,6 +15,10 @@
 #include "templates/cells.h"
 #include "trace/signal_file.h"
 
+#ifdef RIVULET_WITH_OPEN62541
+#include "qtopcua/open_link.h"
+#endif
+
 namespace {
 
 using rivulet::cli::Exit;
@@ -848,6 +852,20 @@ void addConnection(CLI::App& app, rivulet::cli::ConnectionOptions& options) {
   app.add_option("--map", options.mapFile,
                  "Map of a control that is no SINUMERIK, .toml: which node is what; command map "
                  "proposes one");
+  app.add_option_function<std::string>(
+         "--link",
+         [&options](const std::string& name) {
+           options.link = *rivulet::qtopcua::linkFromName(name);
+         },
+         "Library that makes the connection: open62541, or qtopcua where Rivulet was built with it "
+         "(default: open62541)")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            return rivulet::qtopcua::linkFromName(text)
+                       ? std::string()
+                       : "must be open62541 or qtopcua, not " + text;
+          },
+          "LINK"));
 }
 
 #endif

@@ -5,6 +5,7 @@
 
 #include <QDateTime>
 
+#include "qtopcua/open_link.h"
 #include "session/session_worker.h"
 #include "trust/connect.h"
 
@@ -17,7 +18,9 @@ constexpr int kDrainIntervalMs = 33;
 }  // namespace
 
 opcua::Attempt connectByOpcUa(const opcua::ConnectRequest& request) {
-  return trust::connect(request);
+  return trust::connect(
+      request, trust::trustFolder(),
+      [&](const opcua::ConnectOptions& asked) { return qtopcua::openLink(request.link, asked); });
 }
 
 StreamSession::StreamSession(opcua::Connector connector, report::MachineStore machines,

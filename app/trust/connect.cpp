@@ -80,7 +80,8 @@ std::shared_ptr<const TrustQuestion> questionOn(const base::Error& error, const 
 
 }  // namespace
 
-opcua::Attempt connect(const ConnectRequest& request, const std::filesystem::path& folder) {
+opcua::Attempt connect(const ConnectRequest& request, const std::filesystem::path& folder,
+                       const Opener& open) {
   const TrustStore store(folder);
   const auto known = store.find(request.endpoint);
   if (!known) {
@@ -109,7 +110,7 @@ opcua::Attempt connect(const ConnectRequest& request, const std::filesystem::pat
     seen.certificate = facts;
     return judge(store, request, facts, der);
   };
-  auto connection = opcua::openConnection(options);
+  auto connection = open(options);
   if (!connection) {
     return {base::fail(connection.error()),
             questionOn(connection.error(), seen, request, store, *known)};

@@ -20,6 +20,7 @@
 #include "streaming/job.h"
 #include "streaming/resume.h"
 #include "streaming/simulation/scenario.h"
+#include "support/chosen_link.h"
 #include "support/loopback_machine.h"
 
 namespace rivulet::tests {
@@ -223,7 +224,7 @@ class Exposure {
     opcua::ConnectOptions options;
     options.security = opcua::unencrypted();
     options.endpoint = m_proxy.endpoint();
-    const auto link = opcua::UaLink::connect(options);
+    const auto link = tests::openChosen(options);
     streaming::RunReport report;
     if (link) {
       report = streaming::runJob(**link, **link, *m_program, m_settings, orders, orders);

@@ -13,6 +13,7 @@
 #include "streaming/job.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/chosen_link.h"
 #include "support/loopback_machine.h"
 #include "support/silent_run.h"
 #include "support/test_program.h"
@@ -68,6 +69,8 @@ class TestEquivalence : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void initTestCase() { RIVULET_SKIP_WITHOUT_LINK(); }
+
   /// Whatever a control offers, the same forms are found over OPC UA and in virtual time.
   void bothLinksFindTheSameForms() {
     using machine::ArrayAccess;
@@ -86,7 +89,7 @@ class TestEquivalence : public QObject {
       tests::LoopbackMachine::Options options;
       options.arrays = arrays;
       tests::LoopbackMachine cell(options);
-      const auto link = cell.connect();
+      const auto link = tests::connectChosen(cell);
       const auto expected = streaming::probeAccess(simulatedLink, {10, 40}, 20s);
       const auto found = streaming::probeAccess(*link, {10, 40}, 20s);
       QVERIFY2(expected.has_value(), expected ? "" : expected.error().text().c_str());
@@ -136,7 +139,7 @@ class TestEquivalence : public QObject {
     const Seen virtualRun = run(simulatedLink, simulatedLink, *program, settings);
 
     tests::LoopbackMachine cell({name, 1, 0});
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     const Seen realRun = run(*link, *link, *program, settings);
 
     for (const Seen* seen : {&virtualRun, &realRun}) {

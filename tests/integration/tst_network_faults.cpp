@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "network_scenario.h"
+#include "support/chosen_link.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -73,6 +74,8 @@ class TestNetworkFaults : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void initTestCase() { RIVULET_SKIP_WITHOUT_LINK(); }
+
   /// However slow the control is: the method has its turn between two reads of the status.
   void slowNetworkDoesNotStarveTheMethod() {
     NetworkScenario scenario;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "support/chosen_link.h"
 #include "support/loopback_machine.h"
 #include "support/test_program.h"
 #include "trace/control_trace.h"
@@ -62,13 +63,15 @@ class TestUaControl : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void initTestCase() { RIVULET_SKIP_WITHOUT_LINK(); }
+
   /// What is measured on one server is not taken for another, or another version.
   void theServerSaysWhoItIs() {
     for (const char* preset : {"ideal", "dmu75-arrays"}) {
       LoopbackMachine::Options options;
       options.preset = preset;
       const LoopbackMachine cell(options);
-      const auto link = cell.connect();
+      const auto link = tests::connectChosen(cell);
       const auto identity = link->identity();
       QVERIFY(identity);
       QCOMPARE(identity->applicationUri, std::string("urn:rivulet:machine"));
@@ -81,7 +84,7 @@ class TestUaControl : public QObject {
 
   void programsGoThereAndBack() {
     const LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     std::string bytes = "G1 X1 ; \xC3\xA4 \r\n\tM30\n";
     QVERIFY(link->uploadProgram("BACK.MPF", bytes, false));
     const auto back = link->downloadProgram("BACK.MPF");
@@ -97,7 +100,7 @@ class TestUaControl : public QObject {
   /// Many network packets in both directions.
   void aLargeProgramArrivesWhole() {
     const LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     std::string text;
     for (int i = 0; text.size() < (std::size_t{2} << 20U); ++i) {
       text += "N" + std::to_string(i) + " G1 X" + std::to_string(i % 100) + " F6000\n";
@@ -111,7 +114,7 @@ class TestUaControl : public QObject {
 
   void whatIsMissingIsSaid() {
     const LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     const auto missing = link->downloadProgram("NIX.MPF");
     QVERIFY(!missing);
     QVERIFY(missing.error().code == LinkError::ProgramMissing);
@@ -122,7 +125,7 @@ class TestUaControl : public QObject {
 
   void aProgramRunsAndLeavesItsTrace() {
     LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     QVERIFY(link->isVirtualMachine());
     QVERIFY(link->uploadProgram("SQUARE.MPF", kSquare, false));
     QVERIFY(link->selectProgram("SQUARE.MPF"));
@@ -149,7 +152,7 @@ class TestUaControl : public QObject {
   /// M0 waits for the next cycle start, and what the machine did arrives with the trace.
   void aStopOfTheProgramIsContinued() {
     LoopbackMachine cell({.preset = "dmu75-mill"});
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     QVERIFY(link->uploadProgram("STOP.MPF", "S1000 M3\nM0\nG1 X1 F6000\nM30\n", false));
     QVERIFY(link->selectProgram("STOP.MPF") && link->cycleStart());
     awaitChannel(*link, machine::ChannelStatus::Interrupted);
@@ -171,7 +174,7 @@ class TestUaControl : public QObject {
   /// While the program runs, piece by piece, without waiting for an answer.
   void theTraceIsReadWhileTheProgramRuns() {
     LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     QVERIFY(link->uploadProgram("SQUARE.MPF", kSquare, false));
     QVERIFY(link->selectProgram("SQUARE.MPF"));
     QVERIFY(link->cycleStart());
@@ -210,7 +213,7 @@ class TestUaControl : public QObject {
   /// Longer than one answer of the server.
   void aLongTraceIsFetchedInParts() {
     LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     QVERIFY(link->uploadProgram("LONG.MPF", "G1 X1 F6000\nG4 F1000\nM30\n", false));
     QVERIFY(link->selectProgram("LONG.MPF"));
     cell.stop();
@@ -226,7 +229,7 @@ class TestUaControl : public QObject {
     options.security = opcua::unencrypted();
     options.endpoint = (*server)->endpoint();
     options.commandDeadline = kPatience;
-    const auto again = opcua::UaLink::connect(options);
+    const auto again = tests::openChosen(options);
     QVERIFY(again.has_value());
     const auto trace = (*again)->fetchTrace();
     stop.store(true);
@@ -238,7 +241,7 @@ class TestUaControl : public QObject {
 
   void onlyAChannelInResetTakesAProgram() {
     const LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     QVERIFY(link->uploadProgram("WAIT.MPF", kWaiting, false));
     QVERIFY(link->uploadProgram("SQUARE.MPF", kSquare, false));
     QVERIFY(link->selectProgram("WAIT.MPF"));
@@ -254,7 +257,7 @@ class TestUaControl : public QObject {
   /// The handshake of every streaming method in small: the program waits for a cell.
   void aWrittenCellLetsTheProgramGoOn() {
     const LoopbackMachine cell({"dmu75"});
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     QVERIFY(link->uploadProgram("WAIT.MPF", kWaiting, false));
     QVERIFY(link->selectProgram("WAIT.MPF"));
     QVERIFY(link->cycleStart());
@@ -269,7 +272,7 @@ class TestUaControl : public QObject {
   /// Reset must work while a stream's requests are in progress, and must not lose their answers.
   void aCommandKeepsTheEventsOfTheStream() {
     const LoopbackMachine cell({"dmu75"});
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     const auto first =
         link->read(std::vector{opcua::rParameter(1)}, kPatience, opcua::Grouping::List);
     const auto second =

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "machine/front/variable_service.h"
+#include "support/chosen_link.h"
 #include "support/loopback_machine.h"
 #include "support/plain_server.h"
 #include "support/test_program.h"
@@ -82,6 +83,8 @@ class TestUaLink : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void initTestCase() { RIVULET_SKIP_WITHOUT_LINK(); }
+
   void writesAndReadsBack_data() {
     QTest::addColumn<int>("grouping");
     QTest::newRow("list") << static_cast<int>(Grouping::List);
@@ -94,7 +97,7 @@ class TestUaLink : public QObject {
     QFETCH(int, grouping);
     const auto how = static_cast<Grouping>(grouping);
     LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     const std::vector<double> values{1.5, -2.25, 0.0, 1e-300, 1e300, 0.1};
 
     const auto write = link->write(assignments(10, values), kPatience, how);
@@ -122,7 +125,7 @@ class TestUaLink : public QObject {
   void arraysAndScalarsShareARequest() {
     for (const Grouping form : {Grouping::ArrayCount, Grouping::ArrayRange}) {
       LoopbackMachine cell;
-      const auto link = cell.connect();
+      const auto link = tests::connectChosen(cell);
       const std::vector<Assignment> items{{rParameter(20), 1.0}, {rParameter(21), 2.0},
                                           {rParameter(22), 3.0}, {rParameter(40), 4.0},
                                           {rParameter(30), 5.0}, {rParameter(31), 6.0},
@@ -152,7 +155,7 @@ class TestUaLink : public QObject {
     options.arrays =
         machine::ArrayAccess{true, true, machine::ArrayWrite::All, machine::ArrayCharge::Element};
     LoopbackMachine cell(options);
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     link->write(assignments(10, std::vector<double>(20, 1.0)), kPatience, Grouping::ArrayCount);
     QVERIFY(next(*link).statuses == std::vector<std::error_code>(20));
     link->read(parameters(10, 20), kPatience, Grouping::ArrayRange);
@@ -168,7 +171,7 @@ class TestUaLink : public QObject {
     options.arrays =
         machine::ArrayAccess{true, false, ArrayWrite::Refused, machine::ArrayCharge::Node};
     LoopbackMachine cell(options);
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     const auto statuses = [&](int first, Grouping form) {
       link->write(assignments(first, {1.0, 2.0, 3.0}), kPatience, form);
       return next(*link).statuses;
@@ -187,7 +190,7 @@ class TestUaLink : public QObject {
 
   void aListIsOneServiceCallAndSinglesAreMany() {
     LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     QCOMPARE(cell.server().nodesServed(), 0U);  // connecting costs no variable
     link->read(parameters(0, 20), kPatience, Grouping::List);
     QCOMPARE(next(*link).kind, EventKind::ReadDone);
@@ -207,7 +210,7 @@ class TestUaLink : public QObject {
   /// request of its own to the control, also when they reach it together.
   void requestsAreServedInOrder() {
     LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     const std::vector<base::RequestId> ids{
         link->write(assignments(1, {1, 2, 3}), kPatience, Grouping::List),
         link->read(parameters(1, 3), kPatience, Grouping::Single),
@@ -222,7 +225,7 @@ class TestUaLink : public QObject {
 
   void itemsOfAWriteAreExecutedInOrder() {
     LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     std::vector<Assignment> items;
     for (int i = 1; i <= 50; ++i) {
       items.push_back({rParameter(20), static_cast<double>(i)});
@@ -239,7 +242,7 @@ class TestUaLink : public QObject {
 
   void allKindsOfVariablesAreThere() {
     LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     const std::vector<Variable> variables{
         {VariableKind::ActualPosition, 0}, {VariableKind::ActualPosition, 2},
         {VariableKind::DistanceToGo, 1},   {VariableKind::PathFeed, 0},
@@ -264,7 +267,7 @@ class TestUaLink : public QObject {
 
   void everyItemHasItsOwnStatus() {
     LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     const Variable missing = rParameter(99999);
     const Variable position{VariableKind::ActualPosition, 0};
     link->read(std::vector{rParameter(1), missing, rParameter(2), Variable{position.kind, 3}},
@@ -292,7 +295,7 @@ class TestUaLink : public QObject {
 
   void valuesThatAreNoNumbersAreNeverSent() {
     LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
           -std::numeric_limits<double>::infinity()}) {
@@ -309,7 +312,7 @@ class TestUaLink : public QObject {
 
   void requestsBeyondTheLimitAreRefused() {
     LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     const std::vector<Variable> many(opcua::kItemsMax + 1, rParameter(1));
     link->read(many, kPatience, Grouping::List);
     const Event refused = next(*link);
@@ -325,7 +328,7 @@ class TestUaLink : public QObject {
   void deadlinesAreKeptAndLateAnswersDropped() {
     QVERIFY(serviceTime("dmu75", 1, {{machine::AccessKind::Read, 100}}) > 200ms);
     LoopbackMachine cell({"dmu75"});
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     const auto late = link->read(parameters(0, 100), 50ms, Grouping::List);
     const Event expired = next(*link);
     QCOMPARE(expired.kind, EventKind::RequestFailed);
@@ -346,8 +349,8 @@ class TestUaLink : public QObject {
 
   void anAnswerThatCameInTimeCountsWheneverItIsAskedFor() {
     const LoopbackMachine cell;
-    const auto link = cell.connect();
-    const auto other = cell.connect();
+    const auto link = tests::connectChosen(cell);
+    const auto other = tests::connectChosen(cell);
     const base::Duration deadline = 200ms;
     const auto id = link->read(parameters(1, 1), deadline, Grouping::List);
     const base::Instant until = other->now() + deadline;
@@ -362,7 +365,7 @@ class TestUaLink : public QObject {
 
   void aChainThatExpiresIsNotGoneOnWith() {
     LoopbackMachine cell({"dmu75"});
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     const auto chain = link->read(parameters(0, 100), 60ms, Grouping::Single);
     const auto behind = link->read(parameters(1, 1), kPatience, Grouping::List);
     const Event expired = next(*link);
@@ -375,7 +378,7 @@ class TestUaLink : public QObject {
 
   void waitingEndsWhenTheTimeHasCome() {
     LoopbackMachine cell;
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     for (const base::Duration rest : {0ns, 300'000ns, 2'700'000ns, 12'000'000ns}) {
       const base::Instant until = link->now() + rest;
       QVERIFY(!link->wait(until));
@@ -385,7 +388,7 @@ class TestUaLink : public QObject {
 
   void aLostConnectionIsReportedOnce() {
     LoopbackMachine cell({"dmu75"});
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     link->read(parameters(0, 100), kPatience, Grouping::Single);
     link->read(parameters(0, 100), kPatience, Grouping::List);
     while (cell.server().nodesServed() < 3) {
@@ -430,8 +433,8 @@ class TestUaLink : public QObject {
     const base::Duration together =
         serviceTime("dmu75", 7, {{machine::AccessKind::Read, 30}, {machine::AccessKind::Read, 30}});
     LoopbackMachine cell({"dmu75", 7});
-    const auto first = cell.connect();
-    const auto second = cell.connect();
+    const auto first = tests::connectChosen(cell);
+    const auto second = tests::connectChosen(cell);
     const base::Instant begin = first->now();
     first->read(parameters(0, 30), kPatience, Grouping::List);
     second->read(parameters(30, 30), kPatience, Grouping::List);
@@ -445,7 +448,7 @@ class TestUaLink : public QObject {
   void accessTakesWhatTheServiceTakes() {
     const base::Duration list = serviceTime("dmu75", 3, {{machine::AccessKind::Write, 20}});
     LoopbackMachine cell({"dmu75", 3});
-    const auto link = cell.connect();
+    const auto link = tests::connectChosen(cell);
     link->write(assignments(0, std::vector<double>(20, 1.0)), kPatience, Grouping::List);
     const Event event = next(*link);
     QVERIFY(event.at - event.sent >= list - machine::VariableService::kOnTheWay);
@@ -457,7 +460,7 @@ class TestUaLink : public QObject {
     options.security = opcua::unencrypted();
     options.endpoint = "opc.tcp://localhost" + cell.endpoint().substr(cell.endpoint().rfind(':'));
     options.connectDeadline = kPatience;
-    const auto link = opcua::UaLink::connect(options);
+    const auto link = tests::openChosen(options);
     QVERIFY2(link.has_value(), link ? "" : link.error().text().c_str());
     (*link)->read(parameters(0, 1), kPatience, Grouping::List);
     QCOMPARE(next(**link).kind, EventKind::ReadDone);
@@ -475,7 +478,7 @@ class TestUaLink : public QObject {
       options.security = opcua::unencrypted();
       options.endpoint = address;
       options.connectDeadline = 10s;
-      const auto link = opcua::UaLink::connect(options);
+      const auto link = tests::openChosen(options);
       QVERIFY(!link);
       QVERIFY(link.error().code == LinkError::NotReachable);
       QVERIFY(link.error().text().find(address) != std::string::npos);
@@ -488,7 +491,7 @@ class TestUaLink : public QObject {
     options.security = opcua::unencrypted();
     options.endpoint = plain.endpoint();
     options.connectDeadline = kPatience;
-    const auto link = opcua::UaLink::connect(options);
+    const auto link = tests::openChosen(options);
     QVERIFY(!link);
     QVERIFY2(link.error().code == LinkError::NamespaceMissing, link.error().text().c_str());
   }
