@@ -30,6 +30,8 @@
 namespace {
 
 using namespace rivulet;
+using bench::microseconds;
+using bench::required;
 using namespace std::chrono_literals;
 
 constexpr base::Duration kDeadline = 20s;
@@ -45,23 +47,6 @@ struct Kind {
   std::vector<double> writeUs;
   std::vector<double> readUs;
 };
-
-template <class Value>
-Value required(base::Result<Value> result) {
-  if (!result) {
-    fmt::print(stderr, "{}\n", result.error().text());
-    std::exit(1);
-  }
-  return std::move(*result);
-}
-
-template <class Work>
-double microseconds(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start)
-      .count();
-}
 
 void connect(Kind& kind, const std::string& endpoint, const opcua::OwnCertificate& own) {
   opcua::ConnectOptions options;

@@ -8,12 +8,18 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
+#include <cstdlib>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 #include "base/quantile.h"
+#include "base/result.h"
 
 namespace rivulet::bench {
 
@@ -21,6 +27,24 @@ namespace rivulet::bench {
 [[nodiscard]] inline double quantileOf(std::vector<double> values, std::size_t perMille) {
   std::sort(values.begin(), values.end());
   return base::quantile(values, perMille);
+}
+
+/// What must be there; else the program ends.
+template <class Value>
+Value required(base::Result<Value> result) {
+  if (!result) {
+    fmt::print(stderr, "{}\n", result.error().text());
+    std::exit(1);
+  }
+  return std::move(*result);
+}
+
+template <class Work>
+[[nodiscard]] double microseconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start)
+      .count();
 }
 
 /// Of this process: a busy machine makes no difference while all work is done on one thread.
