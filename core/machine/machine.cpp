@@ -289,9 +289,8 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
   }
 
   void dwell(base::LineNumber line, Instant at, double seconds) override {
-    const std::size_t blocks = m_forgotten.blocks + m_trace.blocks.size();
-    const bool continues = m_blocksAtDwell == blocks;
-    m_blocksAtDwell = blocks;
+    const bool continues = m_blocksAtDwell == m_blockCount;
+    m_blocksAtDwell = m_blockCount;
     m_equipment.recordDwell(line, at, seconds, continues, m_trace.events);
   }
 
@@ -453,6 +452,10 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
         m_stoodAt = m_trace.blocks[i].to;
       }
     }
+    m_blockCount += m_trace.blocks.size() - executedBefore;
+    if (m_traceIsFull) {
+      m_trace.blocks.resize(executedBefore);
+    }
   }
 
   /// Consequences of the pre-run's present state.
@@ -541,6 +544,7 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
   Alarm m_alarm;
   bool m_resetting = false;
   bool m_waitsForStart = false;  ///< M0 or M1
+  std::size_t m_blockCount = 0;  ///< executed so far
   std::size_t m_blocksAtDwell = 0;
   bool m_recording = false;
   bool m_moved = false;   ///< axes have moved since the last standstill began

@@ -80,6 +80,13 @@ class TestMachine : public QObject {
     QVERIFY(whole->trace().samples.size() > 8'000);
     QVERIFY2(keptMax <= 1'000, "the machine keeps no more than its trace can hold");
     QVERIFY(trace::printControlTrace(all) == trace::printControlTrace(whole->trace()));
+    // Of what nobody takes, no more is kept either.
+    config.traceLimit = std::chrono::seconds{1};
+    Bench untaken(text + "M30\n", 1, config);
+    untaken.runS(60.0);
+    QVERIFY(untaken->trace().truncated);
+    QCOMPARE(untaken->trace().samples.size(), std::size_t{250});
+    QVERIFY(untaken->trace().blocks.size() < 5);
     // Who did not take it in time is told.
     QVERIFY(taken->takeTrace({}).records.truncated);
     QVERIFY(taken->trace().truncated);
