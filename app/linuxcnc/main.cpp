@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
   if (!server) {
     return rivulet::serving::complainOfStart(server.error());
   }
-  rivulet::serving::printEndpoint(**server);
+  rivulet::serving::printEndpoint((*server)->endpoint());
   rivulet::log::logger().info("{} serves {}", (*server)->endpoint(), (*control)->facts().name);
   while (!rivulet::interrupt::wasSeen() && !(*control)->failure()) {
     (*server)->iterate(kStep);

@@ -160,7 +160,7 @@ int main(int argc, char** argv) {
   if (!server) {
     return rivulet::serving::complainOfStart(server.error());
   }
-  rivulet::serving::printEndpoint(**server);
+  rivulet::serving::printEndpoint((*server)->endpoint());
   rivulet::log::logger().info("{} serves {} with seed {}", (*server)->endpoint(), arguments.preset,
                               arguments.seed);
   return serve(**server, machine, kept ? &*kept : nullptr);

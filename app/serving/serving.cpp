@@ -13,7 +13,6 @@
 
 #include "base/file.h"
 #include "log/log.h"
-#include "opcua/node_map.h"
 #include "opcua/open62541/encryption.h"
 #include "trust/own_certificate.h"
 #include "trust/private_file.h"
@@ -44,8 +43,8 @@ base::Result<std::set<std::string>> trustedClients(const std::filesystem::path& 
 
 }  // namespace
 
-void addOptions(CLI::App& app, Options& options) {
-  options.server.port = opcua::kPort;
+void addOptions(CLI::App& app, Options& options, std::uint16_t port) {
+  options.server.port = port;
   app.add_option("--host", options.server.host,
                  "Address to listen on; 0.0.0.0 allows other computers to connect")
       ->capture_default_str();
@@ -118,8 +117,8 @@ int complainOfStart(const base::Error& error) {
   return complain(error, isAddress ? kExitUsage : kExitNoPort);
 }
 
-void printEndpoint(const machine::Server& server) {
-  fmt::print("{}\n", server.endpoint());
+void printEndpoint(const std::string& endpoint) {
+  fmt::print("{}\n", endpoint);
   std::fflush(stdout);
 }
 

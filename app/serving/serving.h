@@ -7,10 +7,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 
 #include "base/result.h"
 #include "machine/front/server.h"
+#include "opcua/node_map.h"
 
 namespace rivulet::serving {
 
@@ -30,8 +32,8 @@ struct Options {
   std::string logLevel;
 };
 
-/// @param options  outlives the app
-void addOptions(CLI::App& app, Options& options);
+/// @param options  outlives the app  @param port  unless another one is given
+void addOptions(CLI::App& app, Options& options, std::uint16_t port = opcua::kPort);
 
 /// The log of the program, as the options say.
 void setUpLog(const char* program, const Options& options);
@@ -45,6 +47,6 @@ int complain(const base::Error& error, int code);
 int complainOfStart(const base::Error& error);
 
 /// Where clients find the server: the one line on standard output.
-void printEndpoint(const machine::Server& server);
+void printEndpoint(const std::string& endpoint);
 
 }  // namespace rivulet::serving

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "opcua/open62541/handle.h"
 
@@ -43,9 +44,10 @@ constexpr std::array<OfferedPolicy, 3> kPolicies{
 
 }  // namespace
 
-ClientGate::ClientGate(VariableService& service, const ServerOptions& options)
-    : m_service(service),
-      m_login(service.control().facts().users),
+ClientGate::ClientGate(UserManagement users, std::function<base::Instant()> now,
+                       const ServerOptions& options)
+    : m_now(std::move(now)),
+      m_login(std::move(users)),
       m_trusted(options.trustedClients),
       m_onRefused(options.onRefusedClient) {
 }
@@ -152,8 +154,7 @@ UA_StatusCode ClientGate::onLogin(const UA_String* user, const UA_ByteString* pa
                                   std::size_t /*count*/, const UA_UsernamePasswordLogin* /*logins*/,
                                   void** session, void* gate) noexcept {
   auto& self = *static_cast<ClientGate*>(gate);
-  const User* found =
-      self.m_login.check(opcua::view(*user), opcua::view(*password), self.m_service.now());
+  const User* found = self.m_login.check(opcua::view(*user), opcua::view(*password), self.m_now());
   *session = const_cast<User*>(found);  // the library hands it back, and nothing else
   return found != nullptr ? UA_STATUSCODE_GOOD : UA_STATUSCODE_BADUSERACCESSDENIED;
 }

@@ -9,16 +9,18 @@
 #include <open62541/plugin/accesscontrol_default.h>
 #include <open62541/server.h>
 
+#include <functional>
+
 #include "machine/front/login.h"
 #include "machine/front/server.h"
-#include "machine/front/variable_service.h"
 
 namespace rivulet::machine {
 
 class ClientGate {
  public:
-  /// @param service  outlives the gate
-  ClientGate(VariableService& service, const ServerOptions& options);
+  /// @param users  who may log in  @param now  for locks of users after wrong passwords
+  ClientGate(UserManagement users, std::function<base::Instant()> now,
+             const ServerOptions& options);
   ClientGate(const ClientGate&) = delete;
   ClientGate& operator=(const ClientGate&) = delete;
 
@@ -47,7 +49,7 @@ class ClientGate {
                                const UA_NodeId* session, void* user, const UA_NodeId* node,
                                void* context) noexcept;
 
-  VariableService& m_service;
+  std::function<base::Instant()> m_now;
   Login m_login;
   std::optional<std::set<std::string>> m_trusted;
   std::function<void(const opcua::CertificateFacts&, std::string_view)> m_onRefused;

@@ -3,7 +3,6 @@
 
 #include "machine/front/server.h"
 
-#include <fmt/format.h>
 #include <open62541/server.h>
 #include <open62541/server_config_default.h>
 
@@ -19,6 +18,7 @@
 #include "machine/front/address_space.h"
 #include "machine/front/array_store.h"
 #include "machine/front/client_gate.h"
+#include "machine/front/listening.h"
 #include "machine/front/methods.h"
 #include "machine/front/port_probe.h"
 #include "machine/front/variable_service.h"
@@ -52,30 +52,6 @@ constexpr base::Duration kSilenceMax = std::chrono::seconds(3);
 /// How often the machine is advanced while no client asks.
 constexpr base::Duration kIdleStep = milliseconds(10);
 
-[[nodiscard]] std::string urlOf(const std::string& host, std::uint16_t port) {
-  const bool isIpv6 = host.find(':') != std::string::npos;
-  return isIpv6 ? fmt::format("opc.tcp://[{}]:{}", host, port)
-                : fmt::format("opc.tcp://{}:{}", host, port);
-}
-
-// A client may use the machine but never change its address space.
-UA_Boolean refuseAddNode(UA_Server*, UA_AccessControl*, const UA_NodeId*, void*,
-                         const UA_AddNodesItem*) noexcept {
-  return false;
-}
-UA_Boolean refuseAddReference(UA_Server*, UA_AccessControl*, const UA_NodeId*, void*,
-                              const UA_AddReferencesItem*) noexcept {
-  return false;
-}
-UA_Boolean refuseDeleteNode(UA_Server*, UA_AccessControl*, const UA_NodeId*, void*,
-                            const UA_DeleteNodesItem*) noexcept {
-  return false;
-}
-UA_Boolean refuseDeleteReference(UA_Server*, UA_AccessControl*, const UA_NodeId*, void*,
-                                 const UA_DeleteReferencesItem*) noexcept {
-  return false;
-}
-
 }  // namespace
 
 std::error_code make_error_code(FrontError code) {
@@ -86,10 +62,10 @@ std::error_code make_error_code(FrontError code) {
 class Server::Impl {
  public:
   Impl(ServedControl& control, const ServerOptions& options)
-      : m_service(control), m_gate(m_service, options) {}
+      : m_service(control), m_gate(gateOf(m_service, options)) {}
   /// @param machine  the control, if it is the virtual machine
   Impl(std::unique_ptr<ServedMachine> machine, const ServerOptions& options)
-      : m_machine(std::move(machine)), m_service(*m_machine), m_gate(m_service, options) {}
+      : m_machine(std::move(machine)), m_service(*m_machine), m_gate(gateOf(m_service, options)) {}
   ~Impl();
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
@@ -101,9 +77,11 @@ class Server::Impl {
   [[nodiscard]] const VariableService& service() const { return m_service; }
 
  private:
+  [[nodiscard]] static ClientGate gateOf(VariableService& service, const ServerOptions& options) {
+    return {service.control().facts().users, [&service] { return service.now(); }, options};
+  }
   [[nodiscard]] base::Result<void> configure(const ServerOptions& options);
   [[nodiscard]] base::Result<void> watchAnswers();
-  [[nodiscard]] base::Result<void> listen(const ServerOptions& options);
   [[nodiscard]] tl::unexpected<base::Error> setUpFailed(const char* what) const;
 
   /// Answers that are not due yet keep those after them on the same connection waiting.
@@ -205,12 +183,17 @@ base::Result<void> Server::Impl::start(const ServerOptions& options) {
   });
   m_arrayStore.setAddressSpace(m_addressSpace.get());
   m_service.goLive();
-  return listen(options);
+  auto endpoint = startListening(*m_server, options, m_logger);
+  m_running = endpoint.has_value();
+  if (!endpoint) {
+    return base::fail(endpoint.error());
+  }
+  m_endpoint = *std::move(endpoint);
+  return {};
 }
 
 tl::unexpected<base::Error> Server::Impl::setUpFailed(const char* what) const {
-  return base::fail(FrontError::SetUpFailed,
-                    fmt::format("The OPC UA server cannot {}: {}.", what, m_logger.lastMessage()));
+  return machine::setUpFailed(what, m_logger);
 }
 
 base::Result<void> Server::Impl::configure(const ServerOptions& options) {
@@ -221,26 +204,21 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
     UA_ServerConfig_clean(&config);
     return setUpFailed("be configured");
   }
-  const auto replace = [](UA_String& target, std::string_view text) {
-    UA_String_clear(&target);
-    const UA_String source = opcua::borrow(text);
-    return UA_String_copy(&source, &target);
-  };
   const ServedFacts& facts = m_service.control().facts();
-  UA_StatusCode status = replace(config.serverUrls[0], urlOf(options.host, options.port));
+  UA_StatusCode status = replaceText(config.serverUrls[0], urlOf(options.host, options.port));
   // The library refuses to start if its certificate names another application.
-  status |= replace(config.applicationDescription.applicationUri,
-                    options.certificate ? std::string_view(options.certificate->applicationUri)
-                                        : std::string_view(facts.applicationUri));
-  status |= replace(config.applicationDescription.productUri, "urn:rivulet");
-  status |= replace(config.applicationDescription.applicationName.text, facts.product);
-  status |= replace(config.buildInfo.productUri, "urn:rivulet");
-  status |= replace(config.buildInfo.manufacturerName, "Rivulet");
-  status |= replace(config.buildInfo.productName, facts.product);
+  status |= replaceText(config.applicationDescription.applicationUri,
+                        options.certificate ? std::string_view(options.certificate->applicationUri)
+                                            : std::string_view(facts.applicationUri));
+  status |= replaceText(config.applicationDescription.productUri, "urn:rivulet");
+  status |= replaceText(config.applicationDescription.applicationName.text, facts.product);
+  status |= replaceText(config.buildInfo.productUri, "urn:rivulet");
+  status |= replaceText(config.buildInfo.manufacturerName, "Rivulet");
+  status |= replaceText(config.buildInfo.productName, facts.product);
   // The preset determines the cost of access: a client that stores its measurements must see when
   // the preset has changed.
-  status |= replace(config.buildInfo.softwareVersion, RIVULET_VERSION);
-  status |= replace(config.buildInfo.buildNumber, facts.name);
+  status |= replaceText(config.buildInfo.softwareVersion, RIVULET_VERSION);
+  status |= replaceText(config.buildInfo.buildNumber, facts.name);
   if (status != UA_STATUSCODE_GOOD) {
     UA_ServerConfig_clean(&config);
     return setUpFailed("be configured");
@@ -263,10 +241,7 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   config.samplingIntervalLimits = {samplingMsMin, kSamplingIntervalMsMax};
   config.publishingIntervalLimits = {samplingMsMin, kSamplingIntervalMsMax};
   config.queueSizeLimits = {1, kQueueSizeMax};
-  config.accessControl.allowAddNode = &refuseAddNode;
-  config.accessControl.allowAddReference = &refuseAddReference;
-  config.accessControl.allowDeleteNode = &refuseDeleteNode;
-  config.accessControl.allowDeleteReference = &refuseDeleteReference;
+  refuseChanges(config.accessControl);
   config.context = this;
   m_activate = std::exchange(config.accessControl.activateSession, &Impl::onActivate);
   m_closeSession = std::exchange(config.accessControl.closeSession, &Impl::onCloseSession);
@@ -414,38 +389,6 @@ void Server::Impl::closeOrphans(base::Duration age, std::size_t countMax) {
     UA_Server_closeSession(m_server, &id);  // calls `onCloseSession`
     UA_NodeId_clear(&id);
   }
-}
-
-base::Result<void> Server::Impl::listen(const ServerOptions& options) {
-  if (UA_Server_run_startup(m_server) != UA_STATUSCODE_GOOD) {
-    return setUpFailed("listen");
-  }
-  m_running = true;
-  // With port 0 the library lists both the 0 and the real port; clients are to see only the real
-  // one.
-  UA_ApplicationDescription& description = UA_Server_getConfig(m_server)->applicationDescription;
-  std::uint16_t port = options.port;
-  for (std::size_t i = 0; i < description.discoveryUrlsSize; ++i) {
-    UA_String host{};
-    UA_UInt16 listed = 0;
-    if (UA_parseEndpointUrl(&description.discoveryUrls[i], &host, &listed, nullptr) ==
-            UA_STATUSCODE_GOOD &&
-        listed != 0) {
-      port = listed;
-    }
-  }
-  if (port == 0) {
-    return setUpFailed("find out its port");
-  }
-  m_endpoint = urlOf(options.host, port);
-  const UA_String url = opcua::borrow(m_endpoint);
-  for (std::size_t i = 0; i < description.discoveryUrlsSize; ++i) {
-    UA_String_clear(&description.discoveryUrls[i]);
-    if (UA_String_copy(&url, &description.discoveryUrls[i]) != UA_STATUSCODE_GOOD) {
-      return setUpFailed("announce its address");
-    }
-  }
-  return {};
 }
 
 void Server::Impl::iterate(base::Duration timeout) {

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What every OPC UA server of Rivulet does with the library's configuration and socket.
+/// @threadsafety as the server.
+#pragma once
+
+#include <open62541/server.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "machine/front/server.h"
+#include "opcua/open62541/quiet_logger.h"
+
+namespace rivulet::machine {
+
+/// "opc.tcp://127.0.0.1:4840", with brackets around an address of IPv6.
+[[nodiscard]] std::string urlOf(const std::string& host, std::uint16_t port);
+
+/// A text of a configuration gets another value.
+[[nodiscard]] UA_StatusCode replaceText(UA_String& target, std::string_view text);
+
+/// A client may use the nodes but never change which there are.
+void refuseChanges(UA_AccessControl& control);
+
+/// `FrontError::SetUpFailed` with the last words of the library. @param what  the server cannot do
+[[nodiscard]] tl::unexpected<base::Error> setUpFailed(const char* what,
+                                                      const opcua::QuietLogger& logger);
+
+/// Starts the server and has it announce only its real port. @return the address for clients
+[[nodiscard]] base::Result<std::string> startListening(UA_Server& server,
+                                                       const ServerOptions& options,
+                                                       const opcua::QuietLogger& logger);
+
+}  // namespace rivulet::machine
