@@ -10,8 +10,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "base/units.h"
-#include "gcode/feeds.h"
+#include "preparation/settings_facts.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -22,74 +21,8 @@ namespace {
 
 constexpr int kRestMs = 2000;
 constexpr const char* kCorrection = "correction_mm";
-/// Before the height of a dry run.
-const std::string kDry = "dry ";
 
 }  // namespace
-
-Audit::Details settingsFacts(const widgets::StreamSettings& settings) {
-  const templates::TemplateParameters& parameters = settings.parameters;
-  constexpr int kDecimals = 4;
-  return {
-      {"method", std::string(base::methodName(parameters.method))},
-      {"points", std::to_string(parameters.pointsPerLoop)},
-      {"feed", base::formatFixed(base::mmPerMinFromMmPerS(settings.feedMmPerS), kDecimals)},
-      {"feeds", settings.usesProgramFeeds() ? "program" : "one"},
-      {"override", base::formatFixed(settings.overrideFactor, kDecimals)},
-      {"delta", base::formatFixed(settings.deltaMm, kDecimals)},
-      {"layout", std::string(templates::layoutName(parameters.layout))},
-      {"windows", std::to_string(parameters.windows)},
-      {"feed_per_point", parameters.feedPerPoint ? "yes" : "no"},
-      {"base_cell", std::to_string(parameters.baseCell)},
-      {"correction_limit", base::formatFixed(parameters.correctionLimitMm, kDecimals)},
-      {"access", std::to_string(static_cast<int>(settings.access))},
-      {"job", !settings.wholeJob        ? "motion only"
-              : settings.dryRunMm > 0.0 ? kDry + base::formatFixed(settings.dryRunMm, kDecimals)
-                                        : "whole"},
-      {"transfer_by_hand", settings.transferByHand ? "yes" : "no"},
-  };
-}
-
-void applySettings(widgets::StreamSettings& settings, const Audit::Details& facts) {
-  templates::TemplateParameters& parameters = settings.parameters;
-  for (const auto& [name, value] : facts) {
-    const auto number = base::parseNumber(value);
-    const auto whole = base::parseInteger(value);
-    if (name == "method") {
-      parameters.method = base::methodFromName(value).value_or(parameters.method);
-    } else if (name == "layout") {
-      parameters.layout = templates::layoutFromName(value).value_or(parameters.layout);
-    } else if (name == "points" && whole) {
-      parameters.pointsPerLoop = *whole;
-    } else if (name == "windows" && whole) {
-      parameters.windows = *whole;
-    } else if (name == "base_cell" && whole) {
-      parameters.baseCell = *whole;
-    } else if (name == "feed" && number && *number > 0.0) {
-      settings.feedMmPerS = base::mmPerSFromMmPerMin(*number);
-    } else if (name == "feeds") {
-      settings.programFeeds = value == "program";
-    } else if (name == "override" && number && *number >= gcode::kOverrideMin &&
-               *number <= gcode::kOverrideMax) {
-      settings.overrideFactor = *number;
-    } else if (name == "delta" && number && *number > 0.0) {
-      settings.deltaMm = *number;
-    } else if (name == "correction_limit" && number && *number >= 0.0) {
-      parameters.correctionLimitMm = *number;
-    } else if (name == "access" && whole && *whole >= 0 &&
-               *whole <= static_cast<int>(streaming::AccessPreference::Single)) {
-      settings.access = static_cast<streaming::AccessPreference>(*whole);
-    } else if (name == "job") {
-      const bool isDry = value.starts_with(kDry);
-      settings.wholeJob = isDry || value == "whole";
-      settings.dryRunMm = isDry ? base::parseNumber(value.substr(kDry.size())).value_or(0.0) : 0.0;
-    } else if (name == "feed_per_point") {
-      parameters.feedPerPoint = value == "yes";
-    } else if (name == "transfer_by_hand") {
-      settings.transferByHand = value == "yes";
-    }
-  }
-}
 
 Audit::Audit(Messages& messages, const std::filesystem::path& folder, Clock clock)
     : m_messages(messages),
@@ -120,7 +53,7 @@ void Audit::record(Act act, Details details) {
 }
 
 void Audit::follow(const widgets::StreamSettings& settings) {
-  m_settings = settingsFacts(settings);
+  m_settings = preparation::settingsFacts(settings);
   m_settings.emplace_back(kCorrection, m_correction);
   compare();
 }

@@ -79,9 +79,4 @@ class Audit final : public QObject {
   QTimer m_rest;
 };
 
-/// Every setting of a run by its name, in a form that does not depend on the language.
-[[nodiscard]] Audit::Details settingsFacts(const widgets::StreamSettings& settings);
-/// Inverse of `settingsFacts`: what is not named, or is out of range, stays as it is.
-void applySettings(widgets::StreamSettings& settings, const Audit::Details& facts);
-
 }  // namespace rivulet::hmi

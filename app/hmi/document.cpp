@@ -13,6 +13,7 @@
 #include "base/units.h"
 #include "feasibility/client_turn.h"
 #include "job/main_program.h"
+#include "preparation/judged.h"
 #include "report/calibration_json.h"
 #include "report/machine_profile.h"
 #include "report/operating_point.h"
@@ -353,29 +354,12 @@ double Document::commandedMmPerS(std::size_t point) const {
 }
 
 streaming::RunSettings Document::runSettings() const {
-  const streaming::AccessPlan plan =
-      streaming::accessPlan(m_settings.access, m_settings.parameters.method);
-  streaming::RunSettings settings;
-  settings.parameters = parameters();
-  settings.deltaMm = m_settings.deltaMm;
-  settings.feedMmPerS = m_settings.feedMmPerS;
+  streaming::RunSettings settings =
+      preparation::runSettings(m_settings, parameters(), m_live ? nullptr : m_view.get(),
+                               m_machineFeeds, m_source.isUsed() ? m_source.record : nullptr);
   if (m_live) {
     // Of points before the first F; the others have their own.
     settings.feedMmPerS = base::mmPerSFromMmPerMin(m_live->setup.agreement.feedMmPerMinMax);
-  } else if (m_settings.usesProgramFeeds() && m_view) {
-    settings.programFeeds = m_machineFeeds;
-    settings.programFeeds->overrideFactor = m_settings.overrideFactor;
-    if (m_view->fastestMmPerS > 0.0) {
-      settings.feedMmPerS = m_settings.overrideFactor * m_view->fastestMmPerS;
-    }
-  }
-  settings.transfer =
-      m_settings.transferByHand ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
-  settings.access = plan.choice;
-  settings.grouping = plan.grouping;
-  if (m_source.isUsed()) {
-    settings.calibration = std::shared_ptr<const streaming::Calibration>(
-        m_source.record, &m_source.record->calibration);
   }
   return settings;
 }
@@ -472,46 +456,17 @@ void Document::judge() {
   const streaming::RunSettings settings = runSettings();
   found.operatingPoint = report::operatingPointOf(settings);
   found.source.cellsMax = feasibility::turnOf(found.operatingPoint.turn()).content;
-  const auto cells = templates::planCells(settings.parameters);
-  const auto text = templates::generateTemplate(settings.parameters);
-  if (cells && text) {
-    found.cells = *cells;
-    found.templateText = *text;
-  } else {
-    found.settingsError = cells ? text.error() : cells.error();
-  }
-  if (auto problem = dryRunProblem()) {
-    found.settingsError = std::move(problem);
-  }
-  const int perLoop = found.operatingPoint.pointsPerLoop;
-  if (points().size() >= kPointsMin && !m_live) {
-    const bool isTimed = settings.programFeeds.has_value();
-    if (m_view->distancesFor == perLoop) {
-      found.distances = isTimed ? m_view->timedDistances : m_view->distances;
-    } else if (perLoop >= 2) {
-      found.distances =
-          feasibility::programDistances(points(), perLoop, isTimed ? m_view->fastestMmPerS : 0.0);
-    }
-  }
-  if (m_view && !found.settingsError) {
-    if (const auto known = streaming::requireFeeds(m_view->lineWithoutFeed, settings); !known) {
-      found.settingsError = known.error();
-      if (known.error().code == streaming::StreamError::FeedUnknown) {
-        found.settingsError->context =
-            tr("Line %1").arg(m_view->lineWithoutFeed->value).toStdString();
-      }
-    }
-  }
-  // Of a path that is not known nothing can be said.
-  const bool isKnown = m_view && program()->isStreamable();
-  if (!found.settingsError && found.distances && isKnown) {
-    auto verdict = feasibility::judge(found.operatingPoint, *found.distances, found.access);
-    if (verdict) {
-      found.verdict = *verdict;
-      found.overrideLimit = streaming::overrideLimit(*verdict, points(), settings, 1.0);
-    } else {
-      found.settingsError = verdict.error();
-    }
+  // The points of a live run come while it is in progress.
+  preparation::Judged result =
+      preparation::judge(m_live ? nullptr : m_view.get(), settings, found.access, dryRunProblem());
+  found.cells = std::move(result.cells);
+  found.templateText = std::move(result.templateText);
+  found.settingsError = std::move(result.settingsError);
+  found.distances = result.distances;
+  found.verdict = std::move(result.verdict);
+  found.overrideLimit = result.overrideLimit;
+  if (found.settingsError && found.settingsError->code == streaming::StreamError::FeedUnknown) {
+    found.settingsError->context = tr("Line %1").arg(m_view->lineWithoutFeed->value).toStdString();
   }
   m_findings = std::move(found);
   checkJob();

@@ -3,80 +3,21 @@
 
 #include "hmi/releases.h"
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "hmi/audit.h"
-#include "journal/line_file.h"
+#include "preparation/release_file.h"
+#include "preparation/settings_facts.h"
 #include "utc/now.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
 
-using nlohmann::ordered_json;
 using permission::Act;
 using permission::Release;
 
-namespace {
-
-std::string textOf(const Audit::Details& details) {
-  std::string text;
-  for (const auto& [name, value] : details) {
-    text += (text.empty() ? "" : ";") + name + "=" + value;
-  }
-  return text;
-}
-
-Audit::Details detailsOf(const std::string& text) {
-  Audit::Details details;
-  std::size_t begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find(';', begin), text.size());
-    const std::string item = text.substr(begin, end - begin);
-    const std::size_t sign = item.find('=');
-    if (sign != std::string::npos) {
-      details.emplace_back(item.substr(0, sign), item.substr(sign + 1));
-    }
-    begin = end + 1;
-  }
-  return details;
-}
-
-std::string member(const ordered_json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-std::optional<Release> releaseOfLine(const std::string& line) {
-  const ordered_json json = ordered_json::parse(line, nullptr, false);
-  if (!json.is_object()) {
-    return std::nullopt;
-  }
-  const auto at = base::utcOfText(member(json, "at"));
-  Release release{{member(json, "hash"), member(json, "settings"), member(json, "calibration")},
-                  member(json, "program"),
-                  member(json, "by"),
-                  at.value_or(0),
-                  json.contains("taken_back")};
-  return at && !release.job.programHash.empty() ? std::optional(release) : std::nullopt;
-}
-
-std::string lineOf(const Release& release) {
-  ordered_json json{{"at", base::utcText(release.at)},  {"by", release.by},
-                    {"program", release.programName},   {"hash", release.job.programHash},
-                    {"settings", release.job.settings}, {"calibration", release.job.calibration}};
-  if (release.isTakenBack) {
-    json["taken_back"] = true;
-  }
-  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-}
-
-}  // namespace
-
 Releases::Releases(const std::filesystem::path& folder, Users& users, Document& document,
                    MachineModel& machine, Messages& messages)
-    : m_path(folder.empty() ? folder : folder / "releases.jsonl"),
+    : m_path(folder.empty() ? folder : preparation::releaseFileIn(folder)),
       m_users(users),
       m_document(document),
       m_machine(machine),
@@ -90,17 +31,13 @@ Releases::Releases(const std::filesystem::path& folder, Users& users, Document& 
 }
 
 void Releases::load(const std::filesystem::path& path) {
-  const auto lines = journal::readLines(path);
-  if (!lines) {
+  auto releases = preparation::readReleases(path);
+  if (!releases) {
     m_messages.log(gcode::Severity::Warning, Messages::Source::Computer,
-                   [error = lines.error()] { return widgets::errorText(error); });
+                   [error = releases.error()] { return widgets::errorText(error); });
     return;
   }
-  for (const std::string& line : lines->lines) {
-    if (auto release = releaseOfLine(line)) {
-      m_releases.push_back(std::move(*release));
-    }
-  }
+  m_releases = *std::move(releases);
 }
 
 std::optional<permission::Job> Releases::job() const {
@@ -110,7 +47,7 @@ std::optional<permission::Job> Releases::job() const {
   }
   const widgets::AccessSource& source = m_document.findings().source;
   return permission::Job{
-      program->hash, textOf(settingsFacts(m_document.settings())),
+      program->hash, preparation::textOf(preparation::settingsFacts(m_document.settings())),
       source.isUsed() ? source.record->endpoint + " " + source.record->measuredAtUtc : ""};
 }
 
@@ -147,9 +84,7 @@ void Releases::takeBack() {
 
 void Releases::append(Release release) {
   if (!m_path.empty()) {
-    const auto written =
-        journal::appendLine(m_path, [&release](std::string_view) { return lineOf(release); });
-    if (!written) {
+    if (const auto written = preparation::appendRelease(m_path, release); !written) {
       m_messages.show(gcode::Severity::Error,
                       [error = written.error()] { return widgets::errorText(error); });
       return;
@@ -164,7 +99,7 @@ void Releases::takeSettings() {
   if (present && m_users.standing().role == permission::Role::Operator && !isReleased()) {
     if (const Release* last = permission::lastReleaseOf(m_releases, present->programHash)) {
       widgets::StreamSettings settings = m_document.settings();
-      applySettings(settings, detailsOf(last->job.settings));
+      preparation::applySettings(settings, preparation::factsOfText(last->job.settings));
       m_document.setSettings(settings);
     }
   }

@@ -17,8 +17,8 @@
 #include <utility>
 
 #include "base/file.h"
-#include "folders/user_folders.h"
 #include "hmi/background.h"
+#include "preparation/user_file.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -49,20 +49,6 @@ bool hasEngineer(const std::vector<User>& users) {
                      [](const User& user) { return user.role == Role::Engineer; });
 }
 
-std::optional<User> userOf(const QJsonObject& json) {
-  const auto role =
-      permission::roleOfName(json.value(QStringLiteral("role")).toString().toStdString());
-  User user;
-  user.name = json.value(QStringLiteral("name")).toString();
-  user.salt = QByteArray::fromHex(json.value(QStringLiteral("salt")).toString().toLatin1());
-  user.hash = QByteArray::fromHex(json.value(QStringLiteral("hash")).toString().toLatin1());
-  if (!role || user.name.isEmpty()) {
-    return std::nullopt;
-  }
-  user.role = *role;
-  return user;
-}
-
 QJsonObject jsonOf(const User& user) {
   const std::string_view role = permission::roleName(user.role);
   return {
@@ -86,7 +72,7 @@ QByteArray pinHash(const QString& pin, const QByteArray& salt) {
 }
 
 std::filesystem::path Users::fileOfUser() {
-  return folders::configHome() / "rivulet" / "users.json";
+  return preparation::userFileOfUser();
 }
 
 Users::Users(std::filesystem::path file, QString systemUser)
@@ -108,31 +94,29 @@ Users::Users(std::filesystem::path file, QString systemUser)
 }
 
 void Users::load() {
-  std::error_code ignored;
-  if (m_file.empty() || !std::filesystem::exists(m_file, ignored)) {
+  if (m_file.empty()) {
     return;
   }
-  const auto text = base::readFile(m_file);
-  const QJsonDocument json =
-      text ? QJsonDocument::fromJson(QByteArray::fromStdString(*text)) : QJsonDocument();
-  const QJsonArray users = json.object().value(QStringLiteral("users")).toArray();
-  for (const QJsonValue& value : users) {
-    if (auto user = userOf(value.toObject())) {
-      m_users.push_back(std::move(*user));
-    }
-  }
-  m_idleMinutes = std::max(0, json.object().value(QStringLiteral("idle_minutes")).toInt());
-  if (!text || !json.isObject() || static_cast<qsizetype>(m_users.size()) != users.size() ||
-      !hasEngineer(m_users)) {
+  const auto file = preparation::readUsers(m_file);
+  if (!file) {
     // A damaged file must not make an engineer of everybody.
     m_users.assign(1, User{});
-    m_fileError = text ? base::makeError(std::make_error_code(std::errc::invalid_argument),
-                                         QT_TRANSLATE_NOOP("UserTexts",
-                                                           "The file of users is damaged. Restore "
-                                                           "it, or delete it to set the users up "
-                                                           "again."),
-                                         m_file.string())
-                       : text.error();
+    const bool isDamaged = file.error().code == std::make_error_code(std::errc::invalid_argument);
+    m_fileError = isDamaged
+                      ? base::makeError(file.error().code,
+                                        QT_TRANSLATE_NOOP("UserTexts",
+                                                          "The file of users is damaged. Restore "
+                                                          "it, or delete it to set the users up "
+                                                          "again."),
+                                        m_file.string())
+                      : file.error();
+    return;
+  }
+  m_idleMinutes = file->idleMinutes;
+  for (const preparation::KeptUser& user : file->users) {
+    m_users.push_back({QString::fromStdString(user.name), user.role,
+                       QByteArray::fromHex(QByteArray::fromStdString(user.saltHex)),
+                       QByteArray::fromHex(QByteArray::fromStdString(user.hashHex))});
   }
 }
 

@@ -19,6 +19,7 @@
 
 #include "base/result.h"
 #include "permission/permission.h"
+#include "preparation/user_file.h"
 
 namespace rivulet::hmi {
 
@@ -37,7 +38,7 @@ class Users final : public QObject {
 
  public:
   static constexpr int kPinLengthMin = 4;
-  static constexpr int kIterations = 200'000;
+  static constexpr int kIterations = preparation::kPinIterations;
   /// After this many wrong PINs in a row the next one has to wait.
   static constexpr int kTriesMax = 3;
   static constexpr int kWaitMs = 30'000;

@@ -10,13 +10,10 @@
 #include <QObject>
 #include <atomic>
 #include <memory>
-#include <vector>
 
-#include "experiments/job_forecast.h"
+#include "session/hazards.h"
 
 namespace rivulet::session {
-
-using Hazards = std::vector<experiments::Hazard>;
 
 class JobCheck final : public QObject {
   Q_OBJECT

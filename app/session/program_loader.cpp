@@ -10,9 +10,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "gcode/block_observer.h"
-#include "job/dry_plan.h"
-#include "job/plan.h"
+#include "preparation/split_program.h"
 
 namespace rivulet::session {
 
@@ -24,41 +22,6 @@ constexpr auto kReportInterval = std::chrono::milliseconds{50};
 /// Reading takes most of the time, the view for the page the rest.
 constexpr double kReadShare = 0.4;
 constexpr double kSplitShare = 0.3;
-
-struct SplitProgram {
-  std::shared_ptr<const gcode::Program> program;
-  std::shared_ptr<const job::Plan> plan;  ///< null: it could not be split, or was cancelled
-  std::optional<base::Error> dryRunError{};
-};
-
-/// The same text again, block by block. A program that cannot be split stays as it is.
-SplitProgram split(gcode::Program program, gcode::LoadOptions options,
-                   const std::filesystem::path& path, const Reading& reading) {
-  options.subprogram = gcode::subprogramsBeside(path);
-  auto made = job::makePlan(program.name, program.text, options);
-  if (!made) {
-    return {std::make_shared<const gcode::Program>(std::move(program)), nullptr};
-  }
-  auto plan = std::make_shared<job::Plan>(*std::move(made));
-  bool isJob = reading.asJob && plan->isWhole() && plan->stretchCount() > 0 &&
-               !widgets::JobOutline(plan).needed().empty();
-  std::optional<base::Error> dryRunError;
-  if (isJob && reading.dryRunMm > 0.0) {
-    if (auto dry = job::dryPlan(*plan, reading.dryRunMm)) {
-      plan = std::make_shared<job::Plan>(*std::move(dry));
-    } else {
-      dryRunError = dry.error();
-      isJob = false;
-    }
-  }
-  if (isJob) {
-    std::shared_ptr<const gcode::Program> streamed(plan, &plan->program);
-    return {std::move(streamed), std::move(plan)};
-  }
-  plan->program = {};
-  return {std::make_shared<const gcode::Program>(std::move(program)), std::move(plan),
-          std::move(dryRunError)};
-}
 
 }  // namespace
 
@@ -128,8 +91,9 @@ void ProgramLoader::load(LoadRequest request) {
       return;
     }
     options.progress = [&](double share) { return progress(kReadShare + kSplitShare * share); };
-    SplitProgram read =
-        split(*std::move(program), options, request.path.toStdString(), request.reading);
+    preparation::SplitProgram read =
+        preparation::splitProgram(*std::move(program), options, request.path.toStdString(),
+                                  request.reading.asJob, request.reading.dryRunMm);
     auto view = widgets::makeProgramView(
         std::move(read.program), request.startMm, request.pointsPerLoop,
         [&](double share) {

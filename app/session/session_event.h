@@ -21,7 +21,7 @@
 #include "opcua/connection.h"
 #include "opcua/rights.h"
 #include "report/run_store.h"
-#include "session/job_check.h"
+#include "session/hazards.h"
 #include "streaming/calibration_record.h"
 #include "streaming/equipment_watch.h"
 #include "streaming/job_times.h"

@@ -17,6 +17,7 @@
 #include "hmi/users.h"
 #include "journal/audit.h"
 #include "journal/line_file.h"
+#include "preparation/settings_facts.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
 #include "widgets/users/users_page.h"
@@ -293,10 +294,10 @@ class TestOperator : public QObject {
     settings.deltaMm = 0.25;
     settings.access = streaming::AccessPreference::List;
     widgets::StreamSettings other;
-    hmi::applySettings(other, hmi::settingsFacts(settings));
-    QCOMPARE(hmi::settingsFacts(other), hmi::settingsFacts(settings));
-    hmi::applySettings(other, {{"feed", "-3"}, {"access", "99"}, {"unknown", "1"}});
-    QCOMPARE(hmi::settingsFacts(other), hmi::settingsFacts(settings));
+    preparation::applySettings(other, preparation::settingsFacts(settings));
+    QCOMPARE(preparation::settingsFacts(other), preparation::settingsFacts(settings));
+    preparation::applySettings(other, {{"feed", "-3"}, {"access", "99"}, {"unknown", "1"}});
+    QCOMPARE(preparation::settingsFacts(other), preparation::settingsFacts(settings));
   }
 
   void aTrailThatWasChangedIsAnAlarm() {

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "preparation/judged.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "report/operating_point.h"
+#include "streaming/access_policy.h"
+#include "templates/generator.h"
+
+namespace rivulet::preparation {
+
+namespace {
+
+/// A single point has no distances.
+constexpr std::size_t kPointsMin = 2;
+
+std::optional<feasibility::ProgramDistances> distancesOf(const widgets::ProgramView& view,
+                                                         int perLoop, bool isTimed) {
+  if (view.points.points.size() < kPointsMin) {
+    return std::nullopt;
+  }
+  if (view.distancesFor == perLoop) {
+    return isTimed ? view.timedDistances : view.distances;
+  }
+  return perLoop >= 2 ? feasibility::programDistances(view.points.points, perLoop,
+                                                      isTimed ? view.fastestMmPerS : 0.0)
+                      : std::optional<feasibility::ProgramDistances>();
+}
+
+}  // namespace
+
+streaming::RunSettings runSettings(
+    const widgets::StreamSettings& wanted, const templates::TemplateParameters& parameters,
+    const widgets::ProgramView* view, const gcode::ProgramFeeds& machineFeeds,
+    std::shared_ptr<const streaming::CalibrationRecord> calibration) {
+  const streaming::AccessPlan plan = streaming::accessPlan(wanted.access, wanted.parameters.method);
+  streaming::RunSettings settings;
+  settings.parameters = parameters;
+  settings.deltaMm = wanted.deltaMm;
+  settings.feedMmPerS = wanted.feedMmPerS;
+  if (wanted.usesProgramFeeds() && view != nullptr) {
+    settings.programFeeds = machineFeeds;
+    settings.programFeeds->overrideFactor = wanted.overrideFactor;
+    if (view->fastestMmPerS > 0.0) {
+      settings.feedMmPerS = wanted.overrideFactor * view->fastestMmPerS;
+    }
+  }
+  settings.transfer =
+      wanted.transferByHand ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
+  settings.access = plan.choice;
+  settings.grouping = plan.grouping;
+  if (calibration) {
+    const streaming::Calibration* measured = &calibration->calibration;
+    settings.calibration =
+        std::shared_ptr<const streaming::Calibration>(std::move(calibration), measured);
+  }
+  return settings;
+}
+
+Judged judge(const widgets::ProgramView* view, const streaming::RunSettings& settings,
+             const feasibility::AccessModel& access, std::optional<base::Error> problem) {
+  Judged found;
+  const feasibility::OperatingPoint point = report::operatingPointOf(settings);
+  const auto cells = templates::planCells(settings.parameters);
+  const auto text = templates::generateTemplate(settings.parameters);
+  if (cells && text) {
+    found.cells = *cells;
+    found.templateText = *text;
+  } else {
+    found.settingsError = cells ? text.error() : cells.error();
+  }
+  if (problem) {
+    found.settingsError = std::move(problem);
+  }
+  if (view == nullptr) {
+    return found;
+  }
+  found.distances = distancesOf(*view, point.pointsPerLoop, settings.programFeeds.has_value());
+  if (!found.settingsError) {
+    if (const auto known = streaming::requireFeeds(view->lineWithoutFeed, settings); !known) {
+      found.settingsError = known.error();
+      if (known.error().code == streaming::StreamError::FeedUnknown) {
+        found.settingsError->context = fmt::format("Line {}", view->lineWithoutFeed->value);
+      }
+    }
+  }
+  // Of a path that is not known nothing can be said.
+  if (!found.settingsError && found.distances && view->program->isStreamable()) {
+    auto verdict = feasibility::judge(point, *found.distances, access);
+    if (verdict) {
+      found.verdict = *verdict;
+      found.overrideLimit = streaming::overrideLimit(*verdict, view->points.points, settings, 1.0);
+    } else {
+      found.settingsError = verdict.error();
+    }
+  }
+  return found;
+}
+
+}  // namespace rivulet::preparation

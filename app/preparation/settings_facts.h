@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The settings of a run by name, in a form that does not depend on the language: for the audit
+/// trail, for releases, and for clients of a service. @threadsafety pure.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "widgets/streaming/stream_settings.h"
+
+namespace rivulet::preparation {
+
+/// Names and values, in order.
+using SettingsFacts = std::vector<std::pair<std::string, std::string>>;
+
+/// Every setting of a run.
+[[nodiscard]] SettingsFacts settingsFacts(const widgets::StreamSettings& settings);
+/// Inverse of `settingsFacts`: what is not named, or is out of range, stays as it is.
+void applySettings(widgets::StreamSettings& settings, const SettingsFacts& facts);
+
+/// "method=window;points=7;…".
+[[nodiscard]] std::string textOf(const SettingsFacts& facts);
+/// Inverse of `textOf`; what has no "=" is left out.
+[[nodiscard]] SettingsFacts factsOfText(const std::string& text);
+
+}  // namespace rivulet::preparation

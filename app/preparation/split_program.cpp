@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "preparation/split_program.h"
+
+#include <utility>
+
+#include "gcode/block_observer.h"
+#include "job/dry_plan.h"
+#include "widgets/program/job_outline.h"
+
+namespace rivulet::preparation {
+
+SplitProgram splitProgram(gcode::Program program, gcode::LoadOptions options,
+                          const std::filesystem::path& path, bool asJob, double dryRunMm) {
+  options.subprogram = gcode::subprogramsBeside(path);
+  auto made = job::makePlan(program.name, program.text, options);
+  if (!made) {
+    return {std::make_shared<const gcode::Program>(std::move(program)), nullptr};
+  }
+  auto plan = std::make_shared<job::Plan>(*std::move(made));
+  bool isJob = asJob && plan->isWhole() && plan->stretchCount() > 0 &&
+               !widgets::JobOutline(plan).needed().empty();
+  std::optional<base::Error> dryRunError;
+  if (isJob && dryRunMm > 0.0) {
+    if (auto dry = job::dryPlan(*plan, dryRunMm)) {
+      plan = std::make_shared<job::Plan>(*std::move(dry));
+    } else {
+      dryRunError = dry.error();
+      isJob = false;
+    }
+  }
+  if (isJob) {
+    std::shared_ptr<const gcode::Program> streamed(plan, &plan->program);
+    return {std::move(streamed), std::move(plan)};
+  }
+  plan->program = {};
+  return {std::make_shared<const gcode::Program>(std::move(program)), std::move(plan),
+          std::move(dryRunError)};
+}
+
+}  // namespace rivulet::preparation
