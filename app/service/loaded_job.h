@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A job as a client of the service has loaded it, and what follows from it and from the machine.
+/// @threadsafety reads files; shares nothing.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "machine/config.h"
+#include "permission/permission.h"
+#include "preparation/judged.h"
+#include "preparation/settings_facts.h"
+#include "report/machine_store.h"
+#include "session/hazards.h"
+#include "streaming/run.h"
+#include "widgets/program/program_view.h"
+
+namespace rivulet::service {
+
+/// What is known of the machine at the other end, as the window has stored it.
+struct MachineFacts {
+  std::string endpoint;
+  opcua::ServerIdentity server;
+  bool runsJobs = false;      ///< whole jobs; so far only virtual machines
+  gcode::ProgramFeeds feeds;  ///< its limits, at 100 %
+  std::shared_ptr<const machine::MachineConfig> known;  ///< null: jobs are not compared with it
+  /// What access costs; null: not measured with this version of its server.
+  std::shared_ptr<const streaming::CalibrationRecord> calibration;
+};
+
+/// @return a file of the machine that cannot be read
+[[nodiscard]] base::Result<MachineFacts> factsOf(const report::MachineStore& store,
+                                                 const std::string& endpoint,
+                                                 const opcua::ServerIdentity& server,
+                                                 bool isVirtual);
+
+/// The settings of a job for which nobody has given any: feeds of the program, whole jobs.
+[[nodiscard]] widgets::StreamSettings defaultSettings();
+/// With what a client has given as "name=value;…". A feed alone means one feed for all moves.
+/// @return BadSettings, naming the setting
+[[nodiscard]] base::Result<widgets::StreamSettings> settingsWith(widgets::StreamSettings settings,
+                                                                 const std::string& given);
+
+struct LoadedJob {
+  std::filesystem::path file;
+  gcode::LoadOptions reading;
+  std::uintmax_t fileBytes = 0;
+  std::filesystem::file_time_type fileTime{};
+  widgets::StreamSettings settings;
+  std::shared_ptr<const widgets::ProgramView> view;
+  streaming::RunSettings runSettings;
+  preparation::Judged judged;
+  std::shared_ptr<const session::Hazards> hazards;  ///< of a whole job on a machine that is known
+  permission::Job released;                         ///< what a release has to name
+
+  /// The file is no longer what was read.
+  [[nodiscard]] bool hasFileChanged() const;
+  /// The points depend on where the tool stands: makes them again.
+  void place(base::Vec3 toolMm, const MachineFacts& machine);
+};
+
+/// @param settings  of a text of this hash; asked once it has been read
+/// @param toolMm  where the tool is
+/// @return what is wrong with file or program; BadSettings; NotAJob if blocks for the control would
+///         be left out and nobody has asked for that
+[[nodiscard]] base::Result<LoadedJob> loadJob(
+    const std::filesystem::path& file, const gcode::LoadOptions& reading,
+    const std::function<base::Result<widgets::StreamSettings>(const std::string& hash)>& settings,
+    base::Vec3 toolMm, const MachineFacts& machine);
+
+}  // namespace rivulet::service

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The nodes of the service: variables and methods with their names and descriptions, as data. The
+/// names are those of OPC 40501-1 (Machine Tools) and OPC 40001-1 (Machinery) where these have one.
+/// @threadsafety constants.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "service/service_session.h"
+
+namespace rivulet::service {
+
+/// Namespace of all nodes of the service.
+inline constexpr std::string_view kNamespaceUri = "urn:rivulet:service";
+/// The object that holds the others; a node is "ns=…;s=<object>/<name>".
+inline constexpr std::string_view kMethodsObject = "Session";
+
+using NodeValue = std::variant<bool, std::uint32_t, double, std::string, std::vector<double>>;
+
+struct VariableRow {
+  std::string_view identifier;  ///< "Production/ActiveProgram/Name": folders and browse name
+  std::string_view description;
+  NodeValue (*value)(const Snapshot&);
+};
+[[nodiscard]] std::span<const VariableRow> variableRows();
+
+struct MethodRow {
+  std::string_view name;  ///< below `kMethodsObject`
+  std::string_view description;
+  std::vector<std::string_view> inputs;  ///< texts
+  Answer (*call)(ServiceSession&, const Caller&, const std::vector<std::string>& inputs);
+};
+/// Each answers Accepted (Boolean), Message and Confirmation (String).
+[[nodiscard]] const std::vector<MethodRow>& methodRows();
+
+}  // namespace rivulet::service

@@ -1,0 +1,766 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "service/service_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/sha256.h"
+#include "base/units.h"
+#include "journal/audit.h"
+#include "log/log.h"
+#include "preparation/release_file.h"
+#include "report/run_history.h"
+#include "service/machine_lock.h"
+#include "streaming/control_alarm.h"
+#include "utc/now.h"
+
+namespace rivulet::service {
+
+using permission::Act;
+
+namespace {
+
+/// How often a machine that is gone is looked for.
+constexpr std::chrono::seconds kConnectInterval{2};
+/// Axes that stand are told so much off from one reading to the next, at most.
+constexpr double kStandsMm = 0.05;
+constexpr std::size_t kConfirmationDigits = 16;
+
+Answer no(std::string why) {
+  return {false, std::move(why), {}};
+}
+Answer no(const base::Error& error) {
+  return no(error.text());
+}
+Answer yes(std::string what, std::string confirmation = {}) {
+  return {true, std::move(what), std::move(confirmation)};
+}
+
+std::string refusalText(permission::Refusal refusal) {
+  streaming::Blocked blocked;
+  switch (refusal) {
+    case permission::Refusal::Locked:
+      return "This service has users: log in with name and PIN. Only Stop works without.";
+    case permission::Refusal::NeedsEngineer:
+      blocked.reason = streaming::BlockReason::NeedsEngineer;
+      break;
+    case permission::Refusal::NotReleased:
+      blocked.reason = streaming::BlockReason::NotReleased;
+      break;
+  }
+  return streaming::blockedError(blocked).message;
+}
+
+std::string blockedText(const streaming::Blocked& blocked) {
+  return blocked.reason == streaming::BlockReason::Locked ? refusalText(permission::Refusal::Locked)
+                                                          : streaming::blockedError(blocked).text();
+}
+
+/// What a run has not done as it should; empty: nothing.
+std::string faultOf(const streaming::RunReport& report) {
+  if (report.error.code) {
+    return report.error.text();
+  }
+  const trace::Integrity& integrity = report.integrity;
+  if (integrity.judged && !integrity.isFaultless()) {
+    return fmt::format("The machine has repeated {} points and skipped {}. Check the workpiece.",
+                       integrity.repeated, integrity.skipped);
+  }
+  return report.wrong
+             ? "Wrong motion: " + streaming::describe(*report.wrong) + ". Check workpiece and tool."
+             : std::string();
+}
+
+std::vector<double> lengthsOf(const std::vector<gcode::StreamPoint>& points) {
+  std::vector<double> lengths(points.size() + 1, 0.0);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    lengths[i + 1] = lengths[i] + base::distance(points[i - 1].positionMm, points[i].positionMm);
+  }
+  return lengths;
+}
+
+}  // namespace
+
+ServiceSession::ServiceSession(SessionOptions options, opcua::Connector connector,
+                               report::MachineStore machines)
+    : m_options(std::move(options)),
+      m_machines(machines),
+      m_worker(std::move(connector), std::move(machines)) {
+}
+
+void ServiceSession::turn(Clock::time_point now) {
+  while (const auto event = m_worker.take()) {
+    take(*event);
+  }
+  const bool isGone =
+      m_link.state == session::LinkState::Disconnected || m_link.state == session::LinkState::Lost;
+  if (isGone && !m_isConnecting && !m_isRunning && !m_endsForGood && now >= m_nextConnect) {
+    m_nextConnect = now + kConnectInterval;
+    m_isConnecting = m_worker.post(session::ConnectCommand{m_options.machine});
+  }
+}
+
+void ServiceSession::take(const session::SessionEvent& event) {
+  if (const auto* link = std::get_if<session::LinkChanged>(&event)) {
+    takeLink(*link);
+  } else if (const auto* seen = std::get_if<session::MachineSeen>(&event)) {
+    m_seen = *seen;
+  } else if (const auto* update = std::get_if<streaming::LiveUpdate>(&event)) {
+    takeUpdate(*update);
+  } else if (const auto* whole = std::get_if<session::JobUpdate>(&event)) {
+    m_whole = *whole;
+  } else if (const auto* finished = std::get_if<session::RunFinished>(&event)) {
+    takeFinished(*finished);
+  } else if (const auto* runs = std::get_if<session::RunsSeen>(&event)) {
+    takeRuns(*runs);
+  } else if (const auto* found = std::get_if<session::ResumeFound>(&event)) {
+    takeResume(*found);
+  } else if (const auto* ended = std::get_if<session::RunEnded>(&event)) {
+    m_isEnding = false;
+    m_message = ended->error.code ? ended->error.text() : "The program on the control has ended.";
+  } else if (const auto* note = std::get_if<trace::Note>(&event)) {
+    log::logger().info("{}", note->text);
+  }
+}
+
+void ServiceSession::takeLink(const session::LinkChanged& link) {
+  const bool wasAlarm = m_link.error.code && m_alarm == m_link.error.text();
+  m_link = link;
+  m_isConnecting = link.state == session::LinkState::Connecting;
+  if (link.state == session::LinkState::Connected) {
+    if (wasAlarm) {
+      m_alarm.clear();
+    }
+    m_message = "Connected to the machine.";
+    auto machine =
+        factsOf(m_machines, m_options.machine.endpoint, link.server, link.isVirtualMachine);
+    if (machine) {
+      m_machine = *std::move(machine);
+    } else {
+      m_alarm = machine.error().text();
+      m_machine.reset();
+    }
+    return;
+  }
+  m_seen.reset();
+  m_shown.reset();
+  m_shownResume.reset();
+  m_isAsking = m_isAsking && link.state == session::LinkState::Connecting;
+  if (link.error.code) {
+    const std::string text = link.error.text();
+    if (m_alarm != text) {
+      log::logger().warn("{}", text);
+    }
+    m_alarm = text;
+  }
+}
+
+void ServiceSession::takeUpdate(const streaming::LiveUpdate& update) {
+  m_update = update;
+  if (!m_whole) {
+    m_update.counters.executed += m_firstPoint;
+    m_update.counters.sent += m_firstPoint;
+    m_update.counters.accepted += m_firstPoint;
+    m_update.counters.total += update.counters.total > 0 ? m_firstPoint : 0;
+  }
+  if (update.state == streaming::RunState::Running && !m_paceFrom) {
+    m_paceFrom.emplace(update.at, m_update.counters.executed);
+  }
+  if (update.margin) {
+    const bool isLate = *update.margin < base::Duration::zero();
+    const bool wasLate = m_lastMargin && *m_lastMargin < base::Duration::zero();
+    m_lateWindows += isLate && !wasLate ? 1 : 0;
+    const double marginS = base::toSeconds(*update.margin);
+    m_leastMarginS = m_lastMargin ? std::min(m_leastMarginS, marginS) : marginS;
+    m_lastMargin = update.margin;
+  }
+  if (update.wrong) {
+    m_alarm = "Wrong motion: " + streaming::describe(*update.wrong) +
+              ". Stop the run, then check workpiece and tool.";
+  }
+}
+
+void ServiceSession::takeRuns(const session::RunsSeen& runs) {
+  m_runs = runs;
+}
+
+void ServiceSession::takeResume(const session::ResumeFound& found) {
+  m_isAsking = false;
+  m_found = found;
+}
+
+void ServiceSession::takeFinished(const session::RunFinished& finished) {
+  m_isRunning = false;
+  m_isHeld = false;
+  m_report = finished.report;
+  m_update.state = streaming::endState(m_report->outcome);
+  m_update.waitingFor.clear();
+  if (m_report->counters.total > 0) {
+    const std::size_t before = m_whole ? 0 : m_firstPoint;
+    m_update.counters = m_report->counters;
+    m_update.counters.executed += before;
+    m_update.counters.total += before;
+  }
+  m_whole.reset();
+  m_isSettled = m_report->outcome != streaming::Outcome::Failed;
+  m_alarm = faultOf(*m_report);
+  m_message =
+      fmt::format("Run {}: {} of {} points executed.", streaming::outcomeName(m_report->outcome),
+                  m_update.counters.executed, m_update.counters.total);
+  log::logger().info("{} {}", m_message, m_alarm);
+  m_reportFile.clear();
+  if (finished.notKept.code) {
+    log::logger().warn("The run is not in the history: {}", finished.notKept.text());
+  } else if (const report::HistoryList list = m_history.list(); !list.runs.empty()) {
+    const auto own = std::find_if(list.runs.begin(), list.runs.end(), [this](const auto& run) {
+      return run.runNumber == m_report->settings.runNumber &&
+             run.endpoint == m_options.machine.endpoint;
+    });
+    m_reportFile = own == list.runs.end() ? std::string() : m_history.reportFile(own->id).string();
+  }
+}
+
+const report::SavedRun* ServiceSession::leftRun() const {
+  const std::optional<report::SavedRun>& run =
+      m_runs.onControl ? m_runs.onControl->saved : m_runs.left;
+  const bool isServed = m_runs.onControl && m_runs.onControl->onControl.hasClient;
+  return run && !isServed && !m_isRunning ? &*run : nullptr;
+}
+
+bool ServiceSession::isReleased() const {
+  if (!m_job) {
+    return false;
+  }
+  const auto releases = preparation::readReleases(preparation::releaseFileIn(m_options.state));
+  return releases && permission::releaseOf(*releases, m_job->released) != nullptr;
+}
+
+std::optional<Answer> ServiceSession::refused(const Caller& caller, Act act) const {
+  const auto refusal = permission::refusal(caller.standing, act);
+  return refusal ? std::optional(no(refusalText(*refusal))) : std::nullopt;
+}
+
+streaming::StartFacts ServiceSession::facts(const Caller& caller, Act act) const {
+  streaming::StartFacts facts;
+  facts.activity = m_isRunning  ? streaming::Activity::Streaming
+                   : m_isAsking ? streaming::Activity::CheckingResume
+                                : streaming::Activity::Idle;
+  facts.isConnected = m_link.state == session::LinkState::Connected && m_machine.has_value();
+  facts.refusal = permission::refusal(caller.standing, act, isReleased());
+  facts.hasRunToResume = leftRun() != nullptr;
+  if (m_seen) {
+    facts.channelStatus = m_seen->channelStatus;
+    facts.alarm = m_seen->alarm;
+    facts.controlAxes = m_seen->rotaryAxes;
+  }
+  if (!m_job) {
+    return facts;
+  }
+  facts.program = m_job->view->program.get();
+  facts.hasFileChanged = m_job->hasFileChanged();
+  facts.turnedAxes = m_job->view->turnedAxes;
+  facts.method = m_job->settings.parameters.method;
+  facts.settingsError = m_job->judged.settingsError;
+  facts.verdict = m_job->judged.verdict;
+  const bool isRestart = act == Act::Resume && m_found && m_found->job;
+  const session::Hazards* hazards = isRestart        ? &m_found->job->hazards
+                                    : m_job->hazards ? m_job->hazards.get()
+                                                     : nullptr;
+  if (hazards != nullptr) {
+    facts.jobCheck = streaming::JobCheck{true, {}};
+    if (const auto none = experiments::requireNoHazard(*m_job->view->plan, *hazards); !none) {
+      facts.jobCheck->obstacle = none.error();
+    }
+  }
+  return facts;
+}
+
+base::Result<std::filesystem::path> ServiceSession::pathOf(const std::string& file) const {
+  if (m_options.jobs.empty()) {
+    return std::filesystem::path(file);
+  }
+  std::error_code status;
+  const auto folder = std::filesystem::weakly_canonical(m_options.jobs, status);
+  const auto path = std::filesystem::weakly_canonical(folder / file, status);
+  const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  if (end != folder.end()) {
+    return base::fail(ServiceError::NotAJob, "Only files in the folder of jobs can be loaded.",
+                      file);
+  }
+  return path;
+}
+
+base::Result<LoadedJob> ServiceSession::load(const Caller& caller, const std::string& file,
+                                             const std::string& settings) const {
+  auto path = pathOf(file);
+  if (!path) {
+    return base::fail(path.error());
+  }
+  const auto settingsOf = [&](const std::string& hash) -> base::Result<widgets::StreamSettings> {
+    if (caller.standing.role == permission::Role::Engineer) {
+      return settingsWith(defaultSettings(), settings);
+    }
+    // An operator gets the settings of the program's last release.
+    const auto releases = preparation::readReleases(preparation::releaseFileIn(m_options.state));
+    const permission::Release* last =
+        releases ? permission::lastReleaseOf(*releases, hash) : nullptr;
+    return settingsWith(defaultSettings(), last != nullptr ? last->job.settings : std::string());
+  };
+  return service::loadJob(*path, {}, settingsOf, m_seen ? m_seen->positionMm : base::Vec3{},
+                          *m_machine);
+}
+
+Answer ServiceSession::loadJob(const Caller& caller, const std::string& file,
+                               const std::string& settings) {
+  if (auto answer = refused(caller, Act::OpenProgram)) {
+    return *answer;
+  }
+  if (!settings.empty()) {
+    if (auto answer = refused(caller, Act::ChangeSettings)) {
+      return *answer;
+    }
+  }
+  streaming::Blocked blocked;
+  blocked.reason = streaming::BlockReason::RunInProgress;
+  if (m_isRunning) {
+    return no(blockedText(blocked));
+  }
+  blocked.reason = streaming::BlockReason::NotConnected;
+  if (m_link.state != session::LinkState::Connected || !m_machine) {
+    return no("The machine cannot be reached, so the job cannot be judged. " + m_alarm);
+  }
+  auto job = load(caller, file, settings);
+  if (!job) {
+    return no(job.error());
+  }
+  m_job = *std::move(job);
+  m_shown.reset();
+  m_found.reset();
+  m_question.reset();
+  m_report.reset();
+  m_update = {};
+  m_firstPoint = 0;
+  m_message = fmt::format("{} is loaded.", m_job->view->program->name);
+  record(caller, Act::OpenProgram,
+         {{"program", m_job->view->program->name},
+          {"hash", m_job->view->program->hash},
+          {"settings", m_job->released.settings}});
+  return yes(fmt::format("{} is loaded: {} points, {}.", m_job->view->program->name,
+                         m_job->view->points.points.size(),
+                         m_job->view->isJob() ? "a whole job" : "motion alone"));
+}
+
+std::string ServiceSession::describeStart() const {
+  const widgets::ProgramView& view = *m_job->view;
+  const auto& points = view.points.points;
+  const streaming::RunSettings& settings = m_job->runSettings;
+  std::string text = fmt::format(
+      "Start streams {} ({}, read from {}) to {}: {} points by method {}, {} per window. ",
+      view.program->name, view.program->hash, m_job->file.string(), m_options.machine.endpoint,
+      points.size(), base::methodName(settings.parameters.method),
+      settings.parameters.pointsPerLoop);
+  text += settings.programFeeds
+              ? fmt::format(
+                    "The feeds are those of the program at {:.0f} %, the largest is {:.0f} "
+                    "mm/min. ",
+                    100.0 * settings.programFeeds->overrideFactor,
+                    base::mmPerMinFromMmPerS(settings.feedMmPerS))
+              : fmt::format("The feed is {:.0f} mm/min for all moves. ",
+                            base::mmPerMinFromMmPerS(settings.feedMmPerS));
+  if (view.isJob()) {
+    text += fmt::format("The control executes {} blocks itself. ", view.outline.needed().size());
+    if (m_job->settings.dryRunMm > 0.0) {
+      text += fmt::format("It is a dry run, {:.1f} mm higher. ", m_job->settings.dryRunMm);
+    }
+    if (!m_job->hazards) {
+      text += "The job is not compared with the machine, because its limits are not known. ";
+    }
+  } else if (const std::size_t leftOut = view.outline.needed().size(); leftOut > 0) {
+    text += fmt::format(
+        "{} blocks for the control are left out: set tool, spindle and coolant at the control. ",
+        leftOut);
+  }
+  if (m_seen && !points.empty()) {
+    const base::Vec3 to = points.front().positionMm;
+    text += fmt::format(
+        "The tool is at X {:.3f} Y {:.3f} Z {:.3f} and first moves {:.1f} mm in a straight line to "
+        "X {:.3f} Y {:.3f} Z {:.3f}.",
+        m_seen->positionMm.x, m_seen->positionMm.y, m_seen->positionMm.z,
+        base::distance(m_seen->positionMm, to), to.x, to.y, to.z);
+  }
+  return text;
+}
+
+std::string ServiceSession::newConfirmation(const std::string& text) {
+  return base::sha256Hex(fmt::format("{} {} {}", ++m_shownCount, utc::now(), text))
+      .substr(0, kConfirmationDigits);
+}
+
+Answer ServiceSession::preflight(const Caller& caller) {
+  if (auto answer = refused(caller, Act::Start)) {
+    return *answer;  // what somebody else was shown stays
+  }
+  m_shown.reset();
+  if (m_job && m_seen && m_machine && !m_isRunning) {
+    m_job->place(m_seen->positionMm, *m_machine);
+  }
+  if (const auto blocked = streaming::startBlocked(facts(caller, Act::Start))) {
+    return no(blockedText(*blocked));
+  }
+  if (!m_seen) {
+    return no("The control has not been read yet. Call Preflight again in a second.");
+  }
+  const std::string text = describeStart();
+  m_shown = Shown{newConfirmation(text), m_seen->positionMm};
+  return yes(text, m_shown->confirmation);
+}
+
+Answer ServiceSession::start(const Caller& caller, const std::string& confirmation) {
+  if (const auto blocked = streaming::startBlocked(facts(caller, Act::Start))) {
+    return no(blockedText(*blocked));
+  }
+  if (!m_shown || confirmation != m_shown->confirmation) {
+    return no(
+        "Start needs the confirmation that the last Preflight has returned: call Preflight, check "
+        "what it says, then start.");
+  }
+  if (!m_seen || base::distance(m_seen->positionMm, m_shown->toolMm) > kStandsMm) {
+    m_shown.reset();
+    return no("The tool has moved since the preflight. Call Preflight again.");
+  }
+  session::StartCommand command;
+  command.settings = m_job->runSettings;
+  if (m_job->view->isJob()) {
+    command.plan = m_job->view->plan;
+    command.dryRunMm = m_job->settings.dryRunMm;
+  }
+  m_firstPoint = 0;
+  return begin(caller, Act::Start, std::move(command));
+}
+
+Answer ServiceSession::begin(const Caller& caller, Act act, session::StartCommand command) {
+  m_shown.reset();
+  m_shownResume.reset();
+  command.program = m_job->view->program;
+  command.source = {m_job->file.string(), m_job->reading};
+  if (command.plan) {
+    command.stretchStarts = m_job->view->stretchStarts;
+    command.points = m_job->view->points.points.size();
+  }
+  command.startedAtUtc = base::utcText(utc::now());
+  if (const auto path = m_history.newRecording(m_job->view->program->name, command.startedAtUtc)) {
+    command.recordingPath = path->string();
+  } else {
+    log::logger().warn("The run is not recorded: {}", path.error().text());
+  }
+  record(caller, act,
+         {{"program", m_job->view->program->name},
+          {"hash", m_job->view->program->hash},
+          {"machine", m_options.machine.endpoint},
+          {"first_point", std::to_string(m_firstPoint + 1)}});
+  m_update = {};
+  m_update.state = streaming::RunState::Armed;
+  m_update.counters.executed = m_firstPoint;
+  m_update.counters.total = m_job->view->points.points.size();
+  m_whole.reset();
+  m_lengthsMm = lengthsOf(m_job->view->points.points);
+  m_paceFrom.reset();
+  m_lastMargin.reset();
+  m_lateWindows = 0;
+  m_leastMarginS = 0.0;
+  m_report.reset();
+  m_reportFile.clear();
+  m_alarm.clear();
+  m_found.reset();
+  m_question.reset();
+  m_runs = {};
+  m_isHeld = false;
+  m_isSettled = false;
+  m_isRunning = m_worker.post(std::move(command));
+  if (!m_isRunning) {
+    m_isSettled = true;
+    return no("The streaming thread is busy. Try again in a second.");
+  }
+  m_message = act == Act::Start ? "The run has been started." : "The run is resumed.";
+  return yes(m_message);
+}
+
+Answer ServiceSession::hold(const Caller& caller, bool hold) {
+  if (auto answer = refused(caller, hold ? Act::Hold : Act::Continue)) {
+    return *answer;
+  }
+  if (!m_isRunning) {
+    return no("No run is in progress.");
+  }
+  if (!base::hasWindows(m_job->settings.parameters.method)) {
+    return no("Only methods with numbered windows can be held. Stop the run instead.");
+  }
+  m_isHeld = hold;
+  m_worker.holdRun(hold);
+  record(caller, hold ? Act::Hold : Act::Continue,
+         {{"point", std::to_string(m_update.counters.executed)}});
+  m_message =
+      hold ? "Hold requested: the machine waits before the next window." : "Continue requested.";
+  return yes(m_message);
+}
+
+Answer ServiceSession::stop(const Caller& caller) {
+  if (!m_isRunning) {
+    return no("No run is in progress.");
+  }
+  m_worker.stopRun();
+  record(caller, Act::Stop, {{"point", std::to_string(m_update.counters.executed)}});
+  m_message = "Stop requested.";
+  return yes("Stop requested: the axes stand at the end of the window in motion.");
+}
+
+void ServiceSession::endForGood() {
+  m_endsForGood = true;
+  m_worker.stopRun();
+}
+
+Answer ServiceSession::preflightResume(const Caller& caller) {
+  const report::SavedRun* run = leftRun();
+  if (m_isAsking) {
+    return no("The control is being asked where the run was left. Call again in a second.");
+  }
+  if (run == nullptr) {
+    streaming::Blocked blocked;
+    blocked.reason = streaming::BlockReason::NothingToResume;
+    return no(m_isRunning ? "A run is in progress." : blockedText(blocked));
+  }
+  if (auto answer = refused(caller, Act::OpenProgram)) {
+    return *answer;
+  }
+  if (m_link.state != session::LinkState::Connected || !m_machine || !m_seen) {
+    return no("The machine cannot be reached. " + m_alarm);
+  }
+  if (m_runs.onControl && !m_runs.isClientKnown) {
+    return no(
+        "Whether the run on the control still has a client is being watched. Call again in "
+        "a second.");
+  }
+  const bool isAnswered =
+      m_found && m_question && m_question->checkpoint.runNumber == run->checkpoint.runNumber;
+  if (!isAnswered) {
+    auto loaded = service::loadJob(
+        run->programFile, run->reading,
+        [run, this](const std::string&) -> base::Result<widgets::StreamSettings> {
+          widgets::StreamSettings settings = defaultSettings();
+          settings.parameters = run->settings.parameters;
+          settings.programFeeds = run->settings.programFeeds.has_value();
+          if (settings.programFeeds) {
+            settings.overrideFactor = run->settings.programFeeds->overrideFactor;
+          } else {
+            settings.feedMmPerS = run->settings.feedMmPerS;
+          }
+          settings.wholeJob = m_runs.isJob;
+          return settings;
+        },
+        run->checkpoint.startMm, *m_machine);
+    if (!loaded) {
+      return no(loaded.error());
+    }
+    m_job = *std::move(loaded);
+    m_shown.reset();
+    if (const auto blocked = streaming::resumeBlocked(facts(caller, Act::Resume))) {
+      return no(blockedText(*blocked));
+    }
+    m_question =
+        session::ResumeQuestion{m_job->view->program, run->settings, run->checkpoint, {}, {}, 0};
+    if (m_job->view->isJob()) {
+      m_question->plan = m_job->view->plan;
+      m_question->machine = m_machine->known;
+    }
+    m_found.reset();
+    m_isAsking = m_worker.post(*m_question);
+    return no("The control is being asked where the run was left. Call again in a second.");
+  }
+  if (m_found->error.code) {
+    const base::Error error = m_found->error;
+    m_found.reset();  // the next call asks again
+    return no(error);
+  }
+  if (const auto blocked = streaming::resumeBlocked(facts(caller, Act::Resume))) {
+    return no(blockedText(*blocked));
+  }
+  std::string text = fmt::format("ResumeRun goes on with run {} of {}", run->checkpoint.runNumber,
+                                 run->programName);
+  if (m_found->resume) {
+    text += fmt::format(" at point {} of {}.", m_found->resume->point + 1,
+                        m_job->view->points.points.size());
+    if (m_found->resume->changedFrom) {
+      text += fmt::format(
+          " From point {} on, the program differs from that of the interrupted run; none of these "
+          "points has been executed.",
+          *m_found->resume->changedFrom + 1);
+    }
+  } else {
+    text += fmt::format(" in stretch {}. Before that the control does: ", m_found->job->stretch);
+    for (const std::string& step : m_found->job->restart.steps) {
+      text += step + " ";
+    }
+  }
+  m_shownResume = Shown{newConfirmation(text), m_seen->positionMm};
+  return yes(text, m_shownResume->confirmation);
+}
+
+Answer ServiceSession::resumeRun(const Caller& caller, const std::string& confirmation) {
+  if (const auto blocked = streaming::resumeBlocked(facts(caller, Act::Resume))) {
+    return no(blockedText(*blocked));
+  }
+  if (!m_shownResume || confirmation != m_shownResume->confirmation || !m_found || !m_question) {
+    return no(
+        "ResumeRun needs the confirmation that the last PreflightResume has returned: call "
+        "PreflightResume, check what it says, then resume.");
+  }
+  session::StartCommand command;
+  command.settings = m_job->runSettings;
+  command.resumes = m_question;
+  if (m_found->job) {
+    command.plan = std::shared_ptr<const job::Plan>(m_found->job, &m_found->job->restart.plan);
+    command.restart = m_found->job;
+    m_firstPoint = 0;
+  } else {
+    command.settings.resume = m_found->resume;
+    m_firstPoint = m_found->resume->point;
+  }
+  return begin(caller, Act::Resume, std::move(command));
+}
+
+Answer ServiceSession::forgetRun(const Caller& caller) {
+  if (auto answer = refused(caller, Act::Resume)) {
+    return *answer;
+  }
+  const report::SavedRun* run = leftRun();
+  if (run == nullptr || m_isAsking) {
+    return no("No run was left that could be forgotten.");
+  }
+  if (m_runs.onControl) {
+    return no("The program of this run still waits on the control. Call EndRun first.");
+  }
+  const report::RunStore store(m_runs.isJob ? report::RunStore::folderOfJobs()
+                                            : report::RunStore::folderOfUser());
+  store.remove(*run);
+  m_message = fmt::format("The run {} is forgotten.", run->name());
+  m_runs.left.reset();
+  m_shownResume.reset();
+  m_found.reset();
+  m_question.reset();
+  return yes(m_message);
+}
+
+Answer ServiceSession::endRun(const Caller& caller) {
+  if (m_isRunning) {
+    return no("A run of this service is in progress. Use Stop.");
+  }
+  if (!m_runs.onControl || m_isEnding) {
+    return no("No program of Rivulet is active on the control.");
+  }
+  m_isEnding = m_worker.post(session::EndRunCommand{m_runs.onControl->onControl});
+  record(caller, Act::Stop, {{"run", std::to_string(m_runs.onControl->onControl.number)}});
+  return m_isEnding ? yes("The program on the control is told to end.")
+                    : no("The streaming thread is busy. Try again in a second.");
+}
+
+void ServiceSession::record(const Caller& caller, Act act,
+                            std::vector<std::pair<std::string, std::string>> details) {
+  journal::AuditEntry entry;
+  entry.at = utc::now();
+  entry.who = caller.name;
+  entry.role = caller.hasRole ? std::string(permission::roleName(caller.standing.role)) : "";
+  entry.act = permission::actName(act);
+  details.emplace_back("by", "service");
+  entry.details = std::move(details);
+  const auto written = journal::appendAudit(journal::auditFileIn(m_options.state), entry);
+  if (!written) {
+    log::logger().error("{}", written.error().text());
+  }
+}
+
+std::string ServiceSession::stateName() const {
+  if (m_isRunning) {
+    return std::string(streaming::runStateName(m_update.state));
+  }
+  if (m_link.state != session::LinkState::Connected) {
+    return m_isConnecting && !m_link.error.code ? "connecting" : "disconnected";
+  }
+  if (leftRun() != nullptr) {
+    return "left";
+  }
+  return m_job ? "loaded" : "idle";
+}
+
+double ServiceSession::timeLeftS() const {
+  const std::size_t done = m_update.counters.executed;
+  if (!m_isRunning || !m_paceFrom || done <= m_paceFrom->second || done >= m_lengthsMm.size()) {
+    return -1.0;
+  }
+  const double doneMm = m_lengthsMm[done] - m_lengthsMm[m_paceFrom->second];
+  const double leftMm = m_lengthsMm.back() - m_lengthsMm[done];
+  return doneMm > 0.0 ? base::toSeconds(m_update.at - m_paceFrom->first) * leftMm / doneMm : -1.0;
+}
+
+Snapshot ServiceSession::snapshot() const {
+  Snapshot seen;
+  seen.machine = m_options.machine.endpoint;
+  if (m_machine) {
+    seen.model = m_machine->server.productName + " " + m_machine->server.buildNumber;
+  }
+  seen.isConnected = m_link.state == session::LinkState::Connected;
+  seen.isRunning = m_isRunning;
+  seen.state = stateName();
+  seen.waitingFor = !m_isRunning                             ? std::string()
+                    : m_whole && m_whole->waitsForCycleStart ? "cycle-start"
+                                                             : m_update.waitingFor;
+  const streaming::RunState run = m_update.state;
+  seen.programState = !m_isRunning && !m_report             ? "Initializing"
+                      : run == streaming::RunState::Done    ? "Ended"
+                      : run == streaming::RunState::Aborted ? "Aborted"
+                      : run == streaming::RunState::Holding || run == streaming::RunState::Stopped
+                          ? "Interrupted"
+                      : run == streaming::RunState::Armed ? "Initializing"
+                                                          : "Running";
+  seen.itemState = !seen.isConnected ? "NotAvailable" : m_isRunning ? "Executing" : "NotExecuting";
+  if (m_job) {
+    seen.program = m_job->view->program->name;
+    seen.file = m_job->file.string();
+    seen.hash = m_job->view->program->hash;
+    seen.settings = m_job->released.settings;
+    seen.points = static_cast<std::uint32_t>(m_job->view->points.points.size());
+  }
+  seen.pointsDone = static_cast<std::uint32_t>(m_update.counters.executed);
+  seen.progressPercent =
+      seen.points > 0 ? 100.0 * std::min(1.0, static_cast<double>(seen.pointsDone) / seen.points)
+                      : 0.0;
+  seen.timeLeftS = timeLeftS();
+  seen.lateWindows = m_lateWindows;
+  seen.leastMarginS = m_leastMarginS;
+  if (m_update.sample && m_update.sample->positionMm && m_isRunning) {
+    const base::Vec3 at = *m_update.sample->positionMm;
+    seen.positionMm = {at.x, at.y, at.z};
+  } else if (m_seen) {
+    seen.positionMm = {m_seen->positionMm.x, m_seen->positionMm.y, m_seen->positionMm.z};
+  }
+  if (const report::SavedRun* left = leftRun()) {
+    seen.canResume = true;
+    seen.leftRun = left->name();
+  }
+  seen.alarm = m_alarm;
+  if (seen.alarm.empty() && m_seen && m_seen->alarm != 0) {
+    seen.alarm = streaming::describeControlAlarm(std::to_string(m_seen->alarm));
+  }
+  seen.message = m_message;
+  if (m_report) {
+    seen.outcome = streaming::outcomeName(m_report->outcome);
+    seen.runNumber = static_cast<std::uint32_t>(std::max(0, m_report->settings.runNumber));
+  }
+  seen.report = m_reportFile;
+  return seen;
+}
+
+}  // namespace rivulet::service

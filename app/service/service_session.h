@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// One machine without a window: connects, and connects again when the machine was gone; loads a
+/// job, starts it once somebody has confirmed what was shown, streams, records and resumes it. The
+/// rules are those of the window (`permission`, `streaming/start_policy`); the streaming thread is
+/// the window's, too. Clients only ask: that one is gone changes nothing.
+/// @threadsafety one thread; the streaming thread is its own.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "opcua/connection.h"
+#include "permission/permission.h"
+#include "report/machine_store.h"
+#include "service/loaded_job.h"
+#include "session/session_event.h"
+#include "session/session_worker.h"
+#include "streaming/start_policy.h"
+
+namespace rivulet::service {
+
+struct SessionOptions {
+  opcua::ConnectRequest machine;
+  std::filesystem::path jobs;   ///< folder of the jobs; empty: any file
+  std::filesystem::path state;  ///< folder of releases and audit trail
+};
+
+/// Who calls, and what that one may do.
+struct Caller {
+  std::string name;
+  permission::Standing standing;
+  bool hasRole = false;  ///< users are set up
+};
+
+struct Answer {
+  bool accepted = false;
+  std::string message;       ///< one sentence; why not, if it is refused
+  std::string confirmation;  ///< of a preflight: what a start has to repeat; empty: none
+};
+
+/// What clients see. States are those of docs/service.md.
+struct Snapshot {
+  std::string machine;  ///< address
+  std::string model;    ///< product and build of its server; empty: never connected
+  bool isConnected = false;
+  bool isRunning = false;
+  std::string state;         ///< "disconnected", "idle", "loaded", "left", "armed", "running", ...
+  std::string waitingFor;    ///< what a run waits for; empty: nothing
+  std::string programState;  ///< of OPC 40501-1: "Initializing", "Running", "Interrupted", ...
+  std::string itemState;     ///< of OPC 40001-1: "NotAvailable", "NotExecuting", "Executing"
+  std::string program;
+  std::string file;
+  std::string hash;
+  std::string settings;
+  std::uint32_t pointsDone = 0;
+  std::uint32_t points = 0;
+  double progressPercent = 0.0;
+  double timeLeftS = -1.0;  ///< < 0: not known
+  double pointsPerS = 0.0;
+  std::uint32_t lateWindows = 0;  ///< of the run in progress, or of the last one
+  double leastMarginS = 0.0;      ///< the same
+  std::uint32_t runNumber = 0;
+  std::vector<double> positionMm;
+  bool canResume = false;  ///< a run was left
+  std::string leftRun;     ///< which one; empty: none
+  std::string alarm;       ///< why nothing goes on; empty: no alarm
+  std::string message;     ///< what happened last
+  std::string outcome;     ///< of the last run; empty: none has ended
+  std::string report;      ///< its file in the history
+};
+
+class ServiceSession {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  ServiceSession(SessionOptions options, opcua::Connector connector, report::MachineStore machines);
+  ServiceSession(const ServiceSession&) = delete;
+  ServiceSession& operator=(const ServiceSession&) = delete;
+
+  /// Takes what the streaming thread has told, and connects again if it is time.
+  void turn(Clock::time_point now);
+  [[nodiscard]] Snapshot snapshot() const;
+  [[nodiscard]] bool isRunning() const { return m_isRunning; }
+  /// The last run ended as it was asked to: completed, or stopped with the axes at rest.
+  [[nodiscard]] bool isSettled() const { return m_isSettled; }
+
+  /// @param file  in the folder of jobs  @param settings  "name=value;…"; empty: the default, or
+  /// for an operator those that were released
+  Answer loadJob(const Caller& caller, const std::string& file, const std::string& settings);
+  /// What Start would do now. Nothing moves.
+  Answer preflight(const Caller& caller);
+  Answer start(const Caller& caller, const std::string& confirmation);
+  /// The machine waits before the next window, or goes on.
+  Answer hold(const Caller& caller, bool hold);
+  Answer stop(const Caller& caller);
+  /// Asks the control where the run was left; the answer is that of a later call.
+  Answer preflightResume(const Caller& caller);
+  Answer resumeRun(const Caller& caller, const std::string& confirmation);
+  /// The run that was left is not kept any longer.
+  Answer forgetRun(const Caller& caller);
+  /// Ends a program that waits on the control for a run that nobody goes on with.
+  Answer endRun(const Caller& caller);
+  /// The service ends: a run in progress stops at the next window.
+  void endForGood();
+
+ private:
+  struct Resumable;
+  /// A preflight that was shown and can be confirmed.
+  struct Shown {
+    std::string confirmation;
+    base::Vec3 toolMm;
+  };
+
+  void take(const session::SessionEvent& event);
+  void takeLink(const session::LinkChanged& link);
+  void takeUpdate(const streaming::LiveUpdate& update);
+  void takeRuns(const session::RunsSeen& runs);
+  void takeFinished(const session::RunFinished& finished);
+  void takeResume(const session::ResumeFound& found);
+  [[nodiscard]] streaming::StartFacts facts(const Caller& caller, permission::Act act) const;
+  [[nodiscard]] bool isReleased() const;
+  /// What the act is refused for; nothing: it is permitted.
+  [[nodiscard]] std::optional<Answer> refused(const Caller& caller, permission::Act act) const;
+  [[nodiscard]] base::Result<LoadedJob> load(const Caller& caller, const std::string& file,
+                                             const std::string& settings) const;
+  [[nodiscard]] base::Result<std::filesystem::path> pathOf(const std::string& file) const;
+  [[nodiscard]] const report::SavedRun* leftRun() const;
+  [[nodiscard]] std::string describeStart() const;
+  [[nodiscard]] std::string newConfirmation(const std::string& text);
+  Answer begin(const Caller& caller, permission::Act act, session::StartCommand command);
+  void record(const Caller& caller, permission::Act act,
+              std::vector<std::pair<std::string, std::string>> details);
+  [[nodiscard]] std::string stateName() const;
+  [[nodiscard]] double timeLeftS() const;
+
+  SessionOptions m_options;
+  report::MachineStore m_machines;
+  report::RunHistory m_history;
+  session::SessionWorker m_worker;
+  session::LinkChanged m_link;
+  std::optional<MachineFacts> m_machine;  ///< nothing: never connected
+  std::optional<session::MachineSeen> m_seen;
+  std::optional<LoadedJob> m_job;
+  std::optional<Shown> m_shown;
+  session::RunsSeen m_runs;
+  std::optional<session::ResumeQuestion> m_question;  ///< asked last
+  std::optional<session::ResumeFound> m_found;        ///< its answer
+  std::optional<Shown> m_shownResume;
+  streaming::LiveUpdate m_update;
+  std::optional<session::JobUpdate> m_whole;
+  std::vector<double> m_lengthsMm;  ///< from the first point to each, of the run in progress
+  std::optional<std::pair<base::Instant, std::size_t>> m_paceFrom;  ///< first motion, points then
+  std::size_t m_firstPoint = 0;
+  std::uint32_t m_lateWindows = 0;
+  double m_leastMarginS = 0.0;
+  std::optional<base::Duration> m_lastMargin;
+  std::shared_ptr<const streaming::RunReport> m_report;
+  std::string m_reportFile;
+  std::string m_alarm;
+  std::string m_message;
+  Clock::time_point m_nextConnect{};
+  std::uint64_t m_shownCount = 0;
+  bool m_isRunning = false;
+  bool m_isHeld = false;
+  bool m_isAsking = false;
+  bool m_isEnding = false;
+  bool m_isConnecting = false;
+  bool m_isSettled = true;
+  bool m_endsForGood = false;
+};
+
+}  // namespace rivulet::service
