@@ -3,9 +3,12 @@
 
 #include "report/run_history.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 
 #include "base/file.h"
 #include "base/text.h"
@@ -37,6 +40,18 @@ std::string nameOf(const std::string& programName, const std::string& startedAtU
   std::copy_if(startedAtUtc.begin(), startedAtUtc.end(), std::back_inserter(name),
                [](char c) { return base::isDigit(c) || base::isNameLetter(c); });
   return name + "-" + plainName(fs::path(programName).filename().string());
+}
+
+/// Makes the file, empty, unless there is one: programs that end a run at the same time never get
+/// the same name. What else is wrong with it is said by whoever writes it.
+bool isOfAnother(const fs::path& path) {
+  constexpr mode_t kMode = 0666;  // less what the user's mask takes away
+  const int made = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
+  if (made < 0) {
+    return errno == EEXIST;
+  }
+  ::close(made);
+  return false;
 }
 
 /// The name, or with a number after it if a run has it already.
@@ -113,7 +128,7 @@ base::Result<fs::path> RunHistory::newRecording(const std::string& programName,
     return recordings / (name + ".rivulet");
   };
   return file(freeName(nameOf(programName, startedAtUtc),
-                       [&file](const std::string& name) { return fs::exists(file(name)); }));
+                       [&file](const std::string& name) { return isOfAnother(file(name)); }));
 }
 
 base::Result<streaming::RunSummary> RunHistory::add(
@@ -126,7 +141,7 @@ base::Result<streaming::RunSummary> RunHistory::add(
   run.report.controlTrace.reset();
   run.sketch = gcode::sketchOf(points, kSketchPointsMax);
   known.id = freeName(nameOf(report.programName, report.settings.origin.startedAtUtc),
-                      [this](const std::string& id) { return fs::exists(reportFile(id)); });
+                      [this](const std::string& id) { return isOfAnother(reportFile(id)); });
   run.summary = streaming::summaryOf(report, std::move(known));
   // The report first: a run of the index is complete.
   if (base::Result<void> written = writeJson(reportFile(run.summary.id), finishedRunJson(run));

@@ -190,6 +190,14 @@ class RunHistoryTest : public QObject {
     }
   }
 
+  /// Two programs may ask at once, before either has written anything.
+  void givesNoNameTwice() {
+    const auto first = history().newRecording("rows one.nc", "2026-11-22T05:00:00Z");
+    const auto second = history().newRecording("rows one.nc", "2026-11-22T05:00:00Z");
+    QVERIFY(first && second);
+    QVERIFY(*first != *second);
+  }
+
   void removesTheOldestBeyondTheNumber() {
     QVERIFY(history().setLimits({2, 1'000'000'000}));
     add("2026-11-22T05:00:00Z");
