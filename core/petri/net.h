@@ -151,6 +151,27 @@ struct Transition {
   bool asksTime = false;  ///< a guard depends on the present time
 };
 
+/// What stands on a page, for pictures of it.
+struct PageNode {
+  enum class Kind : std::uint8_t { Place, Transition, Substitution };
+  Kind kind = Kind::Place;
+  std::string name;  ///< on its page
+  std::size_t index =
+      0;                ///< of the place or transition; of the page that a substitution stands for
+  bool isPort = false;  ///< Place: connected from outside
+  bool isFusion = false;  ///< Place: the same on several pages
+  bool hasPosition = false;
+  double column = 0.0;  ///< of its centre, to the right
+  double row = 0.0;     ///< of its centre, downwards
+};
+
+/// A page where it stands in the hierarchy: a page of the file may stand in several places.
+struct NetPage {
+  std::string path;        ///< "Top.CNC.Interpreter"
+  std::size_t parent = 0;  ///< index of the page it stands on; of the first one: its own
+  std::vector<PageNode> nodes;
+};
+
 /// A condition that holds in each marking.
 struct Invariant {
   std::string name;
@@ -171,6 +192,7 @@ struct Net {
   std::vector<Place> places;
   std::vector<Transition> transitions;
   std::vector<Invariant> invariants;
+  std::vector<NetPage> pages;              ///< the top page first, each before those on it
   std::map<std::string, Word> parameters;  ///< as used
 
   /// Index of a place or transition; the number of them if there is none.

@@ -44,7 +44,7 @@ class NetReader {
     readFunctions();
     const std::string top = text(m_root, "top");
     if (!m_error) {
-      readPage(top, top, {}, m_constants);
+      readPage(top, top, 0, {}, m_constants);
     }
     readInvariants();
     if (m_error) {
@@ -281,8 +281,9 @@ class NetReader {
   // --- pages ------------------------------------------------------------------------------------
   using Constants = std::map<std::string, NodeId>;
 
-  void readPage(const std::string& page, const std::string& path, const PlacesOfPage& sockets,
-                const Constants& constants) {
+  /// @param parent  index of the page it stands on
+  void readPage(const std::string& page, const std::string& path, std::size_t parent,
+                const PlacesOfPage& sockets, const Constants& constants) {
     const toml::table* const table = m_root["pages"][page].as_table();
     if (table == nullptr) {
       failNow(PetriError::Unknown, fmt::format("{}: page \"{}\" is not known.", path, page));
@@ -292,10 +293,20 @@ class NetReader {
       failNow(PetriError::NotANet, fmt::format("Page \"{}\" contains itself.", page));
     }
     checkKeys(*table, "Page " + page, {"places", "transitions", "substitutions"});
+    const std::size_t self = m_net.pages.size();
+    m_net.pages.push_back({path, parent, {}});
+    const auto draw = [&](PageNode::Kind kind, const std::string& name, std::size_t index,
+                          const toml::node& node) {
+      if (!m_error) {
+        m_net.pages[self].nodes.push_back(nodeOf(kind, name, index, node));
+      }
+    };
     PlacesOfPage places;
     for (const auto& [key, node] : tableOf(*table, "places")) {
+      const std::string name(key.str());
       if (!m_error) {
-        readPlace(std::string(key.str()), node, path, sockets, constants, places);
+        readPlace(name, node, path, sockets, constants, places);
+        draw(PageNode::Kind::Place, name, places[name], node);
       }
     }
     for (const auto& [name, place] : sockets) {
@@ -305,15 +316,49 @@ class NetReader {
       }
     }
     for (const auto& [key, node] : tableOf(*table, "transitions")) {
+      const std::string name(key.str());
       if (!m_error) {
-        readTransition(path + '.' + std::string(key.str()), node, places, constants);
+        readTransition(path + '.' + name, node, places, constants);
+        draw(PageNode::Kind::Transition, name, m_net.transitions.size() - 1, node);
       }
     }
     for (const auto& [key, node] : tableOf(*table, "substitutions")) {
+      const std::string name(key.str());
       if (!m_error) {
-        readSubstitution(path + '.' + std::string(key.str()), node, places, constants);
+        draw(PageNode::Kind::Substitution, name, m_net.pages.size(), node);
+        readSubstitution(path + '.' + name, node, self, places, constants);
       }
     }
+  }
+
+  /// @param node  a table; "at" says where it is drawn
+  PageNode nodeOf(PageNode::Kind kind, const std::string& name, std::size_t index,
+                  const toml::node& node) {
+    PageNode made;
+    made.kind = kind;
+    made.name = name;
+    made.index = index;
+    if (!node.is_table()) {
+      return made;  // its reader says what is wrong
+    }
+    const toml::table& table = *node.as_table();
+    made.isPort = table["port"].value_or(false);
+    made.isFusion = table.contains("fusion");
+    if (const toml::node* const at = table.get("at")) {
+      const toml::array* const both = at->as_array();
+      const auto column =
+          both == nullptr || both->size() != 2 ? std::nullopt : both->get(0)->value<double>();
+      const auto row = column ? both->get(1)->value<double>() : std::nullopt;
+      if (!row) {
+        failNow(PetriError::NotANet,
+                fmt::format("{}: \"at\" must be a column and a row, as [1, 2].", name));
+        return made;
+      }
+      made.hasPosition = true;
+      made.column = *column;
+      made.row = *row;
+    }
+    return made;
   }
 
   void readPlace(const std::string& name, const toml::node& node, const std::string& path,
@@ -324,7 +369,7 @@ class NetReader {
       failNow(PetriError::NotANet, fmt::format("{}: a place needs at least a colour.", full));
       return;
     }
-    checkKeys(*table, full, {"colour", "initial", "port", "fusion", "observer"});
+    checkKeys(*table, full, {"colour", "initial", "port", "fusion", "observer", "at"});
     const std::size_t colour = colourOf((*table)["colour"].value_or(std::string()), full);
     const auto join = [&](std::size_t index, const std::string& with) {
       places[name] = index;
@@ -423,14 +468,14 @@ class NetReader {
     return false;
   }
 
-  void readSubstitution(const std::string& path, const toml::node& node, const PlacesOfPage& places,
-                        const Constants& constants) {
+  void readSubstitution(const std::string& path, const toml::node& node, std::size_t parent,
+                        const PlacesOfPage& places, const Constants& constants) {
     const toml::table* const table = node.as_table();
     if (table == nullptr) {
       failNow(PetriError::NotANet, fmt::format("{}: a substitution needs a page.", path));
       return;
     }
-    checkKeys(*table, path, {"page", "sockets", "with"});
+    checkKeys(*table, path, {"page", "sockets", "with", "at"});
     PlacesOfPage sockets;
     for (const auto& [key, socket] : tableOf(*table, "sockets")) {
       const std::string name = socket.value<std::string>().value_or("");
@@ -455,7 +500,7 @@ class NetReader {
       }
       inner[std::string(key.str())] = *root;
     }
-    readPage((*table)["page"].value_or(std::string()), path, sockets, inner);
+    readPage((*table)["page"].value_or(std::string()), path, parent, sockets, inner);
   }
 
   // --- transitions ------------------------------------------------------------------------------
@@ -489,7 +534,7 @@ class NetReader {
       failNow(PetriError::NotANet, fmt::format("{}: a transition needs arcs.", path));
       return;
     }
-    checkKeys(*table, path, {"priority", "guard", "in", "let", "out"});
+    checkKeys(*table, path, {"priority", "guard", "in", "let", "out", "at"});
     Transition transition;
     transition.name = path;
     transition.priority = static_cast<int>((*table)["priority"].value_or(std::int64_t{0}));
