@@ -100,16 +100,24 @@ void Simulator::execute(std::size_t transition, const Binding& binding) {
   }
 }
 
+std::optional<std::size_t> Simulator::next(Word until) {
+  if (!m_next) {
+    const Word before = m_now;
+    m_next = choose();
+    if (m_next && m_now > until) {
+      m_now = std::max(before, until);
+      m_next.reset();
+    }
+  }
+  return m_next;
+}
+
 bool Simulator::step(Word until) {
-  const Word before = m_now;
-  const std::optional<std::size_t> transition = choose();
+  const std::optional<std::size_t> transition = next(until);
   if (!transition) {
     return false;
   }
-  if (m_now > until) {
-    m_now = std::max(before, until);
-    return false;
-  }
+  m_next.reset();
   execute(*transition, m_bindings[*transition]);
   return true;
 }
@@ -130,6 +138,7 @@ bool Simulator::fire(std::size_t transition, Word time,
     return false;
   }
   m_now = time;
+  m_next.reset();
   execute(transition, *binding);
   return true;
 }

@@ -45,6 +45,9 @@ class Simulator {
   bool run(Word until);
   /// Fires one transition. @return false if none will ever be enabled, or not up to `until`
   bool step(Word until = kNever - 1);
+  /// The transition that `step` fires next; time goes on to the moment at which it is enabled.
+  /// @return nothing if none will ever be enabled, or not up to `until`
+  std::optional<std::size_t> next(Word until = kNever - 1);
 
   /// Fires a given transition at a given time, with the first binding for which `accepts` holds.
   /// For the replay of recorded events; time does not go on otherwise.
@@ -77,6 +80,7 @@ class Simulator {
   Word m_now = 0;
   std::uint64_t m_firings = 0;
   std::vector<std::uint64_t> m_counts;
+  std::optional<std::size_t> m_next;               ///< chosen and not yet fired
   std::vector<Binding> m_bindings;                 ///< first one of each transition
   std::vector<char> m_isStale;                     ///< the binding has to be searched again
   std::vector<std::vector<std::size_t>> m_takers;  ///< transitions by place they take from

@@ -195,6 +195,30 @@ out = { a = "n + 1 @+ uniform(1, 9)" }
     }
   }
 
+  /// Who asks what fires next gets the run of who does not, also where it is drawn.
+  void whatFiresNextIsKnown() {
+    const auto net = petri::loadNet("p3", {{"processors", 2}});
+    for (const std::uint64_t seed : {0, 3}) {
+      petri::Simulator asked(*net, seed);
+      std::optional<std::size_t> fired;
+      asked.setWatcher([&](std::size_t transition, petri::Word /*time*/) { fired = transition; });
+      petri::Simulator other(*net, seed);
+      for (int i = 0; i < 500; ++i) {
+        const auto next = asked.next();
+        QVERIFY(next.has_value());
+        QCOMPARE(asked.next(), next);
+        const petri::Word at = asked.now();
+        QVERIFY(asked.isEnabled(*next, at));
+        QVERIFY(asked.step());
+        QCOMPARE(fired, next);
+        QVERIFY(other.step());
+        QCOMPARE(other.now(), at);
+      }
+      QCOMPARE(asked.counts(), other.counts());
+      QVERIFY(!asked.next(asked.now() - 1).has_value());
+    }
+  }
+
   void aNetCanBeDriven() {
     const auto net = petri::loadNet("p3", {{"processors", 1}});
     petri::Simulator simulator(*net);
