@@ -12,13 +12,11 @@
 #include <string>
 #include <utility>
 
-#include "petri/simulator.h"
-
 namespace rivulet::experiments {
 
 namespace {
 
-constexpr double kSeconds = 3.0;
+constexpr double kSeconds = kFigure13S;
 constexpr double kPerSecond = 1e6;      // the net counts microseconds
 constexpr petri::Word kProcessors = 5;  // the plots; [P3] gives no number
 constexpr petri::Word kExecutionUs = 10'000;
@@ -216,6 +214,27 @@ base::Result<Table> readings(Experiment& experiment) {
 
 }  // namespace
 
+petri::ParameterValues figure13Parameters(petri::Word cycleMs, petri::Word policy) {
+  return parametersOf(cycleMs, policy);
+}
+
+LevelReader::LevelReader(const petri::Net& net) : m_place(net.placeOf("datarec")) {
+  const petri::ColourId drec = net.places[m_place].colour;
+  m_time = net.offsetOf(drec, "tm");
+  m_number = net.offsetOf(drec, "BNO");
+  m_data = net.offsetOf(drec, "data");
+}
+
+std::optional<BufferLevel> LevelReader::read(const petri::Recorded& recorded) const {
+  if (recorded.place != m_place) {
+    return std::nullopt;
+  }
+  const petri::Words& value = *recorded.value;
+  return BufferLevel{static_cast<std::size_t>(value[m_number] - 1),
+                     static_cast<double>(value[m_time]) / kPerSecond,
+                     static_cast<double>(value[m_data])};
+}
+
 base::Result<ParallelRun> runParallelCnc(const petri::ParameterValues& parameters, double seconds) {
   const auto net = petri::loadNet("p3", parameters);
   if (!net) {
@@ -223,28 +242,22 @@ base::Result<ParallelRun> runParallelCnc(const petri::ParameterValues& parameter
   }
   ParallelRun run;
   for (auto& levels : run.levels) {
-    levels.push_back({0.0, 0.0});
+    levels.push_back({});
   }
-  const std::size_t levelPlace = net->placeOf("datarec");
   const std::size_t timeoutPlace = net->placeOf("Top.CNC.Position.timeout");
-  const petri::ColourId drec = net->places[levelPlace].colour;
-  const std::size_t time = net->offsetOf(drec, "tm");
-  const std::size_t number = net->offsetOf(drec, "BNO");
-  const std::size_t data = net->offsetOf(drec, "data");
+  const LevelReader reader(*net);
   petri::Simulator simulator(*net);
   simulator.setRecorder([&](const petri::Recorded& recorded) {
-    const petri::Words& value = *recorded.value;
-    if (recorded.place == levelPlace) {
-      run.levels[static_cast<std::size_t>(value[number] - 1)].push_back(
-          {static_cast<double>(value[time]) / kPerSecond, static_cast<double>(value[data])});
+    if (const auto level = reader.read(recorded)) {
+      run.levels[level->buffer].push_back(*level);
     } else if (recorded.place == timeoutPlace) {
-      run.timeouts += static_cast<double>(value[0]);
+      run.timeouts += static_cast<double>((*recorded.value)[0]);
     }
   });
   simulator.run(static_cast<petri::Word>(seconds * kPerSecond));
   for (std::size_t buffer = 0; buffer < kBufferCount; ++buffer) {
     auto& levels = run.levels[buffer];
-    levels.push_back({seconds, levels.back().level});
+    levels.push_back({buffer, seconds, levels.back().level});
     for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
       const double lasts = (levels[i + 1].timeS - levels[i].timeS) / seconds;
       run.mean[buffer] += lasts * levels[i].level;

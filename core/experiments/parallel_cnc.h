@@ -8,22 +8,47 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
 #include "experiments/experiment.h"
 #include "petri/net_file.h"
+#include "petri/simulator.h"
 
 namespace rivulet::experiments {
 
 inline constexpr std::size_t kBufferCount = 5;
 
+inline constexpr double kFigure13S = 3.0;  ///< simulated time
+
+/// Parameters of the net for Figure 13. @param policy  0: task dependency; 1: data flow
+[[nodiscard]] petri::ParameterValues figure13Parameters(petri::Word cycleMs, petri::Word policy);
+
+/// Level of a buffer, as the net records it (DREC).
+struct BufferLevel {
+  std::size_t buffer = 0;  ///< 0: B1
+  double timeS = 0.0;
+  double level = 0.0;  ///< from this time on
+};
+
+/// Finds levels among what the net of [P3] records. @threadsafety pure.
+class LevelReader {
+ public:
+  /// @param net  of [P3]
+  explicit LevelReader(const petri::Net& net);
+  [[nodiscard]] std::optional<BufferLevel> read(const petri::Recorded& recorded) const;
+
+ private:
+  std::size_t m_place;
+  std::size_t m_time;
+  std::size_t m_number;
+  std::size_t m_data;
+};
+
 /// One run of the net of [P3].
 struct ParallelRun {
-  struct Level {
-    double timeS = 0.0;
-    double level = 0.0;  ///< from this time on
-  };
+  using Level = BufferLevel;
   std::array<std::vector<Level>, kBufferCount> levels;
   std::array<double, kBufferCount> mean{};        ///< over time
   std::array<double, kBufferCount> emptyShare{};  ///< of the time
