@@ -2169,6 +2169,10 @@
         <source>Emulator</source>
         <translation>Emulator</translation>
     </message>
+    <message>
+        <source>Parallel CNC</source>
+        <translation>Parallele CNC</translation>
+    </message>
 </context>
 <context>
     <name>PauseTexts</name>
@@ -6947,6 +6951,156 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The points of a live source have feeds of their own.</source>
         <translation>Die Punkte einer Live-Quelle haben eigene Vorschübe.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::NetCanvas</name>
+    <message>
+        <source>Only records; holds no tokens.</source>
+        <translation>Zeichnet nur auf, hält keine Marken.</translation>
+    </message>
+    <message>
+        <source>Tokens: %1</source>
+        <translation>Marken: %1</translation>
+    </message>
+    <message>
+        <source>Priority %1</source>
+        <translation>Priorität %1</translation>
+    </message>
+    <message>
+        <source>If %1</source>
+        <translation>Wenn %1</translation>
+    </message>
+    <message>
+        <source>A page of its own: Enter or a double click opens it.</source>
+        <translation>Eine eigene Seite: Eingabetaste oder Doppelklick öffnet sie.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::NetPanel</name>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Tokens</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>There is no net.</source>
+        <translation>Es gibt kein Netz.</translation>
+    </message>
+    <message>
+        <source>%1, fired %2; next: %3</source>
+        <translation>%1, geschaltet %2; als Nächstes: %3</translation>
+    </message>
+    <message>
+        <source>%1, fired %2; nothing more is played</source>
+        <translation>%1, geschaltet %2; mehr wird nicht gespielt</translation>
+    </message>
+    <message>
+        <source>Click a place or a transition: what it holds or needs is shown here.</source>
+        <translation>Eine Stelle oder Transition anklicken: Hier steht, was sie hält oder braucht.</translation>
+    </message>
+    <message>
+        <source>Cycle %1 ms</source>
+        <translation>Zyklus %1 ms</translation>
+    </message>
+    <message>
+        <source>Cycle of position control; the net begins anew</source>
+        <translation>Zyklus der Lageregelung; das Netz beginnt von vorn</translation>
+    </message>
+    <message>
+        <source>Task dependency</source>
+        <translation>Abhängigkeit der Aufgaben</translation>
+    </message>
+    <message>
+        <source>Data flow</source>
+        <translation>Datenfluss</translation>
+    </message>
+    <message>
+        <source>Which task gets the processor; the net begins anew</source>
+        <translation>Welche Aufgabe den Prozessor bekommt; das Netz beginnt von vorn</translation>
+    </message>
+    <message>
+        <source>Page of the net</source>
+        <translation>Seite des Netzes</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Show the page on which the next transition fires</source>
+        <translation>Die Seite zeigen, auf der die nächste Transition schaltet</translation>
+    </message>
+    <message>
+        <source>%1 per s</source>
+        <translation>%1 pro s</translation>
+    </message>
+    <message>
+        <source>Transitions that fire in a second</source>
+        <translation>Transitionen, die in einer Sekunde schalten</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Fire one transition</source>
+        <translation>Eine Transition schalten</translation>
+    </message>
+    <message>
+        <source>Fire one transition after another</source>
+        <translation>Eine Transition nach der anderen schalten</translation>
+    </message>
+    <message>
+        <source>Back to start</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>The tokens as they were at the beginning</source>
+        <translation>Die Marken, wie sie am Anfang waren</translation>
+    </message>
+    <message>
+        <source>Petri net</source>
+        <translation>Petrinetz</translation>
+    </message>
+    <message>
+        <source>A thick frame with a triangle: this transition could fire. Filled: it fires next. Thick lines: it fired last.</source>
+        <translation>Ein dicker Rahmen mit Dreieck: Diese Transition könnte schalten. Gefüllt: Sie schaltet als Nächste. Dicke Linien: Sie hat zuletzt geschaltet.</translation>
+    </message>
+    <message>
+        <source>Levels of the buffers</source>
+        <translation>Füllstände der Puffer</translation>
+    </message>
+    <message>
+        <source>Time of the net, s</source>
+        <translation>Zeit des Netzes, s</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Füllstand</translation>
+    </message>
+    <message>
+        <source>Places of this page</source>
+        <translation>Stellen dieser Seite</translation>
+    </message>
+    <message>
+        <source>What is chosen</source>
+        <translation>Was gewählt ist</translation>
     </message>
 </context>
 <context>

@@ -2169,6 +2169,10 @@
         <source>Emulator</source>
         <translation>Emulador</translation>
     </message>
+    <message>
+        <source>Parallel CNC</source>
+        <translation>CNC paralelo</translation>
+    </message>
 </context>
 <context>
     <name>PauseTexts</name>
@@ -6947,6 +6951,156 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The points of a live source have feeds of their own.</source>
         <translation>Los puntos de una fuente en vivo tienen avances propios.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::NetCanvas</name>
+    <message>
+        <source>Only records; holds no tokens.</source>
+        <translation>Solo registra, no guarda marcas.</translation>
+    </message>
+    <message>
+        <source>Tokens: %1</source>
+        <translation>Marcas: %1</translation>
+    </message>
+    <message>
+        <source>Priority %1</source>
+        <translation>Prioridad %1</translation>
+    </message>
+    <message>
+        <source>If %1</source>
+        <translation>Si %1</translation>
+    </message>
+    <message>
+        <source>A page of its own: Enter or a double click opens it.</source>
+        <translation>Una página propia: Intro o un doble clic la abre.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::NetPanel</name>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Tokens</source>
+        <translation>Marcas</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valores</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>There is no net.</source>
+        <translation>No hay ninguna red.</translation>
+    </message>
+    <message>
+        <source>%1, fired %2; next: %3</source>
+        <translation>%1, disparadas %2; siguiente: %3</translation>
+    </message>
+    <message>
+        <source>%1, fired %2; nothing more is played</source>
+        <translation>%1, disparadas %2; no se reproduce más</translation>
+    </message>
+    <message>
+        <source>Click a place or a transition: what it holds or needs is shown here.</source>
+        <translation>Hacer clic en un lugar o una transición: aquí aparece lo que contiene o necesita.</translation>
+    </message>
+    <message>
+        <source>Cycle %1 ms</source>
+        <translation>Ciclo %1 ms</translation>
+    </message>
+    <message>
+        <source>Cycle of position control; the net begins anew</source>
+        <translation>Ciclo del control de posición; la red empieza de nuevo</translation>
+    </message>
+    <message>
+        <source>Task dependency</source>
+        <translation>Dependencia de tareas</translation>
+    </message>
+    <message>
+        <source>Data flow</source>
+        <translation>Flujo de datos</translation>
+    </message>
+    <message>
+        <source>Which task gets the processor; the net begins anew</source>
+        <translation>Qué tarea obtiene el procesador; la red empieza de nuevo</translation>
+    </message>
+    <message>
+        <source>Page of the net</source>
+        <translation>Página de la red</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Show the page on which the next transition fires</source>
+        <translation>Mostrar la página en la que dispara la próxima transición</translation>
+    </message>
+    <message>
+        <source>%1 per s</source>
+        <translation>%1 por s</translation>
+    </message>
+    <message>
+        <source>Transitions that fire in a second</source>
+        <translation>Transiciones que disparan en un segundo</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Paso</translation>
+    </message>
+    <message>
+        <source>Fire one transition</source>
+        <translation>Disparar una transición</translation>
+    </message>
+    <message>
+        <source>Fire one transition after another</source>
+        <translation>Disparar una transición tras otra</translation>
+    </message>
+    <message>
+        <source>Back to start</source>
+        <translation>Al principio</translation>
+    </message>
+    <message>
+        <source>The tokens as they were at the beginning</source>
+        <translation>Las marcas como al principio</translation>
+    </message>
+    <message>
+        <source>Petri net</source>
+        <translation>Red de Petri</translation>
+    </message>
+    <message>
+        <source>A thick frame with a triangle: this transition could fire. Filled: it fires next. Thick lines: it fired last.</source>
+        <translation>Un marco grueso con un triángulo: esta transición podría disparar. Relleno: dispara a continuación. Líneas gruesas: disparó la última.</translation>
+    </message>
+    <message>
+        <source>Levels of the buffers</source>
+        <translation>Niveles de los búferes</translation>
+    </message>
+    <message>
+        <source>Time of the net, s</source>
+        <translation>Tiempo de la red, s</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nivel</translation>
+    </message>
+    <message>
+        <source>Places of this page</source>
+        <translation>Lugares de esta página</translation>
+    </message>
+    <message>
+        <source>What is chosen</source>
+        <translation>Lo elegido</translation>
     </message>
 </context>
 <context>

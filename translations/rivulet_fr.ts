@@ -2169,6 +2169,10 @@
         <source>Emulator</source>
         <translation>Émulateur</translation>
     </message>
+    <message>
+        <source>Parallel CNC</source>
+        <translation>CNC parallèle</translation>
+    </message>
 </context>
 <context>
     <name>PauseTexts</name>
@@ -6947,6 +6951,156 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The points of a live source have feeds of their own.</source>
         <translation>Les points d’une source en direct ont leurs propres avances.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::NetCanvas</name>
+    <message>
+        <source>Only records; holds no tokens.</source>
+        <translation>Enregistre seulement, ne garde pas de jetons.</translation>
+    </message>
+    <message>
+        <source>Tokens: %1</source>
+        <translation>Jetons : %1</translation>
+    </message>
+    <message>
+        <source>Priority %1</source>
+        <translation>Priorité %1</translation>
+    </message>
+    <message>
+        <source>If %1</source>
+        <translation>Si %1</translation>
+    </message>
+    <message>
+        <source>A page of its own: Enter or a double click opens it.</source>
+        <translation>Une page à part : Entrée ou un double clic l’ouvre.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::NetPanel</name>
+    <message>
+        <source>Place</source>
+        <translation>Place</translation>
+    </message>
+    <message>
+        <source>Tokens</source>
+        <translation>Jetons</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Jouer</translation>
+    </message>
+    <message>
+        <source>There is no net.</source>
+        <translation>Il n’y a pas de réseau.</translation>
+    </message>
+    <message>
+        <source>%1, fired %2; next: %3</source>
+        <translation>%1, franchies %2 ; suivante : %3</translation>
+    </message>
+    <message>
+        <source>%1, fired %2; nothing more is played</source>
+        <translation>%1, franchies %2 ; rien de plus n’est joué</translation>
+    </message>
+    <message>
+        <source>Click a place or a transition: what it holds or needs is shown here.</source>
+        <translation>Cliquer sur une place ou une transition : ce qu’elle contient ou demande s’affiche ici.</translation>
+    </message>
+    <message>
+        <source>Cycle %1 ms</source>
+        <translation>Cycle %1 ms</translation>
+    </message>
+    <message>
+        <source>Cycle of position control; the net begins anew</source>
+        <translation>Cycle de l’asservissement de position ; le réseau recommence</translation>
+    </message>
+    <message>
+        <source>Task dependency</source>
+        <translation>Dépendance des tâches</translation>
+    </message>
+    <message>
+        <source>Data flow</source>
+        <translation>Flux de données</translation>
+    </message>
+    <message>
+        <source>Which task gets the processor; the net begins anew</source>
+        <translation>Quelle tâche obtient le processeur ; le réseau recommence</translation>
+    </message>
+    <message>
+        <source>Page of the net</source>
+        <translation>Page du réseau</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Suivre</translation>
+    </message>
+    <message>
+        <source>Show the page on which the next transition fires</source>
+        <translation>Afficher la page où la prochaine transition est franchie</translation>
+    </message>
+    <message>
+        <source>%1 per s</source>
+        <translation>%1 par s</translation>
+    </message>
+    <message>
+        <source>Transitions that fire in a second</source>
+        <translation>Transitions franchies en une seconde</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Fire one transition</source>
+        <translation>Franchir une transition</translation>
+    </message>
+    <message>
+        <source>Fire one transition after another</source>
+        <translation>Franchir une transition après l’autre</translation>
+    </message>
+    <message>
+        <source>Back to start</source>
+        <translation>Au début</translation>
+    </message>
+    <message>
+        <source>The tokens as they were at the beginning</source>
+        <translation>Les jetons comme au début</translation>
+    </message>
+    <message>
+        <source>Petri net</source>
+        <translation>Réseau de Petri</translation>
+    </message>
+    <message>
+        <source>A thick frame with a triangle: this transition could fire. Filled: it fires next. Thick lines: it fired last.</source>
+        <translation>Un cadre épais avec un triangle : cette transition pourrait être franchie. Rempli : elle l’est ensuite. Lignes épaisses : elle l’a été en dernier.</translation>
+    </message>
+    <message>
+        <source>Levels of the buffers</source>
+        <translation>Niveaux des tampons</translation>
+    </message>
+    <message>
+        <source>Time of the net, s</source>
+        <translation>Temps du réseau, s</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Places of this page</source>
+        <translation>Places de cette page</translation>
+    </message>
+    <message>
+        <source>What is chosen</source>
+        <translation>Ce qui est choisi</translation>
     </message>
 </context>
 <context>

@@ -2169,6 +2169,10 @@
         <source>Emulator</source>
         <translation>Emulatore</translation>
     </message>
+    <message>
+        <source>Parallel CNC</source>
+        <translation>CNC parallelo</translation>
+    </message>
 </context>
 <context>
     <name>PauseTexts</name>
@@ -6947,6 +6951,156 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The points of a live source have feeds of their own.</source>
         <translation>I punti di una sorgente in diretta hanno avanzamenti propri.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::NetCanvas</name>
+    <message>
+        <source>Only records; holds no tokens.</source>
+        <translation>Registra soltanto, non tiene marche.</translation>
+    </message>
+    <message>
+        <source>Tokens: %1</source>
+        <translation>Marche: %1</translation>
+    </message>
+    <message>
+        <source>Priority %1</source>
+        <translation>Priorità %1</translation>
+    </message>
+    <message>
+        <source>If %1</source>
+        <translation>Se %1</translation>
+    </message>
+    <message>
+        <source>A page of its own: Enter or a double click opens it.</source>
+        <translation>Una pagina a sé: Invio o un doppio clic la apre.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::NetPanel</name>
+    <message>
+        <source>Place</source>
+        <translation>Posto</translation>
+    </message>
+    <message>
+        <source>Tokens</source>
+        <translation>Marche</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valori</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Riproduci</translation>
+    </message>
+    <message>
+        <source>There is no net.</source>
+        <translation>Non c’è nessuna rete.</translation>
+    </message>
+    <message>
+        <source>%1, fired %2; next: %3</source>
+        <translation>%1, scattate %2; prossima: %3</translation>
+    </message>
+    <message>
+        <source>%1, fired %2; nothing more is played</source>
+        <translation>%1, scattate %2; non si riproduce altro</translation>
+    </message>
+    <message>
+        <source>Click a place or a transition: what it holds or needs is shown here.</source>
+        <translation>Fare clic su un posto o una transizione: qui appare ciò che contiene o richiede.</translation>
+    </message>
+    <message>
+        <source>Cycle %1 ms</source>
+        <translation>Ciclo %1 ms</translation>
+    </message>
+    <message>
+        <source>Cycle of position control; the net begins anew</source>
+        <translation>Ciclo del controllo di posizione; la rete ricomincia</translation>
+    </message>
+    <message>
+        <source>Task dependency</source>
+        <translation>Dipendenza dei compiti</translation>
+    </message>
+    <message>
+        <source>Data flow</source>
+        <translation>Flusso di dati</translation>
+    </message>
+    <message>
+        <source>Which task gets the processor; the net begins anew</source>
+        <translation>Quale compito ottiene il processore; la rete ricomincia</translation>
+    </message>
+    <message>
+        <source>Page of the net</source>
+        <translation>Pagina della rete</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Segui</translation>
+    </message>
+    <message>
+        <source>Show the page on which the next transition fires</source>
+        <translation>Mostrare la pagina su cui scatta la prossima transizione</translation>
+    </message>
+    <message>
+        <source>%1 per s</source>
+        <translation>%1 al s</translation>
+    </message>
+    <message>
+        <source>Transitions that fire in a second</source>
+        <translation>Transizioni che scattano in un secondo</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Passo</translation>
+    </message>
+    <message>
+        <source>Fire one transition</source>
+        <translation>Far scattare una transizione</translation>
+    </message>
+    <message>
+        <source>Fire one transition after another</source>
+        <translation>Far scattare una transizione dopo l’altra</translation>
+    </message>
+    <message>
+        <source>Back to start</source>
+        <translation>All’inizio</translation>
+    </message>
+    <message>
+        <source>The tokens as they were at the beginning</source>
+        <translation>Le marche come all’inizio</translation>
+    </message>
+    <message>
+        <source>Petri net</source>
+        <translation>Rete di Petri</translation>
+    </message>
+    <message>
+        <source>A thick frame with a triangle: this transition could fire. Filled: it fires next. Thick lines: it fired last.</source>
+        <translation>Una cornice spessa con un triangolo: questa transizione potrebbe scattare. Piena: scatta per prossima. Linee spesse: è scattata per ultima.</translation>
+    </message>
+    <message>
+        <source>Levels of the buffers</source>
+        <translation>Livelli dei buffer</translation>
+    </message>
+    <message>
+        <source>Time of the net, s</source>
+        <translation>Tempo della rete, s</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Livello</translation>
+    </message>
+    <message>
+        <source>Places of this page</source>
+        <translation>Posti di questa pagina</translation>
+    </message>
+    <message>
+        <source>What is chosen</source>
+        <translation>Ciò che è scelto</translation>
     </message>
 </context>
 <context>

@@ -136,7 +136,8 @@ void MainWindow::buildPages() {
   const Models models{m_settings, m_messages,     m_alarms, m_users,    m_audit,
                       m_machine,  m_document,     m_runs,   m_live,     m_preflight,
                       m_found,    m_pastRuns,     m_credit, m_profiles, m_machines,
-                      m_traces,   m_certificates, m_logins, m_learning};
+                      m_traces,   m_certificates, m_logins, m_learning,
+                      m_player};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
   rows->setContentsMargins(0, 0, 0, 0);

@@ -22,6 +22,7 @@
 #include "hmi/machine_profiles.h"
 #include "hmi/machines.h"
 #include "hmi/messages.h"
+#include "hmi/net_player.h"
 #include "hmi/pages/pages.h"
 #include "hmi/past_runs.h"
 #include "hmi/releases.h"
@@ -173,6 +174,7 @@ class MainWindow final : public QMainWindow {
   Traces m_traces;
   Certificates m_certificates;
   EmulatorLearning m_learning;
+  NetPlayer m_player;
   const opcua::TrustQuestion* m_question = nullptr;  ///< shown; for comparison only
 
   bool m_closesAfterRun = false;

@@ -50,7 +50,7 @@ constexpr double kLargeBoldPt = 14.0;
 /// A frame may share a line with its neighbour.
 constexpr int kSharedPx = 2;
 constexpr int kLowWindowPx = 600;
-constexpr int kLowTabPx = 30;
+constexpr int kLowTabPx = 27;
 
 QString nameOf(const QWidget* widget) {
   QString text;

@@ -17,7 +17,7 @@ namespace {
 constexpr int kMarkPx = 5;  ///< bar at the left of the present page
 constexpr int kPaddingPx = 10;
 /// In a low window. It is one on a screen scaled to 200 %, where this is more than enough.
-constexpr int kHeightPxMin = 30;
+constexpr int kHeightPxMin = 27;
 
 class SideTabBar final : public QTabBar {
  public:

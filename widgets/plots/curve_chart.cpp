@@ -51,6 +51,12 @@ void CurveChart::setCurves(std::vector<ChartCurve> curves) {
   update();
 }
 
+void CurveChart::setShown(const QRectF& shown) {
+  m_shown = shown;
+  measure();
+  update();
+}
+
 void CurveChart::measure() {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   double left = kNone;
@@ -64,6 +70,12 @@ void CurveChart::measure() {
       low = std::min(low, point.y());
       high = std::max(high, point.y());
     }
+  }
+  if (m_shown) {
+    left = std::min(left, m_shown->left());
+    right = std::max(right, m_shown->right());
+    low = std::min(low, m_shown->top());
+    high = std::max(high, m_shown->bottom());
   }
   if (m_y.scale == AxisScale::Logarithmic) {
     const double factor = std::pow(std::max(high / low, 1.2), kRoom);

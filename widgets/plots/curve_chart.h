@@ -7,7 +7,9 @@
 #pragma once
 
 #include <QPointF>
+#include <QRectF>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "widgets/plots/chart_axis.h"
@@ -31,6 +33,9 @@ class CurveChart final : public QWidget {
   void setTitles(const QString& name, const QString& x, const QString& y);
   /// What goes to the right is counted: 1, 2, 3.
   void setCounts() { m_x.counts = true; }
+  /// The axes reach at least from left to right and from top to bottom of this, whatever the
+  /// curves.
+  void setShown(const QRectF& shown);
   /// Points that are not finite, or not positive on a logarithmic axis, are left out.
   void setCurves(std::vector<ChartCurve> curves);
   [[nodiscard]] const std::vector<ChartCurve>& curves() const { return m_curves; }
@@ -48,6 +53,7 @@ class CurveChart final : public QWidget {
   ChartAxis m_y;
   QString m_xTitle;
   QString m_yTitle;
+  std::optional<QRectF> m_shown;
   std::vector<ChartCurve> m_curves;
 };
 

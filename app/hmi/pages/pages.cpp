@@ -19,7 +19,7 @@ struct Pages {
   Q_DECLARE_TR_FUNCTIONS(Pages)
 };
 
-constexpr std::array<PageEntry, 11> kEntries{{
+constexpr std::array<PageEntry, 12> kEntries{{
     {QT_TRANSLATE_NOOP("Pages", "Program"), makeProgramPage, "The program"},
     {QT_TRANSLATE_NOOP("Pages", "Feasibility"), makeFeasibilityPage, "Feasibility"},
     {QT_TRANSLATE_NOOP("Pages", "Traces"), makeTracePage, "Traces"},
@@ -31,6 +31,7 @@ constexpr std::array<PageEntry, 11> kEntries{{
     {QT_TRANSLATE_NOOP("Pages", "Configure"), makeSetUpPage, "Configure"},
     {QT_TRANSLATE_NOOP("Pages", "Machines"), makeMachinesPage, "Machines"},
     {QT_TRANSLATE_NOOP("Pages", "Emulator"), makeEmulatorPage, "Emulator"},
+    {QT_TRANSLATE_NOOP("Pages", "Parallel CNC"), makeParallelPage, "Parallel CNC"},
 }};
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "hmi/machine_profiles.h"
 #include "hmi/machines.h"
 #include "hmi/messages.h"
+#include "hmi/net_player.h"
 #include "hmi/past_runs.h"
 #include "hmi/preflight.h"
 #include "hmi/run_controller.h"
@@ -58,6 +59,7 @@ struct Models {
   Certificates& certificates;
   Logins& logins;
   EmulatorLearning& learning;
+  NetPlayer& player;
 };
 
 /// A page of the tab widget.
@@ -85,6 +87,7 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeAuditPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeUsersPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeEmulatorPage(const Models& models, QWidget* parent);
+[[nodiscard]] QWidget* makeParallelPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeLogPage(const Models& models, QWidget* parent);
 
 /// Beside, above and below the tabs.
