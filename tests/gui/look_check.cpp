@@ -51,6 +51,8 @@ constexpr double kLargeBoldPt = 14.0;
 constexpr int kSharedPx = 2;
 constexpr int kLowWindowPx = 600;
 constexpr int kLowTabPx = 27;
+constexpr int kMiddleWindowPx = 768;
+constexpr int kMiddleTabPx = 40;
 
 QString nameOf(const QWidget* widget) {
   QString text;
@@ -280,7 +282,9 @@ class Inspector {
         checkContrast(tabs, place & tabs->rect(), tabs->tabText(i), tabs->font());
       }
       // A low window is one on a screen scaled to 200 %.
-      const int needed = m_window.height() < kLowWindowPx ? kLowTabPx : widgets::kTouchHeightPx;
+      const int needed = m_window.height() < kLowWindowPx      ? kLowTabPx
+                         : m_window.height() < kMiddleWindowPx ? kMiddleTabPx
+                                                               : widgets::kTouchHeightPx;
       if (place.height() < needed) {
         complain(tabs, QStringLiteral("tab \"%1\" is %2 px high, too low for a finger")
                            .arg(tabs->tabText(i))

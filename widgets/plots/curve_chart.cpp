@@ -112,7 +112,6 @@ void CurveChart::paintEvent(QPaintEvent* /*event*/) {
       widest + 2.0 * kChartPaddingPx, metrics.height() + 2.0 * kChartPaddingPx,
       -2.0 * kChartPaddingPx, -2.0 * metrics.height() - 2.0 * kChartPaddingPx);
   painter.setPen(colors.mutedText);
-  painter.drawText(QPointF(kChartPaddingPx, kChartPaddingPx + metrics.ascent()), m_yTitle);
   painter.drawText(QRectF(plot.left(), plot.bottom() + metrics.height() + kChartPaddingPx,
                           plot.width(), metrics.height()),
                    Qt::AlignRight | Qt::AlignVCenter, m_xTitle);
@@ -164,11 +163,14 @@ void CurveChart::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(color, kChartLinePx));
     painter.drawPolyline(line);
   }
-  drawLegend(painter, plot);
+  const double room = drawLegend(painter, plot) - 2.0 * kChartPaddingPx;
+  painter.setPen(colors.mutedText);
+  painter.drawText(QPointF(kChartPaddingPx, kChartPaddingPx + metrics.ascent()),
+                   metrics.elidedText(m_yTitle, Qt::ElideRight, room));
 }
 
 /// Names of the curves, from the right border to the left, above them.
-void CurveChart::drawLegend(QPainter& painter, const QRectF& room) const {
+double CurveChart::drawLegend(QPainter& painter, const QRectF& room) const {
   const QFontMetricsF metrics(painter.font());
   double right = room.right();
   for (auto curve = m_curves.rbegin(); curve != m_curves.rend(); ++curve) {
@@ -186,6 +188,7 @@ void CurveChart::drawLegend(QPainter& painter, const QRectF& room) const {
                      QPointF(right + kChartPaddingPx, middle));
     right -= 3.0 * kChartPaddingPx;
   }
+  return right + kChartPaddingPx;
 }
 
 }  // namespace rivulet::widgets

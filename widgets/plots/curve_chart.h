@@ -47,7 +47,8 @@ class CurveChart final : public QWidget {
 
  private:
   void measure();
-  void drawLegend(QPainter& painter, const QRectF& room) const;
+  /// @return its left border
+  double drawLegend(QPainter& painter, const QRectF& room) const;
 
   ChartAxis m_x;
   ChartAxis m_y;
