@@ -43,6 +43,14 @@ base::Instant Dispatcher::nextMultiple(base::Instant time, base::Duration cycle)
   return base::Instant{(since + cycle - base::Duration{1}) / cycle * cycle};
 }
 
+base::Instant Dispatcher::availableAfter(Task task, base::Instant end,
+                                         const DispatchOptions& options) {
+  if (task == Task::Receive) {
+    return end;
+  }
+  return nextMultiple(end, task == Task::Position ? options.positionCycle : options.taskCycle);
+}
+
 void Dispatcher::record(Event::Kind kind, Task task, base::Instant now, std::optional<Task> other,
                         bool took, bool made) const {
   if (m_recorder) {
@@ -215,12 +223,9 @@ void Dispatcher::finish(Task task, const StepDone& done, base::Instant now) {
   entry.state = State::Waiting;
   entry.need = done.next;
   entry.waitsSince = now;
-  entry.availableAt = now;
+  entry.availableAt = availableAfter(task, now, m_options);
   if (task == Task::Position) {
-    entry.availableAt = nextMultiple(now, m_options.positionCycle);
     kept.late += response > m_options.positionCycle ? 1U : 0U;
-  } else if (task != Task::Receive) {
-    entry.availableAt = nextMultiple(now, m_options.taskCycle);
   }
   record(Event::Kind::Complete, task, now, {}, false, done.made);
 }

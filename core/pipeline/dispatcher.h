@@ -75,6 +75,10 @@ class Dispatcher {
   [[nodiscard]] const std::array<int, kBufferCount>& levels() const { return m_outlook.levels; }
   [[nodiscard]] const TaskRecord& record(Task task) const { return m_tasks[indexOf(task)].record; }
 
+  /// From when on a task that has ended a step may start again.
+  [[nodiscard]] static base::Instant availableAfter(Task task, base::Instant end,
+                                                    const DispatchOptions& options);
+
  private:
   enum class State : std::uint8_t { Waiting, Ready, Running };
   struct Entry {
