@@ -30,6 +30,8 @@ using pipeline::Task;
 constexpr std::int64_t kNsPerMs = 1'000'000;
 /// How often the scheduler looks around when nothing calls it.
 constexpr std::int64_t kLookNs = 20 * kNsPerMs;
+/// How often the events are handed out.
+constexpr std::int64_t kWatchNs = 100 * kNsPerMs;
 /// A task that has not begun to wait for instructions by then never will.
 constexpr std::int64_t kStartNs = 20'000 * kNsPerMs;
 /// How long tasks may take to end.
@@ -183,9 +185,11 @@ class Scheduler {
       while (!m_dispatcher.hasEnded() && m_failure.empty() && !stop.load() &&
              now().time_since_epoch() < m_options.until) {
         turn();
+        handOut(false);
       }
     }
     follow();
+    handOut(true);
     return result();
   }
 
@@ -330,6 +334,17 @@ class Scheduler {
     }
   }
 
+  /// @param isLast  all of them, and now
+  void handOut(bool isLast) {
+    const std::int64_t at = monotonicNs();
+    if (!m_options.watch || (!isLast && at - m_handedOutNs < kWatchNs)) {
+      return;
+    }
+    m_handedOutNs = at;
+    m_options.watch(std::span<const pipeline::Event>(m_events).subspan(m_handedOut));
+    m_handedOut = m_events.size();
+  }
+
   void checkCrew() {
     const auto loss = m_crew.lost();
     if (!loss) {
@@ -391,6 +406,8 @@ class Scheduler {
   std::int64_t m_originNs = 0;
   std::vector<pipeline::Command> m_commands;
   std::vector<pipeline::Event> m_events;
+  std::size_t m_handedOut = 0;  ///< of them
+  std::int64_t m_handedOutNs = 0;
   std::vector<base::Duration> m_wakeUps;
   bool m_isReleased = false;  ///< position control has its instruction for `m_release`
   base::Instant m_release{};

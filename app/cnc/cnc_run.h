@@ -12,6 +12,7 @@
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct RunOptions {
   base::Duration until = base::Duration::max();  ///< the run is ended then
   /// What the user may want to know while it runs: a port, the processes.
   std::function<void(const std::string&)> say;
+  /// Called with the events since its last call, some ten times a second and at the end; may be
+  /// empty. The scheduler waits meanwhile.
+  std::function<void(std::span<const pipeline::Event>)> watch;
 };
 
 struct RunResult {

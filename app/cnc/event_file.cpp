@@ -108,12 +108,15 @@ std::optional<Event> eventOf(std::string_view line) {
 
 }  // namespace
 
-std::string printEvents(const EventRecording& recording) {
-  std::string text =
-      fmt::format("{}\n{} {} {} {} {}\n", kHead, pipeline::factsOf(recording.policy).name,
-                  recording.dispatch.processors, recording.dispatch.capacity,
-                  recording.dispatch.positionCycle.count(), recording.dispatch.taskCycle.count());
-  for (const Event& event : recording.events) {
+std::string printEventHead(pipeline::PolicyKind policy, const pipeline::DispatchOptions& dispatch) {
+  return fmt::format("{}\n{} {} {} {} {}\n", kHead, pipeline::factsOf(policy).name,
+                     dispatch.processors, dispatch.capacity, dispatch.positionCycle.count(),
+                     dispatch.taskCycle.count());
+}
+
+std::string printEventLines(std::span<const Event> events) {
+  std::string text;
+  for (const Event& event : events) {
     fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {} {}\n",
                    kKinds[static_cast<std::size_t>(event.kind)],
                    event.at.time_since_epoch().count(), indexOf(event.task) + 1,
@@ -123,37 +126,50 @@ std::string printEvents(const EventRecording& recording) {
   return text;
 }
 
-base::Result<EventRecording> parseEvents(std::string_view text) {
-  const auto refuse = [](std::size_t line, const char* what) {
+std::string printEvents(const EventRecording& recording) {
+  return printEventHead(recording.policy, recording.dispatch) + printEventLines(recording.events);
+}
+
+base::Result<void> EventReader::addLine(std::string_view line) {
+  ++m_lines;
+  const auto refuse = [this](const char* what) {
     return base::fail(pipeline::PipelineError::TaskBroken,
                       fmt::format("Line {} is no {} of rivulet-cnc. Record the run again with "
                                   "--events.",
-                                  line, what));
+                                  m_lines, what));
   };
-  std::optional<EventRecording> recording;
-  for (std::size_t line = 1; !text.empty(); ++line) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view words = text.substr(0, end);
-    text.remove_prefix(std::min(text.size(), end + 1));
-    if (line == 1) {
-      if (words != kHead) {
-        return refuse(line, "head of the events");
-      }
-    } else if (line == 2) {
-      recording = settingsOf(words);
-      if (!recording) {
-        return refuse(line, "line of settings");
-      }
-    } else if (const auto event = eventOf(words)) {
-      recording->events.push_back(*event);
-    } else {
-      return refuse(line, "event");
+  if (m_lines == 1) {
+    if (line != kHead) {
+      return refuse("head of the events");
     }
+  } else if (m_lines == 2) {
+    m_recording = settingsOf(line);
+    if (!m_recording) {
+      return refuse("line of settings");
+    }
+  } else if (const auto event = m_recording ? eventOf(line) : std::nullopt) {
+    m_recording->events.push_back(*event);
+  } else {
+    return refuse("event");
   }
-  if (!recording) {
-    return refuse(1, "head of the events");
+  return {};
+}
+
+base::Result<EventRecording> parseEvents(std::string_view text) {
+  EventReader reader;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    if (const auto added = reader.addLine(text.substr(0, end)); !added) {
+      return base::fail(added.error());
+    }
+    text.remove_prefix(std::min(text.size(), end + 1));
   }
-  return std::move(*recording);
+  if (!reader.recording()) {
+    return base::fail(pipeline::PipelineError::TaskBroken,
+                      "Line 1 is no head of the events of rivulet-cnc. Record the run again with "
+                      "--events.");
+  }
+  return std::move(*reader.recording());
 }
 
 }  // namespace rivulet::cnc

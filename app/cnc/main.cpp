@@ -49,6 +49,7 @@ struct Arguments {
   bool realTime = false;
   std::string trace;
   std::string events;
+  bool live = false;
   double seconds = 10.0;
   bool load = false;
   std::string eventFile;
@@ -118,6 +119,15 @@ int run(Arguments& arguments) {
     log::logger().error("Name a program, or let it come over TCP with --listen; not both.");
     return kExitUsage;
   }
+  if (arguments.live) {
+    arguments.run.say = nullptr;
+    const std::string head = cnc::printEventHead(arguments.run.policy, arguments.run.dispatch);
+    std::fputs(head.c_str(), stdout);
+    arguments.run.watch = [](std::span<const pipeline::Event> events) {
+      std::fputs(cnc::printEventLines(events).c_str(), stdout);
+      std::fflush(stdout);
+    };
+  }
   auto result = cnc::runCnc(arguments.run, interrupt::flag());
   if (!result) {
     return complain(result.error(), kExitUsage);
@@ -135,9 +145,11 @@ int run(Arguments& arguments) {
       return complain(written.error(), kExitFailed);
     }
   }
-  fmt::print("{} set points in {:.3f} s\n", result->trace.samples.size(),
-             base::toSeconds(result->duration));
-  printRecords(*result);
+  if (!arguments.live) {
+    fmt::print("{} set points in {:.3f} s\n", result->trace.samples.size(),
+               base::toSeconds(result->duration));
+    printRecords(*result);
+  }
   if (!result->failure.empty()) {
     log::logger().error(result->failure);
     return kExitFailed;
@@ -231,6 +243,9 @@ int main(int argc, char** argv) {
   runCommand.add_option("--trace", arguments.trace,
                         "File for the set points and positions of the axes, cycle by cycle");
   runCommand.add_option("--events", arguments.events, "File for the events of the scheduler");
+
+  runCommand.add_flag("--live", arguments.live,
+                      "Print the events of the scheduler while it runs, and nothing else");
 
   CLI::App& jitterCommand =
       *app.add_subcommand("jitter", "Measure the cycle of position control beside cyclictest");

@@ -10,6 +10,7 @@
 
 #include <cerrno>
 #include <system_error>
+#include <thread>
 
 namespace rivulet::cnc {
 
@@ -47,6 +48,16 @@ std::vector<std::string> makeRealTime(const RealTimeWish& wish) {
     }
   }
   return sentences;
+}
+
+bool grantsRealTime() {
+  bool isGranted = false;
+  std::thread([&isGranted] {
+    sched_param parameter{};
+    parameter.sched_priority = sched_get_priority_min(SCHED_FIFO);
+    isGranted = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter) == 0;
+  }).join();
+  return isGranted;
 }
 
 }  // namespace rivulet::cnc

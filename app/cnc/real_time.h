@@ -3,7 +3,7 @@
 
 /// @file
 /// What the system grants of real time: SCHED_FIFO, locked memory, a core of one's own.
-/// @threadsafety for the calling thread.
+/// @threadsafety for the calling thread; `grantsRealTime` from any.
 #pragma once
 
 #include <string>
@@ -18,5 +18,8 @@ struct RealTimeWish {
 
 /// Asks for it. @return a sentence for each thing that was not granted; empty: all was
 [[nodiscard]] std::vector<std::string> makeRealTime(const RealTimeWish& wish);
+
+/// Whether the system would grant SCHED_FIFO: a thread of its own asks for it and ends.
+[[nodiscard]] bool grantsRealTime();
 
 }  // namespace rivulet::cnc
