@@ -2170,8 +2170,15 @@
         <translation>Emulator</translation>
     </message>
     <message>
-        <source>Parallel CNC</source>
-        <translation>Parallele CNC</translation>
+        <source>CNC tasks</source>
+        <translation>CNC-Aufgaben</translation>
+    </message>
+</context>
+<context>
+    <name>ParallelPageTexts</name>
+    <message>
+        <source>A run is in progress. Execute the program after it has ended: both would take the same processor.</source>
+        <translation>Ein Lauf ist im Gang. Das Programm ausführen, wenn er beendet ist: Beide bräuchten denselben Prozessor.</translation>
     </message>
 </context>
 <context>
@@ -3732,6 +3739,17 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Program and settings are those of the run of %1. Nothing has started.</source>
         <translation>Programm und Werte sind die des Laufs vom %1. Nichts ist gestartet.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::PipelineRun</name>
+    <message>
+        <source>The program rivulet-cnc is missing. Install it beside this window.</source>
+        <translation>Das Programm rivulet-cnc fehlt. Es neben diesem Fenster installieren.</translation>
+    </message>
+    <message>
+        <source>The tasks have ended without a word. Execute the program again.</source>
+        <translation>Die Aufgaben haben ohne Meldung geendet. Das Programm erneut ausführen.</translation>
     </message>
 </context>
 <context>
@@ -7170,6 +7188,21 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ParallelPage</name>
+    <message>
+        <source>Petri net</source>
+        <translation>Petrinetz</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Aufgaben</translation>
+    </message>
+    <message>
+        <source>Part of the page</source>
+        <translation>Teil der Seite</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathPane</name>
     <message>
         <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
@@ -9129,6 +9162,201 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Cause</source>
         <translation>Ursache</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TaskPanel</name>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>G code receiving</source>
+        <translation>G-Code-Empfang</translation>
+    </message>
+    <message>
+        <source>Interpreter</source>
+        <translation>Interpreter</translation>
+    </message>
+    <message>
+        <source>Discrete</source>
+        <translation>Grobinterpolation</translation>
+    </message>
+    <message>
+        <source>Forward-looking</source>
+        <translation>Vorausschau</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolation</translation>
+    </message>
+    <message>
+        <source>Position control</source>
+        <translation>Lageregelung</translation>
+    </message>
+    <message>
+        <source>Starts</source>
+        <translation>Starts</translation>
+    </message>
+    <message>
+        <source>Data, ms</source>
+        <translation>Daten, ms</translation>
+    </message>
+    <message>
+        <source>Processor, ms</source>
+        <translation>Prozessor, ms</translation>
+    </message>
+    <message>
+        <source>Mean, µs</source>
+        <translation>Mittel, µs</translation>
+    </message>
+    <message>
+        <source>Min, µs</source>
+        <translation>Min., µs</translation>
+    </message>
+    <message>
+        <source>Max, µs</source>
+        <translation>Max., µs</translation>
+    </message>
+    <message>
+        <source>Preempted</source>
+        <translation>Verdrängt</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Puffer</translation>
+    </message>
+    <message>
+        <source>Open a recording of the tasks</source>
+        <translation>Aufzeichnung der Aufgaben öffnen</translation>
+    </message>
+    <message>
+        <source>Save what the scheduler did</source>
+        <translation>Speichern, was der Scheduler getan hat</translation>
+    </message>
+    <message>
+        <source>Executes a program on virtual axes. No machine moves.</source>
+        <translation>Führt ein Programm auf virtuellen Achsen aus. Keine Maschine bewegt sich.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 set points</source>
+        <translation>%1: %2, %3 Sollwerte</translation>
+    </message>
+    <message>
+        <source>%1 has ended: %2, %3 set points</source>
+        <translation>%1 ist zu Ende: %2, %3 Sollwerte</translation>
+    </message>
+    <message>
+        <source>%1 was stopped: %2, %3 set points</source>
+        <translation>%1 wurde beendet: %2, %3 Sollwerte</translation>
+    </message>
+    <message>
+        <source>Recording %1: %2, %3 set points</source>
+        <translation>Aufzeichnung %1: %2, %3 Sollwerte</translation>
+    </message>
+    <message>
+        <source>Example</source>
+        <translation>Beispiel</translation>
+    </message>
+    <message>
+        <source>Program that the tasks execute</source>
+        <translation>Programm, das die Aufgaben ausführen</translation>
+    </message>
+    <message>
+        <source>Task dependency</source>
+        <translation>Abhängigkeit der Aufgaben</translation>
+    </message>
+    <message>
+        <source>Data flow</source>
+        <translation>Datenfluss</translation>
+    </message>
+    <message>
+        <source>Earliest starvation</source>
+        <translation>Frühester Mangel</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Beständig</translation>
+    </message>
+    <message>
+        <source>Which task gets the processor</source>
+        <translation>Welche Aufgabe den Prozessor bekommt</translation>
+    </message>
+    <message>
+        <source>Processors: %1</source>
+        <translation>Prozessoren: %1</translation>
+    </message>
+    <message>
+        <source>How many tasks run at a time</source>
+        <translation>Wie viele Aufgaben gleichzeitig laufen</translation>
+    </message>
+    <message>
+        <source>Cycle %1 ms</source>
+        <translation>Zyklus %1 ms</translation>
+    </message>
+    <message>
+        <source>Cycle of position control</source>
+        <translation>Zyklus der Lageregelung</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>Position control comes before everything else on this computer</source>
+        <translation>Die Lageregelung geht auf diesem Rechner allem anderen vor</translation>
+    </message>
+    <message>
+        <source>Without real time, other programs of this computer can delay position control.</source>
+        <translation>Ohne Echtzeit können andere Programme dieses Rechners die Lageregelung verzögern.</translation>
+    </message>
+    <message>
+        <source>This computer does not allow real-time scheduling: position control runs like any other program, and others can delay it.</source>
+        <translation>Dieser Rechner erlaubt keine Echtzeit: Die Lageregelung läuft wie jedes andere Programm, und andere können sie verzögern.</translation>
+    </message>
+    <message>
+        <source>Execute</source>
+        <translation>Ausführen</translation>
+    </message>
+    <message>
+        <source>Execute the program in six tasks, on virtual axes</source>
+        <translation>Das Programm in sechs Aufgaben ausführen, auf virtuellen Achsen</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>End the tasks; the virtual axes stand</source>
+        <translation>Die Aufgaben beenden; die virtuellen Achsen stehen</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a recording of a scheduler</source>
+        <translation>Die Aufzeichnung eines Schedulers öffnen</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Tasks: starts, waiting for data and for a processor, time of a step</source>
+        <translation>Aufgaben: Starts, Warten auf Daten und auf einen Prozessor, Dauer eines Schritts</translation>
+    </message>
+    <message>
+        <source>Levels of the buffers</source>
+        <translation>Füllstände der Puffer</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Füllstand</translation>
     </message>
 </context>
 <context>

@@ -2170,8 +2170,15 @@
         <translation>Emulador</translation>
     </message>
     <message>
-        <source>Parallel CNC</source>
-        <translation>CNC paralelo</translation>
+        <source>CNC tasks</source>
+        <translation>Tareas CNC</translation>
+    </message>
+</context>
+<context>
+    <name>ParallelPageTexts</name>
+    <message>
+        <source>A run is in progress. Execute the program after it has ended: both would take the same processor.</source>
+        <translation>Hay una ejecución en curso. Ejecutar el programa cuando haya terminado: ambos usarían el mismo procesador.</translation>
     </message>
 </context>
 <context>
@@ -3732,6 +3739,17 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Program and settings are those of the run of %1. Nothing has started.</source>
         <translation>Programa y ajustes son los de la ejecución del %1. No se ha iniciado nada.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::PipelineRun</name>
+    <message>
+        <source>The program rivulet-cnc is missing. Install it beside this window.</source>
+        <translation>Falta el programa rivulet-cnc. Instalarlo junto a esta ventana.</translation>
+    </message>
+    <message>
+        <source>The tasks have ended without a word. Execute the program again.</source>
+        <translation>Las tareas terminaron sin mensaje. Ejecutar de nuevo el programa.</translation>
     </message>
 </context>
 <context>
@@ -7170,6 +7188,21 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ParallelPage</name>
+    <message>
+        <source>Petri net</source>
+        <translation>Red de Petri</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tareas</translation>
+    </message>
+    <message>
+        <source>Part of the page</source>
+        <translation>Parte de la página</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathPane</name>
     <message>
         <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
@@ -9129,6 +9162,201 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Cause</source>
         <translation>Causa</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TaskPanel</name>
+    <message>
+        <source>Task</source>
+        <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>G code receiving</source>
+        <translation>Recepción de código G</translation>
+    </message>
+    <message>
+        <source>Interpreter</source>
+        <translation>Intérprete</translation>
+    </message>
+    <message>
+        <source>Discrete</source>
+        <translation>Interpolación gruesa</translation>
+    </message>
+    <message>
+        <source>Forward-looking</source>
+        <translation>Anticipación</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolación</translation>
+    </message>
+    <message>
+        <source>Position control</source>
+        <translation>Control de posición</translation>
+    </message>
+    <message>
+        <source>Starts</source>
+        <translation>Inicios</translation>
+    </message>
+    <message>
+        <source>Data, ms</source>
+        <translation>Datos, ms</translation>
+    </message>
+    <message>
+        <source>Processor, ms</source>
+        <translation>Procesador, ms</translation>
+    </message>
+    <message>
+        <source>Mean, µs</source>
+        <translation>Media, µs</translation>
+    </message>
+    <message>
+        <source>Min, µs</source>
+        <translation>Mín., µs</translation>
+    </message>
+    <message>
+        <source>Max, µs</source>
+        <translation>Máx., µs</translation>
+    </message>
+    <message>
+        <source>Preempted</source>
+        <translation>Desalojos</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Búfer</translation>
+    </message>
+    <message>
+        <source>Open a recording of the tasks</source>
+        <translation>Abrir un registro de las tareas</translation>
+    </message>
+    <message>
+        <source>Save what the scheduler did</source>
+        <translation>Guardar lo que hizo el planificador</translation>
+    </message>
+    <message>
+        <source>Executes a program on virtual axes. No machine moves.</source>
+        <translation>Ejecuta un programa en ejes virtuales. Ninguna máquina se mueve.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 set points</source>
+        <translation>%1: %2, %3 consignas</translation>
+    </message>
+    <message>
+        <source>%1 has ended: %2, %3 set points</source>
+        <translation>%1 ha terminado: %2, %3 consignas</translation>
+    </message>
+    <message>
+        <source>%1 was stopped: %2, %3 set points</source>
+        <translation>%1 se detuvo: %2, %3 consignas</translation>
+    </message>
+    <message>
+        <source>Recording %1: %2, %3 set points</source>
+        <translation>Registro %1: %2, %3 consignas</translation>
+    </message>
+    <message>
+        <source>Example</source>
+        <translation>Ejemplo</translation>
+    </message>
+    <message>
+        <source>Program that the tasks execute</source>
+        <translation>Programa que ejecutan las tareas</translation>
+    </message>
+    <message>
+        <source>Task dependency</source>
+        <translation>Dependencia de tareas</translation>
+    </message>
+    <message>
+        <source>Data flow</source>
+        <translation>Flujo de datos</translation>
+    </message>
+    <message>
+        <source>Earliest starvation</source>
+        <translation>Carencia más próxima</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Constante</translation>
+    </message>
+    <message>
+        <source>Which task gets the processor</source>
+        <translation>Qué tarea obtiene el procesador</translation>
+    </message>
+    <message>
+        <source>Processors: %1</source>
+        <translation>Procesadores: %1</translation>
+    </message>
+    <message>
+        <source>How many tasks run at a time</source>
+        <translation>Cuántas tareas se ejecutan a la vez</translation>
+    </message>
+    <message>
+        <source>Cycle %1 ms</source>
+        <translation>Ciclo %1 ms</translation>
+    </message>
+    <message>
+        <source>Cycle of position control</source>
+        <translation>Ciclo del control de posición</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Tiempo real</translation>
+    </message>
+    <message>
+        <source>Position control comes before everything else on this computer</source>
+        <translation>El control de posición va antes que todo lo demás en este ordenador</translation>
+    </message>
+    <message>
+        <source>Without real time, other programs of this computer can delay position control.</source>
+        <translation>Sin tiempo real, otros programas de este ordenador pueden retrasar el control de posición.</translation>
+    </message>
+    <message>
+        <source>This computer does not allow real-time scheduling: position control runs like any other program, and others can delay it.</source>
+        <translation>Este ordenador no permite el tiempo real: el control de posición se ejecuta como cualquier otro programa, y otros pueden retrasarlo.</translation>
+    </message>
+    <message>
+        <source>Execute</source>
+        <translation>Ejecutar</translation>
+    </message>
+    <message>
+        <source>Execute the program in six tasks, on virtual axes</source>
+        <translation>Ejecutar el programa en seis tareas, en ejes virtuales</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>End the tasks; the virtual axes stand</source>
+        <translation>Terminar las tareas; los ejes virtuales se detienen</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Abrir…</translation>
+    </message>
+    <message>
+        <source>Open a recording of a scheduler</source>
+        <translation>Abrir el registro de un planificador</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Tasks: starts, waiting for data and for a processor, time of a step</source>
+        <translation>Tareas: inicios, espera de datos y de un procesador, duración de un paso</translation>
+    </message>
+    <message>
+        <source>Levels of the buffers</source>
+        <translation>Niveles de los búferes</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Tiempo, s</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nivel</translation>
     </message>
 </context>
 <context>

@@ -2170,8 +2170,15 @@
         <translation>Émulateur</translation>
     </message>
     <message>
-        <source>Parallel CNC</source>
-        <translation>CNC parallèle</translation>
+        <source>CNC tasks</source>
+        <translation>Tâches CNC</translation>
+    </message>
+</context>
+<context>
+    <name>ParallelPageTexts</name>
+    <message>
+        <source>A run is in progress. Execute the program after it has ended: both would take the same processor.</source>
+        <translation>Une exécution est en cours. Exécuter le programme quand elle est terminée : les deux prendraient le même processeur.</translation>
     </message>
 </context>
 <context>
@@ -3732,6 +3739,17 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Program and settings are those of the run of %1. Nothing has started.</source>
         <translation>Programme et réglages sont ceux de l’exécution du %1. Rien n’a démarré.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::PipelineRun</name>
+    <message>
+        <source>The program rivulet-cnc is missing. Install it beside this window.</source>
+        <translation>Le programme rivulet-cnc manque. L’installer à côté de cette fenêtre.</translation>
+    </message>
+    <message>
+        <source>The tasks have ended without a word. Execute the program again.</source>
+        <translation>Les tâches se sont terminées sans message. Exécuter de nouveau le programme.</translation>
     </message>
 </context>
 <context>
@@ -7170,6 +7188,21 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ParallelPage</name>
+    <message>
+        <source>Petri net</source>
+        <translation>Réseau de Petri</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tâches</translation>
+    </message>
+    <message>
+        <source>Part of the page</source>
+        <translation>Partie de la page</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathPane</name>
     <message>
         <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
@@ -9129,6 +9162,201 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Cause</source>
         <translation>Cause</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TaskPanel</name>
+    <message>
+        <source>Task</source>
+        <translation>Tâche</translation>
+    </message>
+    <message>
+        <source>G code receiving</source>
+        <translation>Réception du code G</translation>
+    </message>
+    <message>
+        <source>Interpreter</source>
+        <translation>Interpréteur</translation>
+    </message>
+    <message>
+        <source>Discrete</source>
+        <translation>Interpolation grossière</translation>
+    </message>
+    <message>
+        <source>Forward-looking</source>
+        <translation>Anticipation</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolation</translation>
+    </message>
+    <message>
+        <source>Position control</source>
+        <translation>Asservissement de position</translation>
+    </message>
+    <message>
+        <source>Starts</source>
+        <translation>Départs</translation>
+    </message>
+    <message>
+        <source>Data, ms</source>
+        <translation>Données, ms</translation>
+    </message>
+    <message>
+        <source>Processor, ms</source>
+        <translation>Processeur, ms</translation>
+    </message>
+    <message>
+        <source>Mean, µs</source>
+        <translation>Moyenne, µs</translation>
+    </message>
+    <message>
+        <source>Min, µs</source>
+        <translation>Min., µs</translation>
+    </message>
+    <message>
+        <source>Max, µs</source>
+        <translation>Max., µs</translation>
+    </message>
+    <message>
+        <source>Preempted</source>
+        <translation>Préemptions</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Tampon</translation>
+    </message>
+    <message>
+        <source>Open a recording of the tasks</source>
+        <translation>Ouvrir un enregistrement des tâches</translation>
+    </message>
+    <message>
+        <source>Save what the scheduler did</source>
+        <translation>Enregistrer ce que l’ordonnanceur a fait</translation>
+    </message>
+    <message>
+        <source>Executes a program on virtual axes. No machine moves.</source>
+        <translation>Exécute un programme sur des axes virtuels. Aucune machine ne bouge.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 set points</source>
+        <translation>%1 : %2, %3 consignes</translation>
+    </message>
+    <message>
+        <source>%1 has ended: %2, %3 set points</source>
+        <translation>%1 est terminé : %2, %3 consignes</translation>
+    </message>
+    <message>
+        <source>%1 was stopped: %2, %3 set points</source>
+        <translation>%1 a été arrêté : %2, %3 consignes</translation>
+    </message>
+    <message>
+        <source>Recording %1: %2, %3 set points</source>
+        <translation>Enregistrement %1 : %2, %3 consignes</translation>
+    </message>
+    <message>
+        <source>Example</source>
+        <translation>Exemple</translation>
+    </message>
+    <message>
+        <source>Program that the tasks execute</source>
+        <translation>Programme que les tâches exécutent</translation>
+    </message>
+    <message>
+        <source>Task dependency</source>
+        <translation>Dépendance des tâches</translation>
+    </message>
+    <message>
+        <source>Data flow</source>
+        <translation>Flux de données</translation>
+    </message>
+    <message>
+        <source>Earliest starvation</source>
+        <translation>Manque le plus proche</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Constant</translation>
+    </message>
+    <message>
+        <source>Which task gets the processor</source>
+        <translation>Quelle tâche obtient le processeur</translation>
+    </message>
+    <message>
+        <source>Processors: %1</source>
+        <translation>Processeurs : %1</translation>
+    </message>
+    <message>
+        <source>How many tasks run at a time</source>
+        <translation>Combien de tâches s’exécutent à la fois</translation>
+    </message>
+    <message>
+        <source>Cycle %1 ms</source>
+        <translation>Cycle %1 ms</translation>
+    </message>
+    <message>
+        <source>Cycle of position control</source>
+        <translation>Cycle de l’asservissement de position</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Temps réel</translation>
+    </message>
+    <message>
+        <source>Position control comes before everything else on this computer</source>
+        <translation>L’asservissement de position passe avant tout le reste sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Without real time, other programs of this computer can delay position control.</source>
+        <translation>Sans temps réel, d’autres programmes de cet ordinateur peuvent retarder l’asservissement de position.</translation>
+    </message>
+    <message>
+        <source>This computer does not allow real-time scheduling: position control runs like any other program, and others can delay it.</source>
+        <translation>Cet ordinateur ne permet pas le temps réel : l’asservissement de position s’exécute comme tout autre programme, et d’autres peuvent le retarder.</translation>
+    </message>
+    <message>
+        <source>Execute</source>
+        <translation>Exécuter</translation>
+    </message>
+    <message>
+        <source>Execute the program in six tasks, on virtual axes</source>
+        <translation>Exécuter le programme en six tâches, sur des axes virtuels</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Terminer</translation>
+    </message>
+    <message>
+        <source>End the tasks; the virtual axes stand</source>
+        <translation>Terminer les tâches ; les axes virtuels s’arrêtent</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Open a recording of a scheduler</source>
+        <translation>Ouvrir l’enregistrement d’un ordonnanceur</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Tasks: starts, waiting for data and for a processor, time of a step</source>
+        <translation>Tâches : départs, attente de données et d’un processeur, durée d’un pas</translation>
+    </message>
+    <message>
+        <source>Levels of the buffers</source>
+        <translation>Niveaux des tampons</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Temps, s</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
     </message>
 </context>
 <context>

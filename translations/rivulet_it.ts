@@ -2170,8 +2170,15 @@
         <translation>Emulatore</translation>
     </message>
     <message>
-        <source>Parallel CNC</source>
-        <translation>CNC parallelo</translation>
+        <source>CNC tasks</source>
+        <translation>Compiti CNC</translation>
+    </message>
+</context>
+<context>
+    <name>ParallelPageTexts</name>
+    <message>
+        <source>A run is in progress. Execute the program after it has ended: both would take the same processor.</source>
+        <translation>Un’esecuzione è in corso. Eseguire il programma quando è finita: entrambi userebbero lo stesso processore.</translation>
     </message>
 </context>
 <context>
@@ -3732,6 +3739,17 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Program and settings are those of the run of %1. Nothing has started.</source>
         <translation>Programma e impostazioni sono quelli dell’esecuzione del %1. Nulla è stato avviato.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::PipelineRun</name>
+    <message>
+        <source>The program rivulet-cnc is missing. Install it beside this window.</source>
+        <translation>Manca il programma rivulet-cnc. Installarlo accanto a questa finestra.</translation>
+    </message>
+    <message>
+        <source>The tasks have ended without a word. Execute the program again.</source>
+        <translation>I compiti sono finiti senza messaggi. Eseguire di nuovo il programma.</translation>
     </message>
 </context>
 <context>
@@ -7170,6 +7188,21 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::ParallelPage</name>
+    <message>
+        <source>Petri net</source>
+        <translation>Rete di Petri</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Compiti</translation>
+    </message>
+    <message>
+        <source>Part of the page</source>
+        <translation>Parte della pagina</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::PathPane</name>
     <message>
         <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
@@ -9129,6 +9162,201 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Cause</source>
         <translation>Causa</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::TaskPanel</name>
+    <message>
+        <source>Task</source>
+        <translation>Compito</translation>
+    </message>
+    <message>
+        <source>G code receiving</source>
+        <translation>Ricezione del codice G</translation>
+    </message>
+    <message>
+        <source>Interpreter</source>
+        <translation>Interprete</translation>
+    </message>
+    <message>
+        <source>Discrete</source>
+        <translation>Interpolazione grossolana</translation>
+    </message>
+    <message>
+        <source>Forward-looking</source>
+        <translation>Look-ahead</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolazione</translation>
+    </message>
+    <message>
+        <source>Position control</source>
+        <translation>Controllo di posizione</translation>
+    </message>
+    <message>
+        <source>Starts</source>
+        <translation>Avvii</translation>
+    </message>
+    <message>
+        <source>Data, ms</source>
+        <translation>Dati, ms</translation>
+    </message>
+    <message>
+        <source>Processor, ms</source>
+        <translation>Processore, ms</translation>
+    </message>
+    <message>
+        <source>Mean, µs</source>
+        <translation>Media, µs</translation>
+    </message>
+    <message>
+        <source>Min, µs</source>
+        <translation>Min., µs</translation>
+    </message>
+    <message>
+        <source>Max, µs</source>
+        <translation>Max., µs</translation>
+    </message>
+    <message>
+        <source>Preempted</source>
+        <translation>Interrotto</translation>
+    </message>
+    <message>
+        <source>Buffer</source>
+        <translation>Buffer</translation>
+    </message>
+    <message>
+        <source>Open a recording of the tasks</source>
+        <translation>Aprire una registrazione dei compiti</translation>
+    </message>
+    <message>
+        <source>Save what the scheduler did</source>
+        <translation>Salvare ciò che lo scheduler ha fatto</translation>
+    </message>
+    <message>
+        <source>Executes a program on virtual axes. No machine moves.</source>
+        <translation>Esegue un programma su assi virtuali. Nessuna macchina si muove.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 set points</source>
+        <translation>%1: %2, %3 valori nominali</translation>
+    </message>
+    <message>
+        <source>%1 has ended: %2, %3 set points</source>
+        <translation>%1 è finito: %2, %3 valori nominali</translation>
+    </message>
+    <message>
+        <source>%1 was stopped: %2, %3 set points</source>
+        <translation>%1 è stato fermato: %2, %3 valori nominali</translation>
+    </message>
+    <message>
+        <source>Recording %1: %2, %3 set points</source>
+        <translation>Registrazione %1: %2, %3 valori nominali</translation>
+    </message>
+    <message>
+        <source>Example</source>
+        <translation>Esempio</translation>
+    </message>
+    <message>
+        <source>Program that the tasks execute</source>
+        <translation>Programma che i compiti eseguono</translation>
+    </message>
+    <message>
+        <source>Task dependency</source>
+        <translation>Dipendenza dei compiti</translation>
+    </message>
+    <message>
+        <source>Data flow</source>
+        <translation>Flusso di dati</translation>
+    </message>
+    <message>
+        <source>Earliest starvation</source>
+        <translation>Prima carenza</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>Costante</translation>
+    </message>
+    <message>
+        <source>Which task gets the processor</source>
+        <translation>Quale compito ottiene il processore</translation>
+    </message>
+    <message>
+        <source>Processors: %1</source>
+        <translation>Processori: %1</translation>
+    </message>
+    <message>
+        <source>How many tasks run at a time</source>
+        <translation>Quanti compiti girano insieme</translation>
+    </message>
+    <message>
+        <source>Cycle %1 ms</source>
+        <translation>Ciclo %1 ms</translation>
+    </message>
+    <message>
+        <source>Cycle of position control</source>
+        <translation>Ciclo del controllo di posizione</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Tempo reale</translation>
+    </message>
+    <message>
+        <source>Position control comes before everything else on this computer</source>
+        <translation>Il controllo di posizione viene prima di tutto il resto su questo computer</translation>
+    </message>
+    <message>
+        <source>Without real time, other programs of this computer can delay position control.</source>
+        <translation>Senza tempo reale, altri programmi di questo computer possono ritardare il controllo di posizione.</translation>
+    </message>
+    <message>
+        <source>This computer does not allow real-time scheduling: position control runs like any other program, and others can delay it.</source>
+        <translation>Questo computer non permette il tempo reale: il controllo di posizione gira come ogni altro programma, e altri possono ritardarlo.</translation>
+    </message>
+    <message>
+        <source>Execute</source>
+        <translation>Esegui</translation>
+    </message>
+    <message>
+        <source>Execute the program in six tasks, on virtual axes</source>
+        <translation>Eseguire il programma in sei compiti, su assi virtuali</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Termina</translation>
+    </message>
+    <message>
+        <source>End the tasks; the virtual axes stand</source>
+        <translation>Terminare i compiti; gli assi virtuali si fermano</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Apri…</translation>
+    </message>
+    <message>
+        <source>Open a recording of a scheduler</source>
+        <translation>Aprire la registrazione di uno scheduler</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Salva…</translation>
+    </message>
+    <message>
+        <source>Tasks: starts, waiting for data and for a processor, time of a step</source>
+        <translation>Compiti: avvii, attesa di dati e di un processore, durata di un passo</translation>
+    </message>
+    <message>
+        <source>Levels of the buffers</source>
+        <translation>Livelli dei buffer</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Tempo, s</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Livello</translation>
     </message>
 </context>
 <context>

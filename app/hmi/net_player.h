@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Plays the net of [P3] for the page Parallel CNC: step by step or so many transitions a second,
+/// Plays the net of [P3] for the page CNC tasks: step by step or so many transitions a second,
 /// for the time of Figure 13. @threadsafety GUI thread.
 #pragma once
 

@@ -1,25 +1,34 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// The page Parallel CNC of the real window, with mouse and keys: its Petri net is played, and what
+/// The page CNC tasks of the real window, with mouse and keys: its Petri net is played, and what
 /// it shows is compared with the net played without a window.
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QtTest>
 
+#include "base/file.h"
+#include "cnc/event_file.h"
 #include "experiments/parallel_cnc.h"
 #include "gui/look_check.h"
 #include "hmi/main_window.h"
 #include "petri/net_file.h"
 #include "petri/simulator.h"
 #include "support/test_program.h"
+#include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/pipeline/net_canvas.h"
 #include "widgets/pipeline/parallel_page.h"
@@ -51,6 +60,26 @@ class TestParallelWindow : public QObject {
   }
   [[nodiscard]] NetCanvas* canvas() const { return part<NetCanvas>("netCanvas"); }
   [[nodiscard]] QString note() const { return part<widgets::StatusLabel>("netNote")->text(); }
+  [[nodiscard]] QString taskNote() const { return part<widgets::StatusLabel>("taskNote")->text(); }
+  /// Of the table of the tasks.
+  [[nodiscard]] QString taskCell(int row, int column) const {
+    const QAbstractItemModel* model = part<QTableView>("taskTable")->model();
+    return model->index(row, column).data().toString();
+  }
+  /// Types a name into the dialog that a click opens.
+  void typeName(const char* button, const QString& path) const {
+    QTimer dialogs;
+    connect(&dialogs, &QTimer::timeout, [&] {
+      if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+        dialogs.stop();
+        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        name->setText(path);
+        QTest::keyClick(name, Qt::Key_Return);
+      }
+    });
+    dialogs.start(20);
+    click(button);
+  }
   void click(const char* name) const {
     auto* button = part<QPushButton>(name);
     QVERIFY2(button->isVisible() && button->isEnabled(), name);
@@ -103,6 +132,8 @@ class TestParallelWindow : public QObject {
     QStandardPaths::setTestModeEnabled(true);
     qputenv("XDG_STATE_HOME", m_folder.filePath(QStringLiteral("state")).toUtf8());
     qputenv("XDG_CONFIG_HOME", m_folder.filePath(QStringLiteral("config")).toUtf8());
+    // Where the window finds rivulet-cnc.
+    qputenv("PATH", QFileInfo(QStringLiteral(RIVULET_CNC)).path().toUtf8() + ':' + qgetenv("PATH"));
     hmi::Settings settings;
     settings.language = QStringLiteral("en");
     settings.theme = widgets::Theme::Light;
@@ -229,6 +260,78 @@ class TestParallelWindow : public QObject {
     click("netRestart");
   }
 
+  /// The six tasks execute the example; their table and what was recorded are the same.
+  void executesAProgram() {
+    part<QTabWidget>("parallelTabs")->setCurrentIndex(1);
+    QVERIFY2(taskNote().contains(QStringLiteral("No machine moves")), qPrintable(taskNote()));
+    QVERIFY(!part<QPushButton>("taskStop")->isEnabled());
+    QVERIFY(!part<QPushButton>("taskSave")->isEnabled());
+    choose("taskPolicy", 1);
+    choose("taskCycle", 4);
+    click("taskStart");
+    // It is shown while it runs.
+    QTRY_VERIFY_WITH_TIMEOUT(taskCell(5, 1) != QStringLiteral("0"), kSoonMs);
+    QVERIFY(part<QPushButton>("taskStop")->isEnabled());
+    QVERIFY(!part<QPushButton>("taskStart")->isEnabled());
+    QTRY_VERIFY2_WITH_TIMEOUT(taskNote().contains(QStringLiteral("has ended")),
+                              qPrintable(taskNote()), kPlayedMs);
+    QCOMPARE(taskCell(5, 8), QStringLiteral("–"));
+    QCOMPARE(taskCell(4, 8), QStringLiteral("B5: 0/50"));
+    // What was saved says the same.
+    const QString path = m_folder.filePath(QStringLiteral("run.events"));
+    typeName("taskSave", path);
+    const auto text = base::readFile(path.toStdString());
+    QVERIFY(text.has_value());
+    const auto recording = cnc::parseEvents(*text);
+    QVERIFY2(recording.has_value(), recording ? "" : recording.error().text().c_str());
+    QCOMPARE(recording->policy, pipeline::PolicyKind::DataFlow);
+    std::array<std::size_t, pipeline::kTaskCount> steps{};
+    for (const pipeline::Event& event : recording->events) {
+      steps[indexOf(event.task)] += event.kind == pipeline::Event::Kind::Complete ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      QCOMPARE(taskCell(static_cast<int>(i), 1), widgets::countText(steps[i]));
+    }
+    QStringList before;
+    for (int row = 0; row < 6; ++row) {
+      for (int column = 0; column < 9; ++column) {
+        before.append(taskCell(row, column));
+      }
+    }
+    typeName("taskOpen", path);
+    QTRY_VERIFY2_WITH_TIMEOUT(taskNote().contains(QStringLiteral("Recording run.events")),
+                              qPrintable(taskNote()), kSoonMs);
+    QStringList after;
+    for (int row = 0; row < 6; ++row) {
+      for (int column = 0; column < 9; ++column) {
+        after.append(taskCell(row, column));
+      }
+    }
+    QCOMPARE(after, before);
+    QVERIFY(part<CurveChart>("taskLevels")->curves()[0].points.size() > 10);
+  }
+
+  void saysWhatIsWrongWithARecording() {
+    const QString path = m_folder.filePath(QStringLiteral("bad.events"));
+    QVERIFY(
+        base::writeFile(path.toStdString(), "rivulet-cnc events 1\nsteady 2 50 4000000 0\nx\n"));
+    typeName("taskOpen", path);
+    QTRY_VERIFY2_WITH_TIMEOUT(taskNote().contains(QStringLiteral("Line 3 is no event")),
+                              qPrintable(taskNote()), kSoonMs);
+    QCOMPARE(taskCell(5, 1), QStringLiteral("0"));
+  }
+
+  void canBeEnded() {
+    click("taskStart");
+    QTRY_VERIFY_WITH_TIMEOUT(taskCell(5, 1) != QStringLiteral("0"), kSoonMs);
+    auto* stop = part<QPushButton>("taskStop");
+    stop->setFocus();
+    QTest::keyClick(stop, Qt::Key_Space);
+    QTRY_VERIFY2_WITH_TIMEOUT(taskNote().contains(QStringLiteral("was stopped")),
+                              qPrintable(taskNote()), kSoonMs);
+    QVERIFY(part<QPushButton>("taskStart")->isEnabled());
+  }
+
   /// At the sizes it is used at, in all themes, in German and in a language with longer texts.
   void looksGood_data() {
     QTest::addColumn<QSize>("size");
@@ -250,6 +353,23 @@ class TestParallelWindow : public QObject {
     m_window->setLanguage(isGerman ? QStringLiteral("de") : QStringLiteral("en"));
     m_window->resize(size);
     const QString folder = qEnvironmentVariable("RIVULET_PICTURE_FOLDER");
+    const auto inspect = [&](const QString& what) {
+      for (int turn = 0; turn < 4; ++turn) {
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::processEvents();
+      }
+      const QImage picture = m_window->grab().toImage();
+      if (!folder.isEmpty()) {
+        const QString name =
+            QStringLiteral("%1-%2.png").arg(QLatin1String(QTest::currentDataTag()), what);
+        QVERIFY(picture.save(QDir(folder).filePath(name)));
+      }
+      const QStringList faults = tests::lookFaults(*m_window, picture);
+      QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+    };
+    part<QTabWidget>("parallelTabs")->setCurrentIndex(1);
+    inspect(QStringLiteral("tasks"));
+    part<QTabWidget>("parallelTabs")->setCurrentIndex(0);
     auto* pages = part<QComboBox>("netPage");
     for (int i = 0; i < pages->count(); ++i) {
       if (i > 3 && i + 2 < pages->count()) {
@@ -259,13 +379,7 @@ class TestParallelWindow : public QObject {
       for (int step = 0; step < 9; ++step) {
         part<QPushButton>("netStep")->click();
       }
-      for (int turn = 0; turn < 4; ++turn) {
-        QCoreApplication::sendPostedEvents();
-        QCoreApplication::processEvents();
-      }
-      const QImage picture = m_window->grab().toImage();
-      const QStringList faults = tests::lookFaults(*m_window, picture);
-      QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+      inspect(QStringLiteral("net-%1").arg(i));
       // No node covers another, and all are on the canvas.
       const auto net = petri::loadNet("p3");
       const std::size_t count = net->pages[static_cast<std::size_t>(i)].nodes.size();
@@ -274,11 +388,6 @@ class TestParallelWindow : public QObject {
         for (std::size_t b = 0; b < a; ++b) {
           QVERIFY(!canvas()->nodeRect(a).intersects(canvas()->nodeRect(b)));
         }
-      }
-      if (!folder.isEmpty()) {
-        const QString name =
-            QStringLiteral("net-%1-%2.png").arg(QLatin1String(QTest::currentDataTag())).arg(i);
-        QVERIFY(picture.save(QDir(folder).filePath(name)));
       }
     }
   }

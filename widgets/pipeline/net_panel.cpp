@@ -20,6 +20,7 @@
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
+#include "widgets/pipeline/choice_list.h"
 #include "widgets/pipeline/net_canvas.h"
 #include "widgets/plots/curve_chart.h"
 
@@ -37,38 +38,22 @@ constexpr double kUsPerMs = 1e3;
 constexpr double kLevelsShownS = 0.1;  ///< at least, so that the axes do not jump at the beginning
 constexpr double kLevelsShown = 5.0;
 constexpr int kChartPxMin = 120;
+constexpr int kChartWidthPxMin = 205;
 constexpr int kTablePxMin = 110;
 constexpr int kDetailLines = 4;
-
-QComboBox* makeList(const char* name, QWidget* parent) {
-  auto* list = new QComboBox(parent);
-  list->setObjectName(QLatin1String(name));
-  list->setMinimumHeight(kTouchHeightPx);
-  list->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  return list;
-}
-
-/// Texts of a list in the present language; what is chosen stays.
-void setTexts(QComboBox* list, const QStringList& texts, int first) {
-  const QSignalBlocker blocker(list);
-  const int chosen = list->count() == 0 ? first : list->currentIndex();
-  list->clear();
-  list->addItems(texts);
-  list->setCurrentIndex(std::clamp(chosen, 0, static_cast<int>(texts.size()) - 1));
-}
 
 }  // namespace
 
 NetPanel::NetPanel(QWidget* parent)
     : Page(parent),
-      m_cycle(makeList("netCycle", this)),
-      m_policy(makeList("netPolicy", this)),
-      m_pages(makeList("netPage", this)),
+      m_cycle(makeChoiceList("netCycle", this)),
+      m_policy(makeChoiceList("netPolicy", this)),
+      m_pages(makeChoiceList("netPage", this)),
       m_follow(new QCheckBox(this)),
       m_step(makeTouchButton(this)),
       m_play(makeTouchButton(this)),
       m_restart(makeTouchButton(this)),
-      m_speed(makeList("netSpeed", this)),
+      m_speed(makeChoiceList("netSpeed", this)),
       m_note(new StatusLabel(this, StatusLabel::Elided{1})),
       m_canvas(new NetCanvas(this)),
       m_levels(new CurveChart(AxisScale::Even, AxisScale::Even, this)),
@@ -82,7 +67,7 @@ NetPanel::NetPanel(QWidget* parent)
   m_note->setObjectName(QStringLiteral("netNote"));
   m_canvas->setObjectName(QStringLiteral("netCanvas"));
   m_levels->setObjectName(QStringLiteral("netLevels"));
-  m_levels->setMinimumHeight(kChartPxMin);
+  m_levels->setMinimumSize(kChartWidthPxMin, kChartPxMin);
   m_levels->setShown(QRectF(0.0, 0.0, kLevelsShownS, kLevelsShown));
   m_detail->setObjectName(QStringLiteral("netDetail"));
   m_table->setObjectName(QStringLiteral("netPlaces"));
@@ -284,9 +269,9 @@ void NetPanel::retranslate() {
   for (const int cycle : kCyclesMs) {
     cycles.append(tr("Cycle %1 ms").arg(cycle));
   }
-  setTexts(m_cycle, cycles, kCycleFirst);
+  setChoices(m_cycle, cycles, kCycleFirst);
   name(m_cycle, tr("Cycle of position control; the net begins anew"));
-  setTexts(m_policy, {tr("Task dependency"), tr("Data flow")}, 0);
+  setChoices(m_policy, {tr("Task dependency"), tr("Data flow")}, 0);
   name(m_policy, tr("Which task gets the processor; the net begins anew"));
   name(m_pages, tr("Page of the net"));
   m_follow->setText(tr("Follow"));
@@ -296,7 +281,7 @@ void NetPanel::retranslate() {
   for (const int speed : kFiringsPerS) {
     speeds.append(tr("%1 per s").arg(countText(static_cast<std::size_t>(speed))));
   }
-  setTexts(m_speed, speeds, kSpeedFirst);
+  setChoices(m_speed, speeds, kSpeedFirst);
   name(m_speed, tr("Transitions that fire in a second"));
   label(m_step, tr("Step"), tr("Fire one transition"));
   label(m_play, tr("Play"), tr("Fire one transition after another"));

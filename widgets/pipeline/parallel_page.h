@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The CNC in six tasks of [P3]: its Petri net. @threadsafety GUI thread.
+/// The CNC in six tasks of [P3]: the tasks at work, and their Petri net. @threadsafety GUI thread.
 #pragma once
 
 #include "widgets/common/page.h"
 
 namespace rivulet::widgets {
 
+class FoldingTabs;
 class NetPanel;
+class TaskPanel;
 
 class ParallelPage final : public Page {
   Q_OBJECT
@@ -18,12 +20,15 @@ class ParallelPage final : public Page {
   explicit ParallelPage(QWidget* parent = nullptr);
 
   [[nodiscard]] NetPanel* net() const { return m_net; }
+  [[nodiscard]] TaskPanel* tasks() const { return m_tasks; }
 
  protected:
-  void retranslate() override {}
+  void retranslate() override;
 
  private:
+  FoldingTabs* m_tabs;
   NetPanel* m_net;
+  TaskPanel* m_tasks;
 };
 
 }  // namespace rivulet::widgets
