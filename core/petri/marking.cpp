@@ -17,6 +17,162 @@ Marking initialMarking(const Net& net) {
   return marking;
 }
 
+// --- compiling ------------------------------------------------------------------------------
+
+namespace {
+
+/// Cheap enough to be worked out again wherever an argument stands.
+constexpr std::uint32_t kCheap = 4;
+/// Beyond it functions are called.
+constexpr std::size_t kProgramMax = 20'000;
+
+/// How often a variable stands in an expression.
+std::size_t usesOf(const Net& net, NodeId id, std::uint32_t variable) {
+  const Node& node = net.nodes[id];
+  std::size_t uses = node.op == Op::Variable && node.index == variable ? 1 : 0;
+  for (const NodeId operand : node.operands) {
+    uses += usesOf(net, operand, variable);
+  }
+  return uses;
+}
+
+bool isSingle(const Colour& colour) {
+  return colour.kind != ColourKind::List && colour.kind != ColourKind::Record;
+}
+
+/// Depends on its operands alone, which are one word each.
+bool isPlain(Op op) {
+  switch (op) {
+    case Op::Negate:
+    case Op::Not:
+    case Op::Add:
+    case Op::Subtract:
+    case Op::Multiply:
+    case Op::Divide:
+    case Op::Modulo:
+    case Op::Less:
+    case Op::LessEqual:
+    case Op::Equal:
+    case Op::NotEqual:
+    case Op::And:
+    case Op::Or:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+Evaluator::Code Evaluator::compileRoot(NodeId node) {
+  const Code code = compile(node, nullptr);
+  if (node >= m_codes.size()) {
+    m_codes.resize(m_net.nodes.size(), kNoCode);
+  }
+  m_codes[node] = code;
+  return code;
+}
+
+Evaluator::Code Evaluator::add(Instruction made, const std::vector<Code>& operands) {
+  made.first = static_cast<std::uint32_t>(m_operands.size());
+  made.count = static_cast<std::uint32_t>(operands.size());
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    if (i < kOperandsNear) {
+      made.operands[i] = operands[i];
+    }
+    made.cost += m_program[operands[i]].cost;
+    made.draws = made.draws || m_program[operands[i]].draws;
+  }
+  m_operands.insert(m_operands.end(), operands.begin(), operands.end());
+  m_program.push_back(made);
+  return static_cast<Code>(m_program.size() - 1);
+}
+
+Evaluator::Code Evaluator::compile(NodeId id, const std::vector<Code>* arguments) {
+  const Node& node = m_net.nodes[id];
+  if (node.op == Op::Variable && arguments != nullptr) {
+    return (*arguments)[node.index];
+  }
+  std::vector<Code> operands;
+  operands.reserve(node.operands.size());
+  for (const NodeId operand : node.operands) {
+    operands.push_back(compile(operand, arguments));
+  }
+  if (node.op == Op::Call) {
+    return compileCall(node, operands);
+  }
+  const Colour& colour = m_net.colours[node.colour];
+  Instruction made;
+  made.op = node.op;
+  made.isScalar = isSingle(colour);
+  made.index = node.index;
+  made.width = static_cast<std::uint32_t>(colour.width);
+  made.colour = node.colour;
+  made.value = node.value;
+  made.draws = node.op == Op::Uniform;
+  made.offsets = static_cast<std::uint32_t>(m_offsets.size());
+  m_offsets.insert(m_offsets.end(), node.offsets.begin(), node.offsets.end());
+  if (node.op == Op::Sort) {
+    made.index = codeOf(m_net.functions[node.index].body);
+    made.draws = m_program[made.index].draws;
+  }
+  if (const auto code = simplified(made, operands)) {
+    return *code;
+  }
+  return add(made, operands);
+}
+
+/// The function itself in place of its call, unless that would work an argument out more than once.
+Evaluator::Code Evaluator::compileCall(const Node& node, const std::vector<Code>& arguments) {
+  const NodeId body = m_net.functions[node.index].body;
+  bool isPutIn = m_program.size() < kProgramMax;
+  for (std::size_t i = 0; i < arguments.size() && isPutIn; ++i) {
+    const Instruction& argument = m_program[arguments[i]];
+    isPutIn = !argument.draws &&
+              (argument.cost <= kCheap || usesOf(m_net, body, static_cast<std::uint32_t>(i)) <= 1);
+  }
+  if (isPutIn) {
+    return compile(body, &arguments);
+  }
+  const Colour& colour = m_net.colours[node.colour];
+  Instruction made;
+  made.op = Op::Call;
+  made.isScalar = isSingle(colour);
+  made.width = static_cast<std::uint32_t>(colour.width);
+  made.colour = node.colour;
+  made.index = codeOf(body);
+  made.cost += m_program[made.index].cost;
+  made.draws = m_program[made.index].draws;
+  return add(made, arguments);
+}
+
+/// What takes no instruction of its own.
+std::optional<Evaluator::Code> Evaluator::simplified(const Instruction& made,
+                                                     const std::vector<Code>& operands) {
+  const auto isConstant = [&](Code code) { return m_program[code].op == Op::Constant; };
+  if (made.op == Op::If && isConstant(operands[0])) {
+    return operands[m_program[operands[0]].value != 0 ? 1 : 2];
+  }
+  if (made.op == Op::Member &&
+      (m_program[operands[0]].op == Op::Variable || m_program[operands[0]].op == Op::Head)) {
+    Instruction part = m_program[operands[0]];
+    part.offset += made.index;
+    part.isScalar = made.isScalar;
+    part.width = made.width;
+    part.colour = made.colour;
+    m_program.push_back(part);
+    return static_cast<Code>(m_program.size() - 1);
+  }
+  if (isPlain(made.op) && std::all_of(operands.begin(), operands.end(), isConstant)) {
+    Instruction constant;
+    constant.isScalar = true;
+    constant.colour = made.colour;
+    constant.value = scalarOf(add(made, operands), {});
+    return add(constant, {});
+  }
+  return std::nullopt;
+}
+
 // --- values ---------------------------------------------------------------------------------
 
 Words& Evaluator::scratch() {
@@ -28,41 +184,52 @@ Words& Evaluator::scratch() {
   return words;
 }
 
-const Word* Evaluator::locate(NodeId id, const Frame& frame) {
-  const Node& node = m_net.nodes[id];
-  switch (node.op) {
+const Word* Evaluator::find(Code code, const Frame& frame) {
+  const Instruction& made = m_program[code];
+  switch (made.op) {
     case Op::Variable:
-      return frame[node.index];
+      return frame[made.index] + made.offset;
     case Op::Member:
-      return locate(node.operands[0], frame) + node.index;
+      return find(made.operands[0], frame) + made.index;
     case Op::Head: {
-      const Word* const list = locate(node.operands[0], frame);
+      const Word* const list = find(made.operands[0], frame);
       RIVULET_ASSERT(list[0] >= 0);
-      return list + 1;
+      return list + 1 + made.offset;
     }
     default: {
+      if (made.isScalar) {
+        const Word value = scalarOf(code, frame);
+        if (m_scalarsUsed == m_scalars.size()) {
+          m_scalars.emplace_back();
+        }
+        Word& kept = m_scalars[m_scalarsUsed++];
+        kept = value;
+        return &kept;
+      }
       Words& words = scratch();
       // A list may be read one element too far: the head of an empty one is zeros.
-      evaluate(id, frame, words);
-      words.resize(words.size() + m_net.colours[node.colour].width + 1);
+      append(code, frame, words);
+      words.resize(words.size() + made.width + 1);
       return words.data();
     }
   }
 }
 
-void Evaluator::fillFrame(const Node& call, const Frame& frame, Frame& inner) {
-  for (std::size_t i = 0; i < call.operands.size(); ++i) {
-    inner[i] = locate(call.operands[i], frame);
+void Evaluator::fillFrame(const Instruction& call, const Frame& frame, Frame& inner) {
+  for (std::size_t i = 0; i < call.count; ++i) {
+    inner[i] = find(m_operands[call.first + i], frame);
   }
 }
 
-Word Evaluator::scalar(NodeId id, const Frame& frame) {
-  const Node& node = m_net.nodes[id];
-  const auto left = [&] { return scalar(node.operands[0], frame); };
-  const auto right = [&] { return scalar(node.operands[1], frame); };
-  switch (node.op) {
+Word Evaluator::scalarOf(Code code, const Frame& frame) {
+  const Instruction& made = m_program[code];
+  const auto left = [&] { return scalarOf(made.operands[0], frame); };
+  const auto right = [&] { return scalarOf(made.operands[1], frame); };
+  switch (made.op) {
     case Op::Constant:
-      return node.value;
+      return made.value;
+    case Op::Variable:
+      return frame[made.index][made.offset];
     case Op::Now:
       return m_now;
     case Op::Negate:
@@ -83,7 +250,7 @@ Word Evaluator::scalar(NodeId id, const Frame& frame) {
         return 0;
       }
       const Word rest = ((number % divisor) + divisor) % divisor;
-      return node.op == Op::Modulo ? rest : (number - rest) / divisor;
+      return made.op == Op::Modulo ? rest : (number - rest) / divisor;
     }
     case Op::Less:
       return left() < right() ? 1 : 0;
@@ -91,29 +258,29 @@ Word Evaluator::scalar(NodeId id, const Frame& frame) {
       return left() <= right() ? 1 : 0;
     case Op::Equal:
     case Op::NotEqual: {
-      const std::size_t width = m_net.colours[m_net.nodes[node.operands[0]].colour].width;
+      const std::size_t width = m_program[made.operands[0]].width;
       bool isEqual = false;
       if (width == 1) {
         isEqual = left() == right();
       } else {
-        const Word* const one = locate(node.operands[0], frame);
-        isEqual = std::equal(one, one + width, locate(node.operands[1], frame));
+        const Word* const one = find(made.operands[0], frame);
+        isEqual = std::equal(one, one + width, find(made.operands[1], frame));
       }
-      return isEqual == (node.op == Op::Equal) ? 1 : 0;
+      return isEqual == (made.op == Op::Equal) ? 1 : 0;
     }
     case Op::And:
       return left() != 0 && right() != 0 ? 1 : 0;
     case Op::Or:
       return left() != 0 || right() != 0 ? 1 : 0;
     case Op::If:
-      return scalar(node.operands[left() != 0 ? 1 : 2], frame);
+      return scalarOf(made.operands[left() != 0 ? 1 : 2], frame);
     case Op::Call: {
       Frame inner;
-      fillFrame(node, frame, inner);
-      return scalar(m_net.functions[node.index].body, inner);
+      fillFrame(made, frame, inner);
+      return scalarOf(made.index, inner);
     }
     case Op::Length:
-      return *locate(node.operands[0], frame);
+      return *find(made.operands[0], frame);
     case Op::Uniform: {
       const Word low = left();
       const Word high = right();
@@ -123,64 +290,65 @@ Word Evaluator::scalar(NodeId id, const Frame& frame) {
                              m_random->below(static_cast<std::uint64_t>(high - low) + 1));
     }
     case Op::Tokens:
-      return countTokens(node, frame);
+      return countTokens(made, frame);
     default:
-      return *locate(id, frame);
+      return *find(code, frame);
   }
 }
 
-Word Evaluator::countTokens(const Node& node, const Frame& frame) {
-  const Place& place = m_net.places[node.index];
+Word Evaluator::countTokens(const Instruction& made, const Frame& frame) {
+  const Place& place = m_net.places[made.index];
   const Colour& colour = m_net.colours[place.colour];
   const bool isList = colour.kind == ColourKind::List;
-  const bool chooses = !node.operands.empty();
-  const Word wanted = chooses ? scalar(node.operands[0], frame) : 0;
+  const bool chooses = made.count != 0;
+  const Word wanted = chooses ? scalarOf(made.operands[0], frame) : 0;
   Word count = 0;
-  for (const Token& token : m_marking[node.index]) {
+  for (const Token& token : m_marking[made.index]) {
     const Word items = isList ? token.value[0] : 1;
     for (Word i = 0; i < items; ++i) {
       const std::size_t start = isList ? 1 + static_cast<std::size_t>(i) * colour.width : 0;
-      count += !chooses || token.value[start + node.offsets[0]] == wanted ? 1 : 0;
+      count += !chooses || token.value[start + m_offsets[made.offsets]] == wanted ? 1 : 0;
     }
   }
   return count;
 }
 
-void Evaluator::evaluate(NodeId id, const Frame& frame, Words& out) {
-  const Node& node = m_net.nodes[id];
-  switch (node.op) {
+void Evaluator::append(Code code, const Frame& frame, Words& out) {
+  const Instruction& made = m_program[code];
+  switch (made.op) {
     case Op::Construct:
-      for (const NodeId operand : node.operands) {
-        evaluate(operand, frame, out);
+      for (std::size_t i = 0; i < made.count; ++i) {
+        append(m_operands[made.first + i], frame, out);
       }
       return;
     case Op::Update: {
       const std::size_t start = out.size();
-      evaluate(node.operands[0], frame, out);
-      for (std::size_t i = 0; i < node.offsets.size(); ++i) {
-        const NodeId operand = node.operands[i + 1];
-        if (m_net.colours[m_net.nodes[operand].colour].width == 1) {
-          out[start + node.offsets[i]] = scalar(operand, frame);
+      append(made.operands[0], frame, out);
+      for (std::size_t i = 0; i + 1 < made.count; ++i) {
+        const Code operand = m_operands[made.first + i + 1];
+        const std::size_t at = start + m_offsets[made.offsets + i];
+        const std::size_t width = m_program[operand].width;
+        if (width == 1) {
+          out[at] = scalarOf(operand, frame);
         } else {
-          const Word* const value = locate(operand, frame);
-          std::copy_n(value, m_net.colours[m_net.nodes[operand].colour].width,
-                      out.begin() + static_cast<std::ptrdiff_t>(start + node.offsets[i]));
+          const Word* const value = find(operand, frame);
+          std::copy_n(value, width, out.begin() + static_cast<std::ptrdiff_t>(at));
         }
       }
       return;
     }
     case Op::If:
-      evaluate(node.operands[scalar(node.operands[0], frame) != 0 ? 1 : 2], frame, out);
+      append(made.operands[scalarOf(made.operands[0], frame) != 0 ? 1 : 2], frame, out);
       return;
     case Op::Call: {
       Frame inner;
-      fillFrame(node, frame, inner);
-      evaluate(m_net.functions[node.index].body, inner, out);
+      fillFrame(made, frame, inner);
+      append(made.index, inner, out);
       return;
     }
     case Op::Tail: {
-      const Word* const list = locate(node.operands[0], frame);
-      const std::size_t width = m_net.colours[node.colour].width;
+      const Word* const list = find(made.operands[0], frame);
+      const std::size_t width = made.width;
       const Word rest = std::max<Word>(list[0] - 1, 0);
       out.push_back(rest);
       out.insert(out.end(), list + 1 + width,
@@ -189,44 +357,43 @@ void Evaluator::evaluate(NodeId id, const Frame& frame, Words& out) {
     }
     case Op::Append: {
       const std::size_t start = out.size();
-      evaluate(node.operands[0], frame, out);
+      append(made.operands[0], frame, out);
       ++out[start];
-      evaluate(node.operands[1], frame, out);
+      append(made.operands[1], frame, out);
       return;
     }
     case Op::Sort:
-      sort(node, frame, out);
+      sort(made, frame, out);
       return;
     case Op::Variable:
     case Op::Member:
     case Op::Head: {
-      const Word* const words = locate(id, frame);
-      out.insert(out.end(), words, words + m_net.sizeOf(node.colour, words));
+      const Word* const words = find(code, frame);
+      out.insert(out.end(), words, words + m_net.sizeOf(made.colour, words));
       return;
     }
     default:
-      out.push_back(scalar(id, frame));
+      out.push_back(scalarOf(code, frame));
   }
 }
 
 /// By insertion: lists are short, and all but the last element are in order already.
-void Evaluator::sort(const Node& node, const Frame& frame, Words& out) {
+void Evaluator::sort(const Instruction& made, const Frame& frame, Words& out) {
   const std::size_t start = out.size();
-  evaluate(node.operands[0], frame, out);
-  const std::size_t width = m_net.colours[node.colour].width;
+  append(made.operands[0], frame, out);
+  const std::size_t width = made.width;
   Word* const items = out.data() + start + 1;
   const auto count = static_cast<std::size_t>(out[start]);
-  const NodeId body = m_net.functions[node.index].body;
   Frame pair;
-  for (std::size_t i = 1; i < node.operands.size(); ++i) {
-    pair[i + 1] = locate(node.operands[i], frame);
+  for (std::size_t i = 1; i < made.count; ++i) {
+    pair[i + 1] = find(m_operands[made.first + i], frame);
   }
   for (std::size_t i = 1; i < count; ++i) {
     for (std::size_t k = i; k > 0; --k) {
       Word* const later = items + k * width;
       pair[0] = later;
       pair[1] = later - width;
-      if (scalar(body, pair) == 0) {
+      if (scalarOf(made.index, pair) == 0) {
         break;
       }
       std::swap_ranges(later, later + width, later - width);
@@ -311,6 +478,7 @@ void Binder::all(const Transition& transition, std::vector<Binding>& bindings) {
   m_bound = kNever;
   bindings.clear();
   if (!holds(transition.guards)) {
+    m_evaluator.release();
     return;
   }
   search(transition, 0, 0, [&](const Binding& binding) {

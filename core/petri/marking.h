@@ -34,38 +34,89 @@ struct Binding {
   std::array<std::uint32_t, kVariablesMax> tokens{};
 };
 
-/// Evaluates expressions; keeps its memory from one to the next.
+/// Evaluates expressions; keeps its memory from one to the next. An expression is compiled when it
+/// is met first: functions are put in where they are called if no argument is worked out twice for
+/// it, and what depends on constants alone is worked out.
 class Evaluator {
  public:
   /// Values of the variables; not owned.
   using Frame = std::array<const Word*, kVariablesMax>;
 
+  /// @param net  may get more nodes meanwhile
   /// @param random  for `uniform`; null: it gives its lower bound
   Evaluator(const Net& net, const Marking& marking, base::Random* random)
       : m_net(net), m_marking(marking), m_random(random) {}
 
   void setNow(Word now) { m_now = now; }
   /// A number, truth value or text.
-  [[nodiscard]] Word scalar(NodeId node, const Frame& frame);
+  [[nodiscard]] Word scalar(NodeId node, const Frame& frame) {
+    return scalarOf(codeOf(node), frame);
+  }
   /// Appends the value.
-  void evaluate(NodeId node, const Frame& frame, Words& out);
+  void evaluate(NodeId node, const Frame& frame, Words& out) { append(codeOf(node), frame, out); }
   /// Where the value is, without a copy if it exists already; valid until `release`.
-  [[nodiscard]] const Word* locate(NodeId node, const Frame& frame);
+  [[nodiscard]] const Word* locate(NodeId node, const Frame& frame) {
+    return find(codeOf(node), frame);
+  }
   /// Gives back the memory of earlier values that were not copied.
-  void release() { m_used = 0; }
+  void release() {
+    m_used = 0;
+    m_scalarsUsed = 0;
+  }
 
  private:
+  using Code = std::uint32_t;
+  static constexpr Code kNoCode = std::numeric_limits<Code>::max();
+  static constexpr std::size_t kOperandsNear = 3;
+
+  /// A node as it is executed: in one piece.
+  struct Instruction {
+    Op op = Op::Constant;
+    bool isScalar = false;     ///< neither a record nor a list
+    std::uint32_t index = 0;   ///< as `Node::index`
+    std::uint32_t offset = 0;  ///< Variable and Head: words from there
+    std::uint32_t width = 1;   ///< words, of a list: of one element
+    ColourId colour = kInt;
+    Word value = 0;
+    std::array<Code, kOperandsNear> operands{};  ///< the first ones
+    std::uint32_t first = 0;                     ///< of all of them in `m_operands`
+    std::uint32_t count = 0;
+    std::uint32_t offsets = 0;  ///< Update, Tokens: first one in `m_offsets`
+    std::uint32_t cost = 1;     ///< instructions that it takes
+    bool draws = false;
+  };
+
+  [[nodiscard]] Code codeOf(NodeId node) {
+    return node < m_codes.size() && m_codes[node] != kNoCode ? m_codes[node] : compileRoot(node);
+  }
+  Code compileRoot(NodeId node);
+  /// @param arguments  what stands for the variables; null: themselves
+  Code compile(NodeId node, const std::vector<Code>* arguments);
+  Code compileCall(const Node& node, const std::vector<Code>& arguments);
+  [[nodiscard]] std::optional<Code> simplified(const Instruction& made,
+                                               const std::vector<Code>& operands);
+  Code add(Instruction made, const std::vector<Code>& operands);
+
+  [[nodiscard]] Word scalarOf(Code code, const Frame& frame);
+  void append(Code code, const Frame& frame, Words& out);
+  [[nodiscard]] const Word* find(Code code, const Frame& frame);
   Words& scratch();
-  void fillFrame(const Node& call, const Frame& frame, Frame& inner);
-  void sort(const Node& node, const Frame& frame, Words& out);
-  [[nodiscard]] Word countTokens(const Node& node, const Frame& frame);
+  void fillFrame(const Instruction& call, const Frame& frame, Frame& inner);
+  void sort(const Instruction& made, const Frame& frame, Words& out);
+  [[nodiscard]] Word countTokens(const Instruction& made, const Frame& frame);
 
   const Net& m_net;
   const Marking& m_marking;
   base::Random* m_random;
   Word m_now = 0;
+  std::vector<Code> m_codes;  ///< by node
+  std::vector<Instruction> m_program;
+  std::vector<Code> m_operands;
+  std::vector<std::uint32_t> m_offsets;
   std::deque<Words> m_scratch;
   std::size_t m_used = 0;
+  std::deque<Word> m_scalars;  ///< arguments of functions
+  std::size_t m_scalarsUsed = 0;
 };
 
 /// Finds the bindings of transitions.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "base/contract.h"
 
@@ -27,11 +28,44 @@ Simulator::Simulator(const Net& net, std::uint64_t seed)
     for (const InputArc& arc : net.transitions[i].inputs) {
       m_takers[arc.place].push_back(i);
     }
+    noteTouched(net.transitions[i]);
   }
   std::iota(m_byPriority.begin(), m_byPriority.end(), std::size_t{0});
   std::stable_sort(m_byPriority.begin(), m_byPriority.end(), [&](std::size_t a, std::size_t b) {
     return net.transitions[a].priority < net.transitions[b].priority;
   });
+}
+
+void Simulator::noteTouched(const Transition& transition) {
+  std::vector<Touched> touched;
+  const auto add = [&](std::size_t place) {
+    const bool isKnown = std::any_of(touched.begin(), touched.end(),
+                                     [place](const Touched& one) { return one.place == place; });
+    if (!isKnown && !m_net.places[place].isObserver) {
+      touched.push_back({place, false});
+    }
+  };
+  for (const InputArc& arc : transition.inputs) {
+    add(arc.place);
+  }
+  for (const OutputArc& arc : transition.outputs) {
+    add(arc.place);
+  }
+  for (Touched& one : touched) {
+    const auto isHere = [&one](const auto& arc) { return arc.place == one.place; };
+    const auto taken = std::find_if(transition.inputs.begin(), transition.inputs.end(), isHere);
+    const auto put = std::find_if(transition.outputs.begin(), transition.outputs.end(), isHere);
+    if (taken == transition.inputs.end() || put == transition.outputs.end() || !taken->binds ||
+        taken->isEarly || put->hasDelay) {
+      continue;
+    }
+    const Node& value = m_net.nodes[put->value];
+    one.isPutBack =
+        value.op == Op::Variable && value.index == taken->variable &&
+        std::count_if(transition.inputs.begin(), transition.inputs.end(), isHere) == 1 &&
+        std::count_if(transition.outputs.begin(), transition.outputs.end(), isHere) == 1;
+  }
+  m_touched.push_back(std::move(touched));
 }
 
 std::optional<std::size_t> Simulator::choose() {
@@ -82,16 +116,14 @@ void Simulator::execute(std::size_t transition, const Binding& binding) {
       m_recorder({place, time, &value});
     }
   });
-  const auto touch = [&](std::size_t place) {
-    for (const std::size_t taker : m_takers[place]) {
+  for (const Touched& touched : m_touched[transition]) {
+    // The only token of a place, put back as it was, was available and is: no binding changes.
+    if (touched.isPutBack && m_marking[touched.place].size() == 1) {
+      continue;
+    }
+    for (const std::size_t taker : m_takers[touched.place]) {
       m_isStale[taker] = 1;
     }
-  };
-  for (const InputArc& arc : fired.inputs) {
-    touch(arc.place);
-  }
-  for (const OutputArc& arc : fired.outputs) {
-    touch(arc.place);
   }
   ++m_firings;
   ++m_counts[transition];

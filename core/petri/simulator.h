@@ -69,6 +69,7 @@ class Simulator {
  private:
   void execute(std::size_t transition, const Binding& binding);
   [[nodiscard]] std::optional<std::size_t> choose();
+  void noteTouched(const Transition& transition);
 
   const Net& m_net;
   Marking m_marking;
@@ -84,6 +85,12 @@ class Simulator {
   std::vector<Binding> m_bindings;                 ///< first one of each transition
   std::vector<char> m_isStale;                     ///< the binding has to be searched again
   std::vector<std::vector<std::size_t>> m_takers;  ///< transitions by place they take from
+  /// A place that a transition takes from or puts to.
+  struct Touched {
+    std::size_t place = 0;
+    bool isPutBack = false;  ///< it puts back what it has taken: nothing changes if that is all
+  };
+  std::vector<std::vector<Touched>> m_touched;  ///< by transition
   std::vector<std::size_t> m_byPriority;
   std::vector<std::size_t> m_candidates;
   std::function<void(const Recorded&)> m_recorder;
