@@ -12,6 +12,8 @@ namespace {
 
 /// A trace that is larger is an error of the other side.
 constexpr std::uint64_t kTraceBytesMax = std::uint64_t{1} << 30U;
+/// Parts that are smaller, but the last, are refused: they would keep the client busy for ever.
+constexpr std::size_t kPartBytesMin = std::size_t{1} << 16U;
 
 }  // namespace
 
@@ -27,7 +29,8 @@ base::Result<trace::ControlTrace> joinTrace(
     if (text.size() == part->total) {
       return trace::parseControlTrace(text);
     }
-    if (part->bytes.empty() || text.size() > part->total || part->total > kTraceBytesMax) {
+    if (part->bytes.size() < kPartBytesMin || text.size() > part->total ||
+        part->total > kTraceBytesMax) {
       return base::fail(LinkError::Rejected,
                         "The trace of the control changed while it was fetched. Fetch it again.",
                         std::string(kFetchTrace));

@@ -235,6 +235,10 @@ struct MethodCall {
   }
   piece.records = std::move(*records);
   piece.isLast = *isLast;
+  if (!piece.isLast && piece.records.samples.empty() && piece.records.blocks.empty() &&
+      piece.records.events.empty()) {
+    return unknown();  // asked for ever, it would never end
+  }
   return piece;
 }
 
@@ -2315,7 +2319,7 @@ base::Result<void> UaLink::cycleStart() {
   }
   const auto message = output<UA_String>(*answer, 1, UA_TYPES_STRING, kCycleStart);
   return commandResult(*status, m_impl->endpoint(),
-                  message ? std::string(view(*message)) : std::string());
+                       message ? std::string(view(*message)) : std::string());
 }
 
 base::Result<void> UaLink::reset() {
