@@ -177,6 +177,14 @@ std::optional<std::string> axisLetterOf(const ControlMap& map, const Variable& v
              : std::nullopt;
 }
 
+std::optional<float> asFloat(double value, double resolution) {
+  const auto carried = static_cast<float>(value);
+  const double offBy = std::abs(static_cast<double>(carried) - value);
+  const bool isWhole = std::trunc(value) == value;
+  const bool isSame = offBy == 0.0 || (!isWhole && offBy <= resolution / 2.0);
+  return std::isfinite(carried) && isSame ? std::optional(carried) : std::nullopt;
+}
+
 std::vector<MapGap> gapsOf(const ControlMap& map) {
   std::vector<MapGap> gaps;
   if (map.cells.last < map.cells.first) {

@@ -38,7 +38,7 @@ struct StateMeaning {
   friend bool operator==(const StateMeaning&, const StateMeaning&) = default;
 };
 
-/// The R-parameters, each a `Double`.
+/// The R-parameters, each a `Double`, or each a `Float` if there is a `resolution`.
 struct CellNodes {
   int first = 0;  ///< R number
   int last = -1;  ///< R number; below `first`: there are no cells
@@ -46,6 +46,8 @@ struct CellNodes {
   std::string node;
   bool isArray = false;  ///< `node` has all cells; the element is R number + `offset`
   int offset = 0;
+  /// Smallest increment of the axes, mm and degrees; 0: not known. See `asFloat`.
+  double resolution = 0.0;
   /// Addresses of several consecutive cells in one node, which need not exist: {first} and
   /// {count}, or {first} and {last}, are R numbers without offset. Empty: there are none.
   std::string byCount;
@@ -95,6 +97,12 @@ struct ControlMap {
 [[nodiscard]] std::string mapKeyOf(const Variable& variable);
 /// All variables that a file can name, in its order; not the cells.
 [[nodiscard]] std::vector<Variable> mappableVariables();
+
+/// A value as a cell of type `Float` carries it.
+/// @param resolution  positive @return nothing: it would become another one. A whole number must be
+/// exact, because numbers of windows and the like are compared; anything else may be off by half
+/// the resolution.
+[[nodiscard]] std::optional<float> asFloat(double value, double resolution);
 
 /// Address of one cell that the map has; of an array its own.
 [[nodiscard]] std::string cellAddress(const CellNodes& cells, int number);

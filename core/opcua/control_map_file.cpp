@@ -21,6 +21,8 @@ namespace {
 
 /// A control has fewer; the addresses of all cells are resolved when a connection is opened.
 constexpr int kCellsMax = 10'000;
+/// No axis of a machine moves in larger steps, mm or degrees.
+constexpr double kResolutionMax = 1.0;
 constexpr int kNumberMax = 1'000'000;
 
 constexpr std::string_view kCellsSection = "cells";
@@ -139,6 +141,8 @@ class MapFileReader {
         takeInteger(key.str(), value, 0, cells.last);
       } else if (key == "offset") {
         takeInteger(key.str(), value, -kNumberMax, cells.offset);
+      } else if (key == "resolution") {
+        takeResolution(value, cells.resolution);
       } else if (key == "block_by_count") {
         takeAddress(key.str(), value, cells.byCount);
         requirePlaces(value, key.str(), cells.byCount, {"{first}", "{count}"});
@@ -166,6 +170,17 @@ class MapFileReader {
                        "block_by_count and block_by_last of [cells] must be node ids, not "
                        "paths");
     }
+  }
+
+  void takeResolution(const toml::node& node, double& resolution) {
+    const auto number = node.value<double>();
+    if (!number || *number <= 0.0 || *number > kResolutionMax) {
+      m_reader.problem(node, fmt::format("resolution of [cells] must be the smallest increment of "
+                                         "the axes, above 0 and at most {}",
+                                         kResolutionMax));
+      return;
+    }
+    resolution = *number;
   }
 
   void takeMethods(const toml::node& node) {
@@ -320,6 +335,9 @@ std::string cellsText(const CellNodes& cells) {
   writeLine(text, "last", std::to_string(cells.last));
   if (cells.offset != 0) {
     writeLine(text, "offset", std::to_string(cells.offset));
+  }
+  if (cells.resolution > 0.0) {
+    writeLine(text, "resolution", base::formatNumber(cells.resolution));
   }
   writeText(text, "block_by_count", cells.byCount);
   writeText(text, "block_by_last", cells.byLast);

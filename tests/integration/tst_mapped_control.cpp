@@ -157,6 +157,68 @@ name = "/Program"
     QVERIFY(!writeNow(**link, assignment, kDeadline));
   }
 
+  void cellsMayBeFloats_data() {
+    QTest::addColumn<QByteArray>("cells");
+    QTest::newRow("nodes") << QByteArray("node = \"ns=1;s=F{}\"\n");
+    QTest::newRow("an array") << QByteArray("array = \"ns=1;s=Floats\"\n");
+  }
+  void cellsMayBeFloats() {
+    QFETCH(QByteArray, cells);
+    const tests::PlainServer server({}, {}, {}, {},
+                                    {{"F0", {0.0F}},
+                                     {"F1", {0.0F}},
+                                     {"F2", {7.5F}},
+                                     {"Floats", {0.0F, 0.0F, 7.5F}}});
+    const std::string map = "[cells]\n" + cells.toStdString() + "first = 0\nlast = 2\n";
+    const auto refused = connectTo(server, map);
+    QVERIFY(!refused);
+    QVERIFY2(refused.error().text().find("resolution = 0.001") != std::string::npos,
+             refused.error().text().c_str());
+
+    auto link = connectTo(server, map + "resolution = 0.001\n");
+    QVERIFY2(link.has_value(), link ? "" : link.error().text().c_str());
+    const std::array<Variable, 3> all{{rParameter(0), rParameter(1), rParameter(2)}};
+    const auto write = [&](double first, double second, Grouping form) {
+      const std::array<Assignment, 2> values{{{rParameter(0), first}, {rParameter(1), second}}};
+      return awaitAnswer(**link, (*link)->write(values, kDeadline, form), kDeadline);
+    };
+    double meant = 122.4567;
+    for (const Grouping form : {Grouping::List, Grouping::Single, Grouping::ArrayCount}) {
+      if (opcua::isArray(form) && !cells.startsWith("array")) {
+        continue;  // the map names no blocks of nodes
+      }
+      // None of these fractions is a Float: what is read back is what was meant.
+      meant += 1.0;
+      const auto written = write(meant, 16'777'216.0, form);
+      QVERIFY2(written && written->kind == EventKind::WriteDone, "");
+      QVERIFY(!written->statuses[0] && !written->statuses[1]);
+      const auto read = awaitAnswer(**link, (*link)->read(all, kDeadline, form), kDeadline);
+      QVERIFY(read.has_value());
+      QCOMPARE(read->readings[0].number, meant);
+      QCOMPARE(read->readings[1].number, 16'777'216.0);
+      QCOMPARE(read->readings[2].number, 7.5);
+    }
+    // Another client does not know what was meant: it sees the Float, which is near enough.
+    auto other = connectTo(server, map + "resolution = 0.001\n");
+    QVERIFY(other.has_value());
+    const auto seen = readNow(**other, all, kDeadline);
+    QVERIFY(seen.has_value());
+    QVERIFY(seen->front().number != meant);
+    QVERIFY(std::abs(seen->front().number - meant) <= 0.0005);
+
+    // Off by 0.01, and off by 1.
+    for (const auto& [first, second] : {std::pair(123'456.77, 1.0), {1.0, 16'777'217.0}}) {
+      const auto answer = write(first, second, Grouping::List);
+      QVERIFY(!answer);
+      QCOMPARE(answer.error().code, make_error_code(LinkError::BadValue));
+      QVERIFY2(answer.error().text().find("of type Float") != std::string::npos,
+               answer.error().text().c_str());
+    }
+    const auto kept = readNow(**other, all, kDeadline);
+    QVERIFY(kept.has_value());
+    QCOMPARE(kept->front().number, seen->front().number);  // nothing of them was sent
+  }
+
   void wrongAddressesAreSaidWhenConnecting_data() {
     QTest::addColumn<QByteArray>("map");
     QTest::addColumn<QByteArray>("says");

@@ -32,7 +32,8 @@ class PlainServer {
   /// @param turn  called every millisecond or so; may be empty
   explicit PlainServer(const std::map<std::string, double>& numbers = {},
                        const std::map<std::string, std::string>& texts = {}, Turn turn = {},
-                       const std::map<std::string, std::vector<double>>& arrays = {})
+                       const std::map<std::string, std::vector<double>>& arrays = {},
+                       const std::map<std::string, std::vector<float>>& floats = {})
       : m_turn(std::move(turn)) {
     m_logger.log = [](void*, UA_LogLevel, UA_LogCategory, const char*, va_list) {};
     UA_ServerConfig config{};
@@ -54,6 +55,16 @@ class PlainServer {
       UA_Variant_init(&array);
       UA_Variant_setArray(&array, values.data(), values.size(), &UA_TYPES[UA_TYPES_DOUBLE]);
       add(name, array);
+    }
+    for (auto [name, values] : floats) {  // one: a scalar
+      UA_Variant value;
+      UA_Variant_init(&value);
+      if (values.size() == 1) {
+        UA_Variant_setScalar(&value, values.data(), &UA_TYPES[UA_TYPES_FLOAT]);
+      } else {
+        UA_Variant_setArray(&value, values.data(), values.size(), &UA_TYPES[UA_TYPES_FLOAT]);
+      }
+      add(name, value);
     }
     RIVULET_ASSERT(UA_Server_run_startup(m_server) == UA_STATUSCODE_GOOD);
     m_endpoint =

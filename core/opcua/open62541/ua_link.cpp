@@ -264,20 +264,27 @@ struct NodeHash {
   }
 };
 
-/// The numbers of an array of doubles; empty for anything else, or another length.
-[[nodiscard]] std::span<const double> numbersOf(const UA_DataValue& value, std::size_t length) {
-  if (!value.hasValue || !UA_Variant_hasArrayType(&value.value, &UA_TYPES[UA_TYPES_DOUBLE]) ||
-      value.value.arrayLength != length) {
+/// The numbers of an array of doubles or floats; empty for anything else, or another length.
+[[nodiscard]] std::vector<double> numbersOf(const UA_DataValue& value, std::size_t length) {
+  const UA_Variant& array = value.value;
+  if (!value.hasValue || array.arrayLength != length) {
     return {};
   }
-  return {static_cast<const double*>(value.value.data), length};
+  if (UA_Variant_hasArrayType(&array, &UA_TYPES[UA_TYPES_DOUBLE])) {
+    const auto* const numbers = static_cast<const double*>(array.data);
+    return {numbers, numbers + length};
+  }
+  if (UA_Variant_hasArrayType(&array, &UA_TYPES[UA_TYPES_FLOAT])) {
+    const auto* const numbers = static_cast<const float*>(array.data);
+    return {numbers, numbers + length};
+  }
+  return {};
 }
 
 /// One reading per element of an array.
 void appendReadings(const UA_DataValue& value, std::size_t length, std::vector<Reading>& readings) {
   const bool bad = value.hasStatus && isBad(value.status);
-  const std::span<const double> numbers =
-      bad ? std::span<const double>{} : numbersOf(value, length);
+  const std::vector<double> numbers = bad ? std::vector<double>() : numbersOf(value, length);
   for (std::size_t i = 0; i < length; ++i) {
     Reading reading;
     if (bad) {
@@ -629,6 +636,12 @@ class UaLink::Impl {
   [[nodiscard]] UA_NodeId nodeId(const Node& node, UA_String& range);
   [[nodiscard]] const Address& addressOf(const Node& node);
   [[nodiscard]] Reading nowhere(const Variable& variable) const;
+  /// Why the values cannot be written into cells of type Float; nothing: they can.
+  [[nodiscard]] std::optional<base::Error> lostByFloat(const Pending& pending) const;
+  void restoreMeant(const Variable& variable, Reading& reading) const;
+  void noteFloats(const Pending& pending);
+  /// In the type of the cells; valid until the next request.
+  [[nodiscard]] void* numberToSend(Pending& pending, std::size_t item);
   [[nodiscard]] base::Result<void> resolveMap();
   [[nodiscard]] base::Result<void> resolveVariables();
   [[nodiscard]] base::Result<void> resolveMethods();
@@ -683,6 +696,9 @@ class UaLink::Impl {
   std::shared_ptr<const ControlMap> m_map;  ///< null: names of a SINUMERIK
   std::map<Variable, Address> m_addressed;
   std::unordered_map<Node, Address, NodeHash> m_blocks;       ///< of several cells
+  bool m_hasFloatCells = false;
+  std::map<int, double> m_meant;  ///< last value sent, by R number; with cells of type Float
+  std::vector<float> m_floats;    ///< scratch of `send`
   std::map<std::string_view, MethodAddress> m_methods;        ///< by the SINUMERIK's names
   std::map<std::string, std::vector<BrowsedNode>> m_browsed;  ///< while paths are resolved
   std::vector<std::string> m_namespaces;
@@ -1201,12 +1217,22 @@ base::Result<void> UaLink::Impl::checkAddresses() {
     if (!isCell || status != LinkError{}) {
       continue;  // a value may be missing for a while
     }
-    const bool isRight =
-        cells.isArray
-            ? value.hasValue && UA_Variant_hasArrayType(&value.value, &UA_TYPES[UA_TYPES_DOUBLE]) &&
-                  value.value.arrayLength > static_cast<std::size_t>(variable.index + cells.offset)
-            : value.hasValue && scalarOf<UA_Double>(value.value, UA_TYPES_DOUBLE) != nullptr;
-    if (!isRight) {
+    const auto element = static_cast<std::size_t>(variable.index + cells.offset);
+    const auto isOf = [&value, &cells, element](std::size_t type) {
+      return cells.isArray
+                 ? value.hasValue && UA_Variant_hasArrayType(&value.value, &UA_TYPES[type]) &&
+                       value.value.arrayLength > element
+                 : value.hasValue && UA_Variant_hasScalarType(&value.value, &UA_TYPES[type]);
+    };
+    m_hasFloatCells = isOf(UA_TYPES_FLOAT);
+    if (m_hasFloatCells && cells.resolution <= 0.0) {
+      return base::fail(wrongAddress(
+          mapKeyOf(variable),
+          fmt::format("R{} is {}, a Float, which does not carry every number. Write the smallest "
+                      "increment of the axes into [cells], like resolution = 0.001.",
+                      variable.index, node)));
+    }
+    if (!m_hasFloatCells && !isOf(UA_TYPES_DOUBLE)) {
       return base::fail(wrongAddress(
           mapKeyOf(variable),
           fmt::format("R{} is {}, which is no {}. Cells carry numbers of type Double only.",
@@ -1597,6 +1623,7 @@ void UaLink::Impl::answered(std::uint64_t serial, void* response) {
 
 void UaLink::Impl::takeRead(Pending& pending, const UA_ReadResponse& response) {
   std::vector<Reading>& readings = pending.event.readings;
+  const std::size_t readingsBefore = readings.size();
   if (response.resultsSize != pending.nodesSent) {
     pending.failure = UA_STATUSCODE_BADUNKNOWNRESPONSE;
     pending.done = true;
@@ -1618,6 +1645,9 @@ void UaLink::Impl::takeRead(Pending& pending, const UA_ReadResponse& response) {
     } else {
       readings.push_back(readingOf(response.results[i], variable.kind));
     }
+  }
+  for (std::size_t i = readingsBefore; i < readings.size(); ++i) {
+    restoreMeant(pending.variables[i], readings[i]);
   }
   pending.done = readings.size() == pending.variables.size();
 }
@@ -1689,6 +1719,8 @@ base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable>
   } else if (!std::all_of(pending.values.begin(), pending.values.end(),
                           [](double value) { return std::isfinite(value); })) {
     fail(pending, error(LinkError::BadValue));
+  } else if (const auto lost = lostByFloat(pending)) {
+    fail(pending, *lost);
   } else if (pending.variables.empty()) {
     m_events.push_back(std::move(pending.event));  // nothing to request from the server
   } else {
@@ -1696,6 +1728,37 @@ base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable>
     sendDue();
   }
   return m_lastId;
+}
+
+std::optional<base::Error> UaLink::Impl::lostByFloat(const Pending& pending) const {
+  if (!m_hasFloatCells) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < pending.values.size(); ++i) {
+    const double value = pending.values[i];
+    if (!asFloat(value, m_map->cells.resolution)) {
+      return base::makeError(
+          LinkError::BadValue,
+          fmt::format("R{} cannot be {}: the cells of this server are of type Float, which is off "
+                      "by more than half the resolution of {}. Stay nearer to the origin, or give "
+                      "the control cells of type Double.",
+                      pending.variables[i].index, value, m_map->cells.resolution),
+          endpoint());
+    }
+  }
+  return std::nullopt;
+}
+
+/// A cell of type Float that carries what was sent shows what was meant.
+void UaLink::Impl::restoreMeant(const Variable& variable, Reading& reading) const {
+  if (!m_hasFloatCells || variable.kind != VariableKind::RParameter) {
+    return;
+  }
+  const auto meant = m_meant.find(variable.index);
+  if (meant != m_meant.end() &&
+      static_cast<double>(static_cast<float>(meant->second)) == reading.number) {
+    reading.number = meant->second;
+  }
 }
 
 base::RequestId UaLink::Impl::store(const std::string& name, const std::string& text,
@@ -1888,6 +1951,8 @@ void UaLink::Impl::send(Pending& pending) {
                                       nullptr);
   } else {
     m_writeItems.resize(m_nodes.size());
+    const std::size_t type = m_hasFloatCells ? UA_TYPES_FLOAT : UA_TYPES_DOUBLE;
+    noteFloats(pending);
     std::size_t value = first;
     for (std::size_t i = 0; i < m_nodes.size(); ++i) {
       // The value only: some servers refuse a write that carries a status or timestamps.
@@ -1897,10 +1962,10 @@ void UaLink::Impl::send(Pending& pending) {
       item.attributeId = UA_ATTRIBUTEID_VALUE;
       item.value.hasValue = true;
       if (m_nodes[i].length > 1 || item.indexRange.length > 0) {
-        UA_Variant_setArray(&item.value.value, &pending.values[value], m_nodes[i].length,
-                            &UA_TYPES[UA_TYPES_DOUBLE]);
+        UA_Variant_setArray(&item.value.value, numberToSend(pending, value), m_nodes[i].length,
+                            &UA_TYPES[type]);
       } else {
-        item.value.value = borrowScalar(pending.values[value], UA_TYPES_DOUBLE);
+        UA_Variant_setScalar(&item.value.value, numberToSend(pending, value), &UA_TYPES[type]);
       }
       value += m_nodes[i].length;
     }
@@ -1915,6 +1980,20 @@ void UaLink::Impl::send(Pending& pending) {
   }
   // The library closes the channel when sending fails: nothing can be sent afterwards.
   m_lost = m_lost || isBad(status);
+}
+
+void UaLink::Impl::noteFloats(const Pending& pending) {
+  m_floats.clear();
+  if (m_hasFloatCells) {
+    for (std::size_t i = 0; i < pending.values.size(); ++i) {
+      m_meant[pending.variables[i].index] = pending.values[i];
+      m_floats.push_back(static_cast<float>(pending.values[i]));
+    }
+  }
+}
+
+void* UaLink::Impl::numberToSend(Pending& pending, std::size_t item) {
+  return m_hasFloatCells ? static_cast<void*>(&m_floats[item]) : &pending.values[item];
 }
 
 void UaLink::Impl::fail(Pending& pending, base::Error error) {
