@@ -40,6 +40,12 @@ constexpr std::array<AxisParameterFacts, kAxisParameterCount> kFacts{{
 /// tanh differs from 1 by less than 1e-8 beyond this.
 constexpr double kTanhIsOne = 9.5;
 
+/// Several times faster than std::tanh, and off by the last digit of 1 at most.
+/// @param x  >= 0
+double quickTanh(double x) {
+  return x < kTanhIsOne ? 1.0 - 2.0 / (std::exp(2.0 * x) + 1.0) : 1.0;
+}
+
 }  // namespace
 
 std::span<const AxisParameterFacts, kAxisParameterCount> axisParameterFacts() {
@@ -91,6 +97,9 @@ struct AxisSimulator::Matrices {
 AxisSimulator::AxisSimulator(const AxisParameters& parameters, double stepS, AxisState setPoint)
     : m_parameters(parameters), m_stepS(stepS) {
   m_parameters[P::Delay] = std::clamp(m_parameters[P::Delay], 0.0, delayMax(stepS));
+  const double delay = m_parameters[P::Delay] / stepS;
+  m_delaySteps = static_cast<std::size_t>(delay);
+  m_delayShare = delay - static_cast<double>(m_delaySteps);
   // Held over a step, a steeper friction would reverse an axis that it can only stop.
   m_parameters[P::CoulombSpeed] =
       std::max({m_parameters[P::CoulombSpeed], 0.3 * m_parameters[P::Coulomb] * stepS, 1e-9});
@@ -182,8 +191,7 @@ void AxisSimulator::discretise() {
 
 double AxisSimulator::friction(double mmPerS) const {
   const double share = mmPerS / m_parameters[P::CoulombSpeed];
-  const double built = std::abs(share) < kTanhIsOne ? std::tanh(share) : std::copysign(1.0, share);
-  return m_parameters[P::Coulomb] * built;
+  return m_parameters[P::Coulomb] * std::copysign(quickTanh(std::abs(share)), share);
 }
 
 void AxisSimulator::rest(AxisState setPoint) {
@@ -206,19 +214,22 @@ void AxisSimulator::rest(AxisState setPoint) {
 double AxisSimulator::delayed(double setPointMm) {
   m_pastIndex = (m_pastIndex + 1) % kDelaySteps;
   m_past[m_pastIndex] = setPointMm;
-  const double back = m_parameters[P::Delay] / m_stepS;
-  const auto steps = static_cast<std::size_t>(back);
-  const double share = back - static_cast<double>(steps);
   const auto at = [&](std::size_t stepsBack) {
     return m_past[(m_pastIndex + kDelaySteps - stepsBack) % kDelaySteps];
   };
-  return at(steps) + share * (at(steps + 1) - at(steps));
+  return at(m_delaySteps) + m_delayShare * (at(m_delaySteps + 1) - at(m_delaySteps));
 }
 
 void AxisSimulator::advance(const Next& next, double setPointMm, double slope,
                             double frictionHeld) {
   const std::array<double, kStates> from = m_state;
+  // What an axis without this lag or filter has no use for stays 0.
+  const std::array<bool, kStates> isUsed{true, true, true, m_parameters[P::EffortLag] > 0.0,
+                                         m_parameters[P::FeedForwardLag] > 0.0};
   for (std::size_t row = 0; row < kStates; ++row) {
+    if (!isUsed[row]) {
+      continue;
+    }
     const auto& by = next[row];
     m_state[row] = (by[0] * from[0] + by[1] * from[1]) + (by[2] * from[2] + by[3] * from[3]) +
                    (by[4] * from[4] + by[5] * setPointMm) + (by[6] * slope + by[7] * frictionHeld);

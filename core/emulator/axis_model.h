@@ -124,6 +124,8 @@ class AxisSimulator {
   std::array<double, 2> m_load{};
   double m_setPointMm = 0.0;
   double m_mmPerSChange = 0.0;               ///< of the speed in the last step
+  std::size_t m_delaySteps = 0;              ///< the whole steps of the delay
+  double m_delayShare = 0.0;                 ///< what is left of it, in steps
   std::array<double, kDelaySteps> m_past{};  ///< set points, a ring
   std::size_t m_pastIndex = 0;
 };

@@ -38,6 +38,7 @@ constexpr int kStartsTried = 24;
 constexpr int kStartsFollowed = 2;
 constexpr int kStartsFollowedAlone = 4;  ///< for a structure that is given
 constexpr double kWorthAPart = 1.1;      ///< each further parameter must lower the error by as much
+constexpr double kHopeless = 4.0;        ///< a fit so much worse than the best one is not finished
 constexpr double kStraightWorth = 0.9;   ///< of the error, for a machine that goes straight
 constexpr double kNoMatterMm = 1e-5;     ///< differences of errors below are not looked at
 constexpr double kLostMm = 1e3;          ///< error of a model that diverges
@@ -454,28 +455,31 @@ std::vector<Eigen::VectorXd> startsOf(const Fit& fit, const AxisParameters& know
 struct Candidate {
   Parts parts;
   AxisParameters parameters;
+  double fitRmsMm = std::numeric_limits<double>::infinity();
   double heldOutRmsMm = std::numeric_limits<double>::infinity();
 };
 
-/// @param known  where to begin besides the seeded starts
-Candidate tryStructure(const Parts& parts, const Split& data, const AxisParameters& known,
-                       int followed, const LearnOptions& options) {
+/// @param than  the best structure so far: its parameters are where the search begins besides the
+///              seeded starts
+Candidate tryStructure(const Parts& parts, const Split& data, const Candidate& than, int followed,
+                       const LearnOptions& options) {
   Fit fit(parts, data.fitted, options.isCancelled);
   double best = std::numeric_limits<double>::infinity();
   Eigen::VectorXd bestX;
-  for (Eigen::VectorXd& x : startsOf(fit, known, followed)) {
+  for (Eigen::VectorXd& x : startsOf(fit, than.parameters, followed)) {
     fit.improve(x, 12);
     if (const double rms = fit.rmsMm(x); rms < best) {
       best = rms;
       bestX = x;
     }
   }
-  if (bestX.size() > 0) {
+  if (bestX.size() > 0 && best < kHopeless * than.fitRmsMm) {
     fit.improve(bestX, 30);
   }
-  Candidate candidate{parts, {}, std::numeric_limits<double>::infinity()};
+  Candidate candidate{parts, {}};
   if (bestX.size() > 0) {
     candidate.parameters = fit.parametersAt(bestX);
+    candidate.fitRmsMm = fit.rmsMm(bestX);
     const Fit check(parts, data.heldOut, options.isCancelled);
     candidate.heldOutRmsMm = check.rmsMm(bestX);
   }
@@ -546,8 +550,8 @@ base::Result<Candidate> chooseStructure(const Split& data, char axis, const Lear
   }
   Candidate best;
   LearnProgress progress{axis, 0, static_cast<int>(first.size() + changes.size()), {}};
-  const auto consider = [&](const Parts& parts, const AxisParameters& known) {
-    const Candidate candidate = tryStructure(parts, data, known, kStartsFollowed, options);
+  const auto consider = [&](const Parts& parts) {
+    const Candidate candidate = tryStructure(parts, data, best, kStartsFollowed, options);
     if (best.parts.empty() || isBetter(candidate, best)) {
       best = candidate;
     }
@@ -558,12 +562,12 @@ base::Result<Candidate> chooseStructure(const Split& data, char axis, const Lear
     return !isCancelled(options) && (!options.progress || options.progress(progress));
   };
   for (const Parts& parts : first) {
-    if (!consider(parts, AxisParameters(best.parameters))) {
+    if (!consider(parts)) {
       return cancelled();
     }
   }
   for (const Parts& change : changes) {
-    if (!consider(toggled(best.parts, change), AxisParameters(best.parameters))) {
+    if (!consider(toggled(best.parts, change))) {
       return cancelled();
     }
   }
@@ -713,7 +717,7 @@ base::Result<LearnedAxis> learnFrom(const std::vector<Source>& sources, char axi
   }
   Candidate chosen;
   if (options.structure != nullptr) {
-    chosen = tryStructure(partsOf(*options.structure), data, *options.structure,
+    chosen = tryStructure(partsOf(*options.structure), data, {{}, *options.structure},
                           kStartsFollowedAlone, options);
   } else {
     auto found = chooseStructure(data, axis, options);
