@@ -11,6 +11,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/median.h"
 #include "emulator/emulator_error.h"
 #include "emulator/identification.h"
 #include "emulator/monitor.h"
@@ -31,6 +32,10 @@ constexpr double kAddedDelayS = 0.01;
 constexpr double kSteadyS = 0.03;
 constexpr double kSteadyStretchS = 2.0;
 constexpr double kSteadyMotionMm = 1.0;
+/// Of the largest speed of a run: where the axes are slower, a position says little of its time.
+constexpr double kFastShare = 0.5;
+/// Standard deviation of a normal distribution by its median deviation.
+constexpr double kSigmaPerDeviation = 1.4826;
 
 /// Puts the times of a run on the time of its set points.
 void align(TrainingRun& run, const Emulator& emulator, double reachS) {
@@ -62,21 +67,20 @@ void takeCommonDelay(Emulator& emulator) {
   }
 }
 
-}  // namespace
+/// To first order, a position that is seen s too early differs by -s times the speed: the error of
+/// a time is that of least squares over all axes. A value for each observation.
+struct TimeErrors {
+  std::vector<double> products;  ///< of residual and speed, mm²/s
+  std::vector<double> squares;   ///< of the speed, mm²/s²
+};
 
-void alignClock(TrainingRun& run, const Emulator& emulator) {
-  align(run, emulator, kClockReachS);
-}
-
-base::Result<void> requireSteadyClock(const TrainingRun& run, const Emulator& emulator) {
+base::Result<TimeErrors> timeErrors(const TrainingRun& run, const Emulator& emulator) {
   const auto residuals = emulator::residualsOf(emulator, run);
   if (!residuals) {
     return base::fail(residuals.error());
   }
-  // To first order, a position that is seen s too early differs by -s times the speed: the shift of
-  // a stretch is that of least squares over all axes.
-  std::vector<double> products(run.observedAt.size(), 0.0);
-  std::vector<double> squares(run.observedAt.size(), 0.0);
+  TimeErrors errors{std::vector<double>(run.observedAt.size(), 0.0),
+                    std::vector<double>(run.observedAt.size(), 0.0)};
   for (const emulator::AxisResiduals& one : *residuals) {
     const emulator::LearnedAxis& axis = *emulator.find(one.axis);
     const auto track = std::ranges::find(run.axes, one.axis, &emulator::AxisTrack::axis);
@@ -84,10 +88,47 @@ base::Result<void> requireSteadyClock(const TrainingRun& run, const Emulator& em
         axis.parameters, emulator::setPointGrid(*track, run.period, axis.goesStraight),
         run.observedAt);
     for (std::size_t i = 0; i < states.size(); ++i) {
-      products[i] += one.mm[i] * states[i].mmPerS;
-      squares[i] += states[i].mmPerS * states[i].mmPerS;
+      errors.products[i] += one.mm[i] * states[i].mmPerS;
+      errors.squares[i] += states[i].mmPerS * states[i].mmPerS;
     }
   }
+  return errors;
+}
+
+}  // namespace
+
+base::Result<double> sampleJitterS(const TrainingRun& run, const Emulator& emulator) {
+  const auto known = timeErrors(run, emulator);
+  if (!known) {
+    return base::fail(known.error());
+  }
+  const double fastest = *std::ranges::max_element(known->squares);
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < known->squares.size(); ++i) {
+    if (known->squares[i] > kFastShare * kFastShare * fastest) {
+      errors.push_back(known->products[i] / known->squares[i]);
+    }
+  }
+  if (errors.empty()) {
+    return 0.0;  // nothing moves
+  }
+  const double middle = base::median(errors);
+  for (double& error : errors) {
+    error = std::abs(error - middle);
+  }
+  return kSigmaPerDeviation * base::median(std::move(errors));
+}
+
+void alignClock(TrainingRun& run, const Emulator& emulator) {
+  align(run, emulator, kClockReachS);
+}
+
+base::Result<void> requireSteadyClock(const TrainingRun& run, const Emulator& emulator) {
+  const auto known = timeErrors(run, emulator);
+  if (!known) {
+    return base::fail(known.error());
+  }
+  const auto& [products, squares] = *known;
   struct Stretch {
     double atS = 0.0;
     double aheadS = 0.0;  ///< the machine is ahead of its program

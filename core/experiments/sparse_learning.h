@@ -38,6 +38,13 @@ namespace rivulet::experiments {
 /// Puts the times of a run on the time of its set points.
 void alignClock(emulator::TrainingRun& run, const emulator::Emulator& emulator);
 
+/// How far the times of single samples are off, as a standard deviation (by the median deviation,
+/// so that corners do not count), s: what is left between trace and emulator, by the speed.
+/// Errors of the emulator are in it: the jitter is not larger.
+/// @param run  aligned
+[[nodiscard]] base::Result<double> sampleJitterS(const emulator::TrainingRun& run,
+                                                 const emulator::Emulator& emulator);
+
 /// Set points that were planned with the limits of another machine are early in some places and
 /// late in others: their clock cannot be put right.
 /// @param run  aligned  @return EmulatorError::WrongProgram, with the place

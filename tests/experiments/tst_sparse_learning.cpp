@@ -109,6 +109,25 @@ class TestSparseLearning : public QObject {
     QVERIFY2(steady, steady ? "" : steady.error().text().c_str());
   }
 
+  /// Times that a client notes are not those at which the control has read the positions.
+  void theJitterOfSamplesIsEstimated() {
+    trace::Motion motion = seen({}, 0.17);
+    emulator::TrainingRun exact = runOf(motion, {});
+    alignClock(exact, knownMachine());
+    const auto none = sampleJitterS(exact, knownMachine());
+    QVERIFY(none && *none < 2e-4);
+    constexpr double kJitterS = 0.004;
+    base::Random random(7);
+    for (trace::MotionSample& sample : motion.samples) {
+      sample.at += base::fromSeconds(kJitterS * random.normal());
+    }
+    emulator::TrainingRun run = runOf(motion, {});
+    alignClock(run, knownMachine());
+    const auto found = sampleJitterS(run, knownMachine());
+    QVERIFY(found);
+    QVERIFY2(std::abs(*found / kJitterS - 1.0) < 0.2, qPrintable(QString::number(*found)));
+  }
+
   void limitsOfAnotherMachineAreRefused_data() {
     QTest::addColumn<double>("factor");
     QTest::addColumn<QString>("named");
