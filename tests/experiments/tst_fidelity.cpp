@@ -31,12 +31,15 @@ class TestFidelity : public QObject {
   void everyFigureIsWithinItsTolerance_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<int>("seeds");
-    // Two minutes with all of its contours: scripts/fidelity has them.
+    // Minutes with all of their runs: scripts/fidelity has them.
     constexpr int kFigure4Seeds = 5;
+    constexpr int kEquationSeeds = 1;
     for (const std::string& name : experiments::experimentNames()) {
       if (name != "methods") {  // no figure of the paper; tst_method_comparison has it
-        QTest::newRow(name.c_str())
-            << QString::fromStdString(name) << (name == "figure4" ? kFigure4Seeds : 0);
+        QTest::newRow(name.c_str()) << QString::fromStdString(name)
+                                    << (name == "figure4"     ? kFigure4Seeds
+                                        : name == "equations" ? kEquationSeeds
+                                                              : 0);
       }
     }
   }
