@@ -877,6 +877,10 @@
         <source>Limits of speed, acceleration and jerk are those of preset %1: correct them in the file if the machine has others.</source>
         <translation>Die Grenzen für Geschwindigkeit, Beschleunigung und Ruck sind die der Vorgabe %1: in der Datei berichtigen, wenn die Maschine andere hat.</translation>
     </message>
+    <message>
+        <source>Acceleration and jerk are limited as the set points show (%1), all else as in preset %2.</source>
+        <translation>Beschleunigung und Ruck sind begrenzt, wie es die Sollwerte zeigen (%1), alles andere wie in der Vorgabe %2.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorTexts</name>

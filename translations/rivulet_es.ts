@@ -877,6 +877,10 @@
         <source>Limits of speed, acceleration and jerk are those of preset %1: correct them in the file if the machine has others.</source>
         <translation>Los límites de velocidad, aceleración y sobreaceleración son los del preajuste %1: corregirlos en el archivo si la máquina tiene otros.</translation>
     </message>
+    <message>
+        <source>Acceleration and jerk are limited as the set points show (%1), all else as in preset %2.</source>
+        <translation>La aceleración y la sobreaceleración se limitan como muestran las consignas (%1); todo lo demás, como en el preajuste %2.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorTexts</name>

@@ -877,6 +877,10 @@
         <source>Limits of speed, acceleration and jerk are those of preset %1: correct them in the file if the machine has others.</source>
         <translation>Les limites de vitesse, d’accélération et de jerk sont celles du préréglage %1&#xa0;: les corriger dans le fichier si la machine en a d’autres.</translation>
     </message>
+    <message>
+        <source>Acceleration and jerk are limited as the set points show (%1), all else as in preset %2.</source>
+        <translation>L’accélération et le jerk sont limités comme le montrent les consignes (%1), tout le reste comme dans le préréglage %2.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorTexts</name>

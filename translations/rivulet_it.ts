@@ -877,6 +877,10 @@
         <source>Limits of speed, acceleration and jerk are those of preset %1: correct them in the file if the machine has others.</source>
         <translation>I limiti di velocità, accelerazione e jerk sono quelli del preset %1: correggerli nel file se la macchina ne ha altri.</translation>
     </message>
+    <message>
+        <source>Acceleration and jerk are limited as the set points show (%1), all else as in preset %2.</source>
+        <translation>Accelerazione e jerk sono limitati come mostrano i valori nominali (%1), tutto il resto come nel preset %2.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorTexts</name>

@@ -16,6 +16,7 @@
 #include "emulator/design.h"
 #include "emulator/emulator.h"
 #include "emulator/emulator_error.h"
+#include "emulator/limits.h"
 #include "emulator/monitor.h"
 #include "experiments/design_study.h"
 #include "interrupt/interrupt.h"
@@ -67,6 +68,35 @@ bool showProgress(const emulator::LearnProgress& progress) {
   return true;
 }
 
+void printLimits(const emulator::AxisLimits& limits) {
+  const emulator::SeenLimit& acceleration = limits.accelerationMmPerS2;
+  fmt::print("axis {}: {}acceleration {:.5g} mm/s²{}", limits.axis,
+             emulator::isReached(acceleration) ? "" : "largest ", acceleration.value,
+             emulator::isReached(acceleration)
+                 ? fmt::format(", reached {} times", acceleration.places)
+                 : std::string(", which need not be its limit"));
+  const emulator::SeenLimit& jerk = limits.jerkMmPerS3;
+  if (!limits.showsJerk) {
+    fmt::print("; jerk at least {:.5g} mm/s³\n", jerk.value);
+  } else if (emulator::isReached(jerk)) {
+    fmt::print("; jerk {:.5g} mm/s³, reached {} times\n", jerk.value, jerk.places);
+  } else {
+    fmt::print("\n");
+  }
+}
+
+ordered_json limitsJson(const emulator::AxisLimits& limits) {
+  const auto seen = [](const emulator::SeenLimit& limit) {
+    return ordered_json{
+        {"value", limit.value}, {"places", limit.places}, {"is_limit", emulator::isReached(limit)}};
+  };
+  return {{"axis", std::string(1, limits.axis)},
+          {"speed_mm_per_s", limits.speedMmPerS},
+          {"acceleration_mm_per_s2", seen(limits.accelerationMmPerS2)},
+          {"jerk_mm_per_s3", seen(limits.jerkMmPerS3)},
+          {"shows_jerk", limits.showsJerk}};
+}
+
 void printTest(const emulator::RunFit& fit) {
   fmt::print(
       "{}: position {:.3f} µm RMS, {:.3f} µm at most; contour error {:.3f} µm RMS, "
@@ -107,14 +137,24 @@ Exit learnEmulator(const EmulatorOptions& options) {
     for (const emulator::LearnedAxis& axis : axes) {
       json["axes"].push_back(axisJson(axis));
     }
+    for (const emulator::AxisLimits& limits : learned->limits) {
+      json["limits"].push_back(limitsJson(limits));
+    }
     printJson(json);
     return Exit::Done;
   }
   for (const emulator::LearnedAxis& axis : axes) {
     printAxis(axis);
   }
+  for (const emulator::AxisLimits& limits : learned->limits) {
+    printLimits(limits);
+  }
   for (const learning::RunTest& test : learned->tests) {
     printTest(test.fit);
+    if (test.jitterS > 0.0) {
+      fmt::print("{}: times of samples are off by {:.2g} ms (standard deviation)\n", test.fit.name,
+                 1e3 * test.jitterS);
+    }
   }
   fmt::print("learned from {} runs in {:.2f} s of one core\n", learned->recordings.size(), seconds);
   if (std::ranges::any_of(axes, [](const auto& axis) { return axis.peaks.windows == 0; })) {

@@ -26,6 +26,7 @@ std::shared_ptr<const widgets::EmulatorView> viewOf(const learning::Learned& lea
   auto view = std::make_shared<widgets::EmulatorView>();
   view->emulator = learned.emulator;
   view->feedMmPerSMax = learned.feedMmPerSMax;
+  view->limits = learned.limits;
   for (const learning::RunTest& test : learned.tests) {
     (test.isUnseen ? view->unseen : view->learnedFrom).push_back(test.fit);
   }

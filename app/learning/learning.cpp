@@ -51,6 +51,28 @@ base::Result<bool> comeFromPrograms(const LearnRequest& request) {
   return planned != 0;
 }
 
+/// The limits of an axis in a preset, as far as they were seen.
+std::string limitsText(const emulator::AxisLimits& limits) {
+  const emulator::SeenLimit& acceleration = limits.accelerationMmPerS2;
+  if (!emulator::isReached(acceleration)) {
+    return fmt::format(
+        "\n# Axis {} was asked for up to {:.4g} mm/s2, which need not be its limit.\n", limits.axis,
+        acceleration.value);
+  }
+  std::string text = fmt::format(
+      "\n[axes.{}]\n# Reached {} times by the set points.\naccelerationMmPerS2 = {:.6g}\n",
+      limits.axis, acceleration.places, acceleration.value);
+  const emulator::SeenLimit& jerk = limits.jerkMmPerS3;
+  if (!limits.showsJerk) {
+    text += "# Accelerations change too quickly for the jerk to be seen: it is this at least.\n";
+  } else if (emulator::isReached(jerk)) {
+    text += fmt::format("# Reached {} times.\n", jerk.places);
+  } else {
+    return text;
+  }
+  return text + fmt::format("jerkMmPerS3 = {:.6g}\n", jerk.value);
+}
+
 }  // namespace
 
 base::Result<Learned> learn(LearnRequest request,
@@ -91,6 +113,9 @@ base::Result<Learned> learn(LearnRequest request,
       return base::fail(axes.error());
     }
     learned.emulator.axes = std::move(*axes);
+    std::vector<TrainingRun> all = runs;
+    std::ranges::transform(request.testOn, std::back_inserter(all), &Recording::run);
+    learned.limits = emulator::limitsSeen(all);
   }
   // Short traces are enough to learn from, but not to say what is rare: who monitors is told so.
   static_cast<void>(emulator::measurePeaks(learned.emulator, runs));
@@ -103,7 +128,12 @@ base::Result<Learned> learn(LearnRequest request,
       if (!fit) {
         return base::fail(fit.error());
       }
-      learned.tests.push_back({std::move(*fit), list == &request.testOn});
+      const base::Result<double> jitterS =
+          *isPlanned ? experiments::sampleJitterS(one.run, learned.emulator) : 0.0;
+      if (!jitterS) {
+        return base::fail(jitterS.error());
+      }
+      learned.tests.push_back({std::move(*fit), list == &request.testOn, *jitterS});
     }
   }
   learned.recordings = std::move(request.learnFrom);
@@ -132,7 +162,11 @@ std::string presetText(const Learned& learned) {
                         test.isUnseen ? "Tested on" : "Learned from", oneLine(test.fit.name),
                         1e3 * test.fit.positionRmsMm, 1e3 * test.fit.positionMaxMm);
   }
-  return text + emulator::printEmulator(learned.emulator);
+  text += emulator::printEmulator(learned.emulator);
+  for (const emulator::AxisLimits& limits : learned.limits) {
+    text += limitsText(limits);
+  }
+  return text;
 }
 
 }  // namespace rivulet::learning

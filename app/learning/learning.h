@@ -13,6 +13,7 @@
 #include "base/result.h"
 #include "emulator/emulator.h"
 #include "emulator/identification.h"
+#include "emulator/limits.h"
 #include "learning/recording.h"
 
 namespace rivulet::learning {
@@ -21,6 +22,8 @@ namespace rivulet::learning {
 struct RunTest {
   emulator::RunFit fit;
   bool isUnseen = false;  ///< the run was not learned from
+  /// Of the samples' times, standard deviation, s; 0 where set points are of the trace's own clock.
+  double jitterS = 0.0;
 };
 
 /// An emulator with what it was tested on.
@@ -29,6 +32,8 @@ struct Learned {
   std::vector<RunTest> tests;         ///< in the order of the recordings
   std::vector<Recording> recordings;  ///< their clocks put right
   double feedMmPerSMax = 0.0;         ///< of those that were learned from
+  /// Of the machine's planner; empty if set points come from programs.
+  std::vector<emulator::AxisLimits> limits;
 };
 
 struct LearnRequest {

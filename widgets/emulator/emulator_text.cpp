@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "widgets/common/number_format.h"
 
@@ -86,6 +87,12 @@ struct EmulatorTexts {
               "file if the machine has others.")
         .arg(preset);
   }
+  /// @param accelerations  "X 540 mm/s²", of each axis
+  static QString fromSetPoints(const QString& accelerations, const QString& preset) {
+    return tr("Acceleration and jerk are limited as the set points show (%1), all else as in "
+              "preset %2.")
+        .arg(accelerations, preset);
+  }
 };
 
 /// A contour error that is off by more is no prediction.
@@ -131,6 +138,44 @@ QString errorLengthText(double mm) {
              : QStringLiteral("%1\u00a0µm").arg(significantText(1e3 * mm, 3));
 }
 
+QString transferFunctionText(const emulator::AxisParameters& p) {
+  constexpr int kDigits = 4;
+  const auto number = [&](P parameter) { return significantText(p[parameter], kDigits); };
+  // "1 + 0.002 s", in parentheses.
+  const auto lag = [&](P parameter) { return QStringLiteral("(1 + %1 s)").arg(number(parameter)); };
+  const bool hasSpeedLoop = p[P::SpeedGain] > 0.0;
+  const QString gain = number(P::PositionGain);
+  QString command = gain;
+  if (p[P::FeedForward] > 0.0) {
+    command = QStringLiteral("(%1 + %2 s%3)")
+                  .arg(gain, number(P::FeedForward),
+                       p[P::FeedForwardLag] > 0.0 ? QStringLiteral(" / ") + lag(P::FeedForwardLag)
+                                                  : QString());
+  }
+  QString all = hasSpeedLoop ? QStringLiteral("%1 W(s) / (s + %2 W(s))").arg(command, gain)
+                             : QStringLiteral("%1 / (s + %2)").arg(command, gain);
+  if (p[P::Delay] > 0.0) {
+    all = QStringLiteral("e^(−%1 s) · %2").arg(number(P::Delay), all);
+  }
+  if (p[P::ResonanceHz] > 0.0) {
+    const double own = 2.0 * std::numbers::pi * p[P::ResonanceHz];
+    const QString spring = QStringLiteral("%1 s + %2")
+                               .arg(significantText(2.0 * p[P::ResonanceDamping] * own, kDigits),
+                                    significantText(own * own, kDigits));
+    all += QStringLiteral(" · (%1) / (s² + %1)").arg(spring);
+  }
+  QString text = QStringLiteral("G(s) = ") + all;
+  if (hasSpeedLoop) {
+    const QString plant = p[P::Viscous] > 0.0 ? QStringLiteral("(s + %1)").arg(number(P::Viscous))
+                                              : QStringLiteral("s");
+    text += QStringLiteral("\nW(s) = L(s) / (1 + L(s)),  L(s) = %1 · (1 + 1 / (%2 s)) / %3")
+                .arg(number(P::SpeedGain), number(P::ResetTime),
+                     p[P::EffortLag] > 0.0 ? QStringLiteral("(%1 %2)").arg(lag(P::EffortLag), plant)
+                                           : plant);
+  }
+  return text;
+}
+
 EmulatorRemark emulatorRemark(const EmulatorView& view) {
   EmulatorRemark remark;
   QStringList sentences;
@@ -156,7 +201,18 @@ EmulatorRemark emulatorRemark(const EmulatorView& view) {
     }
   }
   sentences.append(EmulatorTexts::goodFor(axes.join(QStringLiteral(", ")), view.feedMmPerSMax));
-  sentences.append(EmulatorTexts::fromPreset(QString::fromStdString(view.emulator.preset)));
+  QStringList limits;
+  for (const emulator::AxisLimits& axis : view.limits) {
+    if (emulator::isReached(axis.accelerationMmPerS2)) {
+      limits.append(QStringLiteral("%1 %2\u00a0mm/s²")
+                        .arg(QLatin1Char(axis.axis))
+                        .arg(significantText(axis.accelerationMmPerS2.value, 4)));
+    }
+  }
+  const QString preset = QString::fromStdString(view.emulator.preset);
+  sentences.append(limits.isEmpty()
+                       ? EmulatorTexts::fromPreset(preset)
+                       : EmulatorTexts::fromSetPoints(limits.join(QStringLiteral(", ")), preset));
   remark.text = sentences.join(QLatin1Char(' '));
   return remark;
 }

@@ -27,6 +27,11 @@ namespace rivulet::widgets {
 /// "0.523 µm", "1.25 mm".
 [[nodiscard]] QString errorLengthText(double mm);
 
+/// The transfer function from set point to actual position with its numbers, as
+/// emulator::responseAt computes it: "G(s) = …", with "W(s) = …" where there is a speed loop. s in
+/// 1/s. Lines are separated by line feeds.
+[[nodiscard]] QString transferFunctionText(const emulator::AxisParameters& parameters);
+
 /// What an emulator is good for, and what not; Attention if what it was tested on speaks against
 /// it, or is too little.
 struct EmulatorRemark {

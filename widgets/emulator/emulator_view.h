@@ -11,6 +11,7 @@
 
 #include "emulator/emulator.h"
 #include "emulator/identification.h"
+#include "emulator/limits.h"
 
 namespace rivulet::widgets {
 
@@ -36,8 +37,9 @@ struct RecordingView {
 struct EmulatorView {
   emulator::Emulator emulator;
   std::vector<emulator::RunFit> learnedFrom;
-  std::vector<emulator::RunFit> unseen;  ///< of runs that it was not learned from
-  double feedMmPerSMax = 0.0;            ///< of those that it was learned from
+  std::vector<emulator::RunFit> unseen;      ///< of runs that it was not learned from
+  double feedMmPerSMax = 0.0;                ///< of those that it was learned from
+  std::vector<emulator::AxisLimits> limits;  ///< of the machine's planner, as its set points show
 };
 
 }  // namespace rivulet::widgets
