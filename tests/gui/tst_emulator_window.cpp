@@ -28,6 +28,7 @@
 #include "support/test_program.h"
 #include "widgets/common/status_label.h"
 #include "widgets/emulator/emulator_page.h"
+#include "widgets/emulator/emulator_text.h"
 #include "widgets/emulator/overlay_panel.h"
 #include "widgets/plots/box_plot.h"
 #include "widgets/plots/curve_chart.h"
@@ -302,9 +303,34 @@ class TestEmulatorWindow : public QObject {
     QCOMPARE(part<CurveChart>("emulatorGain")->curves().size(), std::size_t{2});
     // The bandwidth of the lag of X: 40/2π Hz.
     const QString text = part<QLabel>("emulatorBandwidths")->text();
+    QVERIFY(part<QLabel>("emulatorFormulas")->text().startsWith(QStringLiteral("X:  G(s) = ")));
     QVERIFY2(text.contains(QStringLiteral("X follows up to 6.")), qPrintable(text));
     QTest::keyClick(more, Qt::Key_Space);
     QVERIFY(!part<CurveChart>("emulatorGain")->isVisible());
+  }
+
+  void formulasNameThePartsThatAnAxisHas() {
+    using P = emulator::AxisParameter;
+    emulator::AxisParameters axis;
+    axis[P::PositionGain] = 40.0;
+    QCOMPARE(widgets::transferFunctionText(axis), QStringLiteral("G(s) = 40.00 / (s + 40.00)"));
+    axis[P::FeedForward] = 0.7;
+    axis[P::SpeedGain] = 100.0;
+    axis[P::ResetTime] = 0.02;
+    QCOMPARE(widgets::transferFunctionText(axis),
+             QStringLiteral("G(s) = (40.00 + 0.7000 s) W(s) / (s + 40.00 W(s))\n"
+                            "W(s) = L(s) / (1 + L(s)),  L(s) = 100.0 · (1 + 1 / (0.02000 s)) / s"));
+    axis[P::FeedForwardLag] = 0.004;
+    axis[P::EffortLag] = 0.002;
+    axis[P::Viscous] = 5.0;
+    axis[P::Delay] = 0.003;
+    axis[P::ResonanceHz] = 50.0;
+    axis[P::ResonanceDamping] = 0.1;
+    QCOMPARE(widgets::transferFunctionText(axis),
+             QStringLiteral("G(s) = e^(−0.003000 s) · (40.00 + 0.7000 s / (1 + 0.004000 s)) W(s) / "
+                            "(s + 40.00 W(s)) · (62.83 s + 98,696) / (s² + 62.83 s + 98,696)\n"
+                            "W(s) = L(s) / (1 + L(s)),  L(s) = 100.0 · (1 + 1 / (0.02000 s)) / "
+                            "((1 + 0.002000 s) (s + 5.000))"));
   }
 
   void savesAPreset() {

@@ -31,12 +31,15 @@ ResponsePanel::ResponsePanel(QWidget* parent)
       m_gain(new CurveChart(AxisScale::Logarithmic, AxisScale::Even, this)),
       m_phase(new CurveChart(AxisScale::Logarithmic, AxisScale::Even, this)),
       m_step(new CurveChart(AxisScale::Even, AxisScale::Even, this)),
-      m_bandwidths(makeValueLabel(this)) {
+      m_bandwidths(makeValueLabel(this)),
+      m_formulas(makeValueLabel(this)) {
   m_gain->setObjectName(QStringLiteral("emulatorGain"));
   m_phase->setObjectName(QStringLiteral("emulatorPhase"));
   m_step->setObjectName(QStringLiteral("emulatorStep"));
   m_bandwidths->setObjectName(QStringLiteral("emulatorBandwidths"));
   m_bandwidths->setWordWrap(true);
+  m_formulas->setObjectName(QStringLiteral("emulatorFormulas"));
+  m_formulas->setWordWrap(true);
   auto* bode = new QVBoxLayout;
   for (CurveChart* chart : {m_gain, m_phase, m_step}) {
     chart->setMinimumHeight(kChartHeightPx);
@@ -50,6 +53,7 @@ ResponsePanel::ResponsePanel(QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_bandwidths);
   layout->addLayout(charts, 1);
+  layout->addWidget(m_formulas);
   retranslate();
   restyle();
 }
@@ -89,7 +93,10 @@ void ResponsePanel::retranslate() {
   m_phase->setTitles(tr("Bode plot: phase"), tr("Frequency, Hz"), tr("Phase, °"));
   m_step->setTitles(tr("Answer to a step of 1 mm"), tr("Time, s"), tr("Position, mm"));
   QStringList bandwidths;
+  QStringList formulas;
   for (const emulator::LearnedAxis& axis : m_axes) {
+    formulas.append(QStringLiteral("%1:  %2").arg(QString(QLatin1Char(axis.axis)),
+                                                  transferFunctionText(axis.parameters)));
     const double hz = emulator::bandwidthHz(axis.parameters);
     if (hz > 0.0) {
       bandwidths.append(tr("%1 follows up to %2 Hz (−3 dB).")
@@ -99,6 +106,7 @@ void ResponsePanel::retranslate() {
   m_bandwidths->setText(
       tr("From set point to actual position; the Bode plot is without friction.") +
       QLatin1Char(' ') + bandwidths.join(QLatin1Char(' ')));
+  m_formulas->setText(formulas.join(QLatin1Char('\n')));
 }
 
 }  // namespace rivulet::widgets

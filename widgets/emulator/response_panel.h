@@ -33,6 +33,7 @@ class ResponsePanel final : public Page {
   CurveChart* m_phase;
   CurveChart* m_step;
   QLabel* m_bandwidths;
+  QLabel* m_formulas;  ///< transfer functions
 };
 
 }  // namespace rivulet::widgets
