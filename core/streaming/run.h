@@ -247,7 +247,7 @@ enum class Outcome { Completed, Stopped, Failed };
 /// What is known of the motion of a run.
 enum class RunFinding {
   Faultless,  ///< judged by the control's trace: each point once, in order
-  NotJudged,  ///< the control keeps no trace, or the run was longer than its trace
+  NotJudged,  ///< the control keeps no trace, or a part of it was lost before it was fetched
   /// The run failed, or the trace shows points repeated, skipped or foreign; without a trace: wrong
   /// motion was seen during the run.
   Faulty,
@@ -272,7 +272,9 @@ struct RunReport {
   RunSettings settings;                    ///< with the grouping that was used
   std::optional<AccessForms> accessForms;  ///< the forms that were tried; nothing if none were
   std::optional<ProgramTransfer> transfer;
-  std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< null if it was not available
+  /// The beginning of the trace, as much as RunTrace keeps; null if there was none. What is judged
+  /// is the whole trace.
+  std::shared_ptr<const trace::ControlTrace> controlTrace;
   std::string slowedBy;  ///< what slowed the accesses of the run; in English; empty: nothing did
   /// Seen while the run was in progress. The trace of the control, if there is one, overrules it.
   std::optional<WrongMotion> wrong;
