@@ -1348,6 +1348,22 @@
         <source>The file is not an emulator, or one of a later version.</source>
         <translation>Die Datei ist kein Emulator, oder einer von einer neueren Version.</translation>
     </message>
+    <message>
+        <source>Rivulet was built without Qt OPC UA. Connect with open62541.</source>
+        <translation>Rivulet wurde ohne Qt OPC UA gebaut. Mit open62541 verbinden.</translation>
+    </message>
+    <message>
+        <source>Qt OPC UA cannot encrypt, log in or use a map here. Connect with open62541.</source>
+        <translation>Qt OPC UA kann hier nicht verschlüsseln, anmelden oder eine Zuordnung verwenden. Mit open62541 verbinden.</translation>
+    </message>
+    <message>
+        <source>The map cannot be used. Correct the file at the place that is named.</source>
+        <translation>Die Zuordnung ist nicht brauchbar. Die Datei an der genannten Stelle berichtigen.</translation>
+    </message>
+    <message>
+        <source>The map names a node that the server does not have, or one of another type. Correct the map.</source>
+        <translation>Die Zuordnung nennt einen Knoten, den der Server nicht hat, oder einen von anderem Typ. Die Zuordnung berichtigen.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3629,6 +3645,10 @@
         <source>The calibration belongs to another version of the server and is not used.</source>
         <translation>Die Kalibrierung gehört zu einer anderen Version des Servers und wird nicht verwendet.</translation>
     </message>
+    <message>
+        <source>The map %1 does not name: %2. What needs it does not work.</source>
+        <translation>Die Zuordnung %1 nennt nicht: %2. Was das braucht, geht nicht.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::MachineProfiles</name>
@@ -5202,6 +5222,45 @@ GPL-3.0-or-later</translation>
     <message>
         <source>None</source>
         <translation>Keiner</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ControlFields</name>
+    <message>
+        <source>Map of the control</source>
+        <translation>Zuordnung der Steuerung</translation>
+    </message>
+    <message>
+        <source>Maps (*.toml)</source>
+        <translation>Zuordnungen (*.toml)</translation>
+    </message>
+    <message>
+        <source>The control is no SINUMERIK</source>
+        <translation>Die Steuerung ist keine SINUMERIK</translation>
+    </message>
+    <message>
+        <source>A map says under which names this control has its cells, axes and states. rivulet-cli map proposes one.</source>
+        <translation>Eine Zuordnung sagt, unter welchen Namen diese Steuerung ihre Zellen, Achsen und Zustände hat. rivulet-cli map schlägt eine vor.</translation>
+    </message>
+    <message>
+        <source>File with the map (.toml). It is remembered for this machine.</source>
+        <translation>Datei mit der Zuordnung (.toml). Sie wird für diese Maschine gemerkt.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose the file of the map.</source>
+        <translation>Die Datei der Zuordnung wählen.</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Which library connects with the machine. Qt OPC UA is slower, does not encrypt, and takes no map and no user.</source>
+        <translation>Mit welcher Bibliothek die Maschine verbunden wird. Qt OPC UA ist langsamer, verschlüsselt nicht und nimmt weder Zuordnung noch Benutzer.</translation>
     </message>
 </context>
 <context>

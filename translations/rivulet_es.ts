@@ -1348,6 +1348,22 @@
         <source>The file is not an emulator, or one of a later version.</source>
         <translation>El archivo no es un emulador, o es de una versión posterior.</translation>
     </message>
+    <message>
+        <source>Rivulet was built without Qt OPC UA. Connect with open62541.</source>
+        <translation>Rivulet se compiló sin Qt OPC UA. Conecte con open62541.</translation>
+    </message>
+    <message>
+        <source>Qt OPC UA cannot encrypt, log in or use a map here. Connect with open62541.</source>
+        <translation>Qt OPC UA no puede aquí cifrar, iniciar sesión ni usar un mapa. Conecte con open62541.</translation>
+    </message>
+    <message>
+        <source>The map cannot be used. Correct the file at the place that is named.</source>
+        <translation>El mapa no se puede usar. Corrija el archivo en el lugar indicado.</translation>
+    </message>
+    <message>
+        <source>The map names a node that the server does not have, or one of another type. Correct the map.</source>
+        <translation>El mapa nombra un nodo que el servidor no tiene, o de otro tipo. Corrija el mapa.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3629,6 +3645,10 @@
         <source>The calibration belongs to another version of the server and is not used.</source>
         <translation>La calibración corresponde a otra versión del servidor y no se utiliza.</translation>
     </message>
+    <message>
+        <source>The map %1 does not name: %2. What needs it does not work.</source>
+        <translation>El mapa %1 no nombra: %2. Lo que lo necesita no funciona.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::MachineProfiles</name>
@@ -5202,6 +5222,45 @@ GPL-3.0-or-later</translation>
     <message>
         <source>None</source>
         <translation>Ninguna</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ControlFields</name>
+    <message>
+        <source>Map of the control</source>
+        <translation>Mapa del control</translation>
+    </message>
+    <message>
+        <source>Maps (*.toml)</source>
+        <translation>Mapas (*.toml)</translation>
+    </message>
+    <message>
+        <source>The control is no SINUMERIK</source>
+        <translation>El control no es un SINUMERIK</translation>
+    </message>
+    <message>
+        <source>A map says under which names this control has its cells, axes and states. rivulet-cli map proposes one.</source>
+        <translation>Un mapa dice con qué nombres tiene este control sus celdas, ejes y estados. rivulet-cli map propone uno.</translation>
+    </message>
+    <message>
+        <source>File with the map (.toml). It is remembered for this machine.</source>
+        <translation>Archivo con el mapa (.toml). Se recuerda para esta máquina.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Choose the file of the map.</source>
+        <translation>Elegir el archivo del mapa.</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Biblioteca</translation>
+    </message>
+    <message>
+        <source>Which library connects with the machine. Qt OPC UA is slower, does not encrypt, and takes no map and no user.</source>
+        <translation>Qué biblioteca conecta con la máquina. Qt OPC UA es más lento, no cifra y no admite ni mapa ni usuario.</translation>
     </message>
 </context>
 <context>

@@ -1348,6 +1348,22 @@
         <source>The file is not an emulator, or one of a later version.</source>
         <translation>Le fichier n’est pas un émulateur, ou vient d’une version plus récente.</translation>
     </message>
+    <message>
+        <source>Rivulet was built without Qt OPC UA. Connect with open62541.</source>
+        <translation>Rivulet a été compilé sans Qt OPC UA. Connectez-vous avec open62541.</translation>
+    </message>
+    <message>
+        <source>Qt OPC UA cannot encrypt, log in or use a map here. Connect with open62541.</source>
+        <translation>Qt OPC UA ne peut ici ni chiffrer, ni ouvrir une session, ni utiliser une table de correspondance. Connectez-vous avec open62541.</translation>
+    </message>
+    <message>
+        <source>The map cannot be used. Correct the file at the place that is named.</source>
+        <translation>La table de correspondance est inutilisable. Corrigez le fichier à l&apos;endroit indiqué.</translation>
+    </message>
+    <message>
+        <source>The map names a node that the server does not have, or one of another type. Correct the map.</source>
+        <translation>La table de correspondance nomme un nœud que le serveur n&apos;a pas, ou d&apos;un autre type. Corrigez-la.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3629,6 +3645,10 @@
         <source>The calibration belongs to another version of the server and is not used.</source>
         <translation>L’étalonnage correspond à une autre version du serveur et n’est pas utilisé.</translation>
     </message>
+    <message>
+        <source>The map %1 does not name: %2. What needs it does not work.</source>
+        <translation>La table de correspondance %1 ne nomme pas : %2. Ce qui en a besoin ne fonctionne pas.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::MachineProfiles</name>
@@ -5202,6 +5222,45 @@ GPL-3.0-or-later</translation>
     <message>
         <source>None</source>
         <translation>Aucune</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ControlFields</name>
+    <message>
+        <source>Map of the control</source>
+        <translation>Table de correspondance de la commande</translation>
+    </message>
+    <message>
+        <source>Maps (*.toml)</source>
+        <translation>Tables de correspondance (*.toml)</translation>
+    </message>
+    <message>
+        <source>The control is no SINUMERIK</source>
+        <translation>La commande n&apos;est pas une SINUMERIK</translation>
+    </message>
+    <message>
+        <source>A map says under which names this control has its cells, axes and states. rivulet-cli map proposes one.</source>
+        <translation>Une table de correspondance dit sous quels noms cette commande a ses cellules, ses axes et ses états. rivulet-cli map en propose une.</translation>
+    </message>
+    <message>
+        <source>File with the map (.toml). It is remembered for this machine.</source>
+        <translation>Fichier de la table de correspondance (.toml). Il est retenu pour cette machine.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose the file of the map.</source>
+        <translation>Choisir le fichier de la table de correspondance.</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothèque</translation>
+    </message>
+    <message>
+        <source>Which library connects with the machine. Qt OPC UA is slower, does not encrypt, and takes no map and no user.</source>
+        <translation>Bibliothèque qui établit la connexion avec la machine. Qt OPC UA est plus lent, ne chiffre pas et ne prend ni table de correspondance ni utilisateur.</translation>
     </message>
 </context>
 <context>

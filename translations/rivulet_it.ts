@@ -1348,6 +1348,22 @@
         <source>The file is not an emulator, or one of a later version.</source>
         <translation>Il file non è un emulatore, o è di una versione successiva.</translation>
     </message>
+    <message>
+        <source>Rivulet was built without Qt OPC UA. Connect with open62541.</source>
+        <translation>Rivulet è stato compilato senza Qt OPC UA. Collegarsi con open62541.</translation>
+    </message>
+    <message>
+        <source>Qt OPC UA cannot encrypt, log in or use a map here. Connect with open62541.</source>
+        <translation>Qui Qt OPC UA non può criptare, accedere con un utente o usare una mappa. Collegarsi con open62541.</translation>
+    </message>
+    <message>
+        <source>The map cannot be used. Correct the file at the place that is named.</source>
+        <translation>La mappa non è utilizzabile. Correggere il file nel punto indicato.</translation>
+    </message>
+    <message>
+        <source>The map names a node that the server does not have, or one of another type. Correct the map.</source>
+        <translation>La mappa nomina un nodo che il server non ha, o di un altro tipo. Correggere la mappa.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -3629,6 +3645,10 @@
         <source>The calibration belongs to another version of the server and is not used.</source>
         <translation>La calibrazione appartiene a un’altra versione del server e non viene usata.</translation>
     </message>
+    <message>
+        <source>The map %1 does not name: %2. What needs it does not work.</source>
+        <translation>La mappa %1 non nomina: %2. Ciò che ne ha bisogno non funziona.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::MachineProfiles</name>
@@ -5202,6 +5222,45 @@ GPL-3.0-or-later</translation>
     <message>
         <source>None</source>
         <translation>Nessuno</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ControlFields</name>
+    <message>
+        <source>Map of the control</source>
+        <translation>Mappa del controllo</translation>
+    </message>
+    <message>
+        <source>Maps (*.toml)</source>
+        <translation>Mappe (*.toml)</translation>
+    </message>
+    <message>
+        <source>The control is no SINUMERIK</source>
+        <translation>Il controllo non è un SINUMERIK</translation>
+    </message>
+    <message>
+        <source>A map says under which names this control has its cells, axes and states. rivulet-cli map proposes one.</source>
+        <translation>Una mappa dice con quali nomi questo controllo ha celle, assi e stati. rivulet-cli map ne propone una.</translation>
+    </message>
+    <message>
+        <source>File with the map (.toml). It is remembered for this machine.</source>
+        <translation>File con la mappa (.toml). Viene ricordato per questa macchina.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Scegli…</translation>
+    </message>
+    <message>
+        <source>Choose the file of the map.</source>
+        <translation>Scegliere il file della mappa.</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Libreria</translation>
+    </message>
+    <message>
+        <source>Which library connects with the machine. Qt OPC UA is slower, does not encrypt, and takes no map and no user.</source>
+        <translation>Quale libreria si collega con la macchina. Qt OPC UA è più lento, non cripta e non accetta né mappa né utente.</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include <QPointer>
 #include <utility>
 
+#include "qtopcua/open_link.h"
 #include "trust/password.h"
 
 namespace rivulet::hmi {
@@ -32,6 +33,16 @@ Logins::Logins(std::unique_ptr<Keyring> keyring, std::filesystem::path passwordF
 QString Logins::userOf(const QString& endpoint) const {
   const auto known = m_store.find(endpoint.trimmed().toStdString());
   return known && *known ? QString::fromStdString((*known)->user) : QString();
+}
+
+widgets::ControlChoice Logins::controlOf(const QString& endpoint) const {
+  widgets::ControlChoice choice;
+  const auto known = m_store.find(endpoint.trimmed().toStdString());
+  if (known && *known) {
+    choice.mapFile = QString::fromStdString((*known)->mapFile);
+    choice.link = qtopcua::linkFromName((*known)->link).value_or(opcua::LinkKind::Open62541);
+  }
+  return choice;
 }
 
 void Logins::show(const QString& endpoint) {
@@ -72,7 +83,14 @@ void Logins::findPassword(const QString& endpoint, const QString& user,
   });
 }
 
-void Logins::remember(const QString& endpoint, const Login& login) {
+void Logins::remember(const QString& endpoint, const Login& login,
+                      const widgets::ControlChoice& control) {
+  if (controlOf(endpoint) != control) {
+    const bool isDefault = control.link == opcua::LinkKind::Open62541;
+    // Without it the map is chosen again, no more.
+    (void)m_store.setControl(endpoint.trimmed().toStdString(), control.mapFile.toStdString(),
+                             isDefault ? std::string() : std::string(qtopcua::linkName(control.link)));
+  }
   if (userOf(endpoint) != login.user) {
     // Without it the name is asked for again, no more.
     (void)m_store.setUser(endpoint.trimmed().toStdString(), login.user.toStdString());

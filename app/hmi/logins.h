@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// As whom each machine is connected: the name is remembered with the server, the password in the
-/// keyring or nowhere. @threadsafety GUI thread.
+/// As whom and how each machine is connected: the name, the map of its control and the library are
+/// remembered with the server, the password in the keyring or nowhere. @threadsafety GUI thread.
 #pragma once
 
 #include <QObject>
@@ -14,6 +14,7 @@
 #include "hmi/keyring.h"
 #include "trust/own_certificate.h"
 #include "trust/trust_store.h"
+#include "widgets/connection/control_fields.h"
 #include "widgets/connection/login_fields.h"
 
 namespace rivulet::hmi {
@@ -29,6 +30,8 @@ class Logins final : public QObject {
 
   /// With whom this machine was connected last; empty: anonymous, or never.
   [[nodiscard]] QString userOf(const QString& endpoint) const;
+  /// With which map and library this machine was connected last.
+  [[nodiscard]] widgets::ControlChoice controlOf(const QString& endpoint) const;
   [[nodiscard]] const widgets::LoginView& view() const { return m_view; }
   /// As whom this machine is connected is shown; nothing is asked any more.
   void show(const QString& endpoint);
@@ -38,7 +41,8 @@ class Logins final : public QObject {
   void findPassword(const QString& endpoint, const QString& user,
                     std::function<void(const QString& password)> found);
   /// The connection is open.
-  void remember(const QString& endpoint, const widgets::Login& login);
+  void remember(const QString& endpoint, const widgets::Login& login,
+                const widgets::ControlChoice& control);
 
  Q_SIGNALS:
   void changed();

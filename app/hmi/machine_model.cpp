@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "opcua/control_map.h"
 #include "widgets/common/error_text.h"
 #include "widgets/connection/trust_sheet.h"
 
@@ -91,6 +92,15 @@ widgets::ConnectionState MachineModel::connectionState() const {
 }
 
 void MachineModel::setEndpoint(const QString& endpoint) {
+  m_control = rememberedControl(endpoint);
+  showEndpoint(endpoint);
+}
+
+widgets::ControlChoice MachineModel::rememberedControl(const QString& endpoint) const {
+  return m_logins != nullptr ? m_logins->controlOf(endpoint) : widgets::ControlChoice();
+}
+
+void MachineModel::showEndpoint(const QString& endpoint) {
   m_endpoint = endpoint;
   if (m_logins != nullptr) {
     m_logins->show(endpoint);
@@ -103,17 +113,49 @@ void MachineModel::connectTo(const QString& endpoint) {
   if (m_logins != nullptr) {
     login.user = m_logins->userOf(endpoint);
   }
-  connectAs(endpoint, login);
+  connectAs(endpoint, login, rememberedControl(endpoint));
 }
 
-void MachineModel::connectAs(const QString& endpoint, const widgets::Login& login) {
-  setEndpoint(endpoint);
+bool MachineModel::readMap(const QString& file) {
+  if (file.isEmpty()) {
+    return true;
+  }
+  auto map = opcua::readControlMap(file.toStdString());
+  if (!map) {
+    session::LinkChanged change;
+    change.state = session::LinkState::Disconnected;
+    change.error = map.error();
+    takeLink(change);
+    return false;
+  }
+  QStringList missing;
+  for (const opcua::MapGap& gap : opcua::gapsOf(*map)) {
+    missing.append(QString::fromUtf8(gap.key.data(), static_cast<qsizetype>(gap.key.size())));
+  }
+  if (!missing.isEmpty()) {
+    m_messages.log(Severity::Warning, Source::Connection, [file, missing] {
+      return tr("The map %1 does not name: %2. What needs it does not work.")
+          .arg(file, missing.join(QStringLiteral(", ")));
+    });
+  }
+  m_request.map = std::make_shared<const opcua::ControlMap>(std::move(*map));
+  return true;
+}
+
+void MachineModel::connectAs(const QString& endpoint, const widgets::Login& login,
+                             const widgets::ControlChoice& control) {
+  m_control = control;
+  showEndpoint(endpoint);
   m_messages.didAct(permission::Act::Connect, {{"machine", endpoint.toStdString()}});
   m_request = {};
   m_request.endpoint = endpoint.trimmed().toStdString();
   m_request.user = login.user.toStdString();
   m_request.password = login.password.toStdString();
+  m_request.link = control.link;
   m_login = login;
+  if (!readMap(control.mapFile)) {
+    return;
+  }
   if (login.user.isEmpty() || !login.password.isEmpty() || m_logins == nullptr) {
     m_session.connectTo(m_request);
     return;
@@ -198,7 +240,7 @@ void MachineModel::takeLink(const session::LinkChanged& change) {
     m_stateAtS.reset();
   }
   if (m_logins != nullptr && isConnected()) {
-    m_logins->remember(m_endpoint, m_login);
+    m_logins->remember(m_endpoint, m_login, m_control);
   } else if (m_logins != nullptr && question() != nullptr &&
              question()->kind == opcua::TrustQuestion::Kind::Login) {
     using Reason = widgets::LoginView::Reason;

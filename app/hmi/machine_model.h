@@ -32,12 +32,16 @@ class MachineModel final : public QObject {
 
   void setEndpoint(const QString& endpoint);
   [[nodiscard]] const QString& endpoint() const { return m_endpoint; }
+  /// Map and library, as chosen for the latest attempt to connect, or as remembered.
+  [[nodiscard]] const widgets::ControlChoice& control() const { return m_control; }
   /// As whom machines are connected; without, everywhere anonymous. Outlives this.
   void setLogins(Logins& logins) { m_logins = &logins; }
   /// As whom it was connected last.
   void connectTo(const QString& endpoint);
   /// A password that was not typed is looked for in the keyring.
-  void connectAs(const QString& endpoint, const widgets::Login& login);
+  /// @param control  its map is read now
+  void connectAs(const QString& endpoint, const widgets::Login& login,
+                 const widgets::ControlChoice& control);
   void disconnectFrom();
   /// Asks for the rights of the user of this connection; answered by `rightsSeen`.
   void examineRights() { m_session.examineRights(); }
@@ -94,6 +98,10 @@ class MachineModel final : public QObject {
 
  private:
   void takeLink(const session::LinkChanged& change);
+  [[nodiscard]] widgets::ControlChoice rememberedControl(const QString& endpoint) const;
+  void showEndpoint(const QString& endpoint);
+  /// @return whether there is nothing to read, or it was read
+  [[nodiscard]] bool readMap(const QString& file);
   void connectAgain();
   /// Says what has become of the connection.
   void sayLink();
@@ -109,6 +117,7 @@ class MachineModel final : public QObject {
   QString m_endpoint;
   Logins* m_logins = nullptr;
   widgets::Login m_login;           ///< of `m_request`
+  widgets::ControlChoice m_control;  ///< of `m_request`
   opcua::ConnectRequest m_request;  ///< of the attempt in progress, or that is asked about
   session::LinkChanged m_link;
   widgets::MachineView m_view;

@@ -104,7 +104,7 @@ base::Result<std::vector<KnownServer>> TrustStore::servers() const {
                  : std::string();
     };
     const KnownServer server{member("endpoint"), member("fingerprint"), member("security"),
-                             member("user")};
+                             member("user"), member("map"), member("link")};
     const bool isFingerprint = server.fingerprint.empty() ||
                                opcua::fingerprintOf(server.fingerprint) == server.fingerprint;
     const bool isSecurity =
@@ -230,7 +230,7 @@ base::Result<void> TrustStore::change(const std::string& endpoint, Change change
       known->begin(), known->end(), key,
       [](const KnownServer& one, const std::string& wanted) { return one.endpoint < wanted; });
   if (server == known->end() || server->endpoint != key) {
-    server = known->insert(server, KnownServer{key, {}, {}, {}});
+    server = known->insert(server, KnownServer{key, {}, {}, {}, {}, {}});
   }
   change(*server);
   return save(*known);
@@ -261,6 +261,14 @@ base::Result<void> TrustStore::allow(const std::string& endpoint,
 
 base::Result<void> TrustStore::setUser(const std::string& endpoint, const std::string& user) const {
   return change(endpoint, [&](KnownServer& server) { server.user = user; });
+}
+
+base::Result<void> TrustStore::setControl(const std::string& endpoint, const std::string& mapFile,
+                                          const std::string& link) const {
+  return change(endpoint, [&](KnownServer& server) {
+    server.mapFile = mapFile;
+    server.link = link;
+  });
 }
 
 base::Result<bool> TrustStore::forget(const std::string& endpoint) const {
@@ -295,6 +303,12 @@ base::Result<void> TrustStore::save(const std::vector<KnownServer>& servers) con
     }
     if (!server.user.empty()) {
       entry["user"] = server.user;
+    }
+    if (!server.mapFile.empty()) {
+      entry["map"] = server.mapFile;
+    }
+    if (!server.link.empty()) {
+      entry["link"] = server.link;
     }
     list.push_back(entry);
   }

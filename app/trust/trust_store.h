@@ -23,6 +23,8 @@ struct KnownServer {
   std::string fingerprint;  ///< of the accepted certificate; empty: none
   std::string security;     ///< allowed by name (`opcua::securityChoiceText`); empty: the strongest
   std::string user;         ///< as whom the window connected last; empty: anonymous
+  std::string mapFile;      ///< with which map the window connected last; empty: it is a SINUMERIK
+  std::string link;         ///< with which library the window connected last; empty: open62541
 };
 
 /// A certificate that was refused, and is kept.
@@ -75,6 +77,10 @@ class TrustStore {
   /// As whom the window connects next time. Passwords are kept elsewhere.
   [[nodiscard]] base::Result<void> setUser(const std::string& endpoint,
                                            const std::string& user) const;
+  /// How the window connects next time, as `KnownServer` keeps it.
+  [[nodiscard]] base::Result<void> setControl(const std::string& endpoint,
+                                              const std::string& mapFile,
+                                              const std::string& link) const;
   /// @return whether the server was known
   [[nodiscard]] base::Result<bool> forget(const std::string& endpoint) const;
 

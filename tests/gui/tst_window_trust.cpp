@@ -27,6 +27,7 @@
 #include "machine/front/server.h"
 #include "machine/machine.h"
 #include "machine/user.h"
+#include "opcua/control_map.h"
 #include "support/machine_process.h"
 #include "support/test_program.h"
 #include "trust/trust_store.h"
@@ -350,6 +351,72 @@ class TestWindowTrust : public QObject {
       texts.append(label->text());
     }
     QVERIFY(texts.join(QLatin1Char('\n')).contains(QStringLiteral("StateWrite")));
+  }
+
+  /// A map that cannot be used is said; one that can is shown as long as the machine is connected,
+  /// and chosen again the next time.
+  void theMapOfAMachineIsRemembered() {
+    const PlainCell cell;
+    const QString endpoint = QString::fromStdString(cell.endpoint());
+    const QString file = m_folder.filePath(QStringLiteral("cell.toml"));
+    const auto write = [&](const std::string& text) {
+      QFile map(file);
+      QVERIFY(map.open(QIODevice::WriteOnly));
+      map.write(QByteArray::fromStdString(text));
+    };
+    const auto mapFile = [this] {
+      return panel()->findChild<QLineEdit*>(QStringLiteral("map-file"));
+    };
+    const auto connectNow = [this] {
+      panel()->findChild<QPushButton*>(QStringLiteral("connect"))->click();
+    };
+    const auto said = [this] {
+      QStringList texts;
+      for (const auto* label : panel()->findChildren<widgets::StatusLabel*>()) {
+        texts.append(label->text());
+      }
+      return texts.join(QLatin1Char('\n'));
+    };
+    opcua::ControlMap map = opcua::sinumerikMap(99, 3);
+    std::erase_if(map.nodes, [](const auto& node) {  // this machine does not show its equipment
+      return node.first.kind >= opcua::VariableKind::ToolNumber;
+    });
+
+    m_window->setEndpoint(endpoint);
+    QVERIFY(!mapFile()->isVisibleTo(panel()));
+    panel()->findChild<QCheckBox*>(QStringLiteral("mapped"))->setChecked(true);
+    QVERIFY(mapFile()->isVisibleTo(panel()));
+    mapFile()->setText(file);
+    connectNow();  // the file is missing
+    QVERIFY2(said().contains(file), qPrintable(said()));
+    write("[cells]\nnode = 5\n");
+    connectNow();
+    QVERIFY2(said().contains(file + QStringLiteral(", line 2:")), qPrintable(said()));
+    opcua::ControlMap wrong = map;
+    wrong.nodes[{opcua::VariableKind::PathFeed, 0}] = "ns=0;s=Nothing";
+    write(opcua::controlMapText(wrong));
+    connectNow();
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains(QStringLiteral("feed.path of the map")),
+                              qPrintable(said()), kSoonMs);
+    QVERIFY(!isConnected());
+    QCOMPARE(mapFile()->text(), file);
+
+    write(opcua::controlMapText(map));
+    connectNow();
+    QTRY_VERIFY2_WITH_TIMEOUT(isConnected(), qPrintable(said()), kSoonMs);
+    QCOMPARE(mapFile()->text(), file);
+    QVERIFY(mapFile()->isVisibleTo(panel()) && !mapFile()->isEnabled());
+    disconnect();
+    m_window->setEndpoint(QStringLiteral("opc.tcp://127.0.0.1:1"));
+    QVERIFY(!mapFile()->isVisibleTo(panel()));
+
+    m_window = std::make_unique<MainWindow>(settings(), false);
+    m_window->show();
+    m_window->setEndpoint(endpoint);
+    QVERIFY(mapFile()->isVisibleTo(panel()));
+    QCOMPARE(mapFile()->text(), file);
+    connectNow();
+    QTRY_VERIFY2_WITH_TIMEOUT(isConnected(), qPrintable(said()), kSoonMs);
   }
 
   /// A run as a user: no file has the password, neither settings nor log nor recording.

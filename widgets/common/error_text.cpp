@@ -11,6 +11,8 @@
 #include "feasibility/verdict.h"
 #include "gcode/error.h"
 #include "live/error.h"
+#include "opcua/connection.h"
+#include "opcua/control_map.h"
 #include "opcua/error.h"
 #include "streaming/calibration.h"
 #include "streaming/machine_facts.h"
@@ -324,6 +326,30 @@ struct ErrorTexts {
     return {};
   }
 
+  static QString text(opcua::LinkKindError code) {
+    using opcua::LinkKindError;
+    switch (code) {
+      case LinkKindError::NotBuilt:
+        return tr("Rivulet was built without Qt OPC UA. Connect with open62541.");
+      case LinkKindError::NotAble:
+        return tr("Qt OPC UA cannot encrypt, log in or use a map here. Connect with open62541.");
+    }
+    return {};
+  }
+
+  static QString text(opcua::MapError code) {
+    using opcua::MapError;
+    switch (code) {
+      case MapError::BadFile:
+        return tr("The map cannot be used. Correct the file at the place that is named.");
+      case MapError::WrongAddress:
+        return tr(
+            "The map names a node that the server does not have, or one of another type. Correct "
+            "the map.");
+    }
+    return {};
+  }
+
   static QString text(streaming::CalibrationError code) {
     using streaming::CalibrationError;
     switch (code) {
@@ -479,6 +505,12 @@ QString errorCodeText(const std::error_code& code) {
   if (belongsTo<opcua::LinkError>(code)) {
     return ErrorTexts::text(static_cast<opcua::LinkError>(code.value()));
   }
+  if (belongsTo<opcua::LinkKindError>(code)) {
+    return ErrorTexts::text(static_cast<opcua::LinkKindError>(code.value()));
+  }
+  if (belongsTo<opcua::MapError>(code)) {
+    return ErrorTexts::text(static_cast<opcua::MapError>(code.value()));
+  }
   if (belongsTo<streaming::CalibrationError>(code)) {
     return ErrorTexts::text(static_cast<streaming::CalibrationError>(code.value()));
   }
@@ -495,6 +527,7 @@ std::error_code errorCodeOf(std::string_view kind, int value) {
       trace::TraceError::NotATrace,         streaming::MachineFileError::NotAMachineFile,
       opcua::LinkError::NotReachable,       streaming::CalibrationError::NoCells,
       streaming::StreamError::WrongProgram, live::LiveError::NotALine,
+      opcua::LinkKindError::NotAble,        opcua::MapError::WrongAddress,
   };
   for (const std::error_code& code : known) {
     if (kind == code.category().name()) {

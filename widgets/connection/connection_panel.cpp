@@ -28,6 +28,7 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
       m_connectionStatus(new StatusLabel(this)),
       m_virtualBadge(new StatusLabel(this)),
       m_protection(new StatusLabel(this)),
+      m_control(new ControlFields(this)),
       m_login(new LoginFields(this)),
       m_machineGroup(new QGroupBox(this)),
       m_channelLabel(new QLabel(this)),
@@ -52,20 +53,27 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
     if (m_state == ConnectionState::Connected || m_state == ConnectionState::Connecting) {
       Q_EMIT disconnectRequested();
     } else {
-      Q_EMIT connectRequested(endpoint(), m_login->take());
+      requestConnection();
     }
   };
   connect(m_connect, &QPushButton::clicked, this, request);
   const auto submit = [this] {
     if (m_endpoint->isEnabled() && !endpoint().isEmpty()) {
-      Q_EMIT connectRequested(endpoint(), m_login->take());
+      requestConnection();
     }
   };
   connect(m_endpoint, &QLineEdit::returnPressed, this, submit);
   connect(m_login, &LoginFields::submitted, this, submit);
+  connect(m_control, &ControlFields::submitted, this, submit);
   connect(m_endpoint, &QLineEdit::textChanged, this, [this] { showConnection(); });
   retranslate();
   restyle();
+}
+
+void ConnectionPanel::requestConnection() {
+  if (m_control->askForMap()) {
+    Q_EMIT connectRequested(endpoint(), m_login->take(), m_control->choice());
+  }
 }
 
 void ConnectionPanel::buildConnection() {
@@ -84,7 +92,8 @@ void ConnectionPanel::buildConnection() {
   connection->addWidget(m_connectionStatus, 2, 0, 1, 2);
   connection->addWidget(m_protection, 3, 0, 1, 2);
   connection->addWidget(m_virtualBadge, 4, 0, 1, 2);
-  connection->addWidget(m_login, 5, 0, 1, 2);
+  connection->addWidget(m_control, 5, 0, 1, 2);
+  connection->addWidget(m_login, 6, 0, 1, 2);
   connection->setColumnStretch(0, 1);
 }
 
@@ -171,6 +180,7 @@ void ConnectionPanel::showConnection() {
   m_connect->setText(connects ? tr("Connect") : tr("Disconnect"));
   m_connect->setEnabled(connects ? !endpoint().isEmpty() : m_disconnectEnabled);
   m_endpoint->setEnabled(connects);
+  m_control->setEnabled(connects);
   m_login->setEnabled(connects);
 }
 

@@ -10,6 +10,7 @@
 
 #include "opcua/security.h"
 #include "widgets/common/page.h"
+#include "widgets/connection/control_fields.h"
 #include "widgets/connection/login_fields.h"
 #include "widgets/connection/machine_view.h"
 
@@ -34,6 +35,9 @@ class ConnectionPanel final : public Page {
   /// @param detail  one sentence on why, for Lost; may be empty
   void setConnectionState(ConnectionState state, const QString& detail = {});
   void setLogin(const LoginView& login) { m_login->setLogin(login); }
+  /// What was chosen for the machine of the endpoint.
+  void setControl(const ControlChoice& choice) { m_control->setChoice(choice); }
+  void setHasQtOpcUa(bool hasQtOpcUa) { m_control->setHasQtOpcUa(hasQtOpcUa); }
   /// @param protection  nothing: not connected, or there is no network between
   void setProtection(std::optional<opcua::Protection> protection,
                      const std::optional<opcua::ChannelSecurity>& security);
@@ -42,7 +46,8 @@ class ConnectionPanel final : public Page {
   void setDisconnectEnabled(bool enabled);
 
  Q_SIGNALS:
-  void connectRequested(const QString& endpoint, const rivulet::widgets::Login& login);
+  void connectRequested(const QString& endpoint, const rivulet::widgets::Login& login,
+                        const rivulet::widgets::ControlChoice& control);
   void disconnectRequested();
 
  protected:
@@ -50,6 +55,7 @@ class ConnectionPanel final : public Page {
   void restyle() override;
 
  private:
+  void requestConnection();
   void buildConnection();
   void buildMachine();
   void showConnection();
@@ -71,6 +77,7 @@ class ConnectionPanel final : public Page {
   StatusLabel* m_connectionStatus;
   StatusLabel* m_virtualBadge;
   StatusLabel* m_protection;
+  ControlFields* m_control;
   LoginFields* m_login;
 
   QGroupBox* m_machineGroup;

@@ -7,7 +7,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include "live/agreement.h"
 #include "widgets/common/page.h"
 #include "widgets/program/program_view.h"
 

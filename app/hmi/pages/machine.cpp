@@ -8,6 +8,7 @@
 
 #include "hmi/credit_commissioning.h"
 #include "hmi/pages/pages.h"
+#include "qtopcua/open_link.h"
 #include "templates/generator.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/commissioning/commissioning_page.h"
@@ -45,10 +46,15 @@ QWidget* makeConnectionPanel(const Models& models) {
   QObject::connect(logins, &Logins::changed, panel,
                    [panel, logins] { panel->setLogin(logins->view()); });
   panel->setLogin(logins->view());
+  panel->setHasQtOpcUa(qtopcua::isAvailable(opcua::LinkKind::QtOpcUa));
+  panel->setControl(machine->control());
   QObject::connect(panel, &ConnectionPanel::disconnectRequested, machine,
                    &MachineModel::disconnectFrom);
   QObject::connect(machine, &MachineModel::endpointChanged, panel,
-                   [panel, machine] { panel->setEndpoint(machine->endpoint()); });
+                   [panel, machine] {
+                     panel->setEndpoint(machine->endpoint());
+                     panel->setControl(machine->control());
+                   });
   QObject::connect(machine, &MachineModel::linkChanged, panel, [panel, machine] {
     const base::Error& error = machine->link().error;
     panel->setConnectionState(machine->connectionState(),

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What kind of server a machine has: a SINUMERIK, or one whose variables a map names; and which
+/// library connects with it. @threadsafety GUI thread.
+#pragma once
+
+#include <QString>
+
+#include "opcua/connection.h"
+#include "widgets/common/page.h"
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+class QPushButton;
+
+namespace rivulet::widgets {
+
+/// As it was chosen.
+struct ControlChoice {
+  QString mapFile;  ///< empty: it is a SINUMERIK
+  opcua::LinkKind link = opcua::LinkKind::Open62541;
+  friend bool operator==(const ControlChoice&, const ControlChoice&) = default;
+};
+
+class ControlFields final : public Page {
+  Q_OBJECT
+
+ public:
+  explicit ControlFields(QWidget* parent = nullptr);
+
+  /// Shows what was chosen for another machine.
+  void setChoice(const ControlChoice& choice);
+  [[nodiscard]] ControlChoice choice() const;
+  /// Asks for the file if there is to be a map and none is named. @return false: still none
+  [[nodiscard]] bool askForMap();
+  /// Without it there is one library only, and nothing to choose.
+  void setHasQtOpcUa(bool hasQtOpcUa);
+
+ Q_SIGNALS:
+  /// Return was pressed in the field of the map.
+  void submitted();
+
+ protected:
+  void retranslate() override;
+  void restyle() override;
+
+ private:
+  void chooseFile();
+  void showState();
+
+  bool m_hasQtOpcUa = false;
+  QCheckBox* m_isMapped;
+  QWidget* m_mapRow;
+  QLineEdit* m_mapFile;
+  QPushButton* m_choose;
+  QLabel* m_linkLabel;
+  QComboBox* m_link;
+};
+
+}  // namespace rivulet::widgets
