@@ -309,6 +309,25 @@ class TestFront : public QObject {
   }
 
   /// A subscription samples through the same service and so costs it nodes.
+  /// An object is no method. The library leaves such a call to a worker that nobody has started.
+  void aCallOfAnObjectIsAnswered() {
+    const LoopbackMachine cell;
+    const RawClient client(cell.endpoint());
+    UA_CallMethodRequest call;
+    UA_CallMethodRequest_init(&call);
+    call.objectId = opcua::standardNodeId(UA_NS0ID_SERVER);
+    call.methodId = call.objectId;
+    UA_CallRequest request;
+    UA_CallRequest_init(&request);
+    request.methodsToCall = &call;
+    request.methodsToCallSize = 1;
+    opcua::Handle<UA_CallResponse, UA_TYPES_CALLRESPONSE> response;
+    *response.get() = UA_Client_Service_call(client.get(), request);
+    QCOMPARE(response->responseHeader.serviceResult, UA_STATUSCODE_GOOD);
+    QCOMPARE(response->resultsSize, std::size_t{1});
+    QVERIFY(UA_StatusCode_isBad(response->results[0].statusCode));
+  }
+
   void subscriptionsCostTheServiceToo() {
     const LoopbackMachine cell;
     const RawClient client(cell.endpoint());

@@ -38,6 +38,7 @@ constexpr UA_UInt32 kSubscriptionsMax = 10;
 constexpr UA_UInt32 kMonitoredItemsMax = 100;
 constexpr double kSamplingIntervalMsMax = 5000.0;
 constexpr double kSessionTimeoutMsMax = 60'000.0;
+constexpr double kNoWorkerMs = 1.0;  ///< after which a call that nobody works on is given up
 constexpr UA_UInt32 kQueueSizeMax = 10'000;
 constexpr UA_UInt32 kNodesPerRequestMax = 1000;
 /// A file of the largest size, its request and some room.
@@ -237,6 +238,11 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   config.maxMonitoredItemsPerCall = kMonitoredItemsMax;
   config.maxSubscriptions = kSubscriptionsMax;
   config.maxMonitoredItems = kMonitoredItemsMax;
+#if UA_MULTITHREADING >= 100
+  // No method here is asynchronous, but the library (1.4) takes a call whose method is an object for
+  // one and would answer it after two minutes.
+  config.asyncOperationTimeout = kNoWorkerMs;
+#endif
   const double samplingMsMin = base::toMilliseconds(facts.samplingMin);
   config.samplingIntervalLimits = {samplingMsMin, kSamplingIntervalMsMax};
   config.publishingIntervalLimits = {samplingMsMin, kSamplingIntervalMsMax};
