@@ -618,6 +618,11 @@ Answer ServiceSession::resumeRun(const Caller& caller, const std::string& confir
         "ResumeRun needs the confirmation that the last PreflightResume has returned: call "
         "PreflightResume, check what it says, then resume.");
   }
+  if (!m_seen || base::distance(m_seen->positionMm, m_shownResume->toolMm) > kStandsMm) {
+    m_shownResume.reset();
+    m_found.reset();  // the control is asked again
+    return no("The tool has moved since the preflight. Call PreflightResume again.");
+  }
   session::StartCommand command;
   command.settings = m_job->runSettings;
   command.resumes = m_question;
