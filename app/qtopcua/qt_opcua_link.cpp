@@ -20,6 +20,7 @@
 #include "opcua/node_map.h"
 #include "opcua/open62541/monotonic_clock.h"
 #include "opcua/open62541/status.h"
+#include "opcua/request.h"
 #include "opcua/trace_parts.h"
 #include "qtopcua/client_thread.h"
 
@@ -34,6 +35,7 @@ namespace {
 
 using base::Duration;
 using base::Instant;
+using opcua::addSaturating;
 using opcua::Assignment;
 using opcua::Event;
 using opcua::EventKind;
@@ -46,10 +48,6 @@ using opcua::VariableKind;
 
 /// Connecting takes a dozen answers.
 constexpr int kConnectDeadlines = 6;
-
-[[nodiscard]] Instant addSaturating(Instant instant, Duration duration) {
-  return duration > Instant::max() - instant ? Instant::max() : instant + duration;
-}
 
 [[nodiscard]] QString qt(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
@@ -223,8 +221,7 @@ void appendReadings(const QOpcUaReadResult& result, std::size_t length,
 
 class QtOpcUaLink::Impl {
  public:
-  explicit Impl(opcua::ConnectOptions options)
-      : m_options(std::move(options)), m_thread(m_clock) {}
+  explicit Impl(opcua::ConnectOptions options) : m_options(std::move(options)), m_thread(m_clock) {}
 
   [[nodiscard]] base::Result<void> open();
 
@@ -265,9 +262,9 @@ class QtOpcUaLink::Impl {
     Operation operation = Operation::Read;
     Grouping grouping = Grouping::List;
     std::vector<Variable> variables;
-    std::vector<double> values;  ///< Write: one per variable
-    std::string path;            ///< Call: of the program to be stored
-    std::string text;            ///< Call
+    std::vector<double> values;                ///< Write: one per variable
+    std::string path;                          ///< Call: of the program to be stored
+    std::string text;                          ///< Call
     std::optional<trace::TracePosition> from;  ///< Call: for the trace, not for a program
     Instant deadline{};
     std::uint64_t serial = 0;   ///< of the service call in progress; 0 none
@@ -386,8 +383,7 @@ base::Result<void> QtOpcUaLink::Impl::open() {
 }
 
 base::Result<void> QtOpcUaLink::Impl::resolveNamespaces(Instant deadline) {
-  const auto answer =
-      readItems({QOpcUaReadItem(QString::fromLatin1(kNamespaceArray))}, deadline);
+  const auto answer = readItems({QOpcUaReadItem(QString::fromLatin1(kNamespaceArray))}, deadline);
   if (!answer) {
     return base::fail(answer.error());
   }
@@ -409,9 +405,9 @@ base::Result<void> QtOpcUaLink::Impl::resolveNamespaces(Instant deadline) {
     }
     if (*isThere) {
       m_isVirtual = true;
-      const auto givesPieces = exists(
-          *nameSpace, opcua::memberIdentifier(opcua::kVirtualObject, opcua::kFetchTracePiece),
-          deadline);
+      const auto givesPieces =
+          exists(*nameSpace,
+                 opcua::memberIdentifier(opcua::kVirtualObject, opcua::kFetchTracePiece), deadline);
       if (!givesPieces) {
         return base::fail(givesPieces.error());
       }
@@ -421,11 +417,10 @@ base::Result<void> QtOpcUaLink::Impl::resolveNamespaces(Instant deadline) {
   }
   if (const auto nameSpace = indexOf(opcua::kBridgeNamespaceUri)) {
     opcua::Abilities abilities;
-    for (const auto& [method, ability] :
-         {std::pair(opcua::kCycleStart, &abilities.startsOnRequest),
-          {opcua::kFetchTrace, &abilities.keepsTrace}}) {
-      const auto isThere = exists(
-          *nameSpace, opcua::memberIdentifier(opcua::kBridgeObject, method), deadline);
+    for (const auto& [method, ability] : {std::pair(opcua::kCycleStart, &abilities.startsOnRequest),
+                                          {opcua::kFetchTrace, &abilities.keepsTrace}}) {
+      const auto isThere =
+          exists(*nameSpace, opcua::memberIdentifier(opcua::kBridgeObject, method), deadline);
       if (!isThere) {
         return base::fail(isThere.error());
       }
@@ -438,9 +433,9 @@ base::Result<void> QtOpcUaLink::Impl::resolveNamespaces(Instant deadline) {
 
 base::Result<bool> QtOpcUaLink::Impl::exists(int nameSpace, std::string_view identifier,
                                              Instant deadline) {
-  const auto answer = readItems(
-      {QOpcUaReadItem(nodeText(nameSpace, identifier), QOpcUa::NodeAttribute::NodeClass)},
-      deadline);
+  const auto answer =
+      readItems({QOpcUaReadItem(nodeText(nameSpace, identifier), QOpcUa::NodeAttribute::NodeClass)},
+                deadline);
   if (!answer) {
     return base::fail(answer.error());
   }
@@ -472,9 +467,9 @@ base::Result<opcua::ServerIdentity> QtOpcUaLink::Impl::identity() {
 }
 
 base::Result<bool> QtOpcUaLink::Impl::mayWrite(const Variable& variable) {
-  const auto answer = readItems({QOpcUaReadItem(nodeOf(variable, 1, Grouping::List),
-                                                QOpcUa::NodeAttribute::UserAccessLevel)},
-                                addSaturating(now(), m_options.commandDeadline));
+  const auto answer = readItems(
+      {QOpcUaReadItem(nodeOf(variable, 1, Grouping::List), QOpcUa::NodeAttribute::UserAccessLevel)},
+      addSaturating(now(), m_options.commandDeadline));
   if (!answer) {
     return base::fail(answer.error());
   }
@@ -512,11 +507,8 @@ base::RequestId QtOpcUaLink::Impl::request(Operation operation, std::vector<Vari
   noticeLoss();  // comes before this request
   if (m_lost) {
     fail(pending, error(LinkError::ConnectionLost));
-  } else if (pending.variables.size() > opcua::kItemsMax) {
-    fail(pending, error(LinkError::TooManyItems));
-  } else if (!std::all_of(pending.values.begin(), pending.values.end(),
-                          [](double value) { return std::isfinite(value); })) {
-    fail(pending, error(LinkError::BadValue));
+  } else if (const auto fault = opcua::requestFault(pending.variables, pending.values)) {
+    fail(pending, error(*fault));
   } else if (pending.variables.empty()) {
     m_events.push_back(std::move(pending.event));  // nothing to request from the server
   } else {
@@ -534,8 +526,7 @@ base::RequestId QtOpcUaLink::Impl::store(const std::string& name, const std::str
   return begin(std::move(pending));
 }
 
-base::RequestId QtOpcUaLink::Impl::readTrace(const trace::TracePosition& from,
-                                             Duration deadline) {
+base::RequestId QtOpcUaLink::Impl::readTrace(const trace::TracePosition& from, Duration deadline) {
   if (!givesTracePieces()) {
     return {};
   }
@@ -561,10 +552,10 @@ const QString& QtOpcUaLink::Impl::nodeOf(const Variable& first, std::size_t leng
   const Grouping form = length > 1 ? grouping : Grouping::List;
   const auto [entry, isNew] = m_nodes.try_emplace({first, length, form});
   if (isNew) {
-    entry->second = nodeText(
-        m_namespace, length > 1 ? opcua::arrayIdentifier(
-                                      {first.index, static_cast<int>(length), form})
-                                : opcua::nodeIdentifier(first));
+    entry->second =
+        nodeText(m_namespace,
+                 length > 1 ? opcua::arrayIdentifier({first.index, static_cast<int>(length), form})
+                            : opcua::nodeIdentifier(first));
   }
   return entry->second;
 }
@@ -592,10 +583,12 @@ void QtOpcUaLink::Impl::send(Pending& pending) {
                     traceInputs(*pending.from));
       return;
     }
-    m_thread.call(pending.serial, nodeText(m_namespace, m_fileMethods),
-                  nodeText(m_namespace, opcua::memberIdentifier(m_fileMethods, opcua::kCopyToServer)),
-                  {textInput(pending.path), bytesInput(pending.text),
-                   {QVariant(true), QOpcUa::Types::Boolean}});
+    m_thread.call(
+        pending.serial, nodeText(m_namespace, m_fileMethods),
+        nodeText(m_namespace, opcua::memberIdentifier(m_fileMethods, opcua::kCopyToServer)),
+        {textInput(pending.path),
+         bytesInput(pending.text),
+         {QVariant(true), QOpcUa::Types::Boolean}});
     return;
   }
   const std::size_t first = pending.itemsSent;
@@ -689,8 +682,8 @@ void QtOpcUaLink::Impl::takeRead(Pending& pending, const Answer& answer) {
   if (readings.size() != pending.itemsSent) {
     pending.failure = UA_STATUSCODE_BADUNKNOWNRESPONSE;
   }
-  pending.done = pending.failure != UA_STATUSCODE_GOOD ||
-                 readings.size() == pending.variables.size();
+  pending.done =
+      pending.failure != UA_STATUSCODE_GOOD || readings.size() == pending.variables.size();
 }
 
 void QtOpcUaLink::Impl::takeWrite(Pending& pending, const Answer& answer) {
@@ -710,8 +703,8 @@ void QtOpcUaLink::Impl::takeWrite(Pending& pending, const Answer& answer) {
   if (statuses.size() != pending.itemsSent) {
     pending.failure = UA_STATUSCODE_BADUNKNOWNRESPONSE;
   }
-  pending.done = pending.failure != UA_STATUSCODE_GOOD ||
-                 statuses.size() == pending.variables.size();
+  pending.done =
+      pending.failure != UA_STATUSCODE_GOOD || statuses.size() == pending.variables.size();
 }
 
 void QtOpcUaLink::Impl::fail(Pending& pending, base::Error error) {
@@ -867,8 +860,7 @@ base::Result<QVariant> QtOpcUaLink::Impl::call(int nameSpace, std::string_view o
   const std::string identifier = opcua::memberIdentifier(object, method);
   auto answer = exchange(
       [&](std::uint64_t serial) {
-        m_thread.call(serial, nodeText(nameSpace, object), nodeText(nameSpace, identifier),
-                      inputs);
+        m_thread.call(serial, nodeText(nameSpace, object), nodeText(nameSpace, identifier), inputs);
       },
       Operation::Call, identifier, addSaturating(now(), m_options.commandDeadline));
   if (!answer) {
@@ -881,9 +873,8 @@ base::Result<QVariant> QtOpcUaLink::Impl::callFileMethod(
     std::string_view method, const QList<QOpcUa::TypedVariant>& inputs) {
   auto answer = call(m_namespace, m_fileMethods, method, inputs);
   if (!answer && answer.error().code == LinkError::MethodMissing) {
-    const std::string_view other = m_fileMethods == opcua::kMethodsObject
-                                       ? opcua::kFileMethodsObject
-                                       : opcua::kMethodsObject;
+    const std::string_view other =
+        m_fileMethods == opcua::kMethodsObject ? opcua::kFileMethodsObject : opcua::kMethodsObject;
     answer = call(m_namespace, other, method, inputs);
     m_fileMethods = answer ? other : m_fileMethods;
   }
@@ -933,18 +924,11 @@ base::RequestId QtOpcUaLink::read(std::span<const Variable> variables, base::Dur
                          grouping);
 }
 
-base::RequestId QtOpcUaLink::write(std::span<const Assignment> assignments,
-                                   base::Duration deadline, Grouping grouping) {
-  std::vector<Variable> variables;
-  std::vector<double> values;
-  variables.reserve(assignments.size());
-  values.reserve(assignments.size());
-  for (const Assignment& assignment : assignments) {
-    variables.push_back(assignment.variable);
-    values.push_back(assignment.value);
-  }
-  return m_impl->request(Operation::Write, std::move(variables), std::move(values), deadline,
-                         grouping);
+base::RequestId QtOpcUaLink::write(std::span<const Assignment> assignments, base::Duration deadline,
+                                   Grouping grouping) {
+  opcua::Targets targets = opcua::targetsOf(assignments);
+  return m_impl->request(Operation::Write, std::move(targets.variables), std::move(targets.values),
+                         deadline, grouping);
 }
 
 base::RequestId QtOpcUaLink::store(const std::string& name, const std::string& text,
@@ -966,9 +950,10 @@ base::Duration QtOpcUaLink::silence() const {
 
 base::Result<void> QtOpcUaLink::uploadProgram(const std::string& name, const std::string& text,
                                               bool overwrite) {
-  const auto answer = m_impl->callFileMethod(
-      opcua::kCopyToServer, {textInput(opcua::programPath(name)), bytesInput(text),
-                             {QVariant(overwrite), QOpcUa::Types::Boolean}});
+  const auto answer =
+      m_impl->callFileMethod(opcua::kCopyToServer, {textInput(opcua::programPath(name)),
+                                                    bytesInput(text),
+                                                    {QVariant(overwrite), QOpcUa::Types::Boolean}});
   return answer ? base::Result<void>() : base::fail(answer.error());
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "machine/front/variable_service.h"
+#include "opcua/request.h"
 #include "support/chosen_link.h"
 #include "support/loopback_machine.h"
 #include "support/plain_server.h"

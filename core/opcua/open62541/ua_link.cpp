@@ -31,6 +31,7 @@
 #include "opcua/open62541/quiet_logger.h"
 #include "opcua/open62541/status.h"
 #include "opcua/open62541/tcp_manager.h"
+#include "opcua/request.h"
 #include "opcua/trace_parts.h"
 
 // How it works. Requests wait in one queue, oldest first. A request of Grouping::List is one
@@ -85,10 +86,6 @@ constexpr std::size_t kExaminedAtOnce = 100;
 /// Of a value that is shown to a person.
 constexpr std::size_t kShownCharacters = 60;
 constexpr std::size_t kShownElements = 3;
-
-[[nodiscard]] Instant addSaturating(Instant instant, Duration duration) {
-  return duration > Instant::max() - instant ? Instant::max() : instant + duration;
-}
 
 template <class T>
 [[nodiscard]] std::optional<double> numberAs(const UA_Variant& variant, std::size_t typeIndex) {
@@ -612,6 +609,9 @@ class UaLink::Impl {
   void settle();
   void finishAnswered();
   void expire(Instant now);
+  [[nodiscard]] Pending newPending(Operation operation, EventKind kind, Duration deadline);
+  /// Takes the call of a method. @param hasMethod  false: the server has none
+  base::RequestId begin(Pending pending, bool hasMethod);
   void sendDue();
   void send(Pending& pending);
   [[nodiscard]] UA_StatusCode sendCall(Pending& pending, void* serial);
@@ -695,7 +695,7 @@ class UaLink::Impl {
   std::unordered_map<Node, std::string, NodeHash> m_identifiers;
   std::shared_ptr<const ControlMap> m_map;  ///< null: names of a SINUMERIK
   std::map<Variable, Address> m_addressed;
-  std::unordered_map<Node, Address, NodeHash> m_blocks;       ///< of several cells
+  std::unordered_map<Node, Address, NodeHash> m_blocks;  ///< of several cells
   bool m_hasFloatCells = false;
   std::map<int, double> m_meant;  ///< last value sent, by R number; with cells of type Float
   std::vector<float> m_floats;    ///< scratch of `send`
@@ -1690,21 +1690,42 @@ void UaLink::Impl::takeCall(Pending& pending, const UA_CallResponse& response) {
 
 // --- requests -----------------------------------------------------------------------------------
 
-base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable> variables,
-                                      std::vector<double> values, Duration deadline,
-                                      Grouping grouping) {
+UaLink::Impl::Pending UaLink::Impl::newPending(Operation operation, EventKind kind,
+                                               Duration deadline) {
   Pending pending;
   pending.id = ++m_lastId;
   pending.operation = operation;
-  const bool isControl = m_options.map != nullptr || !isMapped();
-  pending.grouping = isControl ? grouping : Grouping::List;
-  pending.variables = std::move(variables);
-  pending.values = std::move(values);
-  pending.event.kind = operation == Operation::Read ? EventKind::ReadDone : EventKind::WriteDone;
+  pending.event.kind = kind;
   pending.event.request = pending.id;
   pending.event.sent = now();
   pending.event.at = pending.event.sent;
   pending.deadline = addSaturating(pending.event.sent, deadline);
+  return pending;
+}
+
+base::RequestId UaLink::Impl::begin(Pending pending, bool hasMethod) {
+  noticeLoss();  // comes before this request
+  if (m_lost) {
+    fail(pending, error(LinkError::ConnectionLost));
+  } else if (!hasMethod) {
+    fail(pending, error(LinkError::MethodMissing));
+  } else {
+    m_pending.push_back(std::move(pending));
+    sendDue();
+  }
+  return m_lastId;
+}
+
+base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable> variables,
+                                      std::vector<double> values, Duration deadline,
+                                      Grouping grouping) {
+  Pending pending = newPending(
+      operation, operation == Operation::Read ? EventKind::ReadDone : EventKind::WriteDone,
+      deadline);
+  const bool isControl = m_options.map != nullptr || !isMapped();
+  pending.grouping = isControl ? grouping : Grouping::List;
+  pending.variables = std::move(variables);
+  pending.values = std::move(values);
   if (operation == Operation::Read) {
     pending.event.readings.reserve(pending.variables.size());
   } else {
@@ -1714,11 +1735,8 @@ base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable>
   noticeLoss();  // comes before this request
   if (m_lost) {
     fail(pending, error(LinkError::ConnectionLost));
-  } else if (pending.variables.size() > kItemsMax) {
-    fail(pending, error(LinkError::TooManyItems));
-  } else if (!std::all_of(pending.values.begin(), pending.values.end(),
-                          [](double value) { return std::isfinite(value); })) {
-    fail(pending, error(LinkError::BadValue));
+  } else if (const auto fault = requestFault(pending.variables, pending.values)) {
+    fail(pending, error(*fault));
   } else if (const auto lost = lostByFloat(pending)) {
     fail(pending, *lost);
   } else if (pending.variables.empty()) {
@@ -1763,49 +1781,19 @@ void UaLink::Impl::restoreMeant(const Variable& variable, Reading& reading) cons
 
 base::RequestId UaLink::Impl::store(const std::string& name, const std::string& text,
                                     Duration deadline) {
-  Pending pending;
-  pending.id = ++m_lastId;
-  pending.operation = Operation::Call;
+  Pending pending = newPending(Operation::Call, EventKind::WriteDone, deadline);
   pending.path = pathOf(name);
   pending.text = text;
-  pending.event.kind = EventKind::WriteDone;
-  pending.event.request = pending.id;
-  pending.event.sent = now();
-  pending.event.at = pending.event.sent;
-  pending.deadline = addSaturating(pending.event.sent, deadline);
-  noticeLoss();  // comes before this request
-  if (m_lost) {
-    fail(pending, error(LinkError::ConnectionLost));
-  } else if (isMapped() && !m_methods.contains(kCopyToServer)) {
-    fail(pending, error(LinkError::MethodMissing));
-  } else {
-    m_pending.push_back(std::move(pending));
-    sendDue();
-  }
-  return m_lastId;
+  return begin(std::move(pending), !isMapped() || m_methods.contains(kCopyToServer));
 }
 
 base::RequestId UaLink::Impl::readTrace(const trace::TracePosition& from, Duration deadline) {
   if (!givesTracePieces()) {
     return {};
   }
-  Pending pending;
-  pending.id = ++m_lastId;
-  pending.operation = Operation::Call;
+  Pending pending = newPending(Operation::Call, EventKind::TraceDone, deadline);
   pending.from = from;
-  pending.event.kind = EventKind::TraceDone;
-  pending.event.request = pending.id;
-  pending.event.sent = now();
-  pending.event.at = pending.event.sent;
-  pending.deadline = addSaturating(pending.event.sent, deadline);
-  noticeLoss();  // comes before this request
-  if (m_lost) {
-    fail(pending, error(LinkError::ConnectionLost));
-  } else {
-    m_pending.push_back(std::move(pending));
-    sendDue();
-  }
-  return m_lastId;
+  return begin(std::move(pending), true);
 }
 
 UA_StatusCode UaLink::Impl::sendCall(Pending& pending, void* serial) {
@@ -2270,16 +2258,9 @@ base::RequestId UaLink::read(std::span<const Variable> variables, base::Duration
 
 base::RequestId UaLink::write(std::span<const Assignment> assignments, base::Duration deadline,
                               Grouping grouping) {
-  std::vector<Variable> variables;
-  std::vector<double> values;
-  variables.reserve(assignments.size());
-  values.reserve(assignments.size());
-  for (const Assignment& assignment : assignments) {
-    variables.push_back(assignment.variable);
-    values.push_back(assignment.value);
-  }
-  return m_impl->request(Operation::Write, std::move(variables), std::move(values), deadline,
-                         grouping);
+  Targets targets = targetsOf(assignments);
+  return m_impl->request(Operation::Write, std::move(targets.variables), std::move(targets.values),
+                         deadline, grouping);
 }
 
 base::RequestId UaLink::store(const std::string& name, const std::string& text,

@@ -17,9 +17,6 @@
 
 namespace rivulet::opcua {
 
-/// Largest number of items of one request, as the control's server accepts.
-inline constexpr std::size_t kItemsMax = 1000;
-
 struct ConnectOptions {
   std::string endpoint;  ///< as typed, e.g. "opc.tcp://192.168.214.1:4840"; used as it stands
   /// For each answer while connecting; altogether six times as long.
