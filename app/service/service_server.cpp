@@ -118,8 +118,6 @@ class ServiceServer::Impl {
   [[nodiscard]] base::Result<void> configure(const machine::ServerOptions& options);
   [[nodiscard]] UA_StatusCode build();
   [[nodiscard]] UA_StatusCode addFolders(std::string_view identifier);
-  [[nodiscard]] UA_StatusCode addObject(const UA_NodeId& parent, std::string_view identifier,
-                                        std::string_view name);
   [[nodiscard]] UA_StatusCode addVariable(const VariableRow& row, const NodeValue& value);
   [[nodiscard]] UA_StatusCode addMethod(const MethodRow& row);
   [[nodiscard]] Caller callerOf(const UA_NodeId* sessionId, void* user) const;
@@ -211,17 +209,6 @@ base::Result<void> ServiceServer::Impl::configure(const machine::ServerOptions& 
                              : base::Result<void>(machine::setUpFailed("be created", m_logger));
 }
 
-UA_StatusCode ServiceServer::Impl::addObject(const UA_NodeId& parent, std::string_view identifier,
-                                             std::string_view name) {
-  UA_ObjectAttributes attributes = UA_ObjectAttributes_default;
-  attributes.displayName.text = opcua::borrow(name);
-  UA_QualifiedName browseName{m_namespace, opcua::borrow(name)};
-  return UA_Server_addObjectNode(m_server, opcua::borrowNodeId(m_namespace, identifier), parent,
-                                 opcua::standardNodeId(UA_NS0ID_HASCOMPONENT), browseName,
-                                 opcua::standardNodeId(UA_NS0ID_BASEOBJECTTYPE), attributes,
-                                 nullptr, nullptr);
-}
-
 /// The objects in front of the last slash of an identifier.
 UA_StatusCode ServiceServer::Impl::addFolders(std::string_view identifier) {
   UA_StatusCode status = UA_STATUSCODE_GOOD;
@@ -234,7 +221,8 @@ UA_StatusCode ServiceServer::Impl::addFolders(std::string_view identifier) {
     m_objects.emplace(object);
     const std::size_t slash = object.rfind('/');
     const bool isTop = slash == std::string_view::npos;
-    status |= addObject(
+    status |= machine::addObject(
+        m_server, m_namespace,
         opcua::borrowNodeId(m_namespace, isTop ? kMachineObject : object.substr(0, slash)), object,
         isTop ? object : object.substr(slash + 1));
   }
@@ -302,9 +290,11 @@ UA_StatusCode ServiceServer::Impl::addMethod(const MethodRow& row) {
 UA_StatusCode ServiceServer::Impl::build() {
   m_namespace = UA_Server_addNamespace(m_server, std::string(kNamespaceUri).c_str());
   UA_StatusCode status =
-      addObject(opcua::standardNodeId(UA_NS0ID_OBJECTSFOLDER), kMachinesFolder, kMachinesFolder);
+      machine::addObject(m_server, m_namespace, opcua::standardNodeId(UA_NS0ID_OBJECTSFOLDER),
+                         kMachinesFolder, kMachinesFolder);
   status |=
-      addObject(opcua::borrowNodeId(m_namespace, kMachinesFolder), kMachineObject, kMachineObject);
+      machine::addObject(m_server, m_namespace, opcua::borrowNodeId(m_namespace, kMachinesFolder),
+                         kMachineObject, kMachineObject);
   const Snapshot seen = m_session.snapshot();
   for (const VariableRow& row : variableRows()) {
     m_shown.push_back(row.value(seen));

@@ -42,6 +42,17 @@ UA_StatusCode replaceText(UA_String& target, std::string_view text) {
   return UA_String_copy(&source, &target);
 }
 
+UA_StatusCode addObject(UA_Server* server, UA_UInt16 namespaceIndex, const UA_NodeId& parent,
+                        std::string_view identifier, std::string_view name) {
+  UA_ObjectAttributes attributes = UA_ObjectAttributes_default;
+  attributes.displayName.text = opcua::borrow(name);
+  UA_QualifiedName browseName{namespaceIndex, opcua::borrow(name)};
+  return UA_Server_addObjectNode(server, opcua::borrowNodeId(namespaceIndex, identifier), parent,
+                                 opcua::standardNodeId(UA_NS0ID_HASCOMPONENT), browseName,
+                                 opcua::standardNodeId(UA_NS0ID_BASEOBJECTTYPE), attributes,
+                                 nullptr, nullptr);
+}
+
 void refuseChanges(UA_AccessControl& control) {
   control.allowAddNode = &refuseAddNode;
   control.allowAddReference = &refuseAddReference;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What every OPC UA server of Rivulet does with the library's configuration and socket.
+/// What every OPC UA server of Rivulet does with the library's configuration, objects and socket.
 /// @threadsafety as the server.
 #pragma once
 
@@ -23,6 +23,12 @@ namespace rivulet::machine {
 
 /// A text of a configuration gets another value.
 [[nodiscard]] UA_StatusCode replaceText(UA_String& target, std::string_view text);
+
+/// An object that is a component of another one, with the same browse and display name.
+/// @param namespaceIndex  of its identifier and of its name
+[[nodiscard]] UA_StatusCode addObject(UA_Server* server, UA_UInt16 namespaceIndex,
+                                      const UA_NodeId& parent, std::string_view identifier,
+                                      std::string_view name);
 
 /// A client may use the nodes but never change which there are.
 void refuseChanges(UA_AccessControl& control);

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "machine/front/listening.h"
 #include "machine/front/server.h"
 #include "opcua/link.h"
 #include "opcua/node_map.h"
@@ -225,18 +226,6 @@ struct Signature {
     arguments[i].valueRank = UA_VALUERANK_SCALAR;
   }
   return arguments;
-}
-
-[[nodiscard]] UA_StatusCode addObject(UA_Server* server, UA_UInt16 namespaceIndex,
-                                      const UA_NodeId& parent, std::string_view identifier,
-                                      std::string_view name) {
-  UA_ObjectAttributes attributes = UA_ObjectAttributes_default;
-  attributes.displayName.text = opcua::borrow(name);
-  UA_QualifiedName browseName{namespaceIndex, opcua::borrow(name)};
-  return UA_Server_addObjectNode(server, opcua::borrowNodeId(namespaceIndex, identifier), parent,
-                                 opcua::standardNodeId(UA_NS0ID_HASCOMPONENT), browseName,
-                                 opcua::standardNodeId(UA_NS0ID_BASEOBJECTTYPE), attributes,
-                                 nullptr, nullptr);
 }
 
 [[nodiscard]] UA_StatusCode addMethod(UA_Server* server, UA_UInt16 namespaceIndex,
