@@ -457,14 +457,8 @@ void Document::judge() {
   found.operatingPoint = report::operatingPointOf(settings);
   found.source.cellsMax = feasibility::turnOf(found.operatingPoint.turn()).content;
   // The points of a live run come while it is in progress.
-  preparation::Judged result =
+  static_cast<preparation::Judged&>(found) =
       preparation::judge(m_live ? nullptr : m_view.get(), settings, found.access, dryRunProblem());
-  found.cells = std::move(result.cells);
-  found.templateText = std::move(result.templateText);
-  found.settingsError = std::move(result.settingsError);
-  found.distances = result.distances;
-  found.verdict = std::move(result.verdict);
-  found.overrideLimit = result.overrideLimit;
   if (found.settingsError && found.settingsError->code == streaming::StreamError::FeedUnknown) {
     found.settingsError->context = tr("Line %1").arg(m_view->lineWithoutFeed->value).toStdString();
   }

@@ -16,6 +16,7 @@
 
 #include "feasibility/verdict.h"
 #include "machine/config.h"
+#include "preparation/judged.h"
 #include "session/file_watch.h"
 #include "session/job_check.h"
 #include "session/live_path.h"
@@ -35,17 +36,10 @@
 namespace rivulet::hmi {
 
 /// What follows from program and settings.
-struct Findings {
+struct Findings : preparation::Judged {
   feasibility::OperatingPoint operatingPoint;
   feasibility::AccessModel access;
   widgets::AccessSource source;  ///< of `access`
-  std::optional<templates::CellMap> cells;
-  std::string templateText;                  ///< empty: see `settingsError`
-  std::optional<base::Error> settingsError;  ///< why no flexible program or verdict can be had
-  std::optional<feasibility::ProgramDistances> distances;
-  std::optional<feasibility::Verdict> verdict;
-  /// With the feeds of the program: the largest override, and the block that limits it.
-  std::optional<streaming::OverrideLimit> overrideLimit;
   /// The simulation of the program with these settings; nothing: there is no verdict to check.
   std::optional<streaming::Rehearsed> rehearsed;
   std::shared_ptr<const session::RehearsalOutcome> rehearsal;  ///< null: not done (yet)

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <utility>
 
+#include "preparation/judged.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
@@ -222,14 +223,8 @@ void FoundRuns::resume() {
   }
   m_isWatched = false;
   m_resuming = *run;
-  widgets::StreamSettings settings = m_document.settings();
-  settings.parameters = run->settings.parameters;
-  settings.programFeeds = run->settings.programFeeds.has_value();
-  if (settings.programFeeds) {
-    settings.overrideFactor = run->settings.programFeeds->overrideFactor;
-  } else {
-    settings.feedMmPerS = run->settings.feedMmPerS;
-  }
+  widgets::StreamSettings settings =
+      preparation::settingsOfRun(run->settings, m_document.settings());
   settings.wholeJob = settings.wholeJob || m_seen.isJob;
   m_document.setSettings(settings);
   if (isLoaded(*run)) {

@@ -61,6 +61,18 @@ streaming::RunSettings runSettings(
   return settings;
 }
 
+widgets::StreamSettings settingsOfRun(const streaming::RunSettings& run,
+                                      widgets::StreamSettings settings) {
+  settings.parameters = run.parameters;
+  settings.programFeeds = run.programFeeds.has_value();
+  if (run.programFeeds) {
+    settings.overrideFactor = run.programFeeds->overrideFactor;
+  } else {
+    settings.feedMmPerS = run.feedMmPerS;
+  }
+  return settings;
+}
+
 Judged judge(const widgets::ProgramView* view, const streaming::RunSettings& settings,
              const feasibility::AccessModel& access, std::optional<base::Error> problem) {
   Judged found;

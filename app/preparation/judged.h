@@ -27,6 +27,11 @@ namespace rivulet::preparation {
     const widgets::ProgramView* view, const gcode::ProgramFeeds& machineFeeds,
     std::shared_ptr<const streaming::CalibrationRecord> calibration);
 
+/// The settings that a run was started with, as far as they decide what it does; the others stay as
+/// they are.
+[[nodiscard]] widgets::StreamSettings settingsOfRun(const streaming::RunSettings& run,
+                                                    widgets::StreamSettings settings);
+
 struct Judged {
   std::optional<templates::CellMap> cells;
   std::string templateText;                  ///< empty: see `settingsError`

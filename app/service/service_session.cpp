@@ -12,6 +12,7 @@
 #include "base/units.h"
 #include "journal/audit.h"
 #include "log/log.h"
+#include "preparation/judged.h"
 #include "preparation/release_file.h"
 #include "report/run_history.h"
 #include "service/machine_lock.h"
@@ -550,14 +551,8 @@ Answer ServiceSession::preflightResume(const Caller& caller) {
     auto loaded = service::loadJob(
         run->programFile, run->reading,
         [run, this](const std::string&) -> base::Result<widgets::StreamSettings> {
-          widgets::StreamSettings settings = defaultSettings();
-          settings.parameters = run->settings.parameters;
-          settings.programFeeds = run->settings.programFeeds.has_value();
-          if (settings.programFeeds) {
-            settings.overrideFactor = run->settings.programFeeds->overrideFactor;
-          } else {
-            settings.feedMmPerS = run->settings.feedMmPerS;
-          }
+          widgets::StreamSettings settings =
+              preparation::settingsOfRun(run->settings, defaultSettings());
           settings.wholeJob = m_runs.isJob;
           return settings;
         },
