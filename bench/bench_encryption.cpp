@@ -23,29 +23,21 @@
 #include "machine/front/server.h"
 #include "machine/machine.h"
 #include "measuring.h"
-#include "opcua/await.h"
 #include "opcua/open62541/encryption.h"
 #include "opcua/open62541/ua_link.h"
+#include "request_times.h"
 
 namespace {
 
 using namespace rivulet;
 using bench::microseconds;
 using bench::required;
-using namespace std::chrono_literals;
-
-constexpr base::Duration kDeadline = 20s;
-constexpr int kRounds = 20;
-constexpr int kRequestsPerRound = 100;
-/// As many as a window of 7 points has in three axes, with its header.
-constexpr int kValues = 28;
 
 struct Kind {
   std::string security;
   std::unique_ptr<opcua::UaLink> link;
   double connectMs = 0.0;
-  std::vector<double> writeUs;
-  std::vector<double> readUs;
+  bench::RequestTimes times;
 };
 
 void connect(Kind& kind, const std::string& endpoint, const opcua::OwnCertificate& own) {
@@ -58,23 +50,6 @@ void connect(Kind& kind, const std::string& endpoint, const opcua::OwnCertificat
   };
   kind.connectMs =
       microseconds([&] { kind.link = required(opcua::UaLink::connect(options)); }) / 1000.0;
-}
-
-void measure(Kind& kind) {
-  std::vector<opcua::Assignment> assignments;
-  for (int i = 0; i < kValues; ++i) {
-    assignments.push_back({opcua::rParameter(i), 0.5 * i});
-  }
-  const std::array variables{opcua::rParameter(0), opcua::rParameter(1), opcua::rParameter(2)};
-  for (int i = 0; i < kRequestsPerRound; ++i) {
-    kind.writeUs.push_back(microseconds([&] {
-      if (!opcua::writeNow(*kind.link, assignments, kDeadline)) {
-        std::exit(1);
-      }
-    }));
-    kind.readUs.push_back(
-        microseconds([&] { required(opcua::readNumbers(*kind.link, variables, kDeadline)); }));
-  }
 }
 
 }  // namespace
@@ -94,22 +69,23 @@ int main() {
   for (const char* security :
        {"None", "Basic256Sha256/Sign", "Basic256Sha256", "Aes128_Sha256_RsaOaep",
         "Aes256_Sha256_RsaPss/Sign", "Aes256_Sha256_RsaPss"}) {
-    kinds.push_back({security, nullptr, 0.0, {}, {}});
+    kinds.push_back({security, nullptr, 0.0, {}});
     connect(kinds.back(), server->endpoint(), own);
   }
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < bench::kRounds; ++round) {
     for (Kind& kind : kinds) {
-      measure(kind);
+      bench::measureRequests(*kind.link, kind.times);
     }
   }
-  fmt::print("{} requests of each kind; encryption by {}\n", kRounds * kRequestsPerRound,
-             opcua::encryptionLibrary());
+  fmt::print("{} requests of each kind; encryption by {}\n",
+             bench::kRounds * bench::kRequestsPerRound, opcua::encryptionLibrary());
   fmt::print("{:<28} {:>11} {:>9} {:>9} {:>9} {:>9}\n", "", "connect ms", "write us", "p99",
              "read us", "p99");
   for (const Kind& kind : kinds) {
     fmt::print("{:<28} {:>11.1f} {:>9.0f} {:>9.0f} {:>9.0f} {:>9.0f}\n", kind.security,
-               kind.connectMs, base::median(kind.writeUs), bench::quantileOf(kind.writeUs, 990),
-               base::median(kind.readUs), bench::quantileOf(kind.readUs, 990));
+               kind.connectMs, base::median(kind.times.writeUs),
+               bench::quantileOf(kind.times.writeUs, 990), base::median(kind.times.readUs),
+               bench::quantileOf(kind.times.readUs, 990));
   }
   kinds.clear();
   stop = true;

@@ -21,46 +21,19 @@
 #include "machine/front/server.h"
 #include "machine/machine.h"
 #include "measuring.h"
-#include "opcua/await.h"
 #include "qtopcua/open_link.h"
+#include "request_times.h"
 
 namespace {
 
 using namespace rivulet;
-using namespace std::chrono_literals;
-using bench::microseconds;
 using bench::required;
-
-constexpr base::Duration kDeadline = 20s;
-constexpr int kRounds = 20;
-constexpr int kRequestsPerRound = 100;
-/// As many as a window of 7 points has in three axes, with its header.
-constexpr int kValues = 28;
 
 struct Kind {
   std::string name;
   opcua::Connection connection;
-  std::vector<double> writeUs;
-  std::vector<double> readUs;
+  bench::RequestTimes times;
 };
-
-void measure(Kind& kind) {
-  std::vector<opcua::Assignment> assignments;
-  for (int i = 0; i < kValues; ++i) {
-    assignments.push_back({opcua::rParameter(i), 0.5 * i});
-  }
-  const std::array variables{opcua::rParameter(0), opcua::rParameter(1), opcua::rParameter(2)};
-  opcua::Link& link = *kind.connection.link;
-  for (int i = 0; i < kRequestsPerRound; ++i) {
-    kind.writeUs.push_back(microseconds([&] {
-      if (!opcua::writeNow(link, assignments, kDeadline)) {
-        std::exit(1);
-      }
-    }));
-    kind.readUs.push_back(
-        microseconds([&] { required(opcua::readNumbers(link, variables, kDeadline)); }));
-  }
-}
 
 }  // namespace
 
@@ -80,20 +53,20 @@ int main() {
       fmt::print("{}: not in this build\n", name);
       continue;
     }
-    kinds.push_back({name, required(qtopcua::openLink(kind, options)), {}, {}});
+    kinds.push_back({name, required(qtopcua::openLink(kind, options)), {}});
   }
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < bench::kRounds; ++round) {
     for (Kind& kind : kinds) {
-      measure(kind);
+      bench::measureRequests(*kind.connection.link, kind.times);
     }
   }
-  fmt::print("{} requests of each kind: {} values written, 3 read\n", kRounds * kRequestsPerRound,
-             kValues);
+  fmt::print("{} requests of each kind: {} values written, 3 read\n",
+             bench::kRounds * bench::kRequestsPerRound, bench::kValues);
   fmt::print("{:<12} {:>9} {:>9} {:>9} {:>9}\n", "", "write us", "p99", "read us", "p99");
   for (const Kind& kind : kinds) {
-    fmt::print("{:<12} {:>9.0f} {:>9.0f} {:>9.0f} {:>9.0f}\n", kind.name, base::median(kind.writeUs),
-               bench::quantileOf(kind.writeUs, 990), base::median(kind.readUs),
-               bench::quantileOf(kind.readUs, 990));
+    fmt::print("{:<12} {:>9.0f} {:>9.0f} {:>9.0f} {:>9.0f}\n", kind.name,
+               base::median(kind.times.writeUs), bench::quantileOf(kind.times.writeUs, 990),
+               base::median(kind.times.readUs), bench::quantileOf(kind.times.readUs, 990));
   }
   kinds.clear();
   stop = true;
