@@ -136,8 +136,7 @@ void MainWindow::buildPages() {
   const Models models{m_settings, m_messages,     m_alarms, m_users,    m_audit,
                       m_machine,  m_document,     m_runs,   m_live,     m_preflight,
                       m_found,    m_pastRuns,     m_credit, m_profiles, m_machines,
-                      m_traces,   m_certificates, m_logins, m_learning,
-                      m_player};
+                      m_traces,   m_certificates, m_logins, m_learning, m_player};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -150,7 +149,8 @@ void MainWindow::buildPages() {
   m_centre = new QStackedWidget(central);
   m_tabs = new widgets::SideTabs(m_centre);
   for (const PageEntry& entry : pageEntries()) {
-    m_tabs->addTab(widgets::makeScrolling(entry.make(models, nullptr)), QString());
+    const int page = m_tabs->addTab(widgets::makeScrolling(entry.make(models, nullptr)), QString());
+    m_tabs->setTabVisible(page, !entry.isInMenu);
   }
   m_centre->addWidget(m_tabs);
   m_centre->addWidget(widgets::makeColumn(makePreflightSheet(models, nullptr)));
@@ -171,15 +171,7 @@ void MainWindow::buildPages() {
   rows->addWidget(m_columns, 1);
   for (int i = 0; i < m_tabs->count(); ++i) {
     auto* key = new QShortcut(pageKey(i), this);
-    connect(key, &QShortcut::activated, this, [this, i] {
-      if (m_users.isLocked()) {
-        return;
-      }
-      m_preflight.close();
-      showCentre();
-      m_columns->uncover();
-      m_tabs->setCurrentIndex(i);
-    });
+    connect(key, &QShortcut::activated, this, [this, i] { openPage(i); });
   }
   connect(m_columns, &widgets::FoldingColumns::changed, this, &MainWindow::showColumns);
   connect(&m_preflight, &Preflight::openChanged, this, &MainWindow::showCentre);
@@ -235,6 +227,16 @@ QWidget* MainWindow::makeHeader(const Models& models, QWidget* parent) {
   return header;
 }
 
+void MainWindow::openPage(int page) {
+  if (m_users.isLocked()) {
+    return;
+  }
+  m_preflight.close();
+  showCentre();
+  m_columns->uncover();
+  m_tabs->setCurrentIndex(page);
+}
+
 void MainWindow::showColumns() {
   m_machineButton->setChecked(m_columns->isOpen(widgets::FoldingColumns::First));
   m_setUpButton->setChecked(m_columns->isOpen(widgets::FoldingColumns::Second));
@@ -284,6 +286,12 @@ void MainWindow::buildMenu() {
       menu->addAction(QString(), this, [this] { Q_EMIT programPage()->panel()->liveRequested(); });
   m_liveAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
   addAction(m_liveAction);
+  menu->addSeparator();
+  for (int i = 0; i < m_tabs->count(); ++i) {
+    if (!m_tabs->isTabVisible(i)) {
+      m_pageActions[i] = menu->addAction(QString(), this, [this, i] { openPage(i); });
+    }
+  }
   menu->addSeparator();
   m_languageMenu = menu->addMenu(QString());
   m_languages = new QActionGroup(this);
@@ -336,6 +344,9 @@ void MainWindow::retranslate() {
     titles.push_back(pageTitle(entry));
   }
   m_tabs->setTitles(titles, keys);
+  for (const auto& [page, action] : m_pageActions) {
+    action->setText(titles[page]);
+  }
   m_setUpButton->setText(tr("&Set-up"));
   m_setUpButton->setToolTip(tr("Method, feed and verdict"));
   m_menuButton->setText(tr("&Menu"));

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -137,6 +138,8 @@ class MainWindow final : public QMainWindow {
   void buildPages();
   void buildMenu();
   [[nodiscard]] QWidget* makeHeader(const Models& models, QWidget* parent);
+  /// Not while the window is locked.
+  void openPage(int page);
   void showColumns();
   void showCentre();
   /// What has to be decided comes to the front; what is safe has the focus.
@@ -195,6 +198,7 @@ class MainWindow final : public QMainWindow {
   QMenu* m_languageMenu = nullptr;
   QMenu* m_themeMenu = nullptr;
   QAction* m_openAction = nullptr;
+  std::map<int, QAction*> m_pageActions;  ///< of the pages that are in the menu, by their index
   QAction* m_liveAction = nullptr;
   QAction* m_quitAction = nullptr;
   QAction* m_helpAction = nullptr;

@@ -50,9 +50,7 @@ constexpr double kLargeBoldPt = 14.0;
 /// A frame may share a line with its neighbour.
 constexpr int kSharedPx = 2;
 constexpr int kLowWindowPx = 600;
-constexpr int kLowTabPx = 27;
-constexpr int kMiddleWindowPx = 768;
-constexpr int kMiddleTabPx = 40;
+constexpr int kLowTabPx = 30;
 
 QString nameOf(const QWidget* widget) {
   QString text;
@@ -272,6 +270,9 @@ class Inspector {
 
   void checkTabs(const QTabBar* tabs) {
     for (int i = 0; i < tabs->count(); ++i) {
+      if (!tabs->isTabVisible(i)) {
+        continue;
+      }
       const QRect place = tabs->tabRect(i);
       if (!tabs->rect().contains(place)) {
         complain(tabs, QStringLiteral("tab \"%1\" is not wholly visible").arg(tabs->tabText(i)));
@@ -282,9 +283,7 @@ class Inspector {
         checkContrast(tabs, place & tabs->rect(), tabs->tabText(i), tabs->font());
       }
       // A low window is one on a screen scaled to 200 %.
-      const int needed = m_window.height() < kLowWindowPx      ? kLowTabPx
-                         : m_window.height() < kMiddleWindowPx ? kMiddleTabPx
-                                                               : widgets::kTouchHeightPx;
+      const int needed = m_window.height() < kLowWindowPx ? kLowTabPx : widgets::kTouchHeightPx;
       if (place.height() < needed) {
         complain(tabs, QStringLiteral("tab \"%1\" is %2 px high, too low for a finger")
                            .arg(tabs->tabText(i))

@@ -17,7 +17,7 @@ namespace {
 constexpr int kMarkPx = 5;  ///< bar at the left of the present page
 constexpr int kPaddingPx = 10;
 /// In a low window. It is one on a screen scaled to 200 %, where this is more than enough.
-constexpr int kHeightPxMin = 27;
+constexpr int kHeightPxMin = 30;
 
 class SideTabBar final : public QTabBar {
  public:
@@ -36,7 +36,11 @@ class SideTabBar final : public QTabBar {
 
  protected:
   [[nodiscard]] QSize tabSizeHint(int /*index*/) const override {
-    const int room = parentWidget()->height() / std::max(1, count());
+    int shown = 0;
+    for (int i = 0; i < count(); ++i) {
+      shown += isTabVisible(i) ? 1 : 0;
+    }
+    const int room = parentWidget()->height() / std::max(1, shown);
     return {m_widthPx + kMarkPx + 2 * kPaddingPx, std::clamp(room, kHeightPxMin, kTouchHeightPx)};
   }
 
@@ -57,6 +61,9 @@ class SideTabBar final : public QTabBar {
     QPainter painter(this);
     const ThemeColors& colors = themeColors(palette());
     for (int i = 0; i < count(); ++i) {
+      if (!isTabVisible(i)) {
+        continue;
+      }
       const QRect place = tabRect(i);
       const bool isCurrent = i == currentIndex();
       QFont textFont = font();
@@ -82,8 +89,10 @@ class SideTabBar final : public QTabBar {
     bold.setBold(true);  // as the present one is drawn
     const QFontMetrics metrics(bold);
     m_widthPx = 0;
-    for (const QString& title : titles) {
-      m_widthPx = std::max(m_widthPx, metrics.horizontalAdvance(title));
+    for (int i = 0; i < count(); ++i) {
+      if (isTabVisible(i)) {
+        m_widthPx = std::max(m_widthPx, metrics.horizontalAdvance(titles[i]));
+      }
     }
   }
 

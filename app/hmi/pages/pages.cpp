@@ -31,7 +31,7 @@ constexpr std::array<PageEntry, 12> kEntries{{
     {QT_TRANSLATE_NOOP("Pages", "Configure"), makeSetUpPage, "Configure"},
     {QT_TRANSLATE_NOOP("Pages", "Machines"), makeMachinesPage, "Machines"},
     {QT_TRANSLATE_NOOP("Pages", "Emulator"), makeEmulatorPage, "Emulator"},
-    {QT_TRANSLATE_NOOP("Pages", "CNC tasks"), makeParallelPage, "CNC tasks"},
+    {QT_TRANSLATE_NOOP("Pages", "CNC tasks"), makeParallelPage, "CNC tasks", true},
 }};
 
 }  // namespace

@@ -67,6 +67,7 @@ struct PageEntry {
   const char* title;  ///< to be translated in the context `Pages`
   QWidget* (*make)(const Models& models, QWidget* parent);
   const char* help = "The window";  ///< heading in docs/hmi.md
+  bool isInMenu = false;            ///< chosen there, not at the side: no work at a machine
 };
 /// In the order of the tabs.
 [[nodiscard]] std::span<const PageEntry> pageEntries();
