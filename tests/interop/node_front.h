@@ -6,17 +6,15 @@
 /// own that ends with the object.
 #pragma once
 
-#include <sys/prctl.h>
-
 #include <QByteArray>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
-#include <QStandardPaths>
 #include <QString>
 #include <cmath>
-#include <csignal>
+
+#include "interop/node_runtime.h"
 
 namespace rivulet::tests {
 
@@ -33,14 +31,6 @@ namespace rivulet::tests {
 
 class NodeFront {
  public:
-  /// Why it cannot be started; empty: it can.
-  [[nodiscard]] static QString obstacle() {
-    return node().isEmpty() || modules().isEmpty()
-               ? QStringLiteral(
-                     "node-opcua is not installed: scripts/interop installs it and runs this test.")
-               : QString();
-  }
-
   /// @param folder  for the plan and the certificates
   NodeFront(QJsonObject plan, const QString& folder) {
     plan.insert(QStringLiteral("folder"), folder);
@@ -49,14 +39,7 @@ class NodeFront {
       return;
     }
     file.close();
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("NODE_PATH"), modules());
-    m_process.setProcessEnvironment(environment);
-    m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    m_process.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGKILL); });
-    m_process.start(
-        node(),
-        {QStringLiteral(RIVULET_SOURCE_DIR "/tests/interop/node_opcua_front.js"), file.fileName()});
+    NodeRuntime::start(m_process, QStringLiteral("node_opcua_front.js"), file.fileName());
     while (m_endpoint.isEmpty() &&
            (m_process.canReadLine() || m_process.waitForReadyRead(kPatienceMs))) {
       const QJsonObject said = QJsonDocument::fromJson(m_process.readLine()).object();
@@ -77,14 +60,6 @@ class NodeFront {
 
  private:
   static constexpr int kPatienceMs = 120'000;
-
-  static QString node() { return QStandardPaths::findExecutable(QStringLiteral("node")); }
-  /// Where node finds the library; empty: nowhere.
-  static QString modules() {
-    const QString folder = qEnvironmentVariable(
-        "RIVULET_NODE_MODULES", QStringLiteral(RIVULET_SOURCE_DIR "/build/interop/node_modules"));
-    return QFile::exists(folder + QStringLiteral("/node-opcua/package.json")) ? folder : QString();
-  }
 
   QProcess m_process;
   QString m_endpoint;

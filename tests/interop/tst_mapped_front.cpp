@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "interop/node_front.h"
+#include "interop/node_runtime.h"
 #include "opcua/control_map.h"
 #include "support/machine_process.h"
 #include "support/test_program.h"
@@ -89,8 +90,8 @@ class TestMappedFront : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    if (!tests::NodeFront::obstacle().isEmpty()) {
-      QSKIP(qPrintable(tests::NodeFront::obstacle()));
+    if (!tests::NodeRuntime::obstacle().isEmpty()) {
+      QSKIP(qPrintable(tests::NodeRuntime::obstacle()));
     }
     write("arc.mpf", tests::arcProgram(kPoints));
     m_machine = std::make_unique<tests::MachineProcess>(QStringLiteral(RIVULET_MACHINE));

@@ -16,6 +16,7 @@
 
 #include "base/axes.h"
 #include "interop/node_front.h"
+#include "interop/node_runtime.h"
 #include "opcua/node_map.h"
 #include "support/machine_process.h"
 #include "support/test_program.h"
@@ -60,8 +61,8 @@ class TestNodeOpcua : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    if (!tests::NodeFront::obstacle().isEmpty()) {
-      QSKIP(qPrintable(tests::NodeFront::obstacle()));
+    if (!tests::NodeRuntime::obstacle().isEmpty()) {
+      QSKIP(qPrintable(tests::NodeRuntime::obstacle()));
     }
     write("arc.mpf", tests::arcProgram(kPoints));
     m_machine = std::make_unique<tests::MachineProcess>(QStringLiteral(RIVULET_MACHINE));

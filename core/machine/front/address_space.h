@@ -45,18 +45,25 @@ class AddressSpace {
   /// Index of the namespace of the variables, after `build`.
   [[nodiscard]] UA_UInt16 namespaceIndex() const { return m_namespace; }
 
+  /// Elements of the longest array that a client can address; 0: there are no arrays.
+  [[nodiscard]] int arrayLengthMax() const;
+
  private:
   [[nodiscard]] UA_StatusCode addFolder(std::string_view parent, std::string_view identifier,
-                                        std::string_view name);
+                                        std::string_view name, std::string_view description);
   [[nodiscard]] UA_StatusCode addParameters();
   [[nodiscard]] UA_StatusCode addVariable(const VariableRow& row);
   /// @param folder empty: not listed
   [[nodiscard]] UA_StatusCode addNode(std::string_view folder, std::string_view identifier,
                                       std::string_view name, const VariableRow* row, int index);
 
+  /// Unit and range of a variable that has them.
+  [[nodiscard]] UA_StatusCode addUnit(std::string_view identifier, const VariableNode& node);
+
   UA_Server* m_server;
   VariableService& m_service;
   UA_UInt16 m_namespace = 0;
+  int m_parameterCount = 0;
   std::deque<VariableNode> m_nodes;
   std::size_t m_arrayCount = 0;
 };

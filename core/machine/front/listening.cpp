@@ -43,14 +43,36 @@ UA_StatusCode replaceText(UA_String& target, std::string_view text) {
 }
 
 UA_StatusCode addObject(UA_Server* server, UA_UInt16 namespaceIndex, const UA_NodeId& parent,
-                        std::string_view identifier, std::string_view name) {
+                        std::string_view identifier, std::string_view name,
+                        std::string_view description) {
   UA_ObjectAttributes attributes = UA_ObjectAttributes_default;
   attributes.displayName.text = opcua::borrow(name);
+  attributes.description = localized(description);
   UA_QualifiedName browseName{namespaceIndex, opcua::borrow(name)};
   return UA_Server_addObjectNode(server, opcua::borrowNodeId(namespaceIndex, identifier), parent,
                                  opcua::standardNodeId(UA_NS0ID_HASCOMPONENT), browseName,
                                  opcua::standardNodeId(UA_NS0ID_BASEOBJECTTYPE), attributes,
                                  nullptr, nullptr);
+}
+
+UA_LocalizedText localized(std::string_view english) {
+  return english.empty() ? UA_LocalizedText{}
+                         : UA_LocalizedText{opcua::borrow("en"), opcua::borrow(english)};
+}
+
+UA_StatusCode addProperty(UA_Server* server, const UA_NodeId& owner, const UA_NodeId& id,
+                          const UA_QualifiedName& name, const UA_Variant& value,
+                          std::string_view description) {
+  UA_VariableAttributes attributes = UA_VariableAttributes_default;
+  attributes.displayName.text = name.name;
+  attributes.description = localized(description);
+  attributes.dataType = value.type->typeId;
+  attributes.valueRank = UA_VALUERANK_SCALAR;
+  attributes.accessLevel = UA_ACCESSLEVELMASK_READ;
+  attributes.value = value;
+  return UA_Server_addVariableNode(server, id, owner, opcua::standardNodeId(UA_NS0ID_HASPROPERTY),
+                                   name, opcua::standardNodeId(UA_NS0ID_PROPERTYTYPE), attributes,
+                                   nullptr, nullptr);
 }
 
 void refuseChanges(UA_AccessControl& control) {

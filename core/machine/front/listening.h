@@ -26,9 +26,19 @@ namespace rivulet::machine {
 
 /// An object that is a component of another one, with the same browse and display name.
 /// @param namespaceIndex  of its identifier and of its name
+/// @param description  what it is, in one short sentence; empty: the name says it
 [[nodiscard]] UA_StatusCode addObject(UA_Server* server, UA_UInt16 namespaceIndex,
                                       const UA_NodeId& parent, std::string_view identifier,
-                                      std::string_view name);
+                                      std::string_view name, std::string_view description = {});
+
+/// A text in English, as the server has told its clients that all are; valid as long as `english`.
+[[nodiscard]] UA_LocalizedText localized(std::string_view english);
+
+/// A property of a node, which only clients read.
+/// @param id  of the property @param value  copied
+[[nodiscard]] UA_StatusCode addProperty(UA_Server* server, const UA_NodeId& owner,
+                                        const UA_NodeId& id, const UA_QualifiedName& name,
+                                        const UA_Variant& value, std::string_view description);
 
 /// A client may use the nodes but never change which there are.
 void refuseChanges(UA_AccessControl& control);

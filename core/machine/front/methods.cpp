@@ -208,10 +208,12 @@ UA_StatusCode onCall(UA_Server* /*server*/, const UA_NodeId* sessionId, void* se
 struct Parameter {
   std::string_view name;
   std::size_t type;
+  std::string_view description;
 };
 
 struct Signature {
   std::string_view name;
+  std::string_view description;
   UA_MethodCallback callback;
   std::vector<Parameter> inputs;
   std::vector<Parameter> outputs;
@@ -224,6 +226,7 @@ struct Signature {
     arguments[i].name = opcua::borrow(parameters[i].name);
     arguments[i].dataType = UA_TYPES[parameters[i].type].typeId;
     arguments[i].valueRank = UA_VALUERANK_SCALAR;
+    arguments[i].description = localized(parameters[i].description);
   }
   return arguments;
 }
@@ -233,92 +236,106 @@ struct Signature {
                                       Methods& methods) {
   UA_MethodAttributes attributes = UA_MethodAttributes_default;
   attributes.displayName.text = opcua::borrow(signature.name);
+  attributes.description = localized(signature.description);
   attributes.executable = true;
   attributes.userExecutable = true;
   const std::string identifier = opcua::memberIdentifier(object, signature.name);
   const auto inputs = argumentsOf(signature.inputs);
   const auto outputs = argumentsOf(signature.outputs);
+  const std::string inputsId = opcua::memberIdentifier(identifier, "InputArguments");
+  const std::string outputsId = opcua::memberIdentifier(identifier, "OutputArguments");
+  const UA_NodeId inputsNode = opcua::borrowNodeId(namespaceIndex, inputsId);
+  const UA_NodeId outputsNode = opcua::borrowNodeId(namespaceIndex, outputsId);
   UA_QualifiedName browseName{namespaceIndex, opcua::borrow(signature.name)};
-  return UA_Server_addMethodNode(server, opcua::borrowNodeId(namespaceIndex, identifier),
-                                 opcua::borrowNodeId(namespaceIndex, object),
-                                 opcua::standardNodeId(UA_NS0ID_HASCOMPONENT), browseName,
-                                 attributes, signature.callback, inputs.size(), inputs.data(),
-                                 outputs.size(), outputs.data(), &methods, nullptr);
-}
-
-[[nodiscard]] UA_StatusCode addProperty(UA_Server* server, UA_UInt16 namespaceIndex,
-                                        std::string_view object, std::string_view name,
-                                        const UA_Variant& value) {
-  UA_VariableAttributes attributes = UA_VariableAttributes_default;
-  attributes.displayName.text = opcua::borrow(name);
-  attributes.dataType = value.type->typeId;
-  attributes.valueRank = UA_VALUERANK_SCALAR;
-  attributes.accessLevel = UA_ACCESSLEVELMASK_READ;
-  attributes.value = value;
-  const std::string identifier = opcua::memberIdentifier(object, name);
-  UA_QualifiedName browseName{namespaceIndex, opcua::borrow(name)};
-  return UA_Server_addVariableNode(
+  UA_StatusCode status = UA_Server_addMethodNodeEx(
       server, opcua::borrowNodeId(namespaceIndex, identifier),
-      opcua::borrowNodeId(namespaceIndex, object), opcua::standardNodeId(UA_NS0ID_HASPROPERTY),
-      browseName, opcua::standardNodeId(UA_NS0ID_PROPERTYTYPE), attributes, nullptr, nullptr);
+      opcua::borrowNodeId(namespaceIndex, object), opcua::standardNodeId(UA_NS0ID_HASCOMPONENT),
+      browseName, attributes, signature.callback, inputs.size(), inputs.data(), inputsNode, nullptr,
+      outputs.size(), outputs.data(), outputsNode, nullptr, &methods, nullptr);
+  if (status == UA_STATUSCODE_GOOD && !inputs.empty()) {
+    status = UA_Server_writeDescription(server, inputsNode,
+                                        localized("What a caller gives to the method."));
+  }
+  if (status == UA_STATUSCODE_GOOD && !outputs.empty()) {
+    status = UA_Server_writeDescription(server, outputsNode, localized("What the method answers."));
+  }
+  return status;
 }
 
 }  // namespace
 
 base::Result<void> Methods::build(UA_UInt16 namespaceIndex) {
+  const Parameter status32{"Status", UA_TYPES_INT32,
+                           "0 done, 1 no such channel, 2 no such program, 3 channel not in reset, "
+                           "4 rejected."};
   const std::vector<Signature> ofSinumerik{
       {opcua::kCopyToServer,
+       "Stores a part program on the control.",
        &onCall<&copyFileToServer, Right::WriteFiles>,
-       {{"TargetFilename", UA_TYPES_STRING},
-        {"Data", UA_TYPES_BYTESTRING},
-        {"Overwrite", UA_TYPES_BOOLEAN}},
+       {{"TargetFilename", UA_TYPES_STRING, "Path of the program on the control."},
+        {"Data", UA_TYPES_BYTESTRING, "Text of the program."},
+        {"Overwrite", UA_TYPES_BOOLEAN, "Whether a program of this name is replaced."}},
        {}},
       {opcua::kCopyFromServer,
+       "Gives the text of a part program.",
        &onCall<&copyFileFromServer, Right::ReadFiles>,
-       {{"SourceFile", UA_TYPES_STRING}},
-       {{"Data", UA_TYPES_BYTESTRING}}},
+       {{"SourceFile", UA_TYPES_STRING, "Path of the program on the control."}},
+       {{"Data", UA_TYPES_BYTESTRING, "Text of the program."}}},
       {opcua::kSelect,
+       "Selects a part program for the next cycle start; does not start it.",
        &onCall<&select, Right::Select>,
-       {{"SourceFileNodeId", UA_TYPES_STRING}, {"ChannelNumber", UA_TYPES_UINT32}},
-       {{"Status", UA_TYPES_INT32}}},
+       {{"SourceFileNodeId", UA_TYPES_STRING, "Path of the program on the control."},
+        {"ChannelNumber", UA_TYPES_UINT32, "1: there is one channel."}},
+       {status32}},
       {opcua::kGetMyAccessRights,
+       "Lists the rights of the user who asks.",
        &onCall<&getMyAccessRights, Right::Anyone>,
        {},
-       {{"Rights", UA_TYPES_STRING}}}};
+       {{"Rights", UA_TYPES_STRING, "Names of the rights, separated by semicolons."}}}};
   const ServedFacts& facts = control().facts();
   std::vector<Signature> beyond;
   if (facts.abilities.startsOnRequest) {
     beyond.push_back({opcua::kCycleStart,
+                      "Starts the selected program, or continues the one that waits.",
                       &onCall<&cycleStart, Right::Start>,
                       {},
-                      {{"Status", UA_TYPES_INT32}, {"Message", UA_TYPES_STRING}}});
-    beyond.push_back({opcua::kReset, &onCall<&reset, Right::Start>, {}, {}});
+                      {status32, {"Message", UA_TYPES_STRING, "Why it was not started."}}});
+    beyond.push_back({opcua::kReset,
+                      "Ends the program and acknowledges alarms, like the key RESET.",
+                      &onCall<&reset, Right::Start>,
+                      {},
+                      {}});
   }
   if (facts.abilities.keepsTrace) {
     beyond.push_back({opcua::kFetchTrace,
+                      "Gives a part of the trace since the last cycle start.",
                       &onCall<&fetchTrace, Right::Anyone>,
-                      {{"Offset", UA_TYPES_UINT64}},
-                      {{"Data", UA_TYPES_BYTESTRING}, {"Total", UA_TYPES_UINT64}}});
+                      {{"Offset", UA_TYPES_UINT64, "First byte; 0 reads the trace anew."}},
+                      {{"Data", UA_TYPES_BYTESTRING, "Text of the trace from there on."},
+                       {"Total", UA_TYPES_UINT64, "Bytes of the whole trace."}}});
   }
 
   if (facts.tracePieces) {
+    constexpr std::string_view kFrom = "As the call before answered; 0 at the first call.";
+    constexpr std::string_view kNext = "For the next call.";
     beyond.push_back({opcua::kFetchTracePiece,
+                      "Gives what was recorded since the piece before, and forgets that one.",
                       &onCall<&fetchTracePiece, Right::Anyone>,
-                      {{"Start", UA_TYPES_UINT64},
-                       {"Samples", UA_TYPES_UINT64},
-                       {"Blocks", UA_TYPES_UINT64},
-                       {"Events", UA_TYPES_UINT64}},
-                      {{"Data", UA_TYPES_BYTESTRING},
-                       {"NextStart", UA_TYPES_UINT64},
-                       {"NextSamples", UA_TYPES_UINT64},
-                       {"NextBlocks", UA_TYPES_UINT64},
-                       {"NextEvents", UA_TYPES_UINT64},
-                       {"IsLast", UA_TYPES_BOOLEAN}}});
+                      {{"Start", UA_TYPES_UINT64, kFrom},
+                       {"Samples", UA_TYPES_UINT64, kFrom},
+                       {"Blocks", UA_TYPES_UINT64, kFrom},
+                       {"Events", UA_TYPES_UINT64, kFrom}},
+                      {{"Data", UA_TYPES_BYTESTRING, "Text of the piece."},
+                       {"NextStart", UA_TYPES_UINT64, kNext},
+                       {"NextSamples", UA_TYPES_UINT64, kNext},
+                       {"NextBlocks", UA_TYPES_UINT64, kNext},
+                       {"NextEvents", UA_TYPES_UINT64, kNext},
+                       {"IsLast", UA_TYPES_BOOLEAN, "Nothing more is there yet."}}});
   }
 
   UA_StatusCode status =
       addObject(m_server, namespaceIndex, opcua::borrowNodeId(namespaceIndex, "Sinumerik"),
-                opcua::kMethodsObject, "Methods");
+                opcua::kMethodsObject, "Methods", "File transfer, selection and rights.");
   for (const Signature& signature : ofSinumerik) {
     status |= addMethod(m_server, namespaceIndex, opcua::kMethodsObject, signature, *this);
   }
@@ -327,16 +344,23 @@ base::Result<void> Methods::build(UA_UInt16 namespaceIndex) {
   const UA_UInt16 virtualIndex = UA_Server_addNamespace(m_server, uri.c_str());
   const std::string_view object = facts.isVirtual ? opcua::kVirtualObject : opcua::kBridgeObject;
   status |= addObject(m_server, virtualIndex, opcua::standardNodeId(UA_NS0ID_OBJECTSFOLDER), object,
-                      object);
+                      object, "What a SINUMERIK does not offer to clients.");
   for (const Signature& signature : beyond) {
     status |= addMethod(m_server, virtualIndex, object, signature, *this);
   }
   UA_Boolean simulated = facts.isVirtual;
   UA_String preset = opcua::borrow(facts.name);
-  status |= addProperty(m_server, virtualIndex, object, opcua::kSimulated,
-                        opcua::borrowScalar(simulated, UA_TYPES_BOOLEAN));
-  status |= addProperty(m_server, virtualIndex, object, opcua::kPresetName,
-                        opcua::borrowScalar(preset, UA_TYPES_STRING));
+  const auto add = [&](std::string_view name, const UA_Variant& value,
+                       std::string_view description) {
+    const std::string identifier = opcua::memberIdentifier(object, name);
+    status |= addProperty(m_server, opcua::borrowNodeId(virtualIndex, object),
+                          opcua::borrowNodeId(virtualIndex, identifier),
+                          {virtualIndex, opcua::borrow(name)}, value, description);
+  };
+  add(opcua::kSimulated, opcua::borrowScalar(simulated, UA_TYPES_BOOLEAN),
+      "Whether no real axis moves.");
+  add(opcua::kPresetName, opcua::borrowScalar(preset, UA_TYPES_STRING),
+      "Name of the preset or of the machine.");
   if (status != UA_STATUSCODE_GOOD) {
     return base::fail(
         FrontError::SetUpFailed,

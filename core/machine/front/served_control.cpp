@@ -3,6 +3,7 @@
 
 #include "machine/front/served_control.h"
 
+#include "base/units.h"
 #include "trace/control_trace.h"
 
 namespace rivulet::machine {
@@ -20,6 +21,18 @@ ServedMachine::ServedMachine(Machine& machine) : m_machine(machine) {
   m_facts.samplingMin = config.access.samplingMin;
   m_facts.arrays = config.access.arrays;
   m_facts.users = config.users;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    m_facts.travel[axis] = {config.axes[axis].positionMmMin, config.axes[axis].positionMmMax};
+  }
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (const auto& limits = config.rotaryAxes[axis]) {
+      m_facts.travel[base::kAxisCount + axis] = {limits->positionDegMin, limits->positionDegMax};
+    }
+  }
+  m_facts.feedMmPerMin = {0.0, base::mmPerMinFromMmPerS(config.feedMmPerSMax())};
+  if (config.spindle) {
+    m_facts.spindlePerMin = {0.0, config.spindle->speedPerMinMax};
+  }
 }
 
 bool ServedMachine::shows(std::string_view folder, std::string_view name) const {

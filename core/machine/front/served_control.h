@@ -7,12 +7,15 @@
 /// @threadsafety one object, one thread at a time: that of the server.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/instant.h"
 #include "base/result.h"
 #include "machine/config.h"
@@ -21,6 +24,12 @@
 #include "trace/trace_piece.h"
 
 namespace rivulet::machine {
+
+/// Between which values a variable is in normal operation, in its unit.
+struct ValueRange {
+  double low = 0.0;
+  double high = 0.0;
+};
 
 /// What does not change while the server runs.
 struct ServedFacts {
@@ -35,6 +44,12 @@ struct ServedFacts {
   base::Duration samplingMin{};  ///< shortest sampling and publishing interval
   ArrayAccess arrays;
   UserManagement users;
+
+  // What clients see as ranges of the variables; nothing: not known.
+  /// Of X Y Z in mm and of A B C in degrees, machine coordinates.
+  std::array<std::optional<ValueRange>, base::kAxisCount + base::kRotaryAxisCount> travel;
+  std::optional<ValueRange> feedMmPerMin;
+  std::optional<ValueRange> spindlePerMin;
 };
 
 class ServedControl {

@@ -17,6 +17,7 @@
 #include "base/contract.h"
 #include "machine/front/address_space.h"
 #include "machine/front/array_store.h"
+#include "machine/front/capabilities.h"
 #include "machine/front/client_gate.h"
 #include "machine/front/listening.h"
 #include "machine/front/methods.h"
@@ -177,6 +178,11 @@ base::Result<void> Server::Impl::start(const ServerOptions& options) {
   if (auto built = m_methods->build(m_addressSpace->namespaceIndex()); !built) {
     return built;
   }
+  if (stateCapabilities(m_server, {static_cast<std::uint32_t>(m_addressSpace->arrayLengthMax()),
+                                   static_cast<std::uint32_t>(kFileBytesMax)}) !=
+      UA_STATUSCODE_GOOD) {
+    return setUpFailed("state its limits");
+  }
   m_methods->setSessionCheck([this](const std::string& key) {
     const auto session = m_sessions.find(key);
     return session != m_sessions.end() && session->second.connection != 0 &&
@@ -234,13 +240,15 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   config.maxNodesPerRead = kNodesPerRequestMax;
   config.maxNodesPerWrite = kNodesPerRequestMax;
   config.maxNodesPerBrowse = kNodesPerRequestMax;
+  config.maxNodesPerRegisterNodes = kNodesPerRequestMax;
+  config.maxNodesPerTranslateBrowsePathsToNodeIds = kNodesPerRequestMax;
   config.maxNodesPerMethodCall = 1;
   config.maxMonitoredItemsPerCall = kMonitoredItemsMax;
   config.maxSubscriptions = kSubscriptionsMax;
   config.maxMonitoredItems = kMonitoredItemsMax;
 #if UA_MULTITHREADING >= 100
-  // No method here is asynchronous, but the library (1.4) takes a call whose method is an object for
-  // one and would answer it after two minutes.
+  // No method here is asynchronous, but the library (1.4) takes a call whose method is an object
+  // for one and would answer it after two minutes.
   config.asyncOperationTimeout = kNoWorkerMs;
 #endif
   const double samplingMsMin = base::toMilliseconds(facts.samplingMin);
