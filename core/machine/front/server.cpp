@@ -26,6 +26,7 @@
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/quiet_logger.h"
 #include "opcua/open62541/tcp_manager.h"
+#include "opcua/request.h"
 
 namespace rivulet::machine {
 
@@ -41,7 +42,7 @@ constexpr double kSamplingIntervalMsMax = 5000.0;
 constexpr double kSessionTimeoutMsMax = 60'000.0;
 constexpr double kNoWorkerMs = 1.0;  ///< after which a call that nobody works on is given up
 constexpr UA_UInt32 kQueueSizeMax = 10'000;
-constexpr UA_UInt32 kNodesPerRequestMax = 1000;
+constexpr auto kNodesPerRequestMax = static_cast<UA_UInt32>(opcua::kItemsMax);
 /// A file of the largest size, its request and some room.
 constexpr UA_UInt32 kMessageBytesMax = static_cast<UA_UInt32>(kFileBytesMax) + (1U << 20U);
 
