@@ -401,6 +401,10 @@ std::string ServiceSession::newConfirmation(const std::string& text) {
       .substr(0, kConfirmationDigits);
 }
 
+bool ServiceSession::hasToolMoved(const Shown& shown) const {
+  return !m_seen || base::distance(m_seen->positionMm, shown.toolMm) > kStandsMm;
+}
+
 Answer ServiceSession::preflight(const Caller& caller) {
   if (auto answer = refused(caller, Act::Start)) {
     return *answer;  // what somebody else was shown stays
@@ -429,7 +433,7 @@ Answer ServiceSession::start(const Caller& caller, const std::string& confirmati
         "Start needs the confirmation that the last Preflight has returned: call Preflight, check "
         "what it says, then start.");
   }
-  if (!m_seen || base::distance(m_seen->positionMm, m_shown->toolMm) > kStandsMm) {
+  if (hasToolMoved(*m_shown)) {
     m_shown.reset();
     return no("The tool has moved since the preflight. Call Preflight again.");
   }
@@ -613,7 +617,7 @@ Answer ServiceSession::resumeRun(const Caller& caller, const std::string& confir
         "ResumeRun needs the confirmation that the last PreflightResume has returned: call "
         "PreflightResume, check what it says, then resume.");
   }
-  if (!m_seen || base::distance(m_seen->positionMm, m_shownResume->toolMm) > kStandsMm) {
+  if (hasToolMoved(*m_shownResume)) {
     m_shownResume.reset();
     m_found.reset();  // the control is asked again
     return no("The tool has moved since the preflight. Call PreflightResume again.");

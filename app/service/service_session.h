@@ -135,6 +135,8 @@ class ServiceSession {
   [[nodiscard]] const report::SavedRun* leftRun() const;
   [[nodiscard]] std::string describeStart() const;
   [[nodiscard]] std::string newConfirmation(const std::string& text);
+  /// Since somebody was shown what a start would do; also if its place is not known.
+  [[nodiscard]] bool hasToolMoved(const Shown& shown) const;
   Answer begin(const Caller& caller, permission::Act act, session::StartCommand command);
   void record(const Caller& caller, permission::Act act,
               std::vector<std::pair<std::string, std::string>> details);
