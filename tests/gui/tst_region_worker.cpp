@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kSoonMs = 60000;
 
-RegionJob job() {
+RegionJob regionJob() {
   base::Random random(5);
   RegionJob job;
   for (const base::Vec3& point : streaming::drawContour({60, 0.3, 0.15}, random)) {
@@ -46,7 +46,7 @@ class TestRegionWorker : public QObject {
     Outcome outcome;
     connect(&worker, &RegionWorker::finished, this, [&](const Outcome& value) { outcome = value; });
     QSignalSpy progress(&worker, &RegionWorker::progressed);
-    worker.start(job());
+    worker.start(regionJob());
     QVERIFY(worker.isBusy());
     QTRY_VERIFY_WITH_TIMEOUT(outcome != nullptr, kSoonMs);
     QVERIFY(!worker.isBusy());
@@ -86,14 +86,14 @@ class TestRegionWorker : public QObject {
     int finished = 0;
     connect(&worker, &RegionWorker::finished, this, [&](const Outcome&) { ++finished; });
     QSignalSpy cancelled(&worker, &RegionWorker::cancelled);
-    RegionJob large = job();
+    RegionJob large = regionJob();
     large.seedsPerPoint = 100000;
     worker.start(large);
     worker.cancel();
     QCOMPARE(cancelled.count(), 1);
     QVERIFY(!worker.isBusy());
     // The next job is done although the one before was cancelled.
-    worker.start(job());
+    worker.start(regionJob());
     QTRY_COMPARE_WITH_TIMEOUT(finished, 1, kSoonMs);
     QCoreApplication::processEvents();
     QCOMPARE(finished, 1);
@@ -101,7 +101,7 @@ class TestRegionWorker : public QObject {
 
   void endsWithItsOwner() {
     auto worker = std::make_unique<RegionWorker>();
-    RegionJob large = job();
+    RegionJob large = regionJob();
     large.seedsPerPoint = 100000;
     worker->start(large);
     worker.reset();
