@@ -258,7 +258,16 @@ class TestMainWindow : public QObject {
 
   /// The button of the page, the worker's threads, the points beside the borders.
   void simulatesAroundTheOperatingPoint() {
-    open(streamSettings(base::MethodKind::Position, 9, 0.75, 1400.0));
+    QFile whole(kScorpion);
+    QVERIFY(whole.open(QIODevice::ReadOnly));
+    QFile part(m_folder.filePath(QStringLiteral("part.tap")));
+    QVERIFY(part.open(QIODevice::WriteOnly));
+    constexpr int kLines = 90;  // each point of the chart simulates all of them several times
+    for (int line = 0; line < kLines; ++line) {
+      part.write(whole.readLine());
+    }
+    part.close();
+    open(streamSettings(base::MethodKind::Position, 9, 0.75, 1400.0), part.fileName());
     m_window->pages()->setCurrentIndex(1);
     auto* page = m_window->findChild<widgets::FeasibilityPage*>();
     page->showChart(feasibility::SweepAxis::PointsPerLoop);
