@@ -5,7 +5,7 @@
 /// Which calibration a command uses, and what it prints about it. @threadsafety main thread.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 

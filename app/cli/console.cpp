@@ -4,6 +4,7 @@
 #include "cli/console.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "log/log.h"
 #include "opcua/error.h"

@@ -5,7 +5,7 @@
 /// Common to all commands: exit codes, output, errors. @threadsafety main thread.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "base/error.h"

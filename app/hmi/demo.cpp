@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QTabWidget>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "base/file.h"
 #include "report/report_json.h"

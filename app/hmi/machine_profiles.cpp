@@ -4,6 +4,7 @@
 #include "hmi/machine_profiles.h"
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/utc.h"

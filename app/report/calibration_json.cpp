@@ -4,6 +4,7 @@
 #include "report/calibration_json.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/file.h"
 #include "report/report_json.h"

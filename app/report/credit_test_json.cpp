@@ -3,6 +3,7 @@
 
 #include "report/credit_test_json.h"
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <type_traits>
 #include <utility>

@@ -5,7 +5,7 @@
 /// The test of method credit as JSON (docs/cli.md names every field). @threadsafety pure.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "streaming/machine_facts.h"
 

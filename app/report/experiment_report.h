@@ -5,7 +5,7 @@
 /// An experiment as text, JSON, CSV, and as a section of the report. @threadsafety pure.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

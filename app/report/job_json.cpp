@@ -4,6 +4,7 @@
 #include "report/job_json.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "report/report_json.h"
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "report/json_members.h"
 #include "streaming/machine_facts.h"

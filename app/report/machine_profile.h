@@ -6,7 +6,7 @@
 /// virtual machine that stands for it. @threadsafety pure, except that presets are read.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "machine/config.h"

@@ -3,6 +3,8 @@
 
 #include "report/plan_json.h"
 
+#include <nlohmann/json.hpp>
+
 namespace rivulet::report {
 
 using nlohmann::ordered_json;

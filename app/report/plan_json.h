@@ -5,7 +5,7 @@
 /// A whole job as JSON (docs/cli.md names every field). @threadsafety pure.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "job/plan.h"
 

@@ -5,7 +5,7 @@
 /// Results as JSON for programs (docs/cli.md names every field). @threadsafety pure.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "base/error.h"
 #include "feasibility/path_statistics.h"

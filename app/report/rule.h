@@ -5,7 +5,7 @@
 /// Rules on results, such as "skipped>0 or contour_error.max>0.05". @threadsafety pure.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

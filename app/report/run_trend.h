@@ -5,7 +5,7 @@
 /// How access time and pauses of a machine develop over its runs. @threadsafety pure.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -7,7 +7,7 @@
 /// the access times that were recorded. @threadsafety pure.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>

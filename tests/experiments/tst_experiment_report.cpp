@@ -3,6 +3,7 @@
 
 #include <QXmlStreamReader>
 #include <QtTest>
+#include <nlohmann/json.hpp>
 
 #include "report/experiment_report.h"
 #include "report/svg_plot.h"

@@ -7,6 +7,7 @@
 #include <QtTest>
 #include <cmath>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "base/file.h"
 #include "machine/machine.h"

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/file.h"
 #include "hmi/pages/pages.h"
