@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstring>
 #include <deque>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <span>
@@ -86,6 +87,10 @@ constexpr std::size_t kExaminedAtOnce = 100;
 /// Of a value that is shown to a person.
 constexpr std::size_t kShownCharacters = 60;
 constexpr std::size_t kShownElements = 3;
+/// While nothing changes, a server with a subscription is heard that often.
+constexpr Duration kKeepAlive = std::chrono::seconds(1);
+/// For how long it keeps a subscription that is not asked for any more.
+constexpr Duration kSubscriptionLifetime = std::chrono::seconds(60);
 
 template <class T>
 [[nodiscard]] std::optional<double> numberAs(const UA_Variant& variant, std::size_t typeIndex) {
@@ -176,6 +181,50 @@ template <class T>
     reading.status = LinkError::BadValue;
   }
   return reading;
+}
+
+[[nodiscard]] NodeValue nodeValueOf(const UA_Variant& variant) {
+  if (const auto* flag = scalarOf<UA_Boolean>(variant, UA_TYPES_BOOLEAN)) {
+    return *flag;
+  }
+  if (const auto number = numberOf(variant)) {
+    return *number;
+  }
+  if (auto text = textOf(variant)) {
+    return *std::move(text);
+  }
+  if (UA_Variant_hasArrayType(&variant, &UA_TYPES[UA_TYPES_DOUBLE])) {
+    const auto* const numbers = static_cast<const double*>(variant.data);
+    return std::vector<double>(numbers, numbers + variant.arrayLength);
+  }
+  return {};
+}
+
+/// What a server has told of its subscription.
+/// @return false: the subscription has ended
+[[nodiscard]] bool takeNotification(const UA_NotificationMessage& message,
+                                    std::vector<NodeChange>& changes) {
+  for (std::size_t i = 0; i < message.notificationDataSize; ++i) {
+    const UA_ExtensionObject& data = message.notificationData[i];
+    if (data.encoding < UA_EXTENSIONOBJECT_DECODED) {
+      continue;  // of a kind that the library does not know
+    }
+    const void* const content = data.content.decoded.data;
+    if (data.content.decoded.type == &UA_TYPES[UA_TYPES_STATUSCHANGENOTIFICATION]) {
+      return !isBad(static_cast<const UA_StatusChangeNotification*>(content)->status);
+    }
+    if (data.content.decoded.type != &UA_TYPES[UA_TYPES_DATACHANGENOTIFICATION]) {
+      continue;
+    }
+    const auto& told = *static_cast<const UA_DataChangeNotification*>(content);
+    for (std::size_t k = 0; k < told.monitoredItemsSize; ++k) {
+      const UA_DataValue& value = told.monitoredItems[k].value;
+      const bool isGood = value.hasValue && !(value.hasStatus && isBad(value.status));
+      changes.push_back(
+          {told.monitoredItems[k].clientHandle, isGood ? nodeValueOf(value.value) : NodeValue()});
+    }
+  }
+  return true;
 }
 
 /// A request to call one method; borrows all its parts and points into itself.
@@ -537,6 +586,10 @@ class UaLink::Impl {
   }
   [[nodiscard]] base::Result<CallResponse> callBeyond(std::string_view method,
                                                       std::span<UA_Variant> inputs);
+  [[nodiscard]] base::Result<void> watch(std::span<const std::string> addresses, Duration interval);
+  [[nodiscard]] std::vector<NodeChange> takeChanges() { return std::exchange(m_changes, {}); }
+  [[nodiscard]] base::Result<std::vector<NodeValue>> callMethod(
+      const std::string& object, const std::string& method, std::span<const std::string> inputs);
 
  private:
   /// One request of the caller; its service calls are made from the front of the item list on.
@@ -579,6 +632,9 @@ class UaLink::Impl {
   void takeRead(Pending& pending, const UA_ReadResponse& response);
   void takeWrite(Pending& pending, const UA_WriteResponse& response);
   static void takeCall(Pending& pending, const UA_CallResponse& response);
+  void takePublish(const UA_PublishResponse& response);
+  /// Asks for what the subscription has to tell next; the server answers when there is something.
+  void publish();
 
   [[nodiscard]] base::Error error(LinkError code) const;
   [[nodiscard]] base::Error connectError(UA_StatusCode status) const {
@@ -709,6 +765,14 @@ class UaLink::Impl {
   std::deque<Pending> m_pending;
   std::deque<Event> m_events;
   Exchange m_exchange;
+  struct Subscription {
+    UA_UInt32 id = 0;
+    std::uint64_t serial = 0;              ///< of the request that is open; 0: none
+    std::optional<UA_UInt32> unconfirmed;  ///< number of the message that was heard last
+    std::size_t items = 0;
+  };
+  std::optional<Subscription> m_subscription;
+  std::vector<NodeChange> m_changes;
   base::RequestId m_lastId;
   std::uint64_t m_lastSerial = 0;
   /// Service calls that the server has not answered, in the order in which they were made.
@@ -1577,7 +1641,8 @@ std::uint64_t UaLink::Impl::nextSerial() {
 std::size_t UaLink::Impl::unanswered() const {
   const auto awaited = std::count_if(m_pending.begin(), m_pending.end(),
                                      [](const Pending& pending) { return pending.serial != 0; });
-  return m_asked.size() - static_cast<std::size_t>(awaited) -
+  const bool publishes = m_subscription && m_subscription->serial != 0;
+  return m_asked.size() - static_cast<std::size_t>(awaited) - (publishes ? 1 : 0) -
          (m_exchange.serial != 0 && !m_exchange.answered ? 1 : 0);
 }
 
@@ -1598,6 +1663,14 @@ void UaLink::Impl::answered(std::uint64_t serial, void* response) {
     std::memcpy(m_exchange.response, response, m_exchange.responseType->memSize);
     UA_init(response, m_exchange.responseType);
     m_exchange.answered = true;
+    return;
+  }
+  if (m_subscription && m_subscription->serial == serial) {
+    m_subscription->serial = 0;
+    m_lost = m_lost || isBad(status);  // what it tells would be missed without a word
+    if (!isBad(status)) {
+      takePublish(*static_cast<const UA_PublishResponse*>(response));
+    }
     return;
   }
   const auto pending = std::find_if(m_pending.begin(), m_pending.end(),
@@ -1701,6 +1774,101 @@ UaLink::Impl::Pending UaLink::Impl::newPending(Operation operation, EventKind ki
   pending.event.at = pending.event.sent;
   pending.deadline = addSaturating(pending.event.sent, deadline);
   return pending;
+}
+
+void UaLink::Impl::takePublish(const UA_PublishResponse& response) {
+  const UA_NotificationMessage& message = response.notificationMessage;
+  if (message.notificationDataSize > 0) {
+    m_subscription->unconfirmed = message.sequenceNumber;
+  }
+  m_lost = m_lost || !takeNotification(message, m_changes);
+  std::erase_if(m_changes,
+                [this](const NodeChange& change) { return change.index >= m_subscription->items; });
+}
+
+void UaLink::Impl::publish() {
+  UA_SubscriptionAcknowledgement heard;
+  UA_SubscriptionAcknowledgement_init(&heard);
+  UA_PublishRequest request;
+  UA_PublishRequest_init(&request);
+  request.requestHeader.timeoutHint = kLibraryTimeoutMs;
+  if (m_subscription->unconfirmed) {
+    heard.subscriptionId = m_subscription->id;
+    heard.sequenceNumber = *m_subscription->unconfirmed;
+    request.subscriptionAcknowledgements = &heard;
+    request.subscriptionAcknowledgementsSize = 1;
+  }
+  m_subscription->unconfirmed.reset();
+  m_subscription->serial = nextSerial();
+  void* const serial = reinterpret_cast<void*>(static_cast<std::uintptr_t>(m_subscription->serial));
+  const UA_StatusCode status = __UA_Client_AsyncService(
+      m_client, &request, &UA_TYPES[UA_TYPES_PUBLISHREQUEST], &Impl::onAnswer,
+      &UA_TYPES[UA_TYPES_PUBLISHRESPONSE], serial, nullptr);
+  m_lost = m_lost || isBad(status);
+}
+
+base::Result<void> UaLink::Impl::watch(std::span<const std::string> addresses, Duration interval) {
+  RIVULET_ASSERT(!m_subscription);
+  std::vector<NodeId> ids;
+  std::vector<UA_MonitoredItemCreateRequest> items;
+  const double intervalMs = std::chrono::duration<double, std::milli>(interval).count();
+  for (const std::string& address : addresses) {
+    auto id = parsed(address);
+    if (!id) {
+      return base::fail(LinkError::VariableMissing, sentenceOf(LinkError::VariableMissing),
+                        address);
+    }
+    ids.push_back(*std::move(id));
+    UA_MonitoredItemCreateRequest& item = items.emplace_back();
+    UA_MonitoredItemCreateRequest_init(&item);
+    item.itemToMonitor.nodeId = ids.back()->nodeId;
+    item.itemToMonitor.attributeId = UA_ATTRIBUTEID_VALUE;
+    item.monitoringMode = UA_MONITORINGMODE_REPORTING;
+    item.requestedParameters.clientHandle = static_cast<UA_UInt32>(items.size() - 1);
+    item.requestedParameters.samplingInterval = intervalMs;
+    item.requestedParameters.queueSize = 1;
+    item.requestedParameters.discardOldest = true;
+  }
+  UA_CreateSubscriptionRequest create;
+  UA_CreateSubscriptionRequest_init(&create);
+  create.requestHeader.timeoutHint = kLibraryTimeoutMs;
+  create.requestedPublishingInterval = intervalMs;
+  create.requestedMaxKeepAliveCount =
+      std::max<UA_UInt32>(1, static_cast<UA_UInt32>(kKeepAlive / interval));
+  create.requestedLifetimeCount = static_cast<UA_UInt32>(kSubscriptionLifetime / interval);
+  create.publishingEnabled = true;
+  Handle<UA_CreateSubscriptionResponse, UA_TYPES_CREATESUBSCRIPTIONRESPONSE> created;
+  UA_StatusCode status =
+      exchange(&create, &UA_TYPES[UA_TYPES_CREATESUBSCRIPTIONREQUEST], created.get(),
+               created.type(), addSaturating(now(), m_options.commandDeadline));
+  if (isBad(status)) {
+    return base::fail(requestError(status, Operation::Read, endpoint()));
+  }
+  UA_CreateMonitoredItemsRequest monitor;
+  UA_CreateMonitoredItemsRequest_init(&monitor);
+  monitor.requestHeader.timeoutHint = kLibraryTimeoutMs;
+  monitor.subscriptionId = created->subscriptionId;
+  monitor.timestampsToReturn = UA_TIMESTAMPSTORETURN_NEITHER;
+  monitor.itemsToCreate = items.data();
+  monitor.itemsToCreateSize = items.size();
+  Handle<UA_CreateMonitoredItemsResponse, UA_TYPES_CREATEMONITOREDITEMSRESPONSE> monitored;
+  status = exchange(&monitor, &UA_TYPES[UA_TYPES_CREATEMONITOREDITEMSREQUEST], monitored.get(),
+                    monitored.type(), addSaturating(now(), m_options.commandDeadline));
+  if (!isBad(status) && monitored->resultsSize != items.size()) {
+    status = UA_STATUSCODE_BADUNKNOWNRESPONSE;
+  }
+  if (isBad(status)) {
+    return base::fail(requestError(status, Operation::Read, endpoint()));
+  }
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (isBad(monitored->results[i].statusCode)) {
+      return base::fail(
+          requestError(monitored->results[i].statusCode, Operation::Read, addresses[i]));
+    }
+  }
+  m_subscription = Subscription{created->subscriptionId, 0, std::nullopt, items.size()};
+  publish();
+  return {};
 }
 
 base::RequestId UaLink::Impl::begin(Pending pending, bool hasMethod) {
@@ -2057,6 +2225,9 @@ void UaLink::Impl::settle() {
     expire(now());
     sendDue();
   }
+  if (!m_lost && m_subscription && m_subscription->serial == 0) {
+    publish();
+  }
   noticeLoss();
 }
 
@@ -2161,6 +2332,32 @@ base::Result<CallResponse> UaLink::Impl::callNode(const UA_NodeId& object, const
     return base::fail(m_isSilent ? lossError() : requestError(status, Operation::Call, name));
   }
   return response;
+}
+
+base::Result<std::vector<NodeValue>> UaLink::Impl::callMethod(const std::string& object,
+                                                              const std::string& method,
+                                                              std::span<const std::string> inputs) {
+  const auto objectId = parsed(object);
+  const auto methodId = parsed(method);
+  if (!objectId || !methodId) {
+    return base::fail(LinkError::MethodMissing, sentenceOf(LinkError::MethodMissing), method);
+  }
+  std::vector<UA_String> texts;
+  std::transform(inputs.begin(), inputs.end(), std::back_inserter(texts),
+                 [](const std::string& input) { return borrow(input); });
+  std::vector<UA_Variant> arguments;
+  std::transform(texts.begin(), texts.end(), std::back_inserter(arguments),
+                 [](UA_String& text) { return borrowScalar(text, UA_TYPES_STRING); });
+  const auto response = callNode((*objectId)->nodeId, (*methodId)->nodeId, method, arguments);
+  if (!response) {
+    return base::fail(response.error());
+  }
+  const UA_CallMethodResult& result = (*response)->results[0];
+  std::vector<NodeValue> outputs;
+  for (std::size_t i = 0; i < result.outputArgumentsSize; ++i) {
+    outputs.push_back(nodeValueOf(result.outputArguments[i]));
+  }
+  return outputs;
 }
 
 base::Result<CallResponse> UaLink::Impl::callFileMethod(std::string_view method,
@@ -2358,6 +2555,20 @@ const ChannelSecurity& UaLink::security() const {
 
 const std::optional<CertificateFacts>& UaLink::serverCertificate() const {
   return m_impl->serverCertificate();
+}
+
+base::Result<void> UaLink::watch(std::span<const std::string> addresses, base::Duration interval) {
+  return m_impl->watch(addresses, interval);
+}
+
+std::vector<NodeChange> UaLink::takeChanges() {
+  return m_impl->takeChanges();
+}
+
+base::Result<std::vector<NodeValue>> UaLink::callMethod(const std::string& object,
+                                                        const std::string& method,
+                                                        std::span<const std::string> inputs) {
+  return m_impl->callMethod(object, method, inputs);
 }
 
 bool UaLink::isVirtualMachine() const {

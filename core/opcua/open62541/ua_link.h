@@ -13,6 +13,7 @@
 #include "opcua/connection.h"
 #include "opcua/node_browser.h"
 #include "opcua/node_map.h"
+#include "opcua/node_watch.h"
 #include "opcua/security.h"
 
 namespace rivulet::opcua {
@@ -45,7 +46,7 @@ struct ConnectOptions {
   std::shared_ptr<const ControlMap> map;
 };
 
-class UaLink final : public Link, public Control, public NodeBrowser {
+class UaLink final : public Link, public Control, public NodeBrowser, public NodeWatch {
  public:
   /// Connects, opens a session and resolves the namespaces. A server that closes the connection is
   /// tried again, each time after a longer pause.
@@ -92,6 +93,12 @@ class UaLink final : public Link, public Control, public NodeBrowser {
   base::Result<trace::TracePiece> fetchTracePiece(const trace::TracePosition& from) override;
   base::Result<std::vector<BrowsedNode>> children(const std::string& address) override;
   base::Result<std::vector<NodeFacts>> examine(std::span<const std::string> addresses) override;
+  base::Result<void> watch(std::span<const std::string> addresses,
+                           base::Duration interval) override;
+  std::vector<NodeChange> takeChanges() override;
+  base::Result<std::vector<NodeValue>> callMethod(const std::string& object,
+                                                  const std::string& method,
+                                                  std::span<const std::string> inputs) override;
 
  private:
   class Impl;
