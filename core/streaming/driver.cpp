@@ -736,10 +736,10 @@ void Driver::publish(std::optional<trace::LiveSample> sample,
   }
   const Progress& progress = m_method.progress();
   const std::optional<Duration> slow = slowAccess();
-  // The axes need points, or the method an access.
-  const std::optional<Instant> points = progress.expected.deadline(Expectation::Points);
-  const std::optional<Instant> needed =
-      points ? points : progress.expected.deadline(Expectation::Access);
+  // The axes need points, or the method an access. A control that waits for its client needs
+  // nothing before it has taken the first window: nothing moves yet, so nothing is too late.
+  const std::optional<Instant> needed = progress.expected.deadline(
+      m_method.waitsForClient() ? Expectation::Points : Expectation::Access);
   if (slow && needed && progress.lastProgress && !progress.allSent) {
     const Duration margin = *needed - update.at - *slow;
     // Windows that are all there wait for a machine slower than planned: that is not too late.

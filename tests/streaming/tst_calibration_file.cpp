@@ -167,6 +167,15 @@ class TestCalibrationFile : public QObject {
             report::accessModel(plain.calibration, Grouping::List).measured->read.perNode);
   }
 
+  /// While the first windows are delivered, nothing moves, so nothing can be too late.
+  void nothingIsLateBeforeTheFirstMove() {
+    const Margins margins = run(nullptr);
+    QVERIFY(margins.margins.size() > 3);
+    for (const Margins::Seen& seen : margins.margins) {
+      QVERIFY2(seen.margin >= Duration{}, qPrintable(QString::number(seen.accesses)));
+    }
+  }
+
   /// Before the run has a hundred accesses of its own, what was measured speaks for the slow ones.
   void theLiveMarginKnowsSlowAccessFromTheStart() {
     const Margins plain = run(nullptr);
