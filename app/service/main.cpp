@@ -25,7 +25,9 @@
 #include "opcua/error.h"
 #include "preparation/user_file.h"
 #include "report/machine_store.h"
+#include "service/announcer.h"
 #include "service/machine_lock.h"
+#include "service/node_table.h"
 #include "service/service_client.h"
 #include "service/service_server.h"
 #include "service/service_session.h"
@@ -53,8 +55,6 @@ constexpr std::chrono::seconds kEndDeadline{45};
 /// How often a service is asked by `show --follow`, and an interrupt is noticed.
 constexpr int kFollowSteps = 10;
 constexpr std::chrono::milliseconds kFollowStep{100};
-/// Beside that of a machine, which is the standard's.
-constexpr std::uint16_t kServicePort = 4841;
 
 struct Arguments {
   rivulet::serving::Options serving;
@@ -66,6 +66,7 @@ struct Arguments {
   std::string security;
   std::string fingerprint;
   std::string mapFile;
+  std::string discovery;
   std::string service;
   bool ready = false;
   bool follow = false;
@@ -78,7 +79,7 @@ void addRun(CLI::App& app, Arguments& arguments) {
   CLI::App* run = app.add_subcommand("run", "Serve one machine until interrupted");
   run->add_option("machine", arguments.machine, "Address of the machine, opc.tcp://host:port")
       ->required();
-  rivulet::serving::addOptions(*run, arguments.serving, kServicePort);
+  rivulet::serving::addOptions(*run, arguments.serving, rivulet::service::kPort);
   run->add_option("--jobs", arguments.jobs,
                   "Folder of the NC programs; clients can load no others (default: any file)");
   run->add_option("--users", arguments.users,
@@ -97,6 +98,8 @@ void addRun(CLI::App& app, Arguments& arguments) {
   run->add_option("--trust", arguments.fingerprint,
                   "Fingerprint of the machine's certificate that is accepted");
   run->add_option("--map", arguments.mapFile, "Map of a control that is no SINUMERIK");
+  run->add_option("--discovery", arguments.discovery,
+                  "Discovery server of OPC UA that is told of this service, opc.tcp://host:4840");
 }
 
 void addAsk(CLI::App& app, Arguments& arguments) {
@@ -243,6 +246,7 @@ int run(Arguments& arguments) {
   if (!server) {
     return rivulet::serving::complainOfStart(server.error());
   }
+  const service::Announcer announcer(arguments.discovery, (*server)->endpoint());
   rivulet::serving::printEndpoint((*server)->endpoint());
   rivulet::log::logger().info("{} serves {}", (*server)->endpoint(), arguments.machine);
   return serve(session, **server);

@@ -3,85 +3,107 @@
 
 #include "service/node_table.h"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <type_traits>
 
 namespace rivulet::service {
 
 namespace {
 
 constexpr std::array kVariables{
-    VariableRow{"Identification/Manufacturer", "Maker of this server.",
-                [](const Snapshot&) -> NodeValue { return std::string("Rivulet"); }},
-    VariableRow{"Identification/SoftwareRevision", "Version of this service.",
-                [](const Snapshot&) -> NodeValue { return std::string(RIVULET_VERSION); }},
+    VariableRow{"Identification/Manufacturer", "Maker of this server.", &Snapshot::maker},
+    VariableRow{"Identification/SoftwareRevision", "Version of this service.", &Snapshot::version},
     VariableRow{"Identification/Model",
                 "Product and build of the machine's own server; empty: not known yet.",
-                [](const Snapshot& seen) -> NodeValue { return seen.model; }},
+                &Snapshot::model},
     VariableRow{"Identification/ProductInstanceUri",
-                "Address of the machine that this service streams to.",
-                [](const Snapshot& seen) -> NodeValue { return seen.machine; }},
+                "Address of the machine that this service streams to.", &Snapshot::machine},
     VariableRow{"MachineryItemState/CurrentState",
                 "NotAvailable, NotExecuting or Executing, as OPC 40001-1 has it.",
-                [](const Snapshot& seen) -> NodeValue { return seen.itemState; }},
-    VariableRow{"Monitoring/IsConnected", "The machine answers.",
-                [](const Snapshot& seen) -> NodeValue { return seen.isConnected; }},
+                &Snapshot::itemState},
+    VariableRow{"Monitoring/IsConnected", "The machine answers.", &Snapshot::isConnected},
     VariableRow{"Monitoring/State",
                 "disconnected, connecting, idle, loaded, left (a run can be resumed), armed, "
                 "running, holding, stopping.",
-                [](const Snapshot& seen) -> NodeValue { return seen.state; }},
+                &Snapshot::state},
     VariableRow{"Monitoring/WaitingFor",
                 "What the run waits for: claim, network, proof, cycle-start, ...; empty: nothing.",
-                [](const Snapshot& seen) -> NodeValue { return seen.waitingFor; }},
+                &Snapshot::waitingFor},
     VariableRow{"Monitoring/Position", "X, Y and Z of the tool, mm; empty: not known.",
-                [](const Snapshot& seen) -> NodeValue { return seen.positionMm; }},
+                &Snapshot::positionMm},
     VariableRow{"Monitoring/LateWindows",
                 "How often in this run the next points were due before they could be there.",
-                [](const Snapshot& seen) -> NodeValue { return seen.lateWindows; }},
+                &Snapshot::lateWindows},
     VariableRow{"Monitoring/LeastMargin",
                 "Smallest time in this run that was left before the next points were due, s.",
-                [](const Snapshot& seen) -> NodeValue { return seen.leastMarginS; }},
+                &Snapshot::leastMarginS},
     VariableRow{"Production/ActiveProgram/Name", "The program that is loaded; empty: none.",
-                [](const Snapshot& seen) -> NodeValue { return seen.program; }},
+                &Snapshot::program},
     VariableRow{"Production/ActiveProgram/State/CurrentState",
                 "Initializing, Running, Interrupted, Ended or Aborted, as OPC 40501-1 has it.",
-                [](const Snapshot& seen) -> NodeValue { return seen.programState; }},
+                &Snapshot::programState},
     VariableRow{"Production/ActiveProgram/PointsDone", "Points that the machine has executed.",
-                [](const Snapshot& seen) -> NodeValue { return seen.pointsDone; }},
-    VariableRow{"Production/ActiveProgram/Points", "Points of the program.",
-                [](const Snapshot& seen) -> NodeValue { return seen.points; }},
+                &Snapshot::pointsDone},
+    VariableRow{"Production/ActiveProgram/Points", "Points of the program.", &Snapshot::points},
     VariableRow{"Production/ActiveProgram/Progress", "Part of the points that is executed, %.",
-                [](const Snapshot& seen) -> NodeValue { return seen.progressPercent; }},
+                &Snapshot::progressPercent},
     VariableRow{"Production/ActiveProgram/TimeLeft",
                 "Time left at the pace of the run so far, s; below 0: not known.",
-                [](const Snapshot& seen) -> NodeValue { return seen.timeLeftS; }},
+                &Snapshot::timeLeftS},
     VariableRow{"Production/ActiveProgram/RunNumber",
-                "Number by which the control knows the last run; 0: none.",
-                [](const Snapshot& seen) -> NodeValue { return seen.runNumber; }},
-    VariableRow{"ProductionPlan/File", "File of the program that is loaded.",
-                [](const Snapshot& seen) -> NodeValue { return seen.file; }},
+                "Number by which the control knows the last run; 0: none.", &Snapshot::runNumber},
+    VariableRow{"ProductionPlan/File", "File of the program that is loaded.", &Snapshot::file},
     VariableRow{"ProductionPlan/Hash", "Of its text: tells versions of the program apart.",
-                [](const Snapshot& seen) -> NodeValue { return seen.hash; }},
+                &Snapshot::hash},
     VariableRow{"ProductionPlan/Settings", "Settings of the job, name=value;...",
-                [](const Snapshot& seen) -> NodeValue { return seen.settings; }},
+                &Snapshot::settings},
     VariableRow{"ProductionPlan/CanResume", "A run was left that can be resumed.",
-                [](const Snapshot& seen) -> NodeValue { return seen.canResume; }},
+                &Snapshot::canResume},
     VariableRow{"ProductionPlan/LeftRun", "Program and number of that run; empty: none.",
-                [](const Snapshot& seen) -> NodeValue { return seen.leftRun; }},
-    VariableRow{"Notification/Alarm", "Why nothing goes on; empty: no alarm.",
-                [](const Snapshot& seen) -> NodeValue { return seen.alarm; }},
-    VariableRow{"Notification/Message", "What has happened last.",
-                [](const Snapshot& seen) -> NodeValue { return seen.message; }},
+                &Snapshot::leftRun},
+    VariableRow{"Notification/Alarm", "Why nothing goes on; empty: no alarm.", &Snapshot::alarm},
+    VariableRow{"Notification/Message", "What has happened last.", &Snapshot::message},
     VariableRow{"Session/LastOutcome",
                 "How the last run has ended: completed, stopped or failed; empty: none has.",
-                [](const Snapshot& seen) -> NodeValue { return seen.outcome; }},
+                &Snapshot::outcome},
     VariableRow{"Session/LastReport", "File of its report on the computer of the service.",
-                [](const Snapshot& seen) -> NodeValue { return seen.report; }},
+                &Snapshot::report},
 };
 
 }  // namespace
 
 std::span<const VariableRow> variableRows() {
   return kVariables;
+}
+
+NodeValue valueOf(const VariableRow& row, const Snapshot& seen) {
+  return std::visit([&seen](auto member) -> NodeValue { return seen.*member; }, row.member);
+}
+
+void take(const VariableRow& row, const opcua::NodeValue& value, Snapshot& seen) {
+  std::visit(
+      [&](auto member) {
+        auto& into = seen.*member;
+        using Member = std::remove_reference_t<decltype(into)>;
+        into = {};
+        if constexpr (std::is_same_v<Member, std::uint32_t>) {
+          const double* number = std::get_if<double>(&value);
+          into = number != nullptr && *number >= 0.0 ? static_cast<std::uint32_t>(*number) : 0;
+        } else if (const Member* known = std::get_if<Member>(&value)) {
+          into = *known;
+        }
+      },
+      row.member);
+}
+
+std::string nodeAddress(std::string_view identifier) {
+  return fmt::format("nsu={};s={}", kNamespaceUri, identifier);
+}
+
+std::string methodIdentifier(std::string_view method) {
+  return fmt::format("{}/{}", kMethodsObject, method);
 }
 
 const std::vector<MethodRow>& methodRows() {

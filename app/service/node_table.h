@@ -14,11 +14,14 @@
 #include <variant>
 #include <vector>
 
+#include "opcua/node_watch.h"
 #include "service/service_session.h"
 
 namespace rivulet::service {
 
-/// Namespace of all nodes of the service.
+/// Where a service on this computer is expected: beside that of a machine, which is the standard's.
+inline constexpr std::uint16_t kPort = 4841;
+/// Namespace of all nodes of the service, and its product as discovery servers know it.
 inline constexpr std::string_view kNamespaceUri = "urn:rivulet:service";
 /// The object that holds the others; a node is "ns=…;s=<object>/<name>".
 inline constexpr std::string_view kMethodsObject = "Session";
@@ -28,9 +31,18 @@ using NodeValue = std::variant<bool, std::uint32_t, double, std::string, std::ve
 struct VariableRow {
   std::string_view identifier;  ///< "Production/ActiveProgram/Name": folders and browse name
   std::string_view description;
-  NodeValue (*value)(const Snapshot&);
+  std::variant<bool Snapshot::*, std::uint32_t Snapshot::*, double Snapshot::*,
+               std::string Snapshot::*, std::vector<double> Snapshot::*>
+      member;
 };
 [[nodiscard]] std::span<const VariableRow> variableRows();
+/// Of the server.
+[[nodiscard]] NodeValue valueOf(const VariableRow& row, const Snapshot& seen);
+/// The inverse, of a client: a value that is not known makes the member empty.
+void take(const VariableRow& row, const opcua::NodeValue& value, Snapshot& seen);
+/// Node id in text form. @param identifier  of a variable, a method or an object
+[[nodiscard]] std::string nodeAddress(std::string_view identifier);
+[[nodiscard]] std::string methodIdentifier(std::string_view method);
 
 struct MethodRow {
   std::string_view name;  ///< below `kMethodsObject`

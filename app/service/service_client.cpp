@@ -119,7 +119,7 @@ class ServiceClient::Impl {
     for (UA_String& text : texts) {
       arguments.push_back(opcua::borrowScalar(text, UA_TYPES_STRING));
     }
-    const std::string identifier = fmt::format("{}/{}", kMethodsObject, method);
+    const std::string identifier = methodIdentifier(method);
     std::size_t size = 0;
     UA_Variant* output = nullptr;
     const UA_StatusCode status =

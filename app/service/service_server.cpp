@@ -179,8 +179,8 @@ base::Result<void> ServiceServer::Impl::configure(const machine::ServerOptions& 
     status |= machine::replaceText(config.applicationDescription.applicationUri,
                                    options.certificate
                                        ? std::string_view(options.certificate->applicationUri)
-                                       : std::string_view("urn:rivulet:service"));
-    status |= machine::replaceText(config.applicationDescription.productUri, "urn:rivulet");
+                                       : kNamespaceUri);
+    status |= machine::replaceText(config.applicationDescription.productUri, kNamespaceUri);
     status |=
         machine::replaceText(config.applicationDescription.applicationName.text, "Rivulet service");
     status |= machine::replaceText(config.buildInfo.manufacturerName, "Rivulet");
@@ -277,7 +277,7 @@ UA_StatusCode ServiceServer::Impl::addMethod(const MethodRow& row) {
   attributes.description.text = opcua::borrow(row.description);
   attributes.executable = true;
   attributes.userExecutable = true;
-  const std::string identifier = fmt::format("{}/{}", kMethodsObject, row.name);
+  const std::string identifier = methodIdentifier(row.name);
   UA_QualifiedName browseName{m_namespace, opcua::borrow(row.name)};
   m_bound.push_back({this, &row});
   return UA_Server_addMethodNode(m_server, opcua::borrowNodeId(m_namespace, identifier),
@@ -297,7 +297,7 @@ UA_StatusCode ServiceServer::Impl::build() {
                          kMachineObject, kMachineObject);
   const Snapshot seen = m_session.snapshot();
   for (const VariableRow& row : variableRows()) {
-    m_shown.push_back(row.value(seen));
+    m_shown.push_back(valueOf(row, seen));
     status |= addVariable(row, m_shown.back());
   }
   m_bound.reserve(methodRows().size());  // the nodes point to its elements
@@ -311,7 +311,7 @@ void ServiceServer::Impl::show() {
   const Snapshot seen = m_session.snapshot();
   for (std::size_t i = 0; i < m_shown.size(); ++i) {
     const VariableRow& row = variableRows()[i];
-    NodeValue value = row.value(seen);
+    NodeValue value = valueOf(row, seen);
     if (value == m_shown[i]) {
       continue;
     }

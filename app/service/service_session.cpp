@@ -86,6 +86,10 @@ std::vector<double> lengthsOf(const std::vector<gcode::StreamPoint>& points) {
 
 }  // namespace
 
+bool isNotYet(const Answer& answer) {
+  return !answer.accepted && answer.message.ends_with("again in a second.");
+}
+
 ServiceSession::ServiceSession(SessionOptions options, opcua::Connector connector,
                                report::MachineStore machines)
     : m_options(std::move(options)),
@@ -546,8 +550,8 @@ Answer ServiceSession::preflightResume(const Caller& caller) {
   }
   if (m_runs.onControl && !m_runs.isClientKnown) {
     return no(
-        "Whether the run on the control still has a client is being watched. Call again in "
-        "a second.");
+        "Whether the run on the control still has a client is being watched. Call "
+        "again in a second.");
   }
   const bool isAnswered =
       m_found && m_question && m_question->checkpoint.runNumber == run->checkpoint.runNumber;
@@ -711,6 +715,8 @@ double ServiceSession::timeLeftS() const {
 
 Snapshot ServiceSession::snapshot() const {
   Snapshot seen;
+  seen.maker = "Rivulet";
+  seen.version = RIVULET_VERSION;
   seen.machine = m_options.machine.endpoint;
   if (m_machine) {
     seen.model = m_machine->server.productName + " " + m_machine->server.buildNumber;

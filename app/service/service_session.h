@@ -46,8 +46,13 @@ struct Answer {
   std::string confirmation;  ///< of a preflight: what a start has to repeat; empty: none
 };
 
+/// Refused only because it takes a while: the same call, a second later, has the answer.
+[[nodiscard]] bool isNotYet(const Answer& answer);
+
 /// What clients see. States are those of docs/service.md.
 struct Snapshot {
+  std::string maker;    ///< of the service
+  std::string version;  ///< the same
   std::string machine;  ///< address
   std::string model;    ///< product and build of its server; empty: never connected
   bool isConnected = false;

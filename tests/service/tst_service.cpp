@@ -7,12 +7,20 @@
 
 #include <QFileInfo>
 #include <QtTest>
+#include <nlohmann/json.hpp>
 
+#include "base/file.h"
+#include "opcua/error.h"
+#include "opcua/open62541/discovery.h"
 #include "preparation/release_file.h"
+#include "service/node_table.h"
 #include "service/service_session.h"
+#include "service/service_watch.h"
 #include "support/kill_scene.h"
+#include "support/plain_server.h"
 #include "support/service_process.h"
 #include "support/test_program.h"
+#include "support/user_list.h"
 #include "trust/connect.h"
 
 using namespace rivulet;
@@ -205,6 +213,101 @@ class TestService : public QObject {
     QVERIFY(resume(*service));
     QVERIFY(service->await("Session/LastOutcome", "completed"));
     QVERIFY(m_scene.isWhole(before));
+  }
+
+  /// Name and PIN over the network, encrypted; as the board of the window does it.
+  void takesOrdersFromWhoHasLoggedIn() {
+    const QString users = m_scene.path("users.json");
+    tests::writeUsers(users, {{"anna", permission::Role::Engineer, "4711"},
+                              {"otto", permission::Role::Operator, "1234"}});
+    const auto service = this->service({QStringLiteral("--users"), users});
+    service::ServiceWatch watch(service->endpoint().toStdString(), [] {});
+    using State = service::ServiceSeen::State;
+    const auto isConnectedAs = [&](const std::string& user) {
+      const service::ServiceSeen seen = watch.seen();
+      return seen.state == State::Connected && seen.user == user && seen.snapshot.isConnected;
+    };
+    const auto answerOf = [&](const std::string& method, const std::vector<std::string>& inputs) {
+      watch.call(method, inputs);
+      std::optional<service::ServiceAnswer> answer;
+      (void)QTest::qWaitFor([&] { return (answer = watch.takeAnswer()).has_value(); }, 60'000);
+      return answer ? answer->answer : service::Answer{};
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isConnectedAs(""), 60'000);
+    QVERIFY(answerOf("LoadJob", {file(), ""}).message.starts_with("This service has users"));
+    watch.connectWith({"otto", "1234", {}, {}, false});
+    QTRY_VERIFY_WITH_TIMEOUT(watch.seen().state == State::Asked, 60'000);
+    const auto question = watch.seen().question;
+    QVERIFY(question && question->kind == opcua::TrustQuestion::Kind::NewServer);
+    watch.connectWith({{}, {}, question->shown.fingerprint, {}, true});
+    QTRY_VERIFY_WITH_TIMEOUT(isConnectedAs("otto"), 60'000);
+    QCOMPARE(answerOf("LoadJob", {file(), kSettings}).message,
+             std::string("Only an engineer may do this. Log in as one."));
+    watch.connectWith({"anna", "4711", {}, {}, false});
+    QTRY_VERIFY_WITH_TIMEOUT(isConnectedAs("anna"), 60'000);
+    QVERIFY(answerOf("LoadJob", {file(), kSettings}).accepted);
+    QVERIFY(!answerOf("Preflight", {}).confirmation.empty());
+    watch.connectWith({"anna", "1234", {}, {}, false});
+    QTRY_VERIFY_WITH_TIMEOUT(
+        watch.seen().error.code == opcua::LinkError::LoginRefused && isConnectedAs(""), 60'000);
+    QVERIFY(!answerOf("Preflight", {}).accepted);
+  }
+
+  void isFoundThroughADiscoveryServer() {
+    const tests::PlainServer discovery({}, {}, {}, {}, {},
+                                       tests::PlainServer::Kind::DiscoveryServer);
+    const auto isFound = [&discovery](const std::string& endpoint) {
+      const auto servers = opcua::findServers(discovery.endpoint(), std::chrono::seconds(5));
+      return servers && std::any_of(servers->begin(), servers->end(), [&](const auto& server) {
+               return server.productUri == service::kNamespaceUri && !server.addresses.empty() &&
+                      server.addresses.front() == endpoint;
+             });
+    };
+    const auto service = this->service(
+        {QStringLiteral("--discovery"), QString::fromStdString(discovery.endpoint())});
+    const std::string endpoint = service->endpoint().toStdString();
+    QTRY_VERIFY_WITH_TIMEOUT(isFound(endpoint), 60'000);
+    QCOMPARE(service->end(SIGTERM), 0);
+    QTRY_VERIFY_WITH_TIMEOUT(!isFound(endpoint), 60'000);
+  }
+
+  /// Two stretches, and between them what only the control can do; each is a program on it.
+  void runsAWholeJob() {
+    QFile job(m_scene.path("part.mpf"));
+    QVERIFY(job.open(QIODevice::WriteOnly));
+    job.write(
+        "G17 G90 G71\nT1 D1 M6\nG0 X0 Y0 Z45\nG1 Z44 F3000\nX10\nY10\nS500 M3\nG4 F0.5\n"
+        "G1 X20 F3000\nX30 Y0\nM5\nM30\n");
+    job.close();
+    const std::size_t before = m_scene.executed().size();
+    const auto service = this->service({QStringLiteral("--jobs"), m_scene.path("")});
+    QVERIFY(service->await("Monitoring/IsConnected", "true"));
+    const service::Answer loaded = service->call("LoadJob", {"part.mpf", ""});
+    QVERIFY2(loaded.accepted, loaded.message.c_str());
+    QVERIFY2(loaded.message.find("a whole job") != std::string::npos, loaded.message.c_str());
+    const std::string confirmation = service->confirmation("Preflight");
+    QVERIFY2(!confirmation.empty(), service->refusal().c_str());
+    const service::Answer started = service->call("Start", {confirmation});
+    QVERIFY2(started.accepted, started.message.c_str());
+    QVERIFY(service->await("Session/LastOutcome", "completed"));
+    QCOMPARE(service->value("Notification/Alarm"), "");
+    QCOMPARE(service->value("Production/ActiveProgram/PointsDone"),
+             service->value("Production/ActiveProgram/Points"));
+    const auto text = base::readFile(service->value("Session/LastReport"));
+    QVERIFY(text);
+    const auto report = nlohmann::json::parse(*text);
+    const auto& judged = report.contains("report") ? report["report"] : report;
+    QVERIFY(judged["judged"].get<bool>());
+    for (const char* fault : {"repeated", "skipped", "foreign", "out_of_order"}) {
+      QCOMPARE(judged[fault].get<int>(), 0);
+    }
+    std::vector<double> xMm;
+    for (const trace::ExecutedBlock& block : m_scene.executed(before)) {
+      xMm.push_back(block.targetMm.x);
+    }
+    QVERIFY(xMm.size() >= 6);
+    QVERIFY(std::is_sorted(xMm.end() - 5, xMm.end()));
+    QCOMPARE(xMm.back(), 30.0);
   }
 
   /// The rules of the window: an operator starts what is released, with the released settings.

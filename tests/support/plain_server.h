@@ -29,11 +29,15 @@ class PlainServer {
  public:
   using Turn = std::function<void(PlainServer&)>;
 
+  /// What it says of itself.
+  enum class Kind { Server, DiscoveryServer };
+
   /// @param turn  called every millisecond or so; may be empty
   explicit PlainServer(const std::map<std::string, double>& numbers = {},
                        const std::map<std::string, std::string>& texts = {}, Turn turn = {},
                        const std::map<std::string, std::vector<double>>& arrays = {},
-                       const std::map<std::string, std::vector<float>>& floats = {})
+                       const std::map<std::string, std::vector<float>>& floats = {},
+                       Kind kind = Kind::Server)
       : m_turn(std::move(turn)) {
     m_logger.log = [](void*, UA_LogLevel, UA_LogCategory, const char*, va_list) {};
     UA_ServerConfig config{};
@@ -42,6 +46,9 @@ class PlainServer {
     UA_String_clear(&config.serverUrls[0]);
     config.serverUrls[0] = UA_String_fromChars("opc.tcp://127.0.0.1:0");
     config.tcpReuseAddr = false;
+    if (kind == Kind::DiscoveryServer) {
+      config.applicationDescription.applicationType = UA_APPLICATIONTYPE_DISCOVERYSERVER;
+    }
     m_server = UA_Server_newWithConfig(&config);
     for (auto [name, value] : numbers) {
       add(name, opcua::borrowScalar(value, UA_TYPES_DOUBLE));

@@ -30,13 +30,15 @@ class ServiceProcess {
  public:
   using Values = std::map<std::string, std::string>;
 
+  /// @param options  beside the port; a "--port" wins
   ServiceProcess(const QString& program, const QString& machine,
-                 const QProcessEnvironment& environment, const QStringList& options = {}) {
+                 const QProcessEnvironment& environment, QStringList options = {}) {
+    if (!options.contains(QStringLiteral("--port"))) {
+      options << QStringLiteral("--port") << QStringLiteral("0");
+    }
     m_process.setProcessEnvironment(environment);
     m_process.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGKILL); });
-    m_process.start(program, QStringList{QStringLiteral("run"), machine, QStringLiteral("--port"),
-                                         QStringLiteral("0")} +
-                                 options);
+    m_process.start(program, QStringList{QStringLiteral("run"), machine} + options);
     while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine()) {
       m_process.waitForReadyRead(kPatienceMs);
     }
@@ -97,7 +99,7 @@ class ServiceProcess {
     service::Answer answer;
     awaitThat([&](const Values&) {
       answer = call(method);
-      return answer.accepted || isFinal(answer.message);
+      return !service::isNotYet(answer);
     });
     m_refusal = answer.accepted ? std::string() : answer.message;
     return answer.confirmation;
@@ -133,11 +135,6 @@ class ServiceProcess {
  private:
   static constexpr int kPatienceMs = 60'000;
   static constexpr unsigned kPollMs = 20;
-
-  /// A second call would say the same.
-  [[nodiscard]] static bool isFinal(const std::string& message) {
-    return message.find("again in a second") == std::string::npos;
-  }
 
   QProcess m_process;
   QString m_endpoint;
