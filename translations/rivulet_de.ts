@@ -2640,6 +2640,65 @@
     </message>
 </context>
 <context>
+    <name>ServiceTexts</name>
+    <message>
+        <source>Connecting …</source>
+        <translation>Verbindet …</translation>
+    </message>
+    <message>
+        <source>No answer for some seconds</source>
+        <translation>Seit einigen Sekunden keine Antwort</translation>
+    </message>
+    <message>
+        <source>Service does not answer</source>
+        <translation>Dienst antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Not connected: needs a decision</source>
+        <translation>Nicht verbunden: Entscheidung nötig</translation>
+    </message>
+    <message>
+        <source>Machine does not answer</source>
+        <translation>Maschine antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Connecting to the machine …</source>
+        <translation>Verbindung zur Maschine …</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Kein Programm</translation>
+    </message>
+    <message>
+        <source>Program loaded</source>
+        <translation>Programm geladen</translation>
+    </message>
+    <message>
+        <source>Run interrupted</source>
+        <translation>Lauf unterbrochen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 von %2 Punkten</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, noch %2</translation>
+    </message>
+    <message>
+        <source>Searching …</source>
+        <translation>Suche läuft …</translation>
+    </message>
+    <message>
+        <source>No other services are known there.</source>
+        <translation>Dort sind keine weiteren Dienste bekannt.</translation>
+    </message>
+    <message>
+        <source>Only an engineer can do this.</source>
+        <translation>Das kann nur ein Einrichter.</translation>
+    </message>
+</context>
+<context>
     <name>SetUpTexts</name>
     <message>
         <source>Connect first: limits belong to one machine.</source>
@@ -6714,6 +6773,42 @@ GPL-3.0-or-later</translation>
         <source>One machine at a time is connected with a window. Of the others only the port is looked at, every 30 s while this page is shown: a question would cost them time that another stream may need.</source>
         <translation>Mit einem Fenster ist jeweils eine Maschine verbunden. Bei den anderen wird nur der Port geprüft, alle 30 s, solange diese Seite gezeigt wird: Eine Abfrage würde sie Zeit kosten, die ein anderer Stream vielleicht braucht.</translation>
     </message>
+    <message>
+        <source>Puts the service with this address on the board.</source>
+        <translation>Nimmt den Dienst mit dieser Adresse auf die Tafel.</translation>
+    </message>
+    <message>
+        <source>Asks a discovery server of OPC UA for services: that of the address, or of this computer.</source>
+        <translation>Fragt einen Discovery-Server von OPC UA nach Diensten: den der Adresse oder den dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Services: machines without a window</source>
+        <translation>Dienste: Maschinen ohne Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Address of a service</source>
+        <translation>&amp;Adresse eines Dienstes</translation>
+    </message>
+    <message>
+        <source>Address of a service</source>
+        <translation>Adresse eines Dienstes</translation>
+    </message>
+    <message>
+        <source>As rivulet-service prints it when it is ready.</source>
+        <translation>Wie rivulet-service sie ausgibt, wenn es bereit ist.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::MethodPanel</name>
@@ -9089,6 +9184,199 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ServiceCard</name>
+    <message>
+        <source>Service at %1</source>
+        <translation>Dienst %1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Remove …</source>
+        <translation>Entfernen …</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this service from the board? It goes on with its work.</source>
+        <translation>Diesen Dienst von der Tafel nehmen? Er arbeitet weiter.</translation>
+    </message>
+    <message>
+        <source>Shows what the service says, and what can be done with it.</source>
+        <translation>Zeigt, was der Dienst meldet und was mit ihm getan werden kann.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ServicePanel</name>
+    <message>
+        <source>Service at %1</source>
+        <translation>Dienst %1</translation>
+    </message>
+    <message>
+        <source>Service at %1, %2</source>
+        <translation>Dienst %1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln windows late</source>
+        <translation>
+            <numerusform>%Ln Fenster zu spät</numerusform>
+            <numerusform>%Ln Fenster zu spät</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What Resume will do</source>
+        <translation>Das geschieht beim Fortsetzen</translation>
+    </message>
+    <message>
+        <source>What Start will do</source>
+        <translation>Das geschieht beim Start</translation>
+    </message>
+    <message>
+        <source>The service is working on it …</source>
+        <translation>Der Dienst ist damit beschäftigt …</translation>
+    </message>
+    <message>
+        <source>Nobody is logged in.</source>
+        <translation>Niemand ist angemeldet.</translation>
+    </message>
+    <message>
+        <source>Logged in: %1</source>
+        <translation>Angemeldet: %1</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halt</translation>
+    </message>
+    <message>
+        <source>Hold to resume</source>
+        <translation>Gedrückt halten</translation>
+    </message>
+    <message>
+        <source>Hold to start</source>
+        <translation>Gedrückt halten</translation>
+    </message>
+    <message>
+        <source>Start …</source>
+        <translation>Start …</translation>
+    </message>
+    <message>
+        <source>Hold for one second. Then the machine moves.</source>
+        <translation>Eine Sekunde lang halten. Dann fährt die Maschine.</translation>
+    </message>
+    <message>
+        <source>Shows what will happen first. Nothing moves yet.</source>
+        <translation>Zeigt, was zuerst geschehen wird. Noch bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>Log in …</source>
+        <translation>Anmelden …</translation>
+    </message>
+    <message>
+        <source>Change user …</source>
+        <translation>Benutzer wechseln …</translation>
+    </message>
+    <message>
+        <source>All machines</source>
+        <translation>Alle Maschinen</translation>
+    </message>
+    <message>
+        <source>Back to the board. The run goes on.</source>
+        <translation>Zurück zur Tafel. Der Lauf geht weiter.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Ends the run of this machine after the window in motion. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Beendet den Lauf dieser Maschine nach dem laufenden Fenster. Das ersetzt nicht den Not-Halt der Maschine.</translation>
+    </message>
+    <message>
+        <source>The machine waits before the next window until you press Continue.</source>
+        <translation>Die Maschine wartet vor dem nächsten Fenster, bis Weiter gedrückt wird.</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Fortsetzen …</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Noch bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>&amp;Program</source>
+        <translation>&amp;Programm</translation>
+    </message>
+    <message>
+        <source>file in the folder of the service</source>
+        <translation>Datei im Ordner des Dienstes</translation>
+    </message>
+    <message>
+        <source>The service reads it in its folder of programs.</source>
+        <translation>Der Dienst liest sie in seinem Ordner der Programme.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Laden</translation>
+    </message>
+    <message>
+        <source>The service reads the program and judges it. Nothing moves.</source>
+        <translation>Der Dienst liest das Programm und beurteilt es. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>A service with users takes orders only from who has logged in.</source>
+        <translation>Ein Dienst mit Benutzern nimmt Befehle nur von Angemeldeten an.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>P&amp;IN</source>
+        <translation>P&amp;IN</translation>
+    </message>
+    <message>
+        <source>A user of the service; empty: nobody.</source>
+        <translation>Ein Benutzer des Dienstes; leer: niemand.</translation>
+    </message>
+    <message>
+        <source>It is not kept.</source>
+        <translation>Sie wird nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>Connects again as this user.</source>
+        <translation>Verbindet neu als dieser Benutzer.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>These buttons act on %1. Those at the bottom of the window act on the machine that the window is connected with.</source>
+        <translation>Diese Tasten wirken auf %1. Die am unteren Rand des Fensters wirken auf die Maschine, mit der das Fenster verbunden ist.</translation>
     </message>
 </context>
 <context>

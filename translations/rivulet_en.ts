@@ -265,4 +265,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>rivulet::widgets::ServicePanel</name>
+    <message numerus="yes">
+        <source>%Ln windows late</source>
+        <translation>
+            <numerusform>%Ln window late</numerusform>
+            <numerusform>%Ln windows late</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -2640,6 +2640,65 @@
     </message>
 </context>
 <context>
+    <name>ServiceTexts</name>
+    <message>
+        <source>Connecting …</source>
+        <translation>Conectando…</translation>
+    </message>
+    <message>
+        <source>No answer for some seconds</source>
+        <translation>Sin respuesta desde hace unos segundos</translation>
+    </message>
+    <message>
+        <source>Service does not answer</source>
+        <translation>El servicio no responde</translation>
+    </message>
+    <message>
+        <source>Not connected: needs a decision</source>
+        <translation>Sin conexión: hace falta una decisión</translation>
+    </message>
+    <message>
+        <source>Machine does not answer</source>
+        <translation>La máquina no responde</translation>
+    </message>
+    <message>
+        <source>Connecting to the machine …</source>
+        <translation>Conectando con la máquina…</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Ningún programa</translation>
+    </message>
+    <message>
+        <source>Program loaded</source>
+        <translation>Programa cargado</translation>
+    </message>
+    <message>
+        <source>Run interrupted</source>
+        <translation>Ejecución interrumpida</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 de %2 puntos</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, quedan %2</translation>
+    </message>
+    <message>
+        <source>Searching …</source>
+        <translation>Buscando…</translation>
+    </message>
+    <message>
+        <source>No other services are known there.</source>
+        <translation>Allí no se conoce ningún otro servicio.</translation>
+    </message>
+    <message>
+        <source>Only an engineer can do this.</source>
+        <translation>Solo puede hacerlo un preparador.</translation>
+    </message>
+</context>
+<context>
     <name>SetUpTexts</name>
     <message>
         <source>Connect first: limits belong to one machine.</source>
@@ -6714,6 +6773,42 @@ GPL-3.0-or-later</translation>
         <source>One machine at a time is connected with a window. Of the others only the port is looked at, every 30 s while this page is shown: a question would cost them time that another stream may need.</source>
         <translation>Una ventana está conectada con una sola máquina a la vez. De las demás solo se comprueba el puerto, cada 30 s mientras se muestra esta página: una pregunta les costaría tiempo que otro flujo puede necesitar.</translation>
     </message>
+    <message>
+        <source>Puts the service with this address on the board.</source>
+        <translation>Pone el servicio de esta dirección en el tablero.</translation>
+    </message>
+    <message>
+        <source>Asks a discovery server of OPC UA for services: that of the address, or of this computer.</source>
+        <translation>Pregunta por servicios a un servidor de descubrimiento OPC UA: el de la dirección o el de este ordenador.</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Añadir %1</translation>
+    </message>
+    <message>
+        <source>Services: machines without a window</source>
+        <translation>Servicios: máquinas sin ventana</translation>
+    </message>
+    <message>
+        <source>&amp;Address of a service</source>
+        <translation>&amp;Dirección de un servicio</translation>
+    </message>
+    <message>
+        <source>Address of a service</source>
+        <translation>Dirección de un servicio</translation>
+    </message>
+    <message>
+        <source>As rivulet-service prints it when it is ready.</source>
+        <translation>Como la muestra rivulet-service cuando está listo.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::MethodPanel</name>
@@ -9089,6 +9184,199 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ServiceCard</name>
+    <message>
+        <source>Service at %1</source>
+        <translation>Servicio %1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Remove …</source>
+        <translation>Quitar…</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Remove this service from the board? It goes on with its work.</source>
+        <translation>¿Quitar este servicio del tablero? Sigue trabajando.</translation>
+    </message>
+    <message>
+        <source>Shows what the service says, and what can be done with it.</source>
+        <translation>Muestra lo que comunica el servicio y lo que se puede hacer con él.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ServicePanel</name>
+    <message>
+        <source>Service at %1</source>
+        <translation>Servicio %1</translation>
+    </message>
+    <message>
+        <source>Service at %1, %2</source>
+        <translation>Servicio %1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln windows late</source>
+        <translation>
+            <numerusform>%Ln ventana tarde</numerusform>
+            <numerusform>%Ln ventanas tarde</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What Resume will do</source>
+        <translation>Lo que hará la reanudación</translation>
+    </message>
+    <message>
+        <source>What Start will do</source>
+        <translation>Lo que hará el inicio</translation>
+    </message>
+    <message>
+        <source>The service is working on it …</source>
+        <translation>El servicio está en ello…</translation>
+    </message>
+    <message>
+        <source>Nobody is logged in.</source>
+        <translation>Nadie ha iniciado sesión.</translation>
+    </message>
+    <message>
+        <source>Logged in: %1</source>
+        <translation>Sesión: %1</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Suspensión</translation>
+    </message>
+    <message>
+        <source>Hold to resume</source>
+        <translation>Mantener pulsado</translation>
+    </message>
+    <message>
+        <source>Hold to start</source>
+        <translation>Mantener pulsado</translation>
+    </message>
+    <message>
+        <source>Start …</source>
+        <translation>Iniciar…</translation>
+    </message>
+    <message>
+        <source>Hold for one second. Then the machine moves.</source>
+        <translation>Mantener pulsado un segundo. Entonces la máquina se mueve.</translation>
+    </message>
+    <message>
+        <source>Shows what will happen first. Nothing moves yet.</source>
+        <translation>Muestra qué ocurrirá primero. Todavía no se mueve nada.</translation>
+    </message>
+    <message>
+        <source>Log in …</source>
+        <translation>Iniciar sesión…</translation>
+    </message>
+    <message>
+        <source>Change user …</source>
+        <translation>Cambiar de usuario…</translation>
+    </message>
+    <message>
+        <source>All machines</source>
+        <translation>Todas las máquinas</translation>
+    </message>
+    <message>
+        <source>Back to the board. The run goes on.</source>
+        <translation>Volver al tablero. La ejecución continúa.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parada</translation>
+    </message>
+    <message>
+        <source>Ends the run of this machine after the window in motion. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Termina la ejecución de esta máquina tras la ventana en curso. No sustituye la parada de emergencia de la máquina.</translation>
+    </message>
+    <message>
+        <source>The machine waits before the next window until you press Continue.</source>
+        <translation>La máquina espera antes de la ventana siguiente hasta que se pulse Continuar.</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Reanudar…</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Pregunta al control dónde se interrumpió la ejecución. Todavía no se mueve nada.</translation>
+    </message>
+    <message>
+        <source>&amp;Program</source>
+        <translation>&amp;Programa</translation>
+    </message>
+    <message>
+        <source>file in the folder of the service</source>
+        <translation>archivo en la carpeta del servicio</translation>
+    </message>
+    <message>
+        <source>The service reads it in its folder of programs.</source>
+        <translation>El servicio lo lee en su carpeta de programas.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Cargar</translation>
+    </message>
+    <message>
+        <source>The service reads the program and judges it. Nothing moves.</source>
+        <translation>El servicio lee el programa y lo juzga. Nada se mueve.</translation>
+    </message>
+    <message>
+        <source>A service with users takes orders only from who has logged in.</source>
+        <translation>Un servicio con usuarios solo acepta órdenes de quien ha iniciado sesión.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nombre</translation>
+    </message>
+    <message>
+        <source>P&amp;IN</source>
+        <translation>P&amp;IN</translation>
+    </message>
+    <message>
+        <source>A user of the service; empty: nobody.</source>
+        <translation>Un usuario del servicio; vacío: nadie.</translation>
+    </message>
+    <message>
+        <source>It is not kept.</source>
+        <translation>No se guarda.</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Iniciar sesión</translation>
+    </message>
+    <message>
+        <source>Connects again as this user.</source>
+        <translation>Se conecta de nuevo como este usuario.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>These buttons act on %1. Those at the bottom of the window act on the machine that the window is connected with.</source>
+        <translation>Estos botones actúan sobre %1. Los de la parte inferior de la ventana actúan sobre la máquina con la que está conectada la ventana.</translation>
     </message>
 </context>
 <context>

@@ -2640,6 +2640,65 @@
     </message>
 </context>
 <context>
+    <name>ServiceTexts</name>
+    <message>
+        <source>Connecting …</source>
+        <translation>Connexion…</translation>
+    </message>
+    <message>
+        <source>No answer for some seconds</source>
+        <translation>Pas de réponse depuis quelques secondes</translation>
+    </message>
+    <message>
+        <source>Service does not answer</source>
+        <translation>Le service ne répond pas</translation>
+    </message>
+    <message>
+        <source>Not connected: needs a decision</source>
+        <translation>Non connecté&#xa0;: décision nécessaire</translation>
+    </message>
+    <message>
+        <source>Machine does not answer</source>
+        <translation>La machine ne répond pas</translation>
+    </message>
+    <message>
+        <source>Connecting to the machine …</source>
+        <translation>Connexion à la machine…</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Pas de programme</translation>
+    </message>
+    <message>
+        <source>Program loaded</source>
+        <translation>Programme chargé</translation>
+    </message>
+    <message>
+        <source>Run interrupted</source>
+        <translation>Exécution interrompue</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 points sur %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, encore %2</translation>
+    </message>
+    <message>
+        <source>Searching …</source>
+        <translation>Recherche…</translation>
+    </message>
+    <message>
+        <source>No other services are known there.</source>
+        <translation>Aucun autre service n’y est connu.</translation>
+    </message>
+    <message>
+        <source>Only an engineer can do this.</source>
+        <translation>Seul un régleur peut le faire.</translation>
+    </message>
+</context>
+<context>
     <name>SetUpTexts</name>
     <message>
         <source>Connect first: limits belong to one machine.</source>
@@ -6714,6 +6773,42 @@ GPL-3.0-or-later</translation>
         <source>One machine at a time is connected with a window. Of the others only the port is looked at, every 30 s while this page is shown: a question would cost them time that another stream may need.</source>
         <translation>Une fenêtre n’est connectée qu’à une machine à la fois. Pour les autres, seul le port est vérifié, toutes les 30 s tant que cette page est affichée&#xa0;: une question leur coûterait du temps dont un autre flux peut avoir besoin.</translation>
     </message>
+    <message>
+        <source>Puts the service with this address on the board.</source>
+        <translation>Met le service de cette adresse sur le tableau.</translation>
+    </message>
+    <message>
+        <source>Asks a discovery server of OPC UA for services: that of the address, or of this computer.</source>
+        <translation>Demande à un serveur de découverte OPC UA les services&#xa0;: celui de l’adresse, ou celui de cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Ajouter %1</translation>
+    </message>
+    <message>
+        <source>Services: machines without a window</source>
+        <translation>Services&#xa0;: machines sans fenêtre</translation>
+    </message>
+    <message>
+        <source>&amp;Address of a service</source>
+        <translation>&amp;Adresse d’un service</translation>
+    </message>
+    <message>
+        <source>Address of a service</source>
+        <translation>Adresse d’un service</translation>
+    </message>
+    <message>
+        <source>As rivulet-service prints it when it is ready.</source>
+        <translation>Telle que rivulet-service l’affiche quand il est prêt.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::MethodPanel</name>
@@ -9089,6 +9184,199 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ServiceCard</name>
+    <message>
+        <source>Service at %1</source>
+        <translation>Service %1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Remove …</source>
+        <translation>Retirer…</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Conserver</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Remove this service from the board? It goes on with its work.</source>
+        <translation>Retirer ce service du tableau&#xa0;? Il continue son travail.</translation>
+    </message>
+    <message>
+        <source>Shows what the service says, and what can be done with it.</source>
+        <translation>Montre ce que le service annonce et ce que l’on peut faire avec lui.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ServicePanel</name>
+    <message>
+        <source>Service at %1</source>
+        <translation>Service %1</translation>
+    </message>
+    <message>
+        <source>Service at %1, %2</source>
+        <translation>Service %1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln windows late</source>
+        <translation>
+            <numerusform>%Ln fenêtre en retard</numerusform>
+            <numerusform>%Ln fenêtres en retard</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What Resume will do</source>
+        <translation>Ce que fera la reprise</translation>
+    </message>
+    <message>
+        <source>What Start will do</source>
+        <translation>Ce que fera le départ</translation>
+    </message>
+    <message>
+        <source>The service is working on it …</source>
+        <translation>Le service y travaille…</translation>
+    </message>
+    <message>
+        <source>Nobody is logged in.</source>
+        <translation>Personne n’est connecté.</translation>
+    </message>
+    <message>
+        <source>Logged in: %1</source>
+        <translation>Connecté&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Suspension</translation>
+    </message>
+    <message>
+        <source>Hold to resume</source>
+        <translation>Maintenir appuyé</translation>
+    </message>
+    <message>
+        <source>Hold to start</source>
+        <translation>Maintenir appuyé</translation>
+    </message>
+    <message>
+        <source>Start …</source>
+        <translation>Démarrer…</translation>
+    </message>
+    <message>
+        <source>Hold for one second. Then the machine moves.</source>
+        <translation>Maintenir une seconde. Alors la machine se déplace.</translation>
+    </message>
+    <message>
+        <source>Shows what will happen first. Nothing moves yet.</source>
+        <translation>Montre d’abord ce qui va se passer. Rien ne bouge encore.</translation>
+    </message>
+    <message>
+        <source>Log in …</source>
+        <translation>Se connecter…</translation>
+    </message>
+    <message>
+        <source>Change user …</source>
+        <translation>Changer d’utilisateur…</translation>
+    </message>
+    <message>
+        <source>All machines</source>
+        <translation>Toutes les machines</translation>
+    </message>
+    <message>
+        <source>Back to the board. The run goes on.</source>
+        <translation>Retour au tableau. L’exécution continue.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
+        <source>Ends the run of this machine after the window in motion. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Termine l’exécution de cette machine après la fenêtre en cours. Cela ne remplace pas l’arrêt d’urgence de la machine.</translation>
+    </message>
+    <message>
+        <source>The machine waits before the next window until you press Continue.</source>
+        <translation>La machine attend avant la fenêtre suivante jusqu’à l’appui sur Continuer.</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Reprendre…</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Demande à la commande où l’exécution s’est interrompue. Rien ne bouge encore.</translation>
+    </message>
+    <message>
+        <source>&amp;Program</source>
+        <translation>&amp;Programme</translation>
+    </message>
+    <message>
+        <source>file in the folder of the service</source>
+        <translation>fichier dans le dossier du service</translation>
+    </message>
+    <message>
+        <source>The service reads it in its folder of programs.</source>
+        <translation>Le service le lit dans son dossier de programmes.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Charger</translation>
+    </message>
+    <message>
+        <source>The service reads the program and judges it. Nothing moves.</source>
+        <translation>Le service lit le programme et le juge. Rien ne bouge.</translation>
+    </message>
+    <message>
+        <source>A service with users takes orders only from who has logged in.</source>
+        <translation>Un service avec utilisateurs n’accepte d’ordres que de qui s’est connecté.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nom</translation>
+    </message>
+    <message>
+        <source>P&amp;IN</source>
+        <translation>P&amp;IN</translation>
+    </message>
+    <message>
+        <source>A user of the service; empty: nobody.</source>
+        <translation>Un utilisateur du service&#xa0;; vide&#xa0;: personne.</translation>
+    </message>
+    <message>
+        <source>It is not kept.</source>
+        <translation>Il n’est pas conservé.</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Se connecter</translation>
+    </message>
+    <message>
+        <source>Connects again as this user.</source>
+        <translation>Se reconnecte comme cet utilisateur.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Avancement</translation>
+    </message>
+    <message>
+        <source>These buttons act on %1. Those at the bottom of the window act on the machine that the window is connected with.</source>
+        <translation>Ces boutons agissent sur %1. Ceux du bas de la fenêtre agissent sur la machine à laquelle la fenêtre est connectée.</translation>
     </message>
 </context>
 <context>

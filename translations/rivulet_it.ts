@@ -2640,6 +2640,65 @@
     </message>
 </context>
 <context>
+    <name>ServiceTexts</name>
+    <message>
+        <source>Connecting …</source>
+        <translation>Connessione…</translation>
+    </message>
+    <message>
+        <source>No answer for some seconds</source>
+        <translation>Nessuna risposta da alcuni secondi</translation>
+    </message>
+    <message>
+        <source>Service does not answer</source>
+        <translation>Il servizio non risponde</translation>
+    </message>
+    <message>
+        <source>Not connected: needs a decision</source>
+        <translation>Non connesso: serve una decisione</translation>
+    </message>
+    <message>
+        <source>Machine does not answer</source>
+        <translation>La macchina non risponde</translation>
+    </message>
+    <message>
+        <source>Connecting to the machine …</source>
+        <translation>Connessione alla macchina…</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Nessun programma</translation>
+    </message>
+    <message>
+        <source>Program loaded</source>
+        <translation>Programma caricato</translation>
+    </message>
+    <message>
+        <source>Run interrupted</source>
+        <translation>Esecuzione interrotta</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 punti di %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, ancora %2</translation>
+    </message>
+    <message>
+        <source>Searching …</source>
+        <translation>Ricerca…</translation>
+    </message>
+    <message>
+        <source>No other services are known there.</source>
+        <translation>Lì non sono noti altri servizi.</translation>
+    </message>
+    <message>
+        <source>Only an engineer can do this.</source>
+        <translation>Può farlo solo un attrezzista.</translation>
+    </message>
+</context>
+<context>
     <name>SetUpTexts</name>
     <message>
         <source>Connect first: limits belong to one machine.</source>
@@ -6714,6 +6773,42 @@ GPL-3.0-or-later</translation>
         <source>One machine at a time is connected with a window. Of the others only the port is looked at, every 30 s while this page is shown: a question would cost them time that another stream may need.</source>
         <translation>Una finestra è connessa a una macchina alla volta. Delle altre si controlla solo la porta, ogni 30 s finché questa pagina è visibile: una domanda costerebbe loro tempo di cui un altro flusso può avere bisogno.</translation>
     </message>
+    <message>
+        <source>Puts the service with this address on the board.</source>
+        <translation>Mette il servizio con questo indirizzo sul quadro.</translation>
+    </message>
+    <message>
+        <source>Asks a discovery server of OPC UA for services: that of the address, or of this computer.</source>
+        <translation>Chiede i servizi a un server di discovery OPC UA: quello dell’indirizzo o quello di questo computer.</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Aggiungi %1</translation>
+    </message>
+    <message>
+        <source>Services: machines without a window</source>
+        <translation>Servizi: macchine senza finestra</translation>
+    </message>
+    <message>
+        <source>&amp;Address of a service</source>
+        <translation>&amp;Indirizzo di un servizio</translation>
+    </message>
+    <message>
+        <source>Address of a service</source>
+        <translation>Indirizzo di un servizio</translation>
+    </message>
+    <message>
+        <source>As rivulet-service prints it when it is ready.</source>
+        <translation>Come la stampa rivulet-service quando è pronto.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Aggiungi</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Cerca</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::MethodPanel</name>
@@ -9089,6 +9184,199 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>%1 %</source>
         <translation>%1&#xa0;%</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ServiceCard</name>
+    <message>
+        <source>Service at %1</source>
+        <translation>Servizio %1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Apri</translation>
+    </message>
+    <message>
+        <source>Remove …</source>
+        <translation>Rimuovi…</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Mantieni</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Rimuovi</translation>
+    </message>
+    <message>
+        <source>Remove this service from the board? It goes on with its work.</source>
+        <translation>Togliere questo servizio dal quadro? Il suo lavoro continua.</translation>
+    </message>
+    <message>
+        <source>Shows what the service says, and what can be done with it.</source>
+        <translation>Mostra che cosa comunica il servizio e che cosa si può fare.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ServicePanel</name>
+    <message>
+        <source>Service at %1</source>
+        <translation>Servizio %1</translation>
+    </message>
+    <message>
+        <source>Service at %1, %2</source>
+        <translation>Servizio %1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln windows late</source>
+        <translation>
+            <numerusform>%Ln finestra in ritardo</numerusform>
+            <numerusform>%Ln finestre in ritardo</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What Resume will do</source>
+        <translation>Che cosa farà la ripresa</translation>
+    </message>
+    <message>
+        <source>What Start will do</source>
+        <translation>Che cosa farà l’avvio</translation>
+    </message>
+    <message>
+        <source>The service is working on it …</source>
+        <translation>Il servizio ci sta lavorando…</translation>
+    </message>
+    <message>
+        <source>Nobody is logged in.</source>
+        <translation>Nessuno ha effettuato l’accesso.</translation>
+    </message>
+    <message>
+        <source>Logged in: %1</source>
+        <translation>Accesso: %1</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continua</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Sospensione</translation>
+    </message>
+    <message>
+        <source>Hold to resume</source>
+        <translation>Tenere premuto</translation>
+    </message>
+    <message>
+        <source>Hold to start</source>
+        <translation>Tenere premuto</translation>
+    </message>
+    <message>
+        <source>Start …</source>
+        <translation>Avvia…</translation>
+    </message>
+    <message>
+        <source>Hold for one second. Then the machine moves.</source>
+        <translation>Tenere premuto per un secondo. Poi la macchina si muove.</translation>
+    </message>
+    <message>
+        <source>Shows what will happen first. Nothing moves yet.</source>
+        <translation>Mostra che cosa accadrà per prima cosa. Ancora non si muove nulla.</translation>
+    </message>
+    <message>
+        <source>Log in …</source>
+        <translation>Accedi…</translation>
+    </message>
+    <message>
+        <source>Change user …</source>
+        <translation>Cambia utente…</translation>
+    </message>
+    <message>
+        <source>All machines</source>
+        <translation>Tutte le macchine</translation>
+    </message>
+    <message>
+        <source>Back to the board. The run goes on.</source>
+        <translation>Torna al quadro. L’esecuzione continua.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>Ends the run of this machine after the window in motion. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Termina l’esecuzione di questa macchina dopo la finestra in corso. Non sostituisce l’arresto d’emergenza della macchina.</translation>
+    </message>
+    <message>
+        <source>The machine waits before the next window until you press Continue.</source>
+        <translation>La macchina attende prima della finestra successiva finché non si preme Continua.</translation>
+    </message>
+    <message>
+        <source>Resume …</source>
+        <translation>Riprendi…</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Chiede al controllo dove l’esecuzione si è interrotta. Ancora non si muove nulla.</translation>
+    </message>
+    <message>
+        <source>&amp;Program</source>
+        <translation>&amp;Programma</translation>
+    </message>
+    <message>
+        <source>file in the folder of the service</source>
+        <translation>file nella cartella del servizio</translation>
+    </message>
+    <message>
+        <source>The service reads it in its folder of programs.</source>
+        <translation>Il servizio lo legge nella sua cartella dei programmi.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Carica</translation>
+    </message>
+    <message>
+        <source>The service reads the program and judges it. Nothing moves.</source>
+        <translation>Il servizio legge il programma e lo giudica. Nulla si muove.</translation>
+    </message>
+    <message>
+        <source>A service with users takes orders only from who has logged in.</source>
+        <translation>Un servizio con utenti accetta ordini solo da chi ha effettuato l’accesso.</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nome</translation>
+    </message>
+    <message>
+        <source>P&amp;IN</source>
+        <translation>P&amp;IN</translation>
+    </message>
+    <message>
+        <source>A user of the service; empty: nobody.</source>
+        <translation>Un utente del servizio; vuoto: nessuno.</translation>
+    </message>
+    <message>
+        <source>It is not kept.</source>
+        <translation>Non viene conservato.</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>Accedi</translation>
+    </message>
+    <message>
+        <source>Connects again as this user.</source>
+        <translation>Si riconnette come questo utente.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Avanzamento</translation>
+    </message>
+    <message>
+        <source>These buttons act on %1. Those at the bottom of the window act on the machine that the window is connected with.</source>
+        <translation>Questi pulsanti agiscono su %1. Quelli in fondo alla finestra agiscono sulla macchina a cui è connessa la finestra.</translation>
     </message>
 </context>
 <context>

@@ -77,6 +77,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       m_credit(m_session, m_machine, m_runs, report::MachineStore()),
       m_profiles(m_document, m_machine, m_runs, m_messages, report::MachineStore()),
       m_machines(m_document, m_machine, m_runs, m_pastRuns, report::MachineStore()),
+      m_services(m_settings.services, report::MachineStore()),
       m_traces(m_document),
       m_certificates(m_messages) {
   m_translator.setLanguage(m_settings.language);
@@ -110,6 +111,12 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
   connect(&m_runs, &RunController::finished, this, &MainWindow::runFinished);
   connect(&m_alarms, &Alarms::listRequested, this, &MainWindow::showAlarms);
   connect(&m_machines, &Machines::found, this, &MainWindow::showFirstPage);
+  connect(&m_services, &Services::listChanged, this, [this] {
+    m_settings.services = m_services.endpoints();
+    if (m_persistent) {
+      saveSettings(m_settings);
+    }
+  });
   connect(
       &m_runs, &RunController::finished, this,
       [this] {
@@ -133,10 +140,10 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildPages() {
-  const Models models{m_settings, m_messages,     m_alarms, m_users,    m_audit,
-                      m_machine,  m_document,     m_runs,   m_live,     m_preflight,
-                      m_found,    m_pastRuns,     m_credit, m_profiles, m_machines,
-                      m_traces,   m_certificates, m_logins, m_learning, m_player};
+  const Models models{m_settings, m_messages, m_alarms,   m_users,     m_audit,  m_machine,
+                      m_document, m_runs,     m_live,     m_preflight, m_found,  m_pastRuns,
+                      m_credit,   m_profiles, m_machines, m_services,  m_traces, m_certificates,
+                      m_logins,   m_learning, m_player};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -466,7 +473,7 @@ void MainWindow::showFirstPage() {
   const std::vector<widgets::MachineCardView> cards = m_machines.cards();
   const auto count =
       std::count_if(cards.begin(), cards.end(), [](const auto& card) { return !card.isLeftOver; });
-  if (count > 1 && isUntouched) {
+  if ((count > 1 || !m_services.endpoints().isEmpty()) && isUntouched) {
     showPageOf(m_tabs->findChild<widgets::MachinesPage*>());
   }
 }

@@ -28,6 +28,7 @@
 #include "hmi/past_runs.h"
 #include "hmi/releases.h"
 #include "hmi/run_controller.h"
+#include "hmi/services.h"
 #include "hmi/settings.h"
 #include "hmi/traces.h"
 #include "hmi/translator.h"
@@ -174,6 +175,7 @@ class MainWindow final : public QMainWindow {
   CreditCommissioning m_credit;
   MachineProfiles m_profiles;
   Machines m_machines;
+  Services m_services;
   Traces m_traces;
   Certificates m_certificates;
   EmulatorLearning m_learning;

@@ -109,6 +109,7 @@ Settings loadSettings() {
   settings.usersFile = Users::fileOfUser();
   settings.endpoint = store.value(QStringLiteral("endpoint"), settings.endpoint).toString();
   settings.recentFiles = store.value(QStringLiteral("recentFiles")).toStringList();
+  settings.services = store.value(QStringLiteral("services")).toStringList();
   settings.language = store.value(QStringLiteral("language")).toString();
   settings.theme = widgets::themeFromName(store.value(QStringLiteral("theme")).toString());
   settings.geometry = store.value(QStringLiteral("geometry")).toByteArray();
@@ -156,6 +157,7 @@ void saveSettings(const Settings& settings) {
   QSettings store;
   store.setValue(QStringLiteral("endpoint"), settings.endpoint);
   store.setValue(QStringLiteral("recentFiles"), settings.recentFiles);
+  store.setValue(QStringLiteral("services"), settings.services);
   store.setValue(QStringLiteral("language"), settings.language);
   store.setValue(QStringLiteral("theme"), widgets::themeName(settings.theme));
   store.setValue(QStringLiteral("geometry"), settings.geometry);

@@ -20,6 +20,7 @@ namespace rivulet::hmi {
 struct Settings {
   QString endpoint = QString::fromUtf8(opcua::kLocalEndpoint);
   QStringList recentFiles;
+  QStringList services;  ///< addresses of those on the board of machines
   QString language;  ///< one of `languages()`; empty: the system's
   widgets::Theme theme = widgets::Theme::System;
   widgets::StreamSettings stream;

@@ -8,6 +8,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -19,6 +20,8 @@
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/connection_state.h"
+#include "widgets/connection/service_card.h"
+#include "widgets/connection/service_panel.h"
 #include "widgets/runs/run_texts.h"
 
 namespace rivulet::widgets {
@@ -202,10 +205,20 @@ class MachineCard final : public QFrame {
 
 MachinesPage::MachinesPage(QWidget* parent)
     : Page(parent),
-      m_note(new QLabel(this)),
+      m_board(new QWidget(this)),
+      m_panel(new ServicePanel(this)),
+      m_note(new QLabel(m_board)),
       m_grid(new QGridLayout),
-      m_leftOverNote(new QLabel(this)),
-      m_showLeftOver(makeTouchButton(this)) {
+      m_servicesTitle(makeHeading(m_board)),
+      m_serviceGrid(new QGridLayout),
+      m_addLabel(new QLabel(m_board)),
+      m_address(new QLineEdit(m_board)),
+      m_add(makeTouchButton(m_board)),
+      m_search(makeTouchButton(m_board)),
+      m_foundNote(new QLabel(m_board)),
+      m_foundList(new QVBoxLayout),
+      m_leftOverNote(new QLabel(m_board)),
+      m_showLeftOver(makeTouchButton(m_board)) {
   m_note->setWordWrap(true);
   m_leftOverNote->setWordWrap(true);
   m_showLeftOver->setObjectName(QStringLiteral("show-left-over"));
@@ -215,12 +228,135 @@ MachinesPage::MachinesPage(QWidget* parent)
   auto* leftOver = new QHBoxLayout;
   leftOver->addWidget(m_leftOverNote, 1);
   leftOver->addWidget(m_showLeftOver);
+  auto* board = new QVBoxLayout(m_board);
+  board->setContentsMargins(0, 0, 0, 0);
+  board->addWidget(m_note);
+  board->addLayout(m_grid);
+  board->addLayout(leftOver);
+  buildServices(*board);
+  board->addStretch(1);
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_note);
-  layout->addLayout(m_grid);
-  layout->addLayout(leftOver);
-  layout->addStretch(1);
+  layout->addWidget(m_board, 1);
+  layout->addWidget(m_panel, 1);
+  m_panel->hide();
+  connect(m_panel, &ServicePanel::closeRequested, this, [this] { openService(QString()); });
   retranslate();
+}
+
+void MachinesPage::buildServices(QVBoxLayout& layout) {
+  m_serviceGrid->setSpacing(kCardGapPx);
+  m_address->setObjectName(QStringLiteral("service-address"));
+  m_address->setMinimumHeight(kTouchHeightPx);
+  m_address->setPlaceholderText(QStringLiteral("opc.tcp://192.168.214.7:4841"));
+  m_addLabel->setBuddy(m_address);
+  m_add->setObjectName(QStringLiteral("service-add"));
+  m_search->setObjectName(QStringLiteral("service-search"));
+  m_foundNote->setObjectName(QStringLiteral("service-found"));
+  m_foundNote->setWordWrap(true);
+  auto* row = new QHBoxLayout;
+  row->addWidget(m_addLabel);
+  row->addWidget(m_address, 1);
+  row->addWidget(m_add);
+  row->addWidget(m_search);
+  layout.addWidget(m_servicesTitle);
+  layout.addLayout(m_serviceGrid);
+  layout.addLayout(row);
+  layout.addWidget(m_foundNote);
+  layout.addLayout(m_foundList);
+  const auto add = [this] {
+    if (!m_address->text().trimmed().isEmpty() && m_add->isEnabled()) {
+      Q_EMIT addServiceRequested(m_address->text().trimmed());
+    }
+  };
+  connect(m_add, &QPushButton::clicked, this, add);
+  connect(m_address, &QLineEdit::returnPressed, this, add);
+  connect(m_address, &QLineEdit::textChanged, this, &MachinesPage::showServices);
+  connect(m_search, &QPushButton::clicked, this,
+          [this] { Q_EMIT searchRequested(m_address->text().trimmed()); });
+}
+
+void MachinesPage::setServices(const std::vector<ServiceView>& services) {
+  m_services = services;
+  showServices();
+}
+
+void MachinesPage::setServicesBlocked(const QString& why) {
+  m_servicesBlocked = why;
+  showServices();
+}
+
+void MachinesPage::openService(const QString& endpoint) {
+  const auto found =
+      std::find_if(m_services.begin(), m_services.end(),
+                   [&](const ServiceView& service) { return service.endpoint == endpoint; });
+  const bool isThere = found != m_services.end();
+  if (isThere) {
+    m_panel->setService(*found);
+  }
+  m_board->setVisible(!isThere);
+  m_panel->setVisible(isThere);
+}
+
+void MachinesPage::showServices() {
+  while (m_serviceCards.size() > m_services.size()) {
+    delete m_serviceCards.back();
+    m_serviceCards.pop_back();
+  }
+  while (m_serviceCards.size() < m_services.size()) {
+    auto* card = new ServiceCard(m_board);
+    connect(card, &ServiceCard::openRequested, this, &MachinesPage::openService);
+    connect(card, &ServiceCard::removeRequested, this, &MachinesPage::removeServiceRequested);
+    m_serviceCards.push_back(card);
+  }
+  for (std::size_t i = 0; i < m_services.size(); ++i) {
+    m_services[i].canRemove = m_servicesBlocked.isEmpty();
+    m_serviceCards[i]->show(m_services[i]);
+    if (m_panel->isVisible() && m_services[i].endpoint == m_panel->endpoint()) {
+      m_panel->setService(m_services[i]);
+    }
+  }
+  if (m_placed != m_services.size()) {
+    m_columns = 0;
+    place();
+  }
+  m_add->setEnabled(m_servicesBlocked.isEmpty() && !m_address->text().trimmed().isEmpty());
+  m_search->setEnabled(m_servicesBlocked.isEmpty());
+  m_address->setEnabled(m_servicesBlocked.isEmpty());
+  m_add->setToolTip(m_servicesBlocked.isEmpty()
+                        ? tr("Puts the service with this address on the board.")
+                        : m_servicesBlocked);
+  m_search->setToolTip(
+      m_servicesBlocked.isEmpty()
+          ? tr("Asks a discovery server of OPC UA for services: that of the address, or of this "
+               "computer.")
+          : m_servicesBlocked);
+}
+
+void MachinesPage::setFound(const QStringList& endpoints, const QString& note) {
+  m_found = endpoints;
+  m_foundText = note;
+  while (m_foundButtons.size() > static_cast<std::size_t>(endpoints.size())) {
+    delete m_foundButtons.back();
+    m_foundButtons.pop_back();
+  }
+  while (m_foundButtons.size() < static_cast<std::size_t>(endpoints.size())) {
+    QPushButton* button = makeTouchButton(m_board);
+    const auto index = static_cast<qsizetype>(m_foundButtons.size());
+    button->setObjectName(QStringLiteral("service-found-%1").arg(index));
+    // Queued: the list loses the button that is clicked.
+    connect(
+        button, &QPushButton::clicked, this,
+        [this, index] { Q_EMIT addServiceRequested(m_found.value(index)); }, Qt::QueuedConnection);
+    m_foundList->addWidget(button, 0, Qt::AlignLeft);
+    m_foundButtons.push_back(button);
+  }
+  for (qsizetype i = 0; i < endpoints.size(); ++i) {
+    m_foundButtons[static_cast<std::size_t>(i)]->setText(tr("Add %1").arg(endpoints[i]));
+    m_foundButtons[static_cast<std::size_t>(i)]->setToolTip(
+        tr("Puts the service with this address on the board."));
+  }
+  m_foundNote->setText(note);
+  m_foundNote->setVisible(!note.isEmpty());
 }
 
 void MachinesPage::setMachines(const std::vector<MachineCardView>& machines) {
@@ -240,7 +376,7 @@ void MachinesPage::showCards() {
     m_cards.pop_back();
   }
   while (m_cards.size() < shown.size()) {
-    auto* card = new MachineCard(this);
+    auto* card = new MachineCard(m_board);
     connect(card->open(), &QPushButton::clicked, this,
             [this, card] { Q_EMIT openRequested(card->view().endpoint); });
     // Queued: the list loses the card that is clicked.
@@ -278,18 +414,29 @@ void MachinesPage::setBlocked(const QString& why) {
   }
 }
 
+namespace {
+
+template <class Card>
+void placeIn(QGridLayout& grid, const std::vector<Card*>& cards, int columns) {
+  for (std::size_t i = 0; i < cards.size(); ++i) {
+    grid.addWidget(cards[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
+  }
+  for (int column = 0; column < std::max(columns, grid.columnCount()); ++column) {
+    grid.setColumnStretch(column, column < columns ? 1 : 0);
+  }
+}
+
+}  // namespace
+
 void MachinesPage::place() {
   const int columns = std::max(1, width() / (kCardPx + kCardGapPx));
   if (columns == m_columns) {
     return;
   }
   m_columns = columns;
-  for (std::size_t i = 0; i < m_cards.size(); ++i) {
-    m_grid->addWidget(m_cards[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
-  }
-  for (int column = 0; column < std::max(columns, m_grid->columnCount()); ++column) {
-    m_grid->setColumnStretch(column, column < columns ? 1 : 0);
-  }
+  m_placed = m_serviceCards.size();
+  placeIn(*m_grid, m_cards, columns);
+  placeIn(*m_serviceGrid, m_serviceCards, columns);
 }
 
 void MachinesPage::resizeEvent(QResizeEvent* event) {
@@ -302,9 +449,17 @@ void MachinesPage::retranslate() {
       tr("One machine at a time is connected with a window. Of the others only the port is looked "
          "at, every 30 s while this page is shown: a question would cost them time that another "
          "stream may need."));
+  m_servicesTitle->setText(tr("Services: machines without a window"));
+  m_addLabel->setText(tr("&Address of a service"));
+  m_address->setAccessibleName(tr("Address of a service"));
+  m_address->setToolTip(tr("As rivulet-service prints it when it is ready."));
+  m_add->setText(tr("Add"));
+  m_search->setText(tr("Search"));
   for (MachineCard* card : m_cards) {
     card->show(MachineCardView(card->view()), m_blocked);
   }
+  setFound(QStringList(m_found), QString(m_foundText));
+  showServices();
   showLeftOver();
 }
 

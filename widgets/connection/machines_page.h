@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// All machines that this computer knows, a card each. One of them can be connected at a time; of
-/// the others it is said whether their port answers. @threadsafety GUI thread.
+/// The board: all machines that this computer knows, and all services, a card each. One machine can
+/// be connected at a time; of the others it is said whether their port answers. Services tell what
+/// their machines do; one of them is opened in the place of the board. @threadsafety GUI thread.
 #pragma once
 
 #include <optional>
@@ -12,10 +13,13 @@
 #include "streaming/run_summary.h"
 #include "widgets/common/page.h"
 #include "widgets/connection/machine_view.h"
+#include "widgets/connection/service_view.h"
 
 class QGridLayout;
 class QLabel;
+class QLineEdit;
 class QPushButton;
+class QVBoxLayout;
 
 namespace rivulet::widgets {
 
@@ -44,6 +48,8 @@ struct MachineCardView {
 };
 
 class MachineCard;
+class ServiceCard;
+class ServicePanel;
 
 class MachinesPage final : public Page {
   Q_OBJECT
@@ -54,12 +60,26 @@ class MachinesPage final : public Page {
   void setMachines(const std::vector<MachineCardView>& machines);
   /// During a run the window stays with its machine. @param why  empty: any may be opened
   void setBlocked(const QString& why);
+  /// The services of the board, in their order.
+  void setServices(const std::vector<ServiceView>& services);
+  /// What a search has found and the board does not have; with a sentence about it.
+  void setFound(const QStringList& endpoints, const QString& note);
+  /// @param why  services can neither be added nor removed; empty: they can
+  void setServicesBlocked(const QString& why);
+  [[nodiscard]] ServicePanel* servicePanel() const { return m_panel; }
+  /// Opens the service in the place of the board; empty: back to the board.
+  void openService(const QString& endpoint);
 
  Q_SIGNALS:
   /// The operator wants to work at this machine: connect if it is not connected.
   void openRequested(const QString& endpoint);
   /// The operator has confirmed that the machine goes from the list.
   void removeRequested(const QString& endpoint);
+  void addServiceRequested(const QString& endpoint);
+  void removeServiceRequested(const QString& endpoint);
+  /// Services are to be looked for. @param address  of a discovery server, or part of it; may be
+  /// empty
+  void searchRequested(const QString& address);
 
  protected:
   void retranslate() override;
@@ -69,15 +89,34 @@ class MachinesPage final : public Page {
   void place();
   void showCards();
   void showLeftOver();
+  void showServices();
+  void buildServices(QVBoxLayout& layout);
 
+  QWidget* m_board;
+  ServicePanel* m_panel;
   QLabel* m_note;
   QGridLayout* m_grid;
+  QLabel* m_servicesTitle;
+  QGridLayout* m_serviceGrid;
+  QLabel* m_addLabel;
+  QLineEdit* m_address;
+  QPushButton* m_add;
+  QPushButton* m_search;
+  QLabel* m_foundNote;
+  QVBoxLayout* m_foundList;
   QLabel* m_leftOverNote;
   QPushButton* m_showLeftOver;
   std::vector<MachineCardView> m_machines;
   std::vector<MachineCard*> m_cards;
+  std::vector<ServiceView> m_services;
+  std::vector<ServiceCard*> m_serviceCards;
+  std::vector<QPushButton*> m_foundButtons;
+  QStringList m_found;
+  QString m_foundText;
+  QString m_servicesBlocked;
   QString m_blocked;
   int m_columns = 0;
+  std::size_t m_placed = 0;  ///< cards of services
 };
 
 }  // namespace rivulet::widgets

@@ -69,6 +69,35 @@ QString runStateText(RunState state) {
   return RunStateTexts::text(state);
 }
 
+QString waitingText(const QString& key) {
+  if (key == QStringLiteral("source")) {
+    return RunPanel::tr("Waiting for points of the live source");
+  }
+  if (key == QStringLiteral("proof")) {
+    return RunPanel::tr("Waiting for the test of the template on the virtual machine");
+  }
+  if (key == QStringLiteral("transfer")) {
+    return RunPanel::tr("Waiting for the transfer of the template to the control");
+  }
+  if (key == QStringLiteral("cycle-start")) {
+    return RunPanel::tr("Waiting for cycle start at the control");
+  }
+  if (key == QStringLiteral("select-and-start")) {
+    return RunPanel::tr("Waiting for selection of the template and cycle start at the control");
+  }
+  if (key == QStringLiteral("network")) {
+    return RunPanel::tr("Nothing comes from the control. Check cable, switch and server.");
+  }
+  if (key == QStringLiteral("claim")) {
+    return RunPanel::tr(
+        "Waiting until the claim of another client lapses, because it may be dead (10 s)");
+  }
+  if (key == QStringLiteral("trace")) {
+    return RunPanel::tr("Waiting for the control's own trace");
+  }
+  return key.isEmpty() ? QString() : RunPanel::tr("Waiting for %1").arg(key);
+}
+
 RunPanel::RunPanel(QWidget* parent)
     : Page(parent),
       m_rows(new QGridLayout(this)),
@@ -338,42 +367,17 @@ bool RunPanel::isHeldBySource() const {
   return m_update.state == RunState::Holding && m_update.source && m_update.source->holdsRun;
 }
 
-QString RunPanel::waitingText() const {
-  // The stream names its reasons by key; one without a sentence here is shown unchanged.
+QString RunPanel::waitingSentence() const {
   const QString key = QString::fromStdString(m_update.waitingFor);
   if (isHeldBySource()) {
     return tr("The live source is silent or wants a hold. The run goes on with its next point.");
-  }
-  if (key == QStringLiteral("source")) {
-    return tr("Waiting for points of the live source");
   }
   if (key.isEmpty()) {
     return m_update.state == RunState::Holding
                ? tr("The machine waits before the next window until you press Continue.")
                : QString();
   }
-  if (key == QStringLiteral("proof")) {
-    return tr("Waiting for the test of the template on the virtual machine");
-  }
-  if (key == QStringLiteral("transfer")) {
-    return tr("Waiting for the transfer of the template to the control");
-  }
-  if (key == QStringLiteral("cycle-start")) {
-    return tr("Waiting for cycle start at the control");
-  }
-  if (key == QStringLiteral("select-and-start")) {
-    return tr("Waiting for selection of the template and cycle start at the control");
-  }
-  if (key == QStringLiteral("network")) {
-    return tr("Nothing comes from the control. Check cable, switch and server.");
-  }
-  if (key == QStringLiteral("claim")) {
-    return tr("Waiting until the claim of another client lapses, because it may be dead (10 s)");
-  }
-  if (key == QStringLiteral("trace")) {
-    return tr("Waiting for the control's own trace");
-  }
-  return tr("Waiting for %1").arg(key);
+  return waitingText(key);
 }
 
 QString RunPanel::activeText() const {
@@ -528,7 +532,7 @@ void RunPanel::showReason() {
   if (const QString native = nativeText(); !native.isEmpty()) {
     sentences.append(native);
   } else if (active) {
-    sentences.append(waitingText());
+    sentences.append(waitingSentence());
   } else if (hasFound()) {
     sentences = {m_found->isStopping  ? tr("Stop requested, not yet confirmed")
                  : m_found->isWatched ? tr("This window only shows it. Stop ends it.")

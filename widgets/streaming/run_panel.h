@@ -31,6 +31,9 @@ class StatusLabel;
 
 /// "Running", "Holding", … in the language of the operator.
 [[nodiscard]] QString runStateText(streaming::RunState state);
+/// What a run waits for. @param key  `LiveUpdate::waitingFor`; one without a sentence is shown as
+/// it is
+[[nodiscard]] QString waitingText(const QString& key);
 
 class RunPanel final : public Page {
   Q_OBJECT
@@ -118,7 +121,7 @@ class RunPanel final : public Page {
   [[nodiscard]] static QString timeLeftText(const TimeLeft& left);
   /// Why a figure of a run that another computer streams is not known.
   [[nodiscard]] static QString elsewhereText();
-  [[nodiscard]] QString waitingText() const;
+  [[nodiscard]] QString waitingSentence() const;
   /// The run holds because of its live source, not of the operator.
   [[nodiscard]] bool isHeldBySource() const;
   /// "Running: stretch 3 of 12".

@@ -50,11 +50,10 @@ QWidget* makeConnectionPanel(const Models& models) {
   panel->setControl(machine->control());
   QObject::connect(panel, &ConnectionPanel::disconnectRequested, machine,
                    &MachineModel::disconnectFrom);
-  QObject::connect(machine, &MachineModel::endpointChanged, panel,
-                   [panel, machine] {
-                     panel->setEndpoint(machine->endpoint());
-                     panel->setControl(machine->control());
-                   });
+  QObject::connect(machine, &MachineModel::endpointChanged, panel, [panel, machine] {
+    panel->setEndpoint(machine->endpoint());
+    panel->setControl(machine->control());
+  });
   QObject::connect(machine, &MachineModel::linkChanged, panel, [panel, machine] {
     const base::Error& error = machine->link().error;
     panel->setConnectionState(machine->connectionState(),
@@ -134,6 +133,7 @@ QWidget* makeMachinesPage(const Models& models, QWidget* parent) {
                          : PagesTexts::tr("During a run, the window stays with its machine."));
   };
   QObject::connect(&models.runs, &RunController::permissionsChanged, page, block);
+  connectServices(models, *page);
   return page;
 }
 

@@ -25,6 +25,7 @@
 #include "hmi/past_runs.h"
 #include "hmi/preflight.h"
 #include "hmi/run_controller.h"
+#include "hmi/services.h"
 #include "hmi/settings.h"
 #include "hmi/traces.h"
 #include "hmi/users.h"
@@ -33,8 +34,9 @@ class QToolButton;
 class QWidget;
 
 namespace rivulet::widgets {
+class MachinesPage;
 class ProgramPage;
-}
+}  // namespace rivulet::widgets
 
 namespace rivulet::hmi {
 
@@ -55,6 +57,7 @@ struct Models {
   CreditCommissioning& credit;
   MachineProfiles& profiles;
   Machines& machines;
+  Services& services;
   Traces& traces;
   Certificates& certificates;
   Logins& logins;
@@ -90,6 +93,9 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeEmulatorPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeParallelPage(const Models& models, QWidget* parent);
 [[nodiscard]] QWidget* makeLogPage(const Models& models, QWidget* parent);
+
+/// The services on the board of machines.
+void connectServices(const Models& models, widgets::MachinesPage& page);
 
 /// Beside, above and below the tabs.
 [[nodiscard]] QToolButton* makeMachineButton(const Models& models, QWidget* parent);

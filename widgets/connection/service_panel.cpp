@@ -1,0 +1,446 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/connection/service_panel.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "widgets/common/elided_label.h"
+#include "widgets/common/hold_button.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/number_format.h"
+#include "widgets/common/theme.h"
+#include "widgets/connection/trust_sheet.h"
+#include "widgets/streaming/run_panel.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+constexpr int kServiceButtonHeightPx = 64;
+constexpr int kServiceButtonWidthPxMin = 130;
+
+}  // namespace
+
+ServicePanel::ServicePanel(QWidget* parent)
+    : Page(parent),
+      m_back(makeTouchButton(this)),
+      m_title(new ElidedLabel(1, this)),
+      m_where(new ElidedLabel(1, this)),
+      m_state(new StatusLabel(this)),
+      m_alarm(new StatusLabel(this)),
+      m_work(new QWidget(this)),
+      m_program(makeValueLabel(m_work)),
+      m_progress(new QProgressBar(m_work)),
+      m_points(makeValueLabel(m_work)),
+      m_waiting(new StatusLabel(m_work)),
+      m_position(makeValueLabel(m_work)),
+      m_message(makeValueLabel(m_work)),
+      m_fileLabel(new QLabel(m_work)),
+      m_file(new QLineEdit(m_work)),
+      m_load(makeTouchButton(m_work)),
+      m_preflightTitle(makeHeading(m_work)),
+      m_preflight(makeValueLabel(m_work)),
+      m_reply(new StatusLabel(m_work)),
+      m_whose(new QLabel(m_work)),
+      m_stop(makeTouchButton(m_work)),
+      m_hold(makeTouchButton(m_work)),
+      m_resume(makeTouchButton(m_work)),
+      m_start(new HoldButton(m_work)),
+      m_whoIs(new StatusLabel(m_work)),
+      m_login(makeTouchButton(m_work)),
+      m_fields(new QWidget(m_work)),
+      m_userLabel(new QLabel(m_fields)),
+      m_user(new QLineEdit(m_fields)),
+      m_pinLabel(new QLabel(m_fields)),
+      m_pin(new QLineEdit(m_fields)),
+      m_enter(makeTouchButton(m_fields)) {
+  setObjectName(QStringLiteral("service"));
+  QFont font = m_title->font();
+  font.setBold(true);
+  font.setPointSizeF(font.pointSizeF() * 1.3);
+  m_title->setFont(font);
+  m_state->setEmphasis(14.0, true);
+  m_state->setWordWrap(true);
+  for (StatusLabel* label : {m_alarm, m_waiting, m_reply, m_whoIs}) {
+    label->setWordWrap(true);
+  }
+  m_message->setWordWrap(true);
+  m_preflight->setWordWrap(true);
+  m_whose->setWordWrap(true);
+  m_state->setObjectName(QStringLiteral("panel-state"));
+  m_alarm->setObjectName(QStringLiteral("panel-alarm"));
+  m_reply->setObjectName(QStringLiteral("panel-reply"));
+  m_preflight->setObjectName(QStringLiteral("panel-preflight"));
+  m_points->setObjectName(QStringLiteral("panel-points"));
+  m_whoIs->setObjectName(QStringLiteral("panel-user"));
+  m_back->setObjectName(QStringLiteral("panel-back"));
+  auto* head = new QHBoxLayout;
+  auto* names = new QVBoxLayout;
+  names->setSpacing(0);
+  names->addWidget(m_title);
+  names->addWidget(m_where);
+  head->addWidget(m_back);
+  head->addLayout(names, 1);
+  buildFacts();
+  buildLogin();
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(12);  // wide enough apart that one is not hit for the other
+  buttons->addWidget(m_stop);
+  buttons->addWidget(m_hold);
+  buttons->addStretch();
+  buttons->addWidget(m_resume);
+  buttons->addWidget(m_start);
+  for (QPushButton* button : {m_stop, m_hold, m_resume, static_cast<QPushButton*>(m_start)}) {
+    QFont large = button->font();
+    large.setPointSizeF(14.0);
+    large.setBold(true);
+    button->setFont(large);
+    button->setFixedHeight(kServiceButtonHeightPx);
+    button->setMinimumWidth(kServiceButtonWidthPxMin);
+    button->setIconSize(QSize(24, 24));
+  }
+  m_stop->setObjectName(QStringLiteral("panel-stop"));
+  m_hold->setObjectName(QStringLiteral("panel-hold"));
+  m_resume->setObjectName(QStringLiteral("panel-resume"));
+  m_start->setObjectName(QStringLiteral("panel-start"));
+  auto* work = qobject_cast<QVBoxLayout*>(m_work->layout());
+  work->addWidget(m_preflightTitle);
+  work->addWidget(m_preflight);
+  work->addWidget(m_reply);
+  work->addWidget(m_whose);
+  work->addLayout(buttons);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(head);
+  layout->addWidget(m_state);
+  layout->addWidget(m_alarm);
+  layout->addWidget(m_work);
+  layout->addStretch(1);
+
+  // As the rows stand.
+  const std::initializer_list<QWidget*> order{m_back,  m_file, m_load, m_login,  m_user, m_pin,
+                                              m_enter, m_stop, m_hold, m_resume, m_start};
+  for (const auto* at = order.begin(); at + 1 != order.end(); ++at) {
+    setTabOrder(*at, *(at + 1));
+  }
+
+  connect(m_back, &QPushButton::clicked, this, &ServicePanel::closeRequested);
+  connect(m_stop, &QPushButton::clicked, this,
+          [this] { Q_EMIT callRequested(QStringLiteral("Stop"), {}); });
+  connect(m_hold, &QPushButton::clicked, this, [this] {
+    call(m_view.state == QLatin1String("holding") ? QStringLiteral("Resume")
+                                                  : QStringLiteral("Hold"));
+  });
+  connect(m_resume, &QPushButton::clicked, this, [this] {
+    drop();
+    call(QStringLiteral("PreflightResume"));
+  });
+  connect(m_start, &HoldButton::clicked, this, [this] {
+    if (m_offer == Offer::None && m_asked.isEmpty()) {
+      call(QStringLiteral("Preflight"));
+    }
+  });
+  connect(m_start, &HoldButton::held, this, &ServicePanel::begin);
+  connect(m_load, &QPushButton::clicked, this, [this] {
+    drop();
+    call(QStringLiteral("LoadJob"), {m_file->text().trimmed(), QString()});
+  });
+  connect(m_file, &QLineEdit::textChanged, this, &ServicePanel::showButtons);
+  connect(m_file, &QLineEdit::returnPressed, m_load, &QPushButton::click);
+  retranslate();
+  restyle();
+}
+
+void ServicePanel::buildFacts() {
+  auto* work = new QVBoxLayout(m_work);
+  work->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* row : std::initializer_list<QWidget*>{m_program, m_progress, m_points, m_waiting,
+                                                      m_position, m_message}) {
+    work->addWidget(row);
+  }
+  m_file->setObjectName(QStringLiteral("panel-file"));
+  m_file->setMinimumHeight(kTouchHeightPx);
+  m_fileLabel->setBuddy(m_file);
+  m_load->setObjectName(QStringLiteral("panel-load"));
+  auto* file = new QHBoxLayout;
+  file->addWidget(m_fileLabel);
+  file->addWidget(m_file, 1);
+  file->addWidget(m_load);
+  work->addLayout(file);
+}
+
+void ServicePanel::buildLogin() {
+  m_login->setObjectName(QStringLiteral("panel-login"));
+  m_login->setCheckable(true);
+  m_user->setObjectName(QStringLiteral("panel-name"));
+  m_pin->setObjectName(QStringLiteral("panel-pin"));
+  m_enter->setObjectName(QStringLiteral("panel-enter"));
+  m_pin->setEchoMode(QLineEdit::Password);
+  m_userLabel->setBuddy(m_user);
+  m_pinLabel->setBuddy(m_pin);
+  auto* fields = new QHBoxLayout(m_fields);
+  fields->setContentsMargins(0, 0, 0, 0);
+  for (const auto& [label, field] : {std::pair(m_userLabel, m_user), {m_pinLabel, m_pin}}) {
+    field->setMinimumHeight(kTouchHeightPx);
+    fields->addWidget(label);
+    fields->addWidget(field, 1);
+  }
+  fields->addWidget(m_enter);
+  m_fields->hide();
+  auto* who = new QHBoxLayout;
+  who->addWidget(m_whoIs, 1);
+  who->addWidget(m_login);
+  auto* work = qobject_cast<QVBoxLayout*>(m_work->layout());
+  work->addLayout(who);
+  work->addWidget(m_fields);
+  connect(m_login, &QPushButton::toggled, this, [this](bool isOpen) {
+    m_fields->setVisible(isOpen);
+    if (isOpen) {
+      (m_user->text().isEmpty() ? m_user : m_pin)->setFocus();
+    }
+  });
+  connect(m_enter, &QPushButton::clicked, this, &ServicePanel::logIn);
+  connect(m_pin, &QLineEdit::returnPressed, this, &ServicePanel::logIn);
+}
+
+void ServicePanel::logIn() {
+  const QString user = m_user->text().trimmed();
+  const QString pin = m_pin->text();
+  m_pin->clear();
+  m_login->setChecked(false);
+  drop();
+  m_asked.clear();
+  Q_EMIT loginRequested(user, user.isEmpty() ? QString() : pin);
+}
+
+void ServicePanel::call(const QString& method, const QStringList& inputs) {
+  m_asked = method;
+  m_answer.clear();
+  showAll();
+  Q_EMIT callRequested(method, inputs);
+}
+
+void ServicePanel::begin() {
+  if (m_offer == Offer::None) {
+    return;
+  }
+  const QString method =
+      m_offer == Offer::Start ? QStringLiteral("Start") : QStringLiteral("ResumeRun");
+  const QString confirmation = m_confirmation;
+  drop();
+  call(method, {confirmation});
+}
+
+/// What was shown is not true any more.
+void ServicePanel::drop() {
+  m_offer = Offer::None;
+  m_confirmation.clear();
+  m_shown.clear();
+}
+
+void ServicePanel::setAnswer(const QString& method, bool accepted, const QString& message,
+                             const QString& confirmation) {
+  if (method == m_asked) {
+    m_asked.clear();
+  }
+  m_isRefused = !accepted;
+  m_answer = message;
+  if (accepted && !confirmation.isEmpty()) {
+    m_offer = method == QLatin1String("PreflightResume") ? Offer::Resume : Offer::Start;
+    m_confirmation = confirmation;
+    m_shown = message;
+    m_answer.clear();
+  }
+  showAll();
+}
+
+void ServicePanel::setService(const ServiceView& view) {
+  const bool isOther = view.endpoint != m_view.endpoint;
+  if (isOther || !view.isKnown() || view.isRunning || view.user != m_view.user) {
+    drop();
+  }
+  if (isOther) {
+    m_asked.clear();
+    m_answer.clear();
+    m_user->clear();
+    m_file->clear();
+  }
+  if (isOther || !view.isKnown()) {
+    m_pin->clear();
+  }
+  if (!view.isKnown()) {
+    m_asked.clear();
+  }
+  const bool asksElse = view.question != m_view.question || isOther;
+  m_view = view;
+  if (asksElse) {
+    showQuestion();
+  }
+  showAll();
+}
+
+void ServicePanel::showQuestion() {
+  delete m_trust;
+  m_trust = nullptr;
+  if (!m_view.question || !isOnSheet(*m_view.question)) {
+    return;
+  }
+  m_trust = new TrustSheet(this);
+  m_trust->setOwnCertificate(m_own);
+  m_trust->setBlocked(m_trustBlocked);
+  m_trust->setQuestion(m_view.question);
+  // Queued: what answers takes the sheet away.
+  connect(m_trust, &TrustSheet::certificateAccepted, this, &ServicePanel::certificateAccepted,
+          Qt::QueuedConnection);
+  connect(m_trust, &TrustSheet::choiceAllowed, this, &ServicePanel::choiceAllowed,
+          Qt::QueuedConnection);
+  connect(m_trust, &TrustSheet::declined, this, &ServicePanel::declined, Qt::QueuedConnection);
+  connect(m_trust, &TrustSheet::exportRequested, this, &ServicePanel::exportRequested);
+  auto* rows = qobject_cast<QVBoxLayout*>(layout());
+  rows->insertWidget(rows->indexOf(m_work), m_trust);
+}
+
+void ServicePanel::setOwnCertificate(const std::optional<opcua::CertificateFacts>& own) {
+  m_own = own;
+  if (m_trust != nullptr) {
+    m_trust->setOwnCertificate(own);
+  }
+}
+
+void ServicePanel::setTrustBlocked(const QString& reason) {
+  m_trustBlocked = reason;
+  if (m_trust != nullptr) {
+    m_trust->setBlocked(reason);
+  }
+}
+
+void ServicePanel::showAll() {
+  const ServiceStateText state = serviceStateText(m_view);
+  m_title->setText(m_view.title());
+  m_where->setText(m_view.model.isEmpty()
+                       ? tr("Service at %1").arg(m_view.endpoint)
+                       : tr("Service at %1, %2").arg(m_view.endpoint, m_view.model));
+  m_state->setStatus(state.status, state.text);
+  m_whose->setText(
+      tr("These buttons act on %1. Those at the bottom of the window act on the machine "
+         "that the window is connected with.")
+          .arg(m_view.title()));
+  const QString alarm = m_view.isKnown() && !m_view.alarm.isEmpty() ? m_view.alarm : m_view.problem;
+  m_alarm->setStatus(m_view.isKnown() ? Status::Fault : Status::Plain, alarm);
+  m_alarm->setVisible(!alarm.isEmpty());
+  m_work->setVisible(m_trust == nullptr);
+  showFacts();
+  showButtons();
+}
+
+void ServicePanel::showFacts() {
+  const bool hasProgram = m_view.isKnown() && !m_view.program.isEmpty();
+  m_program->setText(m_view.program);
+  showServiceProgress(*m_progress, m_view);
+  const QString points = servicePointsText(m_view);
+  m_points->setText(m_view.lateWindows == 0 ? points
+                                            : points + QStringLiteral(", ") +
+                                                  tr("%Ln windows late", nullptr,
+                                                     static_cast<int>(m_view.lateWindows)));
+  for (QWidget* part : std::initializer_list<QWidget*>{m_program, m_progress, m_points}) {
+    part->setVisible(hasProgram);
+  }
+  m_waiting->setStatus(Status::Attention, waitingText(m_view.waitingFor));
+  m_waiting->setVisible(m_view.isKnown() && !m_view.waitingFor.isEmpty());
+  const std::vector<double>& at = m_view.positionMm;
+  constexpr std::size_t kAxes = 3;
+  m_position->setVisible(m_view.isKnown() && at.size() == kAxes);
+  if (at.size() == kAxes) {
+    m_position->setText(QStringLiteral("X %1  Y %2  Z %3")
+                            .arg(lengthText(at[0]), lengthText(at[1]), lengthText(at[2])));
+  }
+  m_message->setText(m_view.message);
+  m_message->setVisible(m_view.isKnown() && !m_view.message.isEmpty());
+  m_preflight->setText(m_shown);
+  m_preflightTitle->setText(m_offer == Offer::Resume ? tr("What Resume will do")
+                                                     : tr("What Start will do"));
+  m_preflightTitle->setVisible(m_offer != Offer::None);
+  m_preflight->setVisible(m_offer != Offer::None);
+  m_reply->setStatus(!m_asked.isEmpty() ? Status::Busy
+                     : m_isRefused      ? Status::Attention
+                                        : Status::Good,
+                     m_asked.isEmpty() ? m_answer : tr("The service is working on it …"));
+  m_reply->setVisible(!m_asked.isEmpty() || !m_answer.isEmpty());
+  m_whoIs->setStatus(Status::Plain, m_view.user.isEmpty() ? tr("Nobody is logged in.")
+                                                          : tr("Logged in: %1").arg(m_view.user));
+}
+
+void ServicePanel::showButtons() {
+  const bool isFree = m_view.isKnown() && m_asked.isEmpty();
+  const bool isHolding = m_view.state == QLatin1String("holding");
+  const bool canHold = isHolding || m_view.state == QLatin1String("running");
+  m_stop->setEnabled(m_view.link == ServiceLink::Silent || (m_view.isKnown() && m_view.isRunning));
+  m_hold->setText(isHolding ? tr("Continue") : tr("Hold"));
+  m_hold->setIcon(themedIcon(isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
+                             themeColors(palette()).text));
+  m_hold->setEnabled(isFree && canHold);
+  m_resume->setVisible(m_view.isKnown() && !m_view.leftRun.isEmpty() && !m_view.isRunning &&
+                       m_offer != Offer::Resume);
+  m_resume->setEnabled(isFree);
+  m_start->setNeedsHold(m_offer != Offer::None);
+  m_start->setText(m_offer == Offer::Resume  ? tr("Hold to resume")
+                   : m_offer == Offer::Start ? tr("Hold to start")
+                                             : tr("Start …"));
+  m_start->setToolTip(m_offer != Offer::None
+                          ? tr("Hold for one second. Then the machine moves.")
+                          : tr("Shows what will happen first. Nothing moves yet."));
+  m_start->setEnabled(isFree && !m_view.isRunning && !m_view.program.isEmpty());
+  if (m_offer == Offer::Resume) {
+    m_start->setEnabled(isFree && !m_view.isRunning);
+  }
+  m_file->setEnabled(isFree && !m_view.isRunning);
+  m_load->setEnabled(m_file->isEnabled() && !m_file->text().trimmed().isEmpty());
+  m_login->setEnabled(m_view.isKnown());
+  m_login->setText(m_view.user.isEmpty() ? tr("Log in …") : tr("Change user …"));
+}
+
+void ServicePanel::retranslate() {
+  m_back->setText(tr("All machines"));
+  m_back->setToolTip(tr("Back to the board. The run goes on."));
+  m_stop->setText(tr("Stop"));
+  m_stop->setToolTip(
+      tr("Ends the run of this machine after the window in motion. It does not replace the "
+         "machine's emergency stop."));
+  m_hold->setToolTip(tr("The machine waits before the next window until you press Continue."));
+  m_resume->setText(tr("Resume …"));
+  m_resume->setToolTip(tr("Asks the control where the run was left. Nothing moves yet."));
+  m_fileLabel->setText(tr("&Program"));
+  m_file->setPlaceholderText(tr("file in the folder of the service"));
+  m_file->setToolTip(tr("The service reads it in its folder of programs."));
+  m_file->setAccessibleName(tr("Program"));
+  m_load->setText(tr("Load"));
+  m_load->setToolTip(tr("The service reads the program and judges it. Nothing moves."));
+  m_login->setToolTip(tr("A service with users takes orders only from who has logged in."));
+  m_userLabel->setText(tr("&Name"));
+  m_pinLabel->setText(tr("P&IN"));
+  m_user->setToolTip(tr("A user of the service; empty: nobody."));
+  m_pin->setToolTip(tr("It is not kept."));
+  m_enter->setText(tr("Log in"));
+  m_enter->setToolTip(tr("Connects again as this user."));
+  m_progress->setAccessibleName(tr("Progress"));
+  showAll();
+}
+
+void ServicePanel::restyle() {
+  const QColor color = themeColors(palette()).text;
+  m_start->setIcon(themedIcon(QStringLiteral("play"), color));
+  m_stop->setIcon(themedIcon(QStringLiteral("stop"), color));
+  m_resume->setIcon(themedIcon(QStringLiteral("resume"), color));
+  setMuted(m_where, palette());
+  setMuted(m_message, palette());
+  setMuted(m_whose, palette());
+  showButtons();
+}
+
+}  // namespace rivulet::widgets
