@@ -17,6 +17,7 @@
 #include "report/run_history.h"
 #include "service/machine_lock.h"
 #include "streaming/control_alarm.h"
+#include "streaming/run_summary.h"
 #include "utc/now.h"
 
 namespace rivulet::service {
@@ -221,10 +222,12 @@ void ServiceSession::takeFinished(const session::RunFinished& finished) {
   if (finished.notKept.code) {
     log::logger().warn("The run is not in the history: {}", finished.notKept.text());
   } else if (const report::HistoryList list = m_history.list(); !list.runs.empty()) {
-    const auto own = std::find_if(list.runs.begin(), list.runs.end(), [this](const auto& run) {
-      return run.runNumber == m_report->settings.runNumber &&
-             run.endpoint == m_options.machine.endpoint;
-    });
+    // Of a whole job it is known by the number of its last stretch.
+    const int number = streaming::summaryOf(*m_report, {}).runNumber;
+    const auto own =
+        std::find_if(list.runs.begin(), list.runs.end(), [this, number](const auto& run) {
+          return run.runNumber == number && run.endpoint == m_options.machine.endpoint;
+        });
     m_reportFile = own == list.runs.end() ? std::string() : m_history.reportFile(own->id).string();
   }
 }
