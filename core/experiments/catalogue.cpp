@@ -24,6 +24,7 @@ struct Entry {
   std::string_view name;
   Result<Experiment> (*run)(const ExperimentOptions& options);
   Result<Experiment> (*runOn)(const Endpoint& endpoint, const ExperimentOptions& options);
+  bool isShareable = false;  ///< its runs go to Executor::numbersOf
 };
 
 Result<Experiment> equations(const ExperimentOptions& options) {
@@ -31,7 +32,7 @@ Result<Experiment> equations(const ExperimentOptions& options) {
   if (options.seeds > 0) {
     grid.runsPerPoint = options.seeds;
   }
-  Experiment result = runEquations(
+  auto result = runEquations(
       grid, options.machine, options.executor, [&](std::size_t done, std::size_t total) {
         return !options.progress ||
                options.progress(static_cast<double>(done) / static_cast<double>(total));
@@ -43,15 +44,11 @@ Result<Experiment> equations(const ExperimentOptions& options) {
 }
 
 constexpr std::array kEntries{
-    Entry{"table1", runTable1, runTable1On},
-    Entry{"figure2", runFigure2, runFigure2On},
-    Entry{"subscription", runSubscription, nullptr},
-    Entry{"figure3", runFigure3, nullptr},
-    Entry{"figure4", runFigure4, nullptr},
-    Entry{"method2", runMethod2, nullptr},
-    Entry{"delta", runDelta, nullptr},
-    Entry{"equations", equations, nullptr},
-    Entry{"methods", runMethods, nullptr},
+    Entry{"table1", runTable1, runTable1On},         Entry{"figure2", runFigure2, runFigure2On},
+    Entry{"subscription", runSubscription, nullptr}, Entry{"figure3", runFigure3, nullptr},
+    Entry{"figure4", runFigure4, nullptr, true},     Entry{"method2", runMethod2, nullptr},
+    Entry{"delta", runDelta, nullptr, true},         Entry{"equations", equations, nullptr, true},
+    Entry{"methods", runMethods, nullptr, true},
 };
 
 Result<Entry> find(const std::string& name) {
@@ -76,6 +73,16 @@ std::vector<std::string> experimentNames() {
   std::vector<std::string> names;
   for (const Entry& entry : kEntries) {
     names.emplace_back(entry.name);
+  }
+  return names;
+}
+
+std::vector<std::string> shareableExperiments() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kEntries) {
+    if (entry.isShareable) {
+      names.emplace_back(entry.name);
+    }
   }
   return names;
 }

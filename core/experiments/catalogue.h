@@ -23,6 +23,7 @@ enum class ExperimentError {
   Cancelled,
   NotOverOpcUa,  ///< this experiment needs virtual time
   Failed,        ///< the control did not respond as required; the message says how
+  OnlyShare,     ///< the executor did a share of the jobs only: no result, but no fault either
 };
 
 [[nodiscard]] std::error_code make_error_code(ExperimentError code);
@@ -46,7 +47,10 @@ struct Endpoint {
 /// In the order of the report.
 [[nodiscard]] std::vector<std::string> experimentNames();
 
-/// @return UnknownName, Cancelled
+/// Those that several computers can share: with base::ShareExecutor they end with OnlyShare.
+[[nodiscard]] std::vector<std::string> shareableExperiments();
+
+/// @return UnknownName, Cancelled, OnlyShare
 [[nodiscard]] base::Result<Experiment> runExperiment(const std::string& name,
                                                      const ExperimentOptions& options);
 

@@ -12,11 +12,13 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "base/contract.h"
 #include "base/random.h"
 #include "base/units.h"
 #include "experiments/figures.h"
+#include "experiments/meter.h"
 #include "feasibility/equations.h"
 
 namespace rivulet::experiments {
@@ -35,6 +37,9 @@ constexpr std::size_t kFactors = 20;
 constexpr double kAllowedShare = 1e-3;
 /// Requirement on the verdict as it is.
 constexpr double kVerdictShare = 1e-2;
+
+/// Added to the fate of a run as a number: 0 is a run that was not made.
+constexpr double kExecuted = 1.0;
 
 /// One combination of method, d_min, N and δ.
 struct Setting {
@@ -219,8 +224,11 @@ class Equations {
     drawContours();
   }
 
-  Experiment run(base::Executor& executor, const RegionProgress& progress) {
-    const bool complete = simulateAll(executor, progress);
+  base::Result<Experiment> run(base::Executor& executor, const RegionProgress& progress) {
+    if (auto done = simulateAll(executor, progress); !done) {
+      return base::fail(done.error());
+    }
+    const bool complete = m_missing == 0;
     predictAll(executor);
     Experiment experiment;
     experiment.name = "equations";
@@ -297,41 +305,50 @@ class Equations {
     }
   }
 
-  bool simulateAll(base::Executor& executor, const RegionProgress& progress) {
+  base::Result<void> simulateAll(base::Executor& executor, const RegionProgress& progress) {
     std::atomic<bool> cancelled{false};
     std::atomic<std::size_t> done{0};
     std::vector<base::Error> errors(m_runs.size());
-    executor.forEach(m_runs.size(), [&](std::size_t index) {
-      if (cancelled) {
-        return;
-      }
-      Run& run = m_runs[index];
-      const Contour& contour = m_contours[run.contour];
-      const Setting& setting = settings()[contour.setting];
-      streaming::Scenario scenario;
-      scenario.machine = m_machine;
-      for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-        scenario.machine.axes[axis].startMm = contour.startMm[axis];
-      }
-      scenario.program = contour.program;
-      scenario.settings.parameters.method = setting.method;
-      scenario.settings.parameters.pointsPerLoop = setting.pointsPerLoop;
-      scenario.settings.deltaMm = setting.deltaMm;
-      scenario.settings.feedMmPerS = run.feedMmPerS;
-      scenario.seed = base::Random(m_options.seed).fork(1'000'000 + index).bits();
-      run.fate = fateOf(std::move(scenario), &errors[index]);
-      if (progress && !progress(++done, m_runs.size())) {
-        cancelled = true;
-      }
-    });
-    for (std::size_t index = 0; index < m_runs.size(); ++index) {
-      m_missing += m_runs[index].fate == RunFate::Cancelled ? 1 : 0;
-      if (m_runs[index].fate == RunFate::Refused) {
-        ++m_refused;
-        m_error = m_error.code ? m_error : errors[index];
-      }
+    const auto fates =
+        executor.numbersOf(m_runs.size(), 1, [&](std::size_t index, std::span<double> fate) {
+          if (cancelled) {
+            return;
+          }
+          const Run& run = m_runs[index];
+          const Contour& contour = m_contours[run.contour];
+          const Setting& setting = settings()[contour.setting];
+          streaming::Scenario scenario;
+          scenario.machine = m_machine;
+          for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+            scenario.machine.axes[axis].startMm = contour.startMm[axis];
+          }
+          scenario.program = contour.program;
+          scenario.settings.parameters.method = setting.method;
+          scenario.settings.parameters.pointsPerLoop = setting.pointsPerLoop;
+          scenario.settings.deltaMm = setting.deltaMm;
+          scenario.settings.feedMmPerS = run.feedMmPerS;
+          scenario.seed = base::Random(m_options.seed).fork(1'000'000 + index).bits();
+          fate[0] = kExecuted + static_cast<double>(fateOf(std::move(scenario), &errors[index]));
+          if (progress && !progress(++done, m_runs.size())) {
+            cancelled = true;
+          }
+        });
+    const auto refused =
+        std::ranges::find_if(errors, [](const base::Error& error) { return bool{error.code}; });
+    if (!fates) {
+      // The text of a refusal is no number: whoever put the numbers together could not say it.
+      return refused != errors.end() ? base::fail(*refused) : Meter::onlyShare();
     }
-    return m_missing == 0;
+    m_error = refused != errors.end() ? *refused : base::Error{};
+    for (std::size_t index = 0; index < m_runs.size(); ++index) {
+      Run& run = m_runs[index];
+      if ((*fates)[index] >= kExecuted) {
+        run.fate = static_cast<RunFate>(static_cast<int>((*fates)[index] - kExecuted));
+      }
+      m_missing += run.fate == RunFate::Cancelled ? 1 : 0;
+      m_refused += run.fate == RunFate::Refused ? 1 : 0;
+    }
+    return {};
   }
 
   void predictAll(base::Executor& executor) {
@@ -691,8 +708,9 @@ class Equations {
 
 }  // namespace
 
-Experiment runEquations(const EquationsOptions& options, const machine::MachineConfig& machine,
-                        base::Executor& executor, const RegionProgress& progress) {
+base::Result<Experiment> runEquations(const EquationsOptions& options,
+                                      const machine::MachineConfig& machine,
+                                      base::Executor& executor, const RegionProgress& progress) {
   return Equations(options, machine).run(executor, progress);
 }
 

@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "base/executor.h"
+#include "base/result.h"
 #include "experiments/experiment.h"
 #include "experiments/region.h"
 
@@ -24,9 +25,10 @@ struct EquationsOptions {
 
 /// @param machine  e.g. the preset dmu75
 /// @param progress see RegionProgress; cancelled: the experiment says so in its notes and fails
-[[nodiscard]] Experiment runEquations(const EquationsOptions& options,
-                                      const machine::MachineConfig& machine,
-                                      base::Executor& executor,
-                                      const RegionProgress& progress = {});
+/// @return ExperimentError::OnlyShare; why a run could not be executed, if only a share was done
+[[nodiscard]] base::Result<Experiment> runEquations(const EquationsOptions& options,
+                                                    const machine::MachineConfig& machine,
+                                                    base::Executor& executor,
+                                                    const RegionProgress& progress = {});
 
 }  // namespace rivulet::experiments

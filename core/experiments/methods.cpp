@@ -7,12 +7,12 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <optional>
+#include <span>
 
 #include "base/random.h"
 #include "base/units.h"
 #include "experiments/figures.h"
+#include "experiments/meter.h"
 #include "streaming/simulation/scenario.h"
 
 namespace rivulet::experiments {
@@ -44,9 +44,10 @@ constexpr std::array<Contender, 6> kContenders{
 constexpr std::array<double, 12> kFeeds{100.0,  200.0,  300.0,  500.0,  700.0,  1000.0,
                                         1500.0, 2000.0, 3000.0, 5000.0, 8000.0, 12000.0};
 
-/// One run, according to the machine's own trace and its variable service.
+/// One run, according to the machine's own trace and its variable service. Numbers only: another
+/// computer can make it.
 struct Measured {
-  bool isRight = false;
+  double isRight = 0.0;  ///< 1 or 0
   double pauses = 0.0;
   double standingS = 0.0;
   double waitingS = 0.0;  ///< standstill in excess of that with a client that needs no time
@@ -54,6 +55,12 @@ struct Measured {
   double executed = 0.0;
   double nodes = 0.0;
   double requests = 0.0;
+
+  [[nodiscard]] static constexpr auto members() {
+    return std::array{&Measured::isRight,  &Measured::pauses,  &Measured::standingS,
+                      &Measured::waitingS, &Measured::totalS,  &Measured::executed,
+                      &Measured::nodes,    &Measured::requests};
+  }
 };
 
 double standingS(const RunReport& report) {
@@ -92,8 +99,9 @@ Measured measure(const ExperimentOptions& options, const Contender& contender, d
   streaming::ServiceLoad load;
   const RunReport report = streaming::simulate(scenario, &load);
   Measured measured;
-  measured.isRight = report.outcome == streaming::Outcome::Completed &&
-                     report.integrity.isFaultless() && report.integrity.executed == kPoints;
+  const bool isRight = report.outcome == streaming::Outcome::Completed &&
+                       report.integrity.isFaultless() && report.integrity.executed == kPoints;
+  measured.isRight = isRight ? 1.0 : 0.0;
   measured.pauses = static_cast<double>(report.pauses.size());
   measured.standingS = standingS(report);
   if (base::hasWindows(contender.method)) {
@@ -125,7 +133,7 @@ Summary summaryOf(const Measured* runs, std::size_t count) {
   Summary summary;
   Measured sum;
   for (std::size_t i = 0; i < count; ++i) {
-    summary.right += runs[i].isRight ? 1 : 0;
+    summary.right += runs[i].isRight > 0.0 ? 1 : 0;
     sum.pauses += runs[i].pauses;
     sum.standingS += runs[i].standingS;
     sum.waitingS += runs[i].waitingS;
@@ -220,34 +228,43 @@ std::vector<std::string> notesOf() {
       "they do not measure the method."};
 }
 
-/// Every contender at every feed, `seeds` runs each. @return nothing if cancelled
-std::optional<std::vector<Measured>> measureAll(const ExperimentOptions& options,
-                                                std::size_t seeds) {
+/// Every contender at every feed, `seeds` runs each.
+base::Result<std::vector<Measured>> measureAll(const ExperimentOptions& options,
+                                               std::size_t seeds) {
   const std::size_t perMethod = kFeeds.size() * seeds;
-  std::vector<Measured> runs(kContenders.size() * perMethod);
-  std::atomic<std::size_t> done{0};
-  std::atomic<bool> isCancelled{false};
-  options.executor.forEach(runs.size(), [&](std::size_t job) {
-    if (isCancelled) {
-      return;
-    }
-    const double feed = kFeeds[job % perMethod / seeds];
-    runs[job] = measure(options, kContenders[job / perMethod], feed, job % seeds + 1);
-    const double share = static_cast<double>(++done) / static_cast<double>(runs.size());
-    if (options.progress && !options.progress(share)) {
-      isCancelled = true;
-    }
-  });
-  return isCancelled ? std::nullopt : std::optional(std::move(runs));
+  const std::size_t runs = kContenders.size() * perMethod;
+  constexpr auto kMembers = Measured::members();
+  Meter meter(options, runs);
+  const auto numbers = options.executor.numbersOf(
+      runs, kMembers.size(), [&](std::size_t job, std::span<double> results) {
+        if (meter.isCancelled()) {
+          return;
+        }
+        const double feed = kFeeds[job % perMethod / seeds];
+        const Measured measured =
+            measure(options, kContenders[job / perMethod], feed, job % seeds + 1);
+        for (std::size_t i = 0; i < kMembers.size(); ++i) {
+          results[i] = measured.*kMembers[i];
+        }
+        meter.add();
+      });
+  if (auto end = meter.endOf(numbers.has_value()); !end) {
+    return base::fail(end.error());
+  }
+  std::vector<Measured> all(runs);
+  for (std::size_t at = 0; at < numbers->size(); ++at) {
+    all[at / kMembers.size()].*kMembers[at % kMembers.size()] = (*numbers)[at];
+  }
+  return all;
 }
 
 }  // namespace
 
 base::Result<Experiment> runMethods(const ExperimentOptions& options) {
   const std::size_t seeds = options.seeds > 0 ? options.seeds : 40;
-  const std::optional<std::vector<Measured>> runs = measureAll(options, seeds);
+  const base::Result<std::vector<Measured>> runs = measureAll(options, seeds);
   if (!runs) {
-    return base::fail(ExperimentError::Cancelled, "The experiment was cancelled.");
+    return base::fail(runs.error());
   }
 
   Experiment result;

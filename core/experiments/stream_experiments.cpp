@@ -7,13 +7,14 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "base/random.h"
 #include "base/units.h"
 #include "experiments/figures.h"
+#include "experiments/meter.h"
 #include "feasibility/equations.h"
 #include "feasibility/verdict.h"
 #include "streaming/simulation/scenario.h"
@@ -59,30 +60,6 @@ std::vector<Vec3> contourOf(std::size_t points, double pointDistanceMmMin, std::
   base::Random random = base::Random(seed).fork(7);
   return streaming::drawContour({points, pointDistanceMmMin, kRestMmMean}, random);
 }
-
-/// Counts finished jobs, reports the share, and remembers that it is to be cancelled.
-class Meter {
- public:
-  Meter(const ExperimentOptions& options, std::size_t total)
-      : m_options(options), m_total(std::max<std::size_t>(total, 1)) {}
-  void add() {
-    const std::size_t done = ++m_done;
-    if (m_options.progress &&
-        !m_options.progress(static_cast<double>(done) / static_cast<double>(m_total))) {
-      m_cancelled = true;
-    }
-  }
-  [[nodiscard]] bool isCancelled() const { return m_cancelled; }
-  [[nodiscard]] static tl::unexpected<base::Error> cancelled() {
-    return base::fail(ExperimentError::Cancelled, "The experiment was cancelled.");
-  }
-
- private:
-  const ExperimentOptions& m_options;
-  std::size_t m_total;
-  std::atomic<std::size_t> m_done{0};
-  std::atomic<bool> m_cancelled{false};
-};
 
 /// Axis X over time, with the pauses as a series of its own at the height of the axis.
 Plot positionPlot(const std::string& title, const RunReport& report, double seconds) {
@@ -324,17 +301,18 @@ void addFigure4(Experiment& result, PassedBy passedBy, const std::vector<double>
 Result<Experiment> runFigure4(const ExperimentOptions& options) {
   const std::size_t seeds = options.seeds > 0 ? options.seeds : 20;
   const std::size_t perVariant = kFigure4Feeds.size() * seeds;
-  std::vector<double> limits(kWatched.size() * perVariant);
-  Meter meter(options, limits.size());
-  options.executor.forEach(limits.size(), [&](std::size_t job) {
-    if (!meter.isCancelled()) {
-      limits[job] = smallestDistanceMm(options, kWatched[job / perVariant],
-                                       kFigure4Feeds[job % perVariant / seeds], job % seeds + 1);
-      meter.add();
-    }
-  });
-  if (meter.isCancelled()) {
-    return Meter::cancelled();
+  const std::size_t trials = kWatched.size() * perVariant;
+  Meter meter(options, trials);
+  const auto limits =
+      options.executor.numbersOf(trials, 1, [&](std::size_t job, std::span<double> limit) {
+        if (!meter.isCancelled()) {
+          limit[0] = smallestDistanceMm(options, kWatched[job / perVariant],
+                                        kFigure4Feeds[job % perVariant / seeds], job % seeds + 1);
+          meter.add();
+        }
+      });
+  if (auto end = meter.endOf(limits.has_value()); !end) {
+    return base::fail(end.error());
   }
   Experiment result;
   result.name = "figure4";
@@ -360,7 +338,7 @@ Result<Experiment> runFigure4(const ExperimentOptions& options) {
                           "d_min (mm)",
                           {std::move(band)}});
   for (std::size_t i = 0; i < kWatched.size(); ++i) {
-    const auto begin = limits.begin() + static_cast<std::ptrdiff_t>(i * perVariant);
+    const auto begin = limits->begin() + static_cast<std::ptrdiff_t>(i * perVariant);
     addFigure4(result, kWatched[i],
                std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(perVariant)), seeds);
   }
@@ -439,7 +417,7 @@ constexpr std::array<double, 16> kDeltas{0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.0
                                          0.12, 0.14, 0.16, 0.18, 0.20, 0.22, 0.24, 0.28};
 
 /// Adds rows, checks and series of one variant. @param failed  δ by δ, all seeds of each
-void addDelta(Experiment& result, PassedBy passedBy, const std::vector<char>& failed,
+void addDelta(Experiment& result, PassedBy passedBy, const std::vector<double>& failed,
               std::size_t seeds) {
   const bool isPosition = passedBy == PassedBy::Position;
   const std::string name(watchedText(passedBy));
@@ -450,7 +428,7 @@ void addDelta(Experiment& result, PassedBy passedBy, const std::vector<char>& fa
   for (std::size_t i = 0; i < kDeltas.size(); ++i) {
     const auto begin = failed.begin() + static_cast<std::ptrdiff_t>(i * seeds);
     const auto hits = static_cast<std::size_t>(
-        std::count(begin, begin + static_cast<std::ptrdiff_t>(seeds), char{1}));
+        std::count(begin, begin + static_cast<std::ptrdiff_t>(seeds), 1.0));
     const Share share = shareOf(hits, seeds);
     result.tables.front().rows.push_back({name, fmt::format("{:.2f}", kDeltas[i]),
                                           fmt::format("{:.3f}", share.seen),
@@ -480,23 +458,24 @@ void addDelta(Experiment& result, PassedBy passedBy, const std::vector<char>& fa
 Result<Experiment> runDelta(const ExperimentOptions& options) {
   const std::size_t seeds = options.seeds > 0 ? options.seeds : 60;
   const std::size_t perVariant = kDeltas.size() * seeds;
-  std::vector<char> failed(kWatched.size() * perVariant, 0);
-  Meter meter(options, failed.size());
-  options.executor.forEach(failed.size(), [&](std::size_t job) {
-    if (meter.isCancelled()) {
-      return;
-    }
-    // Both variants see the same contours and the same draws.
-    const std::size_t trial = job % perVariant;
-    Scenario scenario =
-        scenarioOf(options, MethodKind::Position, kDeltaFeed, kDeltas[trial / seeds],
-                   contourOf(kDeltaPoints, kDeltaDistanceMm, trial % seeds + 1), 100 * trial + 17);
-    scenario.settings.passedBy = kWatched[job / perVariant];
-    failed[job] = ranRight(streaming::simulate(scenario)) ? 0 : 1;
-    meter.add();
-  });
-  if (meter.isCancelled()) {
-    return Meter::cancelled();
+  const std::size_t trials = kWatched.size() * perVariant;
+  Meter meter(options, trials);
+  const auto failed =
+      options.executor.numbersOf(trials, 1, [&](std::size_t job, std::span<double> hasFailed) {
+        if (meter.isCancelled()) {
+          return;
+        }
+        // Both variants see the same contours and the same draws.
+        const std::size_t trial = job % perVariant;
+        Scenario scenario = scenarioOf(
+            options, MethodKind::Position, kDeltaFeed, kDeltas[trial / seeds],
+            contourOf(kDeltaPoints, kDeltaDistanceMm, trial % seeds + 1), 100 * trial + 17);
+        scenario.settings.passedBy = kWatched[job / perVariant];
+        hasFailed[0] = ranRight(streaming::simulate(scenario)) ? 0.0 : 1.0;
+        meter.add();
+      });
+  if (auto end = meter.endOf(failed.has_value()); !end) {
+    return base::fail(end.error());
   }
   Experiment result;
   result.name = "delta";
@@ -510,9 +489,9 @@ Result<Experiment> runDelta(const ExperimentOptions& options) {
   result.plots.push_back(
       {"Method position, F 400, d_min 0.2 mm", "δ (mm)", "share of runs with an error", {}});
   for (std::size_t i = 0; i < kWatched.size(); ++i) {
-    const auto begin = failed.begin() + static_cast<std::ptrdiff_t>(i * perVariant);
+    const auto begin = failed->begin() + static_cast<std::ptrdiff_t>(i * perVariant);
     addDelta(result, kWatched[i],
-             std::vector<char>(begin, begin + static_cast<std::ptrdiff_t>(perVariant)), seeds);
+             std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(perVariant)), seeds);
   }
   result.notes = {
       "Equation (2) requires δ above 0.043 mm with the shorter Δt and 0.086 mm with the longer "
