@@ -300,8 +300,13 @@ struct ExperimentCommandOptions {
   std::string csv;
   std::string plot;
   std::string report;  ///< folder for fidelity.md and emulator-p2.md
+  std::string shard;   ///< "2/8": only this part of one experiment; empty: all
+  std::string part;    ///< file for it
 };
 [[nodiscard]] Exit experiment(const ExperimentCommandOptions& options);
+/// Puts the parts of experiments together. @param parts  files
+[[nodiscard]] Exit mergeExperiments(const std::vector<std::string>& parts,
+                                    const ExperimentCommandOptions& options);
 
 struct PetriOptions {
   std::string net = "p3";             ///< a net that comes with Rivulet, or a .toml file

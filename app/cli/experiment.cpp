@@ -12,7 +12,12 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "base/contract.h"
+#include "base/executor.h"
 #include "base/file.h"
+#include "base/sha256.h"
+#include "base/share.h"
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "experiments/catalogue.h"
@@ -25,6 +30,7 @@
 #include "parallel/thread_executor.h"
 #include "report/experiment_report.h"
 #include "report/svg_plot.h"
+#include "report/sweep_part.h"
 
 namespace rivulet::cli {
 
@@ -176,40 +182,14 @@ base::Result<experiments::Experiment> run(const std::string& name,
       name, {*connection->link, *connection->control, connection->name}, experiment);
 }
 
-}  // namespace
+void print(const experiments::Experiment& result, bool isFirst) {
+  fmt::print("{}{}", isFirst ? "" : "\n", report::experimentText(result));
+  std::fflush(stdout);
+}
 
-Exit experiment(const ExperimentCommandOptions& options) {
-  std::vector<std::string> names = options.names;
-  if (names == std::vector<std::string>{"all"}) {
-    names = experiments::experimentNames();
-    if (!options.recordings.empty()) {
-      names.emplace_back("lookahead");
-    }
-  }
-  const auto machine = machine::loadPreset(options.preset);
-  if (!machine) {
-    return reportError(machine.error(), false);
-  }
-  std::optional<Connection> connection;
-  if (!options.endpoint.empty()) {
-    auto opened = connectTo(options.endpoint);
-    if (!opened) {
-      return reportError(opened.error(), false);
-    }
-    connection = std::move(*opened);
-  }
-  interrupt::watch();
-  std::vector<experiments::Experiment> results;
-  for (const std::string& name : names) {
-    auto result = run(name, options, *machine, connection ? &*connection : nullptr);
-    if (!result) {
-      return reportError(result.error(), false);
-    }
-    fmt::print("{}{}", results.empty() ? "" : "\n", report::experimentText(*result));
-    std::fflush(stdout);
-    results.push_back(std::move(*result));
-  }
-
+/// Writes the files that were asked for, and says whether all is well.
+Exit finish(const std::vector<experiments::Experiment>& results,
+            const ExperimentCommandOptions& options) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   std::string csv;
   std::size_t plots = 0;
@@ -240,6 +220,192 @@ Exit experiment(const ExperimentCommandOptions& options) {
   fmt::print("\n{}\n", passed ? "All figures are within their tolerance."
                               : "Some figures are OUTSIDE their tolerance.");
   return passed ? Exit::Done : Exit::Wrong;
+}
+
+base::Result<base::Share> shareOf(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const auto number = base::parseInteger(text.substr(0, slash));
+  const auto of = base::parseInteger(slash == std::string::npos ? "" : text.substr(slash + 1));
+  if (!number || !of || *number < 1 || *of < *number) {
+    return base::fail(std::make_error_code(std::errc::invalid_argument),
+                      fmt::format("\"{}\" is no part. Write 2/8 for the second of eight.", text));
+  }
+  return base::Share{static_cast<std::size_t>(*number), static_cast<std::size_t>(*of)};
+}
+
+/// Of the file of a preset; empty for one that comes with Rivulet. @return the error of the file
+base::Result<std::string> presetHashOf(const std::string& preset) {
+  if (!fs::exists(preset)) {
+    return std::string();
+  }
+  const auto text = base::readFile(preset);
+  return text ? base::Result<std::string>(base::sha256Hex(*text)) : base::fail(text.error());
+}
+
+Exit experimentPart(const ExperimentCommandOptions& options,
+                    const machine::MachineConfig& machine) {
+  const auto share = shareOf(options.shard);
+  if (!share) {
+    return reportError(share.error(), false);
+  }
+  const std::vector<std::string> shareable = experiments::shareableExperiments();
+  if (options.names.size() != 1 || !options.endpoint.empty() ||
+      std::ranges::find(shareable, options.names.front()) == shareable.end()) {
+    return reportError(
+        base::makeError(std::make_error_code(std::errc::invalid_argument),
+                        fmt::format("Only one of {} at a time can be computed in parts, in virtual "
+                                    "time.",
+                                    fmt::join(shareable, ", "))),
+        false);
+  }
+  const auto hash = presetHashOf(options.preset);
+  if (!hash) {
+    return reportError(hash.error(), false);
+  }
+  const std::string& name = options.names.front();
+  parallel::ThreadExecutor threads(options.threads);
+  base::ShareExecutor executor(threads, *share);
+  ProgressLine progress(name);
+  const auto result = experiments::runExperiment(
+      name, {machine, options.seeds, executor, [&](double done) {
+               return progress(std::min(1.0, done * static_cast<double>(share->of)));
+             }});
+  RIVULET_ASSERT(!result);  // a share has no result
+  if (result.error().code != experiments::ExperimentError::OnlyShare) {
+    return reportError(result.error(), false);
+  }
+  if (const auto done = base::writeFile(
+          options.part,
+          report::sweepPartText({{RIVULET_VERSION, name, options.seeds, options.preset, *hash},
+                                 *executor.numbers()}));
+      !done) {
+    return reportError(done.error(), false);
+  }
+  fmt::print("Part {} of {} of {} is in {}. Put all together with rivulet-cli merge.\n",
+             share->number, share->of, name, options.part);
+  return Exit::Done;
+}
+
+/// Of the parts of each experiment, in the order of the first of each.
+base::Result<std::vector<report::SweepPart>> readParts(const std::vector<std::string>& files) {
+  std::vector<std::vector<report::SweepPart>> groups;
+  for (const std::string& file : files) {
+    const auto text = base::readFile(file);
+    if (!text) {
+      return base::fail(text.error());
+    }
+    auto part = report::sweepPartOf(*text, file);
+    if (!part) {
+      return base::fail(part.error());
+    }
+    auto group = std::ranges::find_if(groups, [&](const std::vector<report::SweepPart>& one) {
+      return one.front().origin.experiment == part->origin.experiment;
+    });
+    if (group == groups.end()) {
+      group = groups.insert(groups.end(), std::vector<report::SweepPart>{});
+    }
+    group->push_back(std::move(*part));
+  }
+  std::vector<report::SweepPart> wholes;
+  for (const std::vector<report::SweepPart>& group : groups) {
+    auto whole = report::mergedParts(group);
+    if (!whole) {
+      return base::fail(whole.error());
+    }
+    wholes.push_back(std::move(*whole));
+  }
+  return wholes;
+}
+
+base::Result<experiments::Experiment> runMerged(report::SweepPart part, unsigned threadCount) {
+  const report::SweepOrigin origin = part.origin;
+  const auto unlike = [&origin](const std::string& what) {
+    return base::fail(report::SweepPartError::Unlike,
+                      fmt::format("The parts of \"{}\" were computed with {}. Compute them again.",
+                                  origin.experiment, what));
+  };
+  if (origin.version != RIVULET_VERSION) {
+    return unlike(fmt::format("version {}, this is {}", origin.version, RIVULET_VERSION));
+  }
+  const auto hash = presetHashOf(origin.preset);
+  if (!hash) {
+    return base::fail(hash.error());
+  }
+  if (*hash != origin.presetHash) {
+    return unlike(fmt::format("another preset than {} is here", origin.preset));
+  }
+  const auto machine = machine::loadPreset(origin.preset);
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  parallel::ThreadExecutor threads(threadCount);
+  base::MergedExecutor executor(threads, std::move(part.numbers));
+  ProgressLine progress(origin.experiment);
+  auto result = experiments::runExperiment(
+      origin.experiment,
+      {*machine, origin.seeds, executor, [&progress](double done) { return progress(done); }});
+  if (!executor.didFit() &&
+      (result || result.error().code == experiments::ExperimentError::OnlyShare)) {
+    return unlike("another number of runs");
+  }
+  return result;
+}
+
+}  // namespace
+
+Exit experiment(const ExperimentCommandOptions& options) {
+  std::vector<std::string> names = options.names;
+  if (names == std::vector<std::string>{"all"}) {
+    names = experiments::experimentNames();
+    if (!options.recordings.empty()) {
+      names.emplace_back("lookahead");
+    }
+  }
+  const auto machine = machine::loadPreset(options.preset);
+  if (!machine) {
+    return reportError(machine.error(), false);
+  }
+  std::optional<Connection> connection;
+  if (!options.endpoint.empty()) {
+    auto opened = connectTo(options.endpoint);
+    if (!opened) {
+      return reportError(opened.error(), false);
+    }
+    connection = std::move(*opened);
+  }
+  interrupt::watch();
+  if (!options.shard.empty()) {
+    return experimentPart(options, *machine);
+  }
+  std::vector<experiments::Experiment> results;
+  for (const std::string& name : names) {
+    auto result = run(name, options, *machine, connection ? &*connection : nullptr);
+    if (!result) {
+      return reportError(result.error(), false);
+    }
+    print(*result, results.empty());
+    results.push_back(std::move(*result));
+  }
+  return finish(results, options);
+}
+
+Exit mergeExperiments(const std::vector<std::string>& parts,
+                      const ExperimentCommandOptions& options) {
+  auto wholes = readParts(parts);
+  if (!wholes) {
+    return reportError(wholes.error(), false);
+  }
+  interrupt::watch();
+  std::vector<experiments::Experiment> results;
+  for (report::SweepPart& whole : *wholes) {
+    auto result = runMerged(std::move(whole), options.threads);
+    if (!result) {
+      return reportError(result.error(), false);
+    }
+    print(*result, results.empty());
+    results.push_back(std::move(*result));
+  }
+  return finish(results, options);
 }
 
 }  // namespace rivulet::cli

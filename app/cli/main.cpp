@@ -754,6 +754,25 @@ void addPetriCommand(CLI::App& app, Exit& exit) {
   figure->callback([options, &exit] { exit = rivulet::cli::petriFigure13(*options); });
 }
 
+void addExperimentOutput(CLI::App& command, rivulet::cli::ExperimentCommandOptions& options) {
+  command.add_option("--threads", options.threads, "0: one per core")->check(CLI::Range(0, 1024));
+  command.add_option("--json", options.json, "File for all figures");
+  command.add_option("--csv", options.csv, "File for all figures");
+  command.add_option("--plot", options.plot, "File for the plot, .svg");
+  command.add_option("--report", options.report, "Folder for the pages and their pictures");
+}
+
+void addMergeCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::ExperimentCommandOptions>();
+  const auto parts = std::make_shared<std::vector<std::string>>();
+  CLI::App* command =
+      app.add_subcommand("merge", "Put together the parts that experiment --shard has computed");
+  command->add_option("FILE", *parts, "All parts, of one experiment or several")->required();
+  addExperimentOutput(*command, *options);
+  command->callback(
+      [options, parts, &exit] { exit = rivulet::cli::mergeExperiments(*parts, *options); });
+}
+
 void addExperimentCommand(CLI::App& app, Exit& exit) {
   const auto options = std::make_shared<rivulet::cli::ExperimentCommandOptions>();
   CLI::App* command = app.add_subcommand(
@@ -772,11 +791,12 @@ void addExperimentCommand(CLI::App& app, Exit& exit) {
                       "OPC UA server instead of virtual time (table1, figure2)");
   command->add_option("--recordings", options->recordings,
                       "Recordings of another motion controller, for lookahead, emulator and p2");
-  command->add_option("--threads", options->threads, "0: one per core")->check(CLI::Range(0, 1024));
-  command->add_option("--json", options->json, "File for all figures");
-  command->add_option("--csv", options->csv, "File for all figures");
-  command->add_option("--plot", options->plot, "File for the plot, .svg");
-  command->add_option("--report", options->report, "Folder for the pages and their pictures");
+  CLI::Option* part = command->add_option("--part", options->part, "File for the part");
+  part->needs(command
+                  ->add_option("--shard", options->shard,
+                               "Only part K of N of one experiment, K/N, for command merge")
+                  ->needs(part));
+  addExperimentOutput(*command, *options);
   command->callback([options, &exit] {
     if (options->recordings.empty() &&
         std::ranges::any_of(options->names, [](const std::string& name) {
@@ -902,6 +922,7 @@ int main(int argc, char** argv) {
   addCommissionCommand(app, exit);
   addEmulatorCommand(app, exit);
   addExperimentCommand(app, exit);
+  addMergeCommand(app, exit);
   addPetriCommand(app, exit);
 #ifdef RIVULET_WITH_OPEN62541
   addRightsCommand(app, exit);
