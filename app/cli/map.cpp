@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/console.h"
+#include "cli/described_machines.h"
 #include "opcua/control_map.h"
 #include "opcua/map_proposal.h"
 
@@ -166,6 +167,7 @@ Exit map(const MapOptions& options) {
   if (!survey) {
     return reportError(survey.error(), options.json);
   }
+  const auto machines = describedMachines(*connection);
   const opcua::MapProposal proposal = opcua::proposeMap(*survey);
   const auto proofs = prove(*connection->browser, *survey, proposal.map);
   if (!proofs) {
@@ -185,9 +187,12 @@ Exit map(const MapOptions& options) {
     }
   }
   if (options.json) {
-    printJson(asJson(*survey, *proofs, remarks, text));
+    auto json = asJson(*survey, *proofs, remarks, text);
+    json["machines"] = machinesAsJson(machines);
+    printJson(json);
     return Exit::Done;
   }
+  printMachines(machines);
   fmt::print("{} nodes seen; each of these was read twice, nothing was written.\n\n",
              survey->nodes.size());
   printProofs(*proofs);

@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/console.h"
+#include "cli/described_machines.h"
 
 namespace rivulet::cli {
 
@@ -63,9 +64,13 @@ Exit rights(const RightsOptions& options) {
   if (!report) {
     return reportError(report.error(), options.json);
   }
+  const auto machines = describedMachines(*connection);
   if (options.json) {
-    printJson(asJson(*report));
+    auto json = asJson(*report);
+    json["machines"] = machinesAsJson(machines);
+    printJson(json);
   } else {
+    printMachines(machines);
     printText(*report);
   }
   for (const opcua::RightFinding& finding : report->findings) {

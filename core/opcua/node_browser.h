@@ -27,6 +27,7 @@ struct BrowsedNode {
   int nameSpace = 0;  ///< index of the namespace of `name` on this server
   std::string name;   ///< browse name
   NodeKind kind = NodeKind::Other;
+  std::string nameUri = {};  ///< of the namespace of `name`
 };
 
 /// Value and rights of a variable, as read now.

@@ -1337,6 +1337,9 @@ void UaLink::Impl::appendChildren(const UA_BrowseResult& result,
                 : reference.nodeClass == UA_NODECLASS_OBJECT ? NodeKind::Object
                 : reference.nodeClass == UA_NODECLASS_METHOD ? NodeKind::Method
                                                              : NodeKind::Other;
+    if (reference.browseName.namespaceIndex < m_namespaces.size()) {
+      node.nameUri = m_namespaces[reference.browseName.namespaceIndex];
+    }
     nodes.push_back(std::move(node));
   }
 }

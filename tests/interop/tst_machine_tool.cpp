@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// What Rivulet reads of a machine tool by OPC 40501-1 on a server that others wrote
+/// (node_opcua_machine_tool.js). Skipped where node-opcua is not installed.
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "interop/node_runtime.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+
+namespace {
+
+constexpr int kPatienceMs = 60'000;
+
+}  // namespace
+
+class TestMachineTool : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    if (!tests::NodeRuntime::obstacle().isEmpty()) {
+      QSKIP(qPrintable(tests::NodeRuntime::obstacle()));
+    }
+    tests::NodeRuntime::start(m_server, QStringLiteral("node_opcua_machine_tool.js"),
+                              m_folder.path());
+    while (m_endpoint.isEmpty() &&
+           (m_server.canReadLine() || m_server.waitForReadyRead(kPatienceMs))) {
+      m_endpoint = QJsonDocument::fromJson(m_server.readLine())
+                       .object()[QStringLiteral("endpoint")]
+                       .toString();
+    }
+    QVERIFY(!m_endpoint.isEmpty());
+  }
+  void cleanupTestCase() {
+    m_server.terminate();
+    m_server.waitForFinished(kPatienceMs);
+  }
+
+  void theMachineIsDescribed() {
+    QProcess run;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* folder : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
+      environment.insert(QString::fromUtf8(folder), m_folder.path());
+    }
+    run.setProcessEnvironment(environment);
+    run.start(QStringLiteral(RIVULET_CLI),
+              {QStringLiteral("--security"), QStringLiteral("none"), QStringLiteral("map"),
+               QStringLiteral("--json"), QStringLiteral("--max-nodes"), QStringLiteral("20"),
+               QStringLiteral("--endpoint"), m_endpoint});
+    QVERIFY(run.waitForFinished(kPatienceMs));
+    const QByteArray said = run.readAllStandardError();
+    QVERIFY2(run.exitCode() == 0, said.constData());
+    const QJsonArray machines = QJsonDocument::fromJson(run.readAllStandardOutput())
+                                    .object()[QStringLiteral("machines")]
+                                    .toArray();
+    const QJsonObject expected{{QStringLiteral("name"), QStringLiteral("Mill 7")},
+                               {QStringLiteral("manufacturer"), QStringLiteral("Example Machines")},
+                               {QStringLiteral("model"), QStringLiteral("EM 500")},
+                               {QStringLiteral("serial_number"), QStringLiteral("4711")},
+                               {QStringLiteral("software_revision"), QStringLiteral("8.15")},
+                               {QStringLiteral("year_of_construction"), QStringLiteral("2021")},
+                               {QStringLiteral("location"), QStringLiteral("Hall 3")},
+                               {QStringLiteral("product_instance_uri"),
+                                QStringLiteral("urn:example:em500:4711")},
+                               {QStringLiteral("state"), QStringLiteral("Executing")},
+                               {QStringLiteral("operation_mode"), QStringLiteral("Processing")},
+                               {QStringLiteral("program"), QStringLiteral("FLANGE.MPF")},
+                               {QStringLiteral("program_state"), QStringLiteral("Running")},
+                               {QStringLiteral("job"), QStringLiteral("Order 12")},
+                               {QStringLiteral("job_state"), QStringLiteral("Running")},
+                               {QStringLiteral("runs_completed"), 3},
+                               {QStringLiteral("runs_planned"), 8}};
+    QCOMPARE(machines.size(), 1);
+    const QJsonObject found = machines[0].toObject();
+    for (const QString& key : expected.keys()) {
+      QVERIFY2(found[key] == expected[key], qPrintable(key));
+    }
+  }
+
+ private:
+  QTemporaryDir m_folder;
+  QProcess m_server;
+  QString m_endpoint;
+};
+
+RIVULET_TEST(TestMachineTool)
+#include "tst_machine_tool.moc"
