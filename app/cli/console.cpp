@@ -58,8 +58,8 @@ templates::TemplateParameters OperatingOptions::parameters() const {
   parameters.correctionLimitMm = correctionLimitMm;
   parameters.windowsAhead = windowsAhead;
   parameters.target = templates::targetFromName(control).value_or(parameters.target);
-  // LinuxCNC has no such thing; its planner brakes when its queue ends.
-  parameters.slowDown = !noSlowDown && parameters.target != templates::TargetControl::LinuxCnc;
+  // Others have no such thing; the planner of LinuxCNC brakes when its queue ends.
+  parameters.slowDown = !noSlowDown && parameters.target == templates::TargetControl::Sinumerik;
   parameters.feedPerPoint = feedCells == "point";
   if (!axes.empty()) {
     // The option parser has rejected everything that is not an axis.

@@ -9,6 +9,7 @@
 
 #include "base/file.h"
 #include "cli/commands.h"
+#include "log/log.h"
 #include "machine/config.h"
 #include "streaming/simulation/template_proof.h"
 #include "templates/generator.h"
@@ -130,6 +131,9 @@ Exit makeTemplate(const TemplateOptions& options) {
     proof = std::move(*seen);
   }
   const bool sound = !proof || isSound(*proof, true);
+  if (!templates::isTried(parameters.target)) {
+    log::logger().warn(templates::requireTried(parameters.target).error().text());
+  }
   if (!options.output.empty() && sound) {
     if (const auto written = base::writeFile(options.output, *text); !written) {
       return reportError(written.error(), options.json);
@@ -170,6 +174,7 @@ Exit makeTemplate(const TemplateOptions& options) {
     nlohmann::ordered_json json{{"name", templates::templateFileName(parameters)},
                                 {"layout_number", templates::layoutNumber(parameters)},
                                 {"r_parameters", cells->last() + 1},
+                                {"tried", templates::isTried(parameters.target)},
                                 {"cells", numbers},
                                 {"file", options.output},
                                 {"text", *text}};

@@ -41,16 +41,51 @@ std::optional<Layout> layoutFromName(std::string_view name) {
 }
 
 std::string_view targetName(TargetControl target) {
-  return target == TargetControl::LinuxCnc ? "linuxcnc" : "sinumerik";
+  switch (target) {
+    case TargetControl::Sinumerik:
+      return "sinumerik";
+    case TargetControl::LinuxCnc:
+      return "linuxcnc";
+    case TargetControl::TwinCat:
+      return "twincat";
+    case TargetControl::Isg:
+      break;
+  }
+  return "isg";
+}
+
+std::string_view targetTitle(TargetControl target) {
+  switch (target) {
+    case TargetControl::Sinumerik:
+      return "SINUMERIK";
+    case TargetControl::LinuxCnc:
+      return "LinuxCNC";
+    case TargetControl::TwinCat:
+      return "TwinCAT NC I";
+    case TargetControl::Isg:
+      break;
+  }
+  return "ISG kernels";
 }
 
 std::optional<TargetControl> targetFromName(std::string_view name) {
-  for (const TargetControl target : {TargetControl::Sinumerik, TargetControl::LinuxCnc}) {
+  for (const TargetControl target : {TargetControl::Sinumerik, TargetControl::LinuxCnc,
+                                     TargetControl::TwinCat, TargetControl::Isg}) {
     if (targetName(target) == name) {
       return target;
     }
   }
   return std::nullopt;
+}
+
+base::Result<void> requireTried(TargetControl target) {
+  if (isTried(target)) {
+    return {};
+  }
+  return base::fail(TemplateError::NotOnTarget,
+                    fmt::format("The program for {} is untried: it is written from documentation "
+                                "and has never run on a control. Rivulet does not stream to it.",
+                                targetTitle(target)));
 }
 
 std::vector<int> CellMap::slotCells(int slot) const {
@@ -107,12 +142,16 @@ int correctionSteps(const WindowSettings& settings) {
 base::Result<CellMap> planCellsAnywhere(const TemplateParameters& parameters) {
   const MethodTemplate& method = methodTemplate(parameters);
   const int axes = axisCount(parameters);
-  if (parameters.target == TargetControl::LinuxCnc &&
-      (!base::hasWindows(parameters.method) || base::sendsBlocks(parameters.method))) {
-    return base::fail(TemplateError::NotOnTarget,
-                      fmt::format("There is no program of method {} for LinuxCNC: choose method "
-                                  "window or credit.",
-                                  base::methodName(parameters.method)));
+  const bool hasProgram = parameters.target == TargetControl::Sinumerik ||
+                          parameters.method == base::MethodKind::Window ||
+                          (parameters.target == TargetControl::LinuxCnc &&
+                           parameters.method == base::MethodKind::Credit);
+  if (!hasProgram) {
+    return base::fail(
+        TemplateError::NotOnTarget,
+        fmt::format("There is no program of method {} for {}: choose method window{}.",
+                    base::methodName(parameters.method), targetTitle(parameters.target),
+                    parameters.target == TargetControl::LinuxCnc ? " or credit" : ""));
   }
   if (axes == 0) {
     return base::fail(TemplateError::NoAxis,
@@ -159,10 +198,11 @@ base::Result<CellMap> planCells(const TemplateParameters& parameters) {
         fits == 0 ? std::string("none fits") : fmt::format("N = {} is the largest that fits", fits);
     return base::fail(
         TemplateError::DoesNotFit,
-        fmt::format("N = {} needs R-parameters up to R{}, but the control has {}: {}, or set "
-                    "MD28050 to {}.",
+        fmt::format("N = {} needs R-parameters up to R{}, but the control has {}: {}{}.",
                     parameters.pointsPerLoop, cells.last(), parameters.rParameterCount, largest,
-                    cells.last() + 1));
+                    parameters.target == TargetControl::Sinumerik
+                        ? fmt::format(", or set MD28050 to {}", cells.last() + 1)
+                        : std::string()));
   }
   return plan;
 }

@@ -46,4 +46,8 @@ SlotText slotText(const CellMap& cells, int slot) {
   return text;
 }
 
+int copiedPerPoint(const CellMap& cells) {
+  return static_cast<int>(lettersOf(cells).size()) + (cells.feedPerPoint ? 1 : 0);
+}
+
 }  // namespace rivulet::templates

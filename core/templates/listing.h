@@ -48,6 +48,9 @@ struct SlotText {
 /// "XYZ", in the order of a slot's cells.
 [[nodiscard]] std::string lettersOf(const CellMap& cells);
 
+/// Values that a program copies of each point: the coordinates, and its feed where it has its own.
+[[nodiscard]] int copiedPerPoint(const CellMap& cells);
+
 /// "" or "s".
 [[nodiscard]] constexpr std::string_view plural(int count) {
   return count == 1 ? "" : "s";

@@ -5,6 +5,7 @@
 
 #include "templates/methods/linuxcnc.h"
 #include "templates/methods/loop.h"
+#include "templates/methods/untried.h"
 #include "templates/methods/window.h"
 
 namespace rivulet::templates {
@@ -17,7 +18,16 @@ const MethodTemplate& methodTemplate(const TemplateParameters& parameters) {
   static const FileTemplate file;
   static const LinuxCncWindowTemplate linuxCncWindow;
   static const LinuxCncCreditTemplate linuxCncCredit;
+  static const TwinCatWindowTemplate twinCatWindow;
+  static const IsgWindowTemplate isgWindow;
   const bool isLinuxCnc = parameters.target == TargetControl::LinuxCnc;
+  // Of other methods there is no program for these, see `planCellsAnywhere`.
+  if (parameters.target == TargetControl::TwinCat) {
+    return twinCatWindow;
+  }
+  if (parameters.target == TargetControl::Isg) {
+    return isgWindow;
+  }
   switch (parameters.method) {
     case base::MethodKind::Position:
       return position;

@@ -431,6 +431,9 @@ base::Result<TemplateProof> proveTemplate(std::string_view text,
 }
 
 base::Result<void> requireProven(const templates::TemplateParameters& parameters) {
+  if (base::Result<void> tried = templates::requireTried(parameters.target); !tried) {
+    return tried;
+  }
   if (parameters.target != templates::TargetControl::Sinumerik) {
     return {};  // the virtual machine does not know the language: tests on LinuxCNC stand for it
   }

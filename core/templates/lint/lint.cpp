@@ -1023,6 +1023,9 @@ base::Result<std::vector<LintFinding>> lintProgram(std::string_view text,
   if (!cells) {
     return base::fail(cells.error());
   }
+  if (base::Result<void> tried = requireTried(parameters.target); !tried) {
+    return base::fail(tried.error());
+  }
   if (parameters.target == TargetControl::LinuxCnc) {
     return compareWithGenerated(text, parameters);
   }

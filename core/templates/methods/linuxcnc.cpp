@@ -37,13 +37,8 @@ std::string readOutput(Protocol::Output output) {
   return fmt::format("#<_hal[{}{:02}]>", Protocol::kOutputPin, static_cast<int>(output));
 }
 
-/// Copied cells of a point: the coordinates, and its feed where it has its own.
-int perPoint(const CellMap& cells) {
-  return static_cast<int>(lettersOf(cells).size()) + (cells.feedPerPoint ? 1 : 0);
-}
-
 int copyOf(const CellMap& cells, int place, int value) {
-  return kFirstCopy + place * perPoint(cells) + value;
+  return kFirstCopy + place * copiedPerPoint(cells) + value;
 }
 
 /// "G1 X#1000 Y#1001 F#<riv_f>". @param mark  comment
@@ -241,7 +236,7 @@ void LinuxCncWindowTemplate::writeTaking(Listing& out, const CellMap& cells) con
   out.line("o140 endif");
   out.line("#<riv_s>=[#<riv_own>+{}*[#<riv_l>+1]+{}*#<riv_k>+{}*#<riv_f>-#<riv_s>]",
            WindowProtocol::kCheckNumber, WindowProtocol::kCheckCount, WindowProtocol::kCheckFeed);
-  for (int number = 0; number < cells.pointsPerLoop * perPoint(cells); ++number) {
+  for (int number = 0; number < cells.pointsPerLoop * copiedPerPoint(cells); ++number) {
     out.line("#<riv_s>=[#<riv_s>+{:.6f}*#{}]", WindowProtocol::checkFactor(number),
              kFirstCopy + number);
   }

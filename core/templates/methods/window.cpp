@@ -13,10 +13,6 @@ namespace {
 constexpr int kRParametersMax = 1'000'000;
 constexpr int kStrideMax = 100;
 
-/// Passes of the waiting loop without a window and without a change of the heartbeat, before the
-/// program ends. A pass takes 20 ms or more.
-constexpr int kSilentPassesMax = 1000;
-
 /// Numbers of the synchronized actions that apply the corrections to X, Y and Z.
 constexpr int kCorrectionAction = 11;
 
@@ -98,11 +94,6 @@ void writeOverlayBack(Listing& out, const CellMap& cells, int layoutNumber) {
   out.line("RIV_UNFIT:");
   out.line("R{}=RIV_IDLE R{}={}", cells.state, cells.layout, layoutNumber);
   out.line("M30");
-}
-
-/// Copied cells of a point: the coordinates, and its feed where it has its own.
-int copiedPerPoint(const CellMap& cells) {
-  return static_cast<int>(lettersOf(cells).size()) + (cells.feedPerPoint ? 1 : 0);
 }
 
 /// "G1 X=RIV_C[3] Y=RIV_C[4] F=RIV_F": from the program's own copy, never from the cells.

@@ -20,6 +20,10 @@ class WindowedTemplate : public MethodTemplate {
   [[nodiscard]] std::string nameSuffix(const TemplateParameters& parameters) const override;
 
  protected:
+  /// Passes of the waiting loop without a window and without a change of the heartbeat, before the
+  /// program ends. A pass takes 20 ms or more.
+  static constexpr int kSilentPassesMax = 1000;
+
   /// Comments in the programs of these methods.
   struct Wording {
     std::string_view source;   ///< "R-PARAMETERS"
