@@ -18,8 +18,15 @@ namespace {
 
 using nlohmann::ordered_json;
 
+using Lists = std::vector<opcua::RevocationList>;
+
+/// Nothing: the issuer does not say.
+std::string nextText(const opcua::RevocationList& list) {
+  return list.nextAt ? base::utcText(*list.nextAt) : std::string();
+}
+
 ordered_json asJson(const opcua::CertificateFacts& facts, const std::string& file,
-                    const std::vector<trust::KnownServer>& servers) {
+                    const std::vector<trust::KnownServer>& servers, const Lists& lists) {
   ordered_json json{{"file", file},
                     {"subject", facts.subject},
                     {"fingerprint", facts.fingerprint},
@@ -27,17 +34,24 @@ ordered_json asJson(const opcua::CertificateFacts& facts, const std::string& fil
                     {"valid_to", base::utcText(facts.validTo)},
                     {"days_left", opcua::daysLeft(facts, utc::now())},
                     {"encryption", opcua::encryptionLibrary()},
-                    {"servers", ordered_json::array()}};
+                    {"servers", ordered_json::array()},
+                    {"revocation_lists", ordered_json::array()}};
   for (const trust::KnownServer& server : servers) {
     json["servers"].push_back({{"endpoint", server.endpoint},
                                {"fingerprint", server.fingerprint},
                                {"security", server.security}});
   }
+  for (const opcua::RevocationList& list : lists) {
+    json["revocation_lists"].push_back({{"issuer", list.issuer},
+                                        {"issued", base::utcText(list.issuedAt)},
+                                        {"next", nextText(list)},
+                                        {"certificates", list.serials.size()}});
+  }
   return json;
 }
 
 void printText(const opcua::CertificateFacts& facts, const std::string& file,
-               const std::vector<trust::KnownServer>& servers) {
+               const std::vector<trust::KnownServer>& servers, const Lists& lists) {
   fmt::print("Certificate of this user: {}\n  {}\n  {} days left\n", file, trust::describe(facts),
              opcua::daysLeft(facts, utc::now()));
   fmt::print("Encryption by {}\n", opcua::encryptionLibrary());
@@ -47,6 +61,12 @@ void printText(const opcua::CertificateFacts& facts, const std::string& file,
                server.fingerprint.empty() ? "no certificate accepted"
                                           : opcua::fingerprintText(server.fingerprint),
                server.security.empty() ? "" : fmt::format(", allowed: {}", server.security));
+  }
+  for (const opcua::RevocationList& list : lists) {
+    const bool isOld = list.nextAt && *list.nextAt < utc::now();
+    fmt::print("Revocation list of {}, {}: {} certificates{}\n", list.issuer,
+               base::utcText(list.issuedAt), list.serials.size(),
+               isOld ? "; it has ended, ask the issuer for the next one" : "");
   }
 }
 
@@ -67,6 +87,15 @@ Exit certificate(const CertificateOptions& options) {
           options.json);
     }
   }
+  if (!options.revocationList.empty()) {
+    const auto bytes = base::readFile(options.revocationList, trust::kRevocationBytesMax);
+    const auto added = bytes ? store.addRevocations(*bytes) : base::fail(bytes.error());
+    if (!added) {
+      return reportError(
+          base::makeError(added.error().code, added.error().message, options.revocationList),
+          options.json);
+    }
+  }
   const auto own = options.renew ? trust::renewCertificate(folder, trust::Owner::Client)
                                  : trust::ownCertificate(folder, trust::Owner::Client);
   if (!own) {
@@ -79,14 +108,18 @@ Exit certificate(const CertificateOptions& options) {
   }
   const auto facts = opcua::readCertificate(own->certificate);
   const auto servers = store.servers();
-  if (!facts || !servers) {
-    return reportError(!facts ? facts.error() : servers.error(), options.json);
+  const auto lists = store.revocations();
+  if (!facts || !servers || !lists) {
+    return reportError(!facts     ? facts.error()
+                       : !servers ? servers.error()
+                                  : lists.error(),
+                       options.json);
   }
   const std::string file = trust::certificatePath(folder, trust::Owner::Client).string();
   if (options.json) {
-    printJson(asJson(*facts, file, *servers));
+    printJson(asJson(*facts, file, *servers, *lists));
   } else {
-    printText(*facts, file, *servers);
+    printText(*facts, file, *servers, *lists);
   }
   return Exit::Done;
 }

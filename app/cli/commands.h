@@ -282,8 +282,9 @@ struct MapOptions {
 
 struct CertificateOptions {
   bool renew = false;
-  std::string exportFile;  ///< empty: none
-  std::string forget;      ///< endpoint of a server that is not trusted any longer; empty: none
+  std::string exportFile;      ///< empty: none
+  std::string forget;          ///< endpoint of a server that is not trusted any longer; empty: none
+  std::string revocationList;  ///< file of a list that is taken over; empty: none
   bool json = false;
 };
 /// Shows the certificate of this user and the servers that are trusted.

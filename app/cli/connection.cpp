@@ -8,6 +8,7 @@
 
 #include <iostream>
 #include <optional>
+#include <utility>
 
 #include "machine/machine.h"
 #include "opcua/control_map.h"
@@ -19,6 +20,7 @@
 #include "trust/connect.h"
 #include "trust/password.h"
 #include "trust/trust_store.h"
+#include "trust/user_certificate.h"
 #endif
 
 namespace rivulet::cli {
@@ -97,7 +99,7 @@ base::Error withOption(base::Error error) {
   } else if (error.code == opcua::LinkError::ClientNotTrusted) {
     error.message += " The certificate of this computer: rivulet-cli certificate.";
   } else if (error.code == opcua::LinkError::LoginRefused) {
-    error.message += " The option for the name is --user.";
+    error.message += " The options are --user and --user-certificate.";
   }
   return error;
 }
@@ -137,6 +139,13 @@ base::Result<Connection> connectTo(const std::string& endpoint,
       return base::fail(password.error());
     }
     request.password = std::move(*password);
+  }
+  if (!options.userCertificate.empty()) {
+    auto certificate = trust::readUserFiles(options.userCertificate, options.userKey);
+    if (!certificate) {
+      return base::fail(certificate.error());
+    }
+    request.userCertificate = std::move(*certificate);
   }
   const auto open = [&](const opcua::ConnectOptions& asked) {
     return qtopcua::openLink(request.link, asked);

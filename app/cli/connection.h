@@ -20,11 +20,13 @@ using opcua::Connection;
 
 /// How every command connects; options of the program itself.
 struct ConnectionOptions {
-  std::string security;      ///< "strongest", "none", ...; empty: as remembered for the server
-  std::string fingerprint;   ///< of the server's certificate that is accepted
-  std::string user;          ///< empty: anonymous
-  std::string passwordFile;  ///< empty: asked for, or from the environment
-  std::string mapFile;       ///< of a control that is no SINUMERIK; empty: it is one
+  std::string security;         ///< "strongest", "none", ...; empty: as remembered for the server
+  std::string fingerprint;      ///< of the server's certificate that is accepted
+  std::string user;             ///< empty: anonymous
+  std::string passwordFile;     ///< empty: asked for, or from the environment
+  std::string userCertificate;  ///< file, instead of user and password; empty: none
+  std::string userKey;          ///< file of its key; empty: that of the certificate
+  std::string mapFile;          ///< of a control that is no SINUMERIK; empty: it is one
   opcua::LinkKind link = opcua::LinkKind::Open62541;
 };
 

@@ -846,6 +846,8 @@ void addCertificateCommand(CLI::App& app, Exit& exit) {
   command->add_option("--export", options->exportFile,
                       "File for the certificate, as a control imports it (.der)");
   command->add_option("--forget", options->forget, "Address of a server that is trusted no longer");
+  command->add_option("--revocation-list", options->revocationList,
+                      "Take over a revocation list of an issuer (.crl): what it names is refused");
   addJson(command, options->json);
   command->callback([options, &exit] { exit = rivulet::cli::certificate(*options); });
 }
@@ -865,7 +867,13 @@ void addConnection(CLI::App& app, rivulet::cli::ConnectionOptions& options) {
       ->check(security);
   app.add_option("--trust", options.fingerprint,
                  "Accept the server's certificate with this fingerprint (SHA-256)");
-  app.add_option("--user", options.user, "OPC UA user; without it, anonymous");
+  auto* user = app.add_option("--user", options.user, "OPC UA user; without it, anonymous");
+  auto* certificate = app.add_option("--user-certificate", options.userCertificate,
+                                     "Log in by this certificate of a user instead, .pem or .der")
+                          ->excludes(user);
+  app.add_option("--user-key", options.userKey,
+                 "File of mode 0600 with the key of --user-certificate; default: the same file")
+      ->needs(certificate);
   app.add_option("--password-file", options.passwordFile,
                  "File of mode 0600 with the password; else RIVULET_PASSWORD, the systemd "
                  "credential rivulet-password, or the terminal");

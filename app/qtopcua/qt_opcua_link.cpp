@@ -363,7 +363,8 @@ base::Result<void> QtOpcUaLink::Impl::open() {
         "The link qtopcua knows the names of a SINUMERIK only. Use the link open62541 with a map.");
   }
   const opcua::SecurityChoice& security = m_options.security;
-  if (!m_options.user.empty() || (security != opcua::unencrypted() && !security.prefersNone)) {
+  if (!m_options.user.empty() || m_options.userCertificate ||
+      (security != opcua::unencrypted() && !security.prefersNone)) {
     return refuse(
         "The link qtopcua connects without encryption and without a user only. Use the link "
         "open62541, or allow a connection without encryption.");

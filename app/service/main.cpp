@@ -34,6 +34,7 @@
 #include "serving/serving.h"
 #include "trust/connect.h"
 #include "trust/password.h"
+#include "trust/user_certificate.h"
 
 namespace {
 
@@ -63,6 +64,8 @@ struct Arguments {
   std::string users;
   std::string user;
   std::string passwordFile;
+  std::string userCertificate;
+  std::string userKey;
   std::string security;
   std::string fingerprint;
   std::string mapFile;
@@ -85,7 +88,15 @@ void addRun(CLI::App& app, Arguments& arguments) {
   run->add_option("--users", arguments.users,
                   "File of users with role and PIN, as the window sets them up (default: "
                   "~/.config/rivulet/users.json; none: everybody is an engineer)");
-  run->add_option("--user", arguments.user, "Name at the machine (default: anonymous)");
+  auto* user =
+      run->add_option("--user", arguments.user, "Name at the machine (default: anonymous)");
+  auto* certificate =
+      run->add_option("--user-certificate", arguments.userCertificate,
+                      "Log in to the machine by this certificate of a user instead, .pem or .der")
+          ->excludes(user);
+  run->add_option("--user-key", arguments.userKey,
+                  "File of mode 0600 with the key of --user-certificate; default: the same file")
+      ->needs(certificate);
   run->add_option("--password-file", arguments.passwordFile,
                   "File with the password for --user, readable by its owner only; without it the "
                   "variable RIVULET_PASSWORD, or the systemd credential rivulet-password");
@@ -181,6 +192,13 @@ rivulet::base::Result<rivulet::opcua::ConnectRequest> requestOf(const Arguments&
       return rivulet::base::fail(password.error());
     }
     request.password = password->value_or(std::string());
+  }
+  if (!arguments.userCertificate.empty()) {
+    auto certificate = rivulet::trust::readUserFiles(arguments.userCertificate, arguments.userKey);
+    if (!certificate) {
+      return rivulet::base::fail(certificate.error());
+    }
+    request.userCertificate = std::move(*certificate);
   }
   if (!arguments.mapFile.empty()) {
     auto map = rivulet::opcua::readControlMap(arguments.mapFile);

@@ -338,11 +338,16 @@ UA_StatusCode ServiceServer::Impl::onActivate(UA_Server* server, UA_AccessContro
                                               const UA_ExtensionObject* token,
                                               void** context) noexcept {
   Impl& self = *static_cast<Impl*>(UA_Server_getConfig(server)->context);
-  if (!machine::ClientGate::isKindTaken(*token)) {
+  if (!self.m_gate.isKindTaken(*token)) {
     return UA_STATUSCODE_BADIDENTITYTOKENREJECTED;
   }
   *context = nullptr;  // a session can be taken over by another user
-  return self.m_activate(server, control, endpoint, certificate, sessionId, token, context);
+  const UA_StatusCode status =
+      self.m_activate(server, control, endpoint, certificate, sessionId, token, context);
+  if (status == UA_STATUSCODE_GOOD) {
+    self.m_gate.nameUser(*token, context);
+  }
+  return status;
 }
 
 Caller ServiceServer::Impl::callerOf(const UA_NodeId* /*sessionId*/, void* user) const {

@@ -31,8 +31,8 @@ base::Result<std::set<std::string>> trustedClients(const std::filesystem::path& 
   std::error_code status;
   for (const auto& entry : std::filesystem::directory_iterator(folder, status)) {
     const auto text = base::readFile(entry.path(), trust::kCertificateBytesMax);
-    const auto facts = text ? opcua::readCertificate(*text)
-                            : tl::unexpected<base::Error>(text.error());
+    const auto facts =
+        text ? opcua::readCertificate(*text) : tl::unexpected<base::Error>(text.error());
     if (!facts) {
       return base::fail(facts.error().code, facts.error().message, entry.path().string());
     }
@@ -92,6 +92,11 @@ base::Result<void> protect(Options& options) {
                        opcua::encryptionLibrary());
   }
   server.certificate = std::move(*own);
+  auto revocations = trust::readRevocations(folder / "clients" / "revoked");
+  if (!revocations) {
+    return tl::unexpected(revocations.error());
+  }
+  server.revocations = std::move(*revocations);
   if (options.onlyTrustedClients) {
     auto clients = trustedClients(folder / "clients" / "trusted");
     if (!clients) {

@@ -28,7 +28,8 @@ opcua::SecurityChoice choiceFor(const ConnectRequest& request,
   }
   opcua::SecurityChoice choice;
   const bool wasEncrypted = known && !known->fingerprint.empty();
-  choice.prefersNone = opcua::isLoopback(request.endpoint) && request.user.empty() && !wasEncrypted;
+  choice.prefersNone = opcua::isLoopback(request.endpoint) && request.user.empty() &&
+                       !request.userCertificate && !wasEncrypted;
   return choice;
 }
 
@@ -53,7 +54,7 @@ base::Result<void> judge(const TrustStore& store, const ConnectRequest& request,
 /// What a person can decide about an attempt that was refused; null: nothing.
 std::shared_ptr<const TrustQuestion> questionOn(const base::Error& error, const Seen& seen,
                                                 const ConnectRequest& request,
-                                                const TrustStore& store,
+                                                opcua::LoginKind login, const TrustStore& store,
                                                 const std::optional<KnownServer>& known) {
   TrustQuestion question;
   question.endpoint = request.endpoint;
@@ -61,7 +62,7 @@ std::shared_ptr<const TrustQuestion> questionOn(const base::Error& error, const 
   question.wasEncrypted = !question.acceptedFingerprint.empty();
   if (error.code == LinkError::EncryptionMissing) {
     question.kind = TrustQuestion::Kind::Protection;
-    question.choices = opcua::choicesByName(seen.offers, !request.user.empty());
+    question.choices = opcua::choicesByName(seen.offers, login);
   } else if (error.code == LinkError::LoginRefused) {
     question.kind = TrustQuestion::Kind::Login;
   } else if (seen.certificate && (error.code == LinkError::CertificateUnknown ||
@@ -93,6 +94,15 @@ opcua::Attempt connect(const ConnectRequest& request, const std::filesystem::pat
                        "without colons.",
                        request.fingerprint)};
   }
+  if (request.userCertificate) {
+    auto usable = opcua::checkUserCertificate(*request.userCertificate, utc::now());
+    if (usable) {
+      usable = store.checkRevocation(request.userCertificate->certificate, "of the user");
+    }
+    if (!usable) {
+      return {base::fail(usable.error())};
+    }
+  }
   Seen seen;
   opcua::ConnectOptions options;
   options.endpoint = request.endpoint;
@@ -100,6 +110,7 @@ opcua::Attempt connect(const ConnectRequest& request, const std::filesystem::pat
   options.security = choiceFor(request, *known);
   options.user = request.user;
   options.password = request.password;
+  options.userCertificate = request.userCertificate;
   options.nodes = request.nodes;
   options.map = request.map;
   options.own = [&] { return ownCertificate(folder, Owner::Client); };
@@ -112,8 +123,8 @@ opcua::Attempt connect(const ConnectRequest& request, const std::filesystem::pat
   };
   auto connection = open(options);
   if (!connection) {
-    return {base::fail(connection.error()),
-            questionOn(connection.error(), seen, request, store, *known)};
+    return {base::fail(connection.error()), questionOn(connection.error(), seen, request,
+                                                       opcua::loginKindOf(options), store, *known)};
   }
   if (request.security) {
     const bool isDefault = *request.security == opcua::SecurityChoice{};

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "base/file.h"
+#include "base/sha256.h"
 #include "opcua/error.h"
 #include "trust/own_certificate.h"
 #include "trust/private_file.h"
@@ -29,6 +30,8 @@ constexpr const char* kAddress = ".address";
 constexpr std::uintmax_t kAddressBytesMax = 4096;
 constexpr const char* kTrusted = "trusted";
 constexpr const char* kRejected = "rejected";
+constexpr const char* kRevoked = "revoked";
+constexpr const char* kCrl = ".crl";
 constexpr const char* kFormat = "rivulet-servers";
 constexpr int kVersion = 1;
 constexpr std::uintmax_t kListBytesMax = std::uintmax_t{1} << 20U;
@@ -104,7 +107,7 @@ base::Result<std::vector<KnownServer>> TrustStore::servers() const {
                  : std::string();
     };
     const KnownServer server{member("endpoint"), member("fingerprint"), member("security"),
-                             member("user"), member("map"), member("link")};
+                             member("user"),     member("map"),         member("link")};
     const bool isFingerprint = server.fingerprint.empty() ||
                                opcua::fingerprintOf(server.fingerprint) == server.fingerprint;
     const bool isSecurity =
@@ -163,7 +166,7 @@ base::Result<void> TrustStore::check(const std::string& endpoint,
                                   "the clocks of both computers, or renew it on the control.",
                                   dateText(facts.validFrom), dateText(facts.validTo)));
   }
-  return {};
+  return checkRevocation(der, "of the server");
 }
 
 std::optional<opcua::CertificateFacts> TrustStore::keptFacts(const std::string& fingerprint) const {
@@ -286,6 +289,64 @@ base::Result<bool> TrustStore::forget(const std::string& endpoint) const {
     return base::fail(saved.error());
   }
   return true;
+}
+
+base::Result<std::vector<opcua::RevocationList>> readRevocations(const fs::path& folder) {
+  std::vector<opcua::RevocationList> lists;
+  std::error_code status;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, status)) {
+    const auto bytes = base::readFile(entry.path(), kRevocationBytesMax);
+    auto list = bytes ? opcua::readRevocationList(*bytes) : base::fail(bytes.error());
+    if (!list) {
+      return base::fail(list.error().code, list.error().message, entry.path().string());
+    }
+    lists.push_back(std::move(*list));
+  }
+  return lists;
+}
+
+base::Result<std::vector<opcua::RevocationList>> TrustStore::revocations() const {
+  return readRevocations(m_folder / kRevoked);
+}
+
+base::Result<opcua::RevocationList> TrustStore::addRevocations(std::string_view bytes) const {
+  auto list = opcua::readRevocationList(bytes);
+  if (!list) {
+    return list;
+  }
+  // One file for each issuer, so a newer list takes the place of an older one.
+  const fs::path folder = m_folder / kRevoked;
+  const fs::path file = folder / (base::sha256Hex(list->issuerDer) + kCrl);
+  if (const auto old = base::readFile(file, kRevocationBytesMax)) {
+    const auto kept = opcua::readRevocationList(*old);
+    if (kept && kept->issuedAt > list->issuedAt) {
+      return base::fail(LinkError::CertificateInvalid,
+                        fmt::format("A newer revocation list of this issuer is there already, of "
+                                    "{}. This one is of {}. Ask the issuer for the newest.",
+                                    dateText(kept->issuedAt), dateText(list->issuedAt)),
+                        list->issuer);
+    }
+  }
+  auto done = makePrivateFolder(folder);
+  if (done) {
+    done = base::writeFile(file, bytes);
+  }
+  return done ? std::move(list) : base::fail(done.error());
+}
+
+base::Result<void> TrustStore::checkRevocation(std::string_view der, std::string_view whose) const {
+  const auto lists = revocations();
+  if (!lists) {
+    return base::fail(lists.error());
+  }
+  if (opcua::isRevoked(*lists, der)) {
+    return base::fail(
+        LinkError::CertificateInvalid,
+        fmt::format("The certificate {} has been revoked by its issuer. Have a new one "
+                    "made, then connect again.",
+                    whose));
+  }
+  return {};
 }
 
 base::Result<void> TrustStore::save(const std::vector<KnownServer>& servers) const {

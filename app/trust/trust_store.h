@@ -6,6 +6,7 @@
 /// fingerprint of the certificate that was accepted for it. @threadsafety reads and writes files.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,9 +15,13 @@
 
 #include "base/result.h"
 #include "base/utc.h"
+#include "opcua/revocation.h"
 #include "opcua/security.h"
 
 namespace rivulet::trust {
+
+/// Larger files are not read as revocation lists.
+inline constexpr std::uintmax_t kRevocationBytesMax = std::uintmax_t{1} << 24U;
 
 struct KnownServer {
   std::string endpoint;     ///< as `TrustStore` compares it: lower case, without a slash at its end
@@ -84,6 +89,17 @@ class TrustStore {
   /// @return whether the server was known
   [[nodiscard]] base::Result<bool> forget(const std::string& endpoint) const;
 
+  /// The revocation lists of the folder "revoked". @return CertificateInvalid if one is damaged:
+  /// without it, what it revokes would be accepted
+  [[nodiscard]] base::Result<std::vector<opcua::RevocationList>> revocations() const;
+  /// Takes a list over, in place of an older one of its issuer. @param bytes  DER or PEM
+  /// @return CertificateInvalid, also if the list is older than the one that is there
+  [[nodiscard]] base::Result<opcua::RevocationList> addRevocations(std::string_view bytes) const;
+  /// @return CertificateInvalid if one of the lists names the certificate @param whose  "of the
+  /// server"
+  [[nodiscard]] base::Result<void> checkRevocation(std::string_view der,
+                                                   std::string_view whose) const;
+
  private:
   [[nodiscard]] base::Result<void> save(const std::vector<KnownServer>& servers) const;
   template <class Change>
@@ -91,6 +107,11 @@ class TrustStore {
 
   std::filesystem::path m_folder;
 };
+
+/// All revocation lists in a folder; none if it is not there. @return Unreadable,
+/// CertificateInvalid
+[[nodiscard]] base::Result<std::vector<opcua::RevocationList>> readRevocations(
+    const std::filesystem::path& folder);
 
 /// Fingerprint, subject and dates, as a person compares them.
 [[nodiscard]] std::string describe(const opcua::CertificateFacts& facts);

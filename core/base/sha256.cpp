@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <span>
 
+#include "base/text.h"
+
 namespace rivulet::base {
 
 namespace {
@@ -155,6 +157,21 @@ std::string passwordHashHex(std::string_view password, std::string_view salt, in
     }
   }
   return hexOf(sum);
+}
+
+std::string sha256OfText(std::string_view text) {
+  constexpr std::size_t kDigits = 64;
+  std::string digits;
+  for (const char c : text) {
+    if (isDigit(c) || (c >= 'a' && c <= 'f')) {
+      digits += c;
+    } else if (c >= 'A' && c <= 'F') {
+      digits += static_cast<char>(c - 'A' + 'a');
+    } else if (c != ':' && c != ' ') {
+      return {};
+    }
+  }
+  return digits.size() == kDigits ? digits : std::string();
 }
 
 }  // namespace rivulet::base

@@ -20,4 +20,8 @@ namespace rivulet::base {
 [[nodiscard]] std::string passwordHashHex(std::string_view password, std::string_view salt,
                                           int iterations);
 
+/// 64 lower-case digits from a hash as people write it, with or without colons and blanks; empty if
+/// it is none.
+[[nodiscard]] std::string sha256OfText(std::string_view text);
+
 }  // namespace rivulet::base

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/file.h"
+#include "base/sha256.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "emulator/emulator.h"
@@ -411,14 +412,24 @@ void readUsers(Reader& reader, UserManagement& management) {
       const std::string prefix = fmt::format("users.list[{}].", i);
       User user;
       user.name = reader.text(prefix + "name");
-      const auto password = passwordOfText(reader.text(prefix + "password"));
-      if (user.name.empty() || !password) {
-        reader.problem(prefix + (user.name.empty() ? "name" : "password"),
-                       user.name.empty() ? "must not be empty"
-                                         : "must be what rivulet-machine --hash-password prints",
-                       nullptr);
+      if (user.name.empty()) {
+        reader.problem(prefix + "name", "must not be empty", nullptr);
       }
-      user.password = password.value_or(HashedPassword());
+      if (reader.has(prefix + "certificate")) {
+        user.certificate = base::sha256OfText(reader.text(prefix + "certificate"));
+        if (user.certificate.empty()) {
+          reader.problem(prefix + "certificate", "must be a fingerprint of 64 hexadecimal digits",
+                         nullptr);
+        }
+      }
+      if (user.certificate.empty() || reader.has(prefix + "password")) {
+        const auto password = passwordOfText(reader.text(prefix + "password"));
+        if (!password) {
+          reader.problem(prefix + "password", "must be what rivulet-machine --hash-password prints",
+                         nullptr);
+        }
+        user.password = password.value_or(HashedPassword());
+      }
       user.rights = reader.words(prefix + "rights", userRights());
       management.users.push_back(std::move(user));
     }

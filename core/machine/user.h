@@ -23,8 +23,10 @@ struct HashedPassword {
 
 struct User {
   std::string name;
-  HashedPassword password;
+  HashedPassword password;  ///< an empty hash: the user has none and logs in by certificate only
   std::set<std::string> rights;  ///< of `userRights`
+  /// Fingerprint of the certificate by which the user can log in, too; empty: none.
+  std::string certificate = {};
 };
 
 struct UserManagement {

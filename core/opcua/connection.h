@@ -17,6 +17,7 @@
 #include "opcua/link.h"
 #include "opcua/node_map.h"
 #include "opcua/security.h"
+#include "opcua/user_certificate.h"
 
 namespace rivulet::opcua {
 
@@ -64,6 +65,8 @@ struct ConnectRequest {
   std::string fingerprint = {};
   std::string user = {};  ///< empty: anonymous
   std::string password = {};
+  /// Instead of user and password.
+  std::optional<UserCertificate> userCertificate = std::nullopt;
   /// Of a server that is no SINUMERIK; empty: the nodes have the names of `node_map`.
   NodeAddresses nodes = {};
   /// Of a control that is no SINUMERIK; null: it is one, or `nodes` says what it has.

@@ -139,14 +139,44 @@ std::string securityChoiceText(const SecurityChoice& choice) {
   return text;
 }
 
+namespace {
+
+[[nodiscard]] bool takes(const EndpointOffer& offer, LoginKind login) {
+  switch (login) {
+    case LoginKind::Anonymous:
+      return offer.takesAnonymous;
+    case LoginKind::UserName:
+      return offer.takesUserName;
+    case LoginKind::Certificate:
+      break;
+  }
+  return offer.takesCertificate;
+}
+
+[[nodiscard]] const char* notTaken(LoginKind login) {
+  switch (login) {
+    case LoginKind::Anonymous:
+      return "The server does not let anybody in without a user name. Give one, with its password.";
+    case LoginKind::UserName:
+      return "The server takes no user name with an encrypted password. Connect without a user, or "
+             "set up encryption on the server.";
+    case LoginKind::Certificate:
+      break;
+  }
+  return "The server takes no certificate of a user. Give user name and password, or register the "
+         "certificate on the server.";
+}
+
+}  // namespace
+
 base::Result<std::size_t> chooseOffer(std::span<const EndpointOffer> offers,
-                                      const SecurityChoice& choice, bool hasUser) {
+                                      const SecurityChoice& choice, LoginKind login) {
   std::optional<std::size_t> best;
   int bestRank = 0;
   bool isOffered = false;
   for (std::size_t i = 0; i < offers.size(); ++i) {
     const int rank = rankOf(offers[i].security, choice);
-    const bool letsIn = hasUser ? offers[i].takesUserName : offers[i].takesAnonymous;
+    const bool letsIn = takes(offers[i], login);
     isOffered = isOffered || rank > 0;
     if (letsIn && rank > bestRank) {
       best = i;
@@ -157,11 +187,7 @@ base::Result<std::size_t> chooseOffer(std::span<const EndpointOffer> offers,
     return *best;
   }
   if (isOffered) {
-    return base::fail(LinkError::LoginRefused,
-                      hasUser ? "The server takes no user name with an encrypted password. Connect "
-                                "without a user, or set up encryption on the server."
-                              : "The server does not let anybody in without a user name. Give one, "
-                                "with its password.");
+    return base::fail(LinkError::LoginRefused, notTaken(login));
   }
   return base::fail(
       LinkError::EncryptionMissing,
@@ -170,12 +196,11 @@ base::Result<std::size_t> chooseOffer(std::span<const EndpointOffer> offers,
                   securityChoiceText(choice), offeredText(offers)));
 }
 
-std::vector<SecurityChoice> choicesByName(std::span<const EndpointOffer> offers, bool hasUser) {
+std::vector<SecurityChoice> choicesByName(std::span<const EndpointOffer> offers, LoginKind login) {
   std::vector<ChannelSecurity> found;
   for (const EndpointOffer& offer : offers) {
-    const bool letsIn = hasUser ? offer.takesUserName : offer.takesAnonymous;
     const SecurityChoice named{offer.security.policy, offer.security.mode, false};
-    if (letsIn && rankOf(offer.security, named) > 0 &&
+    if (takes(offer, login) && rankOf(offer.security, named) > 0 &&
         std::find(found.begin(), found.end(), offer.security) == found.end()) {
       found.push_back(offer.security);
     }

@@ -62,7 +62,11 @@ struct EndpointOffer {
   std::string certificate;  ///< DER, of the server; may be empty with None
   bool takesAnonymous = false;
   bool takesUserName = false;  ///< and the password is encrypted on its way
+  bool takesCertificate = false;
 };
+
+/// As whom a client logs in (Part 4, UserIdentityToken).
+enum class LoginKind { Anonymous, UserName, Certificate };
 
 /// What the user allows.
 struct SecurityChoice {
@@ -86,15 +90,15 @@ struct SecurityChoice {
 /// Inverse of `securityChoiceOf`.
 [[nodiscard]] std::string securityChoiceText(const SecurityChoice& choice);
 
-/// Which offer is taken. @param hasUser  a user name is sent @return the index in `offers`;
-/// EncryptionMissing if only weaker ones are offered, LoginRefused if none takes this kind of user
+/// Which offer is taken. @return the index in `offers`; EncryptionMissing if only weaker ones are
+/// offered, LoginRefused if none takes this kind of login
 [[nodiscard]] base::Result<std::size_t> chooseOffer(std::span<const EndpointOffer> offers,
-                                                    const SecurityChoice& choice, bool hasUser);
+                                                    const SecurityChoice& choice, LoginKind login);
 
-/// What can be allowed by name where the strongest is not offered: every offer that lets in this
-/// kind of user and is taken once it is named, from strong to weak.
+/// What can be allowed by name where the strongest is not offered: every offer that takes this
+/// kind of login and is taken once it is named, from strong to weak.
 [[nodiscard]] std::vector<SecurityChoice> choicesByName(std::span<const EndpointOffer> offers,
-                                                        bool hasUser);
+                                                        LoginKind login);
 
 /// The host of an endpoint, "cell-4" of "opc.tcp://cell-4:4840/path", without the brackets of IPv6.
 [[nodiscard]] std::string hostOf(std::string_view endpoint);

@@ -11,6 +11,8 @@
 #include <map>
 #include <memory>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "base/contract.h"
 #include "base/file.h"
@@ -19,8 +21,11 @@
 #include "machine/front/server.h"
 #include "machine/machine.h"
 #include "opcua/await.h"
+#include "opcua/certificate.h"
 #include "opcua/open62541/encryption.h"
 #include "opcua/open62541/ua_link.h"
+#include "opcua/revocation.h"
+#include "opcua/user_certificate.h"
 #include "support/test_program.h"
 #include "trust/connect.h"
 #include "trust/trust_store.h"
@@ -110,6 +115,74 @@ opcua::ConnectOptions login(opcua::ConnectOptions options, const std::string& na
   options.user = name;
   options.password = password;
   return options;
+}
+
+opcua::UserCertificate userCertificate(const std::string& name) {
+  const opcua::OwnCertificate& made = certificateOf(name);
+  return {made.certificate, made.privateKey};
+}
+
+opcua::ConnectOptions loginByCertificate(opcua::ConnectOptions options,
+                                         opcua::UserCertificate certificate) {
+  options.userCertificate = std::move(certificate);
+  return options;
+}
+
+std::string fingerprintOf(const std::string& name) {
+  return opcua::readCertificate(certificateOf(name).certificate)->fingerprint;
+}
+
+/// Without a password. @param certificate  name of `certificateOf`
+machine::User certifiedUser(const std::string& name, std::set<std::string> rights,
+                            const std::string& certificate) {
+  return {name, {}, std::move(rights), fingerprintOf(certificate)};
+}
+
+machine::UserManagement only(std::vector<machine::User> users) {
+  return {false, std::move(users)};
+}
+
+std::string element(char tag, const std::string& content) {
+  RIVULET_ASSERT(content.size() < 65536);
+  std::string head{tag, '\x82'};
+  head += static_cast<char>(content.size() / 256);
+  head += static_cast<char>(content.size() % 256);
+  return head + content;
+}
+
+/// The first element of a text, as a whole. @param rest  what comes after it
+std::string firstElement(std::string_view text, std::string_view* rest = nullptr) {
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+  std::size_t length = 2 + byte(1);
+  if (byte(1) > 0x80) {
+    length = 2 + (byte(1) & 0x7FU);
+    std::size_t content = 0;
+    for (std::size_t i = 2; i < length; ++i) {
+      content = 256 * content + byte(i);
+    }
+    length += content;
+  }
+  if (rest != nullptr) {
+    *rest = text.substr(length);
+  }
+  return std::string(text.substr(0, length));
+}
+
+/// What the issuer of a certificate would give out to revoke it.
+std::string listThatRevokes(const std::string& certificate) {
+  constexpr char kSequence = 0x30;
+  const std::size_t headBytes = 4;  // a certificate is longer than 255 bytes
+  std::string_view rest = std::string_view(certificate).substr(2 * headBytes);
+  firstElement(rest, &rest);  // version
+  const std::string serial = firstElement(rest, &rest);
+  const std::string algorithm = firstElement(rest, &rest);
+  const std::string issuer = firstElement(rest);
+  const std::string now =
+      "\x17\x0d"
+      "260101000000Z";
+  return element(kSequence,
+                 element(kSequence, algorithm + issuer + now +
+                                        element(kSequence, element(kSequence, serial + now))));
 }
 
 const opcua::Variable kFirst = opcua::rParameter(0);
@@ -260,6 +333,109 @@ class TestSecurity : public QObject {
     QVERIFY((*setter)->uploadProgram("A.MPF", "M30\n", true));
     QVERIFY((*setter)->selectProgram("A.MPF"));
     QVERIFY((*reader)->downloadProgram("A.MPF"));
+  }
+
+  void aUserLogsInByCertificate() {
+    const Cell cell(encrypted(),
+                    only({user("reader", {"SinuReadAll", "FsRead"}),
+                          certifiedUser("setter", {"StateRead", "StateWrite"}, "setter")}));
+    for (const char* security : {"strongest", "Basic256Sha256", "Aes128_Sha256_RsaOaep/Sign"}) {
+      const auto link = opcua::UaLink::connect(
+          loginByCertificate(client(cell, security), userCertificate("setter")));
+      QVERIFY2(link, link ? "" : link.error().text().c_str());
+      QCOMPARE((*link)->accessRights().value_or("?"), std::string("StateRead;StateWrite"));
+      QCOMPARE((*link)->mayWrite(kFirst).value_or(false), true);
+    }
+    // The other way in is still there, but not for who has no password.
+    QVERIFY(opcua::UaLink::connect(login(client(cell), "reader", kPassword)));
+    QVERIFY(!opcua::UaLink::connect(login(client(cell), "setter", kPassword)));
+    QVERIFY(!opcua::UaLink::connect(login(client(cell), "setter", "")));
+    QVERIFY(!opcua::UaLink::connect(client(cell)));
+  }
+
+  void aCertificateIsNothingWithoutItsKey() {
+    const Cell cell(encrypted(), only({certifiedUser("setter", {"StateRead"}, "setter")}));
+    const opcua::UserCertificate stolen{certificateOf("setter").certificate,
+                                        certificateOf("client").privateKey};
+    for (const auto& shown : {stolen, userCertificate("client")}) {
+      const auto refused = opcua::UaLink::connect(loginByCertificate(client(cell), shown));
+      QVERIFY(!refused);
+      QVERIFY2(refused.error().code == LinkError::LoginRefused, refused.error().text().c_str());
+    }
+    const auto mixed = opcua::readUserCertificate(stolen.certificate, stolen.privateKey);
+    QVERIFY(!mixed && mixed.error().message.find("does not belong") != std::string::npos);
+    QVERIFY(opcua::readUserCertificate(certificateOf("setter").certificate,
+                                       certificateOf("setter").privateKey));
+  }
+
+  void aServerWithoutSuchUsersTakesNoCertificate() {
+    const Cell cell(encrypted(), only({user("setter", machine::userRights())}));
+    const auto refused =
+        opcua::UaLink::connect(loginByCertificate(client(cell), userCertificate("setter")));
+    QVERIFY(!refused);
+    QVERIFY2(refused.error().message.find("takes no certificate") != std::string::npos,
+             refused.error().text().c_str());
+  }
+
+  void theServerRefusesWhatIsRevoked() {
+    machine::ServerOptions options = encrypted();
+    const auto list =
+        opcua::readRevocationList(listThatRevokes(certificateOf("setter").certificate));
+    QVERIFY(list.has_value());
+    options.revocations = {*list};
+    const Cell cell(options, only({certifiedUser("setter", {"StateRead"}, "setter"),
+                                   certifiedUser("other", {"StateRead"}, "client")}));
+    const opcua::ConnectOptions other = loginByCertificate(client(cell), userCertificate("client"));
+    QVERIFY(opcua::UaLink::connect(other));
+    const auto user =
+        opcua::UaLink::connect(loginByCertificate(client(cell), userCertificate("setter")));
+    QVERIFY(!user);
+    QVERIFY2(user.error().code == LinkError::LoginRefused, user.error().text().c_str());
+    QVERIFY2(user.error().message.find("revoked") != std::string::npos,
+             user.error().text().c_str());
+    opcua::ConnectOptions computer = other;
+    computer.own = [] { return base::Result<opcua::OwnCertificate>(certificateOf("setter")); };
+    QVERIFY(!opcua::UaLink::connect(computer));
+  }
+
+  void theClientRefusesWhatIsRevoked() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.path().toStdString();
+    const trust::TrustStore store(path);
+    const Cell cell(encrypted(), only({certifiedUser("setter", {"StateRead"}, "setter")}));
+    opcua::ConnectRequest request{cell.endpoint()};
+    request.userCertificate = userCertificate("setter");
+    request.fingerprint = fingerprintOf("machine");
+    const opcua::Attempt before = trust::connect(request, path);
+    QVERIFY2(before.connection, before.connection ? "" : before.connection.error().text().c_str());
+
+    const auto whyRefused = [&] {
+      const opcua::Attempt attempt = trust::connect(request, path);
+      return attempt.connection ? std::string() : attempt.connection.error().message;
+    };
+    QVERIFY(store.addRevocations(listThatRevokes(certificateOf("machine").certificate)));
+    QVERIFY2(whyRefused().find("of the server has been revoked") != std::string::npos,
+             whyRefused().c_str());
+    QVERIFY(store.addRevocations(listThatRevokes(certificateOf("setter").certificate)));
+    QCOMPARE(store.revocations()->size(), std::size_t{2});
+    QVERIFY2(whyRefused().find("of the user has been revoked") != std::string::npos,
+             whyRefused().c_str());
+
+    // A list that cannot be read is not taken for an empty one.
+    QVERIFY(base::writeFile(path / "revoked" / "damaged.crl", "nothing"));
+    QVERIFY(whyRefused().find("no revocation list") != std::string::npos);
+  }
+
+  void anOlderListDoesNotReplaceANewerOne() {
+    const QTemporaryDir folder;
+    const trust::TrustStore store(folder.path().toStdString());
+    const std::string list = listThatRevokes(certificateOf("machine").certificate);
+    std::string older = list;
+    older.replace(older.find("260101"), 6, "250101");
+    QVERIFY(store.addRevocations(older));
+    QVERIFY(store.addRevocations(list));
+    QVERIFY(!store.addRevocations(older));
+    QCOMPARE(store.revocations()->size(), std::size_t{1});
   }
 
   void aNewServerIsAskedAboutOnce() {

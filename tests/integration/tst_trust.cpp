@@ -213,6 +213,60 @@ class TestTrust : public QObject {
     }
   }
 
+  void aUserLogsInByCertificate() {
+    // The certificate of another computer is as good as any.
+    const Outcome made = run("emma", {QStringLiteral("certificate")});
+    const QString files = path("emma") + QStringLiteral("/XDG_CONFIG_HOME/rivulet/trust/client/");
+    const QString key = files + QStringLiteral("key.der");
+    QFile preset(m_preset);
+    QVERIFY(preset.open(QIODevice::ReadOnly));
+    const QByteArray fingerprint =
+        QByteArray::fromStdString(made.json["fingerprint"].get<std::string>());
+    const QString withEmma = write(
+        "emma.toml", preset.readAll() + "\n[[users.list]]\nname = \"emma\"\ncertificate = \"" +
+                         fingerprint + "\"\nrights = [\"SinuReadAll\"]\n");
+    QStringList arguments = machineArguments("first");
+    arguments.replace(arguments.indexOf(m_preset), withEmma);
+    const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE_PROGRAM), arguments);
+    QVERIFY2(machine.endpoint().startsWith(QLatin1String("opc.tcp://")),
+             qPrintable(machine.endpoint()));
+
+    const QStringList rights{QStringLiteral("rights"), QStringLiteral("--endpoint"),
+                             machine.endpoint(), QStringLiteral("--user-certificate"),
+                             files + QStringLiteral("certificate.der")};
+    const QStringList withKey = rights + QStringList{QStringLiteral("--user-key"), key};
+    const QString server = fingerprintIn(run("frieda", withKey));
+    QVERIFY(!server.isEmpty());
+    const Outcome report = run("frieda", withKey + QStringList{QStringLiteral("--trust"), server});
+    QVERIFY2(report.exit == 1, qPrintable(report.output));  // a run needs more rights
+    QCOMPARE(report.json["rights"][0]["given"], nlohmann::json(true));
+    QCOMPARE(report.json["rights"][1]["given"], nlohmann::json(false));
+
+    QFile(key).setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ReadOther);
+    const Outcome open = run("frieda", withKey);
+    QCOMPARE(open.exit, 2);
+    QVERIFY2(QString::fromStdString(open.error()).contains(QLatin1String("chmod 600")),
+             qPrintable(open.output));
+    QCOMPARE(
+        run("frieda", withKey + QStringList{QStringLiteral("--user"), QStringLiteral("setter")})
+            .exit,
+        2);
+  }
+
+  void aRevocationListIsTakenOver() {
+    const QString list = QStringLiteral(RIVULET_SOURCE_DIR "/tests/data/certificates/shop.crl");
+    const Outcome taken =
+        run("gerda", {QStringLiteral("certificate"), QStringLiteral("--revocation-list"), list});
+    QVERIFY2(taken.exit == 0, qPrintable(taken.output));
+    QCOMPARE(taken.json["revocation_lists"][0]["issuer"], nlohmann::json("CN=Shop CA, O=Example"));
+    QCOMPARE(taken.json["revocation_lists"][0]["certificates"], nlohmann::json(1));
+    const Outcome refused = run(
+        "gerda", {QStringLiteral("certificate"), QStringLiteral("--revocation-list"), m_preset});
+    QVERIFY(refused.exit != 0);
+    QVERIFY2(QString::fromStdString(refused.error()).contains(QLatin1String("no revocation list")),
+             qPrintable(refused.output));
+  }
+
   void aPasswordFileMustBePrivate() {
     const QString file = write("password", QByteArray(kPassword) + "\n");
     QFile(file).setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup);

@@ -16,6 +16,7 @@
 using namespace rivulet;
 using opcua::EndpointOffer;
 using opcua::LinkError;
+using opcua::LoginKind;
 using opcua::MessageMode;
 using opcua::SecurityChoice;
 using opcua::SecurityPolicy;
@@ -48,19 +49,22 @@ class TestSecurityChoice : public QObject {
  private Q_SLOTS:
   void theStrongestIsTaken() {
     const std::vector offers{kNone, kOld, kGood, kBest, kSigned};
-    QCOMPARE(opcua::chooseOffer(offers, {}, false).value_or(99), std::size_t{3});
-    QCOMPARE(opcua::chooseOffer(offers, choice("Basic256Sha256"), false).value_or(99),
-             std::size_t{2});
-    QCOMPARE(opcua::chooseOffer(offers, choice("basic256sha256/sign"), true).value_or(99),
-             std::size_t{4});
-    QCOMPARE(opcua::chooseOffer(offers, choice("Basic128Rsa15"), true).value_or(99),
+    QCOMPARE(opcua::chooseOffer(offers, {}, LoginKind::Anonymous).value_or(99), std::size_t{3});
+    QCOMPARE(
+        opcua::chooseOffer(offers, choice("Basic256Sha256"), LoginKind::Anonymous).value_or(99),
+        std::size_t{2});
+    QCOMPARE(
+        opcua::chooseOffer(offers, choice("basic256sha256/sign"), LoginKind::UserName).value_or(99),
+        std::size_t{4});
+    QCOMPARE(opcua::chooseOffer(offers, choice("Basic128Rsa15"), LoginKind::UserName).value_or(99),
              std::size_t{1});
-    QCOMPARE(opcua::chooseOffer(offers, opcua::unencrypted(), false).value_or(99), std::size_t{0});
+    QCOMPARE(opcua::chooseOffer(offers, opcua::unencrypted(), LoginKind::Anonymous).value_or(99),
+             std::size_t{0});
   }
 
   void weakProtectionIsNeverTakenUnasked() {
     for (const EndpointOffer& weak : {kNone, kOld, kSigned}) {
-      const auto refused = opcua::chooseOffer({&weak, 1}, {}, false);
+      const auto refused = opcua::chooseOffer({&weak, 1}, {}, LoginKind::Anonymous);
       QVERIFY(!refused);
       QVERIFY(refused.error().code == LinkError::EncryptionMissing);
       QVERIFY(refused.error().message.find(opcua::securityText(weak.security)) !=
@@ -72,18 +76,19 @@ class TestSecurityChoice : public QObject {
     SecurityChoice local;
     local.prefersNone = true;
     const std::vector both{kBest, kNone};
-    QCOMPARE(opcua::chooseOffer(both, local, false).value_or(99), std::size_t{1});
-    QCOMPARE(opcua::chooseOffer({&kBest, 1}, local, false).value_or(99), std::size_t{0});
-    QVERIFY(!opcua::chooseOffer({&kOld, 1}, local, false));
+    QCOMPARE(opcua::chooseOffer(both, local, LoginKind::Anonymous).value_or(99), std::size_t{1});
+    QCOMPARE(opcua::chooseOffer({&kBest, 1}, local, LoginKind::Anonymous).value_or(99),
+             std::size_t{0});
+    QVERIFY(!opcua::chooseOffer({&kOld, 1}, local, LoginKind::Anonymous));
   }
 
   void aServerThatTakesNoSuchUserIsSaidSo() {
     EndpointOffer users = kBest;
     users.takesAnonymous = false;
-    const auto refused = opcua::chooseOffer({&users, 1}, {}, false);
+    const auto refused = opcua::chooseOffer({&users, 1}, {}, LoginKind::Anonymous);
     QVERIFY(!refused);
     QVERIFY(refused.error().code == LinkError::LoginRefused);
-    QVERIFY(opcua::chooseOffer({&users, 1}, {}, true));
+    QVERIFY(opcua::chooseOffer({&users, 1}, {}, LoginKind::UserName));
   }
 
   void choicesAreText() {
@@ -140,15 +145,15 @@ class TestSecurityChoice : public QObject {
     EndpointOffer contradiction = offer(SecurityPolicy::None, MessageMode::Sign);
     std::vector offers{kNone, kOld, kSigned, kOld, contradiction};
     std::vector<std::string> names;
-    for (const opcua::SecurityChoice& choice : opcua::choicesByName(offers, false)) {
+    for (const opcua::SecurityChoice& choice : opcua::choicesByName(offers, LoginKind::Anonymous)) {
       names.push_back(opcua::securityChoiceText(choice));
-      QVERIFY(opcua::chooseOffer(offers, choice, false));
+      QVERIFY(opcua::chooseOffer(offers, choice, LoginKind::Anonymous));
     }
     QCOMPARE(names, (std::vector<std::string>{"Basic256Sha256/Sign", "Basic128Rsa15", "None"}));
     for (EndpointOffer& one : offers) {
       one.takesUserName = false;  // or only with a password that can be read
     }
-    QVERIFY(opcua::choicesByName(offers, true).empty());
+    QVERIFY(opcua::choicesByName(offers, LoginKind::UserName).empty());
   }
 
   void theProtectionOfAConnectionIsNamed() {

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
+#include "base/contract.h"
 #include "opcua/open62541/handle.h"
 
 namespace rivulet::machine {
@@ -42,6 +44,19 @@ constexpr std::array<OfferedPolicy, 3> kPolicies{
   return status;
 }
 
+/// Of a certificate that is known: whether it still holds.
+[[nodiscard]] UA_StatusCode judgeValidity(const opcua::CertificateFacts& facts,
+                                          std::span<const opcua::RevocationList> revocations,
+                                          const UA_ByteString& chain) {
+  if (opcua::isRevoked(revocations, opcua::view(chain))) {
+    return UA_STATUSCODE_BADCERTIFICATEREVOKED;
+  }
+  const base::UtcMs now =
+      (UA_DateTime_now() - UA_DATETIME_UNIX_EPOCH) / static_cast<UA_DateTime>(UA_DATETIME_MSEC);
+  return opcua::isValidAt(facts, now) ? UA_STATUSCODE_GOOD
+                                      : UA_STATUSCODE_BADCERTIFICATETIMEINVALID;
+}
+
 }  // namespace
 
 ClientGate::ClientGate(UserManagement users, std::function<base::Instant()> now,
@@ -49,6 +64,7 @@ ClientGate::ClientGate(UserManagement users, std::function<base::Instant()> now,
     : m_now(std::move(now)),
       m_login(std::move(users)),
       m_trusted(options.trustedClients),
+      m_revocations(options.revocations),
       m_onRefused(options.onRefusedClient) {
 }
 
@@ -64,14 +80,18 @@ UA_StatusCode ClientGate::install(UA_ServerConfig& config, const ServerOptions& 
     *verification = {};
   }
   status |= addPolicies(config, options);
-  // The library offers a login by certificate if it could verify one, so this comes first.
-  status |= addLogin(config);
   for (UA_CertificateVerification* verification : {&config.secureChannelPKI, &config.sessionPKI}) {
     verification->context = this;
-    verification->verifyCertificate = &ClientGate::onVerify;
     verification->verifyApplicationURI = &ClientGate::onVerifyUri;
     verification->logging = config.logging;
   }
+  // The library offers a login by certificate if it can verify one now.
+  if (m_login.takesCertificates()) {
+    config.sessionPKI.verifyCertificate = &ClientGate::onVerifyUser;
+  }
+  status |= addLogin(config);
+  config.secureChannelPKI.verifyCertificate = &ClientGate::onVerify;
+  config.sessionPKI.verifyCertificate = &ClientGate::onVerifyUser;
   return status;
 }
 
@@ -103,19 +123,33 @@ UA_StatusCode ClientGate::addLogin(UA_ServerConfig& config) {
   const std::string uri = opcua::policyUri(SecurityPolicy::Basic256Sha256);
   const UA_ByteString policy = opcua::borrow(uri);
   const UA_StatusCode status = UA_AccessControl_defaultWithLoginCallback(
-      &config, m_login.letsAnonymousIn(), &policy, m_login.hasUsers() ? 1 : 0, &placeholder,
+      &config, m_login.letsAnonymousIn(), &policy, m_login.takesPasswords() ? 1 : 0, &placeholder,
       &ClientGate::onLogin, this);
   config.accessControl.getUserAccessLevel = &ClientGate::onAccessLevel;
   return status;
 }
 
-bool ClientGate::isKindTaken(const UA_ExtensionObject& token) {
+bool ClientGate::isKindTaken(const UA_ExtensionObject& token) const {
   if (token.encoding == UA_EXTENSIONOBJECT_ENCODED_NOBODY) {
     return true;  // anonymous
   }
   return token.encoding >= UA_EXTENSIONOBJECT_DECODED &&
          (token.content.decoded.type == &UA_TYPES[UA_TYPES_ANONYMOUSIDENTITYTOKEN] ||
-          token.content.decoded.type == &UA_TYPES[UA_TYPES_USERNAMEIDENTITYTOKEN]);
+          token.content.decoded.type == &UA_TYPES[UA_TYPES_USERNAMEIDENTITYTOKEN] ||
+          (token.content.decoded.type == &UA_TYPES[UA_TYPES_X509IDENTITYTOKEN] &&
+           m_login.takesCertificates()));
+}
+
+void ClientGate::nameUser(const UA_ExtensionObject& token, void** session) const {
+  if (token.encoding < UA_EXTENSIONOBJECT_DECODED ||
+      token.content.decoded.type != &UA_TYPES[UA_TYPES_X509IDENTITYTOKEN]) {
+    return;
+  }
+  const auto* shown = static_cast<const UA_X509IdentityToken*>(token.content.decoded.data);
+  const auto facts = opcua::readCertificate(opcua::view(shown->certificateData));
+  const User* user = facts ? m_login.findByCertificate(facts->fingerprint) : nullptr;
+  RIVULET_ASSERT(user != nullptr);     // else `onVerifyUser` has refused it
+  *session = const_cast<User*>(user);  // the library hands it back, and nothing else
 }
 
 UA_StatusCode ClientGate::judge(const UA_ByteString& chain) const {
@@ -129,10 +163,22 @@ UA_StatusCode ClientGate::judge(const UA_ByteString& chain) const {
     }
     return UA_STATUSCODE_BADCERTIFICATEUNTRUSTED;
   }
-  const base::UtcMs now =
-      (UA_DateTime_now() - UA_DATETIME_UNIX_EPOCH) / static_cast<UA_DateTime>(UA_DATETIME_MSEC);
-  return now < facts->validFrom || now > facts->validTo ? UA_STATUSCODE_BADCERTIFICATETIMEINVALID
-                                                        : UA_STATUSCODE_GOOD;
+  return judgeValidity(*facts, m_revocations, chain);
+}
+
+/// The library has not checked yet that the client has the key; it does so before the session is
+/// let in.
+UA_StatusCode ClientGate::judgeUser(const UA_ByteString& chain) const {
+  const auto facts = opcua::readCertificate(opcua::view(chain));
+  if (!facts || m_login.findByCertificate(facts->fingerprint) == nullptr) {
+    return UA_STATUSCODE_BADIDENTITYTOKENREJECTED;
+  }
+  return judgeValidity(*facts, m_revocations, chain);
+}
+
+UA_StatusCode ClientGate::onVerifyUser(const UA_CertificateVerification* verification,
+                                       const UA_ByteString* certificate) noexcept {
+  return static_cast<const ClientGate*>(verification->context)->judgeUser(*certificate);
 }
 
 UA_StatusCode ClientGate::onVerify(const UA_CertificateVerification* verification,

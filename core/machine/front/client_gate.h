@@ -10,6 +10,7 @@
 #include <open62541/server.h>
 
 #include <functional>
+#include <vector>
 
 #include "machine/front/login.h"
 #include "machine/front/server.h"
@@ -29,16 +30,22 @@ class ClientGate {
   [[nodiscard]] UA_StatusCode install(UA_ServerConfig& config, const ServerOptions& options);
 
   /// Before the library checks a login: it would let everybody in who shows any certificate.
-  [[nodiscard]] static bool isKindTaken(const UA_ExtensionObject& token);
+  [[nodiscard]] bool isKindTaken(const UA_ExtensionObject& token) const;
+  /// After the library has let somebody in: a login by certificate leaves the session without its
+  /// user. @param session  gets it
+  void nameUser(const UA_ExtensionObject& token, void** session) const;
 
  private:
   [[nodiscard]] static UA_StatusCode addPolicies(UA_ServerConfig& config,
                                                  const ServerOptions& options);
   [[nodiscard]] UA_StatusCode addLogin(UA_ServerConfig& config);
   [[nodiscard]] UA_StatusCode judge(const UA_ByteString& chain) const;
+  [[nodiscard]] UA_StatusCode judgeUser(const UA_ByteString& chain) const;
 
   static UA_StatusCode onVerify(const UA_CertificateVerification* verification,
                                 const UA_ByteString* certificate) noexcept;
+  static UA_StatusCode onVerifyUser(const UA_CertificateVerification* verification,
+                                    const UA_ByteString* certificate) noexcept;
   static UA_StatusCode onVerifyUri(const UA_CertificateVerification* verification,
                                    const UA_ByteString* certificate,
                                    const UA_String* applicationUri) noexcept;
@@ -52,6 +59,7 @@ class ClientGate {
   std::function<base::Instant()> m_now;
   Login m_login;
   std::optional<std::set<std::string>> m_trusted;
+  std::vector<opcua::RevocationList> m_revocations;
   std::function<void(const opcua::CertificateFacts&, std::string_view)> m_onRefused;
 };
 

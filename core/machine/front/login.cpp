@@ -7,6 +7,31 @@
 
 namespace rivulet::machine {
 
+namespace {
+
+[[nodiscard]] bool hasPassword(const User& user) {
+  return !user.password.hash.empty();
+}
+
+}  // namespace
+
+bool Login::takesPasswords() const {
+  return std::any_of(m_management.users.begin(), m_management.users.end(), hasPassword);
+}
+
+bool Login::takesCertificates() const {
+  return std::any_of(m_management.users.begin(), m_management.users.end(),
+                     [](const User& user) { return !user.certificate.empty(); });
+}
+
+const User* Login::findByCertificate(std::string_view fingerprint) const {
+  const auto user = std::find_if(
+      m_management.users.begin(), m_management.users.end(), [&](const User& candidate) {
+        return !candidate.certificate.empty() && candidate.certificate == fingerprint;
+      });
+  return user == m_management.users.end() ? nullptr : &*user;
+}
+
 const User* Login::check(std::string_view name, std::string_view password, base::Instant now) {
   const auto user = std::find_if(m_management.users.begin(), m_management.users.end(),
                                  [&](const User& candidate) { return candidate.name == name; });
@@ -17,7 +42,8 @@ const User* Login::check(std::string_view name, std::string_view password, base:
   }
   // An unknown name takes as long as a known one: else the time would tell which names exist.
   static const HashedPassword nobody = hashPassword("", "nobody");
-  if (isPassword(isKnown ? user->password : nobody, password) && isKnown) {
+  const bool canMatch = isKnown && hasPassword(*user);
+  if (isPassword(canMatch ? user->password : nobody, password) && canMatch) {
     attempts = {};
     return &*user;
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Checks user names and passwords, and locks a user for some time after wrong ones.
+/// Checks user names, passwords and certificates, and locks a user for some time after wrong ones.
 /// @threadsafety as the server.
 #pragma once
 
@@ -25,12 +25,19 @@ class Login {
   explicit Login(UserManagement management) : m_management(std::move(management)) {}
 
   [[nodiscard]] bool letsAnonymousIn() const { return m_management.anonymous; }
-  [[nodiscard]] bool hasUsers() const { return !m_management.users.empty(); }
+  /// Somebody can log in with name and password.
+  [[nodiscard]] bool takesPasswords() const;
+  /// Somebody can log in by certificate.
+  [[nodiscard]] bool takesCertificates() const;
 
   /// @return the user, valid as long as this object; null if name or password are wrong, or the
   /// user is locked
   [[nodiscard]] const User* check(std::string_view name, std::string_view password,
                                   base::Instant now);
+
+  /// @param fingerprint  of a certificate whose key the client has proved to have
+  /// @return the user, valid as long as this object; null if it is nobody's
+  [[nodiscard]] const User* findByCertificate(std::string_view fingerprint) const;
 
  private:
   struct Attempts {

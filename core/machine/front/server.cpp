@@ -335,13 +335,14 @@ UA_StatusCode Server::Impl::onActivate(UA_Server* server, UA_AccessControl* cont
                                        const UA_ByteString* certificate, const UA_NodeId* sessionId,
                                        const UA_ExtensionObject* token, void** context) noexcept {
   Impl& self = *static_cast<Impl*>(UA_Server_getConfig(server)->context);
-  if (!ClientGate::isKindTaken(*token)) {
+  if (!self.m_gate.isKindTaken(*token)) {
     return UA_STATUSCODE_BADIDENTITYTOKENREJECTED;
   }
   *context = nullptr;  // a session can be taken over by another user
   const UA_StatusCode status =
       self.m_activate(server, control, endpoint, certificate, sessionId, token, context);
   if (status == UA_STATUSCODE_GOOD) {
+    self.m_gate.nameUser(*token, context);
     Session& session = self.m_sessions[sessionKey(sessionId)];
     session.connection = self.m_receiving;
     session.heardAt = self.m_service.now();

@@ -25,6 +25,7 @@
 #include "base/result.h"
 #include "machine/front/served_control.h"
 #include "machine/machine.h"
+#include "opcua/revocation.h"
 #include "opcua/security.h"
 
 namespace rivulet::machine {
@@ -51,6 +52,8 @@ struct ServerOptions {
   bool unencrypted = true;
   /// Fingerprints of the clients that may connect encrypted; nothing: every client.
   std::optional<std::set<std::string>> trustedClients;
+  /// Certificates of clients and users that they name are refused.
+  std::vector<opcua::RevocationList> revocations;
   /// Told about every client certificate that was refused. Called within `iterate`.
   std::function<void(const opcua::CertificateFacts& facts, std::string_view der)> onRefusedClient;
 };

@@ -379,17 +379,33 @@ struct SecureEndpoint {
                                                              : endpoint.securityPolicyUri));
 }
 
-/// How an endpoint takes this kind of user: null if it does not, or only with a password that can
-/// be read on its way.
+[[nodiscard]] UA_UserTokenType tokenTypeOf(LoginKind login) {
+  switch (login) {
+    case LoginKind::Anonymous:
+      return UA_USERTOKENTYPE_ANONYMOUS;
+    case LoginKind::UserName:
+      return UA_USERTOKENTYPE_USERNAME;
+    case LoginKind::Certificate:
+      break;
+  }
+  return UA_USERTOKENTYPE_CERTIFICATE;
+}
+
+/// How an endpoint takes this kind of login: null if it does not, only with a password that can be
+/// read on its way, or with a certificate on a channel that somebody else could take over.
 [[nodiscard]] const UA_UserTokenPolicy* findToken(const UA_EndpointDescription& endpoint,
-                                                  bool hasUser) {
-  const UA_UserTokenType wanted = hasUser ? UA_USERTOKENTYPE_USERNAME : UA_USERTOKENTYPE_ANONYMOUS;
+                                                  LoginKind login) {
+  const UA_UserTokenType wanted = tokenTypeOf(login);
   for (std::size_t i = 0; i < endpoint.userIdentityTokensSize; ++i) {
     const UA_UserTokenPolicy& token = endpoint.userIdentityTokens[i];
     const auto policy = tokenPolicy(endpoint, token);
-    const bool isHidden = endpoint.securityMode == UA_MESSAGESECURITYMODE_SIGNANDENCRYPT ||
-                          (policy && *policy != SecurityPolicy::None);
-    if (token.tokenType == wanted && policy && (!hasUser || isHidden)) {
+    const bool isProtected = policy && *policy != SecurityPolicy::None;
+    const bool isSafe =
+        login == LoginKind::Anonymous ||
+        (login == LoginKind::UserName &&
+         (isProtected || endpoint.securityMode == UA_MESSAGESECURITYMODE_SIGNANDENCRYPT)) ||
+        (isProtected && endpoint.securityMode != UA_MESSAGESECURITYMODE_NONE);
+    if (token.tokenType == wanted && policy && isSafe) {
       return &token;
     }
   }
@@ -410,8 +426,9 @@ struct SecureEndpoint {
     EndpointOffer offer;
     if (policy && isModeKnown && isBinary) {
       offer.security = {*policy, static_cast<MessageMode>(endpoint.securityMode)};
-      offer.takesAnonymous = findToken(endpoint, false) != nullptr;
-      offer.takesUserName = findToken(endpoint, true) != nullptr;
+      offer.takesAnonymous = findToken(endpoint, LoginKind::Anonymous) != nullptr;
+      offer.takesUserName = findToken(endpoint, LoginKind::UserName) != nullptr;
+      offer.takesCertificate = findToken(endpoint, LoginKind::Certificate) != nullptr;
     } else {
       offer.security = {SecurityPolicy::None,
                         MessageMode::Sign};  // contradicts itself: never taken
@@ -477,12 +494,31 @@ UA_StatusCode verifyUri(const UA_CertificateVerification* /*verification*/,
   return UA_STATUSCODE_GOOD;
 }
 
-[[nodiscard]] UA_StatusCode setUser(UA_ClientConfig& config, const ConnectOptions& options) {
-  if (options.user.empty()) {
-    return UA_STATUSCODE_GOOD;
+/// Shows the certificate of the user. That the user has its key, the library proves with the policy
+/// of the login.
+[[nodiscard]] UA_StatusCode setUserCertificate(UA_ClientConfig& config,
+                                               const UserCertificate& user) {
+  UA_X509IdentityToken* token = UA_X509IdentityToken_new();
+  if (token == nullptr) {
+    return UA_STATUSCODE_BADOUTOFMEMORY;
   }
-  return UA_ClientConfig_setAuthenticationUsername(&config, options.user.c_str(),
-                                                   options.password.c_str());
+  UA_ExtensionObject_setValue(&config.userIdentityToken, token,
+                              &UA_TYPES[UA_TYPES_X509IDENTITYTOKEN]);
+  const UA_ByteString certificate = borrow(user.certificate);
+  return UA_ByteString_copy(&certificate, &token->certificateData);
+}
+
+[[nodiscard]] UA_StatusCode setUser(UA_ClientConfig& config, const ConnectOptions& options) {
+  switch (loginKindOf(options)) {
+    case LoginKind::Anonymous:
+      return UA_STATUSCODE_GOOD;
+    case LoginKind::UserName:
+      return UA_ClientConfig_setAuthenticationUsername(&config, options.user.c_str(),
+                                                       options.password.c_str());
+    case LoginKind::Certificate:
+      break;
+  }
+  return setUserCertificate(config, *options.userCertificate);
 }
 
 /// Binds a configuration to one endpoint: this policy, this mode, this certificate, this kind of
@@ -491,7 +527,8 @@ UA_StatusCode verifyUri(const UA_CertificateVerification* /*verification*/,
                                     const ConnectOptions& options, const OwnCertificate& own) {
   const UA_EndpointDescription& description = *endpoint.description.get();
   const auto policy = policyOfUri(view(description.securityPolicyUri));
-  const UA_UserTokenPolicy* token = findToken(description, !options.user.empty());
+  const LoginKind kind = loginKindOf(options);
+  const UA_UserTokenPolicy* token = findToken(description, kind);
   RIVULET_ASSERT(policy && token != nullptr);
   const SecurityPolicy login = *tokenPolicy(description, *token);
 
@@ -501,8 +538,14 @@ UA_StatusCode verifyUri(const UA_CertificateVerification* /*verification*/,
     status |=
         addPolicy(config.securityPoliciesSize, config.securityPolicies, login, own, config.logging);
   }
-  status |= addPolicy(config.authSecurityPoliciesSize, config.authSecurityPolicies, login, own,
+  OwnCertificate signer = own;
+  if (kind == LoginKind::Certificate) {
+    signer.certificate = options.userCertificate->certificate;
+    signer.privateKey = options.userCertificate->privateKey;
+  }
+  status |= addPolicy(config.authSecurityPoliciesSize, config.authSecurityPolicies, login, signer,
                       config.logging);
+  explicit_bzero(signer.privateKey.data(), signer.privateKey.size());
   status |= UA_copy(&description, &config.endpoint, &UA_TYPES[UA_TYPES_ENDPOINTDESCRIPTION]);
   status |= UA_copy(token, &config.userTokenPolicy, &UA_TYPES[UA_TYPES_USERTOKENPOLICY]);
   const UA_String uri = borrow(own.applicationUri);
@@ -832,7 +875,8 @@ void UaLink::Impl::close() {
 
 base::Result<void> UaLink::Impl::open() {
   std::optional<SecureEndpoint>& endpoint = m_secureEndpoint;
-  if (m_options.security != unencrypted() || !m_options.user.empty()) {
+  const LoginKind login = loginKindOf(m_options);
+  if (m_options.security != unencrypted() || login != LoginKind::Anonymous) {
     auto found = discover();
     if (!found) {
       return base::fail(found.error());
@@ -842,7 +886,8 @@ base::Result<void> UaLink::Impl::open() {
       return trusted;
     }
   }
-  const bool isPlain = !endpoint || (m_security == ChannelSecurity{} && m_options.user.empty());
+  const bool isPlain =
+      !endpoint || (m_security == ChannelSecurity{} && login == LoginKind::Anonymous);
   if (auto created = createClient(isPlain ? nullptr : &*endpoint); !created) {
     return created;
   }
@@ -859,6 +904,10 @@ base::Result<void> UaLink::Impl::open() {
   config->noNewSession = true;
   forgetPassword(*config);  // the session is never activated again
   explicit_bzero(m_options.password.data(), m_options.password.size());
+  if (m_options.userCertificate) {
+    std::string& key = m_options.userCertificate->privateKey;
+    explicit_bzero(key.data(), key.size());
+  }
   m_options.own = nullptr;
   m_options.trust = nullptr;
   m_options.offered = nullptr;
@@ -928,7 +977,7 @@ base::Result<SecureEndpoint> UaLink::Impl::discover() {
   if (m_options.offered) {
     m_options.offered(offers);
   }
-  const auto chosen = chooseOffer(offers, m_options.security, !m_options.user.empty());
+  const auto chosen = chooseOffer(offers, m_options.security, loginKindOf(m_options));
   if (!chosen) {
     return base::fail(chosen.error().code, chosen.error().message, endpoint());
   }
@@ -945,7 +994,7 @@ base::Result<SecureEndpoint> UaLink::Impl::discover() {
 }
 
 base::Result<void> UaLink::Impl::checkServer(const SecureEndpoint& endpoint) {
-  if (m_security == ChannelSecurity{} && m_options.user.empty()) {
+  if (m_security == ChannelSecurity{} && loginKindOf(m_options) == LoginKind::Anonymous) {
     return {};
   }
   if (!m_options.own || !m_options.trust) {
@@ -2421,6 +2470,13 @@ template <class T>
 UaLink::UaLink(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {
 }
 UaLink::~UaLink() = default;
+
+LoginKind loginKindOf(const ConnectOptions& options) {
+  if (options.userCertificate) {
+    return LoginKind::Certificate;
+  }
+  return options.user.empty() ? LoginKind::Anonymous : LoginKind::UserName;
+}
 
 base::Result<std::unique_ptr<UaLink>> UaLink::connect(const ConnectOptions& options) {
   auto impl = std::make_unique<Impl>(options);

@@ -9,12 +9,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "opcua/connection.h"
 #include "opcua/node_browser.h"
 #include "opcua/node_map.h"
 #include "opcua/node_watch.h"
 #include "opcua/security.h"
+#include "opcua/user_certificate.h"
 
 namespace rivulet::opcua {
 
@@ -39,12 +41,16 @@ struct ConnectOptions {
   TrustCheck trust;
   std::string user;  ///< empty: anonymous
   std::string password;
+  std::optional<UserCertificate> userCertificate;  ///< instead of user and password
   /// Of a server that is no SINUMERIK. Only these variables are there, and no method is.
   NodeAddresses nodes;
   /// Of a control that is no SINUMERIK; null: `nodes` says what there is, or it is one. An empty
   /// map is for browsing only.
   std::shared_ptr<const ControlMap> map;
 };
+
+/// As whom the options log in.
+[[nodiscard]] LoginKind loginKindOf(const ConnectOptions& options);
 
 class UaLink final : public Link, public Control, public NodeBrowser, public NodeWatch {
  public:
