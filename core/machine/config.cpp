@@ -333,7 +333,7 @@ std::optional<int> workOffsetKey(std::string_view word) {
   const std::optional<int> number =
       word.starts_with('G') ? base::parseInteger(word.substr(1)) : std::nullopt;
   const bool isOne =
-      number && ((*number >= 54 && *number <= 57) || *number * 10 == kNoWorkOffsetKey ||
+      number && ((*number >= 54 && *number <= 57) || *number == kNoWorkOffsetKey / 10 ||
                  (*number >= 505 && *number <= 599));
   return isOne ? std::optional(*number * 10) : std::nullopt;
 }

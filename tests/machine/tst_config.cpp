@@ -210,6 +210,10 @@ class TestConfig : public QObject {
                              << "x";
     QTest::newRow("offset") << "[workOffsetsMm]\nG57 = [1.0, 2.0, 3.0]\nG599 = [1.0, 2.0, 3.0]\n"
                             << "";
+    // Ten times this number is 5000 in 32 bits.
+    QTest::newRow("offset beyond all numbers")
+        << "[workOffsetsMm]\n\"G-2147483148\" = [1.0, 2.0, 3.0]\n"
+        << "G-2147483148";
     QTest::newRow("no such offset") << "[workOffsetsMm]\nG58 = [1.0, 2.0, 3.0]\n"
                                     << "G58";
     QTest::newRow("offset of two axes") << "[workOffsetsMm]\nG54 = [1.0, 2.0]\n"

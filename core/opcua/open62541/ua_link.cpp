@@ -17,6 +17,7 @@
 #include <cstring>
 #include <deque>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
 #include <span>
@@ -129,6 +130,13 @@ template <class T>
     default:
       return std::nullopt;
   }
+}
+
+/// A mask of bits, of whatever numeric type this server uses; no bit for what is none.
+[[nodiscard]] unsigned bitsOf(const UA_DataValue& value) {
+  const auto number = value.hasValue ? numberOf(value.value) : std::nullopt;
+  const bool isMask = number && *number >= 0.0 && *number <= std::numeric_limits<unsigned>::max();
+  return isMask ? static_cast<unsigned>(*number) : 0U;
 }
 
 [[nodiscard]] std::optional<std::string> textOf(const UA_Variant& variant) {
@@ -1513,8 +1521,7 @@ constexpr std::array<std::string_view, 26> kTypeNames{"",
                                 const UA_DataValue& level) {
   NodeFacts facts;
   facts.type = typeName(type);
-  const auto rights = level.hasValue ? numberOf(level.value) : std::nullopt;
-  const auto mask = static_cast<unsigned>(rights.value_or(0.0));
+  const unsigned mask = bitsOf(level);
   facts.mayRead = (mask & UA_ACCESSLEVELMASK_READ) != 0;
   facts.mayWrite = (mask & UA_ACCESSLEVELMASK_WRITE) != 0;
   if (value.hasStatus && isBad(value.status)) {
@@ -1658,8 +1665,7 @@ base::Result<bool> UaLink::Impl::mayWrite(const Variable& variable) {
   if (value.hasStatus && isBad(value.status)) {
     return base::fail(requestError(value.status, Operation::Read, name));
   }
-  const auto level = value.hasValue ? numberOf(value.value) : std::nullopt;
-  return level && (static_cast<unsigned>(*level) & UA_ACCESSLEVELMASK_WRITE) != 0;
+  return (bitsOf(value) & UA_ACCESSLEVELMASK_WRITE) != 0;
 }
 
 base::Error UaLink::Impl::error(LinkError code) const {
@@ -2459,7 +2465,8 @@ template <class T>
   const UA_CallMethodResult& result = response->results[0];
   const auto number =
       result.outputArgumentsSize > 0 ? numberOf(result.outputArguments[0]) : std::nullopt;
-  if (!number || std::abs(*number) > 1e6) {
+  constexpr double kStatusMax = 1e6;
+  if (!number || !(std::abs(*number) <= kStatusMax)) {  // NaN is none, either
     return base::fail(unknownForm(method));
   }
   return static_cast<int>(*number);
