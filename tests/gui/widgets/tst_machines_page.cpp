@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// The page of all machines: what is shown of those that are not connected, and how one is removed.
+/// The page of all machines: what is shown of those that are not connected, how one is removed, and
+/// the board of services.
 
 #include <QFrame>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -107,6 +109,63 @@ class TestMachinesPage : public QObject {
     mill.canRemove = false;  // connected
     show(page, {mill});
     QVERIFY(!button(page, "remove")->isVisible() && !button(page, "confirm-remove")->isVisible());
+  }
+
+  void servicesShowNoOldFigures() {
+    MachinesPage page;
+    page.show();
+    ServiceView service;
+    service.endpoint = QStringLiteral("opc.tcp://10.0.0.7:4841");
+    service.link = ServiceLink::Connected;
+    service.machine = QStringLiteral("opc.tcp://10.0.0.8:4840");
+    service.state = QStringLiteral("running");
+    service.program = QStringLiteral("rows.nc");
+    service.waitingFor = QStringLiteral("network");
+    service.alarm = QStringLiteral("The spindle is hot.");
+    service.isRunning = true;
+    service.pointsDone = 12;
+    service.points = 49;
+    service.timeLeftS = 80.0;
+    const auto text = [&page, &service] {
+      page.setServices({service});
+      test::settle(page);
+      return test::visibleText(page);
+    };
+    for (const char* fact : {"opc.tcp://10.0.0.8:4840", "Running", "rows.nc", "12 of 49 points",
+                             "1:20", "Nothing comes from the control", "spindle is hot"}) {
+      QVERIFY2(text().contains(QLatin1String(fact)), fact);
+    }
+    page.openService(service.endpoint);
+    QVERIFY(text().contains("12 of 49 points") && button(page, "panel-stop")->isEnabled());
+    service.link = ServiceLink::Silent;
+    QVERIFY(text().contains("No answer for some seconds") && !text().contains("12 of 49"));
+    QVERIFY(!button(page, "panel-hold")->isEnabled());
+    page.openService({});
+    QVERIFY(text().contains("No answer for some seconds") && !text().contains("12 of 49"));
+    service.link = ServiceLink::Gone;
+    QVERIFY(text().contains("Service does not answer") && !text().contains("12 of 49"));
+  }
+
+  void servicesAreFoundOrTyped() {
+    MachinesPage page;
+    page.show();
+    QSignalSpy added(&page, &MachinesPage::addServiceRequested);
+    QSignalSpy searched(&page, &MachinesPage::searchRequested);
+    button(page, "service-search")->click();
+    QCOMPARE(searched.size(), 1);
+    page.setFound({QStringLiteral("opc.tcp://10.0.0.7:4841"), QStringLiteral("opc.tcp://a:1")}, {});
+    test::settle(page);
+    button(page, "service-found-1")->click();
+    QTRY_COMPARE(added.size(), 1);
+    QCOMPARE(added.back().front().toString(), QStringLiteral("opc.tcp://a:1"));
+    auto* address = page.findChild<QLineEdit*>(QStringLiteral("service-address"));
+    QVERIFY(!button(page, "service-add")->isEnabled());
+    address->setText(QStringLiteral(" mill3:4841 "));
+    button(page, "service-add")->click();
+    QCOMPARE(added.back().front().toString(), QStringLiteral("mill3:4841"));
+    page.setServicesBlocked(QStringLiteral("Only an engineer can do this."));
+    QTest::keyClick(address, Qt::Key_Return);
+    QVERIFY(!button(page, "service-add")->isEnabled() && added.size() == 2);
   }
 };
 
