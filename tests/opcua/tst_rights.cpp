@@ -33,7 +33,7 @@ class Server : public opcua::Link, public opcua::Control {
     opcua::Event event;
     event.kind = isLost ? opcua::EventKind::ConnectionLost : opcua::EventKind::ReadDone;
     event.error = base::makeError(LinkError::ConnectionLost, "lost");
-    event.request = base::RequestId(1);
+    event.request = base::RequestId{1};
     for (std::size_t i = 0; i < variables.size(); ++i) {
       opcua::Reading reading;
       if (!reads) {
@@ -42,16 +42,16 @@ class Server : public opcua::Link, public opcua::Control {
       event.readings.push_back(reading);
     }
     m_events.push_back(event);
-    return base::RequestId(1);
+    return base::RequestId{1};
   }
   base::RequestId write(std::span<const opcua::Assignment>, base::Duration,
                         opcua::Grouping) override {
     m_isChanged = true;
-    return base::RequestId(2);
+    return base::RequestId{2};
   }
   base::RequestId store(const std::string&, const std::string&, base::Duration) override {
     m_isChanged = true;
-    return base::RequestId(3);
+    return base::RequestId{3};
   }
   std::optional<opcua::Event> wait(base::Instant) override {
     if (m_events.empty()) {
