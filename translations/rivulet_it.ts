@@ -5505,6 +5505,57 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::DescribedMachineBox</name>
+    <message>
+        <source>Described by the server</source>
+        <translation>Descritta dal server</translation>
+    </message>
+    <message>
+        <source>What the server says of its machine by OPC 40001-1 (Machinery) and OPC 40501-1 (Machine Tools). It is read every 10 s, and not while a run is in progress.</source>
+        <translation>Ciò che il server dice della sua macchina secondo OPC 40001-1 (Machinery) e OPC 40501-1 (Machine Tools). Viene letto ogni 10 s, ma non durante un’esecuzione.</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Manufacturer</source>
+        <translation>Costruttore</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modello</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Numero di serie</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stato</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Lavoro</translation>
+    </message>
+    <message>
+        <source>%1 (first of %2)</source>
+        <translation>%1 (prima di %2)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs</source>
+        <translation>%1 esecuzioni su %2</translation>
+    </message>
+    <message>
+        <source>runs completed: %1</source>
+        <translation>esecuzioni concluse: %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::DiagnosticModel</name>
     <message>
         <source>Severity</source>

@@ -70,6 +70,7 @@ void MachineModel::showAges() {
   m_view.feedAgeS = m_feedRead.ageS(nowS);
   m_view.isFeedRare = m_feedRead.isRare(nowS);
   m_view.equipmentAgeS = m_equipmentAtS ? std::optional(nowS - *m_equipmentAtS) : std::nullopt;
+  m_view.describedAgeS = m_describedAtS ? std::optional(nowS - *m_describedAtS) : std::nullopt;
   m_view.stateAgeS = m_stateAtS ? std::optional(nowS - *m_stateAtS) : std::nullopt;
   if (m_view.executed) {
     m_view.executed->ageS = nowS - m_executedAtS;
@@ -238,6 +239,8 @@ void MachineModel::takeLink(const session::LinkChanged& change) {
     m_view.feedSetMmPerS.reset();
     m_view.overrideFactor.reset();
     m_stateAtS.reset();
+    m_view.described.reset();
+    m_describedAtS.reset();
   }
   if (m_logins != nullptr && isConnected()) {
     m_logins->remember(m_endpoint, m_login, m_control);
@@ -309,6 +312,10 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
   }
   if (seen.equipment) {
     showEquipment(*seen.equipment);
+  }
+  if (seen.described) {
+    m_view.described = seen.described;
+    m_describedAtS = m_clock();
   }
   m_stateAtS = m_clock();
   m_positionRead.take(*m_stateAtS, false);

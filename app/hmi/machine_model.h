@@ -142,6 +142,7 @@ class MachineModel final : public QObject {
   ReadTimes m_positionRead;
   ReadTimes m_feedRead;
   std::optional<double> m_equipmentAtS;
+  std::optional<double> m_describedAtS;
   std::optional<double> m_stateAtS;
   double m_executedAtS = 0.0;
 };

@@ -19,15 +19,16 @@
 #include "job/plan.h"
 #include "live/setup.h"
 #include "opcua/connection.h"
+#include "opcua/machinery.h"
 #include "opcua/rights.h"
 #include "report/run_store.h"
 #include "session/hazards.h"
 #include "streaming/calibration_record.h"
 #include "streaming/equipment_watch.h"
 #include "streaming/job_times.h"
-#include "trace/analysis/tool_use.h"
 #include "streaming/machine_facts.h"
 #include "streaming/run.h"
+#include "trace/analysis/tool_use.h"
 #include "trace/recording.h"
 
 namespace rivulet::session {
@@ -60,6 +61,8 @@ struct MachineSeen {
   std::optional<base::Vec3> toGoMm;
   base::RotaryDeg toGoDeg{};                          ///< with `toGoMm`
   std::optional<streaming::EquipmentSeen> equipment;  ///< nothing: not read this time
+  /// What the server describes; null: not read this time.
+  std::shared_ptr<const std::vector<opcua::DescribedMachine>> described;
 };
 
 /// Where a whole job is, beside its counters.
@@ -220,7 +223,6 @@ struct CommissionCommand {
 
 using SessionCommand =
     std::variant<std::monostate, ConnectCommand, DisconnectCommand, StartCommand, CalibrateCommand,
-                 CommissionCommand, ResumeQuestion, EndRunCommand, RightsCommand,
-                 ListenCommand>;
+                 CommissionCommand, ResumeQuestion, EndRunCommand, RightsCommand, ListenCommand>;
 
 }  // namespace rivulet::session

@@ -14,6 +14,7 @@
 #include "job/main_program.h"
 #include "live/error.h"
 #include "opcua/await.h"
+#include "opcua/machinery.h"
 #include "recorder/recording_file.h"
 #include "sources/open_source.h"
 #include "streaming/job_resume.h"
@@ -30,6 +31,8 @@ namespace {
 /// How often the control is read between runs.
 constexpr std::chrono::milliseconds kWatchInterval{250};
 constexpr std::chrono::seconds kWatchDeadline{2};
+/// How often what a server describes of its machines is read, which takes about twenty requests.
+constexpr std::chrono::seconds kDescriptionInterval{10};
 constexpr std::chrono::milliseconds kProgressInterval{50};
 /// How long the thread waits for room when the GUI is busy, per attempt.
 constexpr std::chrono::milliseconds kRoomInterval{2};
@@ -404,6 +407,7 @@ void SessionWorker::connect(const ConnectCommand& command) {
   m_watch = {};
   m_equipment = {};
   m_nextEquipment = {};
+  m_nextDescription = {};
   m_seen = {};
   m_looksForLeft = true;
   tell(LinkChanged{LinkState::Connected,
@@ -487,8 +491,27 @@ base::Result<void> SessionWorker::lookAtControl() {
   if (readsEquipment) {
     seen.equipment = m_equipment.take(std::span(*readings).subspan(firstEquipment));
   }
+  auto described = readDescription();
+  if (!described) {
+    return base::fail(described.error());
+  }
+  seen.described = *std::move(described);
   tellIfRoom(seen);
   return lookForRuns(seen.channelStatus != opcua::kChannelReset);
+}
+
+base::Result<SessionWorker::Described> SessionWorker::readDescription() {
+  if (m_connection.browser == nullptr || m_connection.link->now() < m_nextDescription) {
+    return Described();
+  }
+  auto machines = opcua::readMachines(*m_connection.browser);
+  m_nextDescription = m_connection.link->now() + kDescriptionInterval;
+  if (!machines) {
+    return machines.error().code == opcua::LinkError::ConnectionLost
+               ? base::Result<Described>(base::fail(machines.error()))
+               : Described();
+  }
+  return std::make_shared<const std::vector<opcua::DescribedMachine>>(*std::move(machines));
 }
 
 base::Result<void> SessionWorker::lookForRuns(bool isBusy) {

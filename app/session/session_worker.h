@@ -98,6 +98,9 @@ class SessionWorker {
   void watch();
   /// @return the error of the link, if it has one
   [[nodiscard]] base::Result<void> lookAtControl();
+  using Described = std::shared_ptr<const std::vector<opcua::DescribedMachine>>;
+  /// @return null: it is not time yet, or it could not be read; ConnectionLost
+  [[nodiscard]] base::Result<Described> readDescription();
   /// @param isBusy  a program is active
   [[nodiscard]] base::Result<void> lookForRuns(bool isBusy);
   /// What is known here about a run on the control.
@@ -126,10 +129,11 @@ class SessionWorker {
   streaming::ControlAxes m_axes;          // of the control at the other end
   streaming::EquipmentWatch m_equipment;  // of the control at the other end
   base::Instant m_nextEquipment{};
-  streaming::RunWatch m_watch;  // of the control at the other end
-  RunsSeen m_seen;              // as told last
-  bool m_looksForLeft = false;  // the store may have changed
-  std::string m_proven;         // text of the template proved last; streaming thread only
+  base::Instant m_nextDescription{};
+  streaming::RunWatch m_watch;      // of the control at the other end
+  RunsSeen m_seen;                  // as told last
+  bool m_looksForLeft = false;      // the store may have changed
+  std::string m_proven;             // text of the template proved last; streaming thread only
   opcua::ConnectRequest m_request;  // that `m_connection` was made for
   std::unique_ptr<live::Source> m_source;  // of live points; streaming thread only; null: none
   opcua::ServerIdentity m_server;

@@ -16,6 +16,7 @@
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/connection_state.h"
+#include "widgets/connection/described_machine_box.h"
 
 namespace rivulet::widgets {
 
@@ -30,6 +31,7 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
       m_protection(new StatusLabel(this)),
       m_control(new ControlFields(this)),
       m_login(new LoginFields(this)),
+      m_described(new DescribedMachineBox(this)),
       m_machineGroup(new QGroupBox(this)),
       m_channelLabel(new QLabel(this)),
       m_channel(new StatusLabel(this)),
@@ -47,6 +49,7 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(m_connectionGroup);
   layout->addWidget(m_machineGroup);
+  layout->addWidget(m_described);
   layout->addStretch();
 
   const auto request = [this] {
@@ -199,6 +202,7 @@ void ConnectionPanel::showMachine() {
   m_virtualBadge->setVisible(connected && m_machine.isVirtualMachine);
   m_virtualBadge->setStatus(Status::Simulated, tr("Virtual machine: no real axis moves"));
 
+  m_described->setMachineState(m_machine, connected);
   showChannel();
   const ProgramStatusText program = programStatusText(m_machine.programStatus);
   m_programStatus->setStatus(program.status, program.text);

@@ -22,6 +22,7 @@ class QPushButton;
 
 namespace rivulet::widgets {
 
+class DescribedMachineBox;
 class StatusLabel;
 
 class ConnectionPanel final : public Page {
@@ -79,6 +80,7 @@ class ConnectionPanel final : public Page {
   StatusLabel* m_protection;
   ControlFields* m_control;
   LoginFields* m_login;
+  DescribedMachineBox* m_described;
 
   QGroupBox* m_machineGroup;
   QLabel* m_channelLabel;

@@ -8,11 +8,17 @@
 
 #include <QString>
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/axes.h"
 #include "base/vec3.h"
 #include "streaming/equipment_watch.h"
+
+namespace rivulet::opcua {
+struct DescribedMachine;
+}
 
 namespace rivulet::widgets {
 
@@ -33,6 +39,10 @@ inline constexpr double kPlannedS = 1.2;
 /// Tool, spindle, coolant and work offset change seldom and are read once a second
 /// (`streaming::EquipmentWatch::kInterval`): up to this age they are shown as present.
 inline constexpr double kEquipmentFreshS = 1.5;
+
+/// What a server describes of its machines is read every 10 s: up to this age it is shown as
+/// present.
+inline constexpr double kDescribedFreshS = 15.0;
 
 [[nodiscard]] inline bool isFresh(std::optional<double> ageS) {
   return ageS && *ageS <= kFreshS;
@@ -75,10 +85,14 @@ struct MachineView {
   /// What the control serves of tool, spindle, coolant and work offset; nothing: never read.
   std::optional<streaming::EquipmentSeen> equipment;
 
+  /// What the server says of its machines by the companion specifications; null: never read.
+  std::shared_ptr<const std::vector<opcua::DescribedMachine>> described;
+
   /// How long ago each group was read, in s; nothing: never, or before the connection was lost.
   std::optional<double> positionAgeS;
   std::optional<double> feedAgeS;
   std::optional<double> equipmentAgeS;
+  std::optional<double> describedAgeS;
   std::optional<double> stateAgeS;  ///< channel, program, alarm
   /// The latest reads have come more than `kFreshS` apart, as often as the stream permits. It lasts
   /// from one read to the next, so that what is shown does not change with each of them.

@@ -13,6 +13,7 @@
 #include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
+#include "widgets/common/theme.h"
 #include "widgets/plots/time_window.h"
 
 namespace rivulet::widgets {

@@ -7,10 +7,13 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <algorithm>
+#include <memory>
+#include <vector>
 
 #include "base/units.h"
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
+#include "opcua/machinery.h"
 #include "support/test_program.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/theme.h"
@@ -81,6 +84,48 @@ class TestConnectionPanel : public QObject {
       QVERIFY2(text.contains(expected), expected);
     }
     QVERIFY(!isStruck(panel));
+  }
+
+  void showsWhatTheServerDescribes() {
+    test::Language language;
+    ConnectionPanel panel;
+    panel.setConnectionState(ConnectionState::Connected);
+    MachineView machine = test::runningMachine();
+    panel.setMachineState(machine);
+    QVERIFY(!test::visibleText(panel).contains("Described by the server"));
+    opcua::DescribedMachine described;
+    described.name = "Mill 7";
+    described.manufacturer = "Example Machines";
+    described.state = "Executing";
+    described.operationMode = "Processing";
+    described.job = "Order 12";
+    described.runsCompleted = 3;
+    described.runsPlanned = 8;
+    machine.described = std::make_shared<const std::vector<opcua::DescribedMachine>>(1, described);
+    machine.describedAgeS = 1.0;
+    panel.setMachineState(machine);
+    const QString text = test::visibleText(panel);
+    for (const char* expected : {"Described by the server", "Mill 7", "Example Machines",
+                                 "Executing, Processing", "Order 12, 3 of 8 runs"}) {
+      QVERIFY2(text.contains(expected), expected);
+    }
+    QVERIFY(!text.contains("Serial number"));
+    for (const bool isGerman : {false, true}) {
+      if (isGerman) {
+        language.german();
+      }
+      test::keep(test::picture(panel, {360, 760}),
+                 QString("described_machine_%1").arg(isGerman ? "de" : "en"));
+      const auto* box = panel.findChild<QWidget*>("describedMachine");
+      QCOMPARE(test::cutTexts(*box), QStringList());
+    }
+    language.english();
+    QVERIFY(!isStruck(panel));
+    machine.describedAgeS = 20.0;
+    panel.setMachineState(machine);
+    QVERIFY(isStruck(panel));
+    panel.setConnectionState(ConnectionState::Lost);
+    QVERIFY(!test::visibleText(panel).contains("Described by the server"));
   }
 
   void saysWhatIsNotKnown() {
