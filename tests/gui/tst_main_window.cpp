@@ -214,10 +214,14 @@ class TestMainWindow : public QObject {
     QTest::mouseRelease(start, Qt::LeftButton);
   }
 
+  /// First that of the run: a service on the board of machines has some with the same text.
   [[nodiscard]] QPushButton* button(const QString& text) const {
-    for (QPushButton* candidate : m_window->findChildren<QPushButton*>()) {
-      if (candidate->text() == text) {
-        return candidate;
+    for (const QWidget* place : std::initializer_list<const QWidget*>{
+             m_window->findChild<widgets::RunPanel*>(), m_window.get()}) {
+      for (QPushButton* candidate : place->findChildren<QPushButton*>()) {
+        if (candidate->text() == text) {
+          return candidate;
+        }
       }
     }
     return nullptr;

@@ -210,10 +210,7 @@ class TestOperator : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(window.lastUpdate().counters.executed >= 7, kSoonMs);
     users.lock();
     QVERIFY(window.isRunning());
-    QPushButton* stop = nullptr;
-    for (auto* button : window.findChildren<QPushButton*>()) {
-      stop = button->text() == QLatin1String("Stop") ? button : stop;
-    }
+    auto* stop = window.findChild<QPushButton*>(QStringLiteral("stop"));
     QVERIFY(stop != nullptr && stop->isEnabled());
     QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
     QVERIFY(window.grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/locked-running.png")));
