@@ -386,10 +386,5 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     result.outputArgumentsSize = outputs.size();
     bytes = tests::encoded(result, UA_TYPES_CALLMETHODRESULT);
   }
-  if (bytes.size() + 1 > sizeMax) {
-    return LLVMFuzzerMutate(data, size, sizeMax);
-  }
-  data[0] = static_cast<std::uint8_t>(what);
-  std::copy(bytes.begin(), bytes.end(), data + 1);
-  return bytes.size() + 1;
+  return tests::replacedBy(bytes, static_cast<std::uint8_t>(what), data, size, sizeMax);
 }

@@ -229,10 +229,5 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     request.methodsToCallSize = 1;
     encoded = tests::encoded(request, UA_TYPES_CALLREQUEST);
   }
-  if (encoded.size() + 1 > sizeMax) {
-    return LLVMFuzzerMutate(data, size, sizeMax);
-  }
-  data[0] = static_cast<std::uint8_t>(kind);
-  std::copy(encoded.begin(), encoded.end(), data + 1);
-  return encoded.size() + 1;
+  return tests::replacedBy(encoded, static_cast<std::uint8_t>(kind), data, size, sizeMax);
 }

@@ -59,6 +59,19 @@ template <class T>
   return text;
 }
 
+/// Puts a message in place of an input; one that does not fit is changed by the library instead.
+/// @param kind  the first byte  @return as of LLVMFuzzerCustomMutator
+[[nodiscard]] inline std::size_t replacedBy(const std::string& message, std::uint8_t kind,
+                                            std::uint8_t* data, std::size_t size,
+                                            std::size_t sizeMax) {
+  if (message.size() + 1 > sizeMax) {
+    return LLVMFuzzerMutate(data, size, sizeMax);
+  }
+  data[0] = kind;
+  std::copy(message.begin(), message.end(), data + 1);
+  return message.size() + 1;
+}
+
 /// Draws values. They belong to this object and must not be cleared.
 class Values {
  public:
