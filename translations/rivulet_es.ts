@@ -1997,18 +1997,6 @@
         </translation>
     </message>
     <message>
-        <source>Remove …</source>
-        <translation>Quitar…</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Quitar</translation>
-    </message>
-    <message>
-        <source>Keep it</source>
-        <translation>Conservar</translation>
-    </message>
-    <message>
         <source>limits</source>
         <translation>límites</translation>
     </message>
@@ -4640,6 +4628,21 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Audit</source>
         <translation>Auditoría</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::BoardCard</name>
+    <message>
+        <source>Remove …</source>
+        <translation>Quitar…</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Conservar</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
     </message>
 </context>
 <context>
@@ -9246,18 +9249,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Open</source>
         <translation>Abrir</translation>
-    </message>
-    <message>
-        <source>Remove …</source>
-        <translation>Quitar…</translation>
-    </message>
-    <message>
-        <source>Keep it</source>
-        <translation>Conservar</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Quitar</translation>
     </message>
     <message>
         <source>Remove this service from the board? It goes on with its work.</source>

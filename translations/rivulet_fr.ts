@@ -1997,18 +1997,6 @@
         </translation>
     </message>
     <message>
-        <source>Remove …</source>
-        <translation>Retirer…</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Retirer</translation>
-    </message>
-    <message>
-        <source>Keep it</source>
-        <translation>Conserver</translation>
-    </message>
-    <message>
         <source>limits</source>
         <translation>limites</translation>
     </message>
@@ -4640,6 +4628,21 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Audit</source>
         <translation>Audit</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::BoardCard</name>
+    <message>
+        <source>Remove …</source>
+        <translation>Retirer…</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Conserver</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
     </message>
 </context>
 <context>
@@ -9246,18 +9249,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Open</source>
         <translation>Ouvrir</translation>
-    </message>
-    <message>
-        <source>Remove …</source>
-        <translation>Retirer…</translation>
-    </message>
-    <message>
-        <source>Keep it</source>
-        <translation>Conserver</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Retirer</translation>
     </message>
     <message>
         <source>Remove this service from the board? It goes on with its work.</source>

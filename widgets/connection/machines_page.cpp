@@ -4,7 +4,6 @@
 #include "widgets/connection/machines_page.h"
 
 #include <QCoreApplication>
-#include <QFrame>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -19,6 +18,7 @@
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
+#include "widgets/connection/board_card.h"
 #include "widgets/connection/connection_state.h"
 #include "widgets/connection/service_card.h"
 #include "widgets/connection/service_panel.h"
@@ -34,64 +34,29 @@ constexpr int kCardGapPx = 12;
 }  // namespace
 
 /// One machine. Its button connects or opens it.
-class MachineCard final : public QFrame {
+class MachineCard final : public BoardCard {
   Q_DECLARE_TR_FUNCTIONS(MachineCard)
 
  public:
   explicit MachineCard(QWidget* parent)
-      : QFrame(parent),
-        m_name(new ElidedLabel(1, this)),
+      : BoardCard(QString(), parent),
         m_endpoint(new ElidedLabel(1, this)),
         m_link(new StatusLabel(this)),
         m_state(new StatusLabel(this)),
         m_program(new ElidedLabel(1, this)),
         m_progress(new QProgressBar(this)),
         m_alarms(new StatusLabel(this)),
-        m_lastRun(new QLabel(this)),
-        m_question(new QLabel(this)),
-        m_open(makeTouchButton(this)),
-        m_remove(makeTouchButton(this)),
-        m_confirm(makeTouchButton(this)),
-        m_keep(makeTouchButton(this)) {
-    setFrameShape(QFrame::StyledPanel);
-    setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base);
-    QFont font = m_name->font();
-    font.setBold(true);
-    font.setPointSizeF(font.pointSizeF() * 1.3);
-    m_name->setFont(font);
+        m_lastRun(new QLabel(this)) {
     m_lastRun->setWordWrap(true);
-    m_question->setWordWrap(true);
-    m_open->setObjectName(QStringLiteral("open"));
-    m_remove->setObjectName(QStringLiteral("remove"));
-    m_confirm->setObjectName(QStringLiteral("confirm-remove"));
-    m_keep->setObjectName(QStringLiteral("keep"));
-    m_progress->setRange(0, 1000);
-    auto* layout = new QVBoxLayout(this);
-    for (QWidget* row :
-         std::initializer_list<QWidget*>{m_name, m_endpoint, m_link, m_state, m_program, m_progress,
-                                         m_alarms, m_lastRun, m_question}) {
-      layout->addWidget(row);
-    }
-    layout->addStretch();
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(m_open, 1);
-    buttons->addWidget(m_remove);
-    buttons->addWidget(m_keep, 1);
-    buttons->addWidget(m_confirm);
-    layout->addLayout(buttons);
-    QObject::connect(m_remove, &QPushButton::clicked, this, [this] { ask(true); });
-    QObject::connect(m_keep, &QPushButton::clicked, this, [this] { ask(false); });
+    addRows({m_endpoint, m_link, m_state, m_program, m_progress, m_alarms, m_lastRun});
   }
 
-  [[nodiscard]] QPushButton* open() const { return m_open; }
-  [[nodiscard]] QPushButton* confirm() const { return m_confirm; }
   [[nodiscard]] const MachineCardView& view() const { return m_view; }
 
   void show(const MachineCardView& view, const QString& blocked) {
-    m_isAsking = m_isAsking && view.endpoint == m_view.endpoint && view.canRemove;
+    const bool isSame = view.endpoint == m_view.endpoint;
     m_view = view;
-    m_name->setText(view.name.isEmpty() ? view.endpoint : view.name);
+    name()->setText(view.name.isEmpty() ? view.endpoint : view.name);
     m_endpoint->setText(view.endpoint);
     m_endpoint->setVisible(!view.name.isEmpty());
     showLink();
@@ -102,34 +67,19 @@ class MachineCard final : public QFrame {
     m_program->setVisible(isConnected && !view.program.isEmpty());
     m_program->setText(view.program);
     m_progress->setVisible(isConnected && !view.program.isEmpty());
-    m_progress->setValue(static_cast<int>(1000.0 * view.progress));
-    m_progress->setFormat(percentText(view.progress));
+    showProgress(*m_progress, view.progress);
     m_alarms->setVisible(view.isPresent && view.alarms > 0);
     m_alarms->setStatus(Status::Fault, tr("%n alarms", nullptr, static_cast<int>(view.alarms)));
     m_lastRun->setText(lastRunText());
-    m_open->setText(isConnected ? tr("Open") : tr("Connect"));
-    m_open->setAccessibleName(m_open->text() + QLatin1Char(' ') + m_name->text());
-    m_open->setEnabled(blocked.isEmpty() || view.isPresent);
-    m_open->setToolTip(m_open->isEnabled() ? QString() : blocked);
-    m_remove->setText(tr("Remove …"));
-    m_remove->setAccessibleName(m_remove->text() + QLatin1Char(' ') + m_name->text());
-    m_confirm->setText(tr("Remove"));
-    m_keep->setText(tr("Keep it"));
-    showQuestion();
+    open()->setText(isConnected ? tr("Open") : tr("Connect"));
+    open()->setAccessibleName(open()->text() + QLatin1Char(' ') + name()->text());
+    open()->setEnabled(blocked.isEmpty() || view.isPresent);
+    open()->setToolTip(open()->isEnabled() ? QString() : blocked);
+    setRemoval(isSame, view.canRemove, questionText());
   }
 
  private:
-  static QString percentText(double share) {
-    return QStringLiteral("%1\u00A0%").arg(numberText(100.0 * share, 1));
-  }
-
-  void ask(bool isAsking) {
-    m_isAsking = isAsking;
-    showQuestion();
-    (isAsking ? m_keep : m_remove)->setFocus();
-  }
-
-  void showQuestion() {
+  [[nodiscard]] QString questionText() const {
     QStringList kept;
     if (m_view.hasLimits) {
       kept.append(tr("limits"));
@@ -140,16 +90,12 @@ class MachineCard final : public QFrame {
     if (m_view.hasCreditTest) {
       kept.append(tr("credit test"));
     }
-    m_question->setText(
-        tr("Remove this machine from the list? Its runs and recordings stay on the page Runs.") +
-        (kept.isEmpty() ? QString()
-                        : QLatin1Char(' ') + tr("Put aside as files, and not used any more: %1.")
-                                                 .arg(kept.join(QStringLiteral(", ")))));
-    m_question->setVisible(m_isAsking);
-    m_confirm->setVisible(m_isAsking);
-    m_keep->setVisible(m_isAsking);
-    m_open->setVisible(!m_isAsking);
-    m_remove->setVisible(!m_isAsking && m_view.canRemove);
+    const QString question =
+        tr("Remove this machine from the list? Its runs and recordings stay on the page Runs.");
+    return kept.isEmpty() ? question
+                          : question + QLatin1Char(' ') +
+                                tr("Put aside as files, and not used any more: %1.")
+                                    .arg(kept.join(QStringLiteral(", ")));
   }
 
   [[nodiscard]] QString lastRunText() const {
@@ -187,7 +133,6 @@ class MachineCard final : public QFrame {
   }
 
   MachineCardView m_view;
-  ElidedLabel* m_name;
   ElidedLabel* m_endpoint;
   StatusLabel* m_link;
   StatusLabel* m_state;
@@ -195,12 +140,6 @@ class MachineCard final : public QFrame {
   QProgressBar* m_progress;
   StatusLabel* m_alarms;
   QLabel* m_lastRun;
-  QLabel* m_question;
-  QPushButton* m_open;
-  QPushButton* m_remove;
-  QPushButton* m_confirm;
-  QPushButton* m_keep;
-  bool m_isAsking = false;
 };
 
 MachinesPage::MachinesPage(QWidget* parent)

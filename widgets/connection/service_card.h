@@ -6,19 +6,12 @@
 /// @threadsafety GUI thread.
 #pragma once
 
-#include <QFrame>
-
+#include "widgets/connection/board_card.h"
 #include "widgets/connection/service_view.h"
-
-class QLabel;
-class QProgressBar;
-class QPushButton;
 
 namespace rivulet::widgets {
 
-class ElidedLabel;
-
-class ServiceCard final : public QFrame {
+class ServiceCard final : public BoardCard {
   Q_OBJECT
 
  public:
@@ -35,11 +28,7 @@ class ServiceCard final : public QFrame {
   void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
-  void ask(bool isAsking);
-  void showQuestion();
-
   ServiceView m_view;
-  ElidedLabel* m_name;
   ElidedLabel* m_endpoint;
   StatusLabel* m_state;
   ElidedLabel* m_program;
@@ -47,12 +36,6 @@ class ServiceCard final : public QFrame {
   QLabel* m_points;
   StatusLabel* m_waiting;
   StatusLabel* m_alarm;
-  QLabel* m_question;
-  QPushButton* m_open;
-  QPushButton* m_remove;
-  QPushButton* m_keep;
-  QPushButton* m_confirm;
-  bool m_isAsking = false;
 };
 
 }  // namespace rivulet::widgets

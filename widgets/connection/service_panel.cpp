@@ -16,6 +16,7 @@
 #include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/theme.h"
+#include "widgets/connection/board_card.h"
 #include "widgets/connection/trust_sheet.h"
 #include "widgets/streaming/run_panel.h"
 
@@ -134,8 +135,8 @@ ServicePanel::ServicePanel(QWidget* parent)
   connect(m_stop, &QPushButton::clicked, this,
           [this] { Q_EMIT callRequested(QStringLiteral("Stop"), {}); });
   connect(m_hold, &QPushButton::clicked, this, [this] {
-    call(m_view.state == QLatin1String("holding") ? QStringLiteral("Resume")
-                                                  : QStringLiteral("Hold"));
+    call(m_view.isIn(streaming::RunState::Holding) ? QStringLiteral("Resume")
+                                                   : QStringLiteral("Hold"));
   });
   connect(m_resume, &QPushButton::clicked, this, [this] {
     drop();
@@ -342,7 +343,7 @@ void ServicePanel::showAll() {
 void ServicePanel::showFacts() {
   const bool hasProgram = m_view.isKnown() && !m_view.program.isEmpty();
   m_program->setText(m_view.program);
-  showServiceProgress(*m_progress, m_view);
+  showProgress(*m_progress, m_view.progress);
   const QString points = servicePointsText(m_view);
   m_points->setText(m_view.lateWindows == 0 ? points
                                             : points + QStringLiteral(", ") +
@@ -378,8 +379,8 @@ void ServicePanel::showFacts() {
 
 void ServicePanel::showButtons() {
   const bool isFree = m_view.isKnown() && m_asked.isEmpty();
-  const bool isHolding = m_view.state == QLatin1String("holding");
-  const bool canHold = isHolding || m_view.state == QLatin1String("running");
+  const bool isHolding = m_view.isIn(streaming::RunState::Holding);
+  const bool canHold = isHolding || m_view.isIn(streaming::RunState::Running);
   m_stop->setEnabled(m_view.link == ServiceLink::Silent || (m_view.isKnown() && m_view.isRunning));
   m_hold->setText(isHolding ? tr("Continue") : tr("Hold"));
   m_hold->setIcon(themedIcon(isHolding ? QStringLiteral("play") : QStringLiteral("hold"),

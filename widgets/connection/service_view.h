@@ -12,9 +12,8 @@
 #include <vector>
 
 #include "opcua/connection.h"
+#include "streaming/run.h"
 #include "widgets/common/status_label.h"
-
-class QProgressBar;
 
 namespace rivulet::widgets {
 
@@ -38,7 +37,7 @@ struct ServiceView {
   // As the service has told; empty unless `Connected`. Texts of the service are English.
   QString machine;  ///< address
   QString model;
-  QString state;  ///< Monitoring/State of docs/service.md
+  QString state;  ///< Monitoring/State of docs/service.md; of a run: streaming::runStateName
   QString waitingFor;
   QString program;
   QString alarm;
@@ -52,6 +51,7 @@ struct ServiceView {
   std::size_t lateWindows = 0;
   std::vector<double> positionMm;
 
+  [[nodiscard]] bool isIn(streaming::RunState run) const;
   [[nodiscard]] bool isKnown() const { return link == ServiceLink::Connected; }
   [[nodiscard]] QString title() const { return name.isEmpty() ? machineOrEndpoint() : name; }
 
@@ -67,6 +67,5 @@ struct ServiceStateText {
 [[nodiscard]] ServiceStateText serviceStateText(const ServiceView& view);
 /// "12 of 49 points, 1:20 min left".
 [[nodiscard]] QString servicePointsText(const ServiceView& view);
-void showServiceProgress(QProgressBar& bar, const ServiceView& view);
 
 }  // namespace rivulet::widgets
