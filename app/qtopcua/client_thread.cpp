@@ -20,10 +20,13 @@
 #include <clocale>
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
 #include <utility>
+
+#include "qtopcua/backend_gate.h"
 
 namespace rivulet::qtopcua {
 
@@ -80,6 +83,9 @@ std::unique_ptr<QOpcUaClient> makeClient() {
     return true;
   }();
   Q_UNUSED(isBound);
+  // All providers share one object of the plugin, and each deletes it when it ends.
+  static std::mutex oneAtATime;
+  const std::lock_guard lock(oneAtATime);
   QOpcUaProvider provider;
   return std::unique_ptr<QOpcUaClient>(
       provider.createClient(kBackend, {{QStringLiteral("clientIterateIntervalMs"), kIterateMs},
@@ -118,8 +124,11 @@ class ClientThread::Worker {
   void start();
   void open(const QString& endpoint, const QString& sessionName);
   void onState(QOpcUaClient::ClientState state);
+  void onConnected();
   void onError(QOpcUaClient::ClientError error);
   QOpcUaNode* object(const QString& id);
+  /// @param ask  hands a request to the client; false: it is not connected
+  void request(std::uint64_t number, std::function<bool()> ask);
   void end();
 
   template <class Condition>
@@ -144,6 +153,9 @@ class ClientThread::Worker {
 
   // Of the thread.
   std::unique_ptr<QOpcUaClient> client;
+  std::optional<BackendGate> gate{&context};
+  bool isInSignal = false;  ///< of the client, which must not end meanwhile
+  bool shallEnd = false;    ///< after it
   std::map<QString, std::unique_ptr<QOpcUaNode>> objects;
   std::uint64_t serial = 0;  ///< of the call in progress
 
@@ -154,7 +166,6 @@ class ClientThread::Worker {
   bool isConnected = false;
   bool hasFailed = false;
   bool isLost = false;
-  bool hasEnded = false;
 };
 
 void ClientThread::Worker::start() {
@@ -204,12 +215,31 @@ void ClientThread::Worker::open(const QString& endpoint, const QString& sessionN
   QOpcUaEndpointDescription description;
   description.setEndpointUrl(endpoint);
   description.setSecurityMode(QOpcUaEndpointDescription::None);
-  description.setSecurityPolicy(
-      QStringLiteral("http://opcfoundation.org/UA/SecurityPolicy#None"));
+  description.setSecurityPolicy(QStringLiteral("http://opcfoundation.org/UA/SecurityPolicy#None"));
   client->connectToEndpoint(description);
 }
 
+/// The client reads the list of namespaces by itself, right after this.
+void ClientThread::Worker::onConnected() {
+  isInSignal = true;
+  gate->find(*client);
+  const std::shared_ptr<void> held = gate->hold();
+  // A loss that the plugin has noticed meanwhile: then the client does not read.
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::MetaCall);
+  isInSignal = false;
+  post([held] { Q_UNUSED(held); });  // run, and forgotten, after the client has asked
+  if (shallEnd) {
+    post([this] { end(); });
+  }
+}
+
 void ClientThread::Worker::onState(QOpcUaClient::ClientState state) {
+  if (state == QOpcUaClient::Connected) {
+    onConnected();
+    if (client->state() != QOpcUaClient::Connected) {
+      return;
+    }
+  }
   {
     const std::lock_guard lock(mutex);
     if (state == QOpcUaClient::Connected) {
@@ -255,14 +285,24 @@ QOpcUaNode* ClientThread::Worker::object(const QString& id) {
   return objects.emplace(id, std::move(node)).first->second.get();
 }
 
+void ClientThread::Worker::request(std::uint64_t number, std::function<bool()> ask) {
+  gate->pass([this, number, ask = std::move(ask)] {
+    serial = number;
+    if (client == nullptr || !ask()) {
+      fail(UA_STATUSCODE_BADNOTCONNECTED);
+    }
+  });
+}
+
 void ClientThread::Worker::end() {
+  if (isInSignal) {
+    shallEnd = true;
+    return;
+  }
+  gate.reset();
   objects.clear();
   client.reset();
-  {
-    const std::lock_guard lock(mutex);
-    hasEnded = true;
-  }
-  changed.notify_all();
+  thread.quit();
 }
 
 ClientThread::ClientThread(const opcua::MonotonicClock& clock)
@@ -282,10 +322,7 @@ ClientThread::~ClientThread() {
   });
   worker->waitFor(deadline,
                   [worker] { return worker->isLost || worker->hasFailed || !worker->isConnected; });
-  worker->post([worker] {
-    worker->end();
-    worker->thread.quit();
-  });
+  worker->post([worker] { worker->end(); });
   worker->thread.wait();  // nothing blocks in it: the network is served by the backend's thread
 }
 
@@ -307,20 +344,14 @@ std::uint32_t ClientThread::connect(const QString& endpoint, const QString& sess
 void ClientThread::read(std::uint64_t serial, QList<QOpcUaReadItem> items) {
   Worker* const worker = m_worker.get();
   worker->post([worker, serial, items = std::move(items)] {
-    worker->serial = serial;
-    if (!worker->client->readNodeAttributes(items)) {
-      worker->fail(UA_STATUSCODE_BADNOTCONNECTED);
-    }
+    worker->request(serial, [worker, items] { return worker->client->readNodeAttributes(items); });
   });
 }
 
 void ClientThread::write(std::uint64_t serial, QList<QOpcUaWriteItem> items) {
   Worker* const worker = m_worker.get();
   worker->post([worker, serial, items = std::move(items)] {
-    worker->serial = serial;
-    if (!worker->client->writeNodeAttributes(items)) {
-      worker->fail(UA_STATUSCODE_BADNOTCONNECTED);
-    }
+    worker->request(serial, [worker, items] { return worker->client->writeNodeAttributes(items); });
   });
 }
 
@@ -328,11 +359,10 @@ void ClientThread::call(std::uint64_t serial, const QString& object, const QStri
                         QList<QOpcUa::TypedVariant> inputs) {
   Worker* const worker = m_worker.get();
   worker->post([worker, serial, object, method, inputs = std::move(inputs)] {
-    worker->serial = serial;
-    QOpcUaNode* const node = worker->object(object);
-    if (node == nullptr || !node->callMethod(method, inputs)) {
-      worker->fail(UA_STATUSCODE_BADNOTCONNECTED);
-    }
+    worker->request(serial, [worker, object, method, inputs] {
+      QOpcUaNode* const node = worker->object(object);
+      return node != nullptr && node->callMethod(method, inputs);
+    });
   });
 }
 
