@@ -18,7 +18,9 @@
 #include <thread>
 
 #include "network_scenario.h"
+#include "opcua/node_map.h"
 #include "support/chosen_link.h"
+#include "support/loopback_machine.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -144,6 +146,28 @@ class TestNetworkFaults : public QObject {
     }
   }
 
+  /// Some connections at the same time, each cut at another moment between two requests or during
+  /// one: nothing but a loss comes of it.
+  void cutConnectionsAreLost() {
+    constexpr std::uint64_t kThreads = 4;
+    constexpr std::uint64_t kCutsEach = 15;
+    std::atomic<std::uint64_t> lost{0};
+    std::vector<std::thread> threads;
+    for (std::uint64_t seed = 1; seed <= kThreads; ++seed) {
+      threads.emplace_back([&lost, seed] {
+        const tests::LoopbackMachine cell;
+        base::Random random(seed);
+        for (std::uint64_t i = 0; i < kCutsEach; ++i) {
+          lost += isLostWhenCut(cell, random) ? 1 : 0;
+        }
+      });
+    }
+    for (std::thread& thread : threads) {
+      thread.join();
+    }
+    QCOMPARE(lost.load(), kThreads * kCutsEach);
+  }
+
   /// Methods window and credit in turn, then the methods that cannot be resumed. Those of [P1]
   /// execute old points again when the client is late or gone, as published: that must be reported.
   /// Method file must wait. @see docs/methods.md
@@ -169,6 +193,35 @@ class TestNetworkFaults : public QObject {
   }
 
  private:
+  /// Asks until the connection is gone. @return it was reported as lost
+  static bool isLostWhenCut(const tests::LoopbackMachine& cell, base::Random& random) {
+    tests::FaultProxy proxy(cell.endpoint());
+    opcua::ConnectOptions options;
+    options.security = opcua::unencrypted();
+    options.endpoint = proxy.endpoint();
+    options.connectDeadline = 20s;
+    const auto link = tests::openChosen(options);
+    if (!link) {
+      return false;
+    }
+    tests::NetworkFault fault;
+    fault.kind = FaultKind::Cut;
+    fault.after = base::fromSeconds(0.02 * random.uniform());
+    proxy.begin(fault);
+    const std::vector<opcua::Variable> one{opcua::rParameter(1)};
+    for (;;) {
+      (*link)->read(one, 20s, opcua::Grouping::List);
+      const auto event = (*link)->wait((*link)->now() + 20s);
+      if (!event || event->kind != opcua::EventKind::ReadDone) {
+        return event && event->kind == opcua::EventKind::ConnectionLost;
+      }
+      if (const auto pause =
+              (*link)->wait((*link)->now() + base::fromSeconds(0.002 * random.uniform()))) {
+        return pause->kind == opcua::EventKind::ConnectionLost;
+      }
+    }
+  }
+
   static bool isResumable(MethodKind method) {
     return method == MethodKind::Window || method == MethodKind::Credit;
   }

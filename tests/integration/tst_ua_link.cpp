@@ -416,7 +416,7 @@ class TestUaLink : public QObject {
   void aLostConnectionStaysLost() {
     auto cell = std::make_unique<LoopbackMachine>();
     const std::string endpoint = cell->endpoint();
-    const auto link = cell->connect();
+    const auto link = tests::connectChosen(*cell);
     cell->stop();
     QCOMPARE(next(*link).kind, EventKind::ConnectionLost);
     LoopbackMachine::Options again;
