@@ -234,7 +234,10 @@ class TestNetworkFaults : public QObject {
     if (isResumable && !evidence.isWhole()) {
       return "not every point was executed once";
     }
-    if (!base::isPublished(scenario.method) && !motion.isFaultless()) {
+    // The text of a window's file has no check number; `isFaultless` below must see it.
+    const bool isUnchecked =
+        scenario.method == MethodKind::File && scenario.fault.kind == FaultKind::FlipRequest;
+    if (!base::isPublished(scenario.method) && !isUnchecked && !motion.isFaultless()) {
       return "the machine moved wrongly";
     }
     if (first.isFaultless() && !motion.isFaultless()) {
