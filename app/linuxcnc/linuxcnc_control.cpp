@@ -40,6 +40,11 @@ constexpr std::array kErrorKinds{1, 11};
 /// How long an error stays an alarm when no program is active any more: LinuxCNC only reports it,
 /// and starts the next program all the same.
 constexpr base::Duration kReportShown = std::chrono::seconds{2};
+/// LinuxCNC's task, which feeds the axes, waits for a processor 2 % of the time where nothing else
+/// runs. Above 50 % the axes were measured to stop and to leave the path.
+constexpr double kWaitedShareMax = 0.2;
+/// Less is no figure of the program, but of one moment.
+constexpr double kWaitedMinS = 0.5;
 /// `task_state` of a machine that is switched on.
 constexpr int kSwitchedOn = 4;
 
@@ -219,6 +224,8 @@ void LinuxCncControl::take(const std::string& line) {
       m_reported = number;
       m_reportedUntil = m_now + kReportShown;
     }
+  } else if (kind == "waited") {
+    takeWaited(numberOr0(rest));
   } else if (kind == "fatal") {
     fail({LinuxCncError::NotRunning, std::string(rest), {}});
   } else if (kind == "ready") {
@@ -331,6 +338,8 @@ void LinuxCncControl::takeState(std::string_view text) {
   if (isActive && !wasActive) {
     m_reported = 0;
     m_state.message.clear();
+    m_waitedBeforeS = m_waitedS;
+    m_activeSince = m_now;
     m_trace = {};
     m_trace.cycle = m_scale.cycle;
     m_trace.truncated = !m_hasState;  // it was active before we came
@@ -368,8 +377,27 @@ void LinuxCncControl::takeState(std::string_view text) {
   m_state.equipment.spindleCommandPerMin = numbers[SpindleSpeed];
   m_state.equipment.flood = numbers[Flood] != 0.0;
   m_state.equipment.mist = numbers[Mist] != 0.0;
-  m_programFile = text;
+  if (m_programFile != text) {
+    // The start of a program may be seen before its file.
+    m_programFile = text;
+    readMarks();
+  }
   m_state.programName = std::filesystem::path(text).filename().string();
+}
+
+/// Says it while the program runs and after it, unless LinuxCNC itself has something to say.
+void LinuxCncControl::takeWaited(double seconds) {
+  m_waitedS = seconds;
+  const double waitedS = m_waitedS - m_waitedBeforeS;
+  const double programS = base::toSeconds(m_now - m_activeSince);
+  if (m_state.channel == machine::ChannelStatus::Reset || waitedS < kWaitedMinS ||
+      waitedS < kWaitedShareMax * programS || (m_reported != 0 && !m_state.message.empty())) {
+    return;
+  }
+  m_state.message = fmt::format(
+      "LinuxCNC has waited {:.1f} s for a processor during this program, which stops the axes and "
+      "may take them off the path. End other programs on its computer or give LinuxCNC priority.",
+      waitedS);
 }
 
 void LinuxCncControl::takeSamples() {

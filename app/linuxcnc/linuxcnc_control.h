@@ -84,6 +84,7 @@ class LinuxCncControl final : public machine::ServedControl {
   void readMarks();
   void takeLine(std::size_t line);
   void takeState(std::string_view text);
+  void takeWaited(double seconds);
   void takeSamples();
   void fail(const base::Error& error);
   void tell(std::string_view line);
@@ -105,6 +106,9 @@ class LinuxCncControl final : public machine::ServedControl {
   bool m_isSwitchedOn = true;
   int m_reported = 0;  ///< kind of the error that LinuxCNC reported last
   base::Instant m_reportedUntil{};
+  double m_waitedS = 0.0;        ///< for a processor, since LinuxCNC was started
+  double m_waitedBeforeS = 0.0;  ///< the present program
+  base::Instant m_activeSince{};
   bool m_hasState = false;  ///< LinuxCNC has told its state
   std::vector<double> m_cells;
   std::vector<double> m_outputs;              ///< as last told; empty: not yet

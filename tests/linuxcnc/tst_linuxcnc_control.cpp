@@ -150,6 +150,25 @@ class TestLinuxCncControl : public QObject {
     QTRY_VERIFY(helper.heard().contains("set 17 4\n"));
   }
 
+  /// A program that was opened and started while the bridge had no processor: its start is seen
+  /// before its file.
+  void countsWindowsOfAFileSeenLate() {
+    Helper helper;
+    const auto made = LinuxCncControl::connect(helper.options());
+    QVERIFY(made);
+    LinuxCncControl& control = **made;
+    QVERIFY(control.storeProgram(
+        "PART.MPF", "G90\nG1 X1 ;window 0\nG1 X2 ;window 1\nG1 X3 ;window 2\nM2\n", false));
+    QVERIFY(helper.say(control, "out 1.0 0.0 0.0 77.0 0.0 0.0 10.0\n",
+                       [&] { return control.rParameter(14) == 77.0; }));
+    QByteArray seen = state(2, 2, 0.0, 0.0);
+    seen.replace("/tmp", QByteArray::fromStdString(helper.options().programs.string()));
+    QVERIFY(helper.say(control, "out 2.0 0.0 0.0 0.0 0.0 0.0 10.0\n" + seen + "line 3\n",
+                       [&] { return control.state().line == 2; }));
+    QCOMPARE(control.rParameter(12), 2.0);  // begun
+    QCOMPARE(control.rParameter(13), 1.0);  // executed
+  }
+
   void stateOfTheProgram() {
     Helper helper;
     const auto made = LinuxCncControl::connect(helper.options());
@@ -176,6 +195,33 @@ class TestLinuxCncControl : public QObject {
     QVERIFY(!control.state().message.empty());
     QVERIFY(helper.say(control, "state 2" + state(1, 0, 30.0, 10.0).mid(7),
                        [&] { return control.state().alarm == 1; }));
+  }
+
+  void saysThatLinuxCncGetsNoProcessor() {
+    Helper helper;
+    const auto made = LinuxCncControl::connect(helper.options());
+    QVERIFY(made);
+    LinuxCncControl& control = **made;
+    // What it waited before the program does not count.
+    QVERIFY(helper.say(control, "waited 90.0\n" + state(2, 7, 0.0, 0.0) + "waited 90.4\n",
+                       [&] { return control.state().line == 7; }));
+    QVERIFY(control.state().message.empty());
+    QVERIFY(helper.say(control, "waited 91.5\n", [&] { return !control.state().message.empty(); }));
+    QVERIFY(control.state().message.find("waited 1.5 s") != std::string::npos);
+    QCOMPARE(control.state().alarm, 0);
+    // Little of a long program.
+    QVERIFY(helper.say(control, state(1, 0, 0.0, 0.0) + state(2, 8, 0.0, 0.0),
+                       [&] { return control.state().line == 8; }));
+    control.advance(control.now() + std::chrono::seconds{30});
+    QVERIFY(helper.say(control, "waited 95.5\n" + state(2, 9, 0.0, 0.0),
+                       [&] { return control.state().line == 9; }));
+    QVERIFY(control.state().message.empty());
+    QVERIFY(helper.say(control, "waited 99.5\n", [&] { return !control.state().message.empty(); }));
+    // LinuxCNC's own message is more important.
+    QVERIFY(helper.say(control, "error 11 joint 0 following error\nwaited 110.0\n",
+                       [&] { return control.state().alarm == 11; }));
+    QCOMPARE(QString::fromStdString(control.state().message),
+             QStringLiteral("joint 0 following error"));
   }
 
   void programs() {
