@@ -210,7 +210,8 @@ void print(const streaming::RunReport& report, const CalibrationChoice& calibrat
                report.integrity.skipped, report.integrity.foreign);
   } else {
     fmt::print(" (not judged: {})",
-               report.controlTrace ? "longer than the control's trace" : "no trace of the control");
+               report.controlTrace ? "the control's trace is too short or has gaps"
+                                   : "no trace of the control");
   }
   base::Duration paused{};
   for (const trace::Pause& pause : report.pauses) {

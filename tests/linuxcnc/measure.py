@@ -360,7 +360,7 @@ def main():
             % (datetime.date.today(), version()),
             "Linux %s without real time, %d processors"
             % (platform.release().split("-")[0], os.cpu_count()),
-            "(load by other programs at the start: %.1f; LinuxCNC had the priority of `nice -n -10` if started as root)."
+            "(load by other programs at the start: %.1f; LinuxCNC had the class SCHED_RR if started as root)."
             % os.getloadavg()[0],
             "All times and places are set points of LinuxCNC's own `halsampler`, one line per servo cycle of 1 ms. The machine",
             "is that of `examples/linuxcnc`: 200 mm/s, 1000 mm/s², no limit of the jerk, task cycle 1 ms.",
