@@ -11,7 +11,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -286,9 +288,11 @@ class Reader {
     row.unit = attributeText(dataset, "unit");
     row.unit = row.unit.empty() ? attributeText(dataset, "units") : row.unit;
     row.count = shape->count;
-    const std::size_t whole =
-        m_isCut ? wholeValues(dataset, layout, *shape, type.id()) : shape->count;
-    const bool isWhole = readValues(dataset, space.id(), creation.id(), *shape, whole, row.values);
+    const std::size_t whole = m_isCut || layout == H5D_COMPACT
+                                  ? wholeValues(dataset, layout, *shape, type.id())
+                                  : shape->count;
+    const ChunkSizes chunks(creation.id(), type.id(), *shape);
+    const bool isWhole = readValues(dataset, space.id(), chunks, *shape, whole, row.values);
     if (!isWhole) {
       noteDamaged(folder, name);
     }
@@ -331,6 +335,11 @@ class Reader {
     return shape;
   }
 
+  /// In the header of the dataset. The library does not compare their number with the shape.
+  static std::size_t storedValues(hid_t dataset, hid_t type) {
+    return H5Dget_storage_size(dataset) / H5Tget_size(type);
+  }
+
   /// How many values lie before the end of a file that was cut off.
   std::size_t wholeValues(hid_t dataset, H5D_layout_t layout, const Shape& shape, hid_t type) {
     const std::uint64_t end = m_bytes.size();
@@ -343,7 +352,7 @@ class Reader {
       return std::min<std::size_t>(shape.count, there);
     }
     if (layout != H5D_CHUNKED) {
-      return shape.count;  // in the header, which was read
+      return std::min(shape.count, storedValues(dataset, type));
     }
     const Handle all(H5Dget_space(dataset), H5Sclose);
     hsize_t chunks = 0;
@@ -366,14 +375,56 @@ class Reader {
     return whole;
   }
 
+  /// Of the chunks of a dataset. The library reads one of another size beyond its end.
+  class ChunkSizes {
+   public:
+    ChunkSizes(hid_t creation, hid_t type, const Shape& shape)
+        : m_axis(shape.axis), m_sizes(shape.sizes.size()) {
+      if (H5Pget_layout(creation) == H5D_CHUNKED &&
+          H5Pget_chunk(creation, static_cast<int>(m_sizes.size()), m_sizes.data()) > 0) {
+        m_values = m_sizes[m_axis];
+        m_bytes = std::accumulate(m_sizes.begin(), m_sizes.end(), hsize_t{H5Tget_size(type)},
+                                  std::multiplies<>());
+        m_isFiltered = H5Pget_nfilters(creation) > 0;
+      }
+    }
+
+    /// Values in one along the axis; 0: there are no chunks.
+    [[nodiscard]] std::size_t values() const { return m_values; }
+    /// Whether all that hold these values have the size that they should have. What a filter makes
+    /// of one is not known before it is read.
+    [[nodiscard]] bool areRight(hid_t dataset, std::size_t at, std::size_t count) const {
+      std::vector<hsize_t> first(m_sizes.size(), 0);
+      for (std::size_t i = at; m_values > 0 && i < at + count; i += m_values) {
+        first[m_axis] = i / m_values * m_values;
+        unsigned mask = 0;
+        haddr_t begin = HADDR_UNDEF;
+        hsize_t size = 0;
+        if (H5Dget_chunk_info_by_coord(dataset, first.data(), &mask, &begin, &size) < 0) {
+          return false;
+        }
+        const bool isFiltered = m_isFiltered && mask == 0;
+        if (begin != HADDR_UNDEF && !isFiltered && size != m_bytes) {
+          return false;
+        }
+      }
+      return true;
+    }
+
+   private:
+    std::size_t m_axis;
+    std::vector<hsize_t> m_sizes;
+    std::size_t m_values = 0;
+    hsize_t m_bytes = 0;
+    bool m_isFiltered = false;
+  };
+
   /// Piece by piece, so that a damaged one costs no other. @return false if one is damaged
-  static bool readValues(hid_t dataset, hid_t space, hid_t creation, const Shape& shape,
+  static bool readValues(hid_t dataset, hid_t space, const ChunkSizes& chunks, const Shape& shape,
                          std::size_t count, std::vector<double>& values) {
     std::size_t piece = count;
-    if (H5Pget_layout(creation) == H5D_CHUNKED) {
-      std::vector<hsize_t> chunk(shape.sizes.size());
-      H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data());
-      piece = std::clamp<std::size_t>(chunk[shape.axis], 1, std::max<std::size_t>(count, 1));
+    if (chunks.values() > 0) {
+      piece = std::clamp<std::size_t>(chunks.values(), 1, std::max<std::size_t>(count, 1));
       piece *= std::max<std::size_t>(1, kChunk / piece);
     }
     bool isWhole = true;
@@ -386,6 +437,7 @@ class Reader {
       size[shape.axis] = std::min(piece, count - at);
       const Handle memory = made(H5Screate_simple(1, &size[shape.axis], nullptr), H5Sclose);
       const bool isRead =
+          chunks.areRight(dataset, at, size[shape.axis]) &&
           H5Sselect_hyperslab(space, H5S_SELECT_SET, from.data(), nullptr, size.data(), nullptr) >=
               0 &&
           H5Dread(dataset, H5T_NATIVE_DOUBLE, memory.id(), space, H5P_DEFAULT, &values[at]) >= 0;
@@ -465,11 +517,26 @@ class Reader {
   }
 
   static std::optional<std::size_t> countOf(const Handle& dataset) {
-    const Handle space(dataset.ok() ? H5Dget_space(dataset.id()) : -1, H5Sclose);
-    const hssize_t count = space.ok() ? H5Sget_simple_extent_npoints(space.id()) : -1;
-    constexpr hssize_t kEventsMax = 10'000'000;
-    return count >= 0 && count <= kEventsMax ? std::optional(static_cast<std::size_t>(count))
-                                             : std::nullopt;
+    if (!dataset.ok()) {
+      return std::nullopt;
+    }
+    const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+    const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+    const Handle creation(H5Dget_create_plist(dataset.id()), H5Pclose);
+    if (!type.ok() || !space.ok() || !creation.ok()) {
+      return std::nullopt;
+    }
+    constexpr std::size_t kEventsMax = 10'000'000;
+    const auto shape = shapeOf(space.id());
+    if (!shape || shape->count > kEventsMax) {
+      return std::nullopt;
+    }
+    const bool isCompact = H5Pget_layout(creation.id()) == H5D_COMPACT;
+    const std::size_t there = isCompact ? storedValues(dataset.id(), type.id()) : shape->count;
+    return there >= shape->count && ChunkSizes(creation.id(), type.id(), *shape)
+                                        .areRight(dataset.id(), 0, shape->count)
+               ? std::optional(shape->count)
+               : std::nullopt;
   }
 
   static std::string pathOf(const std::string& folder, const std::string& name) {
