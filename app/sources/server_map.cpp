@@ -73,12 +73,13 @@ class MapReader {
       return;
     }
     for (const auto& [key, value] : *section) {
+      const std::string_view variable = key.str();
       const auto* const found = std::find_if(
-          known.begin(), known.end(), [&](const auto& one) { return one.first == key.str(); });
+          known.begin(), known.end(), [&](const auto& one) { return one.first == variable; });
       if (found == known.end()) {
-        m_reader.unknown(value, key.str(), name);
+        m_reader.unknown(value, variable, name);
       } else {
-        m_reader.takeText(key.str(), value, m_map.request.nodes[found->second]);
+        m_reader.takeText(variable, value, m_map.request.nodes[found->second]);
       }
     }
   }

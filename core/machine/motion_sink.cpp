@@ -60,7 +60,7 @@ void MotionSink::spaceArc(const nc::Position& from, const nc::SpaceArc& arc, bas
 
 void MotionSink::spline(const nc::Position& /*from*/, const nc::Spline& /*spline*/,
                         const nc::Move& /*move*/) {
-  RIVULET_ASSERT(!"no word of this machine begins a spline");
+  RIVULET_ASSERT(false && "no word of this machine begins a spline");
 }
 
 void MotionSink::machineWord(nc::MachineWord kind, double value, base::LineNumber line) {

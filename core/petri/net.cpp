@@ -34,7 +34,7 @@ std::size_t Net::offsetOf(ColourId colour, const std::string& field) const {
       return candidate.offset;
     }
   }
-  RIVULET_ASSERT(!"the record has the field");
+  RIVULET_ASSERT(false && "the record has the field");
   return 0;
 }
 

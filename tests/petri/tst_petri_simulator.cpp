@@ -198,7 +198,7 @@ out = { a = "n + 1 @+ uniform(1, 9)" }
   /// Who asks what fires next gets the run of who does not, also where it is drawn.
   void whatFiresNextIsKnown() {
     const auto net = petri::loadNet("p3", {{"processors", 2}});
-    for (const std::uint64_t seed : {0, 3}) {
+    for (const std::uint64_t seed : {0U, 3U}) {
       petri::Simulator asked(*net, seed);
       std::optional<std::size_t> fired;
       asked.setWatcher([&](std::size_t transition, petri::Word /*time*/) { fired = transition; });

@@ -112,7 +112,7 @@ class TestPolicies : public QObject {
   /// more (docs/parallel.md).
   void oursBeatThoseOfThePaper() {
     for (const int processors : {1, 2, 5}) {
-      for (const std::uint64_t seed : {0, 1, 2, 3}) {
+      for (const std::uint64_t seed : {0U, 1U, 2U, 3U}) {
         const auto score = [&](PolicyKind policy) {
           return pipeline::scorePolicy(policy, {processors, 10ms, 1ms, seed}, 30s);
         };

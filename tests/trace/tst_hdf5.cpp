@@ -367,7 +367,7 @@ class TestHdf5 : public QObject {
     std::size_t read = 0;
     std::size_t refused = 0;
     std::size_t kept = 0;
-    for (int part = 1; part < 40; ++part) {
+    for (std::size_t part = 1; part < 40; ++part) {
       const auto content = readHdf5(std::string_view(bytes).substr(0, bytes.size() * part / 40));
       if (!content) {
         ++refused;

@@ -150,7 +150,7 @@ QGroupBox* LiveDialog::makeBox() {
   grid->addWidget(new QLabel(tr("from"), group), 0, 1);
   grid->addWidget(new QLabel(tr("to"), group), 0, 2);
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const QString name(QLatin1Char(base::kAxisNames[axis]));
+    const QString name{QLatin1Char(base::kAxisNames[axis])};
     const int row = static_cast<int>(axis) + 1;
     grid->addWidget(new QLabel(name, group), row, 0);
     for (const bool isLowest : {true, false}) {
@@ -205,7 +205,7 @@ QGroupBox* LiveDialog::makeAgreed() {
            tr("Largest turn of a rotary axis between two points"));
   auto* axes = new QHBoxLayout;
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    const QString name(QLatin1Char(base::kRotaryAxisNames[axis]));
+    const QString name{QLatin1Char(base::kRotaryAxisNames[axis])};
     m_rotary[axis] = new QCheckBox(name, group);
     m_rotary[axis]->setObjectName(QStringLiteral("live-axis-") + name.toLower());
     m_rotary[axis]->setMinimumHeight(kTouchHeightPx);
