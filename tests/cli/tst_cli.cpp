@@ -455,8 +455,9 @@ class TestCli : public QObject {
         run(words("calibrate --simulate --preset dmu75-arrays --first-cell 10 --last-cell 60 "
                   "--shots 20 --json"));
     QCOMPARE(measured.exit, 0);
-    QCOMPARE(measured.parsed()["best_form"].get<std::string>(), std::string("array-count"));
-    for (const auto& fit : measured.parsed()["fits"]) {
+    const nlohmann::json result = measured.parsed();
+    QCOMPARE(result["best_form"].get<std::string>(), std::string("array-count"));
+    for (const auto& fit : result["fits"]) {
       const double node = fit["node_ms"].get<double>();
       const bool isArray = fit["form"].get<std::string>().substr(0, 5) == "array";
       QVERIFY2(isArray ? std::abs(node) < 0.2 : node > 4.0, std::to_string(node).c_str());
