@@ -460,10 +460,8 @@ void JobCommand::print(const streaming::WholeJobReport& done) const {
                                        : "no trace of the control");
   }
   fmt::print("measured: {}\n", report::describe(done.times));
-  if (done.controlTrace) {
-    for (const trace::ToolUse& use : trace::toolUses(*done.controlTrace)) {
-      fmt::print("  {}\n", report::describe(use));
-    }
+  for (const trace::ToolUse& use : done.tools) {
+    fmt::print("  {}\n", report::describe(use));
   }
 }
 

@@ -118,7 +118,7 @@ ordered_json wholeJobJson(const job::Plan& plan, const streaming::WholeJobReport
                     {"runs", runs},
                     {"parts", parts}};
   if (report.controlTrace) {
-    json["tools"] = toolsJson(trace::toolUses(*report.controlTrace));
+    json["tools"] = toolsJson(report.tools);
   }
   json["judged"] = report.integrity.judged;
   if (report.integrity.judged) {

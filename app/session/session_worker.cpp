@@ -757,8 +757,7 @@ SessionWorker::Done SessionWorker::runWholeJob(const StartCommand& command,
     keeper->finish(completed);
   }
   return {sink.reportOf(job, settings), job.times,
-          job.controlTrace ? trace::toolUses(*job.controlTrace) : std::vector<trace::ToolUse>(),
-          file.finish()};
+          job.tools, file.finish()};
 }
 
 void SessionWorker::listen(const std::string& address) {

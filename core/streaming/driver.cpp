@@ -48,7 +48,6 @@ constexpr int kSlackFactor = 2;
 
 /// The control's trace is fetched this often, where the stream leaves time; else later, but before
 /// a piece is full.
-constexpr Duration kTraceInterval = std::chrono::seconds{2};
 constexpr Duration kTraceOverdue = std::chrono::seconds{8};
 /// Variables that can be read in the time of a piece of the trace.
 constexpr int kTraceNodes = 3;

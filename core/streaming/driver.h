@@ -80,7 +80,7 @@ class Driver {
   /// wrong motion are.
   void watchPath(PathWatch path) { m_path = std::move(path); }
   /// Fetches the control's own trace while the stream has slack, if the control gives it in pieces.
-  void watchTrace(RunTrace& trace) { m_trace = &trace; }
+  void watchTrace(TraceTaker& trace) { m_trace = &trace; }
   /// The points arrive during the run; the method takes them from here, too.
   void watchSource(live::PointStream& source) { m_source = &source; }
   /// Rotary axes to be shown beside X, Y and Z. @param axisOf  see `ControlAxes`
@@ -198,7 +198,7 @@ class Driver {
   trace::StandstillByPosition m_standstill;
   std::optional<PathWatch> m_path;
   live::PointStream* m_source = nullptr;
-  RunTrace* m_trace = nullptr;
+  TraceTaker* m_trace = nullptr;
   std::optional<base::RequestId> m_tracePending;
   base::Instant m_nextTrace{};
   std::deque<trace::Pause> m_inferred;  // waiting for a measurement to take their place

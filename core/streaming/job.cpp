@@ -420,6 +420,8 @@ class Job {
                       source() != nullptr ? trace::PointsOfRun::Growing : trace::PointsOfRun::Known,
                       m_recorder.writer);
       driver.watchTrace(*m_trace);
+    } else if (m_recorder.trace != nullptr) {
+      driver.watchTrace(*m_recorder.trace);
     }
     const bool isByPosition = m_settings.parameters.method == base::MethodKind::Position;
     driver.watchPath({m_flight.points.points,
@@ -517,20 +519,22 @@ class Job {
       return;
     }
     publish(m_report.outcome == Outcome::Stopped ? RunState::Stopping : RunState::Running, "trace");
-    bool isLast = false;
-    while (!isLast) {
-      const Result<trace::TracePiece> piece = m_control.fetchTracePiece(m_trace->position());
-      if (!piece) {
-        m_ledger.note(
-            {m_link.now(), "the control's trace could not be fetched: " + piece.error().text()});
-        return;
-      }
-      m_trace->take(*piece);
-      isLast = piece->isLast;
+    if (const Result<void> fetched = fetchRest(m_control, *m_trace); !fetched) {
+      m_ledger.note(
+          {m_link.now(), "the control's trace could not be fetched: " + fetched.error().text()});
+      return;
     }
-    if (!m_trace->finish(m_report)) {
+    TraceFindings found = m_trace->finish();
+    m_report.integrity = std::move(found.integrity);
+    m_report.controlTrace = std::move(found.kept);
+    if (!found.isWhole) {
       // Its pauses and its time are those of a part of the run.
       m_ledger.note({m_link.now(), "the control's trace is incomplete: the run is not judged"});
+      return;
+    }
+    m_report.pauses = std::move(found.pauses);
+    if (found.duration > Duration{}) {
+      m_report.duration = found.duration;
     }
   }
 

@@ -53,11 +53,13 @@ class CheckpointKeeper {
                                   std::span<const gcode::StreamPoint> points) = 0;
 };
 
-/// Where a job writes its recording and its checkpoint; both may be null.
+/// Where a job writes its recording and its checkpoint; all may be null.
 struct JobRecorder {
   trace::RecordingWriter* writer = nullptr;
   trace::RunStart start;  ///< tool version, endpoint and time; the rest is completed
   CheckpointKeeper* keeper = nullptr;
+  /// Takes the trace while the run lasts if the control keeps none of this run alone; null: nobody.
+  TraceTaker* trace = nullptr;
 };
 
 /// Runs the whole job. Always returns a report; its error says why the job failed.

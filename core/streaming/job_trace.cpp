@@ -4,58 +4,96 @@
 #include "streaming/job_trace.h"
 
 #include <algorithm>
-
-#include "trace/analysis/pauses.h"
+#include <utility>
 
 namespace rivulet::streaming {
-
-namespace {
 
 using trace::ControlEvent;
 using trace::ControlTrace;
 using trace::ExecutedBlock;
 using trace::Pause;
 
-bool isStreamed(const ExecutedBlock& block, const templates::JobLoop& loop) {
-  return std::binary_search(loop.motionLines.begin(), loop.motionLines.end(), block.line.value);
-}
+namespace {
 
 /// The control is busy with its own blocks, or waits for the client between two stretches.
 bool isBetween(const ControlEvent& event, const templates::JobLoop& loop) {
   return event.kind != ControlEvent::Kind::Dwell || event.line.value == loop.handoverLine;
 }
 
-}  // namespace
-
-ControlTrace streamedTrace(const ControlTrace& trace, const templates::JobLoop& loop) {
-  ControlTrace streamed = trace;
-  streamed.blocks.erase(
-      std::remove_if(streamed.blocks.begin(), streamed.blocks.end(),
-                     [&loop](const ExecutedBlock& block) { return !isStreamed(block, loop); }),
-      streamed.blocks.end());
-  return streamed;
+base::Instant endOf(const Pause& pause) {
+  return pause.start + pause.duration;
 }
 
-std::vector<Pause> pausesInStretches(const ControlTrace& trace, const templates::JobLoop& loop) {
-  std::vector<ExecutedBlock> moves;
-  std::copy_if(trace.blocks.begin(), trace.blocks.end(), std::back_inserter(moves),
-               [](const ExecutedBlock& block) { return block.moves(); });
-  std::vector<Pause> pauses = trace::findPauses(trace);
-  const auto isOfControl = [&](const Pause& pause) {
-    const base::Instant end = pause.start + pause.duration;
-    const auto after = std::upper_bound(
-        moves.begin(), moves.end(), end,
-        [](base::Instant at, const ExecutedBlock& block) { return at < block.to; });
-    if (after == moves.begin() || after == moves.end() || !isStreamed(*after, loop) ||
-        !isStreamed(*std::prev(after), loop)) {
-      return true;
+}  // namespace
+
+bool isStreamed(const ExecutedBlock& block, const templates::JobLoop& loop) {
+  return std::binary_search(loop.motionLines.begin(), loop.motionLines.end(), block.line.value);
+}
+
+void StretchPauses::add(const ControlTrace& piece) {
+  for (const ExecutedBlock& block : piece.blocks) {
+    if (block.moves()) {
+      m_moves.push_back({block.to, isStreamed(block, m_loop)});
     }
-    return std::any_of(trace.events.begin(), trace.events.end(), [&](const ControlEvent& event) {
-      return isBetween(event, loop) && event.from <= end && event.to >= pause.start;
-    });
+  }
+  for (const trace::ControlSample& sample : piece.samples) {
+    m_latest = sample.at;
+    if (const std::optional<Pause> pause = m_finder.add(sample)) {
+      m_open.push_back(*pause);
+    }
+  }
+  std::copy_if(piece.events.begin(), piece.events.end(), std::back_inserter(m_between),
+               [this](const ControlEvent& event) { return isBetween(event, m_loop); });
+  settle();
+}
+
+/// A pause lies between the last move that ended before its end and the first that ends after it.
+void StretchPauses::settle() {
+  const auto dropMovesBefore = [this](base::Instant at) {
+    while (m_moves.size() > 1 && m_moves[1].to <= at) {
+      m_moves.pop_front();
+    }
   };
-  pauses.erase(std::remove_if(pauses.begin(), pauses.end(), isOfControl), pauses.end());
-  return pauses;
+  while (!m_open.empty()) {
+    const base::Instant end = endOf(m_open.front());
+    dropMovesBefore(end);
+    if (m_moves.empty() || m_moves.back().to <= end) {
+      return;  // the next move is not known yet
+    }
+    if (m_moves.front().to <= end && m_moves[0].isStreamed && m_moves[1].isStreamed) {
+      m_within.push_back(m_open.front());
+    }
+    m_open.pop_front();
+  }
+  dropMovesBefore(m_latest);  // a pause that is found later ends later
+}
+
+std::vector<Pause> StretchPauses::finish() {
+  std::erase_if(m_within, [this](const Pause& pause) {
+    return std::any_of(m_between.begin(), m_between.end(), [&pause](const ControlEvent& event) {
+      return event.from <= endOf(pause) && event.to >= pause.start;
+    });
+  });
+  return std::move(m_within);
+}
+
+JobTrace::JobTrace(const std::vector<gcode::StreamPoint>& points, const templates::JobLoop& loop,
+                   trace::RecordingWriter* writer)
+    : m_run(points, loop.cells.rotaryAxes, trace::PointsOfRun::Growing, writer,
+            [&loop](const ExecutedBlock& block) { return isStreamed(block, loop); }),
+      m_pauses(loop) {
+}
+
+void JobTrace::take(const trace::TracePiece& piece) {
+  m_run.take(piece);
+  m_pauses.add(piece.records);
+  m_tools.add(piece.records);
+}
+
+TraceFindings JobTrace::finish() {
+  TraceFindings found = m_run.finish();
+  found.pauses = m_pauses.finish();
+  return found;
 }
 
 }  // namespace rivulet::streaming

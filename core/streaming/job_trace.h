@@ -3,26 +3,72 @@
 
 /// @file
 /// What the control's own trace of a whole job says of its stretches. The main program never moves
-/// in a line in which the loop moves, so the line of a block tells who moved. @threadsafety pure.
+/// in a line in which the loop moves, so the line of a block tells who moved. It is taken in pieces
+/// like that of a run. @threadsafety one thread: that of the job.
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "gcode/trajectory.h"
+#include "streaming/run_trace.h"
 #include "templates/job_loop.h"
-#include "trace/analysis/integrity.h"
+#include "trace/analysis/tool_use.h"
 #include "trace/control_trace.h"
 #include "trace/pause.h"
 
 namespace rivulet::streaming {
 
-/// The trace with the streamed blocks alone: what the control did between them is in its samples
-/// and events.
-[[nodiscard]] trace::ControlTrace streamedTrace(const trace::ControlTrace& trace,
-                                                const templates::JobLoop& loop);
+/// Whether the loop moved, and not the main program.
+[[nodiscard]] bool isStreamed(const trace::ExecutedBlock& block, const templates::JobLoop& loop);
 
-/// Standstills within stretches, not those of native blocks and of the change between the two.
-[[nodiscard]] std::vector<trace::Pause> pausesInStretches(const trace::ControlTrace& trace,
-                                                          const templates::JobLoop& loop);
+/// Standstills within stretches, not those of native blocks and of the change between the two. Kept
+/// are the pauses, and what the control did between stretches.
+class StretchPauses {
+ public:
+  /// @param loop  must outlive it
+  explicit StretchPauses(const templates::JobLoop& loop) : m_loop(loop) {}
+
+  /// The next part of the trace, with all its blocks.
+  void add(const trace::ControlTrace& piece);
+  /// In time order. To be called once.
+  [[nodiscard]] std::vector<trace::Pause> finish();
+
+ private:
+  struct Move {
+    base::Instant to{};
+    bool isStreamed = false;
+  };
+  void settle();
+
+  const templates::JobLoop& m_loop;
+  trace::PauseFinder m_finder;
+  base::Instant m_latest{};            ///< time of the last sample
+  std::deque<Move> m_moves;            ///< from the last one that ended before what is not settled
+  std::deque<trace::Pause> m_open;     ///< the next move is not known yet
+  std::vector<trace::Pause> m_within;  ///< between two streamed blocks
+  std::vector<trace::ControlEvent> m_between;
+};
+
+/// The trace of a whole job: of all blocks the streamed ones are judged and recorded.
+class JobTrace final : public TraceTaker {
+ public:
+  /// @param points  of the stretches that have begun; they grow  @param loop  must outlive it
+  /// @param writer  null: nothing is recorded
+  JobTrace(const std::vector<gcode::StreamPoint>& points, const templates::JobLoop& loop,
+           trace::RecordingWriter* writer);
+
+  [[nodiscard]] const trace::TracePosition& position() const override { return m_run.position(); }
+  void take(const trace::TracePiece& piece) override;
+  /// Nothing more comes. The pauses are those in stretches. To be called once.
+  [[nodiscard]] TraceFindings finish();
+  /// To be called once.
+  [[nodiscard]] std::vector<trace::ToolUse> tools() { return m_tools.finish(); }
+
+ private:
+  RunTrace m_run;
+  StretchPauses m_pauses;
+  trace::ToolUseFinder m_tools;
+};
 
 }  // namespace rivulet::streaming

@@ -9,6 +9,8 @@
 
 namespace rivulet::streaming {
 
+using base::Result;
+
 namespace {
 
 /// @return whether there was room for all of them
@@ -21,6 +23,18 @@ bool keep(std::vector<Record>& kept, const std::vector<Record>& records) {
 }
 
 }  // namespace
+
+Result<void> fetchRest(opcua::Control& control, TraceTaker& taker) {
+  for (bool isLast = false; !isLast;) {
+    const Result<trace::TracePiece> piece = control.fetchTracePiece(taker.position());
+    if (!piece) {
+      return base::fail(piece.error());
+    }
+    taker.take(*piece);
+    isLast = piece->isLast;
+  }
+  return {};
+}
 
 void RunTrace::take(const trace::TracePiece& piece) {
   const trace::ControlTrace& records = piece.records;
@@ -36,6 +50,18 @@ void RunTrace::take(const trace::TracePiece& piece) {
   }
   m_isTruncated = m_isTruncated || records.truncated;
   m_position = piece.next;
+  if (m_isOfRun) {
+    trace::ControlTrace ofRun = records;
+    std::erase_if(ofRun.blocks,
+                  [this](const trace::ExecutedBlock& block) { return !m_isOfRun(block); });
+    judge(ofRun);
+  } else {
+    judge(records);
+  }
+  keepBeginning(records);
+}
+
+void RunTrace::judge(const trace::ControlTrace& records) {
   m_judge.add(records);
   for (const trace::ControlSample& sample : records.samples) {
     if (const std::optional<trace::Pause> pause = m_finder.add(sample)) {
@@ -46,33 +72,36 @@ void RunTrace::take(const trace::TracePiece& piece) {
     m_first = m_first.value_or(records.samples.front().at);
     m_last = records.samples.back().at;
   }
-  // Once something has been left out, nothing is kept: the beginning has no holes.
-  if (!m_kept.truncated) {
-    const bool hasAll = keep(m_kept.samples, records.samples);
-    const bool hasBlocks = keep(m_kept.blocks, records.blocks);
-    const bool hasEvents = keep(m_kept.events, records.events);
-    m_kept.truncated = !hasAll || !hasBlocks || !hasEvents;
-  }
   if (m_writer != nullptr) {
     m_writer->controlTracePiece(records);
   }
 }
 
-bool RunTrace::finish(RunReport& report) {
-  report.integrity = m_judge.finish();
-  m_kept.truncated = m_kept.truncated || m_isTruncated;
-  report.controlTrace = std::make_shared<const trace::ControlTrace>(std::move(m_kept));
-  if (m_isTruncated) {
-    return false;
+/// Once something has been left out, nothing is kept: the beginning has no holes.
+void RunTrace::keepBeginning(const trace::ControlTrace& records) {
+  if (m_kept.truncated) {
+    return;
   }
-  report.pauses = std::move(m_pauses);
+  const bool hasAll = keep(m_kept.samples, records.samples);
+  const bool hasBlocks = keep(m_kept.blocks, records.blocks);
+  const bool hasEvents = keep(m_kept.events, records.events);
+  m_kept.truncated = !hasAll || !hasBlocks || !hasEvents;
+}
+
+TraceFindings RunTrace::finish() {
+  TraceFindings found;
+  found.isWhole = !m_isTruncated;
+  found.integrity = m_judge.finish();
+  found.pauses = std::move(m_pauses);
   if (m_first) {
-    report.duration = m_last - *m_first;
+    found.duration = m_last - *m_first;
   }
-  if (m_writer != nullptr && m_isBegun) {
+  m_kept.truncated = m_kept.truncated || m_isTruncated;
+  found.kept = std::make_shared<const trace::ControlTrace>(std::move(m_kept));
+  if (m_writer != nullptr && m_isBegun && found.isWhole) {
     m_writer->controlTraceEnd();
   }
-  return true;
+  return found;
 }
 
 }  // namespace rivulet::streaming

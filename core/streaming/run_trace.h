@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The control's own trace of one run: taken in pieces while the run lasts, judged and recorded as
+/// The control's own trace of a run: taken in pieces while the run lasts, judged and recorded as
 /// it comes. What is kept of it does not grow with the run, except its pauses.
 /// @threadsafety one thread: that of the run.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "base/result.h"
 #include "gcode/trajectory.h"
-#include "streaming/run.h"
+#include "opcua/link.h"
 #include "trace/analysis/integrity.h"
 #include "trace/analysis/pauses.h"
 #include "trace/recording.h"
@@ -19,7 +22,31 @@
 
 namespace rivulet::streaming {
 
-class RunTrace {
+/// How often a piece is fetched while a run lasts.
+inline constexpr base::Duration kTraceInterval = std::chrono::seconds{2};
+
+/// Who takes the pieces.
+class TraceTaker {
+ public:
+  virtual ~TraceTaker() = default;
+  /// Where the next piece begins.
+  [[nodiscard]] virtual const trace::TracePosition& position() const = 0;
+  virtual void take(const trace::TracePiece& piece) = 0;
+};
+
+/// Fetches what is left of the trace after the stream. @return the error of a request
+[[nodiscard]] base::Result<void> fetchRest(opcua::Control& control, TraceTaker& taker);
+
+/// What the trace says.
+struct TraceFindings {
+  bool isWhole = false;  ///< false: a part of the trace is missing, and nothing is judged
+  trace::Integrity integrity;
+  std::vector<trace::Pause> pauses;  ///< of the part that is there
+  base::Duration duration{};         ///< from the first sample to the last; 0: there is none
+  std::shared_ptr<const trace::ControlTrace> kept;  ///< the beginning
+};
+
+class RunTrace final : public TraceTaker {
  public:
   /// Samples and blocks of the beginning that the report keeps: 15 minutes at 4 ms. The recording
   /// has all of them.
@@ -28,21 +55,24 @@ class RunTrace {
   /// @param points  of the run; see `trace::IntegrityJudge`
   /// @param rotaryAxes  those that are streamed
   /// @param writer  null: nothing is recorded
+  /// @param isOfRun  which blocks are judged and recorded; empty: all of them
   RunTrace(const std::vector<gcode::StreamPoint>& points, const base::RotarySet& rotaryAxes,
-           trace::PointsOfRun known, trace::RecordingWriter* writer)
-      : m_judge(points, rotaryAxes, known), m_writer(writer) {}
+           trace::PointsOfRun known, trace::RecordingWriter* writer,
+           std::function<bool(const trace::ExecutedBlock&)> isOfRun = {})
+      : m_judge(points, rotaryAxes, known), m_writer(writer), m_isOfRun(std::move(isOfRun)) {}
 
-  /// Where the next piece begins.
-  [[nodiscard]] const trace::TracePosition& position() const { return m_position; }
-  void take(const trace::TracePiece& piece);
-  /// Nothing more comes, and all points are known: integrity, trace, and of a whole trace pauses
-  /// and duration. To be called once.
-  /// @return false if a part of the trace is missing: the run is not judged
-  bool finish(RunReport& report);
+  [[nodiscard]] const trace::TracePosition& position() const override { return m_position; }
+  void take(const trace::TracePiece& piece) override;
+  /// Nothing more comes, and all points are known. To be called once.
+  [[nodiscard]] TraceFindings finish();
 
  private:
+  void judge(const trace::ControlTrace& records);
+  void keepBeginning(const trace::ControlTrace& records);
+
   trace::RunJudge m_judge;
   trace::RecordingWriter* m_writer;
+  std::function<bool(const trace::ExecutedBlock&)> m_isOfRun;
   trace::TracePosition m_position;
   trace::PauseFinder m_finder;
   std::vector<trace::Pause> m_pauses;

@@ -201,12 +201,6 @@ class WholeJob {
         (void)writeRun(WindowProtocol::kEnd);  // else the control waits until it ends by itself
       }
     }
-    if (m_isStarted && m_control.abilities().keepsTrace &&
-        m_report.error.code != opcua::LinkError::ConnectionLost) {
-      if (Result<trace::ControlTrace> trace = m_control.fetchTrace()) {
-        m_report.controlTrace = std::make_shared<const trace::ControlTrace>(std::move(*trace));
-      }
-    }
     judge();
     endRecording();
     if (m_report.error.code != opcua::LinkError::ConnectionLost) {
@@ -231,23 +225,54 @@ class WholeJob {
                              stretch.run.pauses.end());
     }
     m_report.access = m_ledger.statistics();
-    const bool hasPrograms = std::any_of(m_natives.begin(), m_natives.end(), [this](auto part) {
-      return std::get<job::NativeBlock>(m_plan.parts[part]).reason == job::NativeReason::Subprogram;
-    });
-    if (!m_report.controlTrace || hasPrograms) {
+    if (!m_trace || m_report.error.code == opcua::LinkError::ConnectionLost) {
       return;
     }
-    std::vector<gcode::StreamPoint> points;
-    for (const StretchReport& stretch : m_report.stretches) {
-      points.insert(points.end(), stretch.points.begin(), stretch.points.end());
+    publish(m_isStopped ? RunState::Stopping : RunState::Running, "trace");
+    if (const Result<void> fetched = fetchRest(m_control, *m_trace); !fetched) {
+      remark("the control's trace could not be fetched: " + fetched.error().text());
+      return;
     }
-    const trace::ControlTrace streamed = streamedTrace(*m_report.controlTrace, m_programs.loop);
-    m_report.integrity = trace::judgeRun(points, streamed, m_programs.loop.cells.rotaryAxes);
+    TraceFindings found = m_trace->finish();
+    m_report.controlTrace = std::move(found.kept);
+    if (!found.isWhole) {
+      remark("the control's trace is incomplete: the job is not judged");
+      return;
+    }
+    m_report.tools = m_trace->tools();
+    if (hasPrograms()) {
+      return;
+    }
+    m_report.integrity = std::move(found.integrity);
     if (m_report.integrity.judged) {
-      m_report.pauses = pausesInStretches(*m_report.controlTrace, m_programs.loop);
+      m_report.pauses = std::move(found.pauses);
     }
-    if (m_options.writer != nullptr) {
-      m_options.writer->controlTrace(streamed);
+  }
+
+  /// They have lines of their own: which block is streamed cannot be told.
+  [[nodiscard]] bool hasPrograms() const {
+    return std::any_of(m_natives.begin(), m_natives.end(), [this](auto part) {
+      return std::get<job::NativeBlock>(m_plan.parts[part]).reason == job::NativeReason::Subprogram;
+    });
+  }
+
+  /// While the control executes its own blocks, there is time for the next piece of its trace. What
+  /// was not answered is fetched later.
+  void takeTrace() {
+    if (!m_trace || m_isTraceWhole || m_link.now() < m_nextTrace) {
+      return;
+    }
+    m_nextTrace = m_link.now() + kTraceInterval;
+    opcua::Link& link = m_claim.link();
+    const base::RequestId id = link.readTrace(m_trace->position(), m_settings.setupDeadline);
+    m_isTraceWhole = id == base::RequestId{};
+    if (m_isTraceWhole) {
+      return;
+    }
+    const Result<opcua::Event> event = opcua::awaitAnswer(link, id, m_settings.setupDeadline);
+    if (event && event->kind == opcua::EventKind::TraceDone) {
+      m_trace->take(*event->trace);
+      m_nextTrace = event->trace->isLast ? m_nextTrace : m_link.now();
     }
   }
 
@@ -390,6 +415,9 @@ class WholeJob {
       }
     }
     m_isStarted = true;
+    if (m_control.abilities().keepsTrace) {
+      m_trace.emplace(m_points, m_programs.loop, hasPrograms() ? nullptr : m_options.writer);
+    }
     const Instant until = m_link.now() + m_settings.startDeadline;
     while (m_link.now() < until) {
       if (m_orders.stopRequested(m_link.now())) {
@@ -472,6 +500,7 @@ class WholeJob {
       if (Result<void> shown = show(); !shown) {
         return shown;
       }
+      takeTrace();
       if (Result<void> done = passStop(state->isInterrupted); !done) {
         return done;
       }
@@ -680,9 +709,10 @@ class WholeJob {
       m_options.writer->points(flight->points);
     }
     m_sink.stretchBegins(stretch, flight->toolMm);
+    m_points.insert(m_points.end(), flight->points.points.begin(), flight->points.points.end());
     StretchReport report{stretch.number, flight->toolMm, flight->points.points, {}};
-    report.run =
-        runJob(link, link, program, settings, m_orders, m_ledger, {nullptr, {}, m_options.keeper});
+    report.run = runJob(link, link, program, settings, m_orders, m_ledger,
+                        {nullptr, {}, m_options.keeper, m_trace ? &*m_trace : nullptr});
     const RunReport& run = m_report.stretches.emplace_back(std::move(report)).run;
     accountStretch(stretch, m_report.stretches.back());
     if (run.outcome == Outcome::Completed) {
@@ -829,6 +859,10 @@ class WholeJob {
   std::vector<std::size_t> m_natives;  ///< parts that are native blocks, by their number less 1
   job::JobPrograms m_programs;
   StartClaim m_claim{m_link, m_control, m_programs.loop.cells, m_settings};
+  std::vector<gcode::StreamPoint> m_points;  ///< of the stretches that have begun
+  std::optional<JobTrace> m_trace;
+  bool m_isTraceWhole = false;  ///< the control gives it only after the run
+  Instant m_nextTrace{};
   int m_firstRun = 0;
   int m_lastGoOn = 0;
   bool m_isStarted = false;

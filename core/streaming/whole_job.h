@@ -20,6 +20,7 @@
 #include "streaming/job.h"
 #include "streaming/job_times.h"
 #include "streaming/run.h"
+#include "trace/analysis/tool_use.h"
 #include "trace/control_trace.h"
 
 namespace rivulet::streaming {
@@ -63,7 +64,10 @@ struct WholeJobReport {
   base::Error error;                                        ///< why, for Failed
   int runNumber = 0;                                        ///< of the job; stretch k has this + k
   std::vector<StretchReport> stretches;                     ///< those that were begun
-  std::shared_ptr<const trace::ControlTrace> controlTrace;  ///< of the whole job; null: none
+  /// The beginning of the trace of the whole job, as much as RunTrace keeps; null if there was none.
+  /// What is judged, and the tools, are of the whole trace.
+  std::shared_ptr<const trace::ControlTrace> controlTrace;
+  std::vector<trace::ToolUse> tools;  ///< by the trace; empty also if a part of it is missing
   JobTimes times;
   /// One for each part of the plan, as the client saw them: a native block that is shorter than the
   /// client's interval of 20 ms counts to its neighbour.

@@ -153,12 +153,11 @@ class TestRunTrace : public QObject {
         trace.take(piece(i, 500, blocks));
       }
       const std::size_t used = bytes() - before;
-      RunReport report;
-      const bool isWhole = trace.finish(report);
-      const bool isRight = isWhole && report.integrity.isFaultless() &&
-                           report.integrity.executed == samples / 250 &&
-                           report.controlTrace->samples.size() == RunTrace::kKeptMax &&
-                           report.controlTrace->truncated;
+      const streaming::TraceFindings found = trace.finish();
+      const bool isRight = found.isWhole && found.integrity.isFaultless() &&
+                           found.integrity.executed == samples / 250 &&
+                           found.kept->samples.size() == RunTrace::kKeptMax &&
+                           found.kept->truncated;
       return isRight ? used : std::size_t{0};
     };
     const std::size_t once = heapAfter(250'000);

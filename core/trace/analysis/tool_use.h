@@ -33,7 +33,33 @@ struct ToolUse {
   std::vector<int> workOffsets;   ///< numbers of the G functions, as they came into force
 };
 
-/// In order; empty if the machine has recorded neither tools nor spindle nor coolant.
+/// The same from a trace in pieces. What is kept does not grow but with the changes of the tool.
+class ToolUseFinder {
+ public:
+  /// The next part of the trace.
+  void add(const ControlTrace& piece);
+  /// In order; empty if the machine has recorded neither tools nor spindle nor coolant. To be
+  /// called once.
+  [[nodiscard]] std::vector<ToolUse> finish();
+
+ private:
+  void take(const ControlEvent& event);
+  void passTo(base::Instant at);
+  void begin(const ControlEvent& event);
+  void turn(double perMin);
+  void noteCoolant();
+  void noteOffset();
+
+  std::vector<ToolUse> m_uses{1};
+  std::optional<base::Instant> m_to;  ///< all time before is accounted for
+  base::Instant m_end{};
+  bool m_hasTools = false;
+  double m_perMin = 0.0;
+  int m_coolant = 0;
+  std::optional<int> m_offset;
+};
+
+/// The uses of a whole trace.
 [[nodiscard]] std::vector<ToolUse> toolUses(const ControlTrace& trace);
 
 }  // namespace rivulet::trace
