@@ -5309,14 +5309,6 @@ GPL-3.0-or-later</translation>
         <translation>Datei mit der Zuordnung (.toml). Sie wird für diese Maschine gemerkt.</translation>
     </message>
     <message>
-        <source>Choose…</source>
-        <translation>Wählen …</translation>
-    </message>
-    <message>
-        <source>Choose the file of the map.</source>
-        <translation>Die Datei der Zuordnung wählen.</translation>
-    </message>
-    <message>
         <source>Library</source>
         <translation>Bibliothek</translation>
     </message>
@@ -6090,6 +6082,17 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::FileField</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose the file: %1</source>
+        <translation>Datei wählen: %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::FitModel</name>
     <message>
         <source>write</source>
@@ -6789,6 +6792,46 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The keyring of this computer&apos;s user keeps it encrypted; it is not asked for again.</source>
         <translation>Der Schlüsselbund des Benutzers dieses Rechners bewahrt es verschlüsselt auf; es wird nicht mehr erfragt.</translation>
+    </message>
+    <message>
+        <source>This machine lets nobody in without a user. Choose the user&apos;s certificate.</source>
+        <translation>Diese Maschine lässt niemanden ohne Benutzer zu. Zertifikat des Benutzers wählen.</translation>
+    </message>
+    <message>
+        <source>The machine refuses this certificate. Register it for a user on the machine, or choose another one.</source>
+        <translation>Die Maschine lehnt dieses Zertifikat ab. Es an der Maschine für einen Benutzer eintragen oder ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>The user is known by</source>
+        <translation>Der Benutzer weist sich aus durch</translation>
+    </message>
+    <message>
+        <source>What the machine asks of its users.</source>
+        <translation>Was die Maschine von ihren Benutzern verlangt.</translation>
+    </message>
+    <message>
+        <source>name and password</source>
+        <translation>Name und Passwort</translation>
+    </message>
+    <message>
+        <source>a certificate</source>
+        <translation>ein Zertifikat</translation>
+    </message>
+    <message>
+        <source>Certificate of the user</source>
+        <translation>Zertifikat des Benutzers</translation>
+    </message>
+    <message>
+        <source>PEM or DER. Register it on the machine first. The name of the file is remembered for this machine.</source>
+        <translation>PEM oder DER. Zuerst an der Maschine eintragen. Der Dateiname wird für diese Maschine gemerkt.</translation>
+    </message>
+    <message>
+        <source>Key, if it is in another file</source>
+        <translation>Schlüssel, falls in eigener Datei</translation>
+    </message>
+    <message>
+        <source>PEM or DER, not locked by a password; only this computer&apos;s user may read the file (mode 0600). The key is not sent.</source>
+        <translation>PEM oder DER, nicht durch ein Passwort gesperrt; nur der Benutzer dieses Computers darf die Datei lesen (Modus 0600). Der Schlüssel wird nicht gesendet.</translation>
     </message>
 </context>
 <context>

@@ -5309,14 +5309,6 @@ GPL-3.0-or-later</translation>
         <translation>Archivo con el mapa (.toml). Se recuerda para esta máquina.</translation>
     </message>
     <message>
-        <source>Choose…</source>
-        <translation>Elegir…</translation>
-    </message>
-    <message>
-        <source>Choose the file of the map.</source>
-        <translation>Elegir el archivo del mapa.</translation>
-    </message>
-    <message>
         <source>Library</source>
         <translation>Biblioteca</translation>
     </message>
@@ -6090,6 +6082,17 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::FileField</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Choose the file: %1</source>
+        <translation>Elegir el archivo: %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::FitModel</name>
     <message>
         <source>write</source>
@@ -6789,6 +6792,46 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The keyring of this computer&apos;s user keeps it encrypted; it is not asked for again.</source>
         <translation>El llavero del usuario de este ordenador la guarda cifrada; no se vuelve a pedir.</translation>
+    </message>
+    <message>
+        <source>This machine lets nobody in without a user. Choose the user&apos;s certificate.</source>
+        <translation>Esta máquina no admite a nadie sin usuario. Elija el certificado del usuario.</translation>
+    </message>
+    <message>
+        <source>The machine refuses this certificate. Register it for a user on the machine, or choose another one.</source>
+        <translation>La máquina rechaza este certificado. Regístrelo para un usuario en la máquina o elija otro.</translation>
+    </message>
+    <message>
+        <source>The user is known by</source>
+        <translation>El usuario se identifica con</translation>
+    </message>
+    <message>
+        <source>What the machine asks of its users.</source>
+        <translation>Lo que la máquina pide a sus usuarios.</translation>
+    </message>
+    <message>
+        <source>name and password</source>
+        <translation>nombre y contraseña</translation>
+    </message>
+    <message>
+        <source>a certificate</source>
+        <translation>un certificado</translation>
+    </message>
+    <message>
+        <source>Certificate of the user</source>
+        <translation>Certificado del usuario</translation>
+    </message>
+    <message>
+        <source>PEM or DER. Register it on the machine first. The name of the file is remembered for this machine.</source>
+        <translation>PEM o DER. Regístrelo primero en la máquina. El nombre del archivo se recuerda para esta máquina.</translation>
+    </message>
+    <message>
+        <source>Key, if it is in another file</source>
+        <translation>Clave, si está en otro archivo</translation>
+    </message>
+    <message>
+        <source>PEM or DER, not locked by a password; only this computer&apos;s user may read the file (mode 0600). The key is not sent.</source>
+        <translation>PEM o DER, no protegida por contraseña; solo el usuario de este ordenador puede leer el archivo (modo 0600). La clave no se envía.</translation>
     </message>
 </context>
 <context>

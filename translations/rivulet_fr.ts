@@ -5309,14 +5309,6 @@ GPL-3.0-or-later</translation>
         <translation>Fichier de la table de correspondance (.toml). Il est retenu pour cette machine.</translation>
     </message>
     <message>
-        <source>Choose…</source>
-        <translation>Choisir…</translation>
-    </message>
-    <message>
-        <source>Choose the file of the map.</source>
-        <translation>Choisir le fichier de la table de correspondance.</translation>
-    </message>
-    <message>
         <source>Library</source>
         <translation>Bibliothèque</translation>
     </message>
@@ -6090,6 +6082,17 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::FileField</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose the file: %1</source>
+        <translation>Choisir le fichier : %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::FitModel</name>
     <message>
         <source>write</source>
@@ -6789,6 +6792,46 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The keyring of this computer&apos;s user keeps it encrypted; it is not asked for again.</source>
         <translation>Le trousseau de l’utilisateur de cet ordinateur le conserve chiffré&#xa0;; il n’est plus demandé.</translation>
+    </message>
+    <message>
+        <source>This machine lets nobody in without a user. Choose the user&apos;s certificate.</source>
+        <translation>Cette machine n&apos;accepte personne sans utilisateur. Choisissez le certificat de l&apos;utilisateur.</translation>
+    </message>
+    <message>
+        <source>The machine refuses this certificate. Register it for a user on the machine, or choose another one.</source>
+        <translation>La machine refuse ce certificat. Enregistrez-le pour un utilisateur sur la machine, ou choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>The user is known by</source>
+        <translation>L&apos;utilisateur s&apos;identifie par</translation>
+    </message>
+    <message>
+        <source>What the machine asks of its users.</source>
+        <translation>Ce que la machine demande à ses utilisateurs.</translation>
+    </message>
+    <message>
+        <source>name and password</source>
+        <translation>nom et mot de passe</translation>
+    </message>
+    <message>
+        <source>a certificate</source>
+        <translation>un certificat</translation>
+    </message>
+    <message>
+        <source>Certificate of the user</source>
+        <translation>Certificat de l&apos;utilisateur</translation>
+    </message>
+    <message>
+        <source>PEM or DER. Register it on the machine first. The name of the file is remembered for this machine.</source>
+        <translation>PEM ou DER. Enregistrez-le d&apos;abord sur la machine. Le nom du fichier est retenu pour cette machine.</translation>
+    </message>
+    <message>
+        <source>Key, if it is in another file</source>
+        <translation>Clé, si dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>PEM or DER, not locked by a password; only this computer&apos;s user may read the file (mode 0600). The key is not sent.</source>
+        <translation>PEM ou DER, non protégé par un mot de passe ; seul l&apos;utilisateur de cet ordinateur peut lire le fichier (mode 0600). La clé n&apos;est pas envoyée.</translation>
     </message>
 </context>
 <context>

@@ -5309,14 +5309,6 @@ GPL-3.0-or-later</translation>
         <translation>File con la mappa (.toml). Viene ricordato per questa macchina.</translation>
     </message>
     <message>
-        <source>Choose…</source>
-        <translation>Scegli…</translation>
-    </message>
-    <message>
-        <source>Choose the file of the map.</source>
-        <translation>Scegliere il file della mappa.</translation>
-    </message>
-    <message>
         <source>Library</source>
         <translation>Libreria</translation>
     </message>
@@ -6090,6 +6082,17 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::FileField</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Scegli…</translation>
+    </message>
+    <message>
+        <source>Choose the file: %1</source>
+        <translation>Scegli il file: %1</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::FitModel</name>
     <message>
         <source>write</source>
@@ -6789,6 +6792,46 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The keyring of this computer&apos;s user keeps it encrypted; it is not asked for again.</source>
         <translation>Il portachiavi dell’utente di questo computer la conserva cifrata; non viene più chiesta.</translation>
+    </message>
+    <message>
+        <source>This machine lets nobody in without a user. Choose the user&apos;s certificate.</source>
+        <translation>Questa macchina non accetta nessuno senza utente. Scegliere il certificato dell&apos;utente.</translation>
+    </message>
+    <message>
+        <source>The machine refuses this certificate. Register it for a user on the machine, or choose another one.</source>
+        <translation>La macchina rifiuta questo certificato. Registrarlo per un utente sulla macchina, oppure sceglierne un altro.</translation>
+    </message>
+    <message>
+        <source>The user is known by</source>
+        <translation>L&apos;utente si identifica con</translation>
+    </message>
+    <message>
+        <source>What the machine asks of its users.</source>
+        <translation>Ciò che la macchina chiede ai suoi utenti.</translation>
+    </message>
+    <message>
+        <source>name and password</source>
+        <translation>nome e password</translation>
+    </message>
+    <message>
+        <source>a certificate</source>
+        <translation>un certificato</translation>
+    </message>
+    <message>
+        <source>Certificate of the user</source>
+        <translation>Certificato dell&apos;utente</translation>
+    </message>
+    <message>
+        <source>PEM or DER. Register it on the machine first. The name of the file is remembered for this machine.</source>
+        <translation>PEM o DER. Registrarlo prima sulla macchina. Il nome del file viene ricordato per questa macchina.</translation>
+    </message>
+    <message>
+        <source>Key, if it is in another file</source>
+        <translation>Chiave, se in un altro file</translation>
+    </message>
+    <message>
+        <source>PEM or DER, not locked by a password; only this computer&apos;s user may read the file (mode 0600). The key is not sent.</source>
+        <translation>PEM o DER, non protetta da password; solo l&apos;utente di questo computer può leggere il file (modo 0600). La chiave non viene inviata.</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@ namespace rivulet::hmi {
 
 using Outcome = Keyring::Outcome;
 using widgets::Login;
+using widgets::LoginName;
 using widgets::LoginView;
 
 namespace {
@@ -30,9 +31,14 @@ Logins::Logins(std::unique_ptr<Keyring> keyring, std::filesystem::path passwordF
       m_store(std::move(folder)) {
 }
 
-QString Logins::userOf(const QString& endpoint) const {
+LoginName Logins::nameOf(const QString& endpoint) const {
   const auto known = m_store.find(endpoint.trimmed().toStdString());
-  return known && *known ? QString::fromStdString((*known)->user) : QString();
+  if (!known || !*known) {
+    return {};
+  }
+  const trust::KnownServer& server = **known;
+  return {QString::fromStdString(server.user), QString::fromStdString(server.certificateFile),
+          QString::fromStdString(server.keyFile)};
 }
 
 widgets::ControlChoice Logins::controlOf(const QString& endpoint) const {
@@ -49,14 +55,14 @@ void Logins::show(const QString& endpoint) {
   m_view.reason = LoginView::Reason::None;
   if (endpoint != m_endpoint) {  // else what was typed stays
     m_endpoint = endpoint;
-    m_view.user = userOf(endpoint);
+    m_view.name = nameOf(endpoint);
   }
   Q_EMIT changed();
 }
 
-void Logins::ask(LoginView::Reason reason, const QString& user) {
+void Logins::ask(LoginView::Reason reason, const LoginName& name) {
   m_view.reason = reason;
-  m_view.user = user;
+  m_view.name = name;
   Q_EMIT changed();
 }
 
@@ -91,15 +97,17 @@ void Logins::remember(const QString& endpoint, const Login& login,
     (void)m_store.setControl(endpoint.trimmed().toStdString(), control.mapFile.toStdString(),
                              isDefault ? std::string() : std::string(qtopcua::linkName(control.link)));
   }
-  if (userOf(endpoint) != login.user) {
+  const LoginName& name = login.name;
+  if (nameOf(endpoint) != name) {
     // Without it the name is asked for again, no more.
-    (void)m_store.setUser(endpoint.trimmed().toStdString(), login.user.toStdString());
+    (void)m_store.setLogin(endpoint.trimmed().toStdString(), name.user.toStdString(),
+                           name.certificateFile.toStdString(), name.keyFile.toStdString());
   }
   m_view.reason = LoginView::Reason::None;
-  m_view.user = login.user;
+  m_view.name = name;
   Q_EMIT changed();
   if (login.keeps && !login.password.isEmpty()) {
-    m_keyring->write(keyOf(endpoint, login.user), login.password,
+    m_keyring->write(keyOf(endpoint, name.user), login.password,
                      [self = QPointer<Logins>(this)](Outcome outcome) {
                        if (self) {
                          self->setHasKeyring(outcome != Outcome::Missing);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// As whom and how each machine is connected: the name, the map of its control and the library are
-/// remembered with the server, the password in the keyring or nowhere. @threadsafety GUI thread.
+/// As whom and how each machine is connected: the name of the user or the file of the user's
+/// certificate, the map of the control and the library are remembered with the server, the password
+/// in the keyring or nowhere. @threadsafety GUI thread.
 #pragma once
 
 #include <QObject>
@@ -28,14 +29,14 @@ class Logins final : public QObject {
   Logins(std::unique_ptr<Keyring> keyring, std::filesystem::path passwordFile = {},
          std::filesystem::path folder = trust::trustFolder());
 
-  /// With whom this machine was connected last; empty: anonymous, or never.
-  [[nodiscard]] QString userOf(const QString& endpoint) const;
+  /// As whom this machine was connected last; anonymous also if it never was.
+  [[nodiscard]] widgets::LoginName nameOf(const QString& endpoint) const;
   /// With which map and library this machine was connected last.
   [[nodiscard]] widgets::ControlChoice controlOf(const QString& endpoint) const;
   [[nodiscard]] const widgets::LoginView& view() const { return m_view; }
   /// As whom this machine is connected is shown; nothing is asked any more.
   void show(const QString& endpoint);
-  void ask(widgets::LoginView::Reason reason, const QString& user);
+  void ask(widgets::LoginView::Reason reason, const widgets::LoginName& name);
 
   /// Calls back with the password of a user, or an empty one; at once or later.
   void findPassword(const QString& endpoint, const QString& user,

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "opcua/control_map.h"
+#include "trust/user_certificate.h"
 #include "widgets/common/error_text.h"
 #include "widgets/connection/trust_sheet.h"
 
@@ -112,7 +113,7 @@ void MachineModel::showEndpoint(const QString& endpoint) {
 void MachineModel::connectTo(const QString& endpoint) {
   widgets::Login login;
   if (m_logins != nullptr) {
-    login.user = m_logins->userOf(endpoint);
+    login.name = m_logins->nameOf(endpoint);
   }
   connectAs(endpoint, login, rememberedControl(endpoint));
 }
@@ -123,10 +124,7 @@ bool MachineModel::readMap(const QString& file) {
   }
   auto map = opcua::readControlMap(file.toStdString());
   if (!map) {
-    session::LinkChanged change;
-    change.state = session::LinkState::Disconnected;
-    change.error = map.error();
-    takeLink(change);
+    refuse(map.error());
     return false;
   }
   QStringList missing;
@@ -143,6 +141,27 @@ bool MachineModel::readMap(const QString& file) {
   return true;
 }
 
+bool MachineModel::readCertificate(const widgets::LoginName& name) {
+  if (name.certificateFile.isEmpty()) {
+    return true;
+  }
+  auto certificate =
+      trust::readUserFiles(name.certificateFile.toStdString(), name.keyFile.toStdString());
+  if (!certificate) {
+    refuse(certificate.error());
+    return false;
+  }
+  m_request.userCertificate = std::move(*certificate);
+  return true;
+}
+
+void MachineModel::refuse(const base::Error& error) {
+  session::LinkChanged change;
+  change.state = session::LinkState::Disconnected;
+  change.error = error;
+  takeLink(change);
+}
+
 void MachineModel::connectAs(const QString& endpoint, const widgets::Login& login,
                              const widgets::ControlChoice& control) {
   m_control = control;
@@ -150,23 +169,23 @@ void MachineModel::connectAs(const QString& endpoint, const widgets::Login& logi
   m_messages.didAct(permission::Act::Connect, {{"machine", endpoint.toStdString()}});
   m_request = {};
   m_request.endpoint = endpoint.trimmed().toStdString();
-  m_request.user = login.user.toStdString();
+  m_request.user = login.name.user.toStdString();
   m_request.password = login.password.toStdString();
   m_request.link = control.link;
   m_login = login;
-  if (!readMap(control.mapFile)) {
+  if (!readMap(control.mapFile) || !readCertificate(login.name)) {
     return;
   }
-  if (login.user.isEmpty() || !login.password.isEmpty() || m_logins == nullptr) {
+  if (login.name.user.isEmpty() || !login.password.isEmpty() || m_logins == nullptr) {
     m_session.connectTo(m_request);
     return;
   }
-  m_logins->findPassword(endpoint, login.user, [this, asked = m_request](const QString& password) {
+  m_logins->findPassword(endpoint, login.name.user, [this, asked = m_request](const QString& password) {
     if (asked.endpoint != m_request.endpoint || asked.user != m_request.user) {
       return;  // somebody wants another machine meanwhile
     }
     if (password.isEmpty()) {
-      m_logins->ask(widgets::LoginView::Reason::NeedsPassword, m_login.user);
+      m_logins->ask(widgets::LoginView::Reason::NeedsPassword, m_login.name);
       return;
     }
     m_request.password = password.toStdString();
@@ -247,7 +266,7 @@ void MachineModel::takeLink(const session::LinkChanged& change) {
   } else if (m_logins != nullptr && question() != nullptr &&
              question()->kind == opcua::TrustQuestion::Kind::Login) {
     using Reason = widgets::LoginView::Reason;
-    m_logins->ask(m_login.user.isEmpty() ? Reason::NeedsUser : Reason::Refused, m_login.user);
+    m_logins->ask(m_login.name.isAnonymous() ? Reason::NeedsUser : Reason::Refused, m_login.name);
   }
   if (isConnected()) {
     m_request = {};  // with its password

@@ -102,6 +102,10 @@ class MachineModel final : public QObject {
   void showEndpoint(const QString& endpoint);
   /// @return whether there is nothing to read, or it was read
   [[nodiscard]] bool readMap(const QString& file);
+  /// The same for the certificate of a user.
+  [[nodiscard]] bool readCertificate(const widgets::LoginName& name);
+  /// An attempt to connect has ended before it began.
+  void refuse(const base::Error& error);
   void connectAgain();
   /// Says what has become of the connection.
   void sayLink();

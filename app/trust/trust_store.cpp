@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <utility>
 
 #include "base/file.h"
 #include "base/sha256.h"
@@ -37,6 +39,18 @@ constexpr int kVersion = 1;
 constexpr std::uintmax_t kListBytesMax = std::uintmax_t{1} << 20U;
 /// A stranger can show as many certificates as he likes; only so many are kept.
 constexpr std::size_t kRejectedMax = 32;
+
+/// The members of a server in the file.
+constexpr std::array<std::pair<const char*, std::string KnownServer::*>, 8> kMembers{{
+    {"endpoint", &KnownServer::endpoint},
+    {"fingerprint", &KnownServer::fingerprint},
+    {"security", &KnownServer::security},
+    {"user", &KnownServer::user},
+    {"user-certificate", &KnownServer::certificateFile},
+    {"user-key", &KnownServer::keyFile},
+    {"map", &KnownServer::mapFile},
+    {"link", &KnownServer::link},
+}};
 
 std::string keyOf(std::string_view endpoint) {
   std::string key(endpoint);
@@ -101,13 +115,12 @@ base::Result<std::vector<KnownServer>> TrustStore::servers() const {
   }
   std::vector<KnownServer> servers;
   for (const json& entry : file["servers"]) {
-    const auto member = [&](const char* name) {
-      return entry.is_object() && entry.contains(name) && entry[name].is_string()
-                 ? entry[name].get<std::string>()
-                 : std::string();
-    };
-    const KnownServer server{member("endpoint"), member("fingerprint"), member("security"),
-                             member("user"),     member("map"),         member("link")};
+    KnownServer server;
+    for (const auto& [name, member] : kMembers) {
+      if (entry.is_object() && entry.contains(name) && entry[name].is_string()) {
+        server.*member = entry[name].get<std::string>();
+      }
+    }
     const bool isFingerprint = server.fingerprint.empty() ||
                                opcua::fingerprintOf(server.fingerprint) == server.fingerprint;
     const bool isSecurity =
@@ -233,7 +246,8 @@ base::Result<void> TrustStore::change(const std::string& endpoint, Change change
       known->begin(), known->end(), key,
       [](const KnownServer& one, const std::string& wanted) { return one.endpoint < wanted; });
   if (server == known->end() || server->endpoint != key) {
-    server = known->insert(server, KnownServer{key, {}, {}, {}, {}, {}});
+    server = known->emplace(server);
+    server->endpoint = key;
   }
   change(*server);
   return save(*known);
@@ -262,8 +276,14 @@ base::Result<void> TrustStore::allow(const std::string& endpoint,
   return change(endpoint, [&](KnownServer& server) { server.security = security; });
 }
 
-base::Result<void> TrustStore::setUser(const std::string& endpoint, const std::string& user) const {
-  return change(endpoint, [&](KnownServer& server) { server.user = user; });
+base::Result<void> TrustStore::setLogin(const std::string& endpoint, const std::string& user,
+                                        const std::string& certificateFile,
+                                        const std::string& keyFile) const {
+  return change(endpoint, [&](KnownServer& server) {
+    server.user = user;
+    server.certificateFile = certificateFile;
+    server.keyFile = keyFile;
+  });
 }
 
 base::Result<void> TrustStore::setControl(const std::string& endpoint, const std::string& mapFile,
@@ -355,21 +375,11 @@ base::Result<void> TrustStore::save(const std::vector<KnownServer>& servers) con
   }
   json list = json::array();
   for (const KnownServer& server : servers) {
-    json entry{{"endpoint", server.endpoint}};
-    if (!server.fingerprint.empty()) {
-      entry["fingerprint"] = server.fingerprint;
-    }
-    if (!server.security.empty()) {
-      entry["security"] = server.security;
-    }
-    if (!server.user.empty()) {
-      entry["user"] = server.user;
-    }
-    if (!server.mapFile.empty()) {
-      entry["map"] = server.mapFile;
-    }
-    if (!server.link.empty()) {
-      entry["link"] = server.link;
+    json entry;
+    for (const auto& [name, member] : kMembers) {
+      if (!(server.*member).empty()) {
+        entry[name] = server.*member;
+      }
     }
     list.push_back(entry);
   }

@@ -28,6 +28,8 @@ struct KnownServer {
   std::string fingerprint;  ///< of the accepted certificate; empty: none
   std::string security;     ///< allowed by name (`opcua::securityChoiceText`); empty: the strongest
   std::string user;         ///< as whom the window connected last; empty: anonymous
+  std::string certificateFile;  ///< with whose certificate it connected last, instead of `user`
+  std::string keyFile;          ///< of that certificate; empty: the same file
   std::string mapFile;      ///< with which map the window connected last; empty: it is a SINUMERIK
   std::string link;         ///< with which library the window connected last; empty: open62541
 };
@@ -79,9 +81,10 @@ class TrustStore {
   /// What is allowed by name at this address; empty: the strongest only.
   [[nodiscard]] base::Result<void> allow(const std::string& endpoint,
                                          const std::string& security) const;
-  /// As whom the window connects next time. Passwords are kept elsewhere.
-  [[nodiscard]] base::Result<void> setUser(const std::string& endpoint,
-                                           const std::string& user) const;
+  /// As whom the window connects next time, as `KnownServer` keeps it. Passwords are kept elsewhere.
+  [[nodiscard]] base::Result<void> setLogin(const std::string& endpoint, const std::string& user,
+                                            const std::string& certificateFile,
+                                            const std::string& keyFile) const;
   /// How the window connects next time, as `KnownServer` keeps it.
   [[nodiscard]] base::Result<void> setControl(const std::string& endpoint,
                                               const std::string& mapFile,

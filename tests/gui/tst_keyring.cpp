@@ -108,9 +108,10 @@ class TestKeyring : public QObject {
     const auto take = [&](const QString& password) { found = password; };
     logins.findPassword(kEndpoint, QStringLiteral("setter"), take);
     QTRY_COMPARE_WITH_TIMEOUT(found, QString(), kPatienceMs);
-    logins.remember(kEndpoint, {QStringLiteral("setter"), QStringLiteral("secret"), true}, {});
+    logins.remember(kEndpoint, {{QStringLiteral("setter"), {}, {}}, QStringLiteral("secret"), true},
+                    {});
     hmi::Logins later(hmi::systemKeyring(), {}, folder);
-    QCOMPARE(later.userOf(kEndpoint), QStringLiteral("setter"));
+    QCOMPARE(later.nameOf(kEndpoint).user, QStringLiteral("setter"));
     QTRY_VERIFY_WITH_TIMEOUT(
         (later.findPassword(kEndpoint, QStringLiteral("setter"), take),
          QTest::qWaitFor([&] { return found == QStringLiteral("secret"); }, 1000)),

@@ -5,6 +5,7 @@
 /// real sockets; what is asked, what is safe, and what is remembered.
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDirIterator>
 #include <QLineEdit>
 #include <QPushButton>
@@ -30,6 +31,7 @@
 #include "opcua/control_map.h"
 #include "support/machine_process.h"
 #include "support/test_program.h"
+#include "trust/own_certificate.h"
 #include "trust/trust_store.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/status_label.h"
@@ -103,6 +105,25 @@ class TestWindowTrust : public QObject {
   [[nodiscard]] QString note() const {
     return panel()->findChild<widgets::StatusLabel*>(QStringLiteral("login-note"))->text();
   }
+  /// All that the panel says of the connection.
+  [[nodiscard]] QString said() const {
+    QStringList texts;
+    for (const auto* label : panel()->findChildren<widgets::StatusLabel*>()) {
+      texts.append(label->text());
+    }
+    return texts.join(QLatin1Char('\n'));
+  }
+  /// A file with the certificate or the key of somebody.
+  [[nodiscard]] QString userFile(const char* name, const char* what) const {
+    return m_folder.filePath(QStringLiteral("%1/client/%2.der")
+                                 .arg(QLatin1String(name), QLatin1String(what)));
+  }
+  /// Makes them. The certificate of another computer is as good as any.
+  [[nodiscard]] std::string fingerprintOf(const char* name) const {
+    const auto own = trust::ownCertificate(
+        m_folder.filePath(QLatin1String(name)).toStdString(), trust::Owner::Client);
+    return own ? opcua::readCertificate(own->certificate)->fingerprint : std::string();
+  }
   /// Types user and password, and presses Connect.
   void logIn(const QString& user, const char* password) {
     panel()->findChild<QCheckBox*>(QStringLiteral("login"))->setChecked(true);
@@ -155,6 +176,8 @@ class TestWindowTrust : public QObject {
         "\"\nrights = [\"StateRead\", \"StateWrite\", \"FsRead\", \"FsWrite\", \"ApWrite\"]\n" +
         "\n[[users.list]]\nname = \"reader\"\npassword = \"" +
         machine::passwordText(machine::hashPassword(kPassword, "pepper")) +
+        "\"\nrights = [\"SinuReadAll\"]\n" +
+        "\n[[users.list]]\nname = \"emma\"\ncertificate = \"" + fingerprintOf("emma") +
         "\"\nrights = [\"SinuReadAll\"]\n";
     m_preset = m_folder.filePath(QStringLiteral("machine.toml"));
     QFile file(m_preset);
@@ -353,6 +376,52 @@ class TestWindowTrust : public QObject {
     QVERIFY(texts.join(QLatin1Char('\n')).contains(QStringLiteral("StateWrite")));
   }
 
+  /// Files that cannot be used are said, and so is a certificate that nobody has registered; the
+  /// right one is shown again the next time, without a question.
+  void aUserLogsInByCertificate() {
+    const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE), withUsers());
+    QVERIFY(!fingerprintOf("stranger").empty());
+    m_window->setEndpoint(machine.endpoint());
+    const auto field = [this](const char* name) {
+      return panel()->findChild<QLineEdit*>(QLatin1String(name));
+    };
+    const auto logInAs = [&](const char* name) {
+      field("login-certificate")->setText(userFile(name, "certificate"));
+      field("login-key")->setText(userFile(name, "key"));
+      panel()->findChild<QPushButton*>(QStringLiteral("connect"))->click();
+    };
+    panel()->findChild<QCheckBox*>(QStringLiteral("login"))->setChecked(true);
+    QVERIFY(field("login-user")->isVisibleTo(panel()));
+    panel()->findChild<QComboBox*>(QStringLiteral("login-kind"))->setCurrentIndex(1);
+    QVERIFY(!field("login-user")->isVisibleTo(panel()));
+    QVERIFY(field("login-certificate")->isVisibleTo(panel()));
+
+    logInAs("nobody");
+    QVERIFY2(said().contains(userFile("nobody", "certificate")), qPrintable(said()));
+    QFile key(userFile("emma", "key"));
+    QVERIFY(key.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ReadOther));
+    logInAs("emma");
+    QVERIFY2(said().contains(QStringLiteral("chmod 600")), qPrintable(said()));
+    QVERIFY(key.setPermissions(QFile::ReadOwner | QFile::WriteOwner));
+
+    logInAs("stranger");
+    QTRY_VERIFY_WITH_TIMEOUT(sheet()->isVisible(), kSoonMs);
+    hold("trust-accept");
+    QTRY_VERIFY2_WITH_TIMEOUT(note().contains(QStringLiteral("refuses this certificate")),
+                              qPrintable(note()), kSoonMs);
+    QVERIFY(!isConnected());
+    logInAs("emma");
+    QTRY_VERIFY2_WITH_TIMEOUT(isConnected(), qPrintable(said()), kSoonMs);
+
+    m_window = std::make_unique<MainWindow>(settings(), false);
+    m_window->show();
+    m_window->setEndpoint(machine.endpoint());
+    QCOMPARE(field("login-certificate")->text(), userFile("emma", "certificate"));
+    QCOMPARE(field("login-key")->text(), userFile("emma", "key"));
+    m_window->connectTo(machine.endpoint());
+    QTRY_VERIFY2_WITH_TIMEOUT(isConnected(), qPrintable(said()), kSoonMs);
+  }
+
   /// A map that cannot be used is said; one that can is shown as long as the machine is connected,
   /// and chosen again the next time.
   void theMapOfAMachineIsRemembered() {
@@ -369,13 +438,6 @@ class TestWindowTrust : public QObject {
     };
     const auto connectNow = [this] {
       panel()->findChild<QPushButton*>(QStringLiteral("connect"))->click();
-    };
-    const auto said = [this] {
-      QStringList texts;
-      for (const auto* label : panel()->findChildren<widgets::StatusLabel*>()) {
-        texts.append(label->text());
-      }
-      return texts.join(QLatin1Char('\n'));
     };
     opcua::ControlMap map = opcua::sinumerikMap(99, 3);
     std::erase_if(map.nodes, [](const auto& node) {  // this machine does not show its equipment

@@ -5,13 +5,10 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/common/file_field.h"
 #include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
@@ -19,42 +16,33 @@ namespace rivulet::widgets {
 ControlFields::ControlFields(QWidget* parent)
     : Page(parent),
       m_isMapped(new QCheckBox(this)),
-      m_mapRow(new QWidget(this)),
-      m_mapFile(new QLineEdit(m_mapRow)),
-      m_choose(makeTouchButton(m_mapRow)),
+      m_mapFile(new FileField(QStringLiteral("map-file"), this)),
       m_linkLabel(new QLabel(this)),
       m_link(new QComboBox(this)) {
   m_isMapped->setObjectName(QStringLiteral("mapped"));
-  m_mapFile->setObjectName(QStringLiteral("map-file"));
-  m_choose->setObjectName(QStringLiteral("map-choose"));
   m_link->setObjectName(QStringLiteral("link"));
   m_link->addItem(QStringLiteral("open62541"), static_cast<int>(opcua::LinkKind::Open62541));
   m_link->addItem(QStringLiteral("Qt OPC UA"), static_cast<int>(opcua::LinkKind::QtOpcUa));
   m_linkLabel->setBuddy(m_link);
-  for (QWidget* field : std::initializer_list<QWidget*>{m_isMapped, m_mapFile, m_link}) {
+  for (QWidget* field : std::initializer_list<QWidget*>{m_isMapped, m_link}) {
     field->setMinimumHeight(kTouchHeightPx);
   }
-  auto* row = new QHBoxLayout(m_mapRow);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(m_mapFile, 1);
-  row->addWidget(m_choose);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
   layout->addWidget(m_isMapped);
-  layout->addWidget(m_mapRow);
+  layout->addWidget(m_mapFile);
   layout->addWidget(m_linkLabel);
   layout->addWidget(m_link);
   connect(m_isMapped, &QCheckBox::toggled, this, &ControlFields::showState);
-  connect(m_mapFile, &QLineEdit::returnPressed, this, &ControlFields::submitted);
-  connect(m_choose, &QPushButton::clicked, this, &ControlFields::chooseFile);
+  connect(m_mapFile, &FileField::submitted, this, &ControlFields::submitted);
   retranslate();
   restyle();
 }
 
 void ControlFields::setChoice(const ControlChoice& choice) {
   m_isMapped->setChecked(!choice.mapFile.isEmpty());
-  m_mapFile->setText(choice.mapFile);
+  m_mapFile->setFile(choice.mapFile);
   m_link->setCurrentIndex(m_link->findData(static_cast<int>(choice.link)));
   showState();
 }
@@ -62,7 +50,7 @@ void ControlFields::setChoice(const ControlChoice& choice) {
 ControlChoice ControlFields::choice() const {
   ControlChoice choice;
   if (m_isMapped->isChecked()) {
-    choice.mapFile = m_mapFile->text().trimmed();
+    choice.mapFile = m_mapFile->file();
   }
   if (m_hasQtOpcUa) {
     choice.link = static_cast<opcua::LinkKind>(m_link->currentData().toInt());
@@ -72,7 +60,7 @@ ControlChoice ControlFields::choice() const {
 
 bool ControlFields::askForMap() {
   if (m_isMapped->isChecked() && choice().mapFile.isEmpty()) {
-    chooseFile();
+    m_mapFile->choose();
   }
   return !m_isMapped->isChecked() || !choice().mapFile.isEmpty();
 }
@@ -82,16 +70,8 @@ void ControlFields::setHasQtOpcUa(bool hasQtOpcUa) {
   showState();
 }
 
-void ControlFields::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Map of the control"),
-                                                    m_mapFile->text(), tr("Maps (*.toml)"));
-  if (!file.isEmpty()) {
-    m_mapFile->setText(file);
-  }
-}
-
 void ControlFields::showState() {
-  m_mapRow->setVisible(m_isMapped->isChecked());
+  m_mapFile->setVisible(m_isMapped->isChecked());
   m_linkLabel->setVisible(m_hasQtOpcUa);
   m_link->setVisible(m_hasQtOpcUa);
 }
@@ -101,11 +81,9 @@ void ControlFields::retranslate() {
   m_isMapped->setToolTip(
       tr("A map says under which names this control has its cells, axes and states. rivulet-cli map "
          "proposes one."));
-  m_mapFile->setAccessibleName(tr("Map of the control"));
-  m_mapFile->setPlaceholderText(tr("Map of the control"));
-  m_mapFile->setToolTip(tr("File with the map (.toml). It is remembered for this machine."));
-  m_choose->setText(tr("Choose…"));
-  m_choose->setToolTip(tr("Choose the file of the map."));
+  m_mapFile->setTexts(tr("Map of the control"),
+                      tr("File with the map (.toml). It is remembered for this machine."),
+                      tr("Maps (*.toml)"));
   m_linkLabel->setText(tr("Library"));
   m_link->setAccessibleName(tr("Library"));
   m_link->setToolTip(

@@ -13,10 +13,10 @@
 
 class QCheckBox;
 class QComboBox;
-class QLineEdit;
-class QPushButton;
 
 namespace rivulet::widgets {
+
+class FileField;
 
 /// As it was chosen.
 struct ControlChoice {
@@ -48,14 +48,11 @@ class ControlFields final : public Page {
   void restyle() override;
 
  private:
-  void chooseFile();
   void showState();
 
   bool m_hasQtOpcUa = false;
   QCheckBox* m_isMapped;
-  QWidget* m_mapRow;
-  QLineEdit* m_mapFile;
-  QPushButton* m_choose;
+  FileField* m_mapFile;
   QLabel* m_linkLabel;
   QComboBox* m_link;
 };

@@ -4,35 +4,53 @@
 #include "widgets/connection/login_fields.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include "widgets/common/file_field.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
 
+namespace {
+
+/// Places in the list of what a user is known by.
+constexpr int kByPassword = 0;
+constexpr int kByCertificate = 1;
+
+}  // namespace
+
 LoginFields::LoginFields(QWidget* parent)
     : Page(parent),
       m_hasUser(new QCheckBox(this)),
+      m_kindLabel(new QLabel(this)),
+      m_kind(new QComboBox(this)),
       m_fields(new QWidget(this)),
       m_userLabel(new QLabel(m_fields)),
       m_user(new QLineEdit(m_fields)),
       m_passwordLabel(new QLabel(m_fields)),
       m_password(new QLineEdit(m_fields)),
       m_keeps(new QCheckBox(m_fields)),
+      m_files(new QWidget(this)),
+      m_certificate(new FileField(QStringLiteral("login-certificate"), m_files)),
+      m_key(new FileField(QStringLiteral("login-key"), m_files)),
       m_note(new StatusLabel(this)) {
   m_hasUser->setObjectName(QStringLiteral("login"));
+  m_kind->setObjectName(QStringLiteral("login-kind"));
   m_user->setObjectName(QStringLiteral("login-user"));
   m_password->setObjectName(QStringLiteral("login-password"));
   m_keeps->setObjectName(QStringLiteral("login-keep"));
   m_note->setObjectName(QStringLiteral("login-note"));
   m_password->setEchoMode(QLineEdit::Password);
+  m_kind->addItems({QString(), QString()});
+  m_kindLabel->setBuddy(m_kind);
   m_userLabel->setBuddy(m_user);
   m_passwordLabel->setBuddy(m_password);
   m_note->setWordWrap(true);
-  for (QWidget* field : std::initializer_list<QWidget*>{m_hasUser, m_user, m_password, m_keeps}) {
+  for (QWidget* field : std::initializer_list<QWidget*>{m_hasUser, m_kind, m_user, m_password, m_keeps}) {
     field->setMinimumHeight(kTouchHeightPx);
   }
   auto* fields = new QVBoxLayout(m_fields);
@@ -42,38 +60,63 @@ LoginFields::LoginFields(QWidget* parent)
        std::initializer_list<QWidget*>{m_userLabel, m_user, m_passwordLabel, m_password, m_keeps}) {
     fields->addWidget(field);
   }
+  auto* files = new QVBoxLayout(m_files);
+  files->setContentsMargins(0, 0, 0, 0);
+  files->addWidget(m_certificate);
+  files->addWidget(m_key);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  layout->addWidget(m_hasUser);
-  layout->addWidget(m_note);
-  layout->addWidget(m_fields);
+  for (QWidget* field : std::initializer_list<QWidget*>{m_hasUser, m_note, m_kindLabel, m_kind,
+                                                        m_fields, m_files}) {
+    layout->addWidget(field);
+  }
   connect(m_hasUser, &QCheckBox::toggled, this, &LoginFields::showState);
+  connect(m_kind, &QComboBox::currentIndexChanged, this, &LoginFields::showState);
   connect(m_password, &QLineEdit::returnPressed, this, &LoginFields::submitted);
+  connect(m_certificate, &FileField::submitted, this, &LoginFields::submitted);
+  connect(m_key, &FileField::submitted, this, &LoginFields::submitted);
   retranslate();
   restyle();
 }
 
 void LoginFields::setLogin(const LoginView& view) {
-  const bool isOtherUser = view.user != m_view.user;
+  const bool isOther = view.name != m_view.name;
   m_view = view;
-  if (isOtherUser) {
-    m_user->setText(view.user);
-    m_hasUser->setChecked(!view.user.isEmpty());
+  if (isOther) {
+    showName(view.name);
   }
   if (view.reason != LoginView::Reason::None) {
     m_hasUser->setChecked(true);
   }
   showState();
   if (view.reason != LoginView::Reason::None && isVisible()) {
-    (view.reason == LoginView::Reason::NeedsUser ? m_user : m_password)->setFocus();
+    QWidget* const missing = isByCertificate() ? static_cast<QWidget*>(m_certificate)
+                             : view.reason == LoginView::Reason::NeedsUser ? m_user
+                                                                           : m_password;
+    missing->setFocus();
   }
+}
+
+void LoginFields::showName(const LoginName& name) {
+  m_hasUser->setChecked(!name.isAnonymous());
+  m_kind->setCurrentIndex(name.certificateFile.isEmpty() ? kByPassword : kByCertificate);
+  m_user->setText(name.user);
+  m_certificate->setFile(name.certificateFile);
+  m_key->setFile(name.keyFile);
+}
+
+bool LoginFields::isByCertificate() const {
+  return m_kind->currentIndex() == kByCertificate;
 }
 
 Login LoginFields::take() {
   Login login;
-  if (m_hasUser->isChecked()) {
-    login.user = m_user->text().trimmed();
+  if (m_hasUser->isChecked() && isByCertificate()) {
+    login.name.certificateFile = m_certificate->file();
+    login.name.keyFile = m_key->file();
+  } else if (m_hasUser->isChecked()) {
+    login.name.user = m_user->text().trimmed();
     login.password = m_password->text();
     login.keeps = m_keeps->isChecked() && m_view.hasKeyring;
   }
@@ -81,38 +124,58 @@ Login LoginFields::take() {
   return login;
 }
 
-void LoginFields::showState() {
+QString LoginFields::note() const {
   using Reason = LoginView::Reason;
-  m_fields->setVisible(m_hasUser->isChecked());
-  m_keeps->setVisible(m_view.hasKeyring);
-  QString note;
-  Status status = Status::Attention;
   switch (m_view.reason) {
     case Reason::NeedsUser:
-      note = tr("This machine lets nobody in without a user. Type user and password.");
-      break;
+      return isByCertificate()
+                 ? tr("This machine lets nobody in without a user. Choose the user's certificate.")
+                 : tr("This machine lets nobody in without a user. Type user and password.");
     case Reason::NeedsPassword:
-      note = tr("Type the password of this user.");
-      break;
+      return tr("Type the password of this user.");
     case Reason::Refused:
-      note =
-          tr("The machine refuses user or password. Check both. After several wrong ones it "
-             "locks the user for some time.");
-      break;
+      return m_view.name.certificateFile.isEmpty()
+                 ? tr("The machine refuses user or password. Check both. After several wrong ones "
+                      "it locks the user for some time.")
+                 : tr("The machine refuses this certificate. Register it for a user on the "
+                      "machine, or choose another one.");
     case Reason::None:
-      status = Status::Plain;
-      if (!m_view.hasKeyring) {
-        note = tr("There is no keyring on this computer: the password is asked for each time.");
-      }
-      break;
+      return m_view.hasKeyring || isByCertificate()
+                 ? QString()
+                 : tr("There is no keyring on this computer: the password is asked for each time.");
   }
-  m_note->setVisible(!note.isEmpty() && m_hasUser->isChecked());
-  m_note->setStatus(status, note);
+  return {};
+}
+
+void LoginFields::showState() {
+  const bool hasUser = m_hasUser->isChecked();
+  m_kindLabel->setVisible(hasUser);
+  m_kind->setVisible(hasUser);
+  m_fields->setVisible(hasUser && !isByCertificate());
+  m_files->setVisible(hasUser && isByCertificate());
+  m_keeps->setVisible(m_view.hasKeyring);
+  const QString text = note();
+  m_note->setVisible(!text.isEmpty() && hasUser);
+  m_note->setStatus(
+      m_view.reason == LoginView::Reason::None ? Status::Plain : Status::Attention, text);
 }
 
 void LoginFields::retranslate() {
   m_hasUser->setText(tr("Log in as a user of the machine"));
   m_hasUser->setToolTip(tr("Without it, the connection is anonymous."));
+  m_kindLabel->setText(tr("The user is known by"));
+  m_kind->setAccessibleName(tr("The user is known by"));
+  m_kind->setToolTip(tr("What the machine asks of its users."));
+  m_kind->setItemText(kByPassword, tr("name and password"));
+  m_kind->setItemText(kByCertificate, tr("a certificate"));
+  m_certificate->setTexts(tr("Certificate of the user"),
+                          tr("PEM or DER. Register it on the machine first. The name of the file "
+                             "is remembered for this machine."),
+                          {});
+  m_key->setTexts(tr("Key, if it is in another file"),
+                  tr("PEM or DER, not locked by a password; only this computer's user may read the "
+                     "file (mode 0600). The key is not sent."),
+                  {});
   m_userLabel->setText(tr("User"));
   m_user->setAccessibleName(tr("User"));
   m_user->setToolTip(tr("User of the OPC UA server, as it is set up on the control."));
@@ -126,6 +189,7 @@ void LoginFields::retranslate() {
 }
 
 void LoginFields::restyle() {
+  setMuted(m_kindLabel, palette());
   setMuted(m_userLabel, palette());
   setMuted(m_passwordLabel, palette());
 }

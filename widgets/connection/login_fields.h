@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// As whom a machine is connected: anonymous, or a user with a password. A password that was typed
-/// is given away once and not kept here. @threadsafety GUI thread.
+/// As whom a machine is connected: anonymous, a user with a password, or one with a certificate. A
+/// password that was typed is given away once and not kept here. @threadsafety GUI thread.
 #pragma once
 
 #include <QString>
@@ -11,15 +11,26 @@
 #include "widgets/common/page.h"
 
 class QCheckBox;
+class QComboBox;
 class QLineEdit;
 
 namespace rivulet::widgets {
 
+class FileField;
 class StatusLabel;
+
+/// Nothing is set: anonymous.
+struct LoginName {
+  QString user;             ///< with a password
+  QString certificateFile;  ///< of the user, in place of name and password
+  QString keyFile;          ///< of the certificate; empty: the same file
+  [[nodiscard]] bool isAnonymous() const { return user.isEmpty() && certificateFile.isEmpty(); }
+  friend bool operator==(const LoginName&, const LoginName&) = default;
+};
 
 /// As it was typed.
 struct Login {
-  QString user;  ///< empty: anonymous
+  LoginName name;
   QString password;
   bool keeps = false;  ///< the password, in the system's keyring
 };
@@ -30,10 +41,10 @@ struct LoginView {
     None,
     NeedsUser,      ///< the machine lets nobody in without one
     NeedsPassword,  ///< it is not in the keyring
-    Refused,        ///< user or password are wrong, or the user is locked
+    Refused,        ///< user, password or certificate are wrong, or the user is locked
   };
   Reason reason = Reason::None;
-  QString user;            ///< with whom this machine was connected last
+  LoginName name;          ///< with which this machine was connected last
   bool hasKeyring = true;  ///< as far as it is known
 };
 
@@ -48,7 +59,7 @@ class LoginFields final : public Page {
   [[nodiscard]] Login take();
 
  Q_SIGNALS:
-  /// Return was pressed in the last field.
+  /// Return was pressed in a field that can be the last one.
   void submitted();
 
  protected:
@@ -57,15 +68,23 @@ class LoginFields final : public Page {
 
  private:
   void showState();
+  void showName(const LoginName& name);
+  [[nodiscard]] QString note() const;
+  [[nodiscard]] bool isByCertificate() const;
 
   LoginView m_view;
   QCheckBox* m_hasUser;
+  QLabel* m_kindLabel;
+  QComboBox* m_kind;
   QWidget* m_fields;
   QLabel* m_userLabel;
   QLineEdit* m_user;
   QLabel* m_passwordLabel;
   QLineEdit* m_password;
   QCheckBox* m_keeps;
+  QWidget* m_files;
+  FileField* m_certificate;
+  FileField* m_key;
   StatusLabel* m_note;
 };
 
