@@ -61,7 +61,7 @@ LoginFields::LoginFields(QWidget* parent)
     fields->addWidget(field);
   }
   auto* files = new QVBoxLayout(m_files);
-  files->setContentsMargins(0, 0, 0, 0);
+  files->setContentsMargins(0, 4, 0, 0);
   files->addWidget(m_certificate);
   files->addWidget(m_key);
   auto* layout = new QVBoxLayout(this);
