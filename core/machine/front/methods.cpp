@@ -247,16 +247,11 @@ struct Signature {
   const UA_NodeId inputsNode = opcua::borrowNodeId(namespaceIndex, inputsId);
   const UA_NodeId outputsNode = opcua::borrowNodeId(namespaceIndex, outputsId);
   UA_QualifiedName browseName{namespaceIndex, opcua::borrow(signature.name)};
-  // The library copies both identifiers, and leaves the copies to its caller.
-  UA_NodeId inputsCopy = UA_NODEID_NULL;
-  UA_NodeId outputsCopy = UA_NODEID_NULL;
   UA_StatusCode status = UA_Server_addMethodNodeEx(
       server, opcua::borrowNodeId(namespaceIndex, identifier),
       opcua::borrowNodeId(namespaceIndex, object), opcua::standardNodeId(UA_NS0ID_HASCOMPONENT),
-      browseName, attributes, signature.callback, inputs.size(), inputs.data(), inputsNode,
-      &inputsCopy, outputs.size(), outputs.data(), outputsNode, &outputsCopy, &methods, nullptr);
-  UA_NodeId_clear(&inputsCopy);
-  UA_NodeId_clear(&outputsCopy);
+      browseName, attributes, signature.callback, inputs.size(), inputs.data(), inputsNode, nullptr,
+      outputs.size(), outputs.data(), outputsNode, nullptr, &methods, nullptr);
   if (status == UA_STATUSCODE_GOOD && !inputs.empty()) {
     status = UA_Server_writeDescription(server, inputsNode,
                                         localized("What a caller gives to the method."));
