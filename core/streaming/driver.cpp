@@ -46,8 +46,8 @@ constexpr Duration kNoteInterval = std::chrono::seconds{1};
 /// A display read may take this many times its estimate before the method is due.
 constexpr int kSlackFactor = 2;
 
-/// The control's trace is fetched this often, where the stream leaves time; else later, but before
-/// a piece is full.
+/// Where the stream leaves no time, the control's trace is fetched this late: before a piece is
+/// full.
 constexpr Duration kTraceOverdue = std::chrono::seconds{8};
 /// Variables that can be read in the time of a piece of the trace.
 constexpr int kTraceNodes = 3;

@@ -53,7 +53,7 @@ class CheckpointKeeper {
                                   std::span<const gcode::StreamPoint> points) = 0;
 };
 
-/// Where a job writes its recording and its checkpoint; all may be null.
+/// Who is given the recording, the checkpoint and the trace of a job; each may be null.
 struct JobRecorder {
   trace::RecordingWriter* writer = nullptr;
   trace::RunStart start;  ///< tool version, endpoint and time; the rest is completed

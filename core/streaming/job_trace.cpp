@@ -4,6 +4,7 @@
 #include "streaming/job_trace.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace rivulet::streaming {
@@ -14,6 +15,11 @@ using trace::ExecutedBlock;
 using trace::Pause;
 
 namespace {
+
+/// The loop has moved, and not the main program.
+bool isStreamed(const ExecutedBlock& block, const templates::JobLoop& loop) {
+  return std::binary_search(loop.motionLines.begin(), loop.motionLines.end(), block.line.value);
+}
 
 /// The control is busy with its own blocks, or waits for the client between two stretches.
 bool isBetween(const ControlEvent& event, const templates::JobLoop& loop) {
@@ -26,46 +32,33 @@ base::Instant endOf(const Pause& pause) {
 
 }  // namespace
 
-bool isStreamed(const ExecutedBlock& block, const templates::JobLoop& loop) {
-  return std::binary_search(loop.motionLines.begin(), loop.motionLines.end(), block.line.value);
-}
-
-void StretchPauses::add(const ControlTrace& piece) {
+/// A pause lies between the last move that ended before its end and the first that ends after it.
+void StretchPauses::add(const ControlTrace& piece, const std::vector<Pause>& pauses) {
   for (const ExecutedBlock& block : piece.blocks) {
     if (block.moves()) {
       m_moves.push_back({block.to, isStreamed(block, m_loop)});
     }
   }
-  for (const trace::ControlSample& sample : piece.samples) {
-    m_latest = sample.at;
-    if (const std::optional<Pause> pause = m_finder.add(sample)) {
-      m_open.push_back(*pause);
-    }
-  }
+  m_latest = piece.samples.empty() ? m_latest : piece.samples.back().at;
   std::copy_if(piece.events.begin(), piece.events.end(), std::back_inserter(m_between),
                [this](const ControlEvent& event) { return isBetween(event, m_loop); });
-  settle();
-}
-
-/// A pause lies between the last move that ended before its end and the first that ends after it.
-void StretchPauses::settle() {
-  const auto dropMovesBefore = [this](base::Instant at) {
-    while (m_moves.size() > 1 && m_moves[1].to <= at) {
-      m_moves.pop_front();
-    }
-  };
-  while (!m_open.empty()) {
-    const base::Instant end = endOf(m_open.front());
+  for (; m_settled < pauses.size(); ++m_settled) {
+    const base::Instant end = endOf(pauses[m_settled]);
     dropMovesBefore(end);
     if (m_moves.empty() || m_moves.back().to <= end) {
       return;  // the next move is not known yet
     }
     if (m_moves.front().to <= end && m_moves[0].isStreamed && m_moves[1].isStreamed) {
-      m_within.push_back(m_open.front());
+      m_within.push_back(pauses[m_settled]);
     }
-    m_open.pop_front();
   }
   dropMovesBefore(m_latest);  // a pause that is found later ends later
+}
+
+void StretchPauses::dropMovesBefore(base::Instant at) {
+  while (m_moves.size() > 1 && m_moves[1].to <= at) {
+    m_moves.pop_front();
+  }
 }
 
 std::vector<Pause> StretchPauses::finish() {
@@ -86,7 +79,7 @@ JobTrace::JobTrace(const std::vector<gcode::StreamPoint>& points, const template
 
 void JobTrace::take(const trace::TracePiece& piece) {
   m_run.take(piece);
-  m_pauses.add(piece.records);
+  m_pauses.add(piece.records, m_run.pauses());
   m_tools.add(piece.records);
 }
 

@@ -7,6 +7,7 @@
 /// like that of a run. @threadsafety one thread: that of the job.
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <vector>
 
@@ -19,18 +20,17 @@
 
 namespace rivulet::streaming {
 
-/// Whether the loop moved, and not the main program.
-[[nodiscard]] bool isStreamed(const trace::ExecutedBlock& block, const templates::JobLoop& loop);
-
-/// Standstills within stretches, not those of native blocks and of the change between the two. Kept
-/// are the pauses, and what the control did between stretches.
+/// Standstills within stretches, not those of native blocks and of the change between the two. Its
+/// memory grows with the pauses and with what the control does between stretches, not with the
+/// time.
 class StretchPauses {
  public:
   /// @param loop  must outlive it
   explicit StretchPauses(const templates::JobLoop& loop) : m_loop(loop) {}
 
   /// The next part of the trace, with all its blocks.
-  void add(const trace::ControlTrace& piece);
+  /// @param pauses  all that were found up to the end of this part
+  void add(const trace::ControlTrace& piece, const std::vector<trace::Pause>& pauses);
   /// In time order. To be called once.
   [[nodiscard]] std::vector<trace::Pause> finish();
 
@@ -39,13 +39,12 @@ class StretchPauses {
     base::Instant to{};
     bool isStreamed = false;
   };
-  void settle();
+  void dropMovesBefore(base::Instant at);
 
   const templates::JobLoop& m_loop;
-  trace::PauseFinder m_finder;
   base::Instant m_latest{};            ///< time of the last sample
   std::deque<Move> m_moves;            ///< from the last one that ended before what is not settled
-  std::deque<trace::Pause> m_open;     ///< the next move is not known yet
+  std::size_t m_settled = 0;           ///< pauses; of the next one the next move is not known yet
   std::vector<trace::Pause> m_within;  ///< between two streamed blocks
   std::vector<trace::ControlEvent> m_between;
 };

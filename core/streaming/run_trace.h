@@ -7,9 +7,11 @@
 /// @threadsafety one thread: that of the run.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -22,7 +24,7 @@
 
 namespace rivulet::streaming {
 
-/// How often a piece is fetched while a run lasts.
+/// A piece of the trace is fetched this often while a run lasts, where the stream leaves time.
 inline constexpr base::Duration kTraceInterval = std::chrono::seconds{2};
 
 /// Who takes the pieces.
@@ -63,6 +65,8 @@ class RunTrace final : public TraceTaker {
 
   [[nodiscard]] const trace::TracePosition& position() const override { return m_position; }
   void take(const trace::TracePiece& piece) override;
+  /// Found so far, in time order.
+  [[nodiscard]] const std::vector<trace::Pause>& pauses() const { return m_pauses; }
   /// Nothing more comes, and all points are known. To be called once.
   [[nodiscard]] TraceFindings finish();
 

@@ -64,8 +64,8 @@ struct WholeJobReport {
   base::Error error;                                        ///< why, for Failed
   int runNumber = 0;                                        ///< of the job; stretch k has this + k
   std::vector<StretchReport> stretches;                     ///< those that were begun
-  /// The beginning of the trace of the whole job, as much as RunTrace keeps; null if there was none.
-  /// What is judged, and the tools, are of the whole trace.
+  /// The beginning of the trace of the whole job, as much as RunTrace keeps; null if there was
+  /// none. What is judged, and the tools, are of the whole trace.
   std::shared_ptr<const trace::ControlTrace> controlTrace;
   std::vector<trace::ToolUse> tools;  ///< by the trace; empty also if a part of it is missing
   JobTimes times;

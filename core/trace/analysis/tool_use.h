@@ -33,7 +33,8 @@ struct ToolUse {
   std::vector<int> workOffsets;   ///< numbers of the G functions, as they came into force
 };
 
-/// The same from a trace in pieces. What is kept does not grow but with the changes of the tool.
+/// Finds them in a trace that comes in pieces. Its memory grows with the number of tool changes
+/// only.
 class ToolUseFinder {
  public:
   /// The next part of the trace.
