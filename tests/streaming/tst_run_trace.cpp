@@ -11,11 +11,11 @@
 #include <string>
 
 #include "base/units.h"
-#include "opcua/forwarding_link.h"
 #include "streaming/job.h"
 #include "streaming/run_trace.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
+#include "support/whole_trace_link.h"
 
 using namespace rivulet;
 using streaming::RunReport;
@@ -29,13 +29,6 @@ class Silent final : public streaming::RunSink, public streaming::RunOrders {
   void access(const trace::Access&) override {}
   void note(const trace::Note&) override {}
   bool stopRequested(base::Instant) override { return false; }
-};
-
-/// Gives the trace only as a whole, after the run.
-class WholeTraceLink final : public opcua::ForwardingLink {
- public:
-  using ForwardingLink::ForwardingLink;
-  base::RequestId readTrace(const trace::TracePosition&, base::Duration) override { return {}; }
 };
 
 gcode::Program scorpion() {
@@ -106,7 +99,7 @@ class TestRunTrace : public QObject {
       machine::Machine second(*machine::loadPreset("dmu75"), 3);
       streaming::SimulatedLink inPieces(first);
       streaming::SimulatedLink atOnce(second);
-      WholeTraceLink whole(atOnce);
+      tests::WholeTraceLink whole(atOnce);
       const RunReport taken =
           streaming::runJob(inPieces, inPieces, scorpion(), run, silent, silent);
       const RunReport fetched = streaming::runJob(whole, atOnce, scorpion(), run, silent, silent);
