@@ -209,9 +209,9 @@ void print(const streaming::RunReport& report, const CalibrationChoice& calibrat
     fmt::print(", {} repeated, {} skipped, {} foreign", report.integrity.repeated,
                report.integrity.skipped, report.integrity.foreign);
   } else {
-    fmt::print(" (not judged: {})",
-               report.controlTrace ? "the control's trace is too short or has gaps"
-                                   : "no trace of the control");
+    fmt::print(" (not judged: {})", report.controlTrace
+                                        ? "the control's trace is too short or has gaps"
+                                        : "no trace of the control");
   }
   base::Duration paused{};
   for (const trace::Pause& pause : report.pauses) {

@@ -180,17 +180,18 @@ void MachineModel::connectAs(const QString& endpoint, const widgets::Login& logi
     m_session.connectTo(m_request);
     return;
   }
-  m_logins->findPassword(endpoint, login.name.user, [this, asked = m_request](const QString& password) {
-    if (asked.endpoint != m_request.endpoint || asked.user != m_request.user) {
-      return;  // somebody wants another machine meanwhile
-    }
-    if (password.isEmpty()) {
-      m_logins->ask(widgets::LoginView::Reason::NeedsPassword, m_login.name);
-      return;
-    }
-    m_request.password = password.toStdString();
-    m_session.connectTo(m_request);
-  });
+  m_logins->findPassword(
+      endpoint, login.name.user, [this, asked = m_request](const QString& password) {
+        if (asked.endpoint != m_request.endpoint || asked.user != m_request.user) {
+          return;  // somebody wants another machine meanwhile
+        }
+        if (password.isEmpty()) {
+          m_logins->ask(widgets::LoginView::Reason::NeedsPassword, m_login.name);
+          return;
+        }
+        m_request.password = password.toStdString();
+        m_session.connectTo(m_request);
+      });
 }
 
 std::optional<opcua::Protection> MachineModel::protection() const {

@@ -756,8 +756,7 @@ SessionWorker::Done SessionWorker::runWholeJob(const StartCommand& command,
     completed.outcome = streaming::Outcome::Completed;
     keeper->finish(completed);
   }
-  return {sink.reportOf(job, settings), job.times,
-          job.tools, file.finish()};
+  return {sink.reportOf(job, settings), job.times, job.tools, file.finish()};
 }
 
 void SessionWorker::listen(const std::string& address) {

@@ -81,7 +81,8 @@ class TrustStore {
   /// What is allowed by name at this address; empty: the strongest only.
   [[nodiscard]] base::Result<void> allow(const std::string& endpoint,
                                          const std::string& security) const;
-  /// As whom the window connects next time, as `KnownServer` keeps it. Passwords are kept elsewhere.
+  /// As whom the window connects next time, as `KnownServer` keeps it. Passwords are kept
+  /// elsewhere.
   [[nodiscard]] base::Result<void> setLogin(const std::string& endpoint, const std::string& user,
                                             const std::string& certificateFile,
                                             const std::string& keyFile) const;

@@ -115,13 +115,13 @@ class TestWindowTrust : public QObject {
   }
   /// A file with the certificate or the key of somebody.
   [[nodiscard]] QString userFile(const char* name, const char* what) const {
-    return m_folder.filePath(QStringLiteral("%1/client/%2.der")
-                                 .arg(QLatin1String(name), QLatin1String(what)));
+    return m_folder.filePath(
+        QStringLiteral("%1/client/%2.der").arg(QLatin1String(name), QLatin1String(what)));
   }
   /// Makes them. The certificate of another computer is as good as any.
   [[nodiscard]] std::string fingerprintOf(const char* name) const {
-    const auto own = trust::ownCertificate(
-        m_folder.filePath(QLatin1String(name)).toStdString(), trust::Owner::Client);
+    const auto own = trust::ownCertificate(m_folder.filePath(QLatin1String(name)).toStdString(),
+                                           trust::Owner::Client);
     return own ? opcua::readCertificate(own->certificate)->fingerprint : std::string();
   }
   /// Types user and password, and presses Connect.
@@ -176,9 +176,8 @@ class TestWindowTrust : public QObject {
         "\"\nrights = [\"StateRead\", \"StateWrite\", \"FsRead\", \"FsWrite\", \"ApWrite\"]\n" +
         "\n[[users.list]]\nname = \"reader\"\npassword = \"" +
         machine::passwordText(machine::hashPassword(kPassword, "pepper")) +
-        "\"\nrights = [\"SinuReadAll\"]\n" +
-        "\n[[users.list]]\nname = \"emma\"\ncertificate = \"" + fingerprintOf("emma") +
-        "\"\nrights = [\"SinuReadAll\"]\n";
+        "\"\nrights = [\"SinuReadAll\"]\n" + "\n[[users.list]]\nname = \"emma\"\ncertificate = \"" +
+        fingerprintOf("emma") + "\"\nrights = [\"SinuReadAll\"]\n";
     m_preset = m_folder.filePath(QStringLiteral("machine.toml"));
     QFile file(m_preset);
     QVERIFY(file.open(QIODevice::WriteOnly));

@@ -26,7 +26,6 @@ class FileField final : public QWidget {
   void setTexts(const QString& what, const QString& toolTip, const QString& filter);
   void setFile(const QString& file);
   [[nodiscard]] QString file() const;
-  [[nodiscard]] QLineEdit* edit() const { return m_edit; }
   /// Shows the dialog. What was typed stays if nothing is chosen.
   void choose();
 

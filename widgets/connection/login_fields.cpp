@@ -50,7 +50,8 @@ LoginFields::LoginFields(QWidget* parent)
   m_userLabel->setBuddy(m_user);
   m_passwordLabel->setBuddy(m_password);
   m_note->setWordWrap(true);
-  for (QWidget* field : std::initializer_list<QWidget*>{m_hasUser, m_kind, m_user, m_password, m_keeps}) {
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{m_hasUser, m_kind, m_user, m_password, m_keeps}) {
     field->setMinimumHeight(kTouchHeightPx);
   }
   auto* fields = new QVBoxLayout(m_fields);
@@ -67,8 +68,8 @@ LoginFields::LoginFields(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  for (QWidget* field : std::initializer_list<QWidget*>{m_hasUser, m_note, m_kindLabel, m_kind,
-                                                        m_fields, m_files}) {
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{m_hasUser, m_note, m_kindLabel, m_kind, m_fields, m_files}) {
     layout->addWidget(field);
   }
   connect(m_hasUser, &QCheckBox::toggled, this, &LoginFields::showState);
@@ -156,8 +157,8 @@ void LoginFields::showState() {
   m_keeps->setVisible(m_view.hasKeyring);
   const QString text = note();
   m_note->setVisible(!text.isEmpty() && hasUser);
-  m_note->setStatus(
-      m_view.reason == LoginView::Reason::None ? Status::Plain : Status::Attention, text);
+  m_note->setStatus(m_view.reason == LoginView::Reason::None ? Status::Plain : Status::Attention,
+                    text);
 }
 
 void LoginFields::retranslate() {
