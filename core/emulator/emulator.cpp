@@ -47,7 +47,7 @@ struct Comparison {
 };
 
 /// A text of TOML.
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c < ' ' ? '_' : c);
@@ -301,14 +301,14 @@ std::string printEmulator(const Emulator& emulator) {
       fmt::format("\n[emulator]\nversion = {}\ndate = \"{}\"\ndataSha256 = \"{}\"\nruns = [",
                   kFileVersion, emulator.date, emulator.dataHash);
   for (std::size_t i = 0; i < emulator.runs.size(); ++i) {
-    text += (i == 0 ? "" : ", ") + quoted(emulator.runs[i]);
+    text += (i == 0 ? "" : ", ") + inQuotes(emulator.runs[i]);
   }
   text += "]\n";
   if (!emulator.preset.empty()) {
     text += fmt::format(
         "# What is not said here is as in this preset of the virtual machine.\n"
         "preset = {}\n",
-        quoted(emulator.preset));
+        inQuotes(emulator.preset));
   }
   for (const LearnedAxis& axis : emulator.axes) {
     text += fmt::format("\n[axes.{}.servo]\nfitRmsMm = {:.6g}\nheldOutRmsMm = {:.6g}\n", axis.axis,
