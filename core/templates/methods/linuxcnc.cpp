@@ -111,7 +111,7 @@ std::string LinuxCncWindowTemplate::program(const TemplateParameters& parameters
   writeComments(out, parameters, cells);
   writeStart(out, cells, layoutNumber);
   out.line("o100 while [1]");
-  writeAsking(out, parameters, cells);
+  writeWait(out, parameters, cells);
   writeTaking(out, cells);
   writeMotion(out, cells);
   out.line("o100 endwhile");
@@ -120,8 +120,8 @@ std::string LinuxCncWindowTemplate::program(const TemplateParameters& parameters
 }
 
 /// A loop of its own: LinuxCNC reads every line of a branch that it skips.
-void LinuxCncWindowTemplate::writeAsking(Listing& out, const TemplateParameters& parameters,
-                                         const CellMap& cells) const {
+void LinuxCncWindowTemplate::writeWait(Listing& out, const TemplateParameters& parameters,
+                                       const CellMap& cells) const {
   out.line("#<riv_go>=0");
   out.line("#<riv_dry>=0");
   out.line("o101 while [#<riv_go> EQ 0]");

@@ -25,7 +25,7 @@ class LinuxCncWindowTemplate : public WindowTemplate {
   void writeComments(Listing& out, const TemplateParameters& parameters,
                      const CellMap& cells) const;
   void writeStart(Listing& out, const CellMap& cells, int layoutNumber) const;
-  void writeAsking(Listing& out, const TemplateParameters& parameters, const CellMap& cells) const;
+  void writeWait(Listing& out, const TemplateParameters& parameters, const CellMap& cells) const;
   void writeTaking(Listing& out, const CellMap& cells) const;
   void writeMotion(Listing& out, const CellMap& cells) const;
 };
