@@ -3,14 +3,12 @@
 
 #include "hmi/audit.h"
 
-#include <QCoreApplication>
 #include <QMetaObject>
-#include <QPointer>
-#include <QThreadPool>
 #include <utility>
 
 #include "base/text.h"
 #include "preparation/settings_facts.h"
+#include "session/background.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -137,16 +135,11 @@ void Audit::refresh() {
     Q_EMIT contentChanged();
     return;
   }
-  QThreadPool::globalInstance()->start([audit = QPointer<Audit>(this), path = m_path] {
-    QMetaObject::invokeMethod(
-        QCoreApplication::instance(),
-        [audit, content = journal::readAudit(path)] {
-          if (audit) {
-            audit->takeContent(content);
-          }
-        },
-        Qt::QueuedConnection);
-  });
+  session::inBackground(
+      this, [path = m_path] { return journal::readAudit(path); },
+      [](Audit& self, const base::Result<journal::AuditContent>& content) {
+        self.takeContent(content);
+      });
 }
 
 void Audit::takeContent(base::Result<journal::AuditContent> content) {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/file.h"
-#include "hmi/background.h"
 #include "opcua/open62541/encryption.h"
+#include "session/background.h"
 #include "utc/now.h"
 #include "widgets/common/error_text.h"
 
@@ -58,8 +58,8 @@ template <class Make>
 void Certificates::makeOwn(Make make, const QString& exportPath) {
   m_view.isMaking = true;
   Q_EMIT changed();
-  runInBackground([self = QPointer<Certificates>(this), make = std::move(make),
-                   exportPath]() -> std::function<void()> {
+  session::runInBackground([self = QPointer<Certificates>(this), make = std::move(make),
+                            exportPath]() -> std::function<void()> {
     auto own = std::make_shared<base::Result<opcua::OwnCertificate>>(make());
     return [self, own, exportPath] {
       if (self) {

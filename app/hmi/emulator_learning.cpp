@@ -11,7 +11,7 @@
 
 #include "base/file.h"
 #include "emulator/emulator_error.h"
-#include "hmi/background.h"
+#include "session/background.h"
 
 namespace rivulet::hmi {
 
@@ -87,8 +87,8 @@ void EmulatorLearning::add(const QStringList& paths) {
 void EmulatorLearning::read(Entry& entry, const learning::RecordingFile& file) {
   entry.state = State::Reading;
   const QPointer<EmulatorLearning> guard(this);
-  runInBackground([guard, file, id = entry.id, preset = m_preset.toStdString(),
-                   machine = m_machine]() -> std::function<void()> {
+  session::runInBackground([guard, file, id = entry.id, preset = m_preset.toStdString(),
+                            machine = m_machine]() -> std::function<void()> {
     using Result = base::Result<learning::Recording>;
     std::shared_ptr<const machine::MachineConfig> known = machine;
     std::shared_ptr<const Result> result;
@@ -183,7 +183,7 @@ void EmulatorLearning::setUse(int recording, bool isForTest) {
 
 void EmulatorLearning::setPreset(const QString& preset) {
   const QPointer<EmulatorLearning> guard(this);
-  runInBackground([guard, preset, request = ++m_presetRequest]() -> std::function<void()> {
+  session::runInBackground([guard, preset, request = ++m_presetRequest]() -> std::function<void()> {
     auto loaded = machine::loadPreset(preset.toStdString());
     const auto result =
         std::make_shared<const base::Result<machine::MachineConfig>>(std::move(loaded));
@@ -221,17 +221,14 @@ void EmulatorLearning::learn() {
   }
   m_cancelled = std::make_shared<std::atomic<bool>>(false);
   const QPointer<EmulatorLearning> guard(this);
-  runInBackground([guard, request = std::move(request),
-                   cancelled = m_cancelled]() mutable -> std::function<void()> {
+  session::runInBackground([guard, request = std::move(request),
+                            cancelled = m_cancelled]() mutable -> std::function<void()> {
     const auto report = [guard, cancelled](const emulator::LearnProgress& progress) {
-      QMetaObject::invokeMethod(
-          qApp,
-          [guard, cancelled, progress] {
-            if (guard && guard->m_cancelled == cancelled) {
-              Q_EMIT guard->progressed(progress);
-            }
-          },
-          Qt::QueuedConnection);
+      session::callLater(guard, [cancelled, progress](EmulatorLearning& learning) {
+        if (learning.m_cancelled == cancelled) {
+          Q_EMIT learning.progressed(progress);
+        }
+      });
       return true;
     };
     auto result = std::make_shared<const base::Result<learning::Learned>>(
@@ -259,20 +256,18 @@ void EmulatorLearning::compare() {
   }
   m_cancelled = std::make_shared<std::atomic<bool>>(false);
   const QPointer<EmulatorLearning> guard(this);
-  runInBackground([guard, learned = m_learned, cancelled = m_cancelled]() -> std::function<void()> {
+  session::runInBackground([guard, learned = m_learned,
+                            cancelled = m_cancelled]() -> std::function<void()> {
     std::vector<emulator::TrainingRun> runs;
     for (const learning::Recording& recording : learned->recordings) {
       runs.push_back(recording.run);
     }
     const auto report = [guard, cancelled](double share) {
-      QMetaObject::invokeMethod(
-          qApp,
-          [guard, cancelled, share] {
-            if (guard && guard->m_cancelled == cancelled) {
-              Q_EMIT guard->comparing(share);
-            }
-          },
-          Qt::QueuedConnection);
+      session::callLater(guard, [cancelled, share](EmulatorLearning& learning) {
+        if (learning.m_cancelled == cancelled) {
+          Q_EMIT learning.comparing(share);
+        }
+      });
       return true;
     };
     auto result = std::make_shared<const base::Result<emulator::CrossTest>>(emulator::crossTest(
@@ -318,8 +313,8 @@ void EmulatorLearning::drawOverlay(int run, const emulator::OverlayNames& names)
     return;
   }
   const QPointer<EmulatorLearning> guard(this);
-  runInBackground([guard, learned = m_learned, run, names,
-                   request = ++m_overlayRequest]() -> std::function<void()> {
+  session::runInBackground([guard, learned = m_learned, run, names,
+                            request = ++m_overlayRequest]() -> std::function<void()> {
     auto overlay = emulator::overlayOf(
         learned->emulator, learned->recordings[static_cast<std::size_t>(run)].run, names);
     return [guard, request, overlay = std::move(overlay)] {

@@ -3,12 +3,10 @@
 
 #include "hmi/past_runs.h"
 
-#include <QCoreApplication>
-#include <QPointer>
-#include <QThreadPool>
 #include <utility>
 
 #include "base/file.h"
+#include "session/background.h"
 #include "widgets/common/error_text.h"
 #include "widgets/runs/run_texts.h"
 
@@ -48,31 +46,15 @@ PastRuns::PastRuns(Document& document, RunController& runs, Messages& messages,
   connect(&m_document, &Document::readingCancelled, this, [this] { m_repeat.reset(); });
 }
 
-template <class Compute, class Take>
-void PastRuns::inBackground(Compute compute, Take take) {
-  QThreadPool::globalInstance()->start(
-      [self = QPointer<PastRuns>(this), compute = std::move(compute), take = std::move(take)] {
-        auto result = std::make_shared<decltype(compute())>(compute());
-        // The context of the call is the application: `self` is only touched on its own thread.
-        QMetaObject::invokeMethod(
-            qApp,
-            [self, result, take] {
-              if (self) {
-                take(*self, std::move(*result));
-              }
-            },
-            Qt::QueuedConnection);
-      });
-}
-
 void PastRuns::refresh() {
   const int request = ++m_listRequest;
-  inBackground([history = m_history] { return history.list(); },
-               [request](PastRuns& self, report::HistoryList list) {
-                 if (request == self.m_listRequest) {
-                   Q_EMIT self.listed(std::make_shared<const report::HistoryList>(std::move(list)));
-                 }
-               });
+  session::inBackground(
+      this, [history = m_history] { return history.list(); },
+      [request](PastRuns& self, report::HistoryList list) {
+        if (request == self.m_listRequest) {
+          Q_EMIT self.listed(std::make_shared<const report::HistoryList>(std::move(list)));
+        }
+      });
 }
 
 void PastRuns::readRun(const QString& id) {
@@ -85,24 +67,26 @@ void PastRuns::readFile(const QString& path) {
 
 void PastRuns::readFinished(const QString& id, const std::filesystem::path& file) {
   const int request = ++m_readRequest;
-  inBackground([file] { return report::readFinishedRun(file); },
-               [request, id](PastRuns& self, base::Result<report::FinishedRun> run) {
-                 if (request != self.m_readRequest) {
-                   return;
-                 }
-                 if (!run) {
-                   Q_EMIT self.unreadable(id, run.error());
-                   return;
-                 }
-                 run->summary.id = id.toStdString();
-                 Q_EMIT self.read(id, std::make_shared<const report::FinishedRun>(std::move(*run)));
-               });
+  session::inBackground(
+      this, [file] { return report::readFinishedRun(file); },
+      [request, id](PastRuns& self, base::Result<report::FinishedRun> run) {
+        if (request != self.m_readRequest) {
+          return;
+        }
+        if (!run) {
+          Q_EMIT self.unreadable(id, run.error());
+          return;
+        }
+        run->summary.id = id.toStdString();
+        Q_EMIT self.read(id, std::make_shared<const report::FinishedRun>(std::move(*run)));
+      });
 }
 
 void PastRuns::openRecording(const report::FinishedRun& run) {
   const int request = ++m_recordingRequest;
   const auto opened = std::make_shared<const report::FinishedRun>(run);
-  inBackground(
+  session::inBackground(
+      this,
       [file = run.summary.recording] {
         const auto text = base::readFile(file);
         return text ? trace::parseRecording(*text)
@@ -132,15 +116,15 @@ void PastRuns::takeRecording(base::Result<trace::Recording> recording,
 }
 
 void PastRuns::setLimits(const report::HistoryLimits& limits) {
-  inBackground([history = m_history, limits] { return history.setLimits(limits); },
-               [](PastRuns& self, const base::Result<void>& done) {
-                 if (!done) {
-                   self.m_messages.show(Severity::Warning, [error = done.error()] {
-                     return widgets::errorText(error);
-                   });
-                 }
-                 self.refresh();
-               });
+  session::inBackground(
+      this, [history = m_history, limits] { return history.setLimits(limits); },
+      [](PastRuns& self, const base::Result<void>& done) {
+        if (!done) {
+          self.m_messages.show(Severity::Warning,
+                               [error = done.error()] { return widgets::errorText(error); });
+        }
+        self.refresh();
+      });
 }
 
 void PastRuns::repeat(const report::FinishedRun& run) {

@@ -55,9 +55,6 @@ class PastRuns final : public QObject {
                      const std::shared_ptr<const rivulet::report::FinishedRun>& run);
 
  private:
-  /// Computes in the pool and hands the result over, unless `isWanted` is no longer true.
-  template <class Compute, class Take>
-  void inBackground(Compute compute, Take take);
   void readFinished(const QString& id, const std::filesystem::path& file);
   void takeRecording(base::Result<trace::Recording> recording,
                      const std::shared_ptr<const report::FinishedRun>& run);

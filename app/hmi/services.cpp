@@ -10,11 +10,11 @@
 #include <chrono>
 #include <utility>
 
-#include "hmi/background.h"
 #include "opcua/node_map.h"
 #include "opcua/open62541/discovery.h"
 #include "service/node_table.h"
 #include "service/service_watch.h"
+#include "session/background.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -185,7 +185,7 @@ void Services::search(const QString& address) {
   const std::string asked = address.trimmed().isEmpty()
                                 ? std::string(opcua::kLocalEndpoint)
                                 : addressOf(address, opcua::kPort).toStdString();
-  runInBackground([asked, self = QPointer<Services>(this)]() -> std::function<void()> {
+  session::runInBackground([asked, self = QPointer<Services>(this)]() -> std::function<void()> {
     auto found = opcua::findServers(asked, kSearchMax);
     return [found = std::move(found), self] {
       if (!self) {

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "gcode/program.h"
-#include "hmi/background.h"
 #include "report/trace_source.h"
+#include "session/background.h"
 #include "trace/analysis/trace_analysis.h"
 
 namespace rivulet::hmi {
@@ -139,7 +139,7 @@ void Traces::begin(Kind kind, std::vector<Subject> subjects) {
   m_subjects = std::move(subjects);
   auto read = std::make_shared<std::vector<Subject>>(m_subjects);
   const QPointer<Traces> guard(this);
-  runInBackground([guard, request, read]() -> std::function<void()> {
+  session::runInBackground([guard, request, read]() -> std::function<void()> {
     List list;
     for (Subject& subject : *read) {
       subject.read();
@@ -171,8 +171,8 @@ void Traces::analyse(int request, std::shared_ptr<std::vector<Subject>> read) {
     program = {m_document.path().toStdString(), m_document.reading()};
   }
   const QPointer<Traces> guard(this);
-  runInBackground([guard, request, program, read = std::move(read),
-                   subjects = m_subjects]() mutable -> std::function<void()> {
+  session::runInBackground([guard, request, program, read = std::move(read),
+                            subjects = m_subjects]() mutable -> std::function<void()> {
     if (!read) {
       read = std::make_shared<std::vector<Subject>>(std::move(subjects));
       for (Subject& subject : *read) {

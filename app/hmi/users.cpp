@@ -17,8 +17,8 @@
 #include <utility>
 
 #include "base/file.h"
-#include "hmi/background.h"
 #include "preparation/user_file.h"
+#include "session/background.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -195,7 +195,7 @@ void Users::logIn(const QString& name, const QString& pin) {
 
 void Users::hashPin(const QString& pin, const QByteArray& salt,
                     std::function<void(const QByteArray& hash)> then) {
-  runInBackground([users = QPointer<Users>(this), pin, salt, then = std::move(then)] {
+  session::runInBackground([users = QPointer<Users>(this), pin, salt, then = std::move(then)] {
     return [users, hash = pinHash(pin, salt), then] {
       if (users) {
         then(hash);

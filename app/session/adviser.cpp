@@ -3,13 +3,11 @@
 
 #include "session/adviser.h"
 
-#include <QCoreApplication>
-#include <QPointer>
-#include <QThreadPool>
 #include <algorithm>
 
 #include "experiments/region.h"
 #include "report/operating_point.h"
+#include "session/background.h"
 #include "streaming/feed_plan.h"
 
 namespace rivulet::session {
@@ -147,32 +145,31 @@ void Adviser::cancel() {
 
 void Adviser::advise(AdviceJob job) {
   renew(m_stopAdvice);
-  QThreadPool::globalInstance()->start(
-      [self = QPointer<Adviser>(this), stop = m_stopAdvice, job = std::move(job)] {
-        const auto list =
-            std::make_shared<const std::vector<feasibility::Advice>>(simulatedAdvice(job, *stop));
-        // The context of the call is the application: `self` is only touched on its own thread.
-        QMetaObject::invokeMethod(
-            qApp,
-            [self, stop, list] {
-              if (self && self->m_stopAdvice == stop) {
-                self->m_stopAdvice.reset();
-                Q_EMIT self->advised(list);
-              }
-            },
-            Qt::QueuedConnection);
+  using List = std::shared_ptr<const std::vector<feasibility::Advice>>;
+  inBackground(
+      this,
+      [stop = m_stopAdvice, job = std::move(job)]() -> List {
+        return std::make_shared<const std::vector<feasibility::Advice>>(
+            simulatedAdvice(job, *stop));
+      },
+      [stop = m_stopAdvice](Adviser& self, const List& list) {
+        if (self.m_stopAdvice == stop) {
+          self.m_stopAdvice.reset();
+          Q_EMIT self.advised(list);
+        }
       });
 }
 
 void Adviser::judge(AdviceJob job) {
   renew(m_stopVerdict);
-  QThreadPool::globalInstance()->start(
-      [self = QPointer<Adviser>(this), stop = m_stopVerdict, job = std::move(job)] {
-        if (stop->load()) {
-          return;  // overtaken while it waited
-        }
+  inBackground(
+      this,
+      [stop = m_stopVerdict, job = std::move(job)] {
         const feasibility::OperatingPoint& point = job.question.operatingPoint;
         TurnedVerdict turned{point, std::nullopt, {}};
+        if (stop->load()) {
+          return turned;  // overtaken while it waited: nobody takes it
+        }
         const auto verdict =
             feasibility::judge(completed(job, point), distancesOf(job, point), job.question.access);
         if (verdict) {
@@ -180,15 +177,13 @@ void Adviser::judge(AdviceJob job) {
         } else {
           turned.error = verdict.error();
         }
-        QMetaObject::invokeMethod(
-            qApp,
-            [self, stop, turned] {
-              if (self && self->m_stopVerdict == stop) {
-                self->m_stopVerdict.reset();
-                Q_EMIT self->turned(turned);
-              }
-            },
-            Qt::QueuedConnection);
+        return turned;
+      },
+      [stop = m_stopVerdict](Adviser& self, const TurnedVerdict& turned) {
+        if (self.m_stopVerdict == stop) {
+          self.m_stopVerdict.reset();
+          Q_EMIT self.turned(turned);
+        }
       });
 }
 

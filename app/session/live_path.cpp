@@ -3,11 +3,10 @@
 
 #include "session/live_path.h"
 
-#include <QCoreApplication>
 #include <QElapsedTimer>
-#include <QPointer>
-#include <QThreadPool>
 #include <algorithm>
+
+#include "session/background.h"
 
 namespace rivulet::session {
 
@@ -67,31 +66,31 @@ void LivePath::make() {
     return;
   }
   m_isBusy = true;
-  QThreadPool::globalInstance()->start([self = QPointer<LivePath>(this), path = m_path,
-                                        points = m_points, name = m_name, hash = m_hash] {
-    QElapsedTimer took;
-    took.start();
-    const base::Vec3 startMm = points.empty() ? base::Vec3{} : points.front().positionMm;
-    const auto view =
-        widgets::makeProgramView(liveProgram(name, hash, points), startMm, kPointsPerLoop);
-    // The context of the call is the application: `self` is only touched on its own thread.
-    QMetaObject::invokeMethod(
-        qApp,
-        [self, path, view, count = points.size(), ms = took.elapsed()] {
-          if (!self) {
-            return;
-          }
-          self->m_isBusy = false;
-          if (path == self->m_path) {
-            self->m_shown = count;
-            Q_EMIT self->grown(view);
-          }
-          if (self->m_shown < self->m_points.size()) {
-            self->m_timer.start(static_cast<int>(std::max<qint64>(kIntervalMs, kShare * ms)));
-          }
-        },
-        Qt::QueuedConnection);
-  });
+  struct Made {
+    std::shared_ptr<const widgets::ProgramView> view;
+    std::size_t points = 0;
+    qint64 ms = 0;
+  };
+  inBackground(
+      this,
+      [points = m_points, name = m_name, hash = m_hash] {
+        QElapsedTimer took;
+        took.start();
+        const base::Vec3 startMm = points.empty() ? base::Vec3{} : points.front().positionMm;
+        auto view =
+            widgets::makeProgramView(liveProgram(name, hash, points), startMm, kPointsPerLoop);
+        return Made{std::move(view), points.size(), took.elapsed()};
+      },
+      [path = m_path](LivePath& self, const Made& made) {
+        self.m_isBusy = false;
+        if (path == self.m_path) {
+          self.m_shown = made.points;
+          Q_EMIT self.grown(made.view);
+        }
+        if (self.m_shown < self.m_points.size()) {
+          self.m_timer.start(static_cast<int>(std::max<qint64>(kIntervalMs, kShare * made.ms)));
+        }
+      });
 }
 
 }  // namespace rivulet::session

@@ -3,14 +3,13 @@
 
 #include "session/program_loader.h"
 
-#include <QCoreApplication>
-#include <QPointer>
 #include <QThreadPool>
 #include <chrono>
 #include <filesystem>
 #include <utility>
 
 #include "preparation/split_program.h"
+#include "session/background.h"
 
 namespace rivulet::session {
 
@@ -51,16 +50,12 @@ void ProgramLoader::load(LoadRequest request) {
   m_stop = std::make_shared<std::atomic<bool>>(false);
   QThreadPool::globalInstance()->start([self = QPointer<ProgramLoader>(this), stop = m_stop,
                                         request = std::move(request)] {
-    // The context of each call is the application: `self` is only touched on its own thread.
     const auto tell = [&self, &stop](auto what) {
-      QMetaObject::invokeMethod(
-          qApp,
-          [self, stop, what = std::move(what)] {
-            if (self && self->m_stop == stop) {
-              what(*self);
-            }
-          },
-          Qt::QueuedConnection);
+      callLater(self, [stop, what = std::move(what)](ProgramLoader& loader) {
+        if (loader.m_stop == stop) {
+          what(loader);
+        }
+      });
     };
     Clock::time_point told{};
     const auto progress = [&](double share) {
@@ -117,21 +112,19 @@ void ProgramLoader::place(std::shared_ptr<const widgets::ProgramView> view, base
     return;
   }
   m_placing = std::make_shared<std::atomic<bool>>(false);
-  QThreadPool::globalInstance()->start([self = QPointer<ProgramLoader>(this), stop = m_placing,
-                                        view = std::move(view), startMm, pointsPerLoop] {
-    auto placed = widgets::makeProgramView(
-        view->program, startMm, pointsPerLoop, [&stop](double) { return !stop->load(); },
-        view->feeds, view->plan);
-    QMetaObject::invokeMethod(
-        qApp,
-        [self, placed = std::move(placed), view] {
-          if (self && placed) {
-            self->m_placing.reset();
-            Q_EMIT self->placed(placed, view);
-          }
-        },
-        Qt::QueuedConnection);
-  });
+  inBackground(
+      this,
+      [stop = m_placing, view, startMm, pointsPerLoop] {
+        return widgets::makeProgramView(
+            view->program, startMm, pointsPerLoop, [&stop](double) { return !stop->load(); },
+            view->feeds, view->plan);
+      },
+      [view](ProgramLoader& self, const std::shared_ptr<const widgets::ProgramView>& placed) {
+        if (placed) {
+          self.m_placing.reset();
+          Q_EMIT self.placed(placed, view);
+        }
+      });
 }
 
 }  // namespace rivulet::session

@@ -3,14 +3,13 @@
 
 #include "session/program_timer.h"
 
-#include <QCoreApplication>
-#include <QPointer>
 #include <QThreadPool>
 #include <algorithm>
 
 #include "base/units.h"
 #include "experiments/path_time.h"
 #include "report/machine_profile.h"
+#include "session/background.h"
 #include "streaming/pause_placement.h"
 
 namespace rivulet::session {
@@ -104,16 +103,12 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
     const machine::MachineConfig machine =
         settings.machine ? *settings.machine : report::configOf(nullptr);
     const auto progress = [&](double) { return !stop->load(); };
-    // The context of the call is the application: `self` is only touched on its own thread.
     const auto tell = [&](auto change) {
-      QMetaObject::invokeMethod(
-          qApp,
-          [self, stop, change, view] {
-            if (self && self->m_stop == stop) {
-              change(*self, view);
-            }
-          },
-          Qt::QueuedConnection);
+      callLater(self, [stop, change, view](ProgramTimer& timer) {
+        if (timer.m_stop == stop) {
+          change(timer, view);
+        }
+      });
     };
     const auto pauses = planPauses(*view, settings);
     tell([pauses](ProgramTimer& timer, const auto& of) { Q_EMIT timer.planned(pauses, of); });

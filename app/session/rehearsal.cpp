@@ -3,14 +3,12 @@
 
 #include "session/rehearsal.h"
 
-#include <QCoreApplication>
-#include <QPointer>
-#include <QThreadPool>
 #include <algorithm>
 #include <array>
 
 #include "experiments/region.h"
 #include "report/machine_profile.h"
+#include "session/background.h"
 
 namespace rivulet::session {
 
@@ -98,19 +96,17 @@ void Rehearsal::cancel() {
 void Rehearsal::start(RehearsalJob job, const std::string& key) {
   cancel();
   m_stop = std::make_shared<std::atomic<bool>>(false);
-  QThreadPool::globalInstance()->start(
-      [self = QPointer<Rehearsal>(this), stop = m_stop, job = std::move(job), key] {
-        auto outcome = std::make_shared<const RehearsalOutcome>(rehearse(job, *stop));
-        // The context of the call is the application: `self` is only touched on its own thread.
-        QMetaObject::invokeMethod(
-            qApp,
-            [self, stop, outcome, key] {
-              if (self && self->m_stop == stop) {
-                self->m_stop.reset();
-                Q_EMIT self->finished(outcome, key);
-              }
-            },
-            Qt::QueuedConnection);
+  inBackground(
+      this,
+      [stop = m_stop, job = std::move(job)] {
+        return std::make_shared<const RehearsalOutcome>(rehearse(job, *stop));
+      },
+      [stop = m_stop, key](Rehearsal& self,
+                           const std::shared_ptr<const RehearsalOutcome>& outcome) {
+        if (self.m_stop == stop) {
+          self.m_stop.reset();
+          Q_EMIT self.finished(outcome, key);
+        }
       });
 }
 

@@ -5,9 +5,9 @@
 
 #include <QCoreApplication>
 
-#include "hmi/background.h"
 #include "hmi/pages/pages.h"
 #include "machine/config.h"
+#include "session/background.h"
 #include "widgets/common/error_text.h"
 #include "widgets/emulator/emulator_page.h"
 #include "widgets/emulator/overlay_panel.h"
@@ -35,7 +35,7 @@ QWidget* makeEmulatorPage(const Models& models, QWidget* parent) {
   auto* page = new EmulatorPage(parent);
   EmulatorLearning* learning = &models.learning;
   RunController* runs = &models.runs;
-  page->overlay()->setRunner(&runInBackground);
+  page->overlay()->setRunner(&session::runInBackground);
   const auto showRecordings = [page, learning] { page->setRecordings(learning->recordings()); };
   const auto showPreset = [page, learning] {
     QStringList names;

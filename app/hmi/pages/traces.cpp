@@ -3,10 +3,10 @@
 
 /// The page Traces: the run in progress, the last run, runs of the past, and files.
 
-#include "hmi/background.h"
 #include "hmi/pages/pages.h"
 #include "hmi/past_runs.h"
 #include "hmi/trace_layouts.h"
+#include "session/background.h"
 #include "widgets/common/error_text.h"
 #include "widgets/runs/run_texts.h"
 #include "widgets/trace/trace_page.h"
@@ -74,7 +74,7 @@ void showLayouts(widgets::TracePage* page) {
 
 QWidget* makeTracePage(const Models& models, QWidget* parent) {
   auto* page = new widgets::TracePage(parent);
-  page->setRunner(&runInBackground);
+  page->setRunner(&session::runInBackground);
   connectRuns(models, page);
   showLayouts(page);
   QObject::connect(page, &widgets::TracePage::layoutsChanged, page,
