@@ -3,7 +3,6 @@
 
 #include "hmi/certificates.h"
 
-#include <QPointer>
 #include <utility>
 
 #include "base/file.h"
@@ -58,15 +57,11 @@ template <class Make>
 void Certificates::makeOwn(Make make, const QString& exportPath) {
   m_view.isMaking = true;
   Q_EMIT changed();
-  session::runInBackground([self = QPointer<Certificates>(this), make = std::move(make),
-                            exportPath]() -> std::function<void()> {
-    auto own = std::make_shared<base::Result<opcua::OwnCertificate>>(make());
-    return [self, own, exportPath] {
-      if (self) {
-        self->take(*own, exportPath);
-      }
-    };
-  });
+  session::inBackground(
+      this, std::move(make),
+      [exportPath](Certificates& self, const base::Result<opcua::OwnCertificate>& own) {
+        self.take(own, exportPath);
+      });
 }
 
 void Certificates::take(const base::Result<opcua::OwnCertificate>& own, const QString& exportPath) {

@@ -86,10 +86,12 @@ void EmulatorLearning::add(const QStringList& paths) {
 
 void EmulatorLearning::read(Entry& entry, const learning::RecordingFile& file) {
   entry.state = State::Reading;
-  const QPointer<EmulatorLearning> guard(this);
-  session::runInBackground([guard, file, id = entry.id, preset = m_preset.toStdString(),
-                            machine = m_machine]() -> std::function<void()> {
-    using Result = base::Result<learning::Recording>;
+  using Result = base::Result<learning::Recording>;
+  struct Read {
+    std::shared_ptr<const Result> result;
+    learning::RecordingFacts facts;
+  };
+  auto compute = [file, preset = m_preset.toStdString(), machine = m_machine] {
     std::shared_ptr<const machine::MachineConfig> known = machine;
     std::shared_ptr<const Result> result;
     if (!known) {
@@ -103,14 +105,12 @@ void EmulatorLearning::read(Entry& entry, const learning::RecordingFile& file) {
     if (known) {
       result = std::make_shared<const Result>(learning::readRecording(file, *known));
     }
-    const learning::RecordingFacts facts =
-        *result ? learning::factsOf(**result) : learning::RecordingFacts{};
-    return [guard, file, id, result, facts] {
-      if (guard) {
-        guard->take(id, file, *result, facts);
-      }
-    };
-  });
+    return Read{result, *result ? learning::factsOf(**result) : learning::RecordingFacts{}};
+  };
+  session::inBackground(this, std::move(compute),
+                        [file, id = entry.id](EmulatorLearning& self, const Read& read) {
+                          self.take(id, file, *read.result, read.facts);
+                        });
 }
 
 void EmulatorLearning::take(int id, const learning::RecordingFile& file,
@@ -182,30 +182,27 @@ void EmulatorLearning::setUse(int recording, bool isForTest) {
 }
 
 void EmulatorLearning::setPreset(const QString& preset) {
-  const QPointer<EmulatorLearning> guard(this);
-  session::runInBackground([guard, preset, request = ++m_presetRequest]() -> std::function<void()> {
-    auto loaded = machine::loadPreset(preset.toStdString());
-    const auto result =
-        std::make_shared<const base::Result<machine::MachineConfig>>(std::move(loaded));
-    return [guard, preset, request, result] {
-      if (!guard || guard->m_presetRequest != request || guard->isLearning()) {
-        return;
-      }
-      if (!*result) {
-        Q_EMIT guard->failed(result->error());
-        return;
-      }
-      guard->m_preset = preset;
-      guard->m_machine = std::make_shared<const machine::MachineConfig>(**result);
-      for (Entry& entry : guard->m_entries) {
-        if (!entry.file.program.empty()) {
-          guard->read(entry, entry.file);
+  session::inBackground(
+      this, [preset] { return machine::loadPreset(preset.toStdString()); },
+      [preset, request = ++m_presetRequest](EmulatorLearning& self,
+                                            base::Result<machine::MachineConfig> loaded) {
+        if (self.m_presetRequest != request || self.isLearning()) {
+          return;
         }
-      }
-      Q_EMIT guard->presetChanged();
-      Q_EMIT guard->recordingsChanged();
-    };
-  });
+        if (!loaded) {
+          Q_EMIT self.failed(loaded.error());
+          return;
+        }
+        self.m_preset = preset;
+        self.m_machine = std::make_shared<const machine::MachineConfig>(std::move(*loaded));
+        for (Entry& entry : self.m_entries) {
+          if (!entry.file.program.empty()) {
+            self.read(entry, entry.file);
+          }
+        }
+        Q_EMIT self.presetChanged();
+        Q_EMIT self.recordingsChanged();
+      });
 }
 
 void EmulatorLearning::learn() {
@@ -220,9 +217,8 @@ void EmulatorLearning::learn() {
     (entry.isForTest ? request.testOn : request.learnFrom).push_back(*entry.recording);
   }
   m_cancelled = std::make_shared<std::atomic<bool>>(false);
-  const QPointer<EmulatorLearning> guard(this);
-  session::runInBackground([guard, request = std::move(request),
-                            cancelled = m_cancelled]() mutable -> std::function<void()> {
+  auto compute = [guard = QPointer<EmulatorLearning>(this), request = std::move(request),
+                  cancelled = m_cancelled]() mutable {
     const auto report = [guard, cancelled](const emulator::LearnProgress& progress) {
       session::callLater(guard, [cancelled, progress](EmulatorLearning& learning) {
         if (learning.m_cancelled == cancelled) {
@@ -231,22 +227,26 @@ void EmulatorLearning::learn() {
       });
       return true;
     };
-    auto result = std::make_shared<const base::Result<learning::Learned>>(
+    return std::make_shared<const base::Result<learning::Learned>>(
         learning::learn(std::move(request), report, [cancelled] { return cancelled->load(); }));
-    return [guard, cancelled, result] {
-      if (!guard || guard->m_cancelled != cancelled) {
-        return;
-      }
-      guard->m_cancelled = nullptr;
-      Q_EMIT guard->ended();
-      if (!*result) {
-        Q_EMIT guard->failed(result->error());
-        return;
-      }
-      guard->m_learned = std::shared_ptr<const learning::Learned>(result, &result->value());
-      Q_EMIT guard->learned(viewOf(*guard->m_learned));
-    };
-  });
+  };
+  session::inBackground(this, std::move(compute),
+                        [cancelled = m_cancelled](
+                            EmulatorLearning& self,
+                            const std::shared_ptr<const base::Result<learning::Learned>>& result) {
+                          if (self.m_cancelled != cancelled) {
+                            return;
+                          }
+                          self.m_cancelled = nullptr;
+                          Q_EMIT self.ended();
+                          if (!*result) {
+                            Q_EMIT self.failed(result->error());
+                            return;
+                          }
+                          self.m_learned =
+                              std::shared_ptr<const learning::Learned>(result, &result->value());
+                          Q_EMIT self.learned(viewOf(*self.m_learned));
+                        });
   Q_EMIT started();
 }
 
@@ -255,9 +255,8 @@ void EmulatorLearning::compare() {
     return;
   }
   m_cancelled = std::make_shared<std::atomic<bool>>(false);
-  const QPointer<EmulatorLearning> guard(this);
-  session::runInBackground([guard, learned = m_learned,
-                            cancelled = m_cancelled]() -> std::function<void()> {
+  auto compute = [guard = QPointer<EmulatorLearning>(this), learned = m_learned,
+                  cancelled = m_cancelled] {
     std::vector<emulator::TrainingRun> runs;
     for (const learning::Recording& recording : learned->recordings) {
       runs.push_back(recording.run);
@@ -270,22 +269,23 @@ void EmulatorLearning::compare() {
       });
       return true;
     };
-    auto result = std::make_shared<const base::Result<emulator::CrossTest>>(emulator::crossTest(
+    return emulator::crossTest(
         learned->emulator, runs,
-        {.progress = report, .isCancelled = [cancelled] { return cancelled->load(); }}));
-    return [guard, cancelled, result] {
-      if (!guard || guard->m_cancelled != cancelled) {
-        return;
-      }
-      guard->m_cancelled = nullptr;
-      Q_EMIT guard->ended();
-      if (*result) {
-        Q_EMIT guard->compared(**result);
-      } else {
-        Q_EMIT guard->failed(result->error());
-      }
-    };
-  });
+        {.progress = report, .isCancelled = [cancelled] { return cancelled->load(); }});
+  };
+  session::inBackground(this, std::move(compute),
+                        [cancelled = m_cancelled](EmulatorLearning& self, const auto& result) {
+                          if (self.m_cancelled != cancelled) {
+                            return;
+                          }
+                          self.m_cancelled = nullptr;
+                          Q_EMIT self.ended();
+                          if (result) {
+                            Q_EMIT self.compared(*result);
+                          } else {
+                            Q_EMIT self.failed(result.error());
+                          }
+                        });
   Q_EMIT comparing(0.0);
 }
 
@@ -312,22 +312,22 @@ void EmulatorLearning::drawOverlay(int run, const emulator::OverlayNames& names)
   if (!m_learned || run < 0 || run >= static_cast<int>(m_learned->recordings.size())) {
     return;
   }
-  const QPointer<EmulatorLearning> guard(this);
-  session::runInBackground([guard, learned = m_learned, run, names,
-                            request = ++m_overlayRequest]() -> std::function<void()> {
-    auto overlay = emulator::overlayOf(
-        learned->emulator, learned->recordings[static_cast<std::size_t>(run)].run, names);
-    return [guard, request, overlay = std::move(overlay)] {
-      if (!guard || guard->m_overlayRequest != request) {
-        return;
-      }
-      if (overlay) {
-        Q_EMIT guard->overlayDrawn(*overlay);
-      } else {
-        Q_EMIT guard->failed(overlay.error());
-      }
-    };
-  });
+  session::inBackground(
+      this,
+      [learned = m_learned, run, names] {
+        return emulator::overlayOf(learned->emulator,
+                                   learned->recordings[static_cast<std::size_t>(run)].run, names);
+      },
+      [request = ++m_overlayRequest](EmulatorLearning& self, const auto& overlay) {
+        if (self.m_overlayRequest != request) {
+          return;
+        }
+        if (overlay) {
+          Q_EMIT self.overlayDrawn(*overlay);
+        } else {
+          Q_EMIT self.failed(overlay.error());
+        }
+      });
 }
 
 }  // namespace rivulet::hmi

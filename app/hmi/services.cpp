@@ -4,7 +4,6 @@
 #include "hmi/services.h"
 
 #include <QElapsedTimer>
-#include <QPointer>
 #include <QTimer>
 #include <atomic>
 #include <chrono>
@@ -185,26 +184,22 @@ void Services::search(const QString& address) {
   const std::string asked = address.trimmed().isEmpty()
                                 ? std::string(opcua::kLocalEndpoint)
                                 : addressOf(address, opcua::kPort).toStdString();
-  session::runInBackground([asked, self = QPointer<Services>(this)]() -> std::function<void()> {
-    auto found = opcua::findServers(asked, kSearchMax);
-    return [found = std::move(found), self] {
-      if (!self) {
-        return;
-      }
-      QStringList endpoints;
-      if (found) {
-        for (const opcua::FoundServer& server : *found) {
-          if (server.productUri == service::kNamespaceUri && !server.addresses.empty()) {
-            const QString endpoint = text(server.addresses.front());
-            if (!self->m_endpoints.contains(endpoint) && !endpoints.contains(endpoint)) {
-              endpoints.append(endpoint);
+  session::inBackground(
+      this, [asked] { return opcua::findServers(asked, kSearchMax); },
+      [](Services& self, const base::Result<std::vector<opcua::FoundServer>>& found) {
+        QStringList endpoints;
+        if (found) {
+          for (const opcua::FoundServer& server : *found) {
+            if (server.productUri == service::kNamespaceUri && !server.addresses.empty()) {
+              const QString endpoint = text(server.addresses.front());
+              if (!self.m_endpoints.contains(endpoint) && !endpoints.contains(endpoint)) {
+                endpoints.append(endpoint);
+              }
             }
           }
         }
-      }
-      Q_EMIT self->searched(endpoints, found ? base::Error() : found.error());
-    };
-  });
+        Q_EMIT self.searched(endpoints, found ? base::Error() : found.error());
+      });
 }
 
 void Services::call(const QString& endpoint, const QString& method, const QStringList& inputs) {

@@ -4,7 +4,6 @@
 #include "hmi/traces.h"
 
 #include <QFileInfo>
-#include <QPointer>
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -138,31 +137,33 @@ void Traces::begin(Kind kind, std::vector<Subject> subjects) {
   m_shown = 0;
   m_subjects = std::move(subjects);
   auto read = std::make_shared<std::vector<Subject>>(m_subjects);
-  const QPointer<Traces> guard(this);
-  session::runInBackground([guard, request, read]() -> std::function<void()> {
-    List list;
-    for (Subject& subject : *read) {
-      subject.read();
-      if (!subject.error) {
-        list.push_back(subject.signalsOnly());
-      }
-    }
-    return [guard, request, read, list] {
-      if (!guard || guard->m_request != request) {
-        return;
-      }
-      for (const Subject& subject : *read) {
-        if (subject.error) {
-          Q_EMIT guard->failed(*subject.error);
+  session::inBackground(
+      this,
+      [read] {
+        List list;
+        for (Subject& subject : *read) {
+          subject.read();
+          if (!subject.error) {
+            list.push_back(subject.signalsOnly());
+          }
         }
-      }
-      if (!list.empty()) {
-        guard->m_shown = list.size();
-        guard->emitShown(list);
-        guard->analyse(request, read);
-      }
-    };
-  });
+        return list;
+      },
+      [request, read](Traces& self, const List& list) {
+        if (self.m_request != request) {
+          return;
+        }
+        for (const Subject& subject : *read) {
+          if (subject.error) {
+            Q_EMIT self.failed(*subject.error);
+          }
+        }
+        if (!list.empty()) {
+          self.m_shown = list.size();
+          self.emitShown(list);
+          self.analyse(request, read);
+        }
+      });
 }
 
 void Traces::analyse(int request, std::shared_ptr<std::vector<Subject>> read) {
@@ -170,29 +171,30 @@ void Traces::analyse(int request, std::shared_ptr<std::vector<Subject>> read) {
   if (m_document.program() && !m_document.live()) {
     program = {m_document.path().toStdString(), m_document.reading()};
   }
-  const QPointer<Traces> guard(this);
-  session::runInBackground([guard, request, program, read = std::move(read),
-                            subjects = m_subjects]() mutable -> std::function<void()> {
-    if (!read) {
-      read = std::make_shared<std::vector<Subject>>(std::move(subjects));
-      for (Subject& subject : *read) {
-        subject.read();
-      }
-    }
-    const std::optional<gcode::Program> compared = program.load();
-    List list;
-    for (const Subject& subject : *read) {
-      if (!subject.error) {
-        list.push_back(subject.analysed(compared ? &*compared : nullptr));
-      }
-    }
-    return [guard, request, list] {
-      // A file that is gone by now stays as it is shown.
-      if (guard && guard->m_request == request && list.size() == guard->m_shown) {
-        guard->emitShown(list);
-      }
-    };
-  });
+  session::inBackground(
+      this,
+      [program, read = std::move(read), subjects = m_subjects]() mutable {
+        if (!read) {
+          read = std::make_shared<std::vector<Subject>>(std::move(subjects));
+          for (Subject& subject : *read) {
+            subject.read();
+          }
+        }
+        const std::optional<gcode::Program> compared = program.load();
+        List list;
+        for (const Subject& subject : *read) {
+          if (!subject.error) {
+            list.push_back(subject.analysed(compared ? &*compared : nullptr));
+          }
+        }
+        return list;
+      },
+      [request](Traces& self, const List& list) {
+        // A file that is gone by now stays as it is shown.
+        if (self.m_request == request && list.size() == self.m_shown) {
+          self.emitShown(list);
+        }
+      });
 }
 
 void Traces::compareAgain() {

@@ -10,7 +10,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QPasswordDigestor>
-#include <QPointer>
 #include <QRandomGenerator>
 #include <algorithm>
 #include <array>
@@ -195,13 +194,9 @@ void Users::logIn(const QString& name, const QString& pin) {
 
 void Users::hashPin(const QString& pin, const QByteArray& salt,
                     std::function<void(const QByteArray& hash)> then) {
-  session::runInBackground([users = QPointer<Users>(this), pin, salt, then = std::move(then)] {
-    return [users, hash = pinHash(pin, salt), then] {
-      if (users) {
-        then(hash);
-      }
-    };
-  });
+  session::inBackground(
+      this, [pin, salt] { return pinHash(pin, salt); },
+      [then = std::move(then)](Users&, const QByteArray& hash) { then(hash); });
 }
 
 void Users::takeAnswer(const QString& name, bool isRight) {
