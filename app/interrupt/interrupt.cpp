@@ -4,6 +4,7 @@
 #include "interrupt/interrupt.h"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace rivulet::interrupt {
 
