@@ -5,14 +5,13 @@
 /// Scripts of node that use node-opcua, each in a process of its own that dies with the test.
 #pragma once
 
-#include <sys/prctl.h>
-
 #include <QFile>
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QStandardPaths>
 #include <QString>
-#include <csignal>
+
+#include "interop/script_process.h"
 
 namespace rivulet::tests {
 
@@ -31,10 +30,7 @@ class NodeRuntime {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("NODE_PATH"), modules());
     process.setProcessEnvironment(environment);
-    process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    process.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGKILL); });
-    process.start(node(),
-                  {QStringLiteral(RIVULET_SOURCE_DIR "/tests/interop/") + script, argument});
+    startScript(process, node(), script, argument);
   }
 
  private:

@@ -14,7 +14,7 @@
 #include <QtTest>
 #include <memory>
 
-#include "interop/node_front.h"
+#include "interop/front_process.h"
 #include "interop/node_runtime.h"
 #include "opcua/control_map.h"
 #include "support/machine_process.h"
@@ -96,7 +96,8 @@ class TestMappedFront : public QObject {
     write("arc.mpf", tests::arcProgram(kPoints));
     m_machine = std::make_unique<tests::MachineProcess>(QStringLiteral(RIVULET_MACHINE));
     QVERIFY(!m_machine->endpoint().isEmpty());
-    m_front = std::make_unique<tests::NodeFront>(
+    m_front = std::make_unique<tests::FrontProcess>(
+        tests::Stack::NodeOpcua,
         QJsonObject{{QStringLiteral("upstream"), m_machine->endpoint()},
                     {QStringLiteral("namespace"), QStringLiteral("urn:acme:cell-7")},
                     {QStringLiteral("variables"), variables()},
@@ -202,7 +203,7 @@ class TestMappedFront : public QObject {
 
   QTemporaryDir m_folder;
   std::unique_ptr<tests::MachineProcess> m_machine;
-  std::unique_ptr<tests::NodeFront> m_front;
+  std::unique_ptr<tests::FrontProcess> m_front;
 };
 
 RIVULET_TEST(TestMappedFront)

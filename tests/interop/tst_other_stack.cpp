@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// Rivulet beside an OPC UA stack that others wrote: node-opcua, as the server that the command
-/// line connects to, and as the client of rivulet-machine behind it. Skipped where node-opcua is
-/// not installed; scripts/interop does that.
+/// Rivulet beside an OPC UA stack that others wrote, as the server that the command line connects
+/// to, and as the client of rivulet-machine behind it: node-opcua, or with
+/// RIVULET_TEST_STACK=asyncua that. Skipped where it is not installed; scripts/interop does that.
 
 #include <QFile>
 #include <QJsonArray>
@@ -15,8 +15,7 @@
 #include <memory>
 
 #include "base/axes.h"
-#include "interop/node_front.h"
-#include "interop/node_runtime.h"
+#include "interop/front_process.h"
 #include "opcua/node_map.h"
 #include "support/machine_process.h"
 #include "support/test_program.h"
@@ -56,18 +55,23 @@ QJsonArray variables() {
 
 }  // namespace
 
-class TestNodeOpcua : public QObject {
+class TestOtherStack : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
   void initTestCase() {
-    if (!tests::NodeRuntime::obstacle().isEmpty()) {
-      QSKIP(qPrintable(tests::NodeRuntime::obstacle()));
+    const auto stack = qEnvironmentVariable("RIVULET_TEST_STACK") == QStringLiteral("asyncua")
+                           ? tests::Stack::Asyncua
+                           : tests::Stack::NodeOpcua;
+    const QString obstacle = tests::FrontProcess::obstacle(stack);
+    if (!obstacle.isEmpty()) {
+      QSKIP(qPrintable(obstacle));
     }
     write("arc.mpf", tests::arcProgram(kPoints));
     m_machine = std::make_unique<tests::MachineProcess>(QStringLiteral(RIVULET_MACHINE));
     QVERIFY(!m_machine->endpoint().isEmpty());
-    m_front = std::make_unique<tests::NodeFront>(
+    m_front = std::make_unique<tests::FrontProcess>(
+        stack,
         QJsonObject{{QStringLiteral("upstream"), m_machine->endpoint()},
                     {QStringLiteral("user"), kUser},
                     {QStringLiteral("password"), kPassword},
@@ -176,10 +180,10 @@ class TestNodeOpcua : public QObject {
 
   QTemporaryDir m_folder;
   std::unique_ptr<tests::MachineProcess> m_machine;
-  std::unique_ptr<tests::NodeFront> m_front;
+  std::unique_ptr<tests::FrontProcess> m_front;
   QString m_endpoint;
   QString m_fingerprint;
 };
 
-RIVULET_TEST(TestNodeOpcua)
-#include "tst_node_opcua.moc"
+RIVULET_TEST(TestOtherStack)
+#include "tst_other_stack.moc"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A server of node-opcua in front of `rivulet-machine` (node_opcua_front.js), in a process of its
-/// own that ends with the object.
+/// A server of an OPC UA stack that others wrote, in front of `rivulet-machine`, in a process of
+/// its own that ends with the object: node_opcua_front.js, or asyncua_front.py.
 #pragma once
 
 #include <QByteArray>
@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "interop/node_runtime.h"
+#include "interop/python_runtime.h"
 
 namespace rivulet::tests {
 
@@ -29,17 +30,29 @@ namespace rivulet::tests {
   return text + "M30\n";
 }
 
-class NodeFront {
+/// Whose server and client it is.
+enum class Stack { NodeOpcua, Asyncua };
+
+class FrontProcess {
  public:
+  /// Why it cannot be started; empty: it can.
+  [[nodiscard]] static QString obstacle(Stack stack) {
+    return stack == Stack::Asyncua ? PythonRuntime::obstacle() : NodeRuntime::obstacle();
+  }
+
   /// @param folder  for the plan and the certificates
-  NodeFront(QJsonObject plan, const QString& folder) {
+  FrontProcess(Stack stack, QJsonObject plan, const QString& folder) {
     plan.insert(QStringLiteral("folder"), folder);
     QFile file(folder + QStringLiteral("/plan.json"));
     if (!file.open(QIODevice::WriteOnly) || file.write(QJsonDocument(plan).toJson()) < 0) {
       return;
     }
     file.close();
-    NodeRuntime::start(m_process, QStringLiteral("node_opcua_front.js"), file.fileName());
+    if (stack == Stack::Asyncua) {
+      PythonRuntime::start(m_process, QStringLiteral("asyncua_front.py"), file.fileName());
+    } else {
+      NodeRuntime::start(m_process, QStringLiteral("node_opcua_front.js"), file.fileName());
+    }
     while (m_endpoint.isEmpty() &&
            (m_process.canReadLine() || m_process.waitForReadyRead(kPatienceMs))) {
       const QJsonObject said = QJsonDocument::fromJson(m_process.readLine()).object();
@@ -47,12 +60,12 @@ class NodeFront {
       m_fingerprint = said[QStringLiteral("fingerprint")].toString();
     }
   }
-  ~NodeFront() {
+  ~FrontProcess() {
     m_process.terminate();
     m_process.waitForFinished(kPatienceMs);
   }
-  NodeFront(const NodeFront&) = delete;
-  NodeFront& operator=(const NodeFront&) = delete;
+  FrontProcess(const FrontProcess&) = delete;
+  FrontProcess& operator=(const FrontProcess&) = delete;
 
   /// Empty if it did not start.
   [[nodiscard]] const QString& endpoint() const { return m_endpoint; }
