@@ -15,8 +15,10 @@
 #include "opcua/await.h"
 #include "opcua/control_map.h"
 #include "opcua/open62541/ua_link.h"
+#include "support/arc_program.h"
 #include "support/machine_process.h"
 #include "support/plain_server.h"
+#include "support/private_folders.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -29,17 +31,6 @@ namespace {
 constexpr int kPatienceMs = 120'000;
 constexpr int kPoints = 20;
 constexpr auto kDeadline = 10s;
-
-/// An arc of points that are 1 mm apart.
-QByteArray arc() {
-  QByteArray text = "G17 G90 G71 G94\nG0 X0 Y0 Z50\n";
-  for (int i = 1; i < kPoints; ++i) {
-    const double angle = 0.2 * i;
-    text += "G1 X" + QByteArray::number(5.0 * std::sin(angle), 'f', 3) + " Y" +
-            QByteArray::number(5.0 - 5.0 * std::cos(angle), 'f', 3) + " F300\n";
-  }
-  return text + "M30\n";
-}
 
 base::Result<std::unique_ptr<UaLink>> connectTo(const tests::PlainServer& server,
                                                 const std::string& mapText) {
@@ -73,7 +64,7 @@ class TestMappedControl : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { write("arc.mpf", arc()); }
+  void initTestCase() { write("arc.mpf", tests::arcProgram(kPoints)); }
 
   // --- the link ---------------------------------------------------------------------------------
 
@@ -389,11 +380,7 @@ name = "/Program"
   }
   [[nodiscard]] Outcome cli(const QStringList& arguments) const {
     QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (const char* folder : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
-      environment.insert(QString::fromUtf8(folder), m_folder.path());
-    }
-    process.setProcessEnvironment(environment);
+    process.setProcessEnvironment(tests::environmentIn(m_folder.path()));
     process.setWorkingDirectory(m_folder.path());
     process.start(QStringLiteral(RIVULET_CLI), arguments);
     Outcome outcome;

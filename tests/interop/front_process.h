@@ -6,29 +6,16 @@
 /// its own that ends with the object: node_opcua_front.js, or asyncua_front.py.
 #pragma once
 
-#include <QByteArray>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
 #include <QString>
-#include <cmath>
 
 #include "interop/node_runtime.h"
 #include "interop/python_runtime.h"
 
 namespace rivulet::tests {
-
-/// An arc of points that are 1 mm apart. @param points  with the start
-[[nodiscard]] inline QByteArray arcProgram(int points) {
-  QByteArray text = "G17 G90 G71 G94\nG0 X0 Y0 Z50\n";
-  for (int i = 1; i < points; ++i) {
-    const double angle = 0.2 * i;
-    text += "G1 X" + QByteArray::number(5.0 * std::sin(angle), 'f', 3) + " Y" +
-            QByteArray::number(5.0 - 5.0 * std::cos(angle), 'f', 3) + " F300\n";
-  }
-  return text + "M30\n";
-}
 
 /// Whose server and client it is.
 enum class Stack { NodeOpcua, Asyncua };

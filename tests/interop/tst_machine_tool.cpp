@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "interop/node_runtime.h"
+#include "support/private_folders.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -47,11 +48,7 @@ class TestMachineTool : public QObject {
 
   void theMachineIsDescribed() {
     QProcess run;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (const char* folder : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
-      environment.insert(QString::fromUtf8(folder), m_folder.path());
-    }
-    run.setProcessEnvironment(environment);
+    run.setProcessEnvironment(tests::environmentIn(m_folder.path()));
     run.start(QStringLiteral(RIVULET_CLI),
               {QStringLiteral("--security"), QStringLiteral("none"), QStringLiteral("map"),
                QStringLiteral("--json"), QStringLiteral("--max-nodes"), QStringLiteral("20"),

@@ -17,7 +17,9 @@
 #include "interop/front_process.h"
 #include "interop/node_runtime.h"
 #include "opcua/control_map.h"
+#include "support/arc_program.h"
 #include "support/machine_process.h"
+#include "support/private_folders.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -192,11 +194,7 @@ class TestMappedFront : public QObject {
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
   }
   void start(QProcess& run, const QStringList& arguments) {
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (const char* folder : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
-      environment.insert(QString::fromUtf8(folder), m_folder.path());
-    }
-    run.setProcessEnvironment(environment);
+    run.setProcessEnvironment(tests::environmentIn(m_folder.path()));
     run.start(QStringLiteral(RIVULET_CLI), arguments);
     QVERIFY(run.waitForFinished(kPatienceMs));
   }

@@ -17,7 +17,9 @@
 #include "base/axes.h"
 #include "interop/front_process.h"
 #include "opcua/node_map.h"
+#include "support/arc_program.h"
 #include "support/machine_process.h"
+#include "support/private_folders.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -168,10 +170,7 @@ class TestOtherStack : public QObject {
                              QStringLiteral("--user"),     kUser};
   }
   void start(QProcess& run, const QStringList& arguments, const QString& password = kPassword) {
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (const char* folder : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
-      environment.insert(QString::fromUtf8(folder), m_folder.path());
-    }
+    QProcessEnvironment environment = tests::environmentIn(m_folder.path());
     environment.insert(QStringLiteral("RIVULET_PASSWORD"), password);
     run.setProcessEnvironment(environment);
     run.start(QStringLiteral(RIVULET_CLI), arguments);
