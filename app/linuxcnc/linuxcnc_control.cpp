@@ -29,8 +29,9 @@ constexpr std::chrono::milliseconds kReadyWithin{10'000};
 /// The helper gives up earlier.
 constexpr std::chrono::milliseconds kAnswerWithin{15'000};
 constexpr std::chrono::milliseconds kPollStep{10};
-/// How long samples are on their way to us after the end of a program.
-constexpr base::Duration kSamplesLate = std::chrono::milliseconds{200};
+/// How long the last samples of a program are waited for after its end: `halsampler` hands them
+/// over when it gets a processor. Less than a client waits for an answer.
+constexpr std::chrono::seconds kSamplesLate{5};
 
 /// States of LinuxCNC's interpreter (`interp_state`).
 constexpr int kInterpreterIdle = 1;
@@ -122,7 +123,7 @@ base::Result<std::unique_ptr<LinuxCncControl>> LinuxCncControl::connect(
   }
   if (options.hasSampler) {
     // By lines: what it prints into a pipe would otherwise arrive in large pieces.
-    auto sampler = ChildProcess::start({"stdbuf", "-oL", "halsampler", "-t"});
+    auto sampler = ChildProcess::start({"stdbuf", "-oL", options.sampler, "-t"});
     if (!sampler) {
       return base::fail(sampler.error());
     }
@@ -226,6 +227,8 @@ void LinuxCncControl::take(const std::string& line) {
     }
   } else if (kind == "waited") {
     takeWaited(numberOr0(rest));
+  } else if (kind == "behind") {
+    m_samplesBehind = static_cast<long long>(numberOr0(rest));
   } else if (kind == "fatal") {
     fail({LinuxCncError::NotRunning, std::string(rest), {}});
   } else if (kind == "ready") {
@@ -344,8 +347,9 @@ void LinuxCncControl::takeState(std::string_view text) {
     m_trace.cycle = m_scale.cycle;
     m_trace.truncated = !m_hasState;  // it was active before we came
     m_isTracing = true;
+    m_isTraceEnding = false;
   } else if (!isActive && wasActive) {
-    m_traceEnd = m_now + kSamplesLate;
+    endTrace();
     m_reportedUntil = m_now + kReportShown;
   }
   m_hasState = true;
@@ -400,16 +404,26 @@ void LinuxCncControl::takeWaited(double seconds) {
       waitedS);
 }
 
+/// The program has ended: the trace is whole when the last sample of it has arrived. What has not
+/// been taken from the sampler when the helper looked comes after what is here, and so does the one
+/// that `halsampler` may have had in its hands.
+void LinuxCncControl::endTrace() {
+  takeSamples();
+  m_isTraceEnding = m_isTracing;
+  m_lastOfProgram = m_lastSample + m_samplesBehind + 1;
+  m_traceEnd = m_now + kSamplesLate;
+}
+
 void LinuxCncControl::takeSamples() {
   if (!m_sampler) {
     return;
   }
-  const bool isActive = m_state.channel != machine::ChannelStatus::Reset;
-  if (m_isTracing && !isActive && m_now > m_traceEnd) {
-    m_isTracing = false;
-  }
   while (const std::optional<std::string> line = m_sampler->readLine()) {
-    if (!m_isTracing) {
+    std::string_view rest = *line;
+    m_lastSample = base::parseInteger(takeWord(rest)).value_or(m_lastSample);
+    // The rest of a program before this one, which nobody has waited for.
+    const bool isEarlier = !m_isTraceEnding && m_lastSample <= m_lastOfProgram;
+    if (!m_isTracing || isEarlier) {
       continue;
     }
     const auto count = static_cast<base::Duration::rep>(m_trace.samples.size());
@@ -418,10 +432,22 @@ void LinuxCncControl::takeSamples() {
     } else if (!addSample(m_trace, *line, m_scale)) {
       m_trace.truncated = true;
     }
+    if (m_isTraceEnding && m_lastSample >= m_lastOfProgram) {
+      m_isTracing = m_isTraceEnding = false;
+    }
   }
   if (m_sampler->hasEnded() && m_isTracing) {
     m_trace.truncated = true;
   }
+  if (m_isTraceEnding && m_now > m_traceEnd) {
+    giveUpTrace();
+  }
+}
+
+/// Its end is missing.
+void LinuxCncControl::giveUpTrace() {
+  m_trace.truncated = true;
+  m_isTracing = m_isTraceEnding = false;
 }
 
 void LinuxCncControl::tell(std::string_view line) {
@@ -531,7 +557,18 @@ void LinuxCncControl::reset() {
   tell("abort");
 }
 
-std::string LinuxCncControl::traceText() const {
+std::string LinuxCncControl::traceText() {
+  // A client asks as soon as it hears of the end of the program.
+  const auto until = std::chrono::steady_clock::now() + kSamplesLate;
+  while (m_isTraceEnding && m_sampler && !m_sampler->hasEnded()) {
+    if (std::chrono::steady_clock::now() >= until) {
+      giveUpTrace();
+      break;
+    }
+    pollfd file{m_sampler->output(), POLLIN, 0};
+    ::poll(&file, 1, static_cast<int>(kPollStep.count()));
+    advance(m_now);
+  }
   return trace::printControlTrace(m_trace);
 }
 

@@ -35,11 +35,12 @@ enum class LinuxCncError {
 [[nodiscard]] std::error_code make_error_code(LinuxCncError code);
 
 struct LinuxCncOptions {
-  std::string helper;              ///< program
-  int cells = 200;                 ///< R0 to R(cells-1), each a pin of the HAL
-  std::filesystem::path programs;  ///< folder of the part programs, exists
-  bool mayStart = false;           ///< clients may start and end programs
-  bool hasSampler = false;         ///< the HAL has a sampler.0 with the pins of sampler.h
+  std::string helper;                  ///< program
+  int cells = 200;                     ///< R0 to R(cells-1), each a pin of the HAL
+  std::filesystem::path programs;      ///< folder of the part programs, exists
+  bool mayStart = false;               ///< clients may start and end programs
+  bool hasSampler = false;             ///< the HAL has a sampler.0 with the pins of sampler.h
+  std::string sampler = "halsampler";  ///< program that prints its samples
   /// Longest trace that is kept.
   base::Duration traceMax = std::chrono::hours(2);
 };
@@ -72,7 +73,9 @@ class LinuxCncControl final : public machine::ServedControl {
   base::Result<void> selectProgram(const std::string& name) override;
   base::Result<void> cycleStart() override;
   void reset() override;
-  [[nodiscard]] std::string traceText() const override;
+  /// Waits up to five seconds for samples of a program that has just ended; the trace says if they
+  /// did not come.
+  [[nodiscard]] std::string traceText() override;
 
  private:
   LinuxCncControl(const LinuxCncOptions& options, ChildProcess helper,
@@ -85,7 +88,9 @@ class LinuxCncControl final : public machine::ServedControl {
   void takeLine(std::size_t line);
   void takeState(std::string_view text);
   void takeWaited(double seconds);
+  void endTrace();
   void takeSamples();
+  void giveUpTrace();
   void fail(const base::Error& error);
   void tell(std::string_view line);
   void setCell(int index, double value);
@@ -120,7 +125,11 @@ class LinuxCncControl final : public machine::ServedControl {
   std::optional<std::string> m_answer;  ///< "done 3", "failed 3 why"
   trace::ControlTrace m_trace;
   bool m_isTracing = false;
-  base::Instant m_traceEnd{};  ///< so long samples are taken after the program's end
+  bool m_isTraceEnding = false;    ///< the program has ended, its last samples are on their way
+  long long m_lastSample = 0;      ///< number of the last that has arrived
+  long long m_samplesBehind = 0;   ///< had not been taken from the sampler at the program's end
+  long long m_lastOfProgram = -1;  ///< number of the last sample of the program that ended last
+  base::Instant m_traceEnd{};      ///< so long they are waited for
 };
 
 }  // namespace rivulet::linuxcnc

@@ -3,6 +3,10 @@
 
 // The bridge with a helper that only says what a test lets it say: no LinuxCNC is needed.
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -10,6 +14,7 @@
 #include "linuxcnc/linuxcnc_control.h"
 #include "linuxcnc/sampler.h"
 #include "support/test_program.h"
+#include "trace/control_trace.h"
 
 using namespace rivulet;
 using linuxcnc::LinuxCncControl;
@@ -75,6 +80,61 @@ class Helper {
   LinuxCncOptions m_options;
   double m_count = 0.0;
 };
+
+/// In the place of halsampler: hands over the samples that a test lets it have.
+class Sampler {
+ public:
+  explicit Sampler(LinuxCncOptions& options) {
+    const QByteArray pipe = m_folder.filePath(QStringLiteral("pipe")).toUtf8();
+    QFile script(m_folder.filePath(QStringLiteral("halsampler")));
+    if (mkfifo(pipe.constData(), 0600) != 0 || !script.open(QIODevice::WriteOnly)) {
+      qFatal("no temporary file");
+    }
+    script.write("#!/bin/sh\nexec cat '" + pipe + "'\n");
+    script.close();
+    script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    options.hasSampler = true;
+    options.sampler = script.fileName().toStdString();
+    m_pipe = open(pipe.constData(), O_RDWR | O_CLOEXEC);
+  }
+  ~Sampler() { end(); }
+  Sampler(const Sampler&) = delete;
+  Sampler& operator=(const Sampler&) = delete;
+
+  void give(int first, int last) {
+    QByteArray lines;
+    for (int number = first; number <= last; ++number) {
+      lines += QByteArray::number(number) + " 1.0 2.0 3.0 1.0 2.0 3.0 50.0 12 \n";
+    }
+    QCOMPARE(write(m_pipe, lines.constData(), static_cast<std::size_t>(lines.size())),
+             static_cast<ssize_t>(lines.size()));
+  }
+  void end() {
+    if (m_pipe >= 0) {
+      close(std::exchange(m_pipe, -1));
+    }
+  }
+
+ private:
+  QTemporaryDir m_folder;
+  int m_pipe = -1;
+};
+
+/// Numbers of the first and the last sample of the trace, in cycles of a millisecond; and whether
+/// it says that samples are missing.
+QString traceOf(LinuxCncControl& control) {
+  const auto trace = trace::parseControlTrace(control.traceText());
+  if (!trace || trace->samples.empty()) {
+    return QStringLiteral("no trace");
+  }
+  const auto number = [](const trace::ControlSample& sample) {
+    return qRound(base::toSeconds(sample.at) * 1000.0);
+  };
+  return QStringLiteral("%1 to %2%3")
+      .arg(number(trace->samples.front()))
+      .arg(number(trace->samples.back()))
+      .arg(trace->truncated ? QStringLiteral(", incomplete") : QString());
+}
 
 /// "state": on, interpreter, line, queue, speed, tool, spindle, flood, mist; then 4 positions.
 QByteArray state(int interpreter, int line, double xIs, double xOffset) {
@@ -222,6 +282,61 @@ class TestLinuxCncControl : public QObject {
                        [&] { return control.state().alarm == 11; }));
     QCOMPARE(QString::fromStdString(control.state().message),
              QStringLiteral("joint 0 following error"));
+  }
+
+  /// A client asks for the trace as soon as it hears of the end, and halsampler may not have got a
+  /// processor since then.
+  void waitsForTheLastSamples() {
+    Helper helper;
+    Sampler sampler(helper.options());
+    const auto made = LinuxCncControl::connect(helper.options());
+    QVERIFY(made);
+    LinuxCncControl& control = **made;
+    QVERIFY(helper.say(control, state(1, 0, 0.0, 0.0) + state(2, 7, 0.0, 0.0),
+                       [&] { return control.state().line == 7; }));
+    sampler.give(101, 103);
+    QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("101 to 103"));
+    // 5 in the sampler, and one that halsampler may have taken already.
+    QVERIFY(helper.say(control, "behind 5\n" + state(1, 0, 0.0, 0.0),
+                       [&] { return control.state().channel == machine::ChannelStatus::Reset; }));
+    sampler.give(104, 150);
+    QCOMPARE(traceOf(control), QStringLiteral("101 to 109"));
+    // What comes later is not of this program.
+    QCOMPARE(traceOf(control), QStringLiteral("101 to 109"));
+  }
+
+  void saysThatTheLastSamplesAreMissing() {
+    Helper helper;
+    Sampler sampler(helper.options());
+    const auto made = LinuxCncControl::connect(helper.options());
+    QVERIFY(made);
+    LinuxCncControl& control = **made;
+    QVERIFY(helper.say(control, state(1, 0, 0.0, 0.0) + state(2, 7, 0.0, 0.0),
+                       [&] { return control.state().line == 7; }));
+    sampler.give(101, 103);
+    QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("101 to 103"));
+    QVERIFY(helper.say(control, "behind 5\n" + state(1, 0, 0.0, 0.0),
+                       [&] { return control.state().channel == machine::ChannelStatus::Reset; }));
+    sampler.give(104, 108);
+    sampler.end();
+    QCOMPARE(traceOf(control), QStringLiteral("101 to 108, incomplete"));
+  }
+
+  /// The samples of a program that nobody asked for come after the start of the next one.
+  void doesNotMixPrograms() {
+    Helper helper;
+    Sampler sampler(helper.options());
+    const auto made = LinuxCncControl::connect(helper.options());
+    QVERIFY(made);
+    LinuxCncControl& control = **made;
+    QVERIFY(helper.say(control, state(1, 0, 0.0, 0.0) + state(2, 7, 0.0, 0.0),
+                       [&] { return control.state().line == 7; }));
+    sampler.give(101, 103);
+    QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("101 to 103"));
+    QVERIFY(helper.say(control, "behind 5\n" + state(1, 0, 0.0, 0.0) + state(2, 8, 0.0, 0.0),
+                       [&] { return control.state().line == 8; }));
+    sampler.give(104, 120);
+    QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("110 to 120"));
   }
 
   void programs() {

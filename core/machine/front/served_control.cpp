@@ -51,7 +51,7 @@ base::Duration ServedMachine::programTime(std::size_t bytes) const {
   return cost.writeOverhead + cost.programTime(bytes);
 }
 
-std::string ServedMachine::traceText() const {
+std::string ServedMachine::traceText() {
   return trace::printControlTrace(m_machine.trace());
 }
 

@@ -92,8 +92,9 @@ class ServedControl {
   virtual base::Result<void> selectProgram(const std::string& name) = 0;
   virtual base::Result<void> cycleStart() = 0;
   virtual void reset() = 0;
-  /// The control's own trace since the last cycle start, as `trace::printControlTrace` writes it.
-  [[nodiscard]] virtual std::string traceText() const = 0;
+  /// The control's own trace since the last cycle start, as `trace::printControlTrace` writes it. A
+  /// control whose samples arrive late may wait for them.
+  [[nodiscard]] virtual std::string traceText() = 0;
   /// The next part of it, see `Machine::takeTrace`; only if `ServedFacts::tracePieces`.
   [[nodiscard]] virtual trace::TracePiece takeTrace(const trace::TracePosition& /*from*/) {
     return {};
@@ -135,7 +136,7 @@ class ServedMachine final : public ServedControl {
   }
   base::Result<void> cycleStart() override { return m_machine.cycleStart(); }
   void reset() override { m_machine.reset(); }
-  [[nodiscard]] std::string traceText() const override;
+  [[nodiscard]] std::string traceText() override;
   [[nodiscard]] trace::TracePiece takeTrace(const trace::TracePosition& from) override {
     return m_machine.takeTrace(from);
   }
