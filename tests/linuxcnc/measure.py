@@ -46,11 +46,10 @@ class Figures:
         since = self.machine.mark()
         words = [self.machine.source / "tests" / "linuxcnc" / "execute", file]
         if os.geteuid() == 0:
-            nobody = ["setpriv", "--reuid=nobody", "--regid=nogroup", "--clear-groups"]
             copy = self.machine.folder / "execute"
             copy.write_bytes(pathlib.Path(words[0]).read_bytes())
             copy.chmod(0o755)
-            words = [*nobody, copy, file]
+            words = [*rig.as_linuxcnc(), copy, file]
         done = subprocess.run(
             words,
             capture_output=True,
