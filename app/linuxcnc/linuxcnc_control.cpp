@@ -228,7 +228,8 @@ void LinuxCncControl::take(const std::string& line) {
   } else if (kind == "waited") {
     takeWaited(numberOr0(rest));
   } else if (kind == "behind") {
-    m_samplesBehind = static_cast<long long>(numberOr0(rest));
+    m_samplesBehind = static_cast<long long>(numberOr0(takeWord(rest)));
+    m_isSamplerFull = numberOr0(rest) != 0.0;
   } else if (kind == "fatal") {
     fail({LinuxCncError::NotRunning, std::string(rest), {}});
   } else if (kind == "ready") {
@@ -406,12 +407,16 @@ void LinuxCncControl::takeWaited(double seconds) {
 
 /// The program has ended: the trace is whole when the last sample of it has arrived. What has not
 /// been taken from the sampler when the helper looked comes after what is here, and so does the one
-/// that `halsampler` may have had in its hands.
+/// that `halsampler` may have had in its hands. They are counted, because numbers are left out when
+/// the sampler is full.
 void LinuxCncControl::endTrace() {
   takeSamples();
   m_isTraceEnding = m_isTracing;
-  m_lastOfProgram = m_lastSample + m_samplesBehind + 1;
+  m_samplesLeft = m_samplesBehind + 1;
   m_traceEnd = m_now + kSamplesLate;
+  if (m_isTracing && m_isSamplerFull) {
+    giveUpTrace();
+  }
 }
 
 void LinuxCncControl::takeSamples() {
@@ -419,12 +424,10 @@ void LinuxCncControl::takeSamples() {
     return;
   }
   while (const std::optional<std::string> line = m_sampler->readLine()) {
-    std::string_view rest = *line;
-    m_lastSample = base::parseInteger(takeWord(rest)).value_or(m_lastSample);
-    // The rest of a program before this one, which nobody has waited for.
-    const bool isEarlier = !m_isTraceEnding && m_lastSample <= m_lastOfProgram;
-    if (!m_isTracing || isEarlier) {
-      continue;
+    const bool isOfEnded = m_samplesLeft > 0;
+    m_samplesLeft -= isOfEnded && !isOverrun(*line) ? 1 : 0;
+    if (!m_isTracing || (isOfEnded && !m_isTraceEnding)) {
+      continue;  // no program, or the rest of the one before, which nobody has waited for
     }
     const auto count = static_cast<base::Duration::rep>(m_trace.samples.size());
     if (m_scale.cycle * count >= m_options.traceMax) {
@@ -432,7 +435,7 @@ void LinuxCncControl::takeSamples() {
     } else if (!addSample(m_trace, *line, m_scale)) {
       m_trace.truncated = true;
     }
-    if (m_isTraceEnding && m_lastSample >= m_lastOfProgram) {
+    if (m_isTraceEnding && m_samplesLeft == 0) {
       m_isTracing = m_isTraceEnding = false;
     }
   }

@@ -125,11 +125,11 @@ class LinuxCncControl final : public machine::ServedControl {
   std::optional<std::string> m_answer;  ///< "done 3", "failed 3 why"
   trace::ControlTrace m_trace;
   bool m_isTracing = false;
-  bool m_isTraceEnding = false;    ///< the program has ended, its last samples are on their way
-  long long m_lastSample = 0;      ///< number of the last that has arrived
-  long long m_samplesBehind = 0;   ///< had not been taken from the sampler at the program's end
-  long long m_lastOfProgram = -1;  ///< number of the last sample of the program that ended last
-  base::Instant m_traceEnd{};      ///< so long they are waited for
+  bool m_isTraceEnding = false;   ///< the program has ended, its last samples are on their way
+  long long m_samplesBehind = 0;  ///< had not been taken from the sampler at the program's end
+  bool m_isSamplerFull = false;   ///< and it could take no more
+  long long m_samplesLeft = 0;    ///< of the program that ended last, still to arrive
+  base::Instant m_traceEnd{};     ///< so long they are waited for
 };
 
 }  // namespace rivulet::linuxcnc

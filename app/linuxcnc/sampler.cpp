@@ -10,8 +10,12 @@
 
 namespace rivulet::linuxcnc {
 
+bool isOverrun(std::string_view line) {
+  return base::trim(line) == "overrun";
+}
+
 bool addSample(trace::ControlTrace& trace, std::string_view line, const SampleScale& scale) {
-  if (base::trim(line) == "overrun") {
+  if (isOverrun(line)) {
     trace.truncated = true;
     return true;
   }

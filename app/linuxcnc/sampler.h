@@ -23,6 +23,9 @@ struct SampleScale {
   base::Vec3 zeroMm;  ///< of the workpiece frame, machine coordinates
 };
 
+/// Whether the line is no sample, but says that samples before the next one have been lost.
+[[nodiscard]] bool isOverrun(std::string_view line);
+
 /// Appends the line to the trace. Samples that the sampler lost make the trace incomplete.
 /// @return false if it is no line of `halsampler -t` with these pins
 bool addSample(trace::ControlTrace& trace, std::string_view line, const SampleScale& scale);

@@ -109,6 +109,7 @@ class Sampler {
     QCOMPARE(write(m_pipe, lines.constData(), static_cast<std::size_t>(lines.size())),
              static_cast<ssize_t>(lines.size()));
   }
+  void overrun() { QCOMPARE(write(m_pipe, "overrun\n", 8), ssize_t{8}); }
   void end() {
     if (m_pipe >= 0) {
       close(std::exchange(m_pipe, -1));
@@ -297,7 +298,7 @@ class TestLinuxCncControl : public QObject {
     sampler.give(101, 103);
     QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("101 to 103"));
     // 5 in the sampler, and one that halsampler may have taken already.
-    QVERIFY(helper.say(control, "behind 5\n" + state(1, 0, 0.0, 0.0),
+    QVERIFY(helper.say(control, "behind 5 0\n" + state(1, 0, 0.0, 0.0),
                        [&] { return control.state().channel == machine::ChannelStatus::Reset; }));
     sampler.give(104, 150);
     QCOMPARE(traceOf(control), QStringLiteral("101 to 109"));
@@ -315,11 +316,37 @@ class TestLinuxCncControl : public QObject {
                        [&] { return control.state().line == 7; }));
     sampler.give(101, 103);
     QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("101 to 103"));
-    QVERIFY(helper.say(control, "behind 5\n" + state(1, 0, 0.0, 0.0),
+    QVERIFY(helper.say(control, "behind 5 0\n" + state(1, 0, 0.0, 0.0),
                        [&] { return control.state().channel == machine::ChannelStatus::Reset; }));
     sampler.give(104, 108);
     sampler.end();
     QCOMPARE(traceOf(control), QStringLiteral("101 to 108, incomplete"));
+  }
+
+  /// A sampler that is full loses samples, and those after them have later numbers.
+  void saysThatTheSamplerLostTheEnd() {
+    Helper helper;
+    Sampler sampler(helper.options());
+    const auto made = LinuxCncControl::connect(helper.options());
+    QVERIFY(made);
+    LinuxCncControl& control = **made;
+    QVERIFY(helper.say(control, state(1, 0, 0.0, 0.0) + state(2, 7, 0.0, 0.0),
+                       [&] { return control.state().line == 7; }));
+    sampler.give(101, 103);
+    QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("101 to 103"));
+    QVERIFY(helper.say(control, "behind 5 0\n" + state(1, 0, 0.0, 0.0),
+                       [&] { return control.state().channel == machine::ChannelStatus::Reset; }));
+    sampler.give(104, 106);
+    sampler.overrun();
+    sampler.give(200, 250);
+    QCOMPARE(traceOf(control), QStringLiteral("101 to 202, incomplete"));
+    QVERIFY(helper.say(control, state(2, 8, 0.0, 0.0), [&] { return control.state().line == 8; }));
+    sampler.give(251, 253);
+    QTRY_VERIFY((control.advance(control.now()), traceOf(control).endsWith(u"to 253")));
+    // What comes later has not been taken by the sampler.
+    QVERIFY(helper.say(control, "behind 5 1\n" + state(1, 0, 0.0, 0.0),
+                       [&] { return control.state().channel == machine::ChannelStatus::Reset; }));
+    QVERIFY(traceOf(control).endsWith(u"to 253, incomplete"));
   }
 
   /// The samples of a program that nobody asked for come after the start of the next one.
@@ -333,7 +360,7 @@ class TestLinuxCncControl : public QObject {
                        [&] { return control.state().line == 7; }));
     sampler.give(101, 103);
     QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("101 to 103"));
-    QVERIFY(helper.say(control, "behind 5\n" + state(1, 0, 0.0, 0.0) + state(2, 8, 0.0, 0.0),
+    QVERIFY(helper.say(control, "behind 5 0\n" + state(1, 0, 0.0, 0.0) + state(2, 8, 0.0, 0.0),
                        [&] { return control.state().line == 8; }));
     sampler.give(104, 120);
     QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("110 to 120"));
