@@ -541,7 +541,9 @@ base::Result<void> LinuxCncControl::selectProgram(const std::string& name) {
   }
   const base::Result<void> opened = ask("open", path.string());
   if (opened) {
+    // Known before LinuxCNC's state is told again.
     m_programFile = path.string();
+    m_state.programName = path.filename().string();
   }
   return opened;
 }

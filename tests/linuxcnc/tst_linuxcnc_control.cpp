@@ -378,6 +378,7 @@ class TestLinuxCncControl : public QObject {
     QCOMPARE(QString::fromStdString(*control.programText("A.mpf")), QStringLiteral("M2\n"));
     QVERIFY(control.selectProgram("A.MPF"));
     QTRY_VERIFY(helper.heard().contains("/A.MPF\n"));
+    QCOMPARE(QString::fromStdString(control.state().programName), QStringLiteral("A.MPF"));
     QVERIFY(helper.say(control, state(1, 0, 0.0, 0.0),
                        [&] { return !control.state().programName.empty(); }));
     const auto started = control.cycleStart();
