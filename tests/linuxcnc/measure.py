@@ -217,11 +217,7 @@ class Figures:
         self.say("")
 
     def side_by_side(self):
-        whole = self.machine.source / "resources" / "programs" / "scorpion.tap"
-        words = whole.read_text(encoding="ascii").splitlines()[:BLOCKS]
-        words = "\n".join([*words, "G0 Z10", "M30", ""])
-        source = self.machine.folder / "scorpion.tap"
-        source.write_text(words, encoding="ascii")
+        source = rig.beginning(self.machine, BLOCKS)
         points = rig.whole(self.machine.points(source), (0.0, 0.0, 0.0))
         self.say(
             "## The same program, streamed and executed natively",

@@ -220,6 +220,15 @@ def write(machine, name, path):
     return file
 
 
+def beginning(machine, count):
+    """The first lines of a program that is always there."""
+    whole = machine.source / "resources" / "programs" / "scorpion.tap"
+    lines = whole.read_text(encoding="ascii").splitlines()[:count]
+    file = machine.folder / whole.name
+    file.write_text("\n".join([*lines, "G0 Z10", "M30", ""]), encoding="ascii")
+    return file
+
+
 def programs(machine):
     """Three of the corpus, where it is; otherwise those that are always there."""
     corpus = machine.source.parent / "shared" / "corpus"
@@ -232,7 +241,7 @@ def programs(machine):
     return [
         write(machine, "square.nc", square),
         write(machine, "wave.nc", wave((0.0, 0.0, 0.0), 150)),
-        machine.source / "resources" / "programs" / "scorpion.tap",
+        beginning(machine, 40),
     ]
 
 
