@@ -5,7 +5,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <array>
@@ -61,19 +60,19 @@ fs::path programsOf(const fs::path& folder) {
 base::Result<KeptState> KeptState::open(const fs::path& folder, MachineConfig& config) {
   std::error_code ignored;  // opening says what is wrong
   fs::create_directories(programsOf(folder), ignored);
-  const int file = ::open((folder / "state").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode);
+  auto file = base::FileLock::tryToTake(folder / "state");
+  if (file && !*file) {
+    return base::fail(
+        unusable(folder, "Another rivulet-machine uses this folder. Choose another one."));
+  }
   const int executed =
-      ::open((folder / "executed.txt").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kMode);
-  KeptState state(folder, file, executed);
-  if (file < 0 || executed < 0) {
+      file ? ::open((folder / "executed.txt").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kMode) : -1;
+  if (executed < 0) {
     return base::fail(unusable(folder,
                                "The folder for the state of the machine cannot be written. "
                                "Choose another one."));
   }
-  if (flock(file, LOCK_EX | LOCK_NB) != 0) {
-    return base::fail(
-        unusable(folder, "Another rivulet-machine uses this folder. Choose another one."));
-  }
+  KeptState state(folder, std::move(**file), executed);
   state.m_values.resize(kPositions + static_cast<std::size_t>(config.rParameterCount));
   const bool isNew = fs::file_size(folder / "state", ignored) == 0;
   if (!isNew && !state.load()) {
@@ -99,7 +98,7 @@ base::Result<KeptState> KeptState::open(const fs::path& folder, MachineConfig& c
 
 KeptState::KeptState(KeptState&& other) noexcept
     : m_folder(std::move(other.m_folder)),
-      m_file(std::exchange(other.m_file, -1)),
+      m_file(std::move(other.m_file)),
       m_executed(std::exchange(other.m_executed, -1)),
       m_number(other.m_number),
       m_executedBytes(other.m_executedBytes),
@@ -110,10 +109,8 @@ KeptState::KeptState(KeptState&& other) noexcept
 }
 
 KeptState::~KeptState() {
-  for (const int file : {m_file, m_executed}) {
-    if (file >= 0) {
-      close(file);
-    }
+  if (m_executed >= 0) {
+    close(m_executed);
   }
 }
 
@@ -123,7 +120,7 @@ bool KeptState::load() {
   for (std::size_t slot = 0; slot < 2; ++slot) {
     std::string text(bytes, '\0');
     const auto at = static_cast<off_t>(slot * bytes);
-    if (pread(m_file, text.data(), bytes, at) != static_cast<ssize_t>(bytes)) {
+    if (pread(m_file.descriptor(), text.data(), bytes, at) != static_cast<ssize_t>(bytes)) {
       continue;
     }
     SlotHead head;
@@ -218,7 +215,7 @@ base::Result<void> KeptState::keep(const Machine& machine) {
   std::string slot(slotBytes(m_values.size()), '\0');
   std::memcpy(slot.data(), &head, sizeof head);
   std::memcpy(slot.data() + sizeof head, m_values.data(), m_values.size() * sizeof(double));
-  if (!writeAt(m_file, slot.data(), slot.size(), (m_number % 2) * slot.size())) {
+  if (!writeAt(m_file.descriptor(), slot.data(), slot.size(), (m_number % 2) * slot.size())) {
     return base::fail(unusable(m_folder, "The state of the machine cannot be written."));
   }
   return {};

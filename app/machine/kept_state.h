@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "base/file_lock.h"
 #include "base/result.h"
 #include "machine/config.h"
 #include "machine/machine.h"
@@ -43,14 +44,14 @@ class KeptState {
   base::Result<void> keep(const Machine& machine);
 
  private:
-  KeptState(std::filesystem::path folder, int file, int executed)
-      : m_folder(std::move(folder)), m_file(file), m_executed(executed) {}
+  KeptState(std::filesystem::path folder, base::FileLock file, int executed)
+      : m_folder(std::move(folder)), m_file(std::move(file)), m_executed(executed) {}
   [[nodiscard]] bool load();
   void keepBlocks(const Machine& machine);
   base::Result<void> keepPrograms(const Machine& machine);
 
   std::filesystem::path m_folder;
-  int m_file = -1;
+  base::FileLock m_file;  ///< "state"
   int m_executed = -1;
   std::uint64_t m_number = 0;         ///< of the snapshot written last
   std::uint64_t m_executedBytes = 0;  ///< of `executed.txt` that belong to it

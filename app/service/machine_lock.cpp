@@ -3,16 +3,15 @@
 
 #include "service/machine_lock.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <utility>
 
+#include "base/descriptor.h"
+#include "base/file.h"
 #include "report/run_store.h"
 
 namespace rivulet::service {
@@ -43,39 +42,26 @@ base::Result<MachineLock> MachineLock::take(const std::filesystem::path& folder,
   std::filesystem::create_directories(folder, status);
   const std::filesystem::path path =
       folder / (report::plainName(plainEndpoint(endpoint)) + ".lock");
-  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  if (descriptor < 0) {
+  auto lock = base::FileLock::tryToTake(path);
+  if (!lock) {
     return base::fail(ServiceError::LockFailed,
                       "The lock of the machine cannot be made. Check the rights of its folder.",
                       path.string());
   }
-  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-    std::array<char, 32> owner{};
-    const auto size = read(descriptor, owner.data(), owner.size() - 1);
-    close(descriptor);
+  if (!*lock) {
+    const auto owner = base::readFile(path);
     return base::fail(
         ServiceError::MachineTaken,
         fmt::format("Another service (process {}) already streams to this machine. Stop it, or "
                     "give this one another machine.",
-                    size > 0 ? std::string(owner.data()) : std::string("unknown")),
+                    owner && !owner->empty() ? *owner : "unknown"),
         endpoint);
   }
-  const std::string own = std::to_string(getpid());
-  const bool isWritten =
-      ftruncate(descriptor, 0) == 0 &&
-      pwrite(descriptor, own.data(), own.size(), 0) == static_cast<ssize_t>(own.size());
-  static_cast<void>(isWritten);  // only for the sentence of the next one
-  return MachineLock(descriptor);
-}
-
-MachineLock::~MachineLock() {
-  if (m_descriptor >= 0) {
-    close(m_descriptor);
-  }
-}
-
-MachineLock::MachineLock(MachineLock&& other) noexcept
-    : m_descriptor(std::exchange(other.m_descriptor, -1)) {
+  // Only for the sentence of the next one.
+  const int descriptor = (*lock)->descriptor();
+  static_cast<void>(ftruncate(descriptor, 0) == 0 &&
+                    base::writeWhole(descriptor, std::to_string(getpid())) == 0);
+  return MachineLock(std::move(**lock));
 }
 
 }  // namespace rivulet::service

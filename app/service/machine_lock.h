@@ -4,12 +4,14 @@
 /// @file
 /// One service for one machine: a lock that this computer's services share, by the machine's
 /// address. It ends with the process, however that ends. Services on other computers are told apart
-/// by the claim of the cells. @threadsafety owns a file descriptor; shares nothing.
+/// by the claim of the cells. @threadsafety owns a lock; shares nothing.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
+#include "base/file_lock.h"
 #include "base/result.h"
 
 namespace rivulet::service {
@@ -29,16 +31,11 @@ class MachineLock {
   /// @return MachineTaken, LockFailed
   [[nodiscard]] static base::Result<MachineLock> take(const std::filesystem::path& folder,
                                                       const std::string& endpoint);
-  ~MachineLock();
-  MachineLock(MachineLock&& other) noexcept;
-  MachineLock& operator=(MachineLock&&) = delete;
-  MachineLock(const MachineLock&) = delete;
-  MachineLock& operator=(const MachineLock&) = delete;
 
  private:
-  explicit MachineLock(int descriptor) : m_descriptor(descriptor) {}
+  explicit MachineLock(base::FileLock lock) : m_lock(std::move(lock)) {}
 
-  int m_descriptor;
+  base::FileLock m_lock;
 };
 
 /// The same for every way to write the address of a machine on this computer.

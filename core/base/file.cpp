@@ -3,20 +3,18 @@
 
 #include "base/file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 
-#if defined(__unix__)
-#include <fcntl.h>
-#include <unistd.h>
-
 #include "base/descriptor.h"
-#endif
 
 namespace rivulet::base {
 namespace fs = std::filesystem;
@@ -45,32 +43,76 @@ tl::unexpected<Error> notWritable(const fs::path& path, std::string_view why) {
               path.string());
 }
 
+/// Closes a file at the end of its scope.
+class Opened {
+ public:
+  explicit Opened(int descriptor) : m_descriptor(descriptor) {}
+  ~Opened() {
+    if (m_descriptor >= 0) {
+      close(m_descriptor);
+    }
+  }
+  Opened(const Opened&) = delete;
+  Opened& operator=(const Opened&) = delete;
+
+  [[nodiscard]] int descriptor() const { return m_descriptor; }
+  explicit operator bool() const { return m_descriptor >= 0; }
+
+ private:
+  int m_descriptor;
+};
+
+/// Whether the file is open for one program only, under this name, and was made by this user: in a
+/// folder that others write, too, a file of theirs must not become ours.
+bool isOursAlone(int descriptor, const fs::path& path) {
+  struct stat opened {};
+  struct stat named {};
+  return flock(descriptor, LOCK_EX | LOCK_NB) == 0 && fstat(descriptor, &opened) == 0 &&
+         lstat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+         opened.st_dev == named.st_dev && S_ISREG(opened.st_mode) && opened.st_uid == geteuid();
+}
+
+/// Makes a temporary file. Its writer holds its lock; so one that nobody has locked was left by a
+/// program that was killed, and makes room.
+/// @return a descriptor, or -1 and in `errno` EEXIST: somebody else has this name
+int makeTemporary(const fs::path& path) {
+  const auto make = [&path] {
+    constexpr mode_t kMode = 0666;  // less what the user's mask takes away
+    return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
+  };
+  int descriptor = make();
+  if (descriptor < 0 && errno == EEXIST) {
+    if (const Opened left(open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+        left && isOursAlone(left.descriptor(), path)) {
+      unlink(path.c_str());
+      descriptor = make();
+    } else {
+      errno = EEXIST;
+    }
+  }
+  // Another writer may have taken it for one that was left, before it was locked.
+  if (descriptor >= 0 && !isOursAlone(descriptor, path)) {
+    close(descriptor);
+    errno = EEXIST;
+    return -1;
+  }
+  return descriptor;
+}
+
 /// Writes everything and makes sure that it is on the disk. @return 0 or the system's error number
-int writeAll(File file, std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
-      std::fflush(file.get()) != 0) {
-    return errno != 0 ? errno : EIO;
-  }
-#if defined(__unix__)
-  // The new name must not become visible before the content is on the disk.
-  if (const int error = syncToDisk(fileno(file.get())); error != 0) {
-    return error;
-  }
-#endif
-  // Some file systems report a full disk only here.
-  return std::fclose(file.release()) == 0 ? 0 : (errno != 0 ? errno : EIO);
+int writeAll(int descriptor, std::string_view text) {
+  const int error = writeWhole(descriptor, text);
+  return error != 0 ? error : syncToDisk(descriptor);
 }
 
 /// The new name survives a loss of power only if its folder is on the disk, too. File systems that
 /// cannot do this are not at fault.
-void syncFolder([[maybe_unused]] const fs::path& folder) {
-#if defined(__unix__)
+void syncFolder(const fs::path& folder) {
   const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
   if (descriptor >= 0) {
     fsync(descriptor);
     close(descriptor);
   }
-#endif
 }
 
 }  // namespace
@@ -123,36 +165,35 @@ Result<void> writeFile(const fs::path& requested, std::string_view text) {
     return notWritable(requested, "it is a folder");
   }
   if (fs::exists(kind) && !fs::is_regular_file(kind)) {
-    File file(std::fopen(path.c_str(), "wb"));
-    const int error = file ? writeAll(std::move(file), text) : errno;
+    const Opened file(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    const int error = file ? writeAll(file.descriptor(), text) : errno;
     return error == 0 ? Result<void>{} : notWritable(requested, reason(error));
   }
 
-  // "x": an existing file belongs to another writer or is a left-over, and is not changed.
   constexpr int kNamesMax = 100;
-  fs::path temporary;
-  File file;
   int error = EEXIST;
-  for (int i = 0; i < kNamesMax && !file && error == EEXIST; ++i) {
-    temporary = path;
-    temporary += fmt::format(".part{}", i);
-    file.reset(std::fopen(temporary.c_str(), "wbx"));
-    error = file ? 0 : errno;
-  }
-  if (file) {
-    error = writeAll(std::move(file), text);
+  for (int i = 0; i < kNamesMax && error == EEXIST; ++i) {
+    const fs::path temporary =
+        path.parent_path() / fmt::format(".{}.rivulet{}", path.filename().string(), i);
+    const Opened file(makeTemporary(temporary));
+    if (!file) {
+      error = errno;
+      continue;
+    }
+    if (fs::exists(kind)) {
+      fs::permissions(temporary, kind.permissions(), status);  // a refusal is not an error
+    }
+    error = writeAll(file.descriptor(), text);
     if (error == 0) {
-      if (fs::exists(kind)) {
-        fs::permissions(temporary, kind.permissions(), status);  // a refusal is not an error
-      }
       fs::rename(temporary, path, status);
-      if (!status) {
-        syncFolder(path.parent_path());
-        return {};
-      }
       error = status.value();
     }
+    if (error == 0) {
+      syncFolder(path.parent_path());
+      return {};
+    }
     fs::remove(temporary, status);
+    break;
   }
   return notWritable(requested, reason(error));
 }

@@ -31,7 +31,8 @@ enum class FileError {
                                            std::uintmax_t bytesMax = kFileBytesMax);
 
 /// Replaces the file as a whole: the text goes to a temporary file in the same folder, which then
-/// takes the file's name. Whatever happens, the file holds the old or the new text, never a part.
+/// takes the file's name. Whatever happens, the file holds the old or the new text, never a part. A
+/// temporary file that a killed program left makes room for the next one.
 /// When it returns, the text survives a loss of power. Anything but an ordinary file (a device, a
 /// pipe) is written to directly.
 /// @return error NotWritable; an existing file is then unchanged

@@ -3,9 +3,15 @@
 
 #include <QTemporaryDir>
 #include <QtTest>
+#include <atomic>
 #include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
 
+#include "base/descriptor.h"
 #include "base/file.h"
+#include "base/file_lock.h"
 #include "support/test_program.h"
 
 using namespace rivulet::base;
@@ -44,10 +50,91 @@ class TestFile : public QObject {
   }
 
   void keepsAnotherWritersTemporaryFile() {
-    QVERIFY(writeFile(path("a.part0"), "other"));
+    // The other one is in the middle of it: it holds the lock.
+    const auto other = FileLock::take(path(".a.rivulet0"));
+    QVERIFY(other);
+    QCOMPARE(writeWhole(other->descriptor(), "other"), 0);
     QVERIFY(writeFile(path("a"), "mine"));
-    QCOMPARE(readFile(path("a.part0")).value(), std::string("other"));
+    QCOMPARE(readFile(path(".a.rivulet0")).value(), std::string("other"));
     QCOMPARE(readFile(path("a")).value(), std::string("mine"));
+  }
+
+  void makesRoomForWhatAKilledWriterLeft() {
+    // As many as there are names.
+    for (int i = 0; i < 100; ++i) {
+      const std::string left = ".a.rivulet" + std::to_string(i);
+      QVERIFY(writeFile(path(left.c_str()), "half of a longer text"));
+    }
+    QVERIFY(writeFile(path("a"), "mine"));
+    QCOMPARE(readFile(path("a")).value(), std::string("mine"));
+    QCOMPARE(filesInFolder(), std::ptrdiff_t{100});
+  }
+
+  void takesNoFileThatALinkNames() {
+    QVERIFY(writeFile(path("precious"), "precious"));
+    fs::create_symlink(path("precious"), path(".a.rivulet0"));
+    QVERIFY(writeFile(path("a"), "mine"));
+    QCOMPARE(readFile(path("precious")).value(), std::string("precious"));
+    QCOMPARE(readFile(path("a")).value(), std::string("mine"));
+    QVERIFY(!fs::is_symlink(path("a")));
+  }
+
+  void manyWritersLeaveAWholeFile() {
+    constexpr int kWriters = 4;
+    constexpr int kTexts = 50;
+    const auto textOf = [](int writer) {
+      return std::string(20'000, static_cast<char>('a' + writer));
+    };
+    std::vector<std::thread> writers;
+    std::atomic<int> failures = 0;
+    for (int writer = 0; writer < kWriters; ++writer) {
+      writers.emplace_back([this, &failures, text = textOf(writer)] {
+        for (int i = 0; i < kTexts; ++i) {
+          failures += writeFile(path("a"), text) ? 0 : 1;
+        }
+      });
+    }
+    for (std::thread& writer : writers) {
+      writer.join();
+    }
+    QCOMPARE(failures.load(), 0);
+    const std::string left = readFile(path("a")).value();
+    QVERIFY(left == textOf(left.at(0) - 'a'));
+    QCOMPARE(filesInFolder(), std::ptrdiff_t{1});
+  }
+
+  void lockIsHeldByOne() {
+    {
+      const auto first = FileLock::tryToTake(path("lock"));
+      QVERIFY(first && *first);
+      const auto second = FileLock::tryToTake(path("lock"));
+      QVERIFY(second && !*second);
+    }
+    const auto third = FileLock::tryToTake(path("lock"));
+    QVERIFY(third && *third);
+    const auto missing = FileLock::take(path("no/such/lock"));
+    QVERIFY(!missing);
+    QVERIFY(missing.error().code == FileError::NotWritable);
+  }
+
+  void changesUnderALockAreAllKept() {
+    constexpr int kWriters = 4;
+    constexpr int kChanges = 25;
+    std::vector<std::thread> writers;
+    QVERIFY(writeFile(path("count"), "0"));
+    for (int writer = 0; writer < kWriters; ++writer) {
+      writers.emplace_back([this] {
+        for (int i = 0; i < kChanges; ++i) {
+          const auto lock = FileLock::take(path("lock"));
+          const int count = std::stoi(readFile(path("count")).value());
+          static_cast<void>(writeFile(path("count"), std::to_string(count + 1)));
+        }
+      });
+    }
+    for (std::thread& writer : writers) {
+      writer.join();
+    }
+    QCOMPARE(readFile(path("count")).value(), std::to_string(kWriters * kChanges));
   }
 
   void keepsLinksAndPermissions() {
