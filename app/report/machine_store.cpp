@@ -224,7 +224,17 @@ std::vector<KnownMachine> MachineStore::machines() const {
   return found;
 }
 
+base::Result<base::FileLock> MachineStore::lock() const {
+  std::error_code ignored;  // locking says what is wrong
+  fs::create_directories(m_folders.machines, ignored);
+  return base::FileLock::take(m_folders.machines / ".lock");
+}
+
 base::Result<void> MachineStore::remove(const std::string& endpoint, base::UtcMs at) const {
+  const auto changing = lock();
+  if (!changing) {
+    return base::fail(changing.error());
+  }
   std::error_code error;
   for (const KnownMachine& machine : machines()) {
     const fs::path path = pathOf(machine.endpoint, machine.server);
@@ -244,7 +254,6 @@ base::Result<void> MachineStore::remove(const std::string& endpoint, base::UtcMs
     file["machines"][name] = base::utcText(when);
   }
   file["machines"][endpoint] = base::utcText(at);
-  fs::create_directories(m_folders.machines, error);
   return base::writeFile(m_folders.machines / kRemovedFile,
                          file.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
 }
@@ -270,13 +279,13 @@ std::map<std::string, base::UtcMs> MachineStore::removed() const {
 base::Result<void> MachineStore::saveMember(const std::string& endpoint,
                                             const opcua::ServerIdentity& server, const char* key,
                                             ordered_json value) const {
-  base::Result<ordered_json> machine = read(endpoint, server);
+  const auto changing = lock();
+  base::Result<ordered_json> machine =
+      changing ? read(endpoint, server) : base::fail(changing.error());
   if (!machine) {
     return base::fail(machine.error());
   }
   (*machine)[key] = std::move(value);
-  std::error_code ignored;  // writing says what is wrong
-  fs::create_directories(m_folders.machines, ignored);
   // What a server says of itself may hold bytes that are not UTF-8.
   return base::writeFile(
       pathOf(endpoint, server),

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "base/file_lock.h"
 #include "base/result.h"
 #include "base/utc.h"
 #include "streaming/machine_facts.h"
@@ -84,6 +85,9 @@ class MachineStore {
   [[nodiscard]] base::Result<void> save(const streaming::MachineProfile& profile) const;
 
  private:
+  /// For as long as a file is read, changed and written: another program of this user may do the
+  /// same. Makes the folder if it is missing.
+  [[nodiscard]] base::Result<base::FileLock> lock() const;
   [[nodiscard]] base::Result<nlohmann::ordered_json> read(
       const std::string& endpoint, const opcua::ServerIdentity& server) const;
   [[nodiscard]] base::Result<void> saveMember(const std::string& endpoint,

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "base/file_lock.h"
 #include "base/hash.h"
 #include "folders/user_folders.h"
 #include "trace/frames.h"
@@ -84,10 +85,14 @@ base::Result<void> rememberMapping(const std::string& layout, const std::string&
   if (rememberedMapping(layout) == mapping) {
     return {};
   }
-  nlohmann::ordered_json layouts = readLayouts();
-  layouts[layout] = mapping;
   std::error_code ignored;
   std::filesystem::create_directories(layoutsFile().parent_path(), ignored);
+  const auto changing = base::FileLock::take(std::filesystem::path(layoutsFile()) += ".lock");
+  if (!changing) {
+    return base::fail(changing.error());
+  }
+  nlohmann::ordered_json layouts = readLayouts();
+  layouts[layout] = mapping;
   if (isDamaged(layoutsFile()) && folders::moveAside(layoutsFile()).empty()) {
     return base::fail(base::FileError::NotWritable,
                       "A damaged file is in the way and cannot be renamed. Move it away.",

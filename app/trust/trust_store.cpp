@@ -27,6 +27,7 @@ using opcua::LinkError;
 namespace {
 
 constexpr const char* kFile = "servers.json";
+constexpr const char* kLock = "servers.lock";
 constexpr const char* kDer = ".der";
 constexpr const char* kAddress = ".address";
 constexpr std::uintmax_t kAddressBytesMax = 4096;
@@ -235,9 +236,17 @@ void TrustStore::dropRejected(const std::string& fingerprint) const {
   }
 }
 
+base::Result<base::FileLock> TrustStore::lock() const {
+  if (auto made = makePrivateFolder(m_folder); !made) {
+    return base::fail(made.error());
+  }
+  return base::FileLock::take(m_folder / kLock);
+}
+
 template <class Change>
 base::Result<void> TrustStore::change(const std::string& endpoint, Change change) const {
-  auto known = servers();
+  const auto changing = lock();
+  auto known = changing ? servers() : base::fail(changing.error());
   if (!known) {
     return base::fail(known.error());
   }
@@ -295,7 +304,8 @@ base::Result<void> TrustStore::setControl(const std::string& endpoint, const std
 }
 
 base::Result<bool> TrustStore::forget(const std::string& endpoint) const {
-  auto known = servers();
+  const auto changing = lock();
+  auto known = changing ? servers() : base::fail(changing.error());
   if (!known) {
     return base::fail(known.error());
   }
@@ -370,9 +380,6 @@ base::Result<void> TrustStore::checkRevocation(std::string_view der, std::string
 }
 
 base::Result<void> TrustStore::save(const std::vector<KnownServer>& servers) const {
-  if (auto made = makePrivateFolder(m_folder); !made) {
-    return made;
-  }
   json list = json::array();
   for (const KnownServer& server : servers) {
     json entry;

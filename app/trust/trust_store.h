@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/file_lock.h"
 #include "base/result.h"
 #include "base/utc.h"
 #include "opcua/revocation.h"
@@ -30,8 +31,8 @@ struct KnownServer {
   std::string user;         ///< as whom the window connected last; empty: anonymous
   std::string certificateFile;  ///< with whose certificate it connected last, instead of `user`
   std::string keyFile;          ///< of that certificate; empty: the same file
-  std::string mapFile;      ///< with which map the window connected last; empty: it is a SINUMERIK
-  std::string link;         ///< with which library the window connected last; empty: open62541
+  std::string mapFile;  ///< with which map the window connected last; empty: it is a SINUMERIK
+  std::string link;     ///< with which library the window connected last; empty: open62541
 };
 
 /// A certificate that was refused, and is kept.
@@ -105,6 +106,9 @@ class TrustStore {
                                                    std::string_view whose) const;
 
  private:
+  /// For as long as the list is read, changed and saved: another program of this user may do the
+  /// same, and must not take back what was accepted meanwhile. Makes the folder if it is missing.
+  [[nodiscard]] base::Result<base::FileLock> lock() const;
   [[nodiscard]] base::Result<void> save(const std::vector<KnownServer>& servers) const;
   template <class Change>
   [[nodiscard]] base::Result<void> change(const std::string& endpoint, Change change) const;

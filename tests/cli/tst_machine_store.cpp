@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "base/file.h"
 #include "report/calibration_json.h"
@@ -100,11 +101,25 @@ class TestMachineStore : public QObject {
     QVERIFY(std::filesystem::exists(path));
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(path.parent_path())) {
-      files += entry.is_regular_file() ? 1 : 0;
+      files += entry.path().extension() == ".json" ? 1 : 0;
     }
     QCOMPARE(files, std::size_t{1});
     // `feasibility --calibration` takes the file of a machine as well.
     QVERIFY(report::readCalibration(path).has_value());
+  }
+
+  void whatSeveralProgramsSaveAtATimeStays() {
+    // Each fact is of another program: each reads the file, changes its own part, writes the file.
+    constexpr int kRounds = 20;
+    for (int round = 0; round < kRounds; ++round) {
+      init();
+      std::thread calibrating([this] { static_cast<void>(store().save(makeRecord())); });
+      std::thread testing([this] { static_cast<void>(store().save(makeTest())); });
+      calibrating.join();
+      testing.join();
+      QVERIFY(store().calibration(kEndpoint, kServer)->has_value());
+      QVERIFY(store().creditTest(kEndpoint, kServer)->has_value());
+    }
   }
 
   void whatItDoesNotKnowStays() {

@@ -518,6 +518,29 @@ class TestSecurity : public QObject {
     QCOMPARE((*known)->security, std::string("None"));
   }
 
+  void whatSeveralProgramsAllowAtATimeStays() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.path().toStdString();
+    constexpr int kPrograms = 4;
+    constexpr int kServersOfEach = 10;
+    std::vector<std::thread> programs;
+    for (int program = 0; program < kPrograms; ++program) {
+      programs.emplace_back([path, program] {
+        for (int i = 0; i < kServersOfEach; ++i) {
+          const std::string endpoint =
+              "opc.tcp://machine-" + std::to_string(program * kServersOfEach + i);
+          static_cast<void>(trust::TrustStore(path).allow(endpoint, "Basic256Sha256"));
+        }
+      });
+    }
+    for (std::thread& program : programs) {
+      program.join();
+    }
+    const auto known = trust::TrustStore(path).servers();
+    QVERIFY(known);
+    QCOMPARE(known->size(), std::size_t{kPrograms * kServersOfEach});
+  }
+
   void aDamagedListOfServersIsNotTakenForEmpty() {
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.path().toStdString();
