@@ -1364,6 +1364,14 @@
         <source>The map names a node that the server does not have, or one of another type. Correct the map.</source>
         <translation>Die Zuordnung nennt einen Knoten, den der Server nicht hat, oder einen von anderem Typ. Die Zuordnung berichtigen.</translation>
     </message>
+    <message>
+        <source>No computer of this name is known on the network. Check the name, or give the IP address of the control.</source>
+        <translation>Im Netzwerk gibt es keinen Rechner mit diesem Namen. Prüfen Sie den Namen, oder geben Sie die IP-Adresse der Steuerung an.</translation>
+    </message>
+    <message>
+        <source>Too many files and connections are open on this computer. Close other programs, then try again.</source>
+        <translation>Auf diesem Rechner sind zu viele Dateien und Verbindungen offen. Schließen Sie andere Programme, und versuchen Sie es dann noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

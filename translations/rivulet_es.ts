@@ -1364,6 +1364,14 @@
         <source>The map names a node that the server does not have, or one of another type. Correct the map.</source>
         <translation>El mapa nombra un nodo que el servidor no tiene, o de otro tipo. Corrija el mapa.</translation>
     </message>
+    <message>
+        <source>No computer of this name is known on the network. Check the name, or give the IP address of the control.</source>
+        <translation>En la red no se conoce ningún ordenador con este nombre. Compruebe el nombre o indique la dirección IP del control.</translation>
+    </message>
+    <message>
+        <source>Too many files and connections are open on this computer. Close other programs, then try again.</source>
+        <translation>En este ordenador hay demasiados archivos y conexiones abiertos. Cierre otros programas y vuelva a intentarlo.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

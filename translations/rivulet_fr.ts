@@ -1364,6 +1364,14 @@
         <source>The map names a node that the server does not have, or one of another type. Correct the map.</source>
         <translation>La table de correspondance nomme un nœud que le serveur n&apos;a pas, ou d&apos;un autre type. Corrigez-la.</translation>
     </message>
+    <message>
+        <source>No computer of this name is known on the network. Check the name, or give the IP address of the control.</source>
+        <translation>Aucun ordinateur de ce nom n&apos;est connu sur le réseau. Vérifiez le nom, ou indiquez l&apos;adresse IP de la commande.</translation>
+    </message>
+    <message>
+        <source>Too many files and connections are open on this computer. Close other programs, then try again.</source>
+        <translation>Trop de fichiers et de connexions sont ouverts sur cet ordinateur. Fermez d&apos;autres programmes, puis réessayez.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

@@ -1364,6 +1364,14 @@
         <source>The map names a node that the server does not have, or one of another type. Correct the map.</source>
         <translation>La mappa nomina un nodo che il server non ha, o di un altro tipo. Correggere la mappa.</translation>
     </message>
+    <message>
+        <source>No computer of this name is known on the network. Check the name, or give the IP address of the control.</source>
+        <translation>In rete non è noto nessun computer con questo nome. Controllare il nome oppure indicare l&apos;indirizzo IP del controllo.</translation>
+    </message>
+    <message>
+        <source>Too many files and connections are open on this computer. Close other programs, then try again.</source>
+        <translation>Su questo computer sono aperti troppi file e connessioni. Chiudere altri programmi, poi riprovare.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

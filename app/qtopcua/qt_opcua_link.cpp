@@ -17,6 +17,7 @@
 #include <tuple>
 #include <utility>
 
+#include "opcua/host_check.h"
 #include "opcua/node_map.h"
 #include "opcua/open62541/monotonic_clock.h"
 #include "opcua/open62541/status.h"
@@ -368,6 +369,9 @@ base::Result<void> QtOpcUaLink::Impl::open() {
     return refuse(
         "The link qtopcua connects without encryption and without a user only. Use the link "
         "open62541, or allow a connection without encryption.");
+  }
+  if (auto host = opcua::requireHost(m_options.endpoint); !host) {
+    return host;
   }
   const std::uint32_t status =
       m_thread.connect(qt(m_options.endpoint), qt(m_options.name),

@@ -32,6 +32,8 @@ enum class LinkError {
   CertificateInvalid,  ///< unreadable, not yet valid, or ended
   ClientNotTrusted,    ///< the server does not trust this computer's certificate
   LoginRefused,        ///< user name or password are wrong, missing, or not taken
+  HostUnknown,         ///< the name of the server's computer cannot be looked up
+  NoHandles,           ///< this computer, or this program, may open no further connection
 };
 
 [[nodiscard]] std::error_code make_error_code(LinkError code);

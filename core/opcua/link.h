@@ -8,6 +8,7 @@
 /// @threadsafety one object, one thread at a time.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
@@ -44,6 +45,10 @@ struct Event {
   base::Error error;                                 ///< RequestFailed, ConnectionLost
   std::shared_ptr<const trace::TracePiece> trace{};  ///< TraceDone
 };
+
+/// A connection whose other side is silent for longer, although it was asked, is lost. The same
+/// holds for this side: nothing moves again without an operator.
+inline constexpr base::Duration kSilenceMax = std::chrono::seconds(10);
 
 /// Asynchronous variable access. Requests are served in order; several may be outstanding.
 class Link {

@@ -322,6 +322,14 @@ struct ErrorTexts {
             "control, then connect again.");
       case LinkError::LoginRefused:
         return tr("The server refuses user name or password. Check both.");
+      case LinkError::HostUnknown:
+        return tr(
+            "No computer of this name is known on the network. Check the name, or give the IP "
+            "address of the control.");
+      case LinkError::NoHandles:
+        return tr(
+            "Too many files and connections are open on this computer. Close other programs, then "
+            "try again.");
     }
     return {};
   }

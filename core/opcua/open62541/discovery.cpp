@@ -7,6 +7,7 @@
 
 #include "base/contract.h"
 #include "opcua/error.h"
+#include "opcua/host_check.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/plain_client.h"
 #include "opcua/open62541/quiet_logger.h"
@@ -59,6 +60,9 @@ class PlainClient {
 
 base::Result<std::vector<FoundServer>> findServers(const std::string& address,
                                                    base::Duration deadline) {
+  if (auto host = requireHost(address); !host) {
+    return base::fail(host.error());
+  }
   const PlainClient asking(address, deadline);
   Applications found;
   UA_StatusCode status = asking.status;
@@ -86,6 +90,9 @@ base::Result<std::vector<FoundServer>> findServers(const std::string& address,
 base::Result<void> registerServer(const std::string& address, const FoundServer& server,
                                   bool isOnline, base::Duration deadline) {
   RIVULET_ASSERT(server.addresses.size() == 1);
+  if (auto host = requireHost(address); !host) {
+    return host;
+  }
   const PlainClient asking(address, deadline);
   UA_StatusCode status = asking.status;
   if (!isBad(status)) {

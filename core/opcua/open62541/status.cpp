@@ -120,6 +120,11 @@ std::string sentenceOf(LinkError error) {
       return "The server does not trust the certificate of this computer. Accept it on the server.";
     case LinkError::LoginRefused:
       return "The server refuses user name or password. Check both.";
+    case LinkError::HostUnknown:
+      return "The name of the server is not known on this network. Check it, or give the IP "
+             "address.";
+    case LinkError::NoHandles:
+      return "Too many files and connections are open on this computer. Close other programs.";
   }
   base::contractViolated("every LinkError has a sentence", __FILE__, __LINE__);
 }

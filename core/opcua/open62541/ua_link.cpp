@@ -27,6 +27,7 @@
 #include "base/contract.h"
 #include "base/random.h"
 #include "opcua/control_map.h"
+#include "opcua/host_check.h"
 #include "opcua/node_map.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/monotonic_clock.h"
@@ -882,6 +883,9 @@ void UaLink::Impl::close() {
 }
 
 base::Result<void> UaLink::Impl::open() {
+  if (auto host = requireHost(m_options.endpoint); !host) {
+    return host;
+  }
   std::optional<SecureEndpoint>& endpoint = m_secureEndpoint;
   const LoginKind login = loginKindOf(m_options);
   if (m_options.security != unencrypted() || login != LoginKind::Anonymous) {

@@ -27,7 +27,7 @@ struct ConnectOptions {
   /// Of each method of `Control`; longer than a silence that the connection survives.
   base::Duration commandDeadline = std::chrono::seconds(12);
   /// A connection whose other side is silent for longer, although it was asked, is lost.
-  base::Duration silenceMax = std::chrono::seconds(10);
+  base::Duration silenceMax = kSilenceMax;
   std::string name = "Rivulet";  ///< session name the server shows
 
   /// What the user allows. Unless it is `unencrypted()` without a user, the server is first asked
@@ -56,7 +56,7 @@ class UaLink final : public Link, public Control, public NodeBrowser, public Nod
  public:
   /// Connects, opens a session and resolves the namespaces. A server that closes the connection is
   /// tried again, each time after a longer pause.
-  /// @return NotReachable, Rejected, NamespaceMissing, EncryptionMissing, LoginRefused,
+  /// @return HostUnknown, NoHandles, NotReachable, Rejected, NamespaceMissing, EncryptionMissing, LoginRefused,
   /// ClientNotTrusted, VariableMissing for an address that is none, `MapError::WrongAddress` for
   /// one of a map that the server does not have, and what `ConnectOptions::trust` returns
   [[nodiscard]] static base::Result<std::unique_ptr<UaLink>> connect(const ConnectOptions& options);
