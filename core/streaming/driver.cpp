@@ -99,6 +99,7 @@ void Driver::watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf) 
 }
 
 StreamEnd Driver::run() {
+  m_turnedAt = m_link.now();
   m_shownAt = m_link.now();
   m_nextTrace = m_link.now() + kTraceInterval;
   while (!m_done) {
@@ -112,7 +113,9 @@ StreamEnd Driver::run() {
     if (!m_abandonedAt) {
       submitMethod();
     }
-    if (const std::optional<opcua::Event> event = m_link.wait(nextWakeUp())) {
+    const std::optional<opcua::Event> event = m_link.wait(nextWakeUp());
+    noticeOwnSilence();
+    if (event && !m_done) {
       handle(*event);
     }
     noticeSilence();
@@ -142,6 +145,26 @@ Instant Driver::nextWakeUp() const {
     }
   }
   return until;
+}
+
+/// A turn takes milliseconds, unless this computer did nothing: it was suspended, or too busy. The
+/// control has been waiting meanwhile, and somebody may stand in the machine.
+void Driver::noticeOwnSilence() {
+  const Duration turn = m_link.now() - m_turnedAt;
+  m_turnedAt = m_link.now();
+  if (turn > opcua::kSilenceMax) {
+    loseConnection(base::makeError(
+        opcua::LinkError::ConnectionLost,
+        fmt::format("This computer did nothing for {:.0f} s: it was suspended, or too busy to run "
+                    "Rivulet. Keep it from sleeping while a program runs.",
+                    base::toSeconds(turn))));
+  }
+}
+
+void Driver::loseConnection(base::Error error) {
+  m_end.error = std::move(error);
+  m_end.error.message += " " + std::string(m_method.adviceWhenLost());
+  m_done = true;
 }
 
 void Driver::noticeSilence() {
@@ -379,9 +402,7 @@ void Driver::submitMethod() {
 
 void Driver::handle(const opcua::Event& event) {
   if (event.kind == opcua::EventKind::ConnectionLost) {
-    m_end.error = event.error;
-    m_end.error.message += " " + std::string(m_method.adviceWhenLost());
-    m_done = true;
+    loseConnection(event.error);
     return;
   }
   if (m_stopPending == event.request) {

@@ -113,6 +113,8 @@ class Driver {
   /// Of a request, from its usual one: longer while answers come late.
   [[nodiscard]] base::Duration patient(base::Duration deadline) const;
   void noticeSilence();
+  void noticeOwnSilence();
+  void loseConnection(base::Error error);
   void noticeSlowness();
   [[nodiscard]] base::Instant nextWakeUp() const;
   /// @return true if a correction has been sent
@@ -180,6 +182,7 @@ class Driver {
   EquipmentWatch m_equipment;
   base::Instant m_nextDisplay{};
   base::Instant m_nextSample{};  ///< of the positions that the method reads
+  base::Instant m_turnedAt{};    ///< when this program last had its turn
   base::Instant m_shownAt{};     ///< when the axes' position was last read
   base::Instant m_nextStatus{};
   base::Instant m_nextEquipment{};
