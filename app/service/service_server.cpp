@@ -17,7 +17,6 @@
 #include "log/log.h"
 #include "machine/front/client_gate.h"
 #include "machine/front/listening.h"
-#include "machine/front/port_probe.h"
 #include "machine/user.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/quiet_logger.h"
@@ -28,6 +27,7 @@ namespace rivulet::service {
 namespace {
 
 constexpr UA_UInt16 kSessionsMax = 50;
+constexpr UA_UInt16 kConnectionsMax = 2 * kSessionsMax;
 constexpr UA_UInt32 kSubscriptionsMax = 100;
 constexpr UA_UInt32 kMonitoredItemsMax = 5000;
 constexpr double kSessionTimeoutMsMax = 60'000.0;
@@ -147,10 +147,8 @@ class ServiceServer::Impl {
 };
 
 base::Result<void> ServiceServer::Impl::start(const machine::ServerOptions& options) {
-  if (options.port != 0) {
-    if (auto free = machine::probePort(options.host, options.port); !free) {
-      return free;
-    }
+  if (auto able = machine::requireListening(options, kConnectionsMax); !able) {
+    return able;
   }
   if (auto configured = configure(options); !configured) {
     return configured;
@@ -193,7 +191,7 @@ base::Result<void> ServiceServer::Impl::configure(const machine::ServerOptions& 
   }
   config.tcpReuseAddr = options.port != 0;
   config.maxSessions = kSessionsMax;
-  config.maxSecureChannels = 2 * kSessionsMax;
+  config.maxSecureChannels = kConnectionsMax;
   config.maxSessionTimeout = kSessionTimeoutMsMax;
   config.maxNodesPerRead = kNodesPerRequestMax;
   config.maxNodesPerBrowse = kNodesPerRequestMax;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "machine/front/handle_limit.h"
+#include "machine/front/port_probe.h"
 #include "opcua/open62541/handle.h"
 
 namespace rivulet::machine {
@@ -34,6 +36,13 @@ std::string urlOf(const std::string& host, std::uint16_t port) {
   const bool isIpv6 = host.find(':') != std::string::npos;
   return isIpv6 ? fmt::format("opc.tcp://[{}]:{}", host, port)
                 : fmt::format("opc.tcp://{}:{}", host, port);
+}
+
+base::Result<void> requireListening(const ServerOptions& options, std::size_t connections) {
+  if (auto enough = requireHandles(connections); !enough || options.port == 0) {
+    return enough;
+  }
+  return probePort(options.host, options.port);
 }
 
 UA_StatusCode replaceText(UA_String& target, std::string_view text) {

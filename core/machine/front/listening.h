@@ -8,6 +8,7 @@
 
 #include <open62541/server.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -20,6 +21,11 @@ namespace rivulet::machine {
 
 /// "opc.tcp://127.0.0.1:4840", with brackets around an address of IPv6.
 [[nodiscard]] std::string urlOf(const std::string& host, std::uint16_t port);
+
+/// Whether a server can listen as the options say, asked before the library, which gives no reason.
+/// @param connections  that it takes at most  @return PortTaken, AddressUnusable, TooFewHandles
+[[nodiscard]] base::Result<void> requireListening(const ServerOptions& options,
+                                                  std::size_t connections);
 
 /// A text of a configuration gets another value.
 [[nodiscard]] UA_StatusCode replaceText(UA_String& target, std::string_view text);

@@ -21,7 +21,6 @@
 #include "machine/front/client_gate.h"
 #include "machine/front/listening.h"
 #include "machine/front/methods.h"
-#include "machine/front/port_probe.h"
 #include "machine/front/variable_service.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/quiet_logger.h"
@@ -36,6 +35,7 @@ using std::chrono::milliseconds;
 
 /// Limits as documented for the 840D sl, if there is such a figure.
 constexpr UA_UInt16 kSessionsMax = 10;
+constexpr UA_UInt16 kConnectionsMax = 2 * kSessionsMax;
 constexpr UA_UInt32 kSubscriptionsMax = 10;
 constexpr UA_UInt32 kMonitoredItemsMax = 100;
 constexpr double kSamplingIntervalMsMax = 5000.0;
@@ -160,10 +160,8 @@ Server::Impl::~Impl() {
 }
 
 base::Result<void> Server::Impl::start(const ServerOptions& options) {
-  if (options.port != 0) {
-    if (auto free = probePort(options.host, options.port); !free) {
-      return free;
-    }
+  if (auto able = requireListening(options, kConnectionsMax); !able) {
+    return able;
   }
   if (auto configured = configure(options); !configured) {
     return configured;
@@ -236,7 +234,7 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   config.tcpReuseAddr = options.port != 0;
   config.tcpMaxMsgSize = kMessageBytesMax;
   config.maxSessions = kSessionsMax;
-  config.maxSecureChannels = 2 * kSessionsMax;
+  config.maxSecureChannels = kConnectionsMax;
   config.maxSessionTimeout = kSessionTimeoutMsMax;
   config.maxNodesPerRead = kNodesPerRequestMax;
   config.maxNodesPerWrite = kNodesPerRequestMax;

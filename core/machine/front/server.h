@@ -33,6 +33,7 @@ namespace rivulet::machine {
 enum class FrontError {
   PortTaken = 1,    ///< another program listens there
   AddressUnusable,  ///< no address of this computer, or the port is not allowed
+  TooFewHandles,    ///< this program may not open enough connections
   SetUpFailed,      ///< the OPC UA library failed; the message contains its text
 };
 
