@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "machine/user.h"
 #include "support/machine_process.h"
@@ -173,7 +174,7 @@ class TestTrust : public QObject {
     }
   }
 
-  void anEncryptedRunLeavesNoTraceOfThePassword() {
+  void encryptedRunsOfEveryMethodLeaveNoTraceOfThePassword() {
     const tests::MachineProcess machine(
         QStringLiteral(RIVULET_MACHINE_PROGRAM),
         machineArguments("first") + QStringList{QStringLiteral("--state"), path("state")});
@@ -194,10 +195,14 @@ class TestTrust : public QObject {
              QStringLiteral("--user"), QStringLiteral("setter")},
             kPassword);
     QVERIFY2(test.exit == 0, qPrintable(test.output));
-    const Outcome credit =
-        run("clara", stream(machine.endpoint(), QStringLiteral("credit")), kPassword);
-    QVERIFY2(credit.exit == 0, qPrintable(credit.output));
-    QVERIFY(credit.json["faultless"].get<bool>());
+    std::vector<Outcome> outcomes{window, test};
+    for (const char* method : {"credit", "file", "signal", "position"}) {
+      const Outcome& one = outcomes.emplace_back(
+          run("clara", stream(machine.endpoint(), QString::fromUtf8(method)), kPassword));
+      QVERIFY2(one.exit == 0, qPrintable(one.output));
+      QVERIFY2(one.json["faultless"].get<bool>(), method);
+      QCOMPARE(one.json["executed"].get<int>(), 20);
+    }
 
     int files = 0;
     for (QDirIterator each(m_folder.path(), QDir::Files | QDir::Hidden,
@@ -208,8 +213,8 @@ class TestTrust : public QObject {
       QVERIFY2(!file.readAll().contains(kPassword), qPrintable(file.fileName()));
     }
     QVERIFY(files > 5);
-    for (const Outcome* outcome : {&window, &test, &credit}) {
-      QVERIFY(!outcome->output.contains(QLatin1String(kPassword)));
+    for (const Outcome& outcome : outcomes) {
+      QVERIFY(!outcome.output.contains(QLatin1String(kPassword)));
     }
   }
 
