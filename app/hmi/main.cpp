@@ -10,6 +10,7 @@
 #include "hmi/demo.h"
 #include "hmi/end_signals.h"
 #include "hmi/main_window.h"
+#include "hmi/sleep_guard.h"
 #include "log/log.h"
 
 namespace {
@@ -113,6 +114,11 @@ int main(int argc, char** argv) {
   const rivulet::hmi::EndSignals endSignals;
   QObject::connect(&endSignals, &rivulet::hmi::EndSignals::received, &window,
                    &rivulet::hmi::MainWindow::stopAndClose);
+  rivulet::hmi::SleepGuard awake(QDBusConnection::systemBus());
+  QObject::connect(&window, &rivulet::hmi::MainWindow::runStarted, &awake,
+                   &rivulet::hmi::SleepGuard::hold);
+  QObject::connect(&window, &rivulet::hmi::MainWindow::runFinished, &awake,
+                   &rivulet::hmi::SleepGuard::release);
   // The end of the session: what is not stopped by then would be killed.
   QObject::connect(
       &application, &QGuiApplication::commitDataRequest, &window,
