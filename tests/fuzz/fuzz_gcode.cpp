@@ -7,21 +7,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
+#include <vector>
 
+#include "fuzz/require.h"
 #include "gcode/interpreter.h"
 #include "gcode/thinning.h"
 
 namespace {
 
 using namespace rivulet;
-
-void require(bool holds) {
-  if (!holds) {
-    std::abort();
-  }
-}
+using tests::require;
 
 /// Finite, or NaN for a coordinate that was never named.
 void checkPoints(const gcode::Trajectory& trajectory, std::size_t lines) {
@@ -64,8 +60,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return name.size() % 2 == 0 ? std::optional(nc::LoadedText{"G91 G0 X1\nM17\n", "part.spf"})
                                 : std::nullopt;
   };
-  const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
-  const gcode::Interpretation result = gcode::interpret(text, options);
+  // Memory of its own, so that a look at the byte before it is noticed, too.
+  const std::vector<char> text(data + 1, data + size);
+  const gcode::Interpretation result = gcode::interpret({text.data(), text.size()}, options);
   checkPoints(result.trajectory, result.statistics.lines);
   for (const gcode::Diagnostic& diagnostic : result.diagnostics) {
     require(!gcode::describe(diagnostic).empty());

@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <QtTest>
+#include <algorithm>
 #include <clocale>
 #include <string>
 
@@ -188,6 +192,26 @@ class TestLexer : public QObject {
     std::setlocale(LC_ALL, "de_DE.UTF-8");
     QCOMPARE(tokens("X1.5"), std::string("1: X1.5@1"));
     std::setlocale(LC_ALL, "C");
+  }
+
+  /// The page before the text cannot be read.
+  void doesNotLookBeforeItsText() {
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    void* const pages =
+        mmap(nullptr, 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    QVERIFY(pages != MAP_FAILED);
+    QCOMPARE(mprotect(pages, page, PROT_NONE), 0);
+    char* const text = static_cast<char*>(pages) + page;
+    for (const std::string_view line : {"#<probe_z>=#5063", "#", "$", "=1", "X", "@", ")"}) {
+      std::copy(line.begin(), line.end(), text);
+      for (const nc::Dialect dialect : nc::kDialects) {
+        nc::Lexer lexer({text, line.size()}, dialect);
+        nc::Block block;
+        QVERIFY(lexer.next(block));
+        QVERIFY(!lexer.next(block));
+      }
+    }
+    munmap(pages, 2 * page);
   }
 
   void reusesTheBuffer() {

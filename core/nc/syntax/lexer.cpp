@@ -188,7 +188,8 @@ class LineReader {
     while (m_at != from && classOf(m_at[-1]) == kBlank) {
       --m_at;
     }
-    const bool ends = m_at == m_end || isOneOf(*m_at, " \t\v\f;(") || isOneOf(m_at[-1], ")]");
+    const bool ends =
+        m_at == m_end || isOneOf(*m_at, " \t\v\f;(") || (m_at != from && isOneOf(m_at[-1], ")]"));
     const bool goesOn = !ends || isInCalculation(m_at);
     if (!read) {
       m_at = endOfUnreadable(valueFrom);
