@@ -8,16 +8,14 @@
 #include <open62541/server.h>
 #include <open62541/server_config_default.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdarg>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "base/random.h"
+#include "fuzz/memory_network.h"
 #include "fuzz/require.h"
 #include "fuzz/ua_values.h"
 #include "opcua/node_map.h"
@@ -49,7 +47,7 @@ const std::vector<Variable>& variables() {
   return all;
 }
 
-/// A server of the library that answers with what it is told. Its thread is its own.
+/// A server of the library that answers with what it is told, while its client waits.
 class Answers {
  public:
   Answers() {
@@ -81,15 +79,10 @@ class Answers {
     require(UA_Server_run_startup(m_server) == UA_STATUSCODE_GOOD);
     m_endpoint =
         opcua::view(UA_Server_getConfig(m_server)->applicationDescription.discoveryUrls[0]);
-    m_thread = std::thread([this] {
-      while (!m_stop.load()) {
-        UA_Server_run_iterate(m_server, true);
-      }
-    });
+    tests::setPartner([this] { UA_Server_run_iterate(m_server, false); });
   }
   ~Answers() {
-    m_stop.store(true);
-    m_thread.join();
+    tests::setPartner({});
     UA_Server_run_shutdown(m_server);
     UA_Server_delete(m_server);
   }
@@ -100,7 +93,6 @@ class Answers {
   /// What is answered from now on. @param values,outputs  null: nothing special; they stay the
   /// caller's
   void tell(const UA_ReadResponse* values, const UA_CallMethodResult* outputs) {
-    const std::lock_guard lock(m_mutex);
     m_values = values;
     m_outputs = outputs;
     m_next = 0;
@@ -110,7 +102,6 @@ class Answers {
   static UA_StatusCode onRead(UA_Server*, const UA_NodeId*, void*, const UA_NodeId*, void* context,
                               UA_Boolean, const UA_NumericRange*, UA_DataValue* value) noexcept {
     auto& self = *static_cast<Answers*>(context);
-    const std::lock_guard lock(self.m_mutex);
     if (self.m_values == nullptr || self.m_values->resultsSize == 0) {
       value->hasStatus = true;
       value->status = UA_STATUSCODE_BADNODATA;
@@ -127,7 +118,6 @@ class Answers {
                               const UA_NodeId*, void*, std::size_t, const UA_Variant*,
                               std::size_t outputSize, UA_Variant* output) noexcept {
     auto& self = *static_cast<Answers*>(context);
-    const std::lock_guard lock(self.m_mutex);
     if (self.m_outputs == nullptr) {
       return UA_STATUSCODE_BADNOTSUPPORTED;
     }
@@ -186,12 +176,9 @@ class Answers {
   UA_UInt16 m_control = 0;
   UA_UInt16 m_beyond = 0;
   std::string m_endpoint;
-  std::mutex m_mutex;
   const UA_ReadResponse* m_values = nullptr;
   const UA_CallMethodResult* m_outputs = nullptr;
   std::size_t m_next = 0;
-  std::atomic<bool> m_stop{false};
-  std::thread m_thread;
 };
 
 enum class Ask {
