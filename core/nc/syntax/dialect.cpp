@@ -108,8 +108,10 @@ bool startsWith(std::string_view text, std::string_view pattern) {
   return true;
 }
 
+/// @param pattern  does not begin with a digit
 bool contains(std::string_view line, std::string_view pattern) {
-  for (std::size_t at = 0; at + pattern.size() <= line.size(); ++at) {
+  for (std::size_t at = line.find(pattern.front()); at != std::string_view::npos;
+       at = line.find(pattern.front(), at + 1)) {
     if (startsWith(line.substr(at), pattern)) {
       return true;
     }
