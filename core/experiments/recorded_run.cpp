@@ -48,7 +48,8 @@ class Words {
         continue;
       }
       if (c == '(') {
-        at = std::min(line.size(), line.find(')', at) + 1);
+        const std::size_t close = line.find(')', at);
+        at = close == std::string_view::npos ? line.size() : close + 1;
         continue;
       }
       std::size_t end = at + 1;
@@ -99,7 +100,7 @@ machine::ArcPath arcPath(Vec3 from, Vec3 to, Vec3 centre, bool clockwise) {
 /// Five columns of a table with a heading, row by row.
 using RecordedRow = std::array<double, 5>;
 Result<std::vector<RecordedRow>> parseColumns(std::string_view text,
-                                    const std::array<std::string_view, 5>& columns) {
+                                              const std::array<std::string_view, 5>& columns) {
   const auto takeLine = [&text] {
     const std::size_t end = text.find('\n');
     const std::string_view line = text.substr(0, end);

@@ -27,6 +27,10 @@ class TestLookahead : public QObject {
     QVERIFY(std::abs((*blocks)[1].arc->sweepRad - std::acos(0.0)) < 1e-12);
     QVERIFY((*blocks)[2].end == machine::BlockEnd::ExactStop);
     QVERIFY(!experiments::parseRecordedProgram("G1 X1.2.3\n", {}));
+    // A comment that nobody ends goes to the end of the line.
+    const auto open = experiments::parseRecordedProgram("G1 X1 (as far as here\nX2\n", {});
+    QVERIFY(open);
+    QCOMPARE(open->size(), std::size_t{2});
   }
 
   void readsTables() {
