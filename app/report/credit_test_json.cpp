@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "report/json_members.h"
+
 namespace rivulet::report {
 
 namespace {
@@ -25,7 +27,8 @@ T valueOf(const ordered_json& from, const char* key) {
   } else if constexpr (std::is_same_v<T, bool>) {
     return value.is_boolean() && value.get<bool>();
   } else {
-    return value.is_number() ? value.get<T>() : T{};
+    const double number = value.is_number() ? value.get<double>() : 0.0;
+    return number >= 0.0 && number <= kJsonCountMax ? static_cast<T>(number) : T{};
   }
 }
 

@@ -131,6 +131,15 @@ class TestMachineStore : public QObject {
     QVERIFY(!json["credit_test"]["passed"].get<bool>());
   }
 
+  void numbersThatCannotBeAreLeftOut() {
+    write(store().pathOf(kEndpoint, kServer),
+          R"({"rivulet_machine":1,"credit_test":{"asked":1e300,"slowest_answer_ms":1e300}})");
+    const auto test = store().creditTest(kEndpoint, kServer);
+    QVERIFY(test && *test);
+    QCOMPARE((*test)->result.asked, 0);
+    QCOMPARE((*test)->result.slowestAnswer, base::Duration{});
+  }
+
   /// A calibration and a profile that an earlier version left in two folders, under other names.
   void factsOfEarlierVersionsAreFound() {
     write(m_folders.earlierCalibrations / "opc.tcp-192.168.214.1-4840-0123456789abcdef.json",
