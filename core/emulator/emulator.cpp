@@ -46,11 +46,12 @@ struct Comparison {
   Path emulatedMmPerS;
 };
 
-/// A text of TOML.
+/// A text of TOML: ASCII without control characters, DEL among them.
 std::string inQuotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
-    result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c < ' ' ? '_' : c);
+    const bool isPlain = c >= ' ' && c < 0x7F;
+    result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, isPlain ? c : '_');
   }
   return result + '"';
 }
@@ -298,8 +299,8 @@ double bestTimeShift(const Emulator& emulator, const TrainingRun& run, double re
 
 std::string printEmulator(const Emulator& emulator) {
   std::string text =
-      fmt::format("\n[emulator]\nversion = {}\ndate = \"{}\"\ndataSha256 = \"{}\"\nruns = [",
-                  kFileVersion, emulator.date, emulator.dataHash);
+      fmt::format("\n[emulator]\nversion = {}\ndate = {}\ndataSha256 = {}\nruns = [", kFileVersion,
+                  inQuotes(emulator.date), inQuotes(emulator.dataHash));
   for (std::size_t i = 0; i < emulator.runs.size(); ++i) {
     text += (i == 0 ? "" : ", ") + inQuotes(emulator.runs[i]);
   }

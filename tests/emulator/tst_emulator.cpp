@@ -77,6 +77,16 @@ class TestEmulator : public QObject {
     QCOMPARE(read->runs.size(), std::size_t{2});
   }
 
+  void isReadWithNamesThatTomlDoesNotTake() {
+    Emulator written = twoAxes();
+    written.runs = {"a\"b\\c", "d\x7F\n"};
+    written.date = "\"";
+    const auto read = parseEmulator(printEmulator(written), "mine.toml");
+    QVERIFY2(read, read ? "" : read.error().text().c_str());
+    QCOMPARE(read->runs, (std::vector<std::string>{"a\"b\\c", "d__"}));
+    QCOMPARE(read->date, written.date);
+  }
+
   void refusesOtherFiles_data() {
     QTest::addColumn<QString>("text");
     QTest::newRow("not TOML") << QStringLiteral("[emulator\n");
