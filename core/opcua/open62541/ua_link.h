@@ -56,9 +56,10 @@ class UaLink final : public Link, public Control, public NodeBrowser, public Nod
  public:
   /// Connects, opens a session and resolves the namespaces. A server that closes the connection is
   /// tried again, each time after a longer pause.
-  /// @return HostUnknown, NoHandles, NotReachable, Rejected, NamespaceMissing, EncryptionMissing, LoginRefused,
-  /// ClientNotTrusted, VariableMissing for an address that is none, `MapError::WrongAddress` for
-  /// one of a map that the server does not have, and what `ConnectOptions::trust` returns
+  /// @return HostUnknown, NoHandles, NotReachable, Rejected, NamespaceMissing, EncryptionMissing,
+  /// LoginRefused, ClientNotTrusted, VariableMissing for an address that is none,
+  /// `MapError::WrongAddress` for one of a map that the server does not have, and what
+  /// `ConnectOptions::trust` returns
   [[nodiscard]] static base::Result<std::unique_ptr<UaLink>> connect(const ConnectOptions& options);
 
   /// Closes the session; blocks a second at most, whatever the other side does.
