@@ -257,23 +257,7 @@ class QtOpcUaLink::Impl {
                                                   const QList<QOpcUa::TypedVariant>& inputs);
 
  private:
-  /// One request of the caller; its service calls are made from the front of the item list on.
-  struct Pending {
-    base::RequestId id;
-    Operation operation = Operation::Read;
-    Grouping grouping = Grouping::List;
-    std::vector<Variable> variables;
-    std::vector<double> values;                ///< Write: one per variable
-    std::string path;                          ///< Call: of the program to be stored
-    std::string text;                          ///< Call
-    std::optional<trace::TracePosition> from;  ///< Call: for the trace, not for a program
-    Instant deadline{};
-    std::uint64_t serial = 0;   ///< of the service call in progress; 0 none
-    std::size_t itemsSent = 0;  ///< Call: 1
-    Event event;                ///< grows with every answer
-    std::uint32_t failure = UA_STATUSCODE_GOOD;
-    bool done = false;
-  };
+  using Pending = opcua::PendingRequest;
 
   /// The call in progress, be it that of a request that has expired.
   struct Asked {
@@ -295,7 +279,9 @@ class QtOpcUaLink::Impl {
                       : error(LinkError::ConnectionLost);
   }
 
-  [[nodiscard]] Pending newPending(Operation operation, Duration deadline);
+  [[nodiscard]] Pending newPending(Operation operation, Duration deadline) {
+    return opcua::newRequest(++m_lastId, operation, now(), deadline);
+  }
   base::RequestId begin(Pending pending);
   [[nodiscard]] std::uint64_t nextSerial();
   void take(Answer answer);
@@ -489,18 +475,6 @@ base::Result<bool> QtOpcUaLink::Impl::mayWrite(const Variable& variable) {
 }
 
 // --- requests -----------------------------------------------------------------------------------
-
-QtOpcUaLink::Impl::Pending QtOpcUaLink::Impl::newPending(Operation operation, Duration deadline) {
-  Pending pending;
-  pending.id = ++m_lastId;
-  pending.operation = operation;
-  pending.event.kind = operation == Operation::Read ? EventKind::ReadDone : EventKind::WriteDone;
-  pending.event.request = pending.id;
-  pending.event.sent = now();
-  pending.event.at = pending.event.sent;
-  pending.deadline = addSaturating(pending.event.sent, deadline);
-  return pending;
-}
 
 base::RequestId QtOpcUaLink::Impl::request(Operation operation, std::vector<Variable> variables,
                                            std::vector<double> values, Duration deadline,

@@ -19,6 +19,19 @@ Targets targetsOf(std::span<const Assignment> assignments) {
   return targets;
 }
 
+PendingRequest newRequest(base::RequestId id, Operation operation, base::Instant sent,
+                          base::Duration deadline) {
+  PendingRequest request;
+  request.id = id;
+  request.operation = operation;
+  request.deadline = addSaturating(sent, deadline);
+  request.event.kind = operation == Operation::Read ? EventKind::ReadDone : EventKind::WriteDone;
+  request.event.request = id;
+  request.event.sent = sent;
+  request.event.at = sent;
+  return request;
+}
+
 std::optional<LinkError> requestFault(std::span<const Variable> variables,
                                       std::span<const double> values) {
   if (variables.size() > kItemsMax) {

@@ -7,8 +7,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/instant.h"
@@ -26,6 +28,37 @@ struct Targets {
   std::vector<double> values;  ///< one per variable
 };
 [[nodiscard]] Targets targetsOf(std::span<const Assignment> assignments);
+
+enum class Operation { Read, Write, Call };
+
+/// One request of the caller while it is on its way; its service calls are made from the front of
+/// the item list on.
+struct PendingRequest {
+  base::RequestId id;
+  Operation operation = Operation::Read;
+  Grouping grouping = Grouping::List;
+  std::vector<Variable> variables;
+  std::vector<double> values;                ///< Write: one per variable
+  std::string path;                          ///< Call: of the program to be stored
+  std::string text;                          ///< Call
+  std::optional<trace::TracePosition> from;  ///< Call: for the trace, not for a program
+  base::Instant deadline{};
+  std::uint64_t serial = 0;   ///< of the service call in progress; 0 none
+  std::size_t itemsSent = 0;  ///< Call: 1
+  std::uint32_t failure = 0;  ///< status code of OPC UA; 0 none
+  Event event;                ///< grows with every answer
+  bool done = false;
+
+  [[nodiscard]] bool isSent() const {
+    return itemsSent == (operation == Operation::Call ? 1 : variables.size());
+  }
+};
+
+/// A request without its subject. Its event is ReadDone or WriteDone, unless the caller says
+/// otherwise.
+/// @param deadline  from `sent` on
+[[nodiscard]] PendingRequest newRequest(base::RequestId id, Operation operation, base::Instant sent,
+                                        base::Duration deadline);
 
 /// Why a request is not sent at all: TooManyItems; BadValue for a value that is not finite.
 /// @param values  of a request to write

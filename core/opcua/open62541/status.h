@@ -13,10 +13,9 @@
 #include "base/instant.h"
 #include "base/result.h"
 #include "opcua/error.h"
+#include "opcua/request.h"
 
 namespace rivulet::opcua {
-
-enum class Operation { Read, Write, Call };
 
 /// Meaning of a bad status of one item or of a whole service call.
 [[nodiscard]] LinkError linkErrorOf(UA_StatusCode status, Operation operation);

@@ -202,19 +202,6 @@ void UaLink::Impl::takeCall(Pending& pending, const UA_CallResponse& response) {
 
 // --- requests -----------------------------------------------------------------------------------
 
-UaLink::Impl::Pending UaLink::Impl::newPending(Operation operation, EventKind kind,
-                                               Duration deadline) {
-  Pending pending;
-  pending.id = ++m_lastId;
-  pending.operation = operation;
-  pending.event.kind = kind;
-  pending.event.request = pending.id;
-  pending.event.sent = now();
-  pending.event.at = pending.event.sent;
-  pending.deadline = addSaturating(pending.event.sent, deadline);
-  return pending;
-}
-
 base::RequestId UaLink::Impl::begin(Pending pending, bool hasMethod) {
   noticeLoss();  // comes before this request
   if (m_lost) {
@@ -231,9 +218,7 @@ base::RequestId UaLink::Impl::begin(Pending pending, bool hasMethod) {
 base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable> variables,
                                       std::vector<double> values, Duration deadline,
                                       Grouping grouping) {
-  Pending pending = newPending(
-      operation, operation == Operation::Read ? EventKind::ReadDone : EventKind::WriteDone,
-      deadline);
+  Pending pending = newPending(operation, deadline);
   const bool isControl = m_options.map != nullptr || !isMapped();
   pending.grouping = isControl ? grouping : Grouping::List;
   pending.variables = std::move(variables);
@@ -293,7 +278,7 @@ void UaLink::Impl::restoreMeant(const Variable& variable, Reading& reading) cons
 
 base::RequestId UaLink::Impl::store(const std::string& name, const std::string& text,
                                     Duration deadline) {
-  Pending pending = newPending(Operation::Call, EventKind::WriteDone, deadline);
+  Pending pending = newPending(Operation::Call, deadline);
   pending.path = pathOf(name);
   pending.text = text;
   return begin(std::move(pending), !isMapped() || m_methods.contains(kCopyToServer));
@@ -303,7 +288,8 @@ base::RequestId UaLink::Impl::readTrace(const trace::TracePosition& from, Durati
   if (!givesTracePieces()) {
     return {};
   }
-  Pending pending = newPending(Operation::Call, EventKind::TraceDone, deadline);
+  Pending pending = newPending(Operation::Call, deadline);
+  pending.event.kind = EventKind::TraceDone;
   pending.from = from;
   return begin(std::move(pending), true);
 }
@@ -314,7 +300,6 @@ UA_StatusCode UaLink::Impl::sendCall(Pending& pending, void* serial) {
     const std::string piece = memberIdentifier(m_commands->object, kFetchTracePiece);
     MethodCall method(borrowNodeId(m_commands->nameSpace, m_commands->object),
                       borrowNodeId(m_commands->nameSpace, piece), inputs);
-    pending.isCalled = true;
     return __UA_Client_AsyncService(m_client, &method.request, &UA_TYPES[UA_TYPES_CALLREQUEST],
                                     &Impl::onAnswer, &UA_TYPES[UA_TYPES_CALLRESPONSE], serial,
                                     nullptr);
@@ -331,7 +316,6 @@ UA_StatusCode UaLink::Impl::sendCall(Pending& pending, void* serial) {
       isMappedMethod ? mapped->second.object->nodeId : borrowNodeId(m_namespace, m_fileMethods),
       isMappedMethod ? mapped->second.method->nodeId : borrowNodeId(m_namespace, methodIdentifier),
       inputs);
-  pending.isCalled = true;
   return __UA_Client_AsyncService(m_client, &method.request, &UA_TYPES[UA_TYPES_CALLREQUEST],
                                   &Impl::onAnswer, &UA_TYPES[UA_TYPES_CALLRESPONSE], serial,
                                   nullptr);
@@ -412,17 +396,16 @@ void UaLink::Impl::sendDue() {
 }
 
 void UaLink::Impl::send(Pending& pending) {
-  const std::size_t first = pending.itemsSent;
-  const std::size_t items =
-      pending.grouping == Grouping::Single ? std::size_t{1} : pending.variables.size();
   pending.serial = nextSerial();
-  pending.itemsSent = first + items;
   void* const serial = reinterpret_cast<void*>(static_cast<std::uintptr_t>(pending.serial));
   if (pending.operation == Operation::Call) {
+    pending.itemsSent = 1;
     const UA_StatusCode called = sendCall(pending, serial);
     m_lost = m_lost || isBad(called);
     return;
   }
+  const std::size_t first = pending.itemsSent;
+  pending.itemsSent += pending.grouping == Grouping::Single ? 1 : pending.variables.size();
   m_nodes.clear();
   for (std::size_t item = first; item < pending.itemsSent; item += m_nodes.back().length) {
     const std::size_t length = sharedNodeLength(pending.variables, item, pending.grouping);

@@ -31,6 +31,7 @@
 #include "opcua/open62541/secure_endpoint.h"
 #include "opcua/open62541/status.h"
 #include "opcua/open62541/ua_link.h"
+#include "opcua/request.h"
 
 namespace rivulet::opcua {
 
@@ -121,28 +122,8 @@ class UaLink::Impl {
       const std::string& object, const std::string& method, std::span<const std::string> inputs);
 
  private:
-  /// One request of the caller; its service calls are made from the front of the item list on.
-  struct Pending {
-    base::RequestId id;
-    Operation operation = Operation::Read;
-    Grouping grouping = Grouping::List;
-    std::vector<Variable> variables;
-    std::vector<double> values;                ///< Write: one per variable
-    std::string path;                          ///< Call: of the program to be stored
-    std::string text;                          ///< Call
-    std::optional<trace::TracePosition> from;  ///< Call: for the trace, not for a program
-    bool isCalled = false;                     ///< Call: has been sent
-    base::Instant deadline{};
-    std::uint64_t serial = 0;  ///< of the service call in progress; 0 none
-    std::size_t itemsSent = 0;
+  struct Pending : PendingRequest {
     std::size_t nodesSent = 0;  ///< of the service call in progress
-    Event event;                ///< grows with every answer
-    UA_StatusCode failure = UA_STATUSCODE_GOOD;
-    bool done = false;
-
-    [[nodiscard]] bool isSent() const {
-      return operation == Operation::Call ? isCalled : itemsSent == variables.size();
-    }
   };
 
   /// One call of `exchange`.
@@ -194,7 +175,9 @@ class UaLink::Impl {
   void settle();
   void finishAnswered();
   void expire(base::Instant now);
-  [[nodiscard]] Pending newPending(Operation operation, EventKind kind, base::Duration deadline);
+  [[nodiscard]] Pending newPending(Operation operation, base::Duration deadline) {
+    return {newRequest(++m_lastId, operation, now(), deadline)};
+  }
   /// Takes the call of a method. @param hasMethod  false: the server has none
   base::RequestId begin(Pending pending, bool hasMethod);
   void sendDue();
