@@ -149,6 +149,44 @@ QByteArray state(int interpreter, int line, double xIs, double xOffset) {
       .toUtf8();
 }
 
+/// A program that has run up to line 7, and of which three samples have arrived.
+class RecordedProgram {
+ public:
+  bool start() {
+    auto made = LinuxCncControl::connect(m_helper.options());
+    if (!made) {
+      return false;
+    }
+    m_control = std::move(*made);
+    if (!reach(7, state(1, 0, 0.0, 0.0) + state(2, 7, 0.0, 0.0))) {
+      return false;
+    }
+    m_sampler.give(101, 103);
+    return QTest::qWaitFor([&] { return nextTrace() == u"101 to 103"; });
+  }
+  bool reach(unsigned line, const QByteArray& said) {
+    return m_helper.say(*m_control, said, [&] { return m_control->state().line == line; });
+  }
+  /// @param behind  what LinuxCNC says of the samples that have not been taken
+  bool end(const QByteArray& behind) {
+    return m_helper.say(*m_control, behind + state(1, 0, 0.0, 0.0), [&] {
+      return m_control->state().channel == machine::ChannelStatus::Reset;
+    });
+  }
+  Sampler& sampler() { return m_sampler; }
+  QString trace() { return traceOf(*m_control); }
+  /// With what has arrived since.
+  QString nextTrace() {
+    m_control->advance(m_control->now());
+    return trace();
+  }
+
+ private:
+  Helper m_helper;
+  Sampler m_sampler{m_helper.options()};
+  std::unique_ptr<LinuxCncControl> m_control;
+};
+
 }  // namespace
 
 class TestLinuxCncControl : public QObject {
@@ -288,82 +326,49 @@ class TestLinuxCncControl : public QObject {
   /// A client asks for the trace as soon as it hears of the end, and halsampler may not have got a
   /// processor since then.
   void waitsForTheLastSamples() {
-    Helper helper;
-    Sampler sampler(helper.options());
-    const auto made = LinuxCncControl::connect(helper.options());
-    QVERIFY(made);
-    LinuxCncControl& control = **made;
-    QVERIFY(helper.say(control, state(1, 0, 0.0, 0.0) + state(2, 7, 0.0, 0.0),
-                       [&] { return control.state().line == 7; }));
-    sampler.give(101, 103);
-    QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("101 to 103"));
+    RecordedProgram program;
+    QVERIFY(program.start());
     // 5 in the sampler, and one that halsampler may have taken already.
-    QVERIFY(helper.say(control, "behind 5 0\n" + state(1, 0, 0.0, 0.0),
-                       [&] { return control.state().channel == machine::ChannelStatus::Reset; }));
-    sampler.give(104, 150);
-    QCOMPARE(traceOf(control), QStringLiteral("101 to 109"));
+    QVERIFY(program.end("behind 5 0\n"));
+    program.sampler().give(104, 150);
+    QCOMPARE(program.trace(), QStringLiteral("101 to 109"));
     // What comes later is not of this program.
-    QCOMPARE(traceOf(control), QStringLiteral("101 to 109"));
+    QCOMPARE(program.trace(), QStringLiteral("101 to 109"));
   }
 
   void saysThatTheLastSamplesAreMissing() {
-    Helper helper;
-    Sampler sampler(helper.options());
-    const auto made = LinuxCncControl::connect(helper.options());
-    QVERIFY(made);
-    LinuxCncControl& control = **made;
-    QVERIFY(helper.say(control, state(1, 0, 0.0, 0.0) + state(2, 7, 0.0, 0.0),
-                       [&] { return control.state().line == 7; }));
-    sampler.give(101, 103);
-    QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("101 to 103"));
-    QVERIFY(helper.say(control, "behind 5 0\n" + state(1, 0, 0.0, 0.0),
-                       [&] { return control.state().channel == machine::ChannelStatus::Reset; }));
-    sampler.give(104, 108);
-    sampler.end();
-    QCOMPARE(traceOf(control), QStringLiteral("101 to 108, incomplete"));
+    RecordedProgram program;
+    QVERIFY(program.start());
+    QVERIFY(program.end("behind 5 0\n"));
+    program.sampler().give(104, 108);
+    program.sampler().end();
+    QCOMPARE(program.trace(), QStringLiteral("101 to 108, incomplete"));
   }
 
   /// A sampler that is full loses samples, and those after them have later numbers.
   void saysThatTheSamplerLostTheEnd() {
-    Helper helper;
-    Sampler sampler(helper.options());
-    const auto made = LinuxCncControl::connect(helper.options());
-    QVERIFY(made);
-    LinuxCncControl& control = **made;
-    QVERIFY(helper.say(control, state(1, 0, 0.0, 0.0) + state(2, 7, 0.0, 0.0),
-                       [&] { return control.state().line == 7; }));
-    sampler.give(101, 103);
-    QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("101 to 103"));
-    QVERIFY(helper.say(control, "behind 5 0\n" + state(1, 0, 0.0, 0.0),
-                       [&] { return control.state().channel == machine::ChannelStatus::Reset; }));
-    sampler.give(104, 106);
-    sampler.overrun();
-    sampler.give(200, 250);
-    QCOMPARE(traceOf(control), QStringLiteral("101 to 202, incomplete"));
-    QVERIFY(helper.say(control, state(2, 8, 0.0, 0.0), [&] { return control.state().line == 8; }));
-    sampler.give(251, 253);
-    QTRY_VERIFY((control.advance(control.now()), traceOf(control).endsWith(u"to 253")));
+    RecordedProgram program;
+    QVERIFY(program.start());
+    QVERIFY(program.end("behind 5 0\n"));
+    program.sampler().give(104, 106);
+    program.sampler().overrun();
+    program.sampler().give(200, 250);
+    QCOMPARE(program.trace(), QStringLiteral("101 to 202, incomplete"));
+    QVERIFY(program.reach(8, state(2, 8, 0.0, 0.0)));
+    program.sampler().give(251, 253);
+    QTRY_VERIFY(program.nextTrace().endsWith(u"to 253"));
     // What comes later has not been taken by the sampler.
-    QVERIFY(helper.say(control, "behind 5 1\n" + state(1, 0, 0.0, 0.0),
-                       [&] { return control.state().channel == machine::ChannelStatus::Reset; }));
-    QVERIFY(traceOf(control).endsWith(u"to 253, incomplete"));
+    QVERIFY(program.end("behind 5 1\n"));
+    QVERIFY(program.trace().endsWith(u"to 253, incomplete"));
   }
 
   /// The samples of a program that nobody asked for come after the start of the next one.
   void doesNotMixPrograms() {
-    Helper helper;
-    Sampler sampler(helper.options());
-    const auto made = LinuxCncControl::connect(helper.options());
-    QVERIFY(made);
-    LinuxCncControl& control = **made;
-    QVERIFY(helper.say(control, state(1, 0, 0.0, 0.0) + state(2, 7, 0.0, 0.0),
-                       [&] { return control.state().line == 7; }));
-    sampler.give(101, 103);
-    QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("101 to 103"));
-    QVERIFY(helper.say(control, "behind 5 0\n" + state(1, 0, 0.0, 0.0) + state(2, 8, 0.0, 0.0),
-                       [&] { return control.state().line == 8; }));
-    sampler.give(104, 120);
-    QTRY_COMPARE((control.advance(control.now()), traceOf(control)), QStringLiteral("110 to 120"));
+    RecordedProgram program;
+    QVERIFY(program.start());
+    QVERIFY(program.reach(8, "behind 5 0\n" + state(1, 0, 0.0, 0.0) + state(2, 8, 0.0, 0.0)));
+    program.sampler().give(104, 120);
+    QTRY_COMPARE(program.nextTrace(), QStringLiteral("110 to 120"));
   }
 
   void programs() {
