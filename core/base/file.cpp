@@ -108,10 +108,10 @@ int writeAll(int descriptor, std::string_view text) {
 /// The new name survives a loss of power only if its folder is on the disk, too. File systems that
 /// cannot do this are not at fault.
 void syncFolder(const fs::path& folder) {
-  const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
-  if (descriptor >= 0) {
-    fsync(descriptor);
-    close(descriptor);
+  const Opened opened(
+      open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened) {
+    fsync(opened.descriptor());
   }
 }
 
