@@ -14,6 +14,7 @@
 #include "report/run_trend.h"
 #include "report/stream_quality.h"
 #include "streaming/driver.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "trace/frames.h"
 #include "trace/hdf5.h"
@@ -78,7 +79,7 @@ class TestAnalyse : public QObject {
     process.setProcessEnvironment(environment);
     process.start(QStringLiteral(RIVULET_CLI), QStringList{QStringLiteral("analyse")} + arguments);
     Outcome outcome;
-    if (process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit) {
+    if (process.waitForFinished(tests::kRunMs) && process.exitStatus() == QProcess::NormalExit) {
       outcome.exit = process.exitCode();
     }
     outcome.output = process.readAllStandardOutput().toStdString();

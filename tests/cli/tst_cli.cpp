@@ -15,6 +15,7 @@
 
 #include "journal/audit.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "trace/frames.h"
 
@@ -42,7 +43,7 @@ Outcome run(const QStringList& arguments) {
   QProcess process;
   process.start(QStringLiteral(RIVULET_CLI), arguments);
   Outcome outcome;
-  if (process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit) {
+  if (process.waitForFinished(tests::kRunMs) && process.exitStatus() == QProcess::NormalExit) {
     outcome.exit = process.exitCode();
   }
   outcome.output = QString::fromUtf8(process.readAllStandardOutput());
@@ -632,7 +633,7 @@ class TestCli : public QObject {
     process.start(QStringLiteral(RIVULET_CLI), arguments);
     process.write("Z -0.03\n");
     QVERIFY(process.waitForBytesWritten());
-    QVERIFY(process.waitForFinished(60000));  // it does not wait for the end of the input
+    QVERIFY(process.waitForFinished(tests::kRunMs));  // it does not wait for the end of the input
     QCOMPARE(process.exitCode(), 0);
     QFile again(recording);
     QVERIFY(again.open(QIODevice::ReadOnly));

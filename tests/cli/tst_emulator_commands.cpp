@@ -13,6 +13,7 @@
 
 #include "emulator/axis_model.h"
 #include "machine/config.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -31,7 +32,7 @@ Outcome cli(const QStringList& arguments) {
   QProcess process;
   process.start(QStringLiteral(RIVULET_CLI), arguments);
   Outcome outcome;
-  if (process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit) {
+  if (process.waitForFinished(tests::kRunMs) && process.exitStatus() == QProcess::NormalExit) {
     outcome.exit = process.exitCode();
   }
   outcome.output = QString::fromUtf8(process.readAllStandardOutput());

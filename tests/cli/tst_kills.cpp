@@ -12,13 +12,14 @@
 
 #include "base/random.h"
 #include "support/kill_scene.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
 
 namespace {
 
-constexpr int kRunMs = 120'000;
+using rivulet::tests::kRunMs;
 constexpr int kPollMs = 10;
 constexpr qsizetype kHistoryBytes = 300;  // of what a client has printed
 /// Of a whole run, about: kills are drawn within it.

@@ -20,6 +20,7 @@
 
 #include "support/live_run.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -28,7 +29,7 @@ using Run = tests::LiveRun;
 
 namespace {
 
-constexpr int kPatienceMs = tests::LiveRun::kPatienceMs;
+using tests::kRunMs;
 const std::string kSimulated = "--simulate --preset dmu75-arrays --points 14";
 
 /// The other end of a socket.
@@ -76,8 +77,11 @@ class Sender {
     while (m_text.find('\n') == std::string::npos) {
       pollfd asked{m_socket, POLLIN, 0};
       std::array<char, 4096> bytes;
-      const ssize_t count =
-          ::poll(&asked, 1, kPatienceMs) > 0 ? ::read(m_socket, bytes.data(), bytes.size()) : 0;
+      const int ready = ::poll(&asked, 1, kRunMs);
+      if (ready < 0 && errno == EINTR) {
+        continue;  // Qt may hear of the end of a program by a signal
+      }
+      const ssize_t count = ready > 0 ? ::read(m_socket, bytes.data(), bytes.size()) : 0;
       if (count <= 0) {
         return {{"end", "nobody is there"}};
       }
@@ -249,7 +253,7 @@ class TestLiveSources : public QObject {
     QProcess follower;
     follower.start(QStringLiteral(RIVULET_FOLLOW_SURFACE),
                    {QString::fromStdString(run.source.substr(4))});
-    QVERIFY(follower.waitForFinished(kPatienceMs));
+    QVERIFY(follower.waitForFinished(kRunMs));
     QVERIFY2(follower.exitCode() == 0, follower.readAllStandardOutput().constData());
     QCOMPARE(run.finish(), 0);
     QVERIFY(run.isRight());

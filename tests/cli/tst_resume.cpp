@@ -18,6 +18,7 @@
 #include "gcode/program.h"
 #include "report/run_history.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "trace/analysis/integrity.h"
 #include "trace/frames.h"
@@ -28,8 +29,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int kSoonMs = 20'000;
-constexpr int kRunMs = 120'000;
+using rivulet::tests::kRunMs;
+using rivulet::tests::kSoonMs;
 
 QStringList words(const char* text) {
   return QString::fromUtf8(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);

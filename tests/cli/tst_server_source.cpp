@@ -17,6 +17,7 @@
 #include "sources/server_map.h"
 #include "support/live_run.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/patient_sender.h"
 #include "support/plain_server.h"
 #include "support/test_program.h"
@@ -122,7 +123,7 @@ class TestServerSource : public QObject {
     auto server = std::make_unique<PlainServer>(kNumbers, std::map<std::string, std::string>{},
                                                 std::ref(sender));
     LiveRun run(m_folder.path(), arguments(write(*server, kWords + kReplies)) + kSimulated);
-    QTRY_VERIFY_WITH_TIMEOUT(sender.m_mostExecuted >= 14.0, LiveRun::kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(sender.m_mostExecuted >= 14.0, tests::kRunMs);
     server.reset();
     QCOMPARE(run.finish(), 1);
     QVERIFY2(run.isRight(), run.report.dump(1).c_str());

@@ -20,6 +20,7 @@
 #include "opcua/open62541/ua_link.h"
 #include "streaming/cell_claim.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "templates/window_protocol.h"
 
@@ -28,7 +29,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int kRunMs = 180'000;
+using rivulet::tests::kRunMs;
 /// Pairs at the same time, each with a machine of its own; they mostly wait.
 constexpr int kPairsAtOnce = 5;
 

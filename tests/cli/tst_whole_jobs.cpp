@@ -12,6 +12,7 @@
 
 #include "support/kill_scene.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -19,7 +20,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int kRunMs = 120'000;
+using rivulet::tests::kRunMs;
 
 const char* const kPart =
     "N10 G17 G90 G71\n"

@@ -26,6 +26,7 @@
 #include "cnc/worker.h"
 #include "pipeline/conformance.h"
 #include "pipeline/reference.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -35,7 +36,7 @@ using pipeline::PolicyKind;
 
 namespace {
 
-constexpr int kRunMs = 60'000;
+using rivulet::tests::kRunMs;
 
 /// About a third of a second of motion.
 constexpr const char* kProgram = R"nc(G90 G64 S1000 M3

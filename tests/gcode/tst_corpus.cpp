@@ -16,6 +16,7 @@
 
 #include "gcode/program.h"
 #include "gcode_text.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -95,7 +96,7 @@ QString plainFile(const QString& path, const QTemporaryDir& folder) {
   QProcess gzip;
   gzip.setStandardOutputFile(plain);
   gzip.start(QStringLiteral("gzip"), {QStringLiteral("-dc"), kCorpus + path});
-  return gzip.waitForFinished(60'000) && gzip.exitCode() == 0 ? plain : QString();
+  return gzip.waitForFinished(tests::kSoonMs) && gzip.exitCode() == 0 ? plain : QString();
 }
 
 class Comparison {

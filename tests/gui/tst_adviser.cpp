@@ -16,6 +16,7 @@
 #include "report/operating_point.h"
 #include "session/adviser.h"
 #include "streaming/feed_plan.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -23,7 +24,7 @@ using AdvicePtr = std::shared_ptr<const std::vector<feasibility::Advice>>;
 
 namespace {
 
-constexpr int kSoonMs = 60000;
+using rivulet::tests::kSoonMs;
 
 /// With the feeds of the program, of which one block is difficult.
 session::AdviceJob jobWithProgramFeeds(double overrideFactor) {

@@ -11,6 +11,7 @@
 #include "hmi/messages.h"
 #include "journal/line_file.h"
 #include "opcua/error.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "widgets/alarms/alarm_text.h"
 
@@ -20,7 +21,7 @@ using hmi::Messages;
 
 namespace {
 
-constexpr int kSoonMs = 10'000;
+using rivulet::tests::kSoonMs;
 constexpr base::UtcMs kNoon = 1'795'348'800'000;
 
 /// Alarms in a folder of their own, at a time that the test sets.

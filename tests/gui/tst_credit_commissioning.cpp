@@ -11,6 +11,7 @@
 #include "hmi/credit_commissioning.h"
 #include "machine/machine.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -19,7 +20,7 @@ using streaming::CommissioningStep;
 
 namespace {
 
-constexpr int kSoonMs = 60000;
+using rivulet::tests::kSoonMs;
 
 struct Cell {
   machine::Machine machine{*machine::loadPreset("dmu75"), 1};

@@ -25,6 +25,7 @@
 #include "gui/look_check.h"
 #include "hmi/main_window.h"
 #include "machine/config.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "widgets/common/status_label.h"
 #include "widgets/emulator/emulator_page.h"
@@ -43,8 +44,8 @@ using widgets::EmulatorPage;
 
 namespace {
 
-constexpr int kSoonMs = 20000;
-constexpr int kLearnMs = 240000;
+using rivulet::tests::kRunMs;
+using rivulet::tests::kSoonMs;
 constexpr double kStepS = 0.004;
 constexpr double kXGain = 40.0;
 constexpr double kYGain = 30.0;
@@ -139,7 +140,7 @@ class TestEmulatorWindow : public QObject {
   }
   void learn() const {
     click("emulatorLearn");
-    QTRY_VERIFY_WITH_TIMEOUT(part<QPushButton>("emulatorLearn")->isVisible(), kLearnMs);
+    QTRY_VERIFY_WITH_TIMEOUT(part<QPushButton>("emulatorLearn")->isVisible(), kRunMs);
   }
 
  private Q_SLOTS:
@@ -248,7 +249,7 @@ class TestEmulatorWindow : public QObject {
     QVERIFY(!matrix->isVisible());
     click("emulatorCompare");
     QVERIFY(part<QPushButton>("emulatorCancel")->isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT(matrix->isVisible(), kLearnMs);
+    QTRY_VERIFY_WITH_TIMEOUT(matrix->isVisible(), kRunMs);
     QCOMPARE(matrix->values().size(), std::size_t{3});
     for (const std::vector<double>& row : matrix->values()) {
       QCOMPARE(row.size(), std::size_t{3});
@@ -358,7 +359,7 @@ class TestEmulatorWindow : public QObject {
     auto* cancel = part<QPushButton>("emulatorCancel");
     QVERIFY(cancel->isVisible());
     QVERIFY(!part<QPushButton>("emulatorLearn")->isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT(part<CurveChart>("emulatorCurve")->curves().size() >= 2, kLearnMs);
+    QTRY_VERIFY_WITH_TIMEOUT(part<CurveChart>("emulatorCurve")->curves().size() >= 2, kRunMs);
     cancel->setFocus();
     QTest::keyClick(cancel, Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(part<QPushButton>("emulatorLearn")->isVisible(), kSoonMs);

@@ -11,6 +11,7 @@
 
 #include "base/instant.h"
 #include "hmi/main_window.h"
+#include "support/patience.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
 
@@ -19,8 +20,8 @@ using hmi::MainWindow;
 
 namespace {
 
-constexpr int kSoonMs = 20000;
-constexpr int kRunMs = 600'000;
+using rivulet::tests::kRunMs;
+using rivulet::tests::kSoonMs;
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
 /// Memory of this process that is in the main memory, MiB.
@@ -79,7 +80,7 @@ class TestEndurance : public QObject {
       }
       finished.clear();
       QVERIFY(window.start());
-      QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
+      QVERIFY(!finished.isEmpty() || finished.wait(2 * kRunMs));
       QVERIFY(window.lastReport()->outcome == streaming::Outcome::Completed);
       passedS += base::toSeconds(window.lastReport()->duration);
     }

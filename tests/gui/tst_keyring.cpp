@@ -14,6 +14,7 @@
 
 #include "hmi/keyring.h"
 #include "hmi/logins.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -22,7 +23,7 @@ using Outcome = hmi::Keyring::Outcome;
 
 namespace {
 
-constexpr int kPatienceMs = 30000;
+using rivulet::tests::kRunMs;
 const QString kEndpoint = QStringLiteral("opc.tcp://cell-4:4840");
 
 /// Ends with the test, whatever becomes of it.
@@ -43,7 +44,7 @@ class TestKeyring : public QObject {
   static Outcome write(Keyring& keyring, const QString& password) {
     std::optional<Outcome> outcome;
     keyring.write(QStringLiteral("setter@x"), password, [&](Outcome done) { outcome = done; });
-    (void)QTest::qWaitFor([&] { return outcome.has_value(); }, kPatienceMs);
+    (void)QTest::qWaitFor([&] { return outcome.has_value(); }, kRunMs);
     return outcome.value_or(Outcome::Refused);
   }
   static std::pair<Outcome, QString> read(Keyring& keyring) {
@@ -51,7 +52,7 @@ class TestKeyring : public QObject {
     keyring.read(QStringLiteral("setter@x"), [&](Outcome outcome, const QString& password) {
       answer = {outcome, password};
     });
-    (void)QTest::qWaitFor([&] { return answer.has_value(); }, kPatienceMs);
+    (void)QTest::qWaitFor([&] { return answer.has_value(); }, kRunMs);
     return answer.value_or(std::pair(Outcome::Refused, QString()));
   }
 
@@ -69,7 +70,7 @@ class TestKeyring : public QObject {
     begin(m_bus, bus,
           {QStringLiteral("--session"), QStringLiteral("--nofork"),
            QStringLiteral("--print-address")});
-    QVERIFY(m_bus.waitForReadyRead(kPatienceMs));
+    QVERIFY(m_bus.waitForReadyRead(kRunMs));
     qputenv("DBUS_SESSION_BUS_ADDRESS", m_bus.readLine().trimmed());
     qputenv("XDG_CURRENT_DESKTOP", "GNOME");
     qputenv("XDG_RUNTIME_DIR", m_folder.path().toUtf8());
@@ -81,12 +82,12 @@ class TestKeyring : public QObject {
     m_daemon.closeWriteChannel();
     const std::unique_ptr<Keyring> keyring = hmi::systemKeyring();
     // It is there when it has answered.
-    QTRY_VERIFY_WITH_TIMEOUT(read(*keyring).first == Outcome::NotKept, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(read(*keyring).first == Outcome::NotKept, kRunMs);
   }
   void cleanupTestCase() {
     for (QProcess* process : {&m_daemon, &m_bus}) {
       process->kill();
-      process->waitForFinished(kPatienceMs);
+      process->waitForFinished(kRunMs);
     }
   }
 
@@ -96,7 +97,7 @@ class TestKeyring : public QObject {
     QCOMPARE(read(*keyring), std::pair(Outcome::Done, QStringLiteral("grün & \"böse\"")));
     std::optional<Outcome> removed;
     keyring->remove(QStringLiteral("setter@x"), [&](Outcome outcome) { removed = outcome; });
-    QTRY_VERIFY_WITH_TIMEOUT(removed.has_value(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(removed.has_value(), kRunMs);
     QCOMPARE(*removed, Outcome::Done);
     QCOMPARE(read(*keyring).first, Outcome::NotKept);
   }
@@ -107,7 +108,7 @@ class TestKeyring : public QObject {
     QString found = QStringLiteral("not asked");
     const auto take = [&](const QString& password) { found = password; };
     logins.findPassword(kEndpoint, QStringLiteral("setter"), take);
-    QTRY_COMPARE_WITH_TIMEOUT(found, QString(), kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(found, QString(), kRunMs);
     logins.remember(kEndpoint, {{QStringLiteral("setter"), {}, {}}, QStringLiteral("secret"), true},
                     {});
     hmi::Logins later(hmi::systemKeyring(), {}, folder);
@@ -115,7 +116,7 @@ class TestKeyring : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(
         (later.findPassword(kEndpoint, QStringLiteral("setter"), take),
          QTest::qWaitFor([&] { return found == QStringLiteral("secret"); }, 1000)),
-        kPatienceMs);
+        kRunMs);
     QVERIFY(later.view().hasKeyring);
     QFile file(QString::fromStdString((folder / "servers.json").string()));
     QVERIFY(file.open(QIODevice::ReadOnly));

@@ -21,6 +21,7 @@
 #include "live/error.h"
 #include "opcua/error.h"
 #include "report/run_history.h"
+#include "support/patience.h"
 #include "support/patient_sender.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
@@ -43,8 +44,8 @@ using streaming::RunReport;
 
 namespace {
 
-constexpr int kSoonMs = 20000;
-constexpr int kRunMs = 120000;
+using rivulet::tests::kRunMs;
+using rivulet::tests::kSoonMs;
 /// Seconds of the machine in one second, where a test acts in the middle of a run.
 constexpr double kPace = 4.0;
 

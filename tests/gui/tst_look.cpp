@@ -22,6 +22,7 @@
 #include "hmi/main_window.h"
 #include "hmi/translator.h"
 #include "opcua/error.h"
+#include "support/patience.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
 #include "widgets/common/focus_frame.h"
@@ -39,8 +40,8 @@ using widgets::Theme;
 
 namespace {
 
-constexpr int kSoonMs = 20000;
-constexpr int kRunMs = 300000;
+using rivulet::tests::kRunMs;
+using rivulet::tests::kSoonMs;
 constexpr double kInteractivePace = 8.0;
 
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");

@@ -11,6 +11,7 @@
 #include "hmi/main_window.h"
 #include "report/machine_profile.h"
 #include "report/machine_store.h"
+#include "support/patience.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
 #include "widgets/common/number_field.h"
@@ -23,7 +24,7 @@ using hmi::MainWindow;
 
 namespace {
 
-constexpr int kSoonMs = 20000;
+using rivulet::tests::kSoonMs;
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "journal/audit.h"
 #include "journal/line_file.h"
 #include "preparation/settings_facts.h"
+#include "support/patience.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
 #include "widgets/users/users_page.h"
@@ -30,7 +31,7 @@ using permission::Role;
 
 namespace {
 
-constexpr int kSoonMs = 20'000;
+using rivulet::tests::kSoonMs;
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
 std::filesystem::path in(const QTemporaryDir& folder, const char* name) {
@@ -91,7 +92,7 @@ struct Cell {
 bool put(Users& users, const QString& name, Role role, const QString& pin) {
   std::optional<bool> isKept;
   users.put(name, role, pin, [&isKept](const auto& done) { isKept = done.has_value(); });
-  return QTest::qWaitFor([&isKept] { return isKept.has_value(); }) && *isKept;
+  return QTest::qWaitFor([&isKept] { return isKept.has_value(); }, kSoonMs) && *isKept;
 }
 
 }  // namespace

@@ -27,6 +27,7 @@
 #include "hmi/main_window.h"
 #include "petri/net_file.h"
 #include "petri/simulator.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
@@ -42,8 +43,8 @@ using widgets::ParallelPage;
 
 namespace {
 
-constexpr int kSoonMs = 20000;
-constexpr int kPlayedMs = 60000;
+using rivulet::tests::kRunMs;
+using rivulet::tests::kSoonMs;
 
 }  // namespace
 
@@ -219,7 +220,7 @@ class TestParallelWindow : public QObject {
     QCOMPARE(part<QPushButton>("netPlay")->text(), QStringLiteral("Pause"));
     QVERIFY(!part<QPushButton>("netStep")->isEnabled());
     QTRY_VERIFY_WITH_TIMEOUT(part<QPushButton>("netPlay")->text() == QStringLiteral("Play"),
-                             kPlayedMs);
+                             kRunMs);
     QVERIFY2(note().contains(QStringLiteral("nothing more is played")), qPrintable(note()));
     const auto run = experiments::runParallelCnc(experiments::figure13Parameters(cycleMs, policy),
                                                  experiments::kFigure13S);
@@ -274,7 +275,7 @@ class TestParallelWindow : public QObject {
     QVERIFY(part<QPushButton>("taskStop")->isEnabled());
     QVERIFY(!part<QPushButton>("taskStart")->isEnabled());
     QTRY_VERIFY2_WITH_TIMEOUT(taskNote().contains(QStringLiteral("has ended")),
-                              qPrintable(taskNote()), kPlayedMs);
+                              qPrintable(taskNote()), kRunMs);
     QCOMPARE(taskCell(5, 8), QStringLiteral("–"));
     QCOMPARE(taskCell(4, 8), QStringLiteral("B5: 0/50"));
     // What was saved says the same.

@@ -13,6 +13,7 @@
 #include "hmi/past_runs.h"
 #include "machine/machine.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -22,7 +23,7 @@ using RecordingPtr = std::shared_ptr<const trace::Recording>;
 
 namespace {
 
-constexpr int kSoonMs = 60000;
+using rivulet::tests::kSoonMs;
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
 struct Cell {

@@ -24,6 +24,7 @@
 #include "session/file_watch.h"
 #include "session/program_loader.h"
 #include "session/program_timer.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "widgets/alarms/alarm_line.h"
 #include "widgets/program/file_bars.h"
@@ -41,8 +42,8 @@ using session::ProgramTimer;
 
 namespace {
 
-constexpr int kSoonMs = 20'000;
-constexpr int kLongMs = 300'000;
+using rivulet::tests::kRunMs;
+using rivulet::tests::kSoonMs;
 
 void write(const QString& path, const QByteArray& text) {
   QFile file(path);
@@ -182,7 +183,7 @@ class TestProgramSession : public QObject {
     // To its end: the shares grow.
     shares.clear();
     loader.load({folder.filePath("long.mpf"), {}, {}, 7});
-    QTRY_COMPARE_WITH_TIMEOUT(loaded.size(), std::size_t{2}, kLongMs);
+    QTRY_COMPARE_WITH_TIMEOUT(loaded.size(), std::size_t{2}, kRunMs);
     QVERIFY(std::is_sorted(shares.begin(), shares.end()));
     QVERIFY(shares.back() <= 1.0);
     QCOMPARE(loaded.back().view->program->trajectory.points.size(), std::size_t{200'003});
@@ -280,7 +281,7 @@ class TestProgramSession : public QObject {
     auto* progress = bar->findChild<QProgressBar*>();
     auto* messages = window.findChild<widgets::AlarmLine*>();
     window.openProgram(folder.filePath("huge.mpf"));
-    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && progress->value() > 0, kLongMs);
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && progress->value() > 0, kRunMs);
     QTest::mouseClick(bar->findChild<QPushButton*>(), Qt::LeftButton);
     QVERIFY(!bar->isVisible());
     QVERIFY(messages->text().isEmpty());
@@ -290,7 +291,7 @@ class TestProgramSession : public QObject {
     QElapsedTimer clock;
     clock.start();
     window.openProgram(folder.filePath("large.mpf"));
-    QTRY_VERIFY_WITH_TIMEOUT(window.program() != small, kLongMs);
+    QTRY_VERIFY_WITH_TIMEOUT(window.program() != small, kRunMs);
     const auto loadedMs = clock.elapsed();
     QVERIFY(heartbeat.beat());  // what the new program sets off is drawn
     qInfo("1,000,000 lines: shown after %lld ms, longest stall of the window %.0f ms",
@@ -311,7 +312,7 @@ class TestProgramSession : public QObject {
     QVERIFY(heartbeat.beat());
     qInfo("colours, a jump and another N: longest stall %.0f ms", heartbeat.takeLongestMs());
     clock.restart();
-    QTRY_VERIFY_WITH_TIMEOUT(page->hasTimes(), kLongMs);
+    QTRY_VERIFY_WITH_TIMEOUT(page->hasTimes(), kRunMs);
     page->path()->setColouring(widgets::PathColouring::Time);
     QVERIFY(heartbeat.beat());
     qInfo("times after another %lld ms, longest stall %.0f ms",

@@ -7,6 +7,7 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "session/region_worker.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -17,7 +18,7 @@ using Outcome = std::shared_ptr<const RegionOutcome>;
 
 namespace {
 
-constexpr int kSoonMs = 60000;
+using rivulet::tests::kSoonMs;
 
 RegionJob regionJob() {
   base::Random random(5);

@@ -18,6 +18,7 @@
 #include "machine/machine.h"
 #include "report/run_history.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "widgets/common/blocked_text.h"
 
@@ -28,7 +29,7 @@ using streaming::BlockReason;
 
 namespace {
 
-constexpr int kSoonMs = 60000;
+using rivulet::tests::kSoonMs;
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 
 const QString kMill = QStringLiteral("opc.tcp://mill");

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "hmi/main_window.h"
+#include "support/patience.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
 #include "widgets/alarms/alarm_line.h"
@@ -24,8 +25,8 @@ using hmi::MainWindow;
 
 namespace {
 
-constexpr int kSoonMs = 20000;
-constexpr int kRunMs = 300000;
+using rivulet::tests::kRunMs;
+using rivulet::tests::kSoonMs;
 const QString kScorpion = QStringLiteral(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap");
 constexpr std::size_t kPoints = 270;
 /// A cut in the middle, and the point at which its path begins.

@@ -14,6 +14,7 @@
 #include <QtTest>
 
 #include "hmi/sleep_guard.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using rivulet::hmi::SleepGuard;
@@ -83,7 +84,7 @@ class TestSleepGuard : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    constexpr int kPatienceMs = 30'000;
+    using rivulet::tests::kRunMs;
     const QString daemon = QStandardPaths::findExecutable(QStringLiteral("dbus-daemon"));
     if (daemon.isEmpty()) {
       QSKIP("There is no dbus-daemon.");
@@ -91,7 +92,7 @@ class TestSleepGuard : public QObject {
     m_daemon.start(daemon, {QStringLiteral("--session"), QStringLiteral("--nofork"),
                             QStringLiteral("--print-address")});
     while (m_daemon.state() != QProcess::NotRunning && !m_daemon.canReadLine()) {
-      m_daemon.waitForReadyRead(kPatienceMs);
+      m_daemon.waitForReadyRead(kRunMs);
     }
     m_address = QString::fromUtf8(m_daemon.readLine()).trimmed();
     QDBusConnection bus = connection("logind");

@@ -15,6 +15,7 @@
 #include "hmi/main_window.h"
 #include "hmi/trace_layouts.h"
 #include "report/trace_source.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "trace/analysis/trace_analysis.h"
 #include "widgets/common/status_label.h"
@@ -29,7 +30,7 @@ using hmi::MainWindow;
 
 namespace {
 
-constexpr int kSoonMs = 30000;
+using rivulet::tests::kSoonMs;
 
 /// A square with a stop at each corner; the actual position is 0.02 mm beside the path.
 trace::ControlTrace square() {

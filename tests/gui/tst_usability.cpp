@@ -24,6 +24,7 @@
 #include "hmi/main_window.h"
 #include "support/fault_proxy.h"
 #include "support/kill_scene.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "widgets/common/log_view.h"
 #include "widgets/common/theme.h"
@@ -37,8 +38,8 @@ using streaming::Outcome;
 
 namespace {
 
-constexpr int kSoonMs = 60'000;
-constexpr int kRunMs = 120'000;
+using rivulet::tests::kRunMs;
+using rivulet::tests::kSoonMs;
 constexpr int kTabsMax = 300;
 
 /// Begins the message.

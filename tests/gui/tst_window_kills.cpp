@@ -17,13 +17,14 @@
 
 #include "base/random.h"
 #include "support/kill_scene.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
 
 namespace {
 
-constexpr int kRunMs = 60'000;
+using rivulet::tests::kRunMs;
 constexpr int kPollMs = 10;
 /// Of a whole run, about: kills are drawn within it.
 constexpr double kStreamMs = 5000.0;

@@ -23,6 +23,7 @@
 #include "hmi/main_window.h"
 #include "report/run_history.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "widgets/alarms/alarm_line.h"
 #include "widgets/common/number_field.h"
@@ -37,8 +38,8 @@ using hmi::MainWindow;
 
 namespace {
 
-constexpr int kSoonMs = 20000;
-constexpr int kRunMs = 120000;
+using rivulet::tests::kRunMs;
+using rivulet::tests::kSoonMs;
 constexpr int kRising = 0;  // of the list of conditions
 
 hmi::Settings settings() {

@@ -30,6 +30,7 @@
 #include "machine/user.h"
 #include "opcua/control_map.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "trust/own_certificate.h"
 #include "trust/trust_store.h"
@@ -46,8 +47,8 @@ using widgets::TrustSheet;
 
 namespace {
 
-constexpr int kSoonMs = 30000;
-constexpr int kRunMs = 120000;
+using rivulet::tests::kRunMs;
+using rivulet::tests::kSoonMs;
 /// Occurs nowhere else.
 constexpr const char* kPassword = "Quittengelee-0815";
 constexpr const char* kWrong = "Hagebuttentee-17";

@@ -19,6 +19,7 @@
 #include "hmi/main_window.h"
 #include "support/fault_proxy.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
 #include "widgets/alarms/alarm_line.h"
@@ -29,8 +30,8 @@ using hmi::MainWindow;
 
 namespace {
 
-constexpr int kSoonMs = 60000;
-constexpr int kRunMs = 300000;
+using rivulet::tests::kRunMs;
+using rivulet::tests::kSoonMs;
 constexpr double kInteractivePace = 8.0;
 constexpr int kPoints = 300;
 

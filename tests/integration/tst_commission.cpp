@@ -9,13 +9,14 @@
 #include <nlohmann/json.hpp>
 
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+using rivulet::tests::kRunMs;
 
 struct Outcome {
   int exit = -1;
@@ -36,7 +37,7 @@ class TestCommission : public QObject {
     process.setProcessEnvironment(environment);
     process.start(QStringLiteral(RIVULET_CLI), arguments + QStringList{QStringLiteral("--json")});
     Outcome outcome;
-    if (process.waitForFinished(kPatienceMs) && process.exitStatus() == QProcess::NormalExit) {
+    if (process.waitForFinished(kRunMs) && process.exitStatus() == QProcess::NormalExit) {
       outcome.exit = process.exitCode();
     }
     outcome.json =

@@ -17,6 +17,7 @@
 #include "opcua/open62541/ua_link.h"
 #include "support/arc_program.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/plain_server.h"
 #include "support/private_folders.h"
 #include "support/test_program.h"
@@ -28,7 +29,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int kPatienceMs = 120'000;
+using rivulet::tests::kRunMs;
 constexpr int kPoints = 20;
 constexpr auto kDeadline = 10s;
 
@@ -155,11 +156,9 @@ name = "/Program"
   }
   void cellsMayBeFloats() {
     QFETCH(QByteArray, cells);
-    const tests::PlainServer server({}, {}, {}, {},
-                                    {{"F0", {0.0F}},
-                                     {"F1", {0.0F}},
-                                     {"F2", {7.5F}},
-                                     {"Floats", {0.0F, 0.0F, 7.5F}}});
+    const tests::PlainServer server(
+        {}, {}, {}, {},
+        {{"F0", {0.0F}}, {"F1", {0.0F}}, {"F2", {7.5F}}, {"Floats", {0.0F, 0.0F, 7.5F}}});
     const std::string map = "[cells]\n" + cells.toStdString() + "first = 0\nlast = 2\n";
     const auto refused = connectTo(server, map);
     QVERIFY(!refused);
@@ -384,7 +383,7 @@ name = "/Program"
     process.setWorkingDirectory(m_folder.path());
     process.start(QStringLiteral(RIVULET_CLI), arguments);
     Outcome outcome;
-    if (process.waitForFinished(kPatienceMs) && process.exitStatus() == QProcess::NormalExit) {
+    if (process.waitForFinished(kRunMs) && process.exitStatus() == QProcess::NormalExit) {
       outcome.exit = process.exitCode();
     }
     outcome.result =

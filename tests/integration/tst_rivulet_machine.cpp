@@ -13,6 +13,7 @@
 
 #include "opcua/await.h"
 #include "opcua/open62541/ua_link.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -20,7 +21,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+using rivulet::tests::kRunMs;
 
 void startProgram(QProcess& process, const QStringList& arguments) {
   process.start(QStringLiteral(RIVULET_MACHINE_PROGRAM), arguments);
@@ -28,7 +29,7 @@ void startProgram(QProcess& process, const QStringList& arguments) {
 
 /// The line the program prints when it is ready.
 QString endpointOf(QProcess& process) {
-  while (!process.canReadLine() && process.waitForReadyRead(kPatienceMs)) {
+  while (!process.canReadLine() && process.waitForReadyRead(kRunMs)) {
   }
   return QString::fromUtf8(process.readLine()).trimmed();
 }
@@ -37,7 +38,7 @@ std::unique_ptr<opcua::UaLink> connectTo(const QString& endpoint) {
   opcua::ConnectOptions options;
   options.security = opcua::unencrypted();
   options.endpoint = endpoint.toStdString();
-  options.connectDeadline = std::chrono::milliseconds(kPatienceMs);
+  options.connectDeadline = std::chrono::milliseconds(kRunMs);
   auto link = opcua::UaLink::connect(options);
   return link ? std::move(*link) : nullptr;
 }
@@ -70,7 +71,7 @@ class TestRivuletMachine : public QObject {
     QVERIFY(link->isVirtualMachine());
 
     QCOMPARE(::kill(static_cast<pid_t>(process.processId()), signal), 0);
-    QVERIFY(process.waitForFinished(kPatienceMs));
+    QVERIFY(process.waitForFinished(kRunMs));
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);
     QCOMPARE(process.exitCode(), 0);
     const auto event = link->wait(link->now() + 60s);
@@ -86,14 +87,14 @@ class TestRivuletMachine : public QObject {
     const QString port = endpoint.mid(endpoint.lastIndexOf(QLatin1Char(':')) + 1);
     QProcess second;
     startProgram(second, {QStringLiteral("--port"), port});
-    QVERIFY(second.waitForFinished(kPatienceMs));
+    QVERIFY(second.waitForFinished(kRunMs));
     QCOMPARE(second.exitCode(), 3);
     QVERIFY(second.readAllStandardOutput().isEmpty());
     const QStringList complaint = lines(second.readAllStandardError());
     QCOMPARE(complaint.size(), 1);
     QVERIFY(complaint[0].contains(port));
     first.terminate();
-    QVERIFY(first.waitForFinished(kPatienceMs));
+    QVERIFY(first.waitForFinished(kRunMs));
   }
 
   void wrongUsageIsExitCode2_data() {
@@ -110,7 +111,7 @@ class TestRivuletMachine : public QObject {
     QFETCH(QStringList, arguments);
     QProcess process;
     startProgram(process, arguments);
-    QVERIFY(process.waitForFinished(kPatienceMs));
+    QVERIFY(process.waitForFinished(kRunMs));
     QCOMPARE(process.exitCode(), 2);
     QVERIFY(process.readAllStandardOutput().isEmpty());
     QVERIFY(!process.readAllStandardError().isEmpty());
@@ -137,17 +138,17 @@ class TestRivuletMachine : public QObject {
         const auto numbers = opcua::readNumbers(*link, watched, 20s);
         return numbers && std::abs((*numbers)[1] - 7.5) < 1e-6;
       };
-      QTRY_VERIFY_WITH_TIMEOUT(isThere(), kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(isThere(), kRunMs);
 
       QProcess second;
       startProgram(second, arguments);
-      QVERIFY(second.waitForFinished(kPatienceMs));
+      QVERIFY(second.waitForFinished(kRunMs));
       QCOMPARE(second.exitCode(), 2);
       // An answer shows that the state has been written since the tool arrived.
       QVERIFY(isThere());
     }
     first.kill();
-    QVERIFY(first.waitForFinished(kPatienceMs));
+    QVERIFY(first.waitForFinished(kRunMs));
 
     QProcess again;
     startProgram(again, arguments);
@@ -160,7 +161,7 @@ class TestRivuletMachine : public QObject {
       QCOMPARE(link->downloadProgram("GO.MPF").value_or(""), std::string("G1 X7.5 F6000\nM30\n"));
     }
     again.kill();
-    QVERIFY(again.waitForFinished(kPatienceMs));
+    QVERIFY(again.waitForFinished(kRunMs));
 
     QFile state(folder.filePath(QStringLiteral("state")));
     QVERIFY(state.open(QIODevice::ReadWrite));
@@ -168,7 +169,7 @@ class TestRivuletMachine : public QObject {
     state.close();
     QProcess damaged;
     startProgram(damaged, arguments);
-    QVERIFY(damaged.waitForFinished(kPatienceMs));
+    QVERIFY(damaged.waitForFinished(kRunMs));
     QCOMPARE(damaged.exitCode(), 2);
     QVERIFY(damaged.readAllStandardError().contains("damaged"));
   }
@@ -176,7 +177,7 @@ class TestRivuletMachine : public QObject {
   void saysItsVersion() {
     QProcess process;
     startProgram(process, {QStringLiteral("--version")});
-    QVERIFY(process.waitForFinished(kPatienceMs));
+    QVERIFY(process.waitForFinished(kRunMs));
     QCOMPARE(process.exitCode(), 0);
     QVERIFY(process.readAllStandardOutput().startsWith("rivulet-machine "));
   }

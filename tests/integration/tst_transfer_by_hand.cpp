@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using nlohmann::json;
@@ -16,7 +17,7 @@ using rivulet::tests::MachineProcess;
 
 namespace {
 
-constexpr int kPatienceMs = 120'000;
+using rivulet::tests::kRunMs;
 const QString kMachine = QStringLiteral(RIVULET_MACHINE_PROGRAM);
 
 struct Outcome {
@@ -30,7 +31,7 @@ Outcome runCli(const QStringList& arguments, const QString& folder) {
   process.setWorkingDirectory(folder);
   process.start(QStringLiteral(RIVULET_CLI), arguments);
   Outcome outcome;
-  if (process.waitForFinished(kPatienceMs) && process.exitStatus() == QProcess::NormalExit) {
+  if (process.waitForFinished(kRunMs) && process.exitStatus() == QProcess::NormalExit) {
     outcome.exit = process.exitCode();
   }
   outcome.result =

@@ -12,13 +12,14 @@
 
 #include "machine/user.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+using rivulet::tests::kRunMs;
 /// Occurs nowhere else.
 constexpr const char* kPassword = "Zwetschgenkuchen-4711";
 
@@ -64,7 +65,7 @@ class TestTrust : public QObject {
     process.setProcessEnvironment(environment);
     process.start(QStringLiteral(RIVULET_CLI), arguments + QStringList{QStringLiteral("--json")});
     Outcome outcome;
-    if (process.waitForFinished(kPatienceMs) && process.exitStatus() == QProcess::NormalExit) {
+    if (process.waitForFinished(kRunMs) && process.exitStatus() == QProcess::NormalExit) {
       outcome.exit = process.exitCode();
     }
     const QByteArray text = process.readAllStandardOutput();

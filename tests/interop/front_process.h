@@ -14,6 +14,7 @@
 
 #include "interop/node_runtime.h"
 #include "interop/python_runtime.h"
+#include "support/patience.h"
 
 namespace rivulet::tests {
 
@@ -41,7 +42,7 @@ class FrontProcess {
       NodeRuntime::start(m_process, QStringLiteral("node_opcua_front.js"), file.fileName());
     }
     while (m_endpoint.isEmpty() &&
-           (m_process.canReadLine() || m_process.waitForReadyRead(kPatienceMs))) {
+           (m_process.canReadLine() || m_process.waitForReadyRead(kRunMs))) {
       const QJsonObject said = QJsonDocument::fromJson(m_process.readLine()).object();
       m_endpoint = said[QStringLiteral("endpoint")].toString();
       m_fingerprint = said[QStringLiteral("fingerprint")].toString();
@@ -49,7 +50,7 @@ class FrontProcess {
   }
   ~FrontProcess() {
     m_process.terminate();
-    m_process.waitForFinished(kPatienceMs);
+    m_process.waitForFinished(kRunMs);
   }
   FrontProcess(const FrontProcess&) = delete;
   FrontProcess& operator=(const FrontProcess&) = delete;
@@ -59,8 +60,6 @@ class FrontProcess {
   [[nodiscard]] const QString& fingerprint() const { return m_fingerprint; }
 
  private:
-  static constexpr int kPatienceMs = 120'000;
-
   QProcess m_process;
   QString m_endpoint;
   QString m_fingerprint;

@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "interop/node_runtime.h"
+#include "support/patience.h"
 #include "support/private_folders.h"
 #include "support/test_program.h"
 
@@ -19,7 +20,7 @@ using namespace rivulet;
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+using rivulet::tests::kRunMs;
 
 }  // namespace
 
@@ -33,8 +34,7 @@ class TestMachineTool : public QObject {
     }
     tests::NodeRuntime::start(m_server, QStringLiteral("node_opcua_machine_tool.js"),
                               m_folder.path());
-    while (m_endpoint.isEmpty() &&
-           (m_server.canReadLine() || m_server.waitForReadyRead(kPatienceMs))) {
+    while (m_endpoint.isEmpty() && (m_server.canReadLine() || m_server.waitForReadyRead(kRunMs))) {
       m_endpoint = QJsonDocument::fromJson(m_server.readLine())
                        .object()[QStringLiteral("endpoint")]
                        .toString();
@@ -43,7 +43,7 @@ class TestMachineTool : public QObject {
   }
   void cleanupTestCase() {
     m_server.terminate();
-    m_server.waitForFinished(kPatienceMs);
+    m_server.waitForFinished(kRunMs);
   }
 
   void theMachineIsDescribed() {
@@ -53,29 +53,29 @@ class TestMachineTool : public QObject {
               {QStringLiteral("--security"), QStringLiteral("none"), QStringLiteral("map"),
                QStringLiteral("--json"), QStringLiteral("--max-nodes"), QStringLiteral("20"),
                QStringLiteral("--endpoint"), m_endpoint});
-    QVERIFY(run.waitForFinished(kPatienceMs));
+    QVERIFY(run.waitForFinished(kRunMs));
     const QByteArray said = run.readAllStandardError();
     QVERIFY2(run.exitCode() == 0, said.constData());
     const QJsonArray machines = QJsonDocument::fromJson(run.readAllStandardOutput())
                                     .object()[QStringLiteral("machines")]
                                     .toArray();
-    const QJsonObject expected{{QStringLiteral("name"), QStringLiteral("Mill 7")},
-                               {QStringLiteral("manufacturer"), QStringLiteral("Example Machines")},
-                               {QStringLiteral("model"), QStringLiteral("EM 500")},
-                               {QStringLiteral("serial_number"), QStringLiteral("4711")},
-                               {QStringLiteral("software_revision"), QStringLiteral("8.15")},
-                               {QStringLiteral("year_of_construction"), QStringLiteral("2021")},
-                               {QStringLiteral("location"), QStringLiteral("Hall 3")},
-                               {QStringLiteral("product_instance_uri"),
-                                QStringLiteral("urn:example:em500:4711")},
-                               {QStringLiteral("state"), QStringLiteral("Executing")},
-                               {QStringLiteral("operation_mode"), QStringLiteral("Processing")},
-                               {QStringLiteral("program"), QStringLiteral("FLANGE.MPF")},
-                               {QStringLiteral("program_state"), QStringLiteral("Running")},
-                               {QStringLiteral("job"), QStringLiteral("Order 12")},
-                               {QStringLiteral("job_state"), QStringLiteral("Running")},
-                               {QStringLiteral("runs_completed"), 3},
-                               {QStringLiteral("runs_planned"), 8}};
+    const QJsonObject expected{
+        {QStringLiteral("name"), QStringLiteral("Mill 7")},
+        {QStringLiteral("manufacturer"), QStringLiteral("Example Machines")},
+        {QStringLiteral("model"), QStringLiteral("EM 500")},
+        {QStringLiteral("serial_number"), QStringLiteral("4711")},
+        {QStringLiteral("software_revision"), QStringLiteral("8.15")},
+        {QStringLiteral("year_of_construction"), QStringLiteral("2021")},
+        {QStringLiteral("location"), QStringLiteral("Hall 3")},
+        {QStringLiteral("product_instance_uri"), QStringLiteral("urn:example:em500:4711")},
+        {QStringLiteral("state"), QStringLiteral("Executing")},
+        {QStringLiteral("operation_mode"), QStringLiteral("Processing")},
+        {QStringLiteral("program"), QStringLiteral("FLANGE.MPF")},
+        {QStringLiteral("program_state"), QStringLiteral("Running")},
+        {QStringLiteral("job"), QStringLiteral("Order 12")},
+        {QStringLiteral("job_state"), QStringLiteral("Running")},
+        {QStringLiteral("runs_completed"), 3},
+        {QStringLiteral("runs_planned"), 8}};
     QCOMPARE(machines.size(), 1);
     const QJsonObject found = machines[0].toObject();
     for (const QString& key : expected.keys()) {

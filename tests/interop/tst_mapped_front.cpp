@@ -19,6 +19,7 @@
 #include "opcua/control_map.h"
 #include "support/arc_program.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/private_folders.h"
 #include "support/test_program.h"
 
@@ -27,7 +28,7 @@ using opcua::VariableKind;
 
 namespace {
 
-constexpr int kPatienceMs = 120'000;
+using rivulet::tests::kRunMs;
 constexpr int kPoints = 20;
 constexpr int kCells = 300;
 
@@ -196,7 +197,7 @@ class TestMappedFront : public QObject {
   void start(QProcess& run, const QStringList& arguments) {
     run.setProcessEnvironment(tests::environmentIn(m_folder.path()));
     run.start(QStringLiteral(RIVULET_CLI), arguments);
-    QVERIFY(run.waitForFinished(kPatienceMs));
+    QVERIFY(run.waitForFinished(kRunMs));
   }
 
   QTemporaryDir m_folder;

@@ -14,13 +14,14 @@
 
 #include "interop/node_runtime.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
 
 namespace {
 
-constexpr int kPatienceMs = 100'000;
+using rivulet::tests::kRunMs;
 
 const QString kPlain = QStringLiteral("ns=0;i=63");        // BaseDataVariableType
 const QString kProperty = QStringLiteral("ns=0;i=68");     // PropertyType
@@ -44,7 +45,7 @@ class TestNodeWalk : public QObject {
     QVERIFY(!machine.endpoint().isEmpty());
     QProcess walk;
     tests::NodeRuntime::start(walk, QStringLiteral("node_opcua_walk.js"), machine.endpoint());
-    QVERIFY(walk.waitForFinished(kPatienceMs));
+    QVERIFY(walk.waitForFinished(kRunMs));
     QCOMPARE(walk.exitCode(), 0);
     m_found = QJsonDocument::fromJson(walk.readAllStandardOutput()).object();
     QVERIFY(!m_found.isEmpty());

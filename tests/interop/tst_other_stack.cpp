@@ -19,6 +19,7 @@
 #include "opcua/node_map.h"
 #include "support/arc_program.h"
 #include "support/machine_process.h"
+#include "support/patience.h"
 #include "support/private_folders.h"
 #include "support/test_program.h"
 
@@ -26,7 +27,7 @@ using namespace rivulet;
 
 namespace {
 
-constexpr int kPatienceMs = 120'000;
+using rivulet::tests::kRunMs;
 constexpr int kPoints = 20;
 const QString kUser = QStringLiteral("setter");
 const QString kPassword = QStringLiteral("only for this test");
@@ -174,7 +175,7 @@ class TestOtherStack : public QObject {
     environment.insert(QStringLiteral("RIVULET_PASSWORD"), password);
     run.setProcessEnvironment(environment);
     run.start(QStringLiteral(RIVULET_CLI), arguments);
-    QVERIFY(run.waitForFinished(kPatienceMs));
+    QVERIFY(run.waitForFinished(kRunMs));
   }
 
   QTemporaryDir m_folder;

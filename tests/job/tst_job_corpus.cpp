@@ -13,6 +13,7 @@
 #include "gcode/block_observer.h"
 #include "job/plan.h"
 #include "nc/syntax/lexer.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -68,8 +69,8 @@ std::string textOf(const QString& path) {
   if (path.endsWith(QStringLiteral(".gz"))) {
     QProcess gzip;
     gzip.start(QStringLiteral("gzip"), {QStringLiteral("-dc"), kCorpus + path});
-    return gzip.waitForFinished(60'000) ? gzip.readAllStandardOutput().toStdString()
-                                        : std::string();
+    return gzip.waitForFinished(tests::kSoonMs) ? gzip.readAllStandardOutput().toStdString()
+                                                : std::string();
   }
   QFile file(kCorpus + path);
   return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();

@@ -23,6 +23,7 @@
 #include "base/file.h"
 #include "base/random.h"
 #include "recorder/recording_file.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "trace/frames.h"
 #include "trace/recording.h"
@@ -108,7 +109,7 @@ class TestRecordingFile : public QObject {
       const auto bytes = base::readFile(file);
       return bytes && trace::readFrames(*bytes).text == expected;
     };
-    const bool arrived = QTest::qWaitFor(isThere, 10000);
+    const bool arrived = QTest::qWaitFor(isThere, tests::kSoonMs);
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     QVERIFY(arrived);

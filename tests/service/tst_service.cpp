@@ -17,6 +17,7 @@
 #include "service/service_session.h"
 #include "service/service_watch.h"
 #include "support/kill_scene.h"
+#include "support/patience.h"
 #include "support/plain_server.h"
 #include "support/service_process.h"
 #include "support/test_program.h"
@@ -230,26 +231,28 @@ class TestService : public QObject {
     const auto answerOf = [&](const std::string& method, const std::vector<std::string>& inputs) {
       watch.call(method, inputs);
       std::optional<service::ServiceAnswer> answer;
-      (void)QTest::qWaitFor([&] { return (answer = watch.takeAnswer()).has_value(); }, 60'000);
+      (void)QTest::qWaitFor([&] { return (answer = watch.takeAnswer()).has_value(); },
+                            tests::kSoonMs);
       return answer ? answer->answer : service::Answer{};
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isConnectedAs(""), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isConnectedAs(""), tests::kSoonMs);
     QVERIFY(answerOf("LoadJob", {file(), ""}).message.starts_with("This service has users"));
     watch.connectWith({"otto", "1234", {}, {}, false});
-    QTRY_VERIFY_WITH_TIMEOUT(watch.seen().state == State::Asked, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(watch.seen().state == State::Asked, tests::kSoonMs);
     const auto question = watch.seen().question;
     QVERIFY(question && question->kind == opcua::TrustQuestion::Kind::NewServer);
     watch.connectWith({{}, {}, question->shown.fingerprint, {}, true});
-    QTRY_VERIFY_WITH_TIMEOUT(isConnectedAs("otto"), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isConnectedAs("otto"), tests::kSoonMs);
     QCOMPARE(answerOf("LoadJob", {file(), kSettings}).message,
              std::string("Only an engineer may do this. Log in as one."));
     watch.connectWith({"anna", "4711", {}, {}, false});
-    QTRY_VERIFY_WITH_TIMEOUT(isConnectedAs("anna"), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isConnectedAs("anna"), tests::kSoonMs);
     QVERIFY(answerOf("LoadJob", {file(), kSettings}).accepted);
     QVERIFY(!answerOf("Preflight", {}).confirmation.empty());
     watch.connectWith({"anna", "1234", {}, {}, false});
     QTRY_VERIFY_WITH_TIMEOUT(
-        watch.seen().error.code == opcua::LinkError::LoginRefused && isConnectedAs(""), 60'000);
+        watch.seen().error.code == opcua::LinkError::LoginRefused && isConnectedAs(""),
+        tests::kSoonMs);
     QVERIFY(!answerOf("Preflight", {}).accepted);
   }
 
@@ -266,9 +269,9 @@ class TestService : public QObject {
     const auto service = this->service(
         {QStringLiteral("--discovery"), QString::fromStdString(discovery.endpoint())});
     const std::string endpoint = service->endpoint().toStdString();
-    QTRY_VERIFY_WITH_TIMEOUT(isFound(endpoint), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(isFound(endpoint), tests::kSoonMs);
     QCOMPARE(service->end(SIGTERM), 0);
-    QTRY_VERIFY_WITH_TIMEOUT(!isFound(endpoint), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!isFound(endpoint), tests::kSoonMs);
   }
 
   /// Two stretches, and between them what only the control can do; each is a program on it.

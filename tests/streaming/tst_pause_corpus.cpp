@@ -21,6 +21,7 @@
 #include "gcode/program.h"
 #include "machine/path_planner.h"
 #include "streaming/pause_placement.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 #include "templates/cells.h"
 
@@ -52,7 +53,7 @@ QString plainFile(const QString& path, const QTemporaryDir& folder) {
   QProcess gzip;
   gzip.setStandardOutputFile(plain);
   gzip.start(QStringLiteral("gzip"), {QStringLiteral("-dc"), path});
-  return gzip.waitForFinished(60'000) && gzip.exitCode() == 0 ? plain : QString();
+  return gzip.waitForFinished(tests::kSoonMs) && gzip.exitCode() == 0 ? plain : QString();
 }
 
 /// Every pause must lie somewhere, and between two places off the cut at most M points may lie in

@@ -12,12 +12,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "support/patience.h"
+
 namespace rivulet::tests {
 
 class LiveRun {
  public:
-  static constexpr int kPatienceMs = 60'000;
-
   LiveRun(const QString& folder, const std::string& arguments) {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("XDG_STATE_HOME"), folder);
@@ -28,7 +28,7 @@ class LiveRun {
         words("stream --box -300 300 -300 300 -200 100 --json --feed 1000 " + arguments));
     m_process.setReadChannel(QProcess::StandardError);
     while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine()) {
-      m_process.waitForReadyRead(kPatienceMs);
+      m_process.waitForReadyRead(kRunMs);
     }
     const QString said = QString::fromUtf8(m_process.readLine());
     source = said.section(QStringLiteral("from "), 1).trimmed().chopped(1).toStdString();
@@ -41,7 +41,7 @@ class LiveRun {
   void stop() { m_process.terminate(); }
   /// Exit code; the report is in `report` then.
   int finish() {
-    if (m_process.state() != QProcess::NotRunning && !m_process.waitForFinished(kPatienceMs)) {
+    if (m_process.state() != QProcess::NotRunning && !m_process.waitForFinished(kRunMs)) {
       m_process.kill();
       m_process.waitForFinished();
       return -1;

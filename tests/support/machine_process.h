@@ -15,6 +15,8 @@
 #include <QStringList>
 #include <csignal>
 
+#include "support/patience.h"
+
 namespace rivulet::tests {
 
 /// For a server that is ended and started again under the same address: a port of this process,
@@ -37,13 +39,13 @@ class MachineProcess {
     m_process.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGKILL); });
     m_process.start(program, arguments);
     while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine()) {
-      m_process.waitForReadyRead(kPatienceMs);
+      m_process.waitForReadyRead(kRunMs);
     }
     m_endpoint = QString::fromUtf8(m_process.readLine()).trimmed();
   }
   ~MachineProcess() {
     m_process.terminate();
-    if (!m_process.waitForFinished(kPatienceMs)) {
+    if (!m_process.waitForFinished(kRunMs)) {
       kill();
     }
   }
@@ -55,12 +57,10 @@ class MachineProcess {
   /// As if its power failed.
   void kill() {
     m_process.kill();
-    m_process.waitForFinished(kPatienceMs);
+    m_process.waitForFinished(kRunMs);
   }
 
  private:
-  static constexpr int kPatienceMs = 60'000;
-
   QProcess m_process;
   QString m_endpoint;
 };

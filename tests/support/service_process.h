@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "service/service_client.h"
+#include "support/patience.h"
 
 namespace rivulet::tests {
 
@@ -40,7 +41,7 @@ class ServiceProcess {
     m_process.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGKILL); });
     m_process.start(program, QStringList{QStringLiteral("run"), machine} + options);
     while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine()) {
-      m_process.waitForReadyRead(kPatienceMs);
+      m_process.waitForReadyRead(kRunMs);
     }
     m_endpoint = QString::fromUtf8(m_process.readLine()).trimmed();
     if (!m_endpoint.isEmpty()) {
@@ -65,9 +66,9 @@ class ServiceProcess {
     return finish();
   }
   int finish() {
-    if (m_process.state() != QProcess::NotRunning && !m_process.waitForFinished(kPatienceMs)) {
+    if (m_process.state() != QProcess::NotRunning && !m_process.waitForFinished(kRunMs)) {
       m_process.kill();
-      m_process.waitForFinished(kPatienceMs);
+      m_process.waitForFinished(kRunMs);
       return -1;
     }
     return m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
@@ -110,7 +111,7 @@ class ServiceProcess {
   bool awaitThat(const std::function<bool(const Values&)>& isTrue) {
     QElapsedTimer timer;
     timer.start();
-    while (timer.elapsed() < kPatienceMs) {
+    while (timer.elapsed() < kRunMs) {
       const Values values = read();
       if (values.empty()) {
         return false;
@@ -133,7 +134,6 @@ class ServiceProcess {
   }
 
  private:
-  static constexpr int kPatienceMs = 60'000;
   static constexpr unsigned kPollMs = 20;
 
   QProcess m_process;

@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 #include <QtTest>
 
+#include "support/patience.h"
 #include "support/test_program.h"
 
 class TestReuse : public QObject {
@@ -22,7 +23,7 @@ class TestReuse : public QObject {
     reuse.setProcessChannelMode(QProcess::MergedChannels);
     reuse.start(program, {QStringLiteral("--root"), QStringLiteral(RIVULET_SOURCE_DIR),
                           QStringLiteral("lint")});
-    QVERIFY2(reuse.waitForFinished(120'000), qPrintable(reuse.errorString()));
+    QVERIFY2(reuse.waitForFinished(rivulet::tests::kRunMs), qPrintable(reuse.errorString()));
     const QByteArray said = reuse.readAll();
     QVERIFY2(reuse.exitStatus() == QProcess::NormalExit && reuse.exitCode() == 0, said.constData());
   }

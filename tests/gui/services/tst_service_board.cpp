@@ -16,6 +16,7 @@
 #include "hmi/main_window.h"
 #include "support/fault_proxy.h"
 #include "support/kill_scene.h"
+#include "support/patience.h"
 #include "support/service_process.h"
 #include "support/test_program.h"
 #include "support/user_list.h"
@@ -30,7 +31,7 @@ using widgets::StatusLabel;
 
 namespace {
 
-constexpr int kSoonMs = 60'000;
+using rivulet::tests::kSoonMs;
 
 void shown(QWidget* page) {
   for (QWidget* at = page; at != nullptr; at = at->parentWidget()) {
