@@ -47,8 +47,14 @@ bool sendNow(int descriptor, std::string_view line) {
       line.remove_prefix(static_cast<std::size_t>(count));
     } else if (count < 0 && errno != EAGAIN && errno != EINTR) {
       return false;
-    } else if (pollfd asked{descriptor, POLLOUT, 0}; !hasBegun || ::poll(&asked, 1, kRestMs) <= 0) {
-      return !hasBegun;
+    } else if (!hasBegun) {
+      return true;
+    } else {
+      pollfd asked{descriptor, POLLOUT, 0};
+      const int ready = ::poll(&asked, 1, kRestMs);
+      if (ready == 0 || (ready < 0 && errno != EINTR)) {
+        return false;
+      }
     }
   }
   return true;
