@@ -7,8 +7,17 @@
 
 namespace rivulet::session {
 
+void startInPool(std::function<void()> work) {
+  // Qt itself waits for the pool when the application has become unusable already.
+  [[maybe_unused]] static const bool isAwaited = [] {
+    qAddPostRoutine([] { QThreadPool::globalInstance()->waitForDone(); });
+    return true;
+  }();
+  QThreadPool::globalInstance()->start(std::move(work));
+}
+
 void runInBackground(std::function<std::function<void()>()> work) {
-  QThreadPool::globalInstance()->start(
+  startInPool(
       [work = std::move(work)] { QMetaObject::invokeMethod(qApp, work(), Qt::QueuedConnection); });
 }
 

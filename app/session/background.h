@@ -13,6 +13,10 @@
 
 namespace rivulet::session {
 
+/// Runs work in the global pool. It may use the application, which waits for it when it ends.
+/// @threadsafety GUI thread
+void startInPool(std::function<void()> work);
+
 /// Runs work in the global pool; what it returns is then called on the GUI thread.
 void runInBackground(std::function<std::function<void()>()> work);
 

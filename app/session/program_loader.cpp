@@ -3,7 +3,6 @@
 
 #include "session/program_loader.h"
 
-#include <QThreadPool>
 #include <chrono>
 #include <filesystem>
 #include <utility>
@@ -48,8 +47,7 @@ void ProgramLoader::cancel() {
 void ProgramLoader::load(LoadRequest request) {
   forget();
   m_stop = std::make_shared<std::atomic<bool>>(false);
-  QThreadPool::globalInstance()->start([self = QPointer<ProgramLoader>(this), stop = m_stop,
-                                        request = std::move(request)] {
+  startInPool([self = QPointer<ProgramLoader>(this), stop = m_stop, request = std::move(request)] {
     const auto tell = [&self, &stop](auto what) {
       callLater(self, [stop, what = std::move(what)](ProgramLoader& loader) {
         if (loader.m_stop == stop) {

@@ -3,7 +3,6 @@
 
 #include "session/program_timer.h"
 
-#include <QThreadPool>
 #include <algorithm>
 
 #include "base/units.h"
@@ -97,9 +96,8 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
     m_unpaused.reset();
   }
   m_stop = std::make_shared<std::atomic<bool>>(false);
-  QThreadPool::globalInstance()->start([self = QPointer<ProgramTimer>(this), stop = m_stop,
-                                        view = std::move(view), known = m_times,
-                                        unpaused = m_unpaused, settings]() mutable {
+  startInPool([self = QPointer<ProgramTimer>(this), stop = m_stop, view = std::move(view),
+               known = m_times, unpaused = m_unpaused, settings]() mutable {
     const machine::MachineConfig machine =
         settings.machine ? *settings.machine : report::configOf(nullptr);
     const auto progress = [&](double) { return !stop->load(); };
