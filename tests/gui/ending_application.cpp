@@ -26,10 +26,11 @@ int main(int argc, char** argv) {
     const QCoreApplication application(argc, argv);
     rivulet::session::startInPool([&isThere] {
       ending().acquire();
-      // Long enough for an application that does not wait to go.
+      // An application that does not wait for this work has gone before the time is over.
+      constexpr qint64 kObservedMs = 500;
       QElapsedTimer since;
       since.start();
-      while (isThere && since.elapsed() < 500) {
+      while (isThere && since.elapsed() < kObservedMs) {
         isThere = QCoreApplication::instance() != nullptr;
       }
     });
