@@ -17,7 +17,7 @@
 #include "base/median.h"
 #include "emulator/paper/learning.h"
 #include "measuring.h"
-#include "parallel/thread_executor.h"
+#include "platform/thread_executor.h"
 
 namespace {
 

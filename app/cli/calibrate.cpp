@@ -14,7 +14,7 @@
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
-#include "interrupt/interrupt.h"
+#include "platform/interrupt.h"
 #include "report/calibration_json.h"
 #include "report/machine_store.h"
 

@@ -8,9 +8,9 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "opcua/open62541/encryption.h"
+#include "platform/utc_now.h"
 #include "trust/own_certificate.h"
 #include "trust/trust_store.h"
-#include "utc/now.h"
 
 namespace rivulet::cli {
 

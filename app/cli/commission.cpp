@@ -9,7 +9,7 @@
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
-#include "interrupt/interrupt.h"
+#include "platform/interrupt.h"
 #include "report/credit_test_json.h"
 #include "report/machine_store.h"
 #include "streaming/commissioning.h"

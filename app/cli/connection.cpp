@@ -15,7 +15,7 @@
 #include "streaming/simulation/simulated_link.h"
 
 #ifdef RIVULET_WITH_OPEN62541
-#include "log/log.h"
+#include "platform/log.h"
 #include "qtopcua/open_link.h"
 #include "trust/connect.h"
 #include "trust/password.h"

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "log/log.h"
 #include "opcua/error.h"
+#include "platform/log.h"
 #include "report/report_json.h"
 #include "streaming/run.h"
 

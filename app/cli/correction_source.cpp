@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "base/file.h"
-#include "log/log.h"
+#include "platform/log.h"
 
 namespace rivulet::cli {
 

@@ -20,9 +20,9 @@
 #include "emulator/limits.h"
 #include "emulator/monitor.h"
 #include "experiments/design_study.h"
-#include "interrupt/interrupt.h"
 #include "learning/learning.h"
 #include "machine/config.h"
+#include "platform/interrupt.h"
 
 namespace rivulet::cli {
 

@@ -15,8 +15,8 @@
 #include "cli/emulator_runs.h"
 #include "emulator/paper/study.h"
 #include "experiments/sparse_learning.h"
-#include "interrupt/interrupt.h"
-#include "parallel/thread_executor.h"
+#include "platform/interrupt.h"
+#include "platform/thread_executor.h"
 
 namespace rivulet::cli {
 

@@ -10,8 +10,8 @@
 #include "cli/connection.h"
 #include "experiments/catalogue.h"
 #include "gcode/feeds.h"
-#include "log/log.h"
 #include "opcua/security.h"
+#include "platform/log.h"
 #include "templates/cells.h"
 #include "trace/signal_file.h"
 

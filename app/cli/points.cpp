@@ -13,7 +13,7 @@
 #include "cli/commands.h"
 #include "gcode/program.h"
 #include "gcode/thinning.h"
-#include "log/log.h"
+#include "platform/log.h"
 
 namespace rivulet::cli {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "recorder/recording_file.h"
+#include "platform/recording_file.h"
 #include "trace/recording.h"
 
 namespace rivulet::cli {

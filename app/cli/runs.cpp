@@ -10,7 +10,7 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/found_run.h"
-#include "interrupt/interrupt.h"
+#include "platform/interrupt.h"
 #include "report/report_json.h"
 #include "report/run_store.h"
 

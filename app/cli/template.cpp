@@ -9,8 +9,8 @@
 
 #include "base/file.h"
 #include "cli/commands.h"
-#include "log/log.h"
 #include "machine/config.h"
+#include "platform/log.h"
 #include "streaming/simulation/template_proof.h"
 #include "templates/generator.h"
 #include "templates/lint/lint.h"

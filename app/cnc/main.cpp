@@ -15,10 +15,10 @@
 #include "cnc/cnc_run.h"
 #include "cnc/event_file.h"
 #include "cnc/jitter.h"
-#include "interrupt/interrupt.h"
-#include "log/log.h"
 #include "pipeline/conformance.h"
 #include "pipeline/ring.h"
+#include "platform/interrupt.h"
+#include "platform/log.h"
 
 namespace {
 

@@ -18,7 +18,7 @@
 #include "hmi/messages.h"
 #include "journal/alarm_history.h"
 #include "journal/writer.h"
-#include "utc/now.h"
+#include "platform/utc_now.h"
 
 namespace rivulet::hmi {
 

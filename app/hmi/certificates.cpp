@@ -7,8 +7,8 @@
 
 #include "base/file.h"
 #include "opcua/open62541/encryption.h"
+#include "platform/utc_now.h"
 #include "session/background.h"
-#include "utc/now.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {

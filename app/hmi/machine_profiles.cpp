@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/utc.h"
+#include "platform/utc_now.h"
 #include "report/machine_profile.h"
 #include "report/run_store.h"
-#include "utc/now.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {

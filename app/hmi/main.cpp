@@ -11,7 +11,7 @@
 #include "hmi/end_signals.h"
 #include "hmi/main_window.h"
 #include "hmi/sleep_guard.h"
-#include "log/log.h"
+#include "platform/log.h"
 
 namespace {
 

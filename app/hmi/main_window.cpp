@@ -22,8 +22,8 @@
 #include <initializer_list>
 
 #include "hmi/input_guard.h"
+#include "platform/utc_now.h"
 #include "report/run_store.h"
-#include "utc/now.h"
 #include "widgets/alarms/alarm_page.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/blocked_text.h"

@@ -16,8 +16,8 @@
 
 #include "alarm/alarm.h"
 #include "gcode/diagnostic.h"
-#include "log/log.h"
 #include "permission/permission.h"
+#include "platform/log.h"
 #include "widgets/common/log_view.h"
 
 namespace rivulet::hmi {

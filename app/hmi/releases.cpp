@@ -5,9 +5,9 @@
 
 #include <utility>
 
+#include "platform/utc_now.h"
 #include "preparation/release_file.h"
 #include "preparation/settings_facts.h"
-#include "utc/now.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {

@@ -8,7 +8,7 @@
 #include <QDBusPendingReply>
 #include <utility>
 
-#include "log/log.h"
+#include "platform/log.h"
 
 namespace rivulet::hmi {
 

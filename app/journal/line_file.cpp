@@ -16,7 +16,7 @@
 
 #include "base/descriptor.h"
 #include "base/file.h"
-#include "folders/user_folders.h"
+#include "platform/user_folders.h"
 
 namespace rivulet::journal {
 

@@ -17,7 +17,7 @@
 #include "emulator/monitor.h"
 #include "experiments/sparse_learning.h"
 #include "machine/config.h"
-#include "utc/now.h"
+#include "platform/utc_now.h"
 
 namespace rivulet::learning {
 

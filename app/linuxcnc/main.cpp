@@ -9,11 +9,11 @@
 #include <filesystem>
 #include <string>
 
-#include "interrupt/interrupt.h"
 #include "linuxcnc/linuxcnc_control.h"
-#include "log/log.h"
 #include "machine/front/server.h"
-#include "serving/serving.h"
+#include "platform/interrupt.h"
+#include "platform/log.h"
+#include "platform/serving/serving.h"
 
 namespace {
 

@@ -15,14 +15,14 @@
 #include <string>
 
 #include "base/file.h"
-#include "interrupt/interrupt.h"
-#include "log/log.h"
 #include "machine/config.h"
 #include "machine/front/server.h"
 #include "machine/kept_state.h"
 #include "machine/machine.h"
 #include "machine/user.h"
-#include "serving/serving.h"
+#include "platform/interrupt.h"
+#include "platform/log.h"
+#include "platform/serving/serving.h"
 #include "trust/password.h"
 
 namespace {

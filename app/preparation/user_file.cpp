@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/file.h"
-#include "folders/user_folders.h"
+#include "platform/user_folders.h"
 
 namespace rivulet::preparation {
 

@@ -13,7 +13,7 @@
 
 #include "base/file.h"
 #include "base/hash.h"
-#include "folders/user_folders.h"
+#include "platform/user_folders.h"
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
 #include "report/machine_profile.h"

@@ -11,7 +11,7 @@
 #include "base/file.h"
 #include "base/file_lock.h"
 #include "base/hash.h"
-#include "folders/user_folders.h"
+#include "platform/user_folders.h"
 #include "trace/frames.h"
 #include "trace/import/compression.h"
 

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <utility>
 
-#include "log/log.h"
+#include "platform/log.h"
 #include "service/node_table.h"
 
 namespace rivulet::service {

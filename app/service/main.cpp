@@ -17,12 +17,13 @@
 #include <thread>
 #include <vector>
 
-#include "folders/user_folders.h"
-#include "interrupt/interrupt.h"
 #include "journal/line_file.h"
-#include "log/log.h"
 #include "opcua/control_map.h"
 #include "opcua/error.h"
+#include "platform/interrupt.h"
+#include "platform/log.h"
+#include "platform/serving/serving.h"
+#include "platform/user_folders.h"
 #include "preparation/user_file.h"
 #include "report/machine_store.h"
 #include "service/announcer.h"
@@ -31,7 +32,6 @@
 #include "service/service_client.h"
 #include "service/service_server.h"
 #include "service/service_session.h"
-#include "serving/serving.h"
 #include "trust/connect.h"
 #include "trust/password.h"
 #include "trust/user_certificate.h"

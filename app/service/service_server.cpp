@@ -14,12 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "log/log.h"
 #include "machine/front/client_gate.h"
 #include "machine/front/listening.h"
 #include "machine/user.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/quiet_logger.h"
+#include "platform/log.h"
 #include "service/node_table.h"
 
 namespace rivulet::service {

@@ -11,14 +11,14 @@
 #include "base/sha256.h"
 #include "base/units.h"
 #include "journal/audit.h"
-#include "log/log.h"
+#include "platform/log.h"
+#include "platform/utc_now.h"
 #include "preparation/judged.h"
 #include "preparation/release_file.h"
 #include "report/run_history.h"
 #include "service/machine_lock.h"
 #include "streaming/control_alarm.h"
 #include "streaming/run_summary.h"
-#include "utc/now.h"
 
 namespace rivulet::service {
 

@@ -15,7 +15,7 @@
 #include "live/error.h"
 #include "opcua/await.h"
 #include "opcua/machinery.h"
-#include "recorder/recording_file.h"
+#include "platform/recording_file.h"
 #include "sources/open_source.h"
 #include "streaming/job_resume.h"
 #include "streaming/resume.h"

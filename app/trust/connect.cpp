@@ -7,8 +7,8 @@
 
 #include "opcua/error.h"
 #include "opcua/open62541/ua_link.h"
+#include "platform/utc_now.h"
 #include "trust/trust_store.h"
-#include "utc/now.h"
 
 namespace rivulet::trust {
 

@@ -10,9 +10,9 @@
 #include <system_error>
 
 #include "base/file.h"
-#include "folders/user_folders.h"
 #include "opcua/error.h"
 #include "opcua/open62541/encryption.h"
+#include "platform/user_folders.h"
 #include "trust/private_file.h"
 
 namespace rivulet::trust {

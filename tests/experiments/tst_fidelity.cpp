@@ -7,7 +7,7 @@
 #include <QtTest>
 
 #include "experiments/catalogue.h"
-#include "parallel/thread_executor.h"
+#include "platform/thread_executor.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

@@ -7,7 +7,7 @@
 #include "emulator/emulator_error.h"
 #include "experiments/published_emulator.h"
 #include "experiments/recorded_run.h"
-#include "parallel/thread_executor.h"
+#include "platform/thread_executor.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

@@ -13,7 +13,7 @@
 
 #include "base/random.h"
 #include "live/error.h"
-#include "parallel/thread_executor.h"
+#include "platform/thread_executor.h"
 #include "streaming/job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "support/test_program.h"

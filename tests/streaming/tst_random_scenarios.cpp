@@ -12,7 +12,7 @@
 #include <random>
 
 #include "machine/machine.h"
-#include "parallel/thread_executor.h"
+#include "platform/thread_executor.h"
 #include "random_scenario.h"
 #include "support/test_program.h"
 

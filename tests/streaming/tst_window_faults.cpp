@@ -13,7 +13,7 @@
 
 #include "fault_scenario.h"
 #include "machine/machine.h"
-#include "parallel/thread_executor.h"
+#include "platform/thread_executor.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

@@ -6,7 +6,7 @@
 #include "base/executor.h"
 #include "emulator/emulator_error.h"
 #include "emulator/paper/learning.h"
-#include "parallel/thread_executor.h"
+#include "platform/thread_executor.h"
 #include "staircase.h"
 #include "support/test_program.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "folders/user_folders.h"
+#include "platform/user_folders.h"
 
 #include <cstdlib>
 #include <string>

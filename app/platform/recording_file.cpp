@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "recorder/recording_file.h"
+#include "platform/recording_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

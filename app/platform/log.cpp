@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "log/log.h"
+#include "platform/log.h"
 
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/dist_sink.h>
@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "folders/user_folders.h"
+#include "platform/user_folders.h"
 
 namespace rivulet::log {
 

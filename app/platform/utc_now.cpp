@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "utc/now.h"
+#include "platform/utc_now.h"
 
 #include <chrono>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "serving/serving.h"
+#include "platform/serving/serving.h"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 #include <system_error>
 
 #include "base/file.h"
-#include "log/log.h"
 #include "opcua/open62541/encryption.h"
+#include "platform/log.h"
 #include "trust/own_certificate.h"
 #include "trust/private_file.h"
 #include "trust/trust_store.h"

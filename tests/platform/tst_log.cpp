@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "log/log.h"
+#include "platform/log.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "interrupt/interrupt.h"
+#include "platform/interrupt.h"
 
 #include <csignal>
 #include <initializer_list>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "parallel/thread_executor.h"
+#include "platform/thread_executor.h"
 
 #include <algorithm>
 #include <atomic>

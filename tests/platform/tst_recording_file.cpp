@@ -22,7 +22,7 @@
 
 #include "base/file.h"
 #include "base/random.h"
-#include "recorder/recording_file.h"
+#include "platform/recording_file.h"
 #include "support/patience.h"
 #include "support/test_program.h"
 #include "trace/frames.h"
