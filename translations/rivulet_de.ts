@@ -850,7 +850,7 @@
         <translation>Dämpfung der Resonanz</translation>
     </message>
     <message>
-        <source>The smaller it is, the longer the swinging lasts; with 1 there is none.</source>
+        <source>The smaller it is, the longer the axis oscillates. At 1 it does not oscillate.</source>
         <translation>Je kleiner, desto länger schwingt es nach; bei 1 gar nicht.</translation>
     </message>
     <message>
@@ -6580,8 +6580,8 @@ GPL-3.0-or-later</translation>
         <translation>Ausgeführte Punkte, Mittel der letzten zwei Sekunden</translation>
     </message>
     <message>
-        <source>Points of the source that keep what was agreed</source>
-        <translation>Punkte der Quelle, die das Vereinbarte einhalten</translation>
+        <source>Points of the source within the agreed limits</source>
+        <translation>Punkte der Quelle innerhalb der vereinbarten Grenzen</translation>
     </message>
     <message>
         <source>Points that are known to be executed</source>
@@ -9436,8 +9436,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Der Dienst liest das Programm und beurteilt es. Nichts bewegt sich.</translation>
     </message>
     <message>
-        <source>A service with users takes orders only from who has logged in.</source>
-        <translation>Ein Dienst mit Benutzern nimmt Befehle nur von Angemeldeten an.</translation>
+        <source>This service has users: log in before you give it commands.</source>
+        <translation>Dieser Dienst hat Benutzer: erst anmelden, dann Befehle geben.</translation>
     </message>
     <message>
         <source>&amp;Name</source>
@@ -10233,7 +10233,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Die Maschine zeigt ein anderes Zertifikat</translation>
     </message>
     <message>
-        <source>The machine offers no encryption as it should be</source>
+        <source>The machine does not offer sufficient encryption</source>
         <translation>Die Maschine bietet keine ausreichende Verschlüsselung an</translation>
     </message>
     <message>

@@ -850,7 +850,7 @@
         <translation>Amortiguación de la resonancia</translation>
     </message>
     <message>
-        <source>The smaller it is, the longer the swinging lasts; with 1 there is none.</source>
+        <source>The smaller it is, the longer the axis oscillates. At 1 it does not oscillate.</source>
         <translation>Cuanto menor, más dura la oscilación; con 1 no la hay.</translation>
     </message>
     <message>
@@ -6580,7 +6580,7 @@ GPL-3.0-or-later</translation>
         <translation>Puntos ejecutados, media de los dos últimos segundos</translation>
     </message>
     <message>
-        <source>Points of the source that keep what was agreed</source>
+        <source>Points of the source within the agreed limits</source>
         <translation>Puntos de la fuente que cumplen lo acordado</translation>
     </message>
     <message>
@@ -9436,7 +9436,7 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>El servicio lee el programa y lo juzga. Nada se mueve.</translation>
     </message>
     <message>
-        <source>A service with users takes orders only from who has logged in.</source>
+        <source>This service has users: log in before you give it commands.</source>
         <translation>Un servicio con usuarios solo acepta órdenes de quien ha iniciado sesión.</translation>
     </message>
     <message>
@@ -10233,7 +10233,7 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>La máquina muestra otro certificado</translation>
     </message>
     <message>
-        <source>The machine offers no encryption as it should be</source>
+        <source>The machine does not offer sufficient encryption</source>
         <translation>La máquina no ofrece un cifrado suficiente</translation>
     </message>
     <message>

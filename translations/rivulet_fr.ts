@@ -850,7 +850,7 @@
         <translation>Amortissement de la résonance</translation>
     </message>
     <message>
-        <source>The smaller it is, the longer the swinging lasts; with 1 there is none.</source>
+        <source>The smaller it is, the longer the axis oscillates. At 1 it does not oscillate.</source>
         <translation>Plus il est petit, plus l’oscillation dure&#xa0;; avec 1, il n’y en a pas.</translation>
     </message>
     <message>
@@ -6580,7 +6580,7 @@ GPL-3.0-or-later</translation>
         <translation>Points exécutés, moyenne des deux dernières secondes</translation>
     </message>
     <message>
-        <source>Points of the source that keep what was agreed</source>
+        <source>Points of the source within the agreed limits</source>
         <translation>Points de la source qui respectent ce qui est convenu</translation>
     </message>
     <message>
@@ -9436,7 +9436,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Le service lit le programme et le juge. Rien ne bouge.</translation>
     </message>
     <message>
-        <source>A service with users takes orders only from who has logged in.</source>
+        <source>This service has users: log in before you give it commands.</source>
         <translation>Un service avec utilisateurs n’accepte d’ordres que de qui s’est connecté.</translation>
     </message>
     <message>
@@ -10233,7 +10233,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>La machine présente un autre certificat</translation>
     </message>
     <message>
-        <source>The machine offers no encryption as it should be</source>
+        <source>The machine does not offer sufficient encryption</source>
         <translation>La machine n’offre pas de chiffrement suffisant</translation>
     </message>
     <message>

@@ -850,7 +850,7 @@
         <translation>Smorzamento della risonanza</translation>
     </message>
     <message>
-        <source>The smaller it is, the longer the swinging lasts; with 1 there is none.</source>
+        <source>The smaller it is, the longer the axis oscillates. At 1 it does not oscillate.</source>
         <translation>Più è piccolo, più a lungo dura l’oscillazione; con 1 non ce n’è.</translation>
     </message>
     <message>
@@ -6580,7 +6580,7 @@ GPL-3.0-or-later</translation>
         <translation>Punti eseguiti, media degli ultimi due secondi</translation>
     </message>
     <message>
-        <source>Points of the source that keep what was agreed</source>
+        <source>Points of the source within the agreed limits</source>
         <translation>Punti della sorgente che rispettano quanto concordato</translation>
     </message>
     <message>
@@ -9436,7 +9436,7 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Il servizio legge il programma e lo giudica. Nulla si muove.</translation>
     </message>
     <message>
-        <source>A service with users takes orders only from who has logged in.</source>
+        <source>This service has users: log in before you give it commands.</source>
         <translation>Un servizio con utenti accetta ordini solo da chi ha effettuato l’accesso.</translation>
     </message>
     <message>
@@ -10233,7 +10233,7 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>La macchina mostra un altro certificato</translation>
     </message>
     <message>
-        <source>The machine offers no encryption as it should be</source>
+        <source>The machine does not offer sufficient encryption</source>
         <translation>La macchina non offre una cifratura sufficiente</translation>
     </message>
     <message>

@@ -446,8 +446,8 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
   m_report.reset();
   m_firstMotion.reset();
   m_wrong.reset();
-  m_isRuined = false;
-  Q_EMIT ruinChanged();
+  m_hasWrongMotion = false;
+  Q_EMIT wrongMotionChanged();
   m_messages.clear();
   for (const alarm::Code code :
        {alarm::Code::RunFailed, alarm::Code::WrongMotion, alarm::Code::MovesWrong,
@@ -585,15 +585,15 @@ void RunController::takeJob(const session::JobUpdate& job) {
 
 void RunController::takeWrong(const streaming::WrongMotion& wrong) {
   m_wrong = wrong;
-  m_isRuined = true;
+  m_hasWrongMotion = true;
   m_messages.raise(alarm::Code::MovesWrong,
                    {m_document.program()->name, std::to_string(m_firstPoint + wrong.point)});
-  m_messages.log(Severity::Error, Source::Run, [text = ruin()] { return text; });
-  Q_EMIT ruinChanged();
+  m_messages.log(Severity::Error, Source::Run, [text = wrongMotion()] { return text; });
+  Q_EMIT wrongMotionChanged();
 }
 
-QString RunController::ruin() const {
-  if (!m_isRuined) {
+QString RunController::wrongMotion() const {
+  if (!m_hasWrongMotion) {
     return {};
   }
   if (!isRunning() || !m_wrong) {
@@ -606,10 +606,10 @@ QString RunController::ruin() const {
              : tr("Wrong motion: the control has repeated points after point %1.").arg(point);
 }
 
-void RunController::acknowledgeRuin() {
-  if (m_isRuined && !isRunning()) {
-    m_isRuined = false;
-    Q_EMIT ruinChanged();
+void RunController::acknowledgeWrongMotion() {
+  if (m_hasWrongMotion && !isRunning()) {
+    m_hasWrongMotion = false;
+    Q_EMIT wrongMotionChanged();
   }
 }
 
@@ -692,11 +692,11 @@ void RunController::takeFinished(const session::RunFinished& finished) {
   logOutcome(finished);
   m_messages.settle(alarm::Code::MovesWrong);
   const trace::Integrity& integrity = m_report->integrity;
-  m_isRuined = integrity.judged ? !integrity.isFaultless() : m_report->wrong.has_value();
+  m_hasWrongMotion = integrity.judged ? !integrity.isFaultless() : m_report->wrong.has_value();
   m_document.setRunning(false);
   Q_EMIT permissionsChanged();
   Q_EMIT this->finished(m_report);
-  Q_EMIT ruinChanged();
+  Q_EMIT wrongMotionChanged();
   if (wasJob) {
     Q_EMIT jobChanged();
   }

@@ -79,8 +79,8 @@ class RunController final : public QObject {
 
   /// The run in progress, or the last one, has executed wrong points, and nobody has acknowledged
   /// it. @return a sentence; empty: it has not
-  [[nodiscard]] QString ruin() const;
-  void acknowledgeRuin();
+  [[nodiscard]] QString wrongMotion() const;
+  void acknowledgeWrongMotion();
 
   [[nodiscard]] bool isRunning() const { return m_session.isRunning(); }
   [[nodiscard]] bool isCalibrating() const { return m_session.isCalibrating(); }
@@ -110,8 +110,8 @@ class RunController final : public QObject {
   void paused(const rivulet::trace::Pause& pause);
   void finished(const std::shared_ptr<const rivulet::streaming::RunReport>& report);
 
-  /// `ruin` has changed.
-  void ruinChanged();
+  /// `wrongMotion` has changed.
+  void wrongMotionChanged();
   void resumeAsked();
   void placeFound(const rivulet::widgets::ResumePlace& place);
   void resumeRefused(const QString& reason);
@@ -165,7 +165,7 @@ class RunController final : public QObject {
   streaming::LiveUpdate m_update;
   std::optional<base::Instant> m_firstMotion;
   std::optional<streaming::WrongMotion> m_wrong;  ///< seen in the run in progress, or in the last
-  bool m_isRuined = false;                        ///< and not acknowledged
+  bool m_hasWrongMotion = false;                  ///< and not acknowledged
   std::optional<session::JobUpdate> m_job;
   std::size_t m_firstPoint = 0;
   std::size_t m_runBegin = 0;

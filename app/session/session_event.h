@@ -184,7 +184,7 @@ struct StartCommand {
   std::shared_ptr<const gcode::Program> program;
   /// The points come from the source that is open; `program` has only name and hash.
   std::optional<live::Setup> live{};
-  /// A whole job, whose program that is; null: the motion of the program alone.
+  /// Set for a whole job, which `program` belongs to; null: only the motion is streamed.
   std::shared_ptr<const job::Plan> plan;
   /// Of a whole job: which of the streamed points each stretch begins with, and how many there are.
   std::vector<std::uint32_t> stretchStarts;

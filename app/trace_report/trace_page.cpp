@@ -471,9 +471,9 @@ paper::Page tracePage(const TraceFacts& facts) {
   page.language = QLocale().bcp47Name();
   page.title = TraceTexts::title(facts.recording != nullptr);
   const bool isFaulty = facts.finding == streaming::RunFinding::Faulty;
-  page.mood = isFaulty || facts.outcome == streaming::Outcome::Failed ? paper::Mood::Bad
-              : facts.finding == streaming::RunFinding::Faultless     ? paper::Mood::Good
-                                                                      : paper::Mood::Unknown;
+  page.rating = isFaulty || facts.outcome == streaming::Outcome::Failed ? paper::Rating::Bad
+                : facts.finding == streaming::RunFinding::Faultless     ? paper::Rating::Good
+                                                                        : paper::Rating::Unknown;
   page.result = facts.recording != nullptr && facts.recording->complete
                     ? resultText(facts.outcome, facts.finding)
                     : TraceTexts::judgement(facts.finding);

@@ -27,7 +27,7 @@ struct PageApplication {
   PageApplication() {
     if (QCoreApplication::instance() == nullptr) {
       qputenv("QT_QPA_PLATFORM", "offscreen");
-      // What Qt says about the desktop that is not there helps nobody.
+      // Qt's warnings about a missing desktop do not matter here.
       QLoggingCategory::setFilterRules(QStringLiteral("default.warning=false\nqt.*=false"));
       application = std::make_unique<QGuiApplication>(count, arguments);
     }

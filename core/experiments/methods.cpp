@@ -89,7 +89,8 @@ Measured measure(const ExperimentOptions& options, const Contender& contender, d
   scenario.settings.parameters.method = contender.method;
   scenario.settings.parameters.pointsPerLoop = contender.pointsPerLoop;
   scenario.settings.isCommissioned =
-      options.machine.rRead == machine::RRead::AtInterpretation && !options.machine.jumpStops;
+      options.machine.rRead == machine::RParameterReading::AtInterpretation &&
+      !options.machine.jumpStops;
   scenario.settings.deltaMm = kPointDistanceMm;
   scenario.settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
   scenario.settings.monitor = false;  // reads only what the method needs

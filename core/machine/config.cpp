@@ -285,8 +285,9 @@ void readControl(Reader& reader, MachineConfig& config) {
   config.standstillDeviation = milliseconds(reader, "control.standstillMs.deviation", 0.0, 1000.0);
   config.relatch = milliseconds(reader, "control.relatchMs", 0.0, 10000.0);
   config.rRead = reader.choice(
-      "control.rRead", Choices<RRead, 2>{{{"atInterpretation", RRead::AtInterpretation},
-                                          {"cachedUntilStopre", RRead::CachedUntilStopre}}});
+      "control.rRead",
+      Choices<RParameterReading, 2>{{{"atInterpretation", RParameterReading::AtInterpretation},
+                                     {"cachedUntilStopre", RParameterReading::CachedUntilStopre}}});
   config.jumpStops = reader.flag("control.jumpStops");
   config.resetDynamics =
       reader.choice("control.resetDynamics",

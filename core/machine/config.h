@@ -43,7 +43,7 @@ enum class MachineError {
 [[nodiscard]] std::error_code make_error_code(MachineError code);
 
 /// When the pre-run sees a value written from outside.
-enum class RRead {
+enum class RParameterReading {
   AtInterpretation,   ///< whenever the block is interpreted
   CachedUntilStopre,  ///< only after a STOPRE (the stricter wording of [P1])
 };
@@ -141,7 +141,7 @@ struct MachineConfig {
   base::Duration standstillMean{};      ///< standstill of the axes at a STOPRE
   base::Duration standstillDeviation{};
   base::Duration relatch{};  ///< from standstill until the pre-run continues
-  RRead rRead = RRead::AtInterpretation;
+  RParameterReading rRead = RParameterReading::AtInterpretation;
   bool jumpStops = false;                    ///< jumps stop the pre-run as STOPRE does
   Dynamics resetDynamics = Dynamics::Brisk;  ///< until the program says otherwise (MD20150)
   double blocksPerCycleMax = 0.0;  ///< path speed within a block: blocks per IPO cycle; 0: any

@@ -210,7 +210,7 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
     m_markers.fill(0.0);
     m_params.fill(0.0);
     m_timers.fill(-1.0);
-    options.cacheUntilStopre = m_config.rRead == RRead::CachedUntilStopre;
+    options.cacheUntilStopre = m_config.rRead == RParameterReading::CachedUntilStopre;
     m_prerun.start(
         std::make_unique<Interpreter>(nc::parseSinumerik(program->second), m_parameters, options),
         m_now);

@@ -148,7 +148,7 @@ class TestMachine : public QObject {
 
   void cachedReadingNeedsTheStop() {
     machine::MachineConfig config = *machine::loadPreset("dmu75");
-    config.rRead = machine::RRead::CachedUntilStopre;
+    config.rRead = machine::RParameterReading::CachedUntilStopre;
     for (const bool stopped : {false, true}) {
       // The dwell keeps the pre-run waiting in a full buffer of one block.
       config.bufferedBlocksMax = 1;

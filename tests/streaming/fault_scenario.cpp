@@ -229,7 +229,8 @@ class Exposure {
   /// After a stop no window is copied any more, except one that the program was just reading. (A
   /// control that does not read cells when it passes a block sees the stop later.)
   void lookForWindowsBehindStop() {
-    const bool reads = m_scenario.run.scenario.machine.rRead == machine::RRead::AtInterpretation;
+    const bool reads =
+        m_scenario.run.scenario.machine.rRead == machine::RParameterReading::AtInterpretation;
     if (m_latchedAtStop && reads && m_evidence.intrusions == 0 && m_evidence.strayWrites == 0 &&
         m_machine.ncRParameter(m_cells.latched) > *m_latchedAtStop + 1.0) {
       m_evidence.violations.emplace_back("a window was taken after a stop");

@@ -65,8 +65,8 @@ machine::MachineConfig vary(machine::MachineConfig machine, Random& random) {
   machine.blockPreparation = scaled(machine.blockPreparation, 0.1 + 4.0 * random.uniform());
   machine.bufferedBlocksMax = 1 + static_cast<int>(random.below(100));
   machine.jumpStops = random.below(4) == 0;
-  machine.rRead =
-      random.below(4) == 0 ? machine::RRead::CachedUntilStopre : machine::RRead::AtInterpretation;
+  machine.rRead = random.below(4) == 0 ? machine::RParameterReading::CachedUntilStopre
+                                       : machine::RParameterReading::AtInterpretation;
   machine.resetDynamics = random.below(2) == 0 ? machine::Dynamics::Brisk : machine::Dynamics::Soft;
   machine.roundingMm = random.below(4) == 0 ? 0.0 : 0.02 * random.uniform();
   return machine;

@@ -70,7 +70,7 @@ class TestCommissioning : public QObject {
 
   void valuesCachedUntilStopreFail() {
     machine::MachineConfig config = *machine::loadPreset("dmu75");
-    config.rRead = machine::RRead::CachedUntilStopre;
+    config.rRead = machine::RParameterReading::CachedUntilStopre;
     World world(config);
     const auto result = world.test();
     QVERIFY2(result.has_value(), result ? "" : result.error().text().c_str());

@@ -193,7 +193,8 @@ class TestCredit : public QObject {
     for (const bool jumps : {false, true}) {
       machine::MachineConfig config = *machine::loadPreset("dmu75");
       config.jumpStops = jumps;
-      config.rRead = jumps ? machine::RRead::AtInterpretation : machine::RRead::CachedUntilStopre;
+      config.rRead = jumps ? machine::RParameterReading::AtInterpretation
+                           : machine::RParameterReading::CachedUntilStopre;
       const Sum sum = runAll(config, settings(MethodKind::Credit, 500.0));
       QVERIFY(sum.pauses > 0);
     }

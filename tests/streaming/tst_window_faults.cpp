@@ -187,10 +187,10 @@ QString feedsOf(const FaultScenario& drawn, const FaultEvidence& evidence) {
 }
 
 /// @return what methods window and credit must never do; empty: nothing
-QString examineWindow(std::uint64_t seed, Tally& tally,
-                      std::optional<opcua::Grouping> arrays = std::nullopt,
-                      MethodKind method = MethodKind::Window,
-                      machine::RRead rRead = machine::RRead::AtInterpretation) {
+QString examineWindow(
+    std::uint64_t seed, Tally& tally, std::optional<opcua::Grouping> arrays = std::nullopt,
+    MethodKind method = MethodKind::Window,
+    machine::RParameterReading rRead = machine::RParameterReading::AtInterpretation) {
   FaultScenario drawn =
       streaming::drawFaults(seed, *machine::loadPreset(arrays ? "dmu75-arrays" : "dmu75"), method);
   drawn.run.scenario.machine.rRead = rRead;
@@ -370,9 +370,9 @@ class TestWindowFaults : public QObject {
   /// The same promises without a stop between windows, even on a control that does not read as
   /// method credit needs it (and on which it is never started): there the machine waits.
   void creditKeepsThemToo() {
-    for (const machine::RRead rRead :
-         {machine::RRead::AtInterpretation, machine::RRead::CachedUntilStopre}) {
-      const bool isFit = rRead == machine::RRead::AtInterpretation;
+    for (const machine::RParameterReading rRead : {machine::RParameterReading::AtInterpretation,
+                                                   machine::RParameterReading::CachedUntilStopre}) {
+      const bool isFit = rRead == machine::RParameterReading::AtInterpretation;
       const std::vector<std::uint64_t> seeds = seedsToRun(isFit ? 400 : 100);
       QStringList findings;
       const Tally sum = examineAll(

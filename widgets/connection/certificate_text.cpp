@@ -42,7 +42,7 @@ QString validityText(const opcua::CertificateFacts& facts) {
   return CertificateTexts::validity(dateText(facts.validFrom), dateText(facts.validTo));
 }
 
-QString strangersText(const std::string& text) {
+QString untrustedText(const std::string& text) {
   constexpr qsizetype kLengthMax = 240;
   constexpr int kUnbrokenMax = 24;
   const QString whole = QString::fromStdString(text);
@@ -62,13 +62,13 @@ QString strangersText(const std::string& text) {
 
 QString issuerText(const opcua::CertificateFacts& facts) {
   return facts.issuer == facts.subject ? CertificateTexts::selfSigned()
-                                       : strangersText(facts.issuer);
+                                       : untrustedText(facts.issuer);
 }
 
 QString listText(const std::vector<std::string>& texts) {
   QStringList list;
   for (const std::string& text : texts) {
-    list.append(strangersText(text));
+    list.append(untrustedText(text));
   }
   constexpr qsizetype kCountMax = 8;
   const bool isCut = list.size() > kCountMax;

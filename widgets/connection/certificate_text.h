@@ -21,9 +21,9 @@ namespace rivulet::widgets {
 [[nodiscard]] QString validityText(const opcua::CertificateFacts& facts);
 /// Its name, or that nobody else has issued it.
 [[nodiscard]] QString issuerText(const opcua::CertificateFacts& facts);
-/// What a stranger has written, so that it can be shown: cut if it is very long, able to be broken
+/// Text that came from outside, so that it can be shown: cut if it is very long, able to be broken
 /// into lines, and without the characters that change the direction of the text around it.
-[[nodiscard]] QString strangersText(const std::string& text);
+[[nodiscard]] QString untrustedText(const std::string& text);
 /// With commas, or that there is none.
 [[nodiscard]] QString listText(const std::vector<std::string>& texts);
 

@@ -69,7 +69,7 @@ RejectedModel::RejectedModel(QObject* parent)
             [](const CertificatesView::Rejected& server) { return text(server.endpoint); }},
            {[] { return tr("Issued to"); },
             [](const CertificatesView::Rejected& server) {
-              return strangersText(server.facts.subject);
+              return untrustedText(server.facts.subject);
             }},
            {[] { return tr("Valid"); },
             [](const CertificatesView::Rejected& server) { return validityText(server.facts); }},

@@ -422,7 +422,7 @@ void ServicePanel::retranslate() {
   m_file->setAccessibleName(tr("Program"));
   m_load->setText(tr("Load"));
   m_load->setToolTip(tr("The service reads the program and judges it. Nothing moves."));
-  m_login->setToolTip(tr("A service with users takes orders only from who has logged in."));
+  m_login->setToolTip(tr("This service has users: log in before you give it commands."));
   m_userLabel->setText(tr("&Name"));
   m_pinLabel->setText(tr("P&IN"));
   m_user->setToolTip(tr("A user of the service; empty: nobody."));

@@ -127,7 +127,7 @@ QString TrustSheet::title() const {
     case Kind::Login:
       break;
   }
-  return tr("The machine offers no encryption as it should be");
+  return tr("The machine does not offer sufficient encryption");
 }
 
 QString TrustSheet::meaning() const {
@@ -220,15 +220,15 @@ void TrustSheet::showCertificate() {
   const auto old = [&](const QString& text) {
     return !isChange ? QString() : before ? text : tr("not kept");
   };
-  addRow(tr("Address"), Status::Plain, strangersText(m_question->endpoint));
+  addRow(tr("Address"), Status::Plain, untrustedText(m_question->endpoint));
   if (isChange) {
     addRow({}, Status::Plain, tr("Shown now"), tr("Accepted before"));
   }
   addRow(tr("Fingerprint (SHA-256)"), isChange ? Status::Attention : Status::Plain,
          fingerprintLines(shown.fingerprint),
          isChange ? fingerprintLines(m_question->acceptedFingerprint) : QString(), true);
-  addRow(tr("Issued to"), Status::Plain, strangersText(shown.subject),
-         old(before ? strangersText(before->subject) : QString()));
+  addRow(tr("Issued to"), Status::Plain, untrustedText(shown.subject),
+         old(before ? untrustedText(before->subject) : QString()));
   addRow(tr("Issued by"), Status::Plain, issuerText(shown),
          old(before ? issuerText(*before) : QString()));
   addRow(tr("Application"), Status::Plain, listText(shown.applicationUris),
@@ -237,14 +237,14 @@ void TrustSheet::showCertificate() {
   const bool isForHost = opcua::isForHost(shown, host);
   addRow(tr("Made for"), isForHost ? Status::Good : Status::Attention,
          isForHost ? listText(shown.hostNames)
-                   : tr("%1: not for %2").arg(listText(shown.hostNames), strangersText(host)),
+                   : tr("%1: not for %2").arg(listText(shown.hostNames), untrustedText(host)),
          old(before ? listText(before->hostNames) : QString()));
   addRow(tr("Valid"), m_question->isValidNow ? Status::Good : Status::Fault, validityText(shown),
          old(before ? validityText(*before) : QString()));
 }
 
 void TrustSheet::showChoices() {
-  addRow(tr("Address"), Status::Plain, strangersText(m_question->endpoint));
+  addRow(tr("Address"), Status::Plain, untrustedText(m_question->endpoint));
   for (std::size_t i = 0; i < m_question->choices.size(); ++i) {
     const opcua::SecurityChoice& choice = m_question->choices[i];
     const opcua::ChannelSecurity security{

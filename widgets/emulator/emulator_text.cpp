@@ -55,8 +55,9 @@ struct EmulatorTexts {
         return {tr("Resonance"), tr("Frequency at which motor and table swing against each "
                                     "other.")};
       case P::ResonanceDamping:
-        return {tr("Damping of the resonance"),
-                tr("The smaller it is, the longer the swinging lasts; with 1 there is none.")};
+        return {
+            tr("Damping of the resonance"),
+            tr("The smaller it is, the longer the axis oscillates. At 1 it does not oscillate.")};
     }
     return {};
   }

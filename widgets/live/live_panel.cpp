@@ -294,7 +294,7 @@ void LivePanel::retranslate() {
   const std::array<QString, FigureCount> hints{
       tr("Points from the source, mean of the last two seconds"),
       tr("Points executed, mean of the last two seconds"),
-      tr("Points of the source that keep what was agreed"),
+      tr("Points of the source within the agreed limits"),
       tr("Points that are known to be executed"),
       tr("Points too close to the one before, which are left out"),
       tr("From the arrival of a point to the beginning of its move; during a run, of the last 500 "

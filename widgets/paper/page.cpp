@@ -212,9 +212,10 @@ class PagePainter {
   double m_y;
 };
 
-QColor colorOf(Mood mood) {
-  return mood == Mood::Good ? QColor(0x1b, 0x6e, 0x2f)
-                            : (mood == Mood::Bad ? QColor(0xb0, 0x2a, 0x1d) : QColor(Qt::black));
+QColor colorOf(Rating rating) {
+  return rating == Rating::Good
+             ? QColor(0x1b, 0x6e, 0x2f)
+             : (rating == Rating::Bad ? QColor(0xb0, 0x2a, 0x1d) : QColor(Qt::black));
 }
 
 /// Rows of the table that leave the pictures enough room.
@@ -264,7 +265,7 @@ void paintPage(QPainter& painter, const QRectF& room, double millimetre, const P
   painter.setPen(Qt::black);
   PagePainter drawn(painter, room, millimetre);
   drawn.heading(page.title, kTitlePt);
-  drawn.heading(page.result, kResultPt, colorOf(page.mood));
+  drawn.heading(page.result, kResultPt, colorOf(page.rating));
   for (const QString& sentence : page.sentences) {
     drawn.sentence(sentence);
   }
@@ -307,16 +308,16 @@ bool writePdf(const QString& path, const Page& page) {
 }
 
 QString pageHtml(const Page& page) {
-  const QString mood = page.mood == Mood::Good  ? QStringLiteral("good")
-                       : page.mood == Mood::Bad ? QStringLiteral("bad")
-                                                : QString();
+  const QString rating = page.rating == Rating::Good  ? QStringLiteral("good")
+                         : page.rating == Rating::Bad ? QStringLiteral("bad")
+                                                      : QString();
   QString out = QStringLiteral(
                     "<!DOCTYPE html>\n<html lang=\"%1\"><head><meta charset=\"utf-8\"><meta "
                     "name=\"viewport\" content=\"width=device-width\"><title>%2</title>"
                     "<style>%3</style></head><body>\n")
                     .arg(page.language, page.title.toHtmlEscaped(), QString::fromLatin1(kStyle));
   out += QStringLiteral("<h1>%1</h1>\n<div class=\"result %2\">%3</div>\n")
-             .arg(page.title.toHtmlEscaped(), mood, page.result.toHtmlEscaped());
+             .arg(page.title.toHtmlEscaped(), rating, page.result.toHtmlEscaped());
   for (const QString& sentence : page.sentences) {
     out += QStringLiteral("<p>%1</p>\n").arg(sentence.toHtmlEscaped());
   }

@@ -17,7 +17,7 @@
 
 namespace rivulet::paper {
 
-enum class Mood { Good, Unknown, Bad };
+enum class Rating { Good, Unknown, Bad };
 
 struct Fact {
   QString name;
@@ -40,7 +40,7 @@ struct Page {
   QString language;  ///< "de"
   QString title;
   QString result;
-  Mood mood = Mood::Unknown;
+  Rating rating = Rating::Unknown;
   QStringList sentences;
   std::vector<Group> groups;  ///< two side by side
   std::vector<Picture> pictures;

@@ -150,11 +150,12 @@ paper::Picture pathPicture(const std::vector<gcode::SketchPoint>& sketch) {
   return picture;
 }
 
-paper::Mood moodOf(const streaming::RunSummary& run) {
+paper::Rating ratingOf(const streaming::RunSummary& run) {
   if (run.outcome == streaming::Outcome::Failed || run.finding == streaming::RunFinding::Faulty) {
-    return paper::Mood::Bad;
+    return paper::Rating::Bad;
   }
-  return run.finding == streaming::RunFinding::Faultless ? paper::Mood::Good : paper::Mood::Unknown;
+  return run.finding == streaming::RunFinding::Faultless ? paper::Rating::Good
+                                                         : paper::Rating::Unknown;
 }
 
 }  // namespace
@@ -164,7 +165,7 @@ paper::Page runPage(const RunSheet& sheet) {
   page.language = QLocale().bcp47Name();
   page.title = SheetTexts::title();
   page.result = resultText(sheet.summary.outcome, sheet.summary.finding);
-  page.mood = moodOf(sheet.summary);
+  page.rating = ratingOf(sheet.summary);
   if (sheet.report.error.code) {
     page.sentences = {errorText(sheet.report.error)};
   }

@@ -319,8 +319,8 @@ void RunPanel::setFound(const std::optional<FoundRunView>& found) {
   showAll();
 }
 
-void RunPanel::setRuined(bool isRuined) {
-  m_isRuined = isRuined;
+void RunPanel::setWrongMotion(bool hasWrongMotion) {
+  m_hasWrongMotion = hasWrongMotion;
   showAll();
 }
 
@@ -359,7 +359,7 @@ bool RunPanel::isActive() const {
          m_update.state == RunState::Holding || m_update.state == RunState::Stopping;
 }
 
-QString RunPanel::ruinText(const QString& end) const {
+QString RunPanel::wrongMotionText(const QString& end) const {
   return end.isEmpty() ? tr("Wrong motion") : tr("Wrong motion. %1").arg(end);
 }
 
@@ -500,8 +500,8 @@ void RunPanel::showState() {
   const QString place =
       tr("%1 of %2").arg(countText(m_update.counters.executed), countText(m_update.counters.total));
   const auto show = [this](Status status, const QString& text) {
-    m_stateLabel->setStatus(m_isRuined ? Status::Fault : status,
-                            m_isRuined ? ruinText(text) : text);
+    m_stateLabel->setStatus(m_hasWrongMotion ? Status::Fault : status,
+                            m_hasWrongMotion ? wrongMotionText(text) : text);
   };
   switch (m_update.state) {
     case RunState::Idle:
@@ -515,7 +515,7 @@ void RunPanel::showState() {
       show(Status::Fault, tr("Failed at %1").arg(place));
       break;
     case RunState::Done:
-      show(Status::Good, m_isRuined ? QString() : runStateText(RunState::Done));
+      show(Status::Good, m_hasWrongMotion ? QString() : runStateText(RunState::Done));
       break;
     default:
       show(Status::Busy, activeText());
@@ -537,7 +537,7 @@ void RunPanel::showReason() {
     sentences = {m_found->isStopping  ? tr("Stop requested, not yet confirmed")
                  : m_found->isWatched ? tr("This window only shows it. Stop ends it.")
                                       : tr("This window did not start it. Stop ends it.")};
-  } else if (m_isRuined) {
+  } else if (m_hasWrongMotion) {
     sentences.append(tr("The run has executed wrong points: see the report."));
   } else if (!m_startBlocked.isEmpty()) {
     sentences.append(tr("Start is not possible: %1").arg(m_startBlocked));
@@ -548,7 +548,7 @@ void RunPanel::showReason() {
     sentences.append(tr("Ready to start"));
   }
   sentences.removeAll(QString());
-  const bool isFault = m_stopState == StopState::Unconfirmed || (!active && m_isRuined);
+  const bool isFault = m_stopState == StopState::Unconfirmed || (!active && m_hasWrongMotion);
   m_reason->setStatus(isFault                                               ? Status::Fault
                       : !active && !hasFound() && !m_startBlocked.isEmpty() ? Status::Attention
                                                                             : Status::Plain,

@@ -71,7 +71,7 @@ class RunPanel final : public Page {
   /// progress are shown. Nothing: there is none.
   void setFound(const std::optional<FoundRunView>& found);
   /// The run in progress or the last one has executed wrong points, which nobody has acknowledged.
-  void setRuined(bool isRuined);
+  void setWrongMotion(bool hasWrongMotion);
 
   [[nodiscard]] bool isActive() const;
   /// In a narrow window it arranges itself anew, so the present arrangement does not count.
@@ -132,15 +132,15 @@ class RunPanel final : public Page {
   void showFoundState();
   /// The run that is shown is not of this window.
   [[nodiscard]] bool isWatching() const { return hasFound() && m_found->isWatched; }
-  /// A run that this window does not stream is on the control, and none of its own is in progress.
+  /// The control runs what another client streams, and this window streams nothing.
   [[nodiscard]] bool hasFound() const { return !isActive() && m_found && m_found->isOnControl(); }
   /// "Wrong motion", and how the run ended if it has.
-  [[nodiscard]] QString ruinText(const QString& end) const;
+  [[nodiscard]] QString wrongMotionText(const QString& end) const;
 
   streaming::LiveUpdate m_update;
   RunProgress m_where;
   std::optional<JobProgress> m_job;
-  bool m_isRuined = false;
+  bool m_hasWrongMotion = false;
   QString m_startBlocked;
   StopState m_stopState = StopState::None;
   std::size_t m_runBegin = 0;

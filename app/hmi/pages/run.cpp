@@ -210,20 +210,20 @@ QWidget* makeCorrectionPanel(const Models& models) {
 QWidget* makeWrongMotionBar(const Models& models, QWidget* parent) {
   auto* bar = new WrongMotionBar(parent);
   RunController* runs = &models.runs;
-  QObject::connect(runs, &RunController::ruinChanged, bar,
-                   [bar, runs] { bar->setWrong(runs->ruin(), runs->isRunning()); });
+  QObject::connect(runs, &RunController::wrongMotionChanged, bar,
+                   [bar, runs] { bar->setWrong(runs->wrongMotion(), runs->isRunning()); });
   QObject::connect(bar, &WrongMotionBar::stopRequested, runs, &RunController::stop);
   Alarms* alarms = &models.alarms;
   QObject::connect(bar, &WrongMotionBar::acknowledged, alarms, [alarms, runs] {
     for (const int number : openWrongMotion(*alarms)) {
       alarms->acknowledge(number);
     }
-    runs->acknowledgeRuin();
+    runs->acknowledgeWrongMotion();
   });
   // In the list of alarms it is acknowledged as well.
   QObject::connect(alarms, &Alarms::changed, runs, [alarms, runs] {
     if (openWrongMotion(*alarms).empty()) {
-      runs->acknowledgeRuin();
+      runs->acknowledgeWrongMotion();
     }
   });
   return bar;
@@ -320,8 +320,8 @@ QWidget* makeRunPanel(const Models& models, QWidget* parent) {
   const Document* document = &models.document;
   QObject::connect(runs, &RunController::jobChanged, panel,
                    [panel, runs, document] { panel->setJob(jobProgress(*runs, *document)); });
-  QObject::connect(runs, &RunController::ruinChanged, panel,
-                   [panel, runs] { panel->setRuined(!runs->ruin().isEmpty()); });
+  QObject::connect(runs, &RunController::wrongMotionChanged, panel,
+                   [panel, runs] { panel->setWrongMotion(!runs->wrongMotion().isEmpty()); });
   QObject::connect(runs, &RunController::finished, panel,
                    [panel](const std::shared_ptr<const streaming::RunReport>& report) {
                      panel->setReport(*report);

@@ -212,7 +212,7 @@ class Linter {
   void warn(LintRule rule, base::LineNumber line, std::string message) {
     add(rule, LintSeverity::Warning, line, std::move(message));
   }
-  /// A lack that every line behind it shares is told once.
+  /// What all following lines have in common is reported once.
   void errorOnce(LintRule rule, base::LineNumber line, std::string message) {
     if (m_reports && m_toldOnce.insert(rule).second) {
       error(rule, line, std::move(message));

@@ -144,11 +144,11 @@ class TestRunPanel : public QObject {
   }
 
   /// Points were executed twice: no check mark, no "Ready to start" beside it.
-  void aRuinedRunIsNotReady() {
+  void aRunWithWrongMotionIsNotReady() {
     test::Language language;
     RunPanel panel;
     panel.setUpdate(updateOf(RunState::Running));
-    panel.setRuined(true);
+    panel.setWrongMotion(true);
     QVERIFY(test::visibleText(panel).contains("Wrong motion. Running"));
     for (const RunState state : {RunState::Done, RunState::Stopped, RunState::Aborted}) {
       panel.setUpdate(updateOf(state));
@@ -159,7 +159,7 @@ class TestRunPanel : public QObject {
         QVERIFY(!text.contains("Ready") && !text.contains("Done"));
       }
     }
-    panel.setRuined(false);
+    panel.setWrongMotion(false);
     QVERIFY(!test::visibleText(panel).contains("Wrong motion"));
   }
 
