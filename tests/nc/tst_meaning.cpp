@@ -309,7 +309,10 @@ bool differs(const Step& expected, const Step& got, double tolerance) {
          differs(expected.feedPerMin, got.feedPerMin, feedTolerance, false);
 }
 
-bool isNamed(const std::string& word, const std::string& sentence) {
+/// As a word of its own, in large or small letters.
+bool isNamed(const std::string& sought, const std::string& text) {
+  const std::string word = base::toUpper(sought);
+  const std::string sentence = base::toUpper(text);
   const auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
   for (std::size_t at = sentence.find(word); at != std::string::npos;
        at = sentence.find(word, at + 1)) {
