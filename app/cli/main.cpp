@@ -144,7 +144,7 @@ void addLoading(CLI::App* command, rivulet::cli::LoadingOptions& loading) {
                    "Greatest distance of chords from their arc or spline, mm")
       ->check(kPositive)
       ->capture_default_str();
-  std::vector<std::string> names{"auto"};
+  std::vector<std::string> names{"auto", "iso"};  // iso: what programs of fanuc are called too
   for (const rivulet::gcode::Dialect dialect : rivulet::gcode::kDialects) {
     names.emplace_back(rivulet::gcode::dialectName(dialect));
   }

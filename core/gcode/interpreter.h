@@ -22,7 +22,7 @@ struct Interpretation {
   std::vector<Diagnostic> diagnostics;
   Statistics statistics;
   ProgramFacts facts;
-  Dialect dialect = Dialect::Iso;
+  Dialect dialect = Dialect::Fanuc;
   std::string dialectEvidence;
   std::size_t blocks = 0;  ///< lines that hold more than a number and a comment
   bool cancelled = false;  ///< `LoadOptions::progress` said so: the rest is not there

@@ -44,7 +44,7 @@ inline constexpr std::size_t kRepeatedLinesMax = 5'000'000;
 struct LoadOptions {
   double chordToleranceMm = 0.005;  ///< greatest distance of chords from their arc or spline, > 0
   CentreReading centres = CentreReading::AsProgrammed;  ///< what I, J and K of arcs are
-  bool blockSkip = false;          ///< blocks with "/" are left out, as with the switch on
+  bool blockSkip = false;  ///< blocks with "/" are left out, as with the switch on
   /// Of a machine (SD42110): holds until the program names a feed, which stays a finding. 0: none.
   double defaultFeedMmPerS = 0.0;
   bool keepArcs = false;           ///< arcs stay one point each, see `Trajectory::arcs`
@@ -90,7 +90,7 @@ struct Program {
   std::string name;  ///< file name without folders
   std::string text;  ///< as read
   std::string hash;  ///< 16 hex digits of the text, shown to tell versions apart
-  Dialect dialect = Dialect::Iso;
+  Dialect dialect = Dialect::Fanuc;
   std::string dialectEvidence;  ///< what decided, "" if nothing did or it was ordered
   Trajectory trajectory;
   /// In text order, at most `kDiagnosticsMax` and one that says how many more there were (with the

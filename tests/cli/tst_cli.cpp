@@ -83,7 +83,7 @@ class TestCli : public QObject {
     QCOMPARE(result["motions"]["g0"].get<int>(), 7);
     QCOMPARE(result["motions"]["g1"].get<int>(), 266);
     QCOMPARE(result["streamable"].get<bool>(), true);
-    QCOMPARE(result["dialect"].get<std::string>(), std::string("iso"));
+    QCOMPARE(result["dialect"].get<std::string>(), std::string("fanuc"));
     QCOMPARE(result["facts"]["n_G1"].get<int>(), 266);
     QCOMPARE(result["facts"]["bbox_programmed"]["X"][1].get<double>(), 206.12);
     QCOMPARE(result["statistics"]["points"].get<int>(), 270);

@@ -109,7 +109,7 @@ class TestDryPlan : public QObject {
                                 "G21 G90 G17 G54\nT2 M6\nG43 H2\nS3000 M3\nG0 X0 Y0 Z50 M8\nG1 Z-2 "
                                 "F1000\nX30\nG0 Z20\nG98 G81 X10 Y10 Z-5 R2 F200\nX20\nG80\nG0 Z60 "
                                 "M9\nM5\nG0 X5\nM30\n")
-                         << static_cast<int>(gcode::Dialect::Iso);
+                         << static_cast<int>(gcode::Dialect::Fanuc);
   }
   void isRaisedAndDry() {
     QFETCH(const QString, text);

@@ -150,12 +150,12 @@ class TestSplitter : public QObject {
     QCOMPARE(text(test::printPoints(plan.program.trajectory)),
              QStringLiteral("4 R X0 Y0 Z0 | 5 L X0 Y25.4 Z0 F25400"));
     QVERIFY(!planOf("G10 L20 P1 X0\nG0 X1\n", gcode::Dialect::LinuxCnc).isWhole());
-    QVERIFY(!planOf("G10 L2 P1 X0\nG0 X1\n", gcode::Dialect::Iso).isWhole());
+    QVERIFY(!planOf("G10 L2 P1 X0\nG0 X1\n", gcode::Dialect::Fanuc).isWhole());
   }
 
   /// After a tool change only the control knows where the tool stands, and so what G92 shifts.
   void setsPositionAtUnknownPlace() {
-    const auto planOfIso = [](const char* lines) { return planOf(lines, gcode::Dialect::Iso); };
+    const auto planOfIso = [](const char* lines) { return planOf(lines, gcode::Dialect::Fanuc); };
     const job::Plan plan = planOfIso("G0 X0 Y0 Z5\nT1 M6\nG92 X0\nG1 Y1 F100\nX5\nM30\n");
     QCOMPARE(refusals(plan), QStringLiteral("5 not-translated G92"));
     QVERIFY(planOfIso("G0 X0 Y0 Z5\nT1 M6\nG92 X0\nG92.1\nG1 X5 F100\nM30\n").isWhole());
@@ -175,10 +175,10 @@ class TestSplitter : public QObject {
                        "2 3: 1 point from ? | native 4 transformation TRAFOOF | stretch 3 5: "
                        "1 point from ? | native 6 end M30"));
     const job::Plan iso =
-        planOf("G0 X0 Y0 Z50\nG43.4 H1\nG1 X1 B5 F100\nM30\n", gcode::Dialect::Iso);
+        planOf("G0 X0 Y0 Z50\nG43.4 H1\nG1 X1 B5 F100\nM30\n", gcode::Dialect::Fanuc);
     QVERIFY(!iso.isWhole());
     QVERIFY(refusals(iso).contains(QStringLiteral("G43.4")));
-    QVERIFY(!planOf("M428\nG0 X1\nM30\n", gcode::Dialect::Iso).isWhole());
+    QVERIFY(!planOf("M428\nG0 X1\nM30\n", gcode::Dialect::Fanuc).isWhole());
   }
 
   void compensationRegion() {
@@ -347,7 +347,7 @@ class TestSplitter : public QObject {
         "G90 G0 X0. Y0.\n"
         "G4 P500\n"
         "M30\n",
-        gcode::Dialect::Iso);
+        gcode::Dialect::Fanuc);
     QCOMPARE(refusals(plan), QString());
     QVERIFY(plan.isWhole());
     QCOMPARE(
@@ -367,7 +367,7 @@ class TestSplitter : public QObject {
     job::Profile profile;
     profile.retract = "G75 Z1=0";
     profile.toolChange = "TC(%1)";
-    const job::Plan plan = planOf("T7 M6\nG28 Z0.\n", gcode::Dialect::Iso, profile);
+    const job::Plan plan = planOf("T7 M6\nG28 Z0.\n", gcode::Dialect::Fanuc, profile);
     QCOMPARE(text(test::printParts(plan)),
              QStringLiteral("native 1 tool TC(7) | native 2 retract G75 Z1=0\nD1"));
   }
@@ -395,7 +395,7 @@ class TestSplitter : public QObject {
   void notTranslated() {
     const job::Plan plan =
         planOf("G0 X0. Y0. Z5.\nG87 X1. Y1. Z-5. R1. F100.\nG80\nM60\nG81 X1. Z-5. F100.\n",
-               gcode::Dialect::Iso);
+               gcode::Dialect::Fanuc);
     QVERIFY(!plan.isWhole());
     QCOMPARE(refusals(plan),  // a cycle without R
              QStringLiteral("2 not-translated G87 | 4 not-translated M60 | 5 not-translated G81"));
@@ -432,7 +432,7 @@ class TestSplitter : public QObject {
     QFETCH(const QString, program);
     QFETCH(const QString, lines);
     const job::Plan plan = planOf(
-        ("G0 X0. Y0. Z9.\n" + program + "G0 X50.\n").toStdString().c_str(), gcode::Dialect::Iso);
+        ("G0 X0. Y0. Z9.\n" + program + "G0 X50.\n").toStdString().c_str(), gcode::Dialect::Fanuc);
     QCOMPARE(refusals(plan), QString());
     QStringList found;
     for (const job::Part& part : plan.parts) {
@@ -452,7 +452,7 @@ class TestSplitter : public QObject {
     const job::Plan plan = planOf(
         "T3 M6\nG0 G90 X0. Y0. Z2.\nG1 Z-1. F100.\nG41 D13 X10. Y0.\nX20. M8\n"
         "G3 X30. Y10. R10.\nG40 G1 X40.\nG0 Z2.\n",
-        gcode::Dialect::Iso);
+        gcode::Dialect::Fanuc);
     QCOMPARE(refusals(plan), QString());
     QCOMPARE(text(test::printParts(plan)),
              QStringLiteral("native 1 tool T3 M6 | stretch 1 2-3: 2 points from ? | native 4 "
@@ -463,8 +463,8 @@ class TestSplitter : public QObject {
   }
 
   void incrementsFromUnknownPosition() {
-    const job::Plan plan =
-        planOf("G20 G91 G0 X1. Z.5\nG90 Y2.\nG91 G1 X1. Y1. F10.\nG90 X0.\n", gcode::Dialect::Iso);
+    const job::Plan plan = planOf("G20 G91 G0 X1. Z.5\nG90 Y2.\nG91 G1 X1. Y1. F10.\nG90 X0.\n",
+                                  gcode::Dialect::Fanuc);
     QCOMPARE(refusals(plan), QString());
     QCOMPARE(text(test::printParts(plan)),
              QStringLiteral("native 1 unknown-position G0 X=IC(25.4) Z=IC(12.7) | stretch 1 2: 1 "
@@ -474,7 +474,7 @@ class TestSplitter : public QObject {
 
   void leftOutByTheUser() {
     gcode::LoadOptions options;
-    options.dialect = gcode::Dialect::Iso;
+    options.dialect = gcode::Dialect::Fanuc;
     options.accepted = {"M60"};
     const auto plan = job::makePlan("A.NC", "M60 M8\nG0 X1.\n", options);
     QVERIFY(plan.has_value());

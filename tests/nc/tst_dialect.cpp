@@ -17,6 +17,7 @@ class TestDialect : public QObject {
     for (const Dialect dialect : nc::kDialects) {
       QVERIFY(nc::dialectOfName(nc::dialectName(dialect)) == dialect);
     }
+    QVERIFY(nc::dialectOfName("iso") == Dialect::Fanuc);
     QVERIFY(!nc::dialectOfName("fortran"));
   }
 
@@ -28,15 +29,15 @@ class TestDialect : public QObject {
       QTest::newRow(QByteArray(text).simplified().left(40).constData())
           << QByteArray(text) << static_cast<int>(expected) << QByteArray(evidence);
     };
-    add("", Dialect::Iso, "");
-    add("G0 X1\nG1 Y2 F100\n", Dialect::Iso, "");
-    add("%\nO1234 (PART)\nG0 X1\nM30\n%", Dialect::Iso, "Onnnn");
+    add("", Dialect::Fanuc, "");
+    add("G0 X1\nG1 Y2 F100\n", Dialect::Fanuc, "");
+    add("%\nO1234 (PART)\nG0 X1\nM30\n%", Dialect::Fanuc, "Onnnn");
     add("N10 TRAORI\nN20 G0 X1", Dialect::Sinumerik, "TRAORI");
     add("G2 X1 Y1 CR=5", Dialect::Sinumerik, "CR=");
     add("R1=5\nG0 X=R1", Dialect::Sinumerik, "Rn=");
     add("%_N_PART_MPF\nG0 X1", Dialect::Sinumerik, "%_N_");
-    add("(TRAORI is a comment)\nG0 X1", Dialect::Iso, "");
-    add("; MCALL in a comment\nG0 X1", Dialect::Iso, "");
+    add("(TRAORI is a comment)\nG0 X1", Dialect::Fanuc, "");
+    add("; MCALL in a comment\nG0 X1", Dialect::Fanuc, "");
     add("O<part> sub\nO<part> endsub", Dialect::LinuxCnc, "O<");
     add("#<depth>=3\nG1 Z-#<depth> F100", Dialect::LinuxCnc, "#<");
     add("$H\nG0 X1", Dialect::Grbl, "$H");
@@ -60,7 +61,7 @@ class TestDialect : public QObject {
     QVERIFY(of("G0 X1\n", "PART.MPF").dialect == Dialect::Sinumerik);
     QVERIFY(of("G0 X1\n", "part.ngc").dialect == Dialect::LinuxCnc);
     QCOMPARE(of("G0 X1\n", "part.spf").evidence, std::string(".SPF"));
-    QVERIFY(of("G0 X1\n", "part.nc").dialect == Dialect::Iso);
+    QVERIFY(of("G0 X1\n", "part.nc").dialect == Dialect::Fanuc);
     QVERIFY(of("0 BEGIN PGM A MM\n1 L X+0\n2 END PGM A MM", "A.MPF").dialect ==
             Dialect::Heidenhain);
     QVERIFY(of("O<part> sub\nO<part> endsub\n", "A.SPF").dialect == Dialect::LinuxCnc);

@@ -411,7 +411,7 @@ std::filesystem::path casesFolder() {
 
 /// Folders of controls that Rivulet reads as one dialect.
 nc::Dialect dialectOfFolder(const std::string& folder) {
-  return nc::dialectOfName(folder).value_or(nc::Dialect::Iso);
+  return nc::dialectOfName(folder).value_or(nc::Dialect::Fanuc);
 }
 
 }  // namespace

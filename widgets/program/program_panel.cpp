@@ -504,8 +504,10 @@ void ProgramPanel::showDialect() {
     switch (dialect) {
       case gcode::Dialect::Sinumerik:
         return QStringLiteral("SINUMERIK");
-      case gcode::Dialect::Iso:
-        return QStringLiteral("ISO (Fanuc, Haas …)");
+      case gcode::Dialect::Fanuc:
+        return QStringLiteral("ISO (Fanuc …)");
+      case gcode::Dialect::Haas:
+        return QStringLiteral("Haas");
       case gcode::Dialect::LinuxCnc:
         return QStringLiteral("LinuxCNC");
       case gcode::Dialect::Grbl:

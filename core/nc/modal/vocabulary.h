@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What the words of each dialect do to the path, as data. @threadsafety pure.
+/// What the words of each dialect do to the path, as data; the tables are in nc/dialects.
+/// @threadsafety pure.
 #pragma once
 
 #include <array>

@@ -80,11 +80,11 @@ constexpr std::array kEvidence{
     Evidence{Dialect::Grbl, "$J=", 10, true},
     Evidence{Dialect::Grbl, "$$", 10, true},
     Evidence{Dialect::Grbl, "$G", 5, true},
-    Evidence{Dialect::Iso, "G65", 5, false},
-    Evidence{Dialect::Iso, "G43.4", 5, false},
-    Evidence{Dialect::Iso, "G05.1", 5, false},
-    Evidence{Dialect::Iso, "O####", 5, true},
-    Evidence{Dialect::Iso, ":####", 3, true},
+    Evidence{Dialect::Fanuc, "G65", 5, false},
+    Evidence{Dialect::Fanuc, "G43.4", 5, false},
+    Evidence{Dialect::Fanuc, "G05.1", 5, false},
+    Evidence{Dialect::Fanuc, "O####", 5, true},
+    Evidence{Dialect::Fanuc, ":####", 3, true},
 };
 
 /// An ending of the file's name counts like one strong word of the text.
@@ -202,8 +202,10 @@ std::string_view dialectName(Dialect dialect) {
   switch (dialect) {
     case Dialect::Sinumerik:
       return "sinumerik";
-    case Dialect::Iso:
-      return "iso";
+    case Dialect::Fanuc:
+      return "fanuc";
+    case Dialect::Haas:
+      return "haas";
     case Dialect::LinuxCnc:
       return "linuxcnc";
     case Dialect::Grbl:
@@ -215,6 +217,9 @@ std::string_view dialectName(Dialect dialect) {
 }
 
 std::optional<Dialect> dialectOfName(std::string_view name) {
+  if (name == "iso") {
+    return Dialect::Fanuc;
+  }
   const auto* const found =
       std::find_if(kDialects.begin(), kDialects.end(),
                    [name](Dialect dialect) { return dialectName(dialect) == name; });
@@ -265,7 +270,7 @@ DialectGuess detectDialect(std::string_view text, std::string_view fileName) {
   }
   const auto* const best = std::max_element(weight.begin(), weight.end());
   if (*best < 3) {
-    return {Dialect::Iso, {}, std::string(turningCycle)};
+    return {Dialect::Fanuc, {}, std::string(turningCycle)};
   }
   const auto index = static_cast<std::size_t>(best - weight.begin());
   std::string shown(base::trim(strongest[index].second));

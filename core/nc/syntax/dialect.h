@@ -14,28 +14,30 @@ namespace rivulet::nc {
 
 enum class Dialect : unsigned char {
   Sinumerik,   ///< Siemens 840D, 828D, ONE
-  Iso,         ///< Fanuc and what follows it: Haas, Mitsubishi, Mazak EIA, Mach3
+  Fanuc,       ///< and what follows it: Mitsubishi, Mazak EIA, Mach3
+  Haas,        ///< follows Fanuc, with rules of its own
   LinuxCnc,    ///< RS-274/NGC with O words
   Grbl,        ///< GRBL and FluidNC
   Heidenhain,  ///< plain text (Klartext): recognised, straight lines and arcs are read
 };
 
-inline constexpr std::array kDialects{Dialect::Sinumerik, Dialect::Iso, Dialect::LinuxCnc,
-                                      Dialect::Grbl, Dialect::Heidenhain};
+inline constexpr std::array kDialects{Dialect::Sinumerik, Dialect::Fanuc, Dialect::Haas,
+                                      Dialect::LinuxCnc,  Dialect::Grbl,  Dialect::Heidenhain};
 
-/// "sinumerik", "iso", "linuxcnc", "grbl", "heidenhain": for files and options.
+/// "sinumerik", "fanuc", "haas", "linuxcnc", "grbl", "heidenhain": for files and options.
 [[nodiscard]] std::string_view dialectName(Dialect dialect);
+/// @param name  as above; "iso" is "fanuc"
 [[nodiscard]] std::optional<Dialect> dialectOfName(std::string_view name);
 
 struct DialectGuess {
-  Dialect dialect = Dialect::Iso;
+  Dialect dialect = Dialect::Fanuc;
   std::string evidence;  ///< the text that decided, "" if nothing did
   /// The turning cycle (G70 to G73 with P and Q) that shows a program for a lathe; "": none.
   std::string turningCycle;
 };
 
 /// Looks at the words of the first 2000 lines and at the ending of the file's name. Without
-/// evidence it is Iso, whose words mean the same in all dialects but Heidenhain's.
+/// evidence it is Fanuc, whose words mean the same in all dialects but Heidenhain's.
 /// @threadsafety pure.
 [[nodiscard]] DialectGuess detectDialect(std::string_view text, std::string_view fileName = {});
 

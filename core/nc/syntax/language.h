@@ -3,7 +3,8 @@
 
 /// @file
 /// What sets the dialects apart, as data: readers and executor ask a `Language`, never which
-/// dialect it is. What single words do is in nc/modal/vocabulary. @threadsafety pure.
+/// dialect it is. What single words do is in nc/modal/vocabulary,
+/// and what belongs to one dialect in its folder of nc/dialects. @threadsafety pure.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +30,7 @@ struct OtherStatement {
 };
 
 struct Language {
-  Dialect dialect = Dialect::Iso;
+  Dialect dialect = Dialect::Fanuc;
   const Notation& notation;
   const Semantics& comparison;
   std::unique_ptr<BlockParser> (*blockParser)(Tree& tree, Detail detail);
@@ -61,5 +62,8 @@ struct Language {
 };
 
 [[nodiscard]] const Language& languageOf(Dialect dialect);
+
+/// What the dialects that follow RS-274/NGC have in common; each changes what it reads differently.
+[[nodiscard]] Language rs274Language(Dialect dialect);
 
 }  // namespace rivulet::nc

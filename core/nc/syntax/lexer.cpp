@@ -267,9 +267,9 @@ class LineReader {
     }
     if (digits <= 15) {
       // Both operands are exact doubles, so the quotient is the correctly rounded number.
-      static constexpr std::array<double, 16> kPowers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                      1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-      value = static_cast<double>(mantissa) / kPowers[static_cast<std::size_t>(decimals)];
+      static constexpr std::array<double, 16> kPowersOfTen{
+          1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+      value = static_cast<double>(mantissa) / kPowersOfTen[static_cast<std::size_t>(decimals)];
     } else {
       // The exponent form is not NC text: "1E5" must not become one number.
       const auto [end, status] =

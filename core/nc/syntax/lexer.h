@@ -88,7 +88,7 @@ class Lexer {
  public:
   /// @param text must outlive the lexer and the tokens; LF, CRLF and CR end a line
   /// @param file  number of the text, for the places of faults
-  explicit Lexer(std::string_view text, Dialect dialect = Dialect::Iso, std::uint16_t file = 0);
+  explicit Lexer(std::string_view text, Dialect dialect = Dialect::Fanuc, std::uint16_t file = 0);
 
   /// Reads the next line into `block`. @return false at the end of the text
   [[nodiscard]] bool next(Block& block);

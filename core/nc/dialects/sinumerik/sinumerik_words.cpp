@@ -1,65 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "nc/modal/vocabulary.h"
+#include "nc/dialects/sinumerik/sinumerik.h"
 
 #include <algorithm>
-#include <initializer_list>
-#include <span>
-#include <unordered_map>
+#include <array>
 
-namespace rivulet::nc {
+namespace rivulet::nc::sinumerik {
 
 namespace {
-
-/// Marks functions of a table, by key; what is marked later wins.
-class GMarks {
- public:
-  explicit GMarks(GTable& table) : m_table(table) {}
-  void operator()(GEffect effect, std::initializer_list<int> keys) const {
-    for (const int key : keys) {
-      m_table[static_cast<std::size_t>(key)] = effect;
-    }
-  }
-
- private:
-  GTable& m_table;
-};
-
-/// What all dialects share.
-void markCommon(const GMarks& mark) {
-  mark(GEffect::Motion, {0, 10, 20, 30});
-  mark(GEffect::Dwell, {40});
-  mark(GEffect::Plane, {170, 180, 190});
-  mark(GEffect::Units, {200, 210, 700, 710});
-  mark(GEffect::Distance, {900, 910});
-  mark(GEffect::CentreMode, {901, 911});
-  mark(GEffect::FeedMode, {930, 940, 950});
-  mark(GEffect::Diameter, {70, 80});
-  mark(GEffect::PolarOff, {150});
-  mark(GEffect::PolarOn, {160});
-  mark(GEffect::BlockEnd, {90, 600});
-  mark(GEffect::Tolerance, {610, 611, 640});
-  mark(GEffect::ToolLength, {430, 431, 440, 490});
-  mark(GEffect::MachineMove, {530});
-  mark(GEffect::WorkOffset, {540, 550, 560, 570, 580, 590, 591, 592, 593});
-  mark(GEffect::WorkOffsetP, {541, 1540});
-  mark(GEffect::LocalOffset, {520});
-  mark(GEffect::SetPosition, {920});
-  mark(GEffect::ResetPosition, {921});
-  mark(GEffect::ScaleOff, {500});
-  mark(GEffect::MacroCall, {650});
-  mark(GEffect::CycleOff, {800});
-  // Radius compensation off, high-speed modes, spindle speed; G43.4 guides the tool's tip.
-  mark(GEffect::None, {400, 434, 50, 51, 1870, 1030, 690, 960, 970, 980, 990, 501, 670});
-  mark(GEffect::Mode, {410, 420, 435});
-  // Motions Rivulet does not make.
-  mark(GEffect::MotionMode, {60, 61, 62, 310, 320, 330, 331, 340, 350, 380, 382, 383, 384, 385});
-  mark(GEffect::Cycle, {120, 130, 720, 730, 740, 750, 760, 770, 810, 820, 830, 840, 841, 842, 850,
-                        860, 870, 880, 890});
-  mark(GEffect::TakesBlock,
-       {922, 923, 100, 110, 250, 260, 270, 280, 281, 290, 300, 301, 510, 511, 660, 680, 682});
-}
 
 void markSinumerik(const GMarks& mark) {
   mark(GEffect::Units, {7000, 7100});
@@ -84,34 +33,6 @@ void markSinumerik(const GMarks& mark) {
   mark(GEffect::Unknown, {51, 80});
   mark(GEffect::TakesBlock, {500});
 }
-
-GTable makeTable(Dialect dialect) {
-  GTable table{};
-  const GMarks mark(table);
-  markCommon(mark);
-  switch (dialect) {
-    case Dialect::Sinumerik:
-      markSinumerik(mark);
-      break;
-    case Dialect::LinuxCnc:
-      mark(GEffect::Spline, {50, 51, 52, 53, 62});
-      mark(GEffect::SuspendPosition, {922});
-      mark(GEffect::RestorePosition, {923});
-      mark(GEffect::SetWorkOffset, {100});
-      mark(GEffect::Cycle, {740});
-      mark(GEffect::None, {610});
-      break;
-    case Dialect::Heidenhain:
-      mark(GEffect::Pole, {1100, 1110});
-      break;
-    case Dialect::Grbl:
-    case Dialect::Iso:
-      break;
-  }
-  return table;
-}
-
-using NameTable = std::unordered_map<std::string_view, NameEffect>;
 
 /// Names without effect on the path.
 void addIgnored(NameTable& table) {
@@ -191,16 +112,18 @@ NameTable sharedNames() {
 
 }  // namespace
 
-const GTable& gTable(Dialect dialect) {
-  static const std::array<GTable, kDialects.size()> tables = [] {
-    std::array<GTable, kDialects.size()> made{};
-    for (const Dialect each : kDialects) {
-      made[static_cast<std::size_t>(each)] = makeTable(each);
-    }
-    return made;
-  }();
-  return tables[static_cast<std::size_t>(dialect)];
+DialectWords words() {
+  static constexpr std::array kM{MFunction{17, MEffect::Return}};
+  DialectWords made{{}, kM, sharedNames()};
+  const GMarks mark(made.g);
+  markCommon(mark);
+  markSinumerik(mark);
+  return made;
 }
+
+}  // namespace rivulet::nc::sinumerik
+
+namespace rivulet::nc {
 
 std::optional<int> gOfGroup(int group, int number) {
   struct Group {
@@ -225,46 +148,6 @@ std::optional<int> gOfGroup(int group, int number) {
   }
   const int key = found->keys[static_cast<std::size_t>(number - 1)];
   return key < 0 ? std::nullopt : std::optional(key);
-}
-
-MEffect mEffect(Dialect dialect, int number) {
-  struct Function {
-    int number;
-    MEffect effect;
-  };
-  static constexpr std::array kCommon{
-      Function{2, MEffect::End},      Function{30, MEffect::End},
-      Function{98, MEffect::Call},    Function{99, MEffect::Return},
-      Function{96, MEffect::Refused}, Function{97, MEffect::Refused}};
-  static constexpr std::array kSinumerik{Function{17, MEffect::Return}};
-  static constexpr std::array kPlain{
-      Function{91, MEffect::MachineMove}, Function{92, MEffect::MachineMove},
-      Function{99, MEffect::CycleCall}, Function{140, MEffect::Retract}};
-  static constexpr std::array<std::span<const Function>, kDialects.size()> kOwn{
-      kSinumerik, {}, {}, {}, kPlain};
-  for (const std::span<const Function> functions :
-       {kOwn[static_cast<std::size_t>(dialect)], std::span<const Function>(kCommon)}) {
-    const auto found =
-        std::find_if(functions.begin(), functions.end(),
-                     [number](const Function& each) { return each.number == number; });
-    if (found != functions.end()) {
-      return found->effect;
-    }
-  }
-  return MEffect::None;
-}
-
-NameEffect nameEffect(Dialect dialect, std::string_view name) {
-  static const NameTable shared = sharedNames();
-  static const NameTable plain{{"CT", NameEffect::Motion},  {"AP", NameEffect::Address},
-                               {"RP", NameEffect::Address}, {"A3", NameEffect::Address},
-                               {"B3", NameEffect::Address}, {"C3", NameEffect::Address},
-                               {"BLK", NameEffect::None},   {"TOOL", NameEffect::None}};
-  static const std::array<const NameTable*, kDialects.size()> tables{&shared, &shared, &shared,
-                                                                     &shared, &plain};
-  const NameTable& names = *tables[static_cast<std::size_t>(dialect)];
-  const auto found = names.find(name);
-  return found == names.end() ? NameEffect::Unknown : found->second;
 }
 
 }  // namespace rivulet::nc

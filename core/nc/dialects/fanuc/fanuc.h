@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Fanuc, and controls that follow it: Mitsubishi, Mazak EIA, Mach3. @threadsafety pure.
+#pragma once
+
+#include "nc/dialects/dialect_words.h"
+#include "nc/syntax/language.h"
+
+namespace rivulet::nc::fanuc {
+
+[[nodiscard]] Language language();
+[[nodiscard]] DialectWords words();
+
+}  // namespace rivulet::nc::fanuc

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nc/dialects/fanuc/fanuc.h"
+
+namespace rivulet::nc::fanuc {
+
+Language language() {
+  Language made = rs274Language(Dialect::Fanuc);
+  made.hasTurningCycles = true;
+  made.dwellInMilliseconds = true;
+  return made;
+}
+
+}  // namespace rivulet::nc::fanuc

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nc/dialects/fanuc/fanuc.h"
+
+#include "nc/dialects/sinumerik/sinumerik.h"
+
+namespace rivulet::nc::fanuc {
+
+DialectWords words() {
+  DialectWords made{{}, {}, sinumerik::words().names};
+  markCommon(GMarks(made.g));
+  return made;
+}
+
+}  // namespace rivulet::nc::fanuc

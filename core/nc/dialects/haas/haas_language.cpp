@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nc/dialects/haas/haas.h"
+
+#include "nc/dialects/fanuc/fanuc.h"
+
+namespace rivulet::nc::haas {
+
+Language language() {
+  Language made = fanuc::language();
+  made.dialect = Dialect::Haas;
+  return made;
+}
+
+}  // namespace rivulet::nc::haas

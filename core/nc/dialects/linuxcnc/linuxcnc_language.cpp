@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nc/dialects/linuxcnc/linuxcnc.h"
+
+namespace rivulet::nc::linuxcnc {
+
+Language language() {
+  Language made = rs274Language(Dialect::LinuxCnc);
+  made.hasPolarSigns = true;
+  made.sharesOffset = true;
+  return made;
+}
+
+}  // namespace rivulet::nc::linuxcnc
