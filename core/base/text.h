@@ -43,4 +43,12 @@ namespace rivulet::base {
 }
 [[nodiscard]] std::string toUpper(std::string_view text);
 
+/// A text file's content as UTF-8: UTF-16 of both byte orders, with and without a mark, is
+/// converted, everything else stays as it is.
+[[nodiscard]] std::string asUtf8(std::string content);
+
+/// The code of the invisible character that `text` begins with, "U+00A0" for a no-break blank in
+/// UTF-8 or Latin-1; "" if it begins with another one.
+[[nodiscard]] std::string invisibleCharacter(std::string_view text);
+
 }  // namespace rivulet::base

@@ -29,11 +29,24 @@ constexpr std::array kTexts{
     CodeText{DiagnosticCode::NumberMalformed, "number-malformed",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "\"%1\" is not a number: write digits with a decimal point.")},
+    CodeText{DiagnosticCode::BlankInNumber, "blank-in-number",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "A blank is inside the number \"%1\": this control does not put the "
+                              "parts together. Write the number without blanks.")},
+    CodeText{DiagnosticCode::InvisibleCharacter, "invisible-character",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "An invisible character stands here (%1), as office programs and web "
+                              "pages insert it: replace it by an ordinary blank.")},
     CodeText{
         DiagnosticCode::CommentNotClosed, "comment-not-closed",
         RIVULET_SENTENCE(
             "DiagnosticTexts",
             "A bracket is opened but not closed in this line: the rest of the line is not read.")},
+    CodeText{DiagnosticCode::CommentNested, "comment-nested",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "A bracket is opened within the comment %1: the control ends the "
+                              "comment at the first closing bracket. Write it without inner "
+                              "brackets.")},
     CodeText{DiagnosticCode::UnknownGCode, "unknown-g-code",
              RIVULET_SENTENCE(
                  "DiagnosticTexts",

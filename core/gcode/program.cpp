@@ -56,7 +56,7 @@ std::optional<nc::LoadedText> subprogramIn(const std::filesystem::path& folder,
     std::ostringstream text;
     text << stream.rdbuf();
     if (stream) {
-      return nc::LoadedText{std::move(text).str(), entry->path().filename().string()};
+      return nc::LoadedText{base::asUtf8(std::move(text).str()), entry->path().filename().string()};
     }
   }
   return std::nullopt;
@@ -122,6 +122,7 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
 
 base::Result<Program> interpretProgram(std::string name, std::string text,
                                        const LoadOptions& options, BlockObserver* observer) {
+  text = base::asUtf8(std::move(text));
   Interpretation interpretation = interpret(text, options, name, observer);
   if (interpretation.cancelled) {
     return base::fail(GcodeError::Cancelled, "Loading the program was cancelled.", std::move(name));

@@ -22,6 +22,9 @@ struct Clause {
 constexpr std::array kClauses{
     Clause{FaultCode::UnexpectedCharacter, RIVULET_SENTENCE("FaultTexts", "the character \"%1\" has no meaning here")},
     Clause{FaultCode::NumberMalformed, RIVULET_SENTENCE("FaultTexts", "\"%1\" is not a number")},
+    Clause{FaultCode::BlankInNumber, RIVULET_SENTENCE("FaultTexts", "a blank is inside the number \"%1\"")},
+    Clause{FaultCode::InvisibleCharacter, RIVULET_SENTENCE("FaultTexts", "the invisible character %1 has no meaning here")},
+    Clause{FaultCode::CommentNested, RIVULET_SENTENCE("FaultTexts", "a bracket is opened within the comment %1")},
     Clause{FaultCode::CommentNotClosed, RIVULET_SENTENCE("FaultTexts", "a comment is not closed")},
     Clause{FaultCode::UnknownGCode, RIVULET_SENTENCE("FaultTexts", "%1 is not known to this machine")},
     Clause{FaultCode::UnknownWord, RIVULET_SENTENCE("FaultTexts", "the word %1 is not understood here")},

@@ -28,7 +28,10 @@ enum class FaultCode : std::uint8_t {
   UnexpectedCharacter,          ///< argument: the character
   NumberMissing,                ///< argument: the address letter
   NumberMalformed,              ///< argument: the text
+  BlankInNumber,                ///< argument: the text
+  InvisibleCharacter,           ///< argument: its code, "U+00A0"
   CommentNotClosed,             ///< no argument
+  CommentNested,                ///< argument: the comment
   UnknownGCode,                 ///< argument: the word, e.g. "G87"
   UnknownWord,                  ///< argument: the word
   UnsupportedGCode,             ///< known, changes the path, not supported: argument the word

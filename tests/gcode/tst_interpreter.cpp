@@ -351,7 +351,7 @@ class TestInterpreter : public QObject {
     add("G1 X1\nX2\nX3", "1:4 warning feed-missing");
     add("G1 X1 F0", "1:4 warning feed-missing | 1:7 error feed-not-positive 0");
     add("F-5", "1:1 error feed-not-positive -5");
-    add("G0 X1e6\nX1000001", "1:6 error unknown-word e6 | 2:1 error value-out-of-range X1000001");
+    add("G0 X1e6\nX1000001", "1:5 error number-malformed 1e6 | 2:1 error value-out-of-range X1000001");
     add("X1 F60", "1:1 warning motion-mode-assumed");
     add("G0 X1\nM30\n\n(c)\nX2\nX3", "5:1 warning text-after-program-end");
     add("G0 X1\nM2\n%\n", "");

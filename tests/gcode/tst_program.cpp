@@ -58,6 +58,45 @@ class TestProgram : public QObject {
     QCOMPARE(list.points.front().positionMm, (base::Vec3{0, 0, 10}));
   }
 
+  /// What the text editor, the office program or the transfer made of a text is read, or named.
+  void readsHowTextsAreStored() {
+    using namespace std::string_literals;
+    const auto load = [](const std::string& text, gcode::Dialect dialect) {
+      gcode::LoadOptions options;
+      options.dialect = dialect;
+      const auto program = gcode::interpretProgram("a", text, options);
+      return program ? test::printPoints(program->trajectory) + " / " +
+                           test::printProblems(program->diagnostics)
+                     : "not read"s;
+    };
+    const std::string wide = "\xFF\xFEG\0000\0X\0001\0\r\0\n\0X\0002\0"s;
+    QCOMPARE(load(wide, gcode::Dialect::Grbl), "1 R X1 Y? Z? | 2 R X2 Y? Z? / "s);
+    QCOMPARE(load("G0\xC2\xA0X1", gcode::Dialect::Grbl),
+             "1 R X1 Y? Z? / 1:3 error invisible-character U+00A0"s);
+    QCOMPARE(load("G0 X1\xE2\x80\x8BY2", gcode::Dialect::Sinumerik),
+             "1 R X1 Y2 Z? / 1:6 error invisible-character U+200B"s);
+    QCOMPARE(load("G0 X1 0\nY1", gcode::Dialect::Sinumerik),
+             "2 R X? Y1 Z? / 1:5 error blank-in-number 1 0"s);
+    QCOMPARE(load("G0 X1 (A (B) Y9) Z5", gcode::Dialect::LinuxCnc),
+             "1 R X1 Y? Z5 / 1:7 error comment-nested (A (B) Y9)"s);
+    QCOMPARE(load("G0 X1 (END MILL (5MM)) Z5", gcode::Dialect::LinuxCnc),
+             "1 R X1 Y? Z5 / 1:7 warning comment-nested (END MILL (5MM))"s);
+    // One value in a thousand as "e-05": its word is never accepted in part.
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Grbl;
+    options.accepted = {"E"};
+    const auto program = gcode::interpretProgram("a", "G0 X1 Y1\nG1 X8.775e-05 F100", options);
+    QVERIFY(program.has_value());
+    QVERIFY(!program->isStreamable());
+    QCOMPARE(test::printProblems(program->diagnostics), "2:5 error number-malformed 8.775e-05"s);
+    // A line of a million bytes.
+    std::string longLine = "G0";
+    for (int i = 0; i < 90000; ++i) {
+      longLine += " (a comment)";
+    }
+    QCOMPARE(load(longLine + " X1", gcode::Dialect::Grbl), "1 R X1 Y? Z? / "s);
+  }
+
   void hashTellsVersionsApart() {
     const auto one = gcode::interpretProgram("a", "G0 X1");
     const auto two = gcode::interpretProgram("a", "G0 X2");

@@ -19,8 +19,8 @@ using nc::TokenKind;
 namespace {
 
 /// "1: X10 X@1=10 | 2: …": per line its tokens as kind, text and, for words, the value read.
-std::string tokens(std::string_view text) {
-  nc::Lexer lexer(text, nc::detectDialect(text).dialect);
+std::string tokens(std::string_view text, std::optional<nc::Dialect> dialect = std::nullopt) {
+  nc::Lexer lexer(text, dialect.value_or(nc::detectDialect(text).dialect));
   nc::Block block;
   std::string out;
   while (lexer.next(block)) {
@@ -82,6 +82,9 @@ std::string tokens(std::string_view text) {
         case TokenKind::CommentNotClosed:
           out += "unclosed" + at;
           break;
+        case TokenKind::CommentNested:
+          out += "nested<" + std::string(token.text) + ">" + at;
+          break;
       }
     }
   }
@@ -109,7 +112,7 @@ class TestLexer : public QObject {
     add("doubled carriage returns", "X1\r\r\nX2\r\r\nX3", "1: X1@1 | 2: X2@1 | 3: X3@1");
     add("mixed ends", "X1\rX2\r\nX3\n", "1: X1@1 | 2: X2@1 | 3: X3@1");
     add("comments", "(a) G1 (b X9) X1 ; Y2", "1: G1@5 X1@15");
-    add("nested comment", "(a (b) X9) X1", "1: X1@12");
+    add("nested comment", "(a (b) X9) X1", "1: nested<(a (b) X9)>@1 X1@12");
     add("open comment", "X1 (open\nX2", "1: X1@1 unclosed@4 | 2: X2@1");
     add("tape", "%\n%_N_A_MPF\nX1", "1: tape@1 | 2: tape@1 | 3: X1@1");
     add("skip", "/X1\n/3 X2\nN5 /X3", "1: skip@1 X1@2 | 2: skip@1 X2@4 | 3: N5@1 skip@4 X3@5");
@@ -153,7 +156,11 @@ class TestLexer : public QObject {
     add("decimal comma", "X1,5 Y2", "1: malformed<1,5>@2 Y2@6");
     add("two points", "X1.2.3 Y2", "1: malformed<1.2.3>@2 Y2@8");
     add("point only", "X. Y2", "1: malformed<.>@2 Y2@4");
-    add("no exponent", "X1E5", "1: X1@1 E5@3");
+    add("no exponent", "X1E5 Y2", "1: malformed<1E5>@2 Y2@6");
+    add("printed exponent", "X8.77e-05 Y2\nF1.e+03",
+        "1: malformed<8.77e-05>@2 Y2@11 | 2: malformed<1.e+03>@2");
+    add("unit behind a number", "X10mm F5_2", "1: malformed<10mm>@2 malformed<5_2>@8");
+    add("packed E word", "G76P1E0.5", "1: G76@1 P1@4 E0.5@6");
     add("not a number", "XNAN", "1: name<XNAN>@1");
     add("other bytes", "X1 \xC3\xA4 & Y2", "1: X1@1 unexpected<\xC3\xA4>@4 unexpected<&>@7 Y2@9");
     add("stray bracket", "X1)", "1: X1@1 unexpected<)>@3");
@@ -167,6 +174,61 @@ class TestLexer : public QObject {
     QFETCH(const QByteArray, text);
     QFETCH(const QByteArray, expected);
     QCOMPARE(QByteArray::fromStdString(tokens(text.toStdString())), expected);
+  }
+
+  void readsNumbers_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("iso");  ///< also GRBL
+    QTest::addColumn<QByteArray>("linuxCnc");
+    QTest::addColumn<QByteArray>("sinumerik");
+    const auto add = [](const char* text, const char* iso, const char* linuxCnc,
+                        const char* sinumerik) {
+      QTest::newRow(text) << QByteArray(text) << QByteArray(iso) << QByteArray(linuxCnc)
+                          << QByteArray(sinumerik);
+    };
+    const auto same = [&add](const char* text, const char* expected) {
+      add(text, expected, expected, expected);
+    };
+    // The values of LinuxCNC are those of its own interpreter, `rs274 -g`.
+    const auto spaced = [&add](const char* text, const char* put, const char* refused) {
+      add(text, put, put, refused);
+    };
+    spaced("X1 0 Y2", "1: X10@1 Y2@6", "1: malformed<1 0>@2 Y2@6");
+    spaced("F1 00", "1: F100@1", "1: malformed<1 00>@2");
+    spaced("X - 2 . 5", "1: X-2.5@1", "1: malformed<- 2 . 5>@3");
+    spaced("G0X 1 . 5Y 2", "1: G0@1 X1.5@3 Y2@10", "1: G0@1 malformed<1 . 5>@5 Y2@10");
+    spaced("X1\t.\t5", "1: X1.5@1", "1: malformed<1\t.\t5>@2");
+    spaced("G 9 1 X1", "1: G91@1 X1@7", "1: malformed<9 1>@3 X1@7");
+    spaced("N1 0 X4", "1: N10@1 X4@6", "1: malformed<1 0>@2 X4@6");
+    spaced("X. 5", "1: X0.5@1", "1: malformed<. 5>@2");
+    spaced("X=1 0 Y2", "1: X10@1 Y2@7", "1: malformed<1 0>@3 Y2@7");
+    spaced("X0 . 0001 0001 0001 0001 0001", "1: X0.00010001000100010001@1",
+           "1: malformed<0 . 0001 0001 0001 0001 0001>@2");
+    add("X1 . 2 . 3 Y1", "1: malformed<1 . 2 . 3>@2 Y1@12", "1: malformed<1 . 2 . 3>@2 Y1@12",
+        "1: malformed<1 . 2 . 3>@2 Y1@12");
+    same("X 1 ", "1: X1@1");
+    same("X- 5", "1: X-5@1");
+    same("X+ .5", "1: X0.5@1");
+    same("X007 Y-0.50", "1: X7@1 Y-0.5@6");
+    same("X5. Y+5", "1: X5@1 Y5@5");
+    add("X--5", "1: malformed<--5>@2", "1: X5@1", "1: malformed<--5>@2");
+    add("X+-5 Y1", "1: malformed<+-5>@2 Y1@6", "1: X-5@1 Y1@6", "1: malformed<+-5>@2 Y1@6");
+    add("X1EX3 Y1", "1: malformed<1EX3>@2 Y1@7", "1: malformed<1EX3>@2 Y1@7", "1: X1000@1 Y1@7");
+    add("X-2.5ex-1", "1: malformed<-2.5ex-1>@2", "1: malformed<-2.5ex-1>@2", "1: X-0.25@1");
+  }
+
+  void readsNumbers() {
+    QFETCH(const QByteArray, text);
+    QFETCH(const QByteArray, iso);
+    QFETCH(const QByteArray, linuxCnc);
+    QFETCH(const QByteArray, sinumerik);
+    const auto read = [&text](nc::Dialect dialect) {
+      return QByteArray::fromStdString(tokens(text.toStdString(), dialect));
+    };
+    QCOMPARE(read(nc::Dialect::Fanuc), iso);
+    QCOMPARE(read(nc::Dialect::Grbl), iso);
+    QCOMPARE(read(nc::Dialect::LinuxCnc), linuxCnc);
+    QCOMPARE(read(nc::Dialect::Sinumerik), sinumerik);
   }
 
   /// Cutting a program anywhere must neither read past its end nor lose the lines before.

@@ -95,9 +95,20 @@ void BlockReader::readUnreadable(const Token& token) {
   if (token.kind == TokenKind::NumberMissing) {
     m_to.faults.error(token, FaultCode::NumberMissing, std::string(tokenName(token)));
   } else if (token.kind == TokenKind::NumberMalformed) {
-    m_to.faults.error(token, FaultCode::NumberMalformed);
+    const bool hasBlank = token.text.find_first_of(" \t\v\f") != std::string_view::npos;
+    m_to.faults.error(token, hasBlank && !m_language.ignoresBlanksInNumbers
+                                 ? FaultCode::BlankInNumber
+                                 : FaultCode::NumberMalformed);
   } else if (token.kind == TokenKind::CommentNotClosed) {
     m_to.faults.error(token, FaultCode::CommentNotClosed, {});
+  } else if (token.kind == TokenKind::CommentNested) {
+    // What the control takes for words; a lone bracket moves nothing.
+    const std::string_view behind = token.text.substr(token.text.find(')'));
+    const bool hasWords = behind.find_first_not_of(" \t)") != std::string_view::npos;
+    m_to.faults.report(hasWords ? Severity::Error : Severity::Warning, token.column,
+                       FaultCode::CommentNested, std::string(token.text));
+  } else if (std::string code = base::invisibleCharacter(token.text); !code.empty()) {
+    m_to.faults.error(token, FaultCode::InvisibleCharacter, std::move(code));
   } else if (static_cast<unsigned char>(token.text.front()) < 0x20) {
     // Left over from a transfer: no control reads it as a word.
     m_to.faults.report(Severity::Warning, token.column, FaultCode::UnexpectedCharacter,

@@ -17,6 +17,7 @@ Language rs274Language(Dialect dialect) {
           .blockParser = hashParser,
           .steering = kSteering,
           .otherStatements = {},
+          .ignoresBlanksInNumbers = true,
           .spiralShare = 1e-3};
 }
 

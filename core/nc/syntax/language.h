@@ -44,7 +44,10 @@ struct Language {
   bool hasIndexedWords = false;        ///< M[1]=3, G[6]=2, AX[1]=5
   bool hasOWords = true;               ///< O100 begins a program, O100 IF is a statement
   bool comparesNumbersAsText = false;  ///< N010 and N10 are two labels
-  bool hasPolarSigns = false;          ///< @ and ^: radius and angle about the origin
+  /// Blanks mean nothing, within a number too: X1 0 is X10. Else such a number is refused.
+  bool ignoresBlanksInNumbers = false;
+  bool hasRepeatedSigns = false;  ///< X--5 is X5
+  bool hasPolarSigns = false;     ///< @ and ^: radius and angle about the origin
 
   // What words mean.
   bool lettersMayBeVariables = false;  ///< DEF INT I: then I=5 is no centre

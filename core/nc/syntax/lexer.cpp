@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <utility>
@@ -53,6 +54,9 @@ bool isOneOf(char c, std::string_view set) {
 /// What may not stand directly after a number: the word would mean something else than what was
 /// read, "X1,5" and "X10-R1" above all.
 constexpr std::string_view kSpoilsNumber = ".,+-*/^#[";
+
+/// Addresses whose number may be one that a computer printed: "1e-05" is one word, not two.
+constexpr std::string_view kMeasures = "ABCFIJKQRSUVWXYZ";
 
 /// Names that start a statement of the control's language; the rest of the line belongs to it.
 constexpr std::array<std::string_view, 42> kStatements{
@@ -238,10 +242,13 @@ class LineReader {
 
   NumberStatus readNumber(double& value) {
     bool negative = false;
-    if (m_at != m_end && (*m_at == '-' || *m_at == '+')) {
-      negative = *m_at == '-';
+    while (m_at != m_end && (*m_at == '-' || *m_at == '+')) {
+      negative ^= *m_at == '-';
       ++m_at;
       skipBlanks();
+      if (!m_language.hasRepeatedSigns) {
+        break;
+      }
     }
     const char* const from = m_at;
     m_hasPoint = false;
@@ -262,8 +269,12 @@ class LineReader {
       digits += decimals;
       m_hasPoint = true;
     }
+    if (m_at != from && m_at != m_end && classOf(*m_at) == kBlank && goesOnBehindBlanks()) {
+      return readSpacedNumber(from, negative, value);
+    }
     if (digits == 0) {
-      return m_at == from ? NumberStatus::Missing : NumberStatus::Malformed;
+      const bool isSign = m_at != m_end && (*m_at == '-' || *m_at == '+');
+      return m_at == from && !isSign ? NumberStatus::Missing : NumberStatus::Malformed;
     }
     if (digits <= 15) {
       // Both operands are exact doubles, so the quotient is the correctly rounded number.
@@ -283,6 +294,78 @@ class LineReader {
     }
     return m_at != m_end && isOneOf(*m_at, kSpoilsNumber) ? NumberStatus::Malformed
                                                           : NumberStatus::Read;
+  }
+
+  /// True if digits or a decimal point follow the blanks here: "1 0", "1 . 5".
+  [[nodiscard]] bool goesOnBehindBlanks() const {
+    const char* at = m_at;
+    while (at != m_end && classOf(*at) == kBlank) {
+      ++at;
+    }
+    return at != m_end && (classOf(*at) == kDigit || *at == '.');
+  }
+
+  /// A number with blanks in it, in one piece.
+  NumberStatus readSpacedNumber(const char* from, bool negative, double& value) {
+    std::string digits;
+    const char* end = from;
+    for (m_at = from; m_at != m_end; ++m_at) {
+      if (classOf(*m_at) == kDigit || *m_at == '.') {
+        digits += *m_at;
+        end = m_at + 1;
+      } else if (classOf(*m_at) != kBlank) {
+        break;
+      }
+    }
+    m_at = end;
+    m_isSpaced = true;
+    m_hasPoint = digits.find('.') != std::string::npos;
+    const char* const last = digits.data() + digits.size();
+    const auto [parsed, status] =
+        fast_float::from_chars(digits.data(), last, value, fast_float::chars_format::fixed);
+    if (!m_language.ignoresBlanksInNumbers || status != std::errc{} || parsed != last) {
+      return NumberStatus::Malformed;
+    }
+    value = negative ? -value : value;
+    return m_at != m_end && isOneOf(*m_at, kSpoilsNumber) ? NumberStatus::Malformed
+                                                          : NumberStatus::Read;
+  }
+
+  /// What stands directly behind the number of a coordinate and belongs to it: an exponent, or a
+  /// unit, X1e-05 and X10mm. Taken for words of their own, they would leave a wrong number.
+  /// @param from  of the number  @return Malformed if it cannot be read
+  NumberStatus readExponent(const char* from, double& value) {
+    const char letter = toUpper(*m_at);
+    const char* at = m_at + 1;
+    const auto isLetter = [this](const char* each) {
+      return each != m_end && classOf(*each) == kLetter;
+    };
+    const bool isEx =
+        m_language.notation.hasNames && letter == 'E' && isLetter(at) && toUpper(*at) == 'X';
+    at += isEx ? 1 : 0;
+    const char* const sign = at;
+    at += at != m_end && (*at == '-' || *at == '+') ? 1 : 0;
+    const bool isExponent = letter == 'E' && at != m_end && classOf(*at) == kDigit;
+    if (!isExponent && (m_language.notation.hasNames || (letter != '_' && !isLetter(m_at + 1)))) {
+      return NumberStatus::Read;
+    }
+    while (at != m_end && (classOf(*at) == kDigit || isLetter(at))) {
+      ++at;
+    }
+    if (!isEx || !isExponent) {
+      m_at = at;
+      return NumberStatus::Malformed;
+    }
+    std::string number(from, m_at);
+    std::erase_if(number, [](char c) { return c == '+' || classOf(c) == kBlank; });
+    number += 'e';
+    number.append(sign, at);
+    const char* const last = number.data() + number.size();
+    const auto [parsed, status] = fast_float::from_chars(number.data(), last, value);
+    m_at = at;
+    return status == std::errc{} && parsed == last && std::isfinite(value)
+               ? NumberStatus::Read
+               : NumberStatus::Malformed;
   }
 
   void addMalformed(const char* from, char address) {
@@ -327,7 +410,12 @@ class LineReader {
   void readValueOf(const char* from, char address) {
     const char* const numberFrom = m_at;
     double value = 0.0;
-    switch (readNumber(value)) {
+    NumberStatus status = readNumber(value);
+    if (status == NumberStatus::Read && m_at != m_end && classOf(*m_at) == kLetter &&
+        isOneOf(address, kMeasures)) {
+      status = readExponent(numberFrom, value);
+    }
+    switch (status) {
       case NumberStatus::Read:
         add(TokenKind::Word, from, m_at, address, value);
         break;
@@ -380,16 +468,21 @@ class LineReader {
     skipBlanks();
     const char* const valueFrom = m_at;
     double value = 0.0;
+    m_isSpaced = false;
     const NumberStatus status = readNumber(value);
     if (status == NumberStatus::Read && isAtWord()) {
       add(kind, from, m_at, address, value);
       return;
     }
-    const bool isMalformed = status != NumberStatus::Read && m_at != m_end && isOneOf(*m_at, ",.");
-    m_at = valueFrom;
+    const bool isMalformed =
+        status != NumberStatus::Read && (m_isSpaced || (m_at != m_end && isOneOf(*m_at, ",.")));
     if (isMalformed) {
+      m_at = m_isSpaced ? m_at : valueFrom;
       addMalformed(valueFrom, address);
-    } else if (m_at == m_end || *m_at == ';') {
+      return;
+    }
+    m_at = valueFrom;
+    if (m_at == m_end || *m_at == ';') {
       add(TokenKind::NumberMissing, from, m_at, address);
     } else {
       addCalculation(kind, from, address);
@@ -524,13 +617,16 @@ class LineReader {
   bool readComment() {
     const char* const from = m_at;
     int depth = 0;
+    int deepest = 0;
     for (; m_at != m_end; ++m_at) {
       if (*m_at == '(') {
-        ++depth;
+        deepest = std::max(deepest, ++depth);
       } else if (*m_at == ')' && --depth == 0) {
         ++m_at;
         if (!m_language.hasBracketComments) {
           add(TokenKind::Comment, from, m_at);
+        } else if (deepest > 1) {
+          add(TokenKind::CommentNested, from, m_at);
         }
         return true;
       }
@@ -545,6 +641,7 @@ class LineReader {
   Place m_place;
   const Language& m_language;
   bool m_hasPoint = false;  ///< of the number read last
+  bool m_isSpaced = false;  ///< the same: with blanks in it
   Words& m_words;
   std::vector<Token>& m_tokens;
 };

@@ -41,6 +41,7 @@ enum class TokenKind : unsigned char {
   NumberMissing,     ///< a letter without its number
   NumberMalformed,   ///< `text` is what stands in the number's place
   CommentNotClosed,  ///< "(" without ")" on the line; the line was read up to it
+  CommentNested,     ///< "(" within a comment, where the first ")" ends it at the control
 };
 
 struct Token {

@@ -7,6 +7,7 @@ namespace rivulet::nc::linuxcnc {
 
 Language language() {
   Language made = rs274Language(Dialect::LinuxCnc);
+  made.hasRepeatedSigns = true;
   made.hasPolarSigns = true;
   made.sharesOffset = true;
   return made;
