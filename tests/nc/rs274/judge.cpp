@@ -43,7 +43,7 @@ class Judge {
       const std::string program = drawProgram(m_options.seed, number);
       const Comparison comparison = compared(rs274.read(program), readAsRivulet(program));
       if (count(comparison)) {
-        Difference small = made(rs274, program, comparison.kind);
+        Difference small = made(rs274, program, comparison);
         small.number = number;
         const std::lock_guard lock(m_mutex);
         m_judgement.examples.push_back(std::move(small));
@@ -62,8 +62,8 @@ class Judge {
         ++m_judgement.bothRefuse[comparison.kind];
         return false;
       case Agreement::NotSupported:
-        ++m_judgement.notSupported[comparison.kind];
-        return false;
+        return ++m_judgement.notSupported[comparison.kind] <=
+               static_cast<std::uint64_t>(m_options.refusedPerWord);
       case Agreement::Different:
         break;
     }
@@ -71,12 +71,12 @@ class Judge {
            static_cast<std::uint64_t>(m_options.shrunkPerKind);
   }
 
-  static Difference made(Rs274& rs274, const std::string& program, const std::string& kind) {
+  static Difference made(Rs274& rs274, const std::string& program, const Comparison& judged) {
     Difference difference;
-    difference.kind = kind;
+    difference.kind = judged.kind;
     difference.program = shrunk(program, [&](const std::string& smaller) {
       const Comparison comparison = compared(rs274.read(smaller), readAsRivulet(smaller));
-      return comparison.agreement == Agreement::Different && comparison.kind == kind;
+      return comparison.agreement == judged.agreement && comparison.kind == judged.kind;
     });
     difference.linuxCnc = rs274.read(difference.program);
     difference.rivulet = readAsRivulet(difference.program);

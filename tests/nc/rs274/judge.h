@@ -22,6 +22,7 @@ struct JudgeOptions {
   std::uint64_t count = 300;
   int threads = 2;
   int shrunkPerKind = 2;         ///< of the programs that differ in one way so many are made small
+  int refusedPerWord = 0;        ///< and of those that Rivulet refuses for a word
   std::filesystem::path folder;  ///< for files, exists
 };
 

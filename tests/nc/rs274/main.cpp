@@ -80,6 +80,8 @@ int main(int argc, char** argv) {
       options.first = number;
     } else if (name == "examples") {
       options.shrunkPerKind = static_cast<int>(number);
+    } else if (name == "refused") {
+      options.refusedPerWord = static_cast<int>(number);
     } else if (name == "show") {
       fmt::print("{}", tests::drawProgram(options.seed, number));
       return EXIT_SUCCESS;
