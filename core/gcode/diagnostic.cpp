@@ -103,10 +103,21 @@ constexpr std::array kTexts{
     CodeText{DiagnosticCode::ValueOutOfRange, "value-out-of-range",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "The value of %1 is outside the range that Rivulet accepts.")},
-    CodeText{DiagnosticCode::TextAfterProgramEnd, "text-after-program-end",
+    CodeText{DiagnosticCode::NeverExecuted, "never-executed",
              RIVULET_SENTENCE("DiagnosticTexts",
-                              "The blocks from here on are after the end of the program (M30, M2, "
-                              "M17 or %): they are not read.")},
+                              "The blocks of %1 are never executed: check the end of the program "
+                              "and the jumps before them, or remove them.")},
+    CodeText{DiagnosticCode::NeverCalled, "never-called",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "No block calls the subprogram %1: check the calls, or remove it.")},
+    CodeText{DiagnosticCode::AnotherMainProgram, "another-main-program",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The file holds another main program, %1: which one is to run is not "
+                              "known. Give each main program a file of its own.")},
+    CodeText{DiagnosticCode::RunsAgain, "runs-again",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "With M99, a main program begins again at the control, without end: "
+                              "it is executed once here. Write M30 if it is to end.")},
     CodeText{DiagnosticCode::MotionModeAssumed, "motion-mode-assumed",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "An axis is programmed before any of G0 to G3: G1 is assumed, as "

@@ -145,7 +145,7 @@ class Interpreter {
       if (m_out.trajectory.points.size() > kTrajectoryPointsMax) {
         m_findings.report(Severity::Error, 1, DiagnosticCode::TooManyPoints,
                           fmt::format("{}", kTrajectoryPointsMax));
-        m_tailReported = true;
+        m_isPartial = true;
         break;
       }
     }
@@ -214,18 +214,12 @@ class Interpreter {
           token.kind == TokenKind::Word && (token.address == 'N' || token.address == 'O');
       counts |= !isNumber && token.kind != TokenKind::Tape && token.kind != TokenKind::BlockSkip &&
                 token.kind != TokenKind::Comment;
-      if (isNumber && token.address == 'O' && m_out.blocks > 0 && !m_flow.isInSubprogram()) {
-        // Another program begins: the one before has ended.
-        m_to.faults.error(token, DiagnosticCode::UnknownWord);
-      }
       m_executor.read(token, words);
     }
     if (counts) {
       ++m_out.blocks;
     }
     if (block.tokens.front().kind == TokenKind::Tape) {
-      // The first "%" starts the tape, one after the blocks ends it.
-      m_ended = m_out.blocks > 0 && !m_flow.leaveSubprogram();
       return;
     }
     m_executor.execute(words);
@@ -278,6 +272,9 @@ class Interpreter {
     if (rare.returns && !m_flow.leaveSubprogram()) {
       m_executor.finishCurve();
       m_ended = true;
+      if (!m_language.namesAreCalls) {
+        m_to.faults.report(Severity::Warning, 1, DiagnosticCode::RunsAgain, {});
+      }
     }
   }
 
@@ -313,14 +310,18 @@ class Interpreter {
     if (const std::optional<base::LineNumber> line = m_flow.endlessLoop()) {
       m_findings.setPlace(*line, m_flow.fileName(0));
       m_findings.report(Severity::Error, 1, DiagnosticCode::EndlessLoop,
-                        fmt::format("{}", m_options.repeatedLinesMax));
+                        fmt::format("{}", m_flow.repeatedLines()));
       m_facts.incomplete();
+      m_isPartial = true;
     }
     Statistics& statistics = m_out.statistics;
-    if (m_ended && !m_tailReported && !m_out.cancelled) {
-      reportTail();
+    if (!m_isPartial && !m_out.cancelled) {
+      reportUnreached();
     }
     statistics.lines = m_out.cancelled ? 0 : m_flow.fileLines();
+    if (m_out.blocks == 0 && m_flow.holdsPrograms()) {
+      m_out.blocks = 1;  // headings alone
+    }
     m_out.facts = m_facts.take();
     if (m_out.facts.centreReading != CentreReading::AsProgrammed &&
         m_options.centres == CentreReading::AsProgrammed) {
@@ -337,18 +338,28 @@ class Interpreter {
     statistics.points = m_out.trajectory.points.size();
   }
 
-  /// What follows the end of a program is not read; subprograms after it are.
-  void reportTail() {
-    while (m_flow.nextBehindEnd()) {
-      const std::vector<Token>& tokens = m_flow.words().tokens;
-      if (tokens.empty() || tokens.front().kind == TokenKind::Tape ||
-          tokens.front().kind == TokenKind::Comment) {
-        continue;
+  /// What the file holds and nobody executes may be what its author meant to be executed.
+  void reportUnreached() {
+    constexpr std::size_t kReportedMax = 100;
+    std::vector<nc::Unreached> all = m_flow.unreached();
+    all.resize(std::min(all.size(), kReportedMax));
+    for (const nc::Unreached& each : all) {
+      using What = nc::Unreached::What;
+      std::string lines = each.first == each.last
+                              ? fmt::format("line {}", each.first.value)
+                              : fmt::format("lines {} to {}", each.first.value, each.last.value);
+      if (each.what != What::Blocks && !each.program.empty()) {
+        lines = fmt::format("{} ({})", each.program, lines);
       }
-      m_findings.setPlace(m_flow.line(), m_flow.fileName(0));
-      m_findings.report(Severity::Warning, tokens.front().column,
-                        DiagnosticCode::TextAfterProgramEnd, {});
-      return;
+      m_findings.setPlace(each.first, m_flow.fileName(0));
+      m_findings.report(each.what == What::MainProgram ? Severity::Error
+                        : each.dependsOnValues         ? Severity::Note
+                                                       : Severity::Warning,
+                        1,
+                        each.what == What::MainProgram  ? DiagnosticCode::AnotherMainProgram
+                        : each.what == What::Subprogram ? DiagnosticCode::NeverCalled
+                                                        : DiagnosticCode::NeverExecuted,
+                        std::move(lines));
     }
   }
 
@@ -369,7 +380,7 @@ class Interpreter {
   nc::Sinks m_to;
   nc::Executor m_executor;
   bool m_ended = false;
-  bool m_tailReported = false;
+  bool m_isPartial = false;  ///< given up before the end
 };
 
 }  // namespace

@@ -21,6 +21,7 @@ nc::Expected<nc::Value> ProgramVariables::system(std::string_view name,
   const std::string axis = indices.size() == 1 ? nc::textOf(indices[0]) : std::string();
   if (axis.size() == 1 && (name == "$AA_IW" || name == "$P_EP" || name == "$AA_IM")) {
     if (const std::optional<double> known = m_positionOf(axis[0], name == "$AA_IM")) {
+      noteChange();
       return *known;
     }
   }
@@ -33,17 +34,19 @@ nc::Expected<nc::Value> ProgramVariables::variable(std::string_view name,
   nc::Expected<nc::Value> value = Variables::variable(name, indices);
   if (!value && name.size() == 4 && name.substr(0, 2) == "<_") {
     if (const std::optional<double> known = m_positionOf(name[2], false)) {
+      noteChange();
       return *known;
     }
   }
   return value;
 }
 
-nc::Expected<double> ProgramVariables::numbered(int number) const {
+nc::Expected<nc::Value> ProgramVariables::numbered(int number) const {
   constexpr int kFirst = 5420;
   if (number >= kFirst && number < kFirst + static_cast<int>(base::kAxisCount)) {
     const char axis = base::kAxisNames[static_cast<std::size_t>(number - kFirst)];
     if (const std::optional<double> known = m_positionOf(axis, false)) {
+      noteChange();
       return *known;
     }
   }

@@ -26,7 +26,7 @@ class ProgramVariables final : public nc::Variables {
   [[nodiscard]] nc::Expected<nc::Value> variable(std::string_view name,
                                                  std::span<const int> indices) const override;
   /// #5420 and on: the position.
-  [[nodiscard]] nc::Expected<double> numbered(int number) const override;
+  [[nodiscard]] nc::Expected<nc::Value> numbered(int number) const override;
 
  private:
   PositionOf m_positionOf;

@@ -47,7 +47,10 @@ enum class FaultCode : std::uint8_t {
   FeedMissing,                  ///< G1/G2/G3 before any F
   FeedNotPositive,              ///< argument: the value
   ValueOutOfRange,              ///< argument: the word
-  TextAfterProgramEnd,          ///< blocks after M30/M02/M17 are not read
+  NeverExecuted,                ///< argument: the lines of the blocks
+  NeverCalled,                  ///< argument: the subprogram and its lines
+  AnotherMainProgram,           ///< argument: its name and lines
+  RunsAgain,                    ///< M99 of a main program: no argument
   MotionModeAssumed,            ///< an axis before any G0..G3: G1, as SINUMERIK after reset
   CentreOutsidePlane,           ///< I, J or K across the plane of the arc: argument the word
   TooManyPoints,                ///< argument: the limit; the program was not read further
@@ -135,6 +138,9 @@ enum class FaultCode : std::uint8_t {
   TooManyValues,
   OnlyOnControl,  ///< argument: the variable
   ControlWritten,
+  NumberNotWritable,       ///< argument: "#2001"
+  AlarmRaised,             ///< by the program: argument its number and text; it ends there
+  ProgramTwice,            ///< argument: the name of two programs of the file
   TooManyArguments,        ///< argument: how many the subprogram takes
   ReferenceNeedsVariable,  ///< argument: the parameter
   ReferenceTypeDiffers,    ///< argument: the parameter
@@ -168,7 +174,8 @@ using Expected = tl::expected<T, Fault>;
 
 /// True if the fault is about which block comes next, not about a value.
 [[nodiscard]] constexpr bool isAboutOrder(FaultCode code) {
-  return code == FaultCode::SubprogramMissing ||
+  return code == FaultCode::SubprogramMissing || code == FaultCode::ProgramTwice ||
+         code == FaultCode::AlarmRaised ||
          (code >= FaultCode::NoTarget && code <= FaultCode::CallsTooDeep);
 }
 

@@ -353,12 +353,12 @@ class TestInterpreter : public QObject {
     add("F-5", "1:1 error feed-not-positive -5");
     add("G0 X1e6\nX1000001", "1:5 error number-malformed 1e6 | 2:1 error value-out-of-range X1000001");
     add("X1 F60", "1:1 warning motion-mode-assumed");
-    add("G0 X1\nM30\n\n(c)\nX2\nX3", "5:1 warning text-after-program-end");
+    add("G0 X1\nM30\n\n(c)\nX2\nX3", "5:1 warning never-executed lines 5 to 6");
     add("G0 X1\nM2\n%\n", "");
-    add("G0 X1\n%\nX2", "3:1 warning text-after-program-end");
+    add("G0 X1\n%\nX2", "3:1 warning never-executed line 3");
     add("M17\nG0 X1", "1:1 note ignored-code M17");
-    add("STOPRE\nM17\nG0 X1", "1:1 note ignored-code STOPRE | 3:1 warning text-after-program-end");
-    add("G0 X1\nO5", "2:1 error unknown-word O5");
+    add("STOPRE\nM17\nG0 X1", "1:1 note ignored-code STOPRE | 3:1 warning never-executed line 3");
+    add("G0 X1\nO5", "");
     add("G81 X1 Y2 Z-3 R1 F60\nX5\nG80\nG0 X6",
         "1:1 error cycle-not-run G81 | "
         "3:1 note ignored-code G80");

@@ -39,6 +39,28 @@ double notNegative(double value, double period) {
   return value < 0.0 ? value + period : value;
 }
 
+/// 16 of decimal digits of four bits each is 10, and back. NaN: not such a number.
+double fromBcd(double value) {
+  double result = 0.0;
+  double place = 1.0;
+  for (std::int64_t bits = asBits(std::round(value)); bits > 0; bits /= 16, place *= 10.0) {
+    if (bits % 16 > 9) {
+      return kNone;
+    }
+    result += place * static_cast<double>(bits % 16);
+  }
+  return value < 0.0 ? kNone : result;
+}
+
+double toBcd(double value) {
+  double result = 0.0;
+  double place = 1.0;
+  for (std::int64_t digits = asBits(std::round(value)); digits > 0; digits /= 10, place *= 16.0) {
+    result += place * static_cast<double>(digits % 10);
+  }
+  return value < 0.0 ? kNone : result;
+}
+
 double atan2Deg(double y, double x) {
   return std::atan2(y, x) / kRadPerDegree;
 }
@@ -71,16 +93,22 @@ constexpr std::array kComputations{
     Computation{Op::Cos, [](double a, double, double) { return std::cos(a * kRadPerDegree); }},
     Computation{Op::Tan, [](double a, double, double) { return std::tan(a * kRadPerDegree); }},
     Computation{Op::Asin, [](double a, double, double) { return std::asin(a) / kRadPerDegree; }},
+    Computation{Op::AsinPositive, [](double a, double, double) { return notNegative(std::asin(a) / kRadPerDegree, 360.0); }},
     Computation{Op::Acos, [](double a, double, double) { return std::acos(a) / kRadPerDegree; }},
     Computation{Op::Atan2, [](double a, double b, double) { return atan2Deg(a, b); }},
     Computation{Op::AtanPositive, [](double a, double b, double) { return notNegative(atan2Deg(a, b), 360.0); }},
+    Computation{Op::Atan, [](double a, double, double) { return std::atan(a) / kRadPerDegree; }},
     Computation{Op::Sqrt, [](double a, double, double) { return std::sqrt(a); }},
     Computation{Op::Square, [](double a, double, double) { return a * a; }},
     Computation{Op::Abs, [](double a, double, double) { return std::abs(a); }},
     Computation{Op::Truncate, [](double a, double, double) { return std::trunc(a); }},
     Computation{Op::Round, [](double a, double, double) { return std::round(a); }},
+    Computation{Op::RoundToIncrement, [](double a, double increment, double) { return std::round(a / increment) * increment; }},
+    Computation{Op::AwayFromZero, [](double a, double, double) { return a < 0.0 ? std::floor(a) : std::ceil(a); }},
     Computation{Op::RoundUp, [](double a, double, double) { return std::ceil(a); }},
     Computation{Op::RoundDown, [](double a, double, double) { return std::floor(a); }},
+    Computation{Op::FromBcd, [](double a, double, double) { return fromBcd(a); }},
+    Computation{Op::ToBcd, [](double a, double, double) { return toBcd(a); }},
     Computation{Op::Ln, [](double a, double, double) { return a > 0.0 ? std::log(a) : kNone; }},
     Computation{Op::Exp, [](double a, double, double) { return std::exp(a); }},
     Computation{Op::MinVal, [](double a, double b, double) { return std::min(a, b); }},
@@ -168,23 +196,35 @@ Expected<Value> leaf(const Expression& node, const ValueSource& source,
                                : fail(FaultCode::NoSuchR, base::formatNumber(*number));
   }
   const int index = static_cast<int>(rounded);
-  const Expected<double> value = node.op == Op::Hash ? source.numbered(index)
-                                 : node.op == Op::R  ? source.r(index)
-                                                     : source.mainR(index);
+  if (node.op == Op::Hash) {
+    return source.numbered(index);
+  }
+  const Expected<double> value = node.op == Op::R ? source.r(index) : source.mainR(index);
   return value ? Expected<Value>(*value) : fail(value.error());
+}
+
+double numberOf(const Value& value) {
+  const auto* const number = std::get_if<double>(&value);
+  return number != nullptr ? *number : 0.0;
 }
 
 Expected<Value> compared(const Expression& node, const Value& a, const Value& b,
                          const Semantics& semantics) {
-  if (a.index() != b.index()) {
+  const bool isText = std::holds_alternative<std::string>(a);
+  if (isText != std::holds_alternative<std::string>(b)) {
     return fail(FaultCode::TextCalculated, {}, node.place);
+  }
+  const bool isVacant = std::holds_alternative<Vacant>(a);
+  if (node.op <= Op::Unequal && (isVacant || std::holds_alternative<Vacant>(b))) {
+    // One that is vacant is not 0 here, and is nothing but vacant.
+    return truth((a.index() == b.index()) == (node.op == Op::Equal));
   }
   if (const auto* text = std::get_if<std::string>(&a)) {
     const int order = text->compare(std::get<std::string>(b));
     return compares(node.op, order, order == 0, true) ? 1.0 : 0.0;
   }
-  const double x = std::get<double>(a);
-  const double y = std::get<double>(b);
+  const double x = numberOf(a);
+  const double y = numberOf(b);
   return compares(node.op, x < y ? -1.0 : (x > y ? 1.0 : 0.0), areEqual(x, y, semantics),
                   semantics.strictExcludesEqual)
              ? 1.0
@@ -212,9 +252,21 @@ const Semantics& sinumerikSemantics() {
   return semantics;
 }
 
+/// LinuxCNC, G-code overview, "Numbered Parameters": 1 to 30 belong to a subroutine, 31 to 5000 to
+/// the user, those up to 5602 to the control. The interpreter compares with 1e-4.
 const Semantics& hashSemantics() {
-  static constexpr Semantics semantics{0.0, 1e-4, false};
+  static constexpr std::array kNumbers{NumberRange{1, 30, NumberKind::Local},
+                                       NumberRange{31, 5000, NumberKind::Common},
+                                       NumberRange{5001, 5602, NumberKind::Control}};
+  static constexpr Semantics semantics{0.0, 1e-4, false, false, kNumbers};
   return semantics;
+}
+
+NumberKind Semantics::kindOf(int number) const {
+  const auto range = std::find_if(
+      numbers.begin(), numbers.end(),
+      [number](const NumberRange& each) { return number >= each.first && number <= each.last; });
+  return range == numbers.end() ? NumberKind::Nothing : range->kind;
 }
 
 bool areEqual(double a, double b, const Semantics& semantics) {
@@ -228,7 +280,7 @@ Expected<Value> ValueSource::variable(std::string_view name,
   return fail(FaultCode::NotDefined, std::string(name));
 }
 
-Expected<double> ValueSource::numbered(int number) const {
+Expected<Value> ValueSource::numbered(int number) const {
   return fail(FaultCode::OnlyOnControl, fmt::format("#{}", number));
 }
 
@@ -274,6 +326,9 @@ Expected<Value> evaluate(const Expression& node, const ValueSource& source,
     }
     operands[i] = *operand;
   }
+  if (node.op == Op::RoundToIncrement) {
+    operands[1] = source.leastIncrement();
+  }
   const bool divides = node.op >= Op::Divide && node.op <= Op::FloorModulo;
   if (divides && operands[1] == 0.0) {
     return fail(FaultCode::DivisionByZero, {}, node.place);
@@ -297,9 +352,9 @@ Expected<double> evaluateNumber(const Expression& expression, const ValueSource&
   if (!value) {
     return fail(value.error());
   }
-  const auto* number = std::get_if<double>(&*value);
-  return number != nullptr ? Expected<double>(*number)
-                           : fail(FaultCode::TextCalculated, {}, expression.place);
+  return std::holds_alternative<std::string>(*value)
+             ? fail(FaultCode::TextCalculated, {}, expression.place)
+             : Expected<double>(numberOf(*value));
 }
 
 Expected<int> evaluateIndex(const Expression& expression, const ValueSource& source,
@@ -332,8 +387,8 @@ Expected<std::vector<Value>> systemIndices(const Expression& system, const Value
 }
 
 std::string textOf(const Value& value) {
-  const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? base::formatNumber(*number) : std::get<std::string>(value);
+  const auto* const text = std::get_if<std::string>(&value);
+  return text != nullptr ? *text : base::formatNumber(numberOf(value));
 }
 
 bool isConstant(const Expression& expression) {
@@ -357,10 +412,10 @@ Expected<Expression> freeze(const Expression& expression, const ValueSource& sou
     }
     Expression frozen = expression;
     frozen.operands.clear();
-    const auto* number = std::get_if<double>(&*value);
-    frozen.op = number != nullptr ? Op::Number : Op::Text;
-    frozen.number = number != nullptr ? *number : 0.0;
-    frozen.name = number != nullptr ? std::string() : std::get<std::string>(*value);
+    const auto* const text = std::get_if<std::string>(&*value);
+    frozen.op = text == nullptr ? Op::Number : Op::Text;
+    frozen.number = numberOf(*value);
+    frozen.name = text == nullptr ? std::string() : *text;
     return frozen;
   }
   if (expression.op == Op::R || expression.op == Op::Variable) {

@@ -7,6 +7,7 @@
 /// machine. @threadsafety pure.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,14 +19,40 @@
 
 namespace rivulet::nc {
 
-/// A number (truth: 1 and 0) or a text (STRING, CHAR in quotes, the name of an axis).
-using Value = std::variant<double, std::string>;
+/// Of a # variable that nobody has assigned, and of #0: an address with it is left out. It equals
+/// itself alone; in all other operations it is 0.
+struct Vacant {
+  friend bool operator==(Vacant, Vacant) = default;
+};
 
-/// How the control compares.
+/// A number (truth: 1 and 0) or a text (STRING, CHAR in quotes, the name of an axis).
+using Value = std::variant<double, std::string, Vacant>;
+
+/// What a # variable is, by its number.
+enum class NumberKind : std::uint8_t {
+  Nothing,  ///< there is none of this number
+  Vacant,   ///< #0: always, and not to be written
+  Local,    ///< each level of calls has its own; vacant at its beginning, or 0
+  Common,   ///< of all programs; vacant before it is assigned, or 0
+  Kept,     ///< the same, and kept when the control is switched off: unknown before it is assigned
+  Control,  ///< belongs to the control: positions, offsets, outputs
+  Alarm,    ///< stops the program with the text behind it when it is written
+};
+struct NumberRange {
+  int first;
+  int last;
+  NumberKind kind;
+};
+
+/// How the control calculates.
 struct Semantics {
   double equalRelative = 0.0;  ///< of the larger value
   double equalAbsolute = 0.0;
-  bool strictExcludesEqual = false;  ///< < and > do not hold for what counts as equal
+  bool strictExcludesEqual = false;        ///< < and > do not hold for what counts as equal
+  bool knowsVacant = false;                ///< else a variable without a value is 0
+  std::span<const NumberRange> numbers{};  ///< ascending
+
+  [[nodiscard]] NumberKind kindOf(int number) const;
 };
 /// Relative 1e-12 for all six comparisons.
 [[nodiscard]] const Semantics& sinumerikSemantics();
@@ -45,8 +72,10 @@ class ValueSource {
   /// @param name  upper case; "<NAME>" for #<name>
   [[nodiscard]] virtual Expected<Value> variable(std::string_view name,
                                                  std::span<const int> indices) const;
-  /// #5.
-  [[nodiscard]] virtual Expected<double> numbered(int number) const;
+  /// #5: a number, or vacant.
+  [[nodiscard]] virtual Expected<Value> numbered(int number) const;
+  /// Of an address with a length or an angle, in its unit.
+  [[nodiscard]] virtual double leastIncrement() const { return 1e-3; }
   /// @param name  "$AA_IW"  @param indices  numbers, or names of axes as texts
   [[nodiscard]] virtual Expected<Value> system(std::string_view name,
                                                std::span<const Value> indices) const;
@@ -55,7 +84,7 @@ class ValueSource {
 
 [[nodiscard]] Expected<Value> evaluate(const Expression& expression, const ValueSource& source,
                                        const Semantics& semantics);
-/// @return fault TextCalculated for a text
+/// What is vacant is 0. @return fault TextCalculated for a text
 [[nodiscard]] Expected<double> evaluateNumber(const Expression& expression,
                                               const ValueSource& source,
                                               const Semantics& semantics);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "base/contract.h"
@@ -18,9 +19,6 @@ namespace rivulet::nc {
 namespace {
 
 constexpr int kElementsMax = 100'000;
-constexpr int kLocalNumberMax = 33;
-/// From here on # variables are the control's own; those below are 0 until they are assigned.
-constexpr int kFirstOfControl = 5000;
 constexpr double kIntMax = 2147483647.0;
 
 bool holdsText(Type type) {
@@ -51,13 +49,23 @@ Expected<Value> Variables::variable(std::string_view name, std::span<const int> 
   return element ? Expected<Value>(found->variable->values[*element]) : fail(element.error());
 }
 
-Expected<double> Variables::numbered(int number) const {
-  const auto& numbers = number <= kLocalNumberMax ? m_scopes.back().numbers : m_globals.numbers;
+Expected<Value> Variables::numbered(int number) const {
+  const NumberKind kind = m_semantics.kindOf(number);
+  const auto& numbers = kind == NumberKind::Local ? m_scopes.back().numbers : m_globals.numbers;
   const auto found = numbers.find(number);
   if (found != numbers.end()) {
     return found->second;
   }
-  return number < kFirstOfControl ? Expected<double>(0.0) : ValueSource::numbered(number);
+  switch (kind) {
+    case NumberKind::Nothing:
+      return fail(FaultCode::NoSuchHash, fmt::format("#{}", number));
+    case NumberKind::Kept:
+    case NumberKind::Control:
+    case NumberKind::Alarm:
+      return ValueSource::numbered(number);
+    default:
+      return m_semantics.knowsVacant ? Value(Vacant{}) : Value(0.0);
+  }
 }
 
 bool Variables::exists(std::string_view name) const {
@@ -111,6 +119,20 @@ Expected<std::size_t> Variables::elementOf(const Binding& binding, const Express
 
 // --- writing ----------------------------------------------------------------------------------
 
+template <class T>
+void Variables::store(T& slot, T value) {
+  const auto isUnknown = [](const auto& each) {
+    if constexpr (std::is_same_v<T, Value>) {
+      const auto* const number = std::get_if<double>(&each);
+      return number != nullptr && std::isnan(*number);
+    } else {
+      return std::isnan(each);
+    }
+  };
+  m_changes += slot == value || (isUnknown(slot) && isUnknown(value)) ? 0 : 1;
+  slot = std::move(value);
+}
+
 Expected<Value> Variables::converted(Type type, Value value) const {
   const bool isText = std::holds_alternative<std::string>(value);
   if (holdsText(type)) {
@@ -126,7 +148,8 @@ Expected<Value> Variables::converted(Type type, Value value) const {
     return type == Type::Bool ? Expected<Value>(text.empty() ? 0.0 : 1.0)
                               : fail(FaultCode::TypeMismatch, std::string(typeName(type)));
   }
-  const double number = std::get<double>(value);
+  const auto* const known = std::get_if<double>(&value);
+  const double number = known != nullptr ? *known : 0.0;
   if (type == Type::Bool) {
     return number != 0.0 ? 1.0 : 0.0;
   }
@@ -166,7 +189,7 @@ Expected<void> Variables::fill(Variable& variable, std::size_t first, const Init
         continue;
       }
       Expected<Value> value = valueFor(variable.type, *initial.values[i]);
-      variable.values[first + i] = value ? *value : Value(kUnknown);
+      store(variable.values[first + i], value ? *value : Value(kUnknown));
       if (!value) {
         return fail(value.error());
       }
@@ -185,8 +208,9 @@ Expected<void> Variables::fill(Variable& variable, std::size_t first, const Init
     count = std::min(room, static_cast<std::size_t>(std::max(0, *times)));
   }
   const Expected<Value> value = valueFor(variable.type, *initial.values[0]);
-  std::fill_n(variable.values.begin() + static_cast<std::ptrdiff_t>(first), count,
-              value ? *value : Value(kUnknown));
+  for (std::size_t i = first; i < first + count; ++i) {
+    store(variable.values[i], value ? *value : Value(kUnknown));
+  }
   return value ? Expected<void>() : fail(value.error());
 }
 
@@ -239,19 +263,20 @@ Expected<void> Variables::assign(const Expression& target, Value value) {
       return placed(element.error());
     }
     Expected<Value> fitting = converted(found->variable->type, std::move(value));
-    found->variable->values[*element] = fitting ? *fitting : Value(kUnknown);
+    store(found->variable->values[*element], fitting ? *fitting : Value(kUnknown));
     return fitting ? Expected<void>() : placed(fitting.error());
   }
-  const auto* const number = std::get_if<double>(&value);
-  if (number == nullptr) {
+  if (std::holds_alternative<std::string>(value)) {
     return fail(FaultCode::TypeMismatch, std::string(typeName(Type::Real)), target.place);
   }
+  const auto* const known = std::get_if<double>(&value);
+  const double number = known != nullptr ? *known : 0.0;
   if (target.op == Op::System) {
     const Expected<std::vector<Value>> indices = systemIndices(target, *this, m_semantics);
     if (!indices) {
       return fail(indices.error());
     }
-    const Expected<void> done = setSystem(target.name, *indices, *number);
+    const Expected<void> done = setSystem(target.name, *indices, number);
     return done ? done : placed(done.error());
   }
   RIVULET_ASSERT(target.op == Op::R || target.op == Op::MainR || target.op == Op::Hash);
@@ -265,16 +290,44 @@ Expected<void> Variables::assign(const Expression& target, Value value) {
                 fmt::format("{}", *at), target.place);
   }
   const int index = static_cast<int>(rounded);
-  if (target.op == Op::Hash) {
-    (index <= kLocalNumberMax ? scope() : m_globals).numbers[index] = *number;
-    return {};
-  }
-  const Expected<void> done = target.op == Op::R ? setR(index, *number) : setMainR(index, *number);
+  const Expected<void> done = target.op == Op::Hash ? setNumbered(index, value)
+                              : target.op == Op::R  ? setR(index, number)
+                                                    : setMainR(index, number);
   return done ? done : placed(done.error());
 }
 
 Expected<void> Variables::setR(int index, double value) {
-  m_r[index] = value;
+  const auto [r, isNew] = m_r.emplace(index, value);
+  m_changes += isNew ? 1 : 0;
+  store(r->second, value);
+  return {};
+}
+
+Expected<void> Variables::setNumbered(int number, const Value& value) {
+  const NumberKind kind = m_semantics.kindOf(number);
+  switch (kind) {
+    case NumberKind::Local:
+    case NumberKind::Common:
+    case NumberKind::Kept:
+      break;
+    case NumberKind::Nothing:
+      return fail(FaultCode::NoSuchHash, fmt::format("#{}", number));
+    case NumberKind::Alarm:
+      return fail(FaultCode::AlarmRaised, textOf(value));
+    default:
+      return fail(FaultCode::NumberNotWritable, fmt::format("#{}", number));
+  }
+  auto& numbers = (kind == NumberKind::Local ? scope() : m_globals).numbers;
+  const auto* const written = std::get_if<double>(&value);
+  if (written == nullptr) {
+    // Vacant again. One that is kept would not be known any more: as far as this program goes, it
+    // is.
+    m_changes += numbers.erase(number);
+    return {};
+  }
+  const auto [slot, isNew] = numbers.emplace(number, *written);
+  m_changes += isNew ? 1 : 0;
+  store(slot->second, *written);
   return {};
 }
 
@@ -322,7 +375,7 @@ Expected<void> Variables::define(const Definition& definition) {
     const Expected<Value> value = definition.initial && definition.initial->values.front()
                                       ? valueFor(Type::Real, *definition.initial->values.front())
                                       : Expected<Value>(0.0);
-    return value ? setR(*r, std::get<double>(*value)) : fail(value.error());
+    return value ? setR(*r, std::get<double>(*value)) : fail(value.error());  // Real is a number
   }
   auto owned = std::make_shared<Variable>(std::move(*variable));
   scope().names.insert_or_assign(definition.name, Binding{owned, {}, false});

@@ -6,6 +6,7 @@
 /// # variables. Each subprogram has a scope of its own. @threadsafety one object, one thread.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,7 +35,7 @@ struct Binding {
 /// The variables of one program or subprogram.
 struct Scope {
   std::map<std::string, Binding, std::less<>> names;  ///< upper case
-  std::map<int, double> numbers;                      ///< #1 to #33
+  std::map<int, double> numbers;                      ///< # variables of its own; else vacant
 };
 
 /// By itself it knows no variable of the control and no R-parameter that was not assigned: a
@@ -46,7 +47,7 @@ class Variables : public ValueSource {
   [[nodiscard]] Expected<double> r(int index) const override;
   [[nodiscard]] Expected<Value> variable(std::string_view name,
                                          std::span<const int> indices) const override;
-  [[nodiscard]] Expected<double> numbered(int number) const override;
+  [[nodiscard]] Expected<Value> numbered(int number) const override;
   [[nodiscard]] bool exists(std::string_view name) const override;
 
   [[nodiscard]] const Semantics& semantics() const { return m_semantics; }
@@ -71,10 +72,15 @@ class Variables : public ValueSource {
   void leave();
   [[nodiscard]] Scope& scope() { return m_scopes.back(); }
   [[nodiscard]] std::size_t depth() const { return m_scopes.size(); }
+  /// Counts the values that were changed, and those read that change by themselves.
+  [[nodiscard]] std::uint64_t changes() const { return m_changes; }
 
  protected:
+  /// Of a value that is not the program's own.
+  void noteChange() const { ++m_changes; }
   /// @param value  NaN: not known
   [[nodiscard]] virtual Expected<void> setR(int index, double value);
+  [[nodiscard]] Expected<void> setNumbered(int number, const Value& value);
   [[nodiscard]] virtual Expected<void> setMainR(int index, double value);
   [[nodiscard]] virtual Expected<void> setSystem(std::string_view name,
                                                  std::span<const Value> indices, double value);
@@ -89,10 +95,14 @@ class Variables : public ValueSource {
   [[nodiscard]] Expected<void> fill(Variable& variable, std::size_t first, const Initial& initial);
   [[nodiscard]] Expected<Value> valueFor(Type type, const Expression& expression) const;
   [[nodiscard]] Expected<Variable> made(const Definition& definition) const;
+  /// In place of what was there before.
+  template <class T>
+  void store(T& slot, T value);
 
   const Semantics& m_semantics;
   std::vector<Scope> m_scopes;
-  Scope m_globals;            ///< #34 and on, #<_name>
+  mutable std::uint64_t m_changes = 0;
+  Scope m_globals;            ///< # variables of all programs, #<_name>
   std::map<int, double> m_r;  ///< those assigned
 };
 

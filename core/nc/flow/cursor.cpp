@@ -20,24 +20,33 @@ Cursor::Cursor(std::string_view text, Dialect dialect, Variables& variables,
       m_options(options),
       m_lexer(text, dialect) {
   m_sources.emplace_back().text = text;
+  if (mayHoldSeveral(text, m_language)) {
+    grow();
+  }
 }
 
+/// The trees are those of the whole file, wherever the present block stands: what comes next is
+/// looked for in the program that the block belongs to.
 void Cursor::grow() {
   if (m_flow) {
     return;
   }
   Source& file = m_sources.front();
   file.programs = readPrograms(file.text, m_language.dialect, 0);
-  m_flow.emplace(file.programs.first, m_variables,
-                 [this](const std::string& name) { return find(name); });
+  const bool begins = m_place.line.value == 0;
+  const Tree& tree = *(begins ? file.programs.main() : file.programs.at(m_place.line)).tree;
+  m_flow.emplace((begins ? file.programs.main() : file.programs.at(m_place.line)).tree, m_variables,
+                 [this](const std::string& name) { return find(name); }, m_options.calls);
   // The words of the present block have been read.
-  const std::vector<Statement>& statements = file.programs.first->statements;
   const auto next =
-      std::find_if(statements.begin(), statements.end(), [this](const Statement& each) {
+      std::find_if(tree.statements.begin(), tree.statements.end(), [this](const Statement& each) {
         return each.place.line > m_place.line ||
                (each.place.line == m_place.line && !std::holds_alternative<Words>(each.what));
       });
-  m_flow->startAt(static_cast<std::size_t>(next - statements.begin()));
+  m_flow->startAt(static_cast<std::size_t>(next - tree.statements.begin()));
+  m_reached.assign(file.programs.lines + 1, false);
+  std::fill_n(m_reached.begin(), std::min<std::size_t>(m_place.line.value + 1, m_reached.size()),
+              !begins);
 }
 
 std::shared_ptr<const Tree> Cursor::find(const std::string& name) {
@@ -67,7 +76,7 @@ std::shared_ptr<const Tree> Cursor::find(const std::string& name) {
   // A file of its own begins with the subprogram of its name, or is all of it.
   const Source& source = m_sources[loaded->second];
   std::shared_ptr<const Tree> named = in(source);
-  return named ? named : source.programs.first;
+  return named ? named : source.programs.main().tree;
 }
 
 std::size_t Cursor::fileLines() {
@@ -89,13 +98,79 @@ void Cursor::setPlace(const Place& place) {
   }
 }
 
-bool Cursor::nextBehindEnd() {
-  m_words = &m_block;
-  if (m_flow || !m_lexer.next(m_block)) {
-    return false;
+namespace {
+
+/// Blocks of a program that no control would miss: what is left of ELSE and ENDIF.
+bool isBlock(const Statement& statement) {
+  const auto* const branch = std::get_if<Branch>(&statement.what);
+  return !(branch != nullptr && !branch->condition) &&
+         !std::holds_alternative<Definition>(statement.what);
+}
+
+bool decides(const Tree& tree) {
+  return std::any_of(tree.statements.begin(), tree.statements.end(), [](const Statement& each) {
+    const auto* const branch = std::get_if<Branch>(&each.what);
+    const auto* const jump = std::get_if<Jump>(&each.what);
+    return (branch != nullptr && branch->condition) ||
+           (jump != nullptr && (jump->condition || jump->number));
+  });
+}
+
+void addUnreached(const TextProgram& program, const std::vector<bool>& reached, bool isBehindEnd,
+                  std::vector<Unreached>& all) {
+  const auto isReached = [&reached](const Statement& each) {
+    return each.place.line.value < reached.size() && reached[each.place.line.value];
+  };
+  const std::vector<Statement>& statements = program.tree->statements;
+  const bool isEntered =
+      isBehindEnd || std::any_of(statements.begin(), statements.end(), isReached);
+  Unreached found;
+  found.program = program.name;
+  found.what = isEntered                               ? Unreached::What::Blocks
+               : program.isCalled()                    ? Unreached::What::Subprogram
+               : !program.name.empty() || program.ends ? Unreached::What::MainProgram
+                                                       : Unreached::What::Blocks;
+  found.dependsOnValues = isEntered && !isBehindEnd && decides(*program.tree);
+  const auto add = [&] {
+    if (found.first.value != 0) {
+      all.push_back(found);
+    }
+    found.first = {};
+  };
+  for (const Statement& each : statements) {
+    if (isReached(each)) {
+      add();
+    } else if (isBlock(each)) {
+      found.first = found.first.value == 0 ? each.place.line : found.first;
+      found.last = each.place.line;
+    }
   }
-  m_line = m_block.line;
-  return true;
+  add();
+}
+
+}  // namespace
+
+std::vector<Unreached> Cursor::unreached() const {
+  std::vector<Unreached> all;
+  if (m_flow) {
+    for (const TextProgram& program : m_sources.front().programs.all) {
+      addUnreached(program, m_reached, false, all);
+    }
+    return all;
+  }
+  // What begins at a heading has its name from the line that was read last.
+  const auto fromHeading = [this] {
+    Lexer lexer(m_sources.front().text, m_language.dialect);
+    while (lexer.lines() + 1 < m_line.value && lexer.nextLine()) {
+    }
+    return lexer;
+  };
+  const Programs programs =
+      readPrograms(m_isAtHeading ? fromHeading() : m_lexer, m_language.dialect);
+  for (const TextProgram& program : programs.all) {
+    addUnreached(program, {}, program.heading == Heading::None, all);
+  }
+  return all;
 }
 
 Cursor::Step Cursor::next() {
@@ -106,6 +181,13 @@ Cursor::Step Cursor::next() {
     ++m_executed;
     m_line = m_block.line;
     m_place = {m_block.line, 0, 1};
+    if (!m_block.tokens.empty()) {
+      m_isAtHeading = m_hasWords && headingOf(m_block, m_language) != Heading::None;
+      if (m_isAtHeading) {
+        return Step::End;
+      }
+      m_hasWords = m_hasWords || hasWords(m_block, m_language);
+    }
     return Step::Block;
   }
   for (;;) {
@@ -118,6 +200,9 @@ Cursor::Step Cursor::next() {
     }
     m_flow->step();
     setPlace(statement->place);
+    if (m_place.file == 0) {
+      m_reached[m_place.line.value] = true;
+    }
     if (++m_executed > m_sources.front().programs.lines + m_options.repeatedLinesMax) {
       m_endless = m_jumpedFrom;
       return Step::End;
@@ -135,6 +220,9 @@ Cursor::Step Cursor::next() {
       }
     } else if (Expected<bool> done = m_flow->execute(*statement); !done) {
       m_outcome = outcomeOf(std::move(done.error()));
+    } else if (m_flow->isStuck()) {
+      m_endless = m_place.file == 0 ? m_place.line : m_line;
+      return Step::End;
     }
     if (!std::holds_alternative<std::monostate>(m_outcome)) {
       return Step::Report;
@@ -224,6 +312,20 @@ Outcome Cursor::callNumber(int number, int times,
     made.arguments.back() = Expression::constant(value);
   }
   return call(std::move(made));
+}
+
+Outcome Cursor::callBlock(int number, int times) {
+  Call made;
+  made.name = fmt::format("N{}", number);
+  made.times = Expression::constant(times);
+  made.isLocal = true;
+  return call(std::move(made));
+}
+
+Outcome Cursor::leaveTo(int number, bool stays) {
+  grow();
+  Expected<bool> done = m_flow->leaveTo(fmt::format("N{}", number), stays);
+  return done ? Outcome() : outcomeOf(std::move(done.error()));
 }
 
 }  // namespace rivulet::nc

@@ -36,6 +36,23 @@ struct CursorOptions {
   /// The text of a subprogram that is not in the file: by its name in upper case, "O100" for
   /// numbers. Nothing: there is none. May be empty.
   std::function<std::optional<LoadedText>(std::string_view name)> load;
+  /// Outlives the cursor; null: nobody is told of calls.
+  CallObserver* calls = nullptr;
+};
+
+/// Lines of the program file with blocks that were not executed.
+struct Unreached {
+  enum class What : std::uint8_t {
+    Blocks,       ///< of a program that was executed, or behind its end
+    Subprogram,   ///< that nobody called
+    MainProgram,  ///< another one
+  };
+  What what = What::Blocks;
+  std::string program;  ///< its name; empty: it has none
+  base::LineNumber first;
+  base::LineNumber last;
+  /// The program decides or jumps by values: with others the blocks might be executed.
+  bool dependsOnValues = false;
 };
 
 /// What came of a statement or call that was not simply executed.
@@ -70,9 +87,8 @@ class Cursor {
   /// Of the block that `next` gave; until it is called again.
   [[nodiscard]] const Words& words() const { return *m_words; }
   [[nodiscard]] const Outcome& outcome() const { return m_outcome; }
-  /// The next block of the program file after its end, to see what is not executed.
-  /// @return false at the end, and where jumps or calls may have used what stands there
-  [[nodiscard]] bool nextBehindEnd();
+  /// After the last block: what of the program file was not executed, in the order of the text.
+  [[nodiscard]] std::vector<Unreached> unreached() const;
 
   /// Executes the statement of the block that `next` gave.
   [[nodiscard]] Outcome execute(const Token& statement);
@@ -81,8 +97,12 @@ class Cursor {
   /// M98 shares the # variables of the caller; G65 has `numbers` as its own.
   [[nodiscard]] Outcome callNumber(int number, int times,
                                    const std::optional<std::map<int, double>>& numbers);
+  /// M97 of Haas: the blocks from N on, up to M99.
+  [[nodiscard]] Outcome callBlock(int number, int times);
   /// M17, RET, M99. @return false in the main program
   [[nodiscard]] bool leaveSubprogram() { return m_flow && m_flow->leave(); }
+  /// M99 P50: see `Flow::leaveTo`.
+  [[nodiscard]] Outcome leaveTo(int number, bool stays);
   [[nodiscard]] bool isInSubprogram() const { return m_flow && m_flow->depth() > 1; }
 
   /// Where the present block or statement stands.
@@ -98,6 +118,13 @@ class Cursor {
   [[nodiscard]] std::size_t linesRead() const { return m_executed; }
   /// The line that jumped back last, if the program did not end.
   [[nodiscard]] std::optional<base::LineNumber> endlessLoop() const { return m_endless; }
+  /// Statements executed beyond the lines of the file.
+  [[nodiscard]] std::size_t repeatedLines() const {
+    const std::size_t lines = m_sources.front().programs.lines;
+    return m_executed > lines ? m_executed - lines : 0;
+  }
+  /// The file has programs with names, be they empty.
+  [[nodiscard]] bool holdsPrograms() const { return !m_sources.front().programs.named.empty(); }
   /// Lines of the program file.
   [[nodiscard]] std::size_t fileLines();
 
@@ -128,6 +155,9 @@ class Cursor {
   Place m_place;
   base::LineNumber m_line;
   std::size_t m_executed = 0;
+  bool m_hasWords = false;      ///< without a tree: a block of the program has been read
+  bool m_isAtHeading = false;   ///< without a tree: another program ended this one
+  std::vector<bool> m_reached;  ///< with a tree: lines of the program file
   base::LineNumber m_jumpedFrom;
   std::optional<base::LineNumber> m_endless;
 };

@@ -21,8 +21,9 @@ constexpr double kRoundsMax = 9999.0;
 
 }  // namespace
 
-Flow::Flow(std::shared_ptr<const Tree> program, Variables& variables, Library library)
-    : m_variables(variables), m_library(std::move(library)) {
+Flow::Flow(std::shared_ptr<const Tree> program, Variables& variables, Library library,
+           CallObserver* calls)
+    : m_variables(variables), m_library(std::move(library)), m_calls(calls) {
   Level main;
   main.program = std::move(program);
   m_levels.push_back(std::move(main));
@@ -38,9 +39,11 @@ void Flow::step() {
   Level& at = level();
   m_stepped = at.next++;
   m_moved = false;
+  m_isStuck = false;
   while (!at.ranges.empty() && at.next == at.ranges.back().end) {
     Range& range = at.ranges.back();
     m_moved = true;
+    ++m_rounds;
     if (range.left-- > 0) {
       at.next = range.begin;
       break;
@@ -59,6 +62,11 @@ void Flow::goTo(std::size_t target) {
   Level& at = level();
   at.next = target;
   m_moved = true;
+  if (target <= m_stepped) {
+    std::uint64_t& before = at.jumpsBack[m_stepped];
+    m_isStuck = before == changes();
+    before = changes();
+  }
   // A jump out of what is repeated ends the repetition.
   while (!at.ranges.empty() && (target < at.ranges.back().begin || target > at.ranges.back().end)) {
     at.ranges.pop_back();
@@ -187,6 +195,7 @@ Expected<bool> Flow::repeat(const RepeatLabel& repeat) {
     }
     round = level().repeats.emplace(at, *times).first;
   }
+  ++m_rounds;
   if (round->second-- == 0) {
     level().repeats.erase(round);
     return false;
@@ -211,6 +220,15 @@ Expected<bool> Flow::call(const Call& call) {
     }
     name = base::toUpper(textOf(*text));
   }
+  if (call.isLocal) {
+    const std::shared_ptr<const Tree> own = level().program;
+    const auto begin = own->find(name, JumpDirection::ForwardThenBackward, m_stepped);
+    if (!begin) {
+      return fail(FaultCode::TargetMissing, name);
+    }
+    enter(own, *begin, std::nullopt, *times - 1);
+    return true;
+  }
   std::shared_ptr<const Tree> program = m_library ? m_library(name) : nullptr;
   if (!program) {
     return fail(call.isPlainName ? FaultCode::NeitherNameNorProgram : FaultCode::SubprogramMissing,
@@ -223,7 +241,7 @@ Expected<bool> Flow::call(const Call& call) {
   if (*times == 0) {
     return false;
   }
-  enter(std::move(program), std::move(*scope), *times - 1);
+  enter(std::move(program), 0, std::move(*scope), *times - 1);
   return true;
 }
 
@@ -248,8 +266,11 @@ Expected<std::optional<Scope>> Flow::scopeOf(const Call& call, const Tree& progr
   return std::optional(std::move(scope));
 }
 
-void Flow::enter(std::shared_ptr<const Tree> program, std::optional<Scope> scope, int callsLeft) {
+void Flow::enter(std::shared_ptr<const Tree> program, std::size_t begin, std::optional<Scope> scope,
+                 int callsLeft) {
   Level entered;
+  entered.begin = begin;
+  entered.next = begin;
   entered.program = std::move(program);
   entered.callsLeft = callsLeft;
   if (scope) {
@@ -258,9 +279,34 @@ void Flow::enter(std::shared_ptr<const Tree> program, std::optional<Scope> scope
   entered.scope = std::move(scope);
   m_levels.push_back(std::move(entered));
   m_moved = true;
+  ++m_rounds;
+  if (m_calls != nullptr) {
+    m_calls->entered(*level().program);
+  }
 }
 
 bool Flow::leave() {
+  return leave(true);
+}
+
+Expected<bool> Flow::leaveTo(const std::string& label, bool stays) {
+  if (!stays) {
+    static_cast<void>(leave(false));
+  }
+  const std::optional<std::size_t> target =
+      level().program->find(label, JumpDirection::ForwardThenBackward, level().next);
+  if (!target) {
+    return fail(FaultCode::TargetMissing, label);
+  }
+  if (stays) {
+    goTo(*target);
+  } else {
+    level().next = *target;
+  }
+  return true;
+}
+
+bool Flow::leave(bool again) {
   if (m_levels.size() == 1) {
     return false;
   }
@@ -270,8 +316,11 @@ bool Flow::leave() {
     m_variables.leave();
   }
   m_moved = true;
-  if (left.callsLeft > 0) {
-    enter(std::move(left.program), std::move(left.scope), left.callsLeft - 1);
+  if (m_calls != nullptr) {
+    m_calls->left();
+  }
+  if (again && left.callsLeft > 0) {
+    enter(std::move(left.program), left.begin, std::move(left.scope), left.callsLeft - 1);
   }
   return true;
 }

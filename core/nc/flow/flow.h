@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -23,10 +24,20 @@ namespace rivulet::nc {
 /// Programs by their name in upper case; null: there is none.
 using Library = std::function<std::shared_ptr<const Tree>(const std::string& name)>;
 
+/// Told where a subprogram begins and ends, to save and restore what the dialect says.
+class CallObserver {
+ public:
+  virtual ~CallObserver() = default;
+  virtual void entered(const Tree& program) = 0;
+  virtual void left() = 0;
+};
+
 class Flow {
  public:
   /// @param variables  must outlive the flow; it enters and leaves scopes there
-  Flow(std::shared_ptr<const Tree> program, Variables& variables, Library library);
+  /// @param calls  must outlive the flow; null: nobody is told
+  Flow(std::shared_ptr<const Tree> program, Variables& variables, Library library,
+       CallObserver* calls = nullptr);
 
   /// Begins there instead of at the first statement.
   void startAt(std::size_t statement) { level().next = statement; }
@@ -42,6 +53,12 @@ class Flow {
   [[nodiscard]] Expected<bool> execute(const Statement& statement);
   /// M17, RET or the end of the text. @return false in the main program
   [[nodiscard]] bool leave();
+  /// M99 P50: back to that block of the caller, or in the main program to its own.
+  /// @param stays  the block is one of the present program
+  [[nodiscard]] Expected<bool> leaveTo(const std::string& label, bool stays);
+  /// True if the last jump back was made before and no variable has changed since: the program
+  /// would never end.
+  [[nodiscard]] bool isStuck() const { return m_isStuck; }
   /// Programs within each other, 1: the main program.
   [[nodiscard]] std::size_t depth() const { return m_levels.size(); }
 
@@ -58,15 +75,22 @@ class Flow {
     std::size_t next = 0;
     std::map<std::size_t, int> repeats;  ///< REPEAT statements in progress, rounds left
     std::vector<Range> ranges;
+    std::size_t begin = 0;       ///< where a further round begins
     int callsLeft = 0;           ///< rounds of this program still to come
     std::optional<Scope> scope;  ///< as at the call; nothing: shared with the caller
     /// Branches whose condition is not known: their loops are run once.
     std::set<std::size_t> unknown;
+    /// Jumps back, by their statement: what `changes` was when they were made last.
+    std::map<std::size_t, std::uint64_t> jumpsBack;
   };
 
   [[nodiscard]] Level& level() { return m_levels.back(); }
   void goTo(std::size_t target);
-  void enter(std::shared_ptr<const Tree> program, std::optional<Scope> scope, int callsLeft);
+  void enter(std::shared_ptr<const Tree> program, std::size_t begin, std::optional<Scope> scope,
+             int callsLeft);
+  [[nodiscard]] bool leave(bool again);
+  /// Of all that a condition may depend on; never 0.
+  [[nodiscard]] std::uint64_t changes() const { return m_variables.changes() + m_rounds + 1; }
   [[nodiscard]] Expected<bool> branch(const Branch& branch);
   [[nodiscard]] Expected<std::optional<Scope>> scopeOf(const Call& call, const Tree& program) const;
   [[nodiscard]] Expected<bool> holds(const std::optional<Expression>& condition) const;
@@ -78,7 +102,10 @@ class Flow {
   Variables& m_variables;
   Library m_library;
   std::vector<Level> m_levels;
+  CallObserver* m_calls;
   std::size_t m_stepped = 0;
+  std::uint64_t m_rounds = 0;  ///< of REPEAT and of calls, begun
+  bool m_isStuck = false;
   bool m_moved = false;  ///< by a jump, since the last step
 };
 

@@ -63,16 +63,22 @@ enum class Op : std::uint8_t {
   Cos,
   Tan,
   Asin,
+  AsinPositive,  ///< 270 to 360 and 0 to 90
   Acos,
   Atan2,         ///< -180 to 180
   AtanPositive,  ///< 0 to 360
+  Atan,          ///< of one value, -90 to 90
   Sqrt,
   Square,
   Abs,
   Truncate,
-  Round,
+  Round,             ///< halves away from zero
+  RoundToIncrement,  ///< to the least input increment of the address it stands in
+  AwayFromZero,
   RoundUp,
   RoundDown,
+  FromBcd,  ///< BIN
+  ToBcd,    ///< BCD
   Ln,
   Exp,
   MinVal,

@@ -103,13 +103,17 @@ class HashParser final : public BlockParser {
   void jump(std::optional<Expression> condition) {
     Jump made;
     made.condition = std::move(condition);
-    if (const std::optional<int> number = base::parseInteger(m_digits)) {
-      made.label = fmt::format("N{}", *number);
-    } else {
+    if (m_digits.empty()) {
       made.number = expression();
       if (!made.number) {
         return;
       }
+      if (made.number->op == Op::Number) {
+        made.label = fmt::format("N{:.0f}", made.number->number);
+        made.number.reset();
+      }
+    } else {
+      made.label = fmt::format("N{}", base::parseInteger(m_digits).value_or(-1));
     }
     append(std::move(made));
   }

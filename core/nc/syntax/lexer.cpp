@@ -449,7 +449,9 @@ class LineReader {
     while (at != m_end && classOf(*at) == kBlank) {
       ++at;
     }
-    return hasNumber && at != m_end && classOf(*at) == kLetter;
+    // O1 G17 is the number of a program and a word.
+    return hasNumber && at != m_end && classOf(*at) == kLetter && at + 1 != m_end &&
+           classOf(at[1]) == kLetter;
   }
 
   /// True if what was read is not the beginning of a calculation: at the end of the statement, and

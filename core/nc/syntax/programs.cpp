@@ -34,16 +34,39 @@ bool isBlockNumber(const Token& token) {
          token.text.find('=') == std::string_view::npos;
 }
 
+/// PROC NAME, also behind a block number.
+const Token* procedureOf(const Words& block) {
+  for (const Token& token : block.tokens) {
+    if (token.kind == TokenKind::Statement) {
+      return firstName(token.text) == "PROC" ? &token : nullptr;
+    }
+    if (!isBlockNumber(token)) {
+      return nullptr;
+    }
+  }
+  return nullptr;
+}
+
+/// "NAME" of PROC NAME(...).
+std::string procedureName(std::string_view statement) {
+  statement.remove_prefix(std::string_view("PROC").size());
+  return base::toUpper(tokenName({.text = base::trim(statement)}));
+}
+
+std::shared_ptr<const Tree> treeOf(Fault fault) {
+  auto tree = std::make_shared<Tree>();
+  Statement& only = tree->statements.emplace_back();
+  only.place = fault.place;
+  only.what = Faulty{std::move(fault)};
+  return tree;
+}
+
 /// Distributes the lines of a text over its programs.
 class Splitter {
  public:
-  Splitter(std::string_view text, Dialect dialect, std::uint16_t file, Detail detail)
-      : m_lexer(text, dialect, file),
-        m_language(languageOf(dialect)),
-        m_file(file),
-        m_detail(detail) {
-    begin();
-    m_programs.first = m_parts.back().tree;
+  Splitter(const Lexer& lexer, Dialect dialect, std::uint16_t file, Detail detail)
+      : m_lexer(lexer), m_language(languageOf(dialect)), m_file(file), m_detail(detail) {
+    begin({});
   }
 
   Programs split() {
@@ -52,45 +75,77 @@ class Splitter {
       line(block);
     }
     m_programs.lines = m_lexer.lines();
-    while (m_parts.size() > 1) {
-      // A SUB without its ENDSUB.
-      const std::string name = m_parts.back().name;
-      const Place place = m_parts.back().place;
-      end();
-      m_parts.back().parser->fault(FaultCode::NotClosed, name, place);
-    }
+    endSubprograms();
     end();
+    std::stable_sort(m_programs.all.begin(), m_programs.all.end(),
+                     [](const TextProgram& a, const TextProgram& b) {
+                       return a.firstLine.value < b.firstLine.value;
+                     });
     return std::move(m_programs);
   }
 
  private:
   struct Part {
+    TextProgram program;
     std::shared_ptr<Tree> tree;
     std::unique_ptr<BlockParser> parser;
-    std::string name;  ///< of an O SUB
     Place place;
   };
 
-  void begin(std::string name = {}, Place place = {}) {
+  Part& begin(Place place) {
     Part& part = m_parts.emplace_back();
     part.tree = std::make_shared<Tree>();
     part.parser = m_language.blockParser(*part.tree, m_detail);
-    part.name = std::move(name);
+    part.program.tree = part.tree;
+    part.program.firstLine = place.line;
     part.place = place;
+    return part;
   }
 
   void end() {
-    m_parts.back().parser->finish();
+    Part part = std::move(m_parts.back());
     m_parts.pop_back();
+    part.parser->finish();
+    const bool isOnly =
+        m_parts.empty() && std::all_of(m_programs.all.begin(), m_programs.all.end(),
+                                       [](const TextProgram& each) { return each.isInside; });
+    if (isOnly || !part.tree->statements.empty()) {
+      m_programs.all.push_back(std::move(part.program));
+    }
   }
 
-  /// The program with this name begins here.
-  void beginNamed(std::string name) {
-    if (!m_parts.back().tree->statements.empty()) {
+  /// A SUB without its ENDSUB.
+  void endSubprograms() {
+    while (m_parts.size() > 1) {
+      m_parts.back().parser->fault(FaultCode::NotClosed, m_parts.back().program.name,
+                                   m_parts.back().place);
       end();
-      begin();
     }
-    m_programs.named.emplace(std::move(name), m_parts.back().tree);
+  }
+
+  void name(std::string name) {
+    Part& part = m_parts.back();
+    const auto [known, isNew] = m_programs.named.emplace(name, part.tree);
+    if (!isNew && known->second != part.tree) {
+      known->second = treeOf({FaultCode::ProgramTwice, name, part.place});
+    }
+    if (part.program.name.empty()) {
+      part.program.name = std::move(name);
+    }
+  }
+
+  /// A program begins here, or goes on to begin: an archive's header may stand before PROC, and "%"
+  /// before anything.
+  void beginProgram(Heading heading, Place place) {
+    endSubprograms();
+    const Heading before = m_parts.back().program.heading;
+    const bool isFresh =
+        m_parts.back().tree->statements.empty() && (before < heading || heading == Heading::Tape);
+    if (!isFresh) {
+      end();
+      begin(place);
+    }
+    m_parts.back().program.heading = std::max(m_parts.back().program.heading, heading);
   }
 
   void line(Block& block) {
@@ -98,38 +153,66 @@ class Splitter {
       return;
     }
     const Token& front = block.tokens.front();
-    if (front.kind == TokenKind::Tape && front.text.starts_with("%_N_")) {
-      // The header of a program in an archive: %_N_NAME_SPF.
-      const std::string name = base::toUpper(base::trim(front.text.substr(4)));
-      beginNamed(name.substr(0, name.rfind('_')));
-      return;
-    }
-    // O1234 and :1234 begin a program of the ISO dialects.
-    const bool isNumber =
-        front.kind == TokenKind::Word &&
-        (front.address == 'O' || (front.address == 'N' && front.text.front() == ':'));
-    if (m_language.hasOWords && isNumber) {
-      std::string_view text = front.text;
-      if (std::optional<std::string> name = takeOName(text)) {
-        beginNamed(std::move(*name));
+    const Place place{block.line, m_file, front.column};
+    switch (headingOf(block, m_language)) {
+      case Heading::Tape:
+        beginProgram(Heading::Tape, place);
+        return;
+      case Heading::Archive: {
+        // %_N_NAME_SPF
+        beginProgram(Heading::Archive, place);
+        const std::string text = base::toUpper(base::trim(front.text.substr(4)));
+        const std::size_t kind = text.rfind('_');
+        m_parts.back().program.isMain = text.substr(std::min(kind, text.size())) == "_MPF";
+        m_parts.back().program.isSubprogram = text.substr(std::min(kind, text.size())) == "_SPF";
+        name(text.substr(0, kind));
+        return;
       }
+      case Heading::Number: {
+        std::string_view text = front.text;
+        std::optional<std::string> number = takeOName(text);
+        beginProgram(Heading::Number, place);
+        name(number ? std::move(*number) : std::string());
+        block.tokens.erase(block.tokens.begin());
+        break;
+      }
+      case Heading::Procedure:
+        beginProgram(Heading::Procedure, place);
+        m_parts.back().program.isSubprogram = !m_parts.back().program.isMain;
+        name(procedureName(procedureOf(block)->text));
+        break;
+      case Heading::None:
+        break;
     }
     Words words = std::move(static_cast<Words&>(block));
     std::string_view rest = take(std::move(words), block.line);
     while (!rest.empty()) {
-      const Place place{block.line, m_file, m_column};
-      Words more = readWords(rest, m_language, place);
+      const Place at{block.line, m_file, m_column};
+      Words more = readWords(rest, m_language, at);
       const Token first = more.tokens.empty() ? Token() : more.tokens.front();
-      const std::string name = base::toUpper(tokenName(first));
+      const std::string called = base::toUpper(tokenName(first));
       // A program can be called at the beginning of a block only.
       const bool isCall = (first.kind == TokenKind::Name || first.kind == TokenKind::Call) &&
-                          nameEffect(m_language.dialect, name) == NameEffect::Unknown;
+                          nameEffect(m_language.dialect, called) == NameEffect::Unknown;
       if (isCall || first.kind == TokenKind::UnexpectedCharacter) {
         m_parts.back().parser->fault(isCall ? FaultCode::NotDefined : FaultCode::SyntaxCharacter,
-                                     isCall ? name : std::string(first.text), place);
+                                     isCall ? called : std::string(first.text), at);
         return;
       }
       rest = take(std::move(more), block.line);
+    }
+  }
+
+  void note(const Token& token) {
+    TextProgram& program = m_parts.back().program;
+    if (token.kind == TokenKind::Word && token.address == 'M') {
+      const MEffect effect = token.value >= 0.0 && token.value < 10000.0
+                                 ? mEffect(m_language.dialect, static_cast<int>(token.value))
+                                 : MEffect::None;
+      program.ends = program.ends || effect == MEffect::End;
+      program.returns = program.returns || effect == MEffect::Return;
+    } else if (token.kind == TokenKind::Name) {
+      program.returns = program.returns || base::toUpper(token.text) == "RET";
     }
   }
 
@@ -149,6 +232,7 @@ class Splitter {
         labels.push_back({numberLabel(token), next});
       } else {
         hasWords = hasWords || token.kind != TokenKind::Comment || m_detail == Detail::Statements;
+        note(token);
       }
     }
     if (statement) {
@@ -178,19 +262,17 @@ class Splitter {
 
   std::string_view steer(std::string_view statement, Place place) {
     std::string_view rest = statement;
-    if (m_language.namesAreCalls && firstName(rest) == "PROC") {
-      rest.remove_prefix(4);
-      beginNamed(base::toUpper(tokenName({.text = base::trim(rest)})));
-    } else if (std::optional<std::string> name =
-                   m_language.hasOWords ? takeOName(rest) : std::nullopt) {
+    if (std::optional<std::string> name = m_language.hasOWords ? takeOName(rest) : std::nullopt) {
       const std::string word = firstName(base::trim(rest));
       if (word == "SUB") {
         if (m_parts.size() > 1) {
-          m_parts.front().parser->fault(FaultCode::SubprogramInside, m_parts.back().name,
+          m_parts.front().parser->fault(FaultCode::SubprogramInside, m_parts.back().program.name,
                                         m_parts.back().place);
         }
-        begin(*name, place);
-        m_programs.named.emplace(std::move(*name), m_parts.back().tree);
+        TextProgram& program = begin(place).program;
+        program.isSubprogram = true;
+        program.isInside = true;
+        this->name(std::move(*name));
         return {};
       }
       if (word == "ENDSUB") {
@@ -216,16 +298,87 @@ class Splitter {
 
 }  // namespace
 
+const TextProgram& Programs::main() const {
+  const auto first = std::find_if(all.begin(), all.end(),
+                                  [](const TextProgram& each) { return !each.isCalled(); });
+  const auto outside =
+      std::find_if(all.begin(), all.end(), [](const TextProgram& each) { return !each.isInside; });
+  return first != all.end() ? *first : *outside;
+}
+
+const TextProgram& Programs::at(base::LineNumber line) const {
+  const auto last = std::find_if(all.rbegin(), all.rend(), [line](const TextProgram& each) {
+    return !each.isInside && each.firstLine.value <= line.value;
+  });
+  return last != all.rend() ? *last : main();
+}
+
 Programs readPrograms(std::string_view text, Dialect dialect, std::uint16_t file, Detail detail) {
-  return Splitter(text, dialect, file, detail).split();
+  return Splitter(Lexer(text, dialect, file), dialect, file, detail).split();
+}
+
+Programs readPrograms(const Lexer& rest, Dialect dialect) {
+  return Splitter(rest, dialect, 0, Detail::Blocks).split();
 }
 
 std::shared_ptr<const Tree> parseSinumerik(std::string text) {
   const auto owned = std::make_shared<const std::string>(std::move(text));
   const Programs programs = readPrograms(*owned, Dialect::Sinumerik, 0, Detail::Statements);
-  auto tree = std::make_shared<Tree>(*programs.first);
+  auto tree = std::make_shared<Tree>(*programs.main().tree);
   tree->text = owned;
   return tree;
+}
+
+Heading headingOf(const Words& block, const Language& language) {
+  const Token& front = block.tokens.front();
+  if (front.kind == TokenKind::Tape) {
+    return front.text.starts_with("%_N_") ? Heading::Archive : Heading::Tape;
+  }
+  const bool isNumber = front.kind == TokenKind::Word &&
+                        (front.address == 'O' || (front.address == 'N' && front.text[0] == ':'));
+  if (isNumber && language.hasOWords) {
+    return Heading::Number;
+  }
+  return language.namesAreCalls && procedureOf(block) != nullptr ? Heading::Procedure
+                                                                 : Heading::None;
+}
+
+bool hasWords(const Words& block, const Language& language) {
+  const auto isSilent = [](const Token& token) {
+    return token.kind == TokenKind::Tape || token.kind == TokenKind::Label ||
+           token.kind == TokenKind::Comment || isBlockNumber(token);
+  };
+  const bool hasNumber = !block.tokens.empty() && headingOf(block, language) == Heading::Number;
+  return !std::all_of(block.tokens.begin() + (hasNumber ? 1 : 0), block.tokens.end(), isSilent);
+}
+
+bool mayHoldSeveral(std::string_view text, const Language& language) {
+  // How often `mark` stands at the beginning of a line and `goesOn` holds for what follows it.
+  const auto count = [text](std::string_view letters, const auto& goesOn) {
+    int found = 0;
+    for (const char letter : letters) {
+      for (std::size_t at = text.find(letter); at != text.npos && found < 2;
+           at = text.find(letter, at + 1)) {
+        std::size_t begin = at;
+        while (begin > 0 && isBlank(text[begin - 1])) {
+          --begin;
+        }
+        const bool beginsLine = begin == 0 || text[begin - 1] == '\n' || text[begin - 1] == '\r';
+        found += beginsLine && goesOn(text.substr(at)) ? 1 : 0;
+      }
+    }
+    return found >= 2;
+  };
+  const auto isNumber = [](std::string_view rest) {
+    const std::size_t digit = rest.find_first_not_of(" \t", 1);
+    return digit != rest.npos && isDigit(rest[digit]);
+  };
+  const auto isArchive = [](std::string_view rest) { return rest.starts_with("%_N_"); };
+  const auto isProcedure = [](std::string_view rest) {
+    return firstName(rest.substr(0, 5)) == "PROC";
+  };
+  return (language.hasOWords && count("Oo:", isNumber)) ||
+         (language.namesAreCalls && (count("%", isArchive) || count("Pp", isProcedure)));
 }
 
 bool isSteering(std::string_view statement, const Language& language) {

@@ -65,6 +65,7 @@ struct Call {
   std::vector<std::optional<Expression>> arguments;
   bool isNumbered = false;       ///< the arguments become #1 and on
   bool sharesVariables = false;  ///< M98: the # variables are those of the caller
+  bool isLocal = false;          ///< M97: `name` is a block number of the calling program
 };
 
 /// MCALL NAME(...): the call is executed after each block that moves; alone: no more.
@@ -119,6 +120,7 @@ struct Tree {
   std::vector<Statement> statements;
   std::vector<Label> labels;           ///< in the order of the text
   std::vector<Definition> parameters;  ///< of PROC
+  bool saves = false;                  ///< PROC NAME SAVE: see `CallObserver`
 
   /// Where a jump from statement `from` goes. @return nothing if the label is not found
   [[nodiscard]] std::optional<std::size_t> find(std::string_view label, JumpDirection direction,
