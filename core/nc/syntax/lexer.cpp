@@ -292,8 +292,13 @@ class LineReader {
     if (negative) {
       value = -value;
     }
-    return m_at != m_end && isOneOf(*m_at, kSpoilsNumber) ? NumberStatus::Malformed
-                                                          : NumberStatus::Read;
+    return endsNumber() ? NumberStatus::Read : NumberStatus::Malformed;
+  }
+
+  /// True if what follows directly leaves the number what it is; "^" may begin a word, @5^30.
+  [[nodiscard]] bool endsNumber() const {
+    return m_at == m_end || !isOneOf(*m_at, kSpoilsNumber) ||
+           (*m_at == '^' && m_language.hasPolarSigns);
   }
 
   /// True if digits or a decimal point follow the blanks here: "1 0", "1 . 5".
@@ -327,8 +332,7 @@ class LineReader {
       return NumberStatus::Malformed;
     }
     value = negative ? -value : value;
-    return m_at != m_end && isOneOf(*m_at, kSpoilsNumber) ? NumberStatus::Malformed
-                                                          : NumberStatus::Read;
+    return endsNumber() ? NumberStatus::Read : NumberStatus::Malformed;
   }
 
   /// What stands directly behind the number of a coordinate and belongs to it: an exponent, or a
