@@ -240,7 +240,7 @@ void Executor::setFeed(const BlockWords& words) {
   }
   double mmPerMin = feed * m_state.feedFactor;
   if (m_state.feedMode == FeedMode::PerRevolution) {
-    m_state.feedMmPerRev = feed * m_state.lengthFactor;
+    m_state.feedMmPerRev = feed * m_state.feedFactor;
     m_state.feedDegPerRev = feed;
     mmPerMin = m_state.feedMmPerRev * m_state.spindlePerMin;
   } else if (m_state.feedMode != FeedMode::PerMinute) {

@@ -240,6 +240,10 @@ Vec3 Executor::targetOf(const BlockWords& words) {
   }
   const std::size_t first = m_state.planeFirstAxis;
   const std::size_t second = m_state.planeSecondAxis();
+  if (words.rare && (words.named("AP") != nullptr || words.named("RP") != nullptr)) {
+    m_state.incrementFrom[first].reset();
+    m_state.incrementFrom[second].reset();
+  }
   if (m_state.polar && (words.axes.given[first] || words.axes.given[second])) {
     // G16: the first axis of the plane is the radius, the second the angle.
     m_state.polarRadiusMm =
