@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -143,12 +144,6 @@ std::vector<Step> stepsOf(const std::string& text) {
   return steps;
 }
 
-/// O9101.nc, SUBA.SPF, o<part>.ngc → the name by which a program asks for the file.
-std::string calledName(std::string_view name) {
-  std::string called = base::toUpper(name.substr(0, name.find('.')));
-  return called.starts_with("O<") ? called.substr(2, called.size() - 3) : called;
-}
-
 std::string textOf(const toml::table& table, std::string_view key) {
   const toml::node* const node = table.get(key);
   if (node == nullptr) {
@@ -201,7 +196,7 @@ Case caseOf(const toml::table& table, nc::Dialect dialect) {
   }
   if (const toml::table* const files = table["files"].as_table()) {
     for (const auto& [name, text] : *files) {
-      made.files[calledName(name.str())] = text.value_or(std::string());
+      made.files[std::string(name.str())] = text.value_or(std::string());
     }
   }
   made.options.dialect = dialect;
@@ -326,16 +321,25 @@ bool isNamed(const std::string& sought, const std::string& text) {
   return false;
 }
 
+/// With its further files beside it.
+base::Result<gcode::Program> programOf(const Case& which) {
+  if (which.files.empty()) {
+    gcode::LoadOptions options = which.options;
+    options.subprogram = [](std::string_view) { return std::nullopt; };
+    return gcode::interpretProgram("case", which.program, options);
+  }
+  const QTemporaryDir folder;
+  const std::filesystem::path path = folder.path().toStdString();
+  for (const auto& [name, text] : which.files) {
+    std::ofstream(path / name, std::ios::binary) << text;
+  }
+  std::ofstream(path / "case", std::ios::binary) << which.program;
+  return gcode::loadProgram(path / "case", which.options);
+}
+
 /// @return one line each; none: Rivulet reads the program as the case says
 std::vector<std::string> differencesOf(const Case& which) {
-  gcode::LoadOptions options = which.options;
-  options.subprogram = [&which](std::string_view name) -> std::optional<nc::LoadedText> {
-    const auto found = which.files.find(calledName(name));
-    return found == which.files.end() ? std::nullopt
-                                      : std::optional(nc::LoadedText{found->second, found->first});
-  };
-  const base::Result<gcode::Program> program =
-      gcode::interpretProgram("case", which.program, options);
+  const base::Result<gcode::Program> program = programOf(which);
   std::vector<std::string> errors;
   std::vector<std::string> sentences;
   if (!program) {
