@@ -70,7 +70,7 @@ void PathBuilder::count(Vec3 programmedMm) {
 void PathBuilder::line(const nc::Position& from, Vec3 targetMm, const nc::Move& move) {
   begin(from, move);
   const bool rapid = move.motion == nc::Motion::Rapid;
-  const double turnDeg = move.turns ? base::turnDeg(from.rotaryDeg, move.rotaryDeg) : 0.0;
+  const double turnDeg = move.turns ? from.turnDegTo(move.rotaryDeg) : 0.0;
   const double lengthMm = from.lengthMmTo(targetMm);
   if (base::wayAlongFeed(lengthMm, turnDeg) != lengthMm) {
     m_feedMmPerS = move.feedDegPerS;  // F is in degrees

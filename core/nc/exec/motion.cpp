@@ -352,7 +352,7 @@ Move Executor::moveOf(const BlockWords& words, Vec3 target) {
     takeRotary(words, move);
   }
   if (m_state.feedMode == FeedMode::InverseTime) {
-    const double turnDeg = move.turns ? base::turnDeg(m_position.rotaryDeg, move.rotaryDeg) : 0.0;
+    const double turnDeg = move.turns ? m_position.turnDegTo(move.rotaryDeg) : 0.0;
     move.feedDegPerS =
         words.feed != nullptr && turnDeg > 0.0 ? turnDeg * words.feed->value / 60.0 : 0.0;
   }

@@ -46,4 +46,16 @@ double Position::lengthMmTo(base::Vec3 targetMm) const {
   return std::sqrt(knownSquares);
 }
 
+double Position::turnDegTo(const base::RotaryDeg& targetDeg) const {
+  base::RotaryDeg fromDeg = rotaryDeg;
+  base::RotaryDeg toDeg = targetDeg;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (std::isnan(toDeg[axis])) {
+      fromDeg[axis] = toDeg[axis] = 0.0;  // no word has named it: it stays
+    }
+  }
+  const double turn = base::turnDeg(fromDeg, toDeg);
+  return std::isnan(turn) ? 0.0 : turn;
+}
+
 }  // namespace rivulet::nc

@@ -33,6 +33,8 @@ struct Position {
   void setZero(base::Vec3 otherMm);
   /// In the workpiece, of a straight move from here; 0 if it comes from a place that is not known.
   [[nodiscard]] double lengthMmTo(base::Vec3 targetMm) const;
+  /// How far the rotary axes turn from here, deg; 0 if one comes from a place that is not known.
+  [[nodiscard]] double turnDegTo(const base::RotaryDeg& targetDeg) const;
 };
 
 }  // namespace rivulet::nc
