@@ -242,6 +242,16 @@ class TestIntegrity : public QObject {
     QCOMPARE(judge(points, blocks), counts);
   }
 
+  /// Between two stretches the control has moved itself: to the first point of the next one.
+  void standsAtThePointDue() {
+    const std::vector<StreamPoint> points = program("ABCD");
+    std::vector<ExecutedBlock> blocks = blocksOf(points, {0, 1, 2, 3});
+    blocks[2].lengthMm = 0.0;
+    QVERIFY(judgeIntegrity(points, blocks, kToleranceMm).isFaultless());
+    blocks[2].targetMm.x += 1.0;  // somewhere else
+    QCOMPARE(judgeIntegrity(points, blocks, kToleranceMm).skipped, std::size_t{1});
+  }
+
   void listsFaultsInTimeOrder() {
     QCOMPARE(faults("ABCDEFGH", "ABCD EFGH"), std::string());
     QCOMPARE(faults("ABCDEFGH", "ABCD EBGH"), std::string("R1@5 S5@6"));

@@ -297,14 +297,8 @@ void IntegrityJudge::Impl::addFault(Kind kind, std::size_t point, base::Instant 
 
 void IntegrityJudge::Impl::judgeHold(const ExecutedBlock& block) {
   // A block that moves nothing cannot be wrong. It executes the point due if the axes are there
-  // already.
-  const AxisPosition target = endOf(block);
-  if (m_position &&
-      (base::distance(m_position->mm, target.mm) > m_toleranceMm ||
-       base::differenceDeg(m_position->deg, target.deg, m_rotaryAxes) > m_toleranceMm)) {
-    return;
-  }
-  m_position = target;
+  // already: since the block before, a tool length or a retract may have changed where they are.
+  m_position = endOf(block);
   if (matches(block, m_due)) {
     execute(block, m_due);
   }
