@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "experiments/job_forecast.h"
+#include "nc/cycles/milling.h"
 
 namespace rivulet::experiments {
 
@@ -18,7 +20,12 @@ namespace {
 constexpr double kMarginMm = 1.0;
 /// A block that is refused hides those after it.
 constexpr int kLooksMax = 20;
-constexpr int kToolTooLarge = 10751;
+/// Of radius compensation, and of the milling cycles.
+constexpr std::array kToolTooLarge{10751, nc::kToolTooLarge};
+
+bool isToolTooLarge(int alarm) {
+  return std::find(kToolTooLarge.begin(), kToolTooLarge.end(), alarm) != kToolTooLarge.end();
+}
 
 /// @return false if nothing was to do
 bool widen(machine::AxisLimits& limits, double targetMm) {
@@ -53,7 +60,7 @@ std::vector<std::string> enlarge(machine::MachineConfig& config, const job::Plan
       if (hazard.kind == HazardKind::Travel && !hazard.travel->isRotary()) {
         const auto axis = static_cast<std::size_t>(hazard.travel->axis - 'X');
         changes = widen(config.axes[axis], hazard.travel->target) || changes;
-      } else if (hazard.kind == HazardKind::Refused && hazard.alarm == kToolTooLarge &&
+      } else if (hazard.kind == HazardKind::Refused && isToolTooLarge(hazard.alarm) &&
                  takePointedTools(config)) {
         changes = true;
         notes.push_back(fmt::format(

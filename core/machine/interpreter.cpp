@@ -49,10 +49,12 @@ bool isWithoutEffect(const nc::Words& words) {
   });
 }
 
-/// CYCLE800(): no plane is swivelled here.
+/// CYCLE800 swivels a plane; without arguments it swivels it back.
+bool swivels(const nc::Call& call) {
+  return call.name == "CYCLE800";
+}
 bool swivelsBack(const nc::Call& call) {
-  return call.name == "CYCLE800" &&
-         std::none_of(call.arguments.begin(), call.arguments.end(),
+  return std::none_of(call.arguments.begin(), call.arguments.end(),
                       [](const auto& argument) { return argument.has_value(); });
 }
 
@@ -90,6 +92,9 @@ nc::Expected<double> Interpreter::Values::mainR(int index) const {
 
 nc::Expected<nc::Value> Interpreter::Values::system(std::string_view name,
                                                     std::span<const nc::Value> indices) const {
+  if (base::toUpper(name) == "$P_TOOLR") {
+    return nc::Value(m_toolRadiusMm);
+  }
   return m_mainRun == nullptr ? ValueSource::system(name, indices)
                               : systemValue(*m_mainRun, name, indices);
 }
@@ -171,6 +176,7 @@ Interpreter::Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& p
       m_executor(nc::languageOf(nc::Dialect::Sinumerik), m_executorOptions, m_values,
                  {m_motions, m_alarms, m_observer}),
       m_machineWords(options.machine, options.tool, m_alarms),
+      m_corners(options.startMm),
       m_compensation(options.startMm),
       m_library(options.library) {
   nc::ModalState& state = m_executor.state();
@@ -205,11 +211,11 @@ Prepared Interpreter::next() {
   const bool ends = std::holds_alternative<PreparedStopre>(prepared) ||
                     std::holds_alternative<PreparedEnd>(prepared) ||
                     std::holds_alternative<Alarm>(prepared);
-  if (!ends || !m_compensation.isActive()) {
+  if (!ends || (!m_compensation.isActive() && !m_corners.isActive())) {
     return prepared;
   }
   // The axes go to the end of what was held back before they stand.
-  m_compensation.finish(m_due);
+  finishPath();
   m_due.push_back(std::move(prepared));
   return due();
 }
@@ -286,8 +292,8 @@ Prepared Interpreter::execute(const nc::Statement& statement) {
             if (isCycle(s)) {
               return callCycle(s, statement.place.line);
             }
-            if (swivelsBack(s)) {
-              return PreparedNothing{};
+            if (swivels(s)) {
+              return swivel(s, statement.place.line);
             }
             const nc::Expected<bool> jumped = m_flow.execute(statement);
             return jumped ? Prepared(PreparedNothing{*jumped}) : alarmOf(jumped.error());
@@ -304,6 +310,17 @@ Prepared Interpreter::execute(const nc::Statement& statement) {
       statement.what);
 }
 
+/// X, Y and Z are those of the swivelled plane from here on, as with TRAORI those of the tip: how
+/// the axes of the machine get there is not modelled, and its rotary axes stand.
+Prepared Interpreter::swivel(const nc::Call& call, base::LineNumber line) const {
+  const base::RotarySet& rotary = m_executorOptions.rotaryAxes;
+  const bool canSwivel = std::find(rotary.begin(), rotary.end(), true) != rotary.end();
+  return canSwivel || swivelsBack(call)
+             ? Prepared(PreparedNothing{})
+             : Alarm{kNotMade, fmt::format("Line {}: this machine has no rotary axes for CYCLE800.",
+                                           line.value)};
+}
+
 Prepared Interpreter::leave() {
   const bool left = m_flow.leave();
   m_modalDepth = m_flow.depth() > m_modalDepth ? m_modalDepth : 0;
@@ -314,18 +331,21 @@ Prepared Interpreter::leave() {
 
 /// A program of this name on the control comes first, as cycles of the user do.
 bool Interpreter::isCycle(const nc::Call& call) const {
-  return (nc::isDrillingCycle(call.name) || nc::isHolePattern(call.name)) &&
+  return (nc::isDrillingCycle(call.name) || nc::isHolePattern(call.name) ||
+          nc::isMillingCycle(call.name)) &&
          !(m_library && m_library(call.name));
 }
 
 nc::Expected<Interpreter::CycleCall> Interpreter::evaluated(const nc::Call& call) const {
   CycleCall made{call.name, {}};
   for (const std::optional<nc::Expression>& argument : call.arguments) {
-    const nc::Expected<double> value = argument ? m_values.number(*argument) : 0.0;
+    // Texts (the name of a contour, _HIDE of CYCLE801) move nothing.
+    const bool isNumber = argument && argument->op != nc::Op::Text;
+    const nc::Expected<double> value = isNumber ? m_values.number(*argument) : 0.0;
     if (!value) {
       return nc::fail(value.error());
     }
-    made.arguments.push_back(argument ? std::optional(*value) : std::nullopt);
+    made.arguments.push_back(isNumber ? std::optional(*value) : std::nullopt);
   }
   return made;
 }
@@ -354,7 +374,7 @@ Prepared Interpreter::callCycle(const nc::Call& call, base::LineNumber line) {
   m_cycleLine = line;
   const base::Vec3 placeMm = m_executor.start().programmedMm;
   std::optional<Alarm> alarm;
-  if (nc::isDrillingCycle(cycle->name)) {
+  if (!nc::isHolePattern(cycle->name)) {
     alarm = addSteps(*cycle, placeMm);
   } else if (!m_modalCycle) {
     alarm = Alarm{kNoDrillingCycle,
@@ -396,7 +416,8 @@ Prepared Interpreter::callModally(base::LineNumber line) {
 
 nc::CycleStart Interpreter::cycleStart(base::Vec3 placeMm) {
   const nc::ModalState& state = m_executor.state();
-  return {placeMm, state.planeFirstAxis, state.lengthFactor, state.spindlePerMin};
+  return {placeMm, state.planeFirstAxis, state.lengthFactor, state.spindlePerMin,
+          m_machineWords.hasEdge() ? m_machineWords.radiusMm() : 0.0};
 }
 
 std::optional<Alarm> Interpreter::addSteps(const CycleCall& call, base::Vec3 placeMm) {
@@ -405,7 +426,10 @@ std::optional<Alarm> Interpreter::addSteps(const CycleCall& call, base::Vec3 pla
     return Alarm{kCompensationActive, fmt::format("Line {}: G40 must be active before {}.",
                                                   m_cycleLine.value, call.name)};
   }
-  const auto steps = nc::expandCycle(call.name, call.arguments, cycleStart(placeMm));
+  const nc::CycleStart start = cycleStart(placeMm);
+  const auto steps = nc::isMillingCycle(call.name)
+                         ? nc::expandMilling(call.name, call.arguments, start)
+                         : nc::expandCycle(call.name, call.arguments, start);
   if (!steps) {
     return Alarm{steps.error().alarm,
                  fmt::format("Line {}: the parameter {} of {} does not fit the others.",
@@ -453,13 +477,19 @@ Prepared Interpreter::nextStep() {
 Prepared Interpreter::executeWords(const nc::Words& words, base::LineNumber line) {
   nc::BlockWords block;
   block.line = line;
+  m_corner.reset();
   for (const nc::Token& token : words.tokens) {
-    m_executor.read(token, block);
+    if (!readCorner(token)) {
+      m_executor.read(token, block);
+    }
   }
   selectWorkOffset(words);
   const BlockMachineWords machineWords = m_motions.takeWords();
   m_machineWords.apply(machineWords, block.dwell, m_executor.state());
   m_executor.execute(block);
+  if (!m_corner && m_roundingMm > 0.0 && m_executor.state().motion != nc::Motion::Rapid) {
+    m_corner = ContourCorner{ContourCorner::Kind::Radius, m_roundingMm};
+  }
   Prepared prepared = m_motions.take(m_executor.state());
   if (std::optional<Alarm> alarm = m_alarms.take()) {
     return *std::move(alarm);
@@ -525,8 +555,88 @@ Prepared Interpreter::inOrder(Prepared prepared, base::LineNumber line) {
   return first;
 }
 
-/// To what is due, beside the path if the radius of the tool is compensated.
+/// RND, RNDM, CHF, CHR, and OFFN. @return false: another word
+bool Interpreter::readCorner(const nc::Token& token) {
+  const bool isNamed =
+      token.kind == nc::TokenKind::NamedValue || token.kind == nc::TokenKind::Assignment;
+  const std::string name = isNamed ? base::toUpper(nc::tokenName(token)) : std::string();
+  const bool isModal = name == "RNDM";
+  const bool isAllowance = name == "OFFN";
+  if (!isModal && !isAllowance && name != "RND" && name != "CHF" && name != "CHR") {
+    return false;
+  }
+  m_values.setToolRadius(m_machineWords.hasEdge() ? m_machineWords.radiusMm() : 0.0);
+  const nc::Expression* const calculated = token.calculated();
+  const nc::Expected<double> value =
+      calculated != nullptr ? m_values.number(*calculated) : nc::Expected<double>(token.value);
+  if (!value || !(*value >= 0.0 || isAllowance)) {
+    m_alarms.raise(value ? Alarm{kNotMade, name + " must not be negative."}
+                         : alarmOf(value.error()));
+    return true;
+  }
+  const double mm = *value * m_executor.state().lengthFactor;
+  if (isAllowance) {
+    m_allowanceMm = mm;
+  } else if (isModal) {
+    m_roundingMm = mm;
+  } else {
+    m_corner = ContourCorner{name == "RND"   ? ContourCorner::Kind::Radius
+                             : name == "CHF" ? ContourCorner::Kind::Chamfer
+                                             : ContourCorner::Kind::Cut,
+                             mm};
+  }
+  return true;
+}
+
+/// What is held back at a corner or beside the path, to its end.
+void Interpreter::finishPath() {
+  std::deque<Prepared> ready;
+  m_corners.finish(ready);
+  for (Prepared& each : ready) {
+    compensate(std::move(each));
+  }
+  m_compensation.finish(m_due);
+}
+
+base::Vec3 Interpreter::planeNormal() {
+  const nc::ModalState& state = m_executor.state();
+  const nc::Frame& frame = m_executor.start().frame;
+  base::Vec3 first;
+  base::Vec3 second;
+  first.set(state.planeFirstAxis, 1.0);
+  second.set(state.planeSecondAxis(), 1.0);
+  return base::cross(frame.turned(first), frame.turned(second));
+}
+
+/// To what is due, with the corner at its end.
 void Interpreter::append(Prepared prepared) {
+  const bool moves = std::holds_alternative<PreparedMotion>(prepared);
+  const std::optional<ContourCorner> corner =
+      moves ? std::exchange(m_corner, std::nullopt) : std::nullopt;
+  if (!corner && !m_corners.isActive()) {
+    m_corners.pass(prepared);
+    compensate(std::move(prepared));
+    return;
+  }
+  const nc::ModalState& state = m_executor.state();
+  const base::Vec3 normal = planeNormal();
+  std::deque<Prepared> ready;
+  std::optional<Alarm> alarm =
+      m_corners.add(std::move(prepared), corner, state.planeFirstAxis, ready);
+  if (std::abs(normal[state.planeThirdAxis()]) < (1.0 - 1e-9) * base::norm(normal)) {
+    alarm = Alarm{kNotMade, "Corners are rounded and chamfered in a plane of the machine only."};
+  }
+  for (Prepared& each : ready) {
+    compensate(std::move(each));
+  }
+  if (alarm) {
+    finishPath();
+    m_due.emplace_back(*std::move(alarm));
+  }
+}
+
+/// Beside the path if the radius of the tool is compensated.
+void Interpreter::compensate(Prepared prepared) {
   const nc::ModalState& state = m_executor.state();
   if (state.compensationSide == 0 && !m_compensation.isActive()) {
     m_compensation.pass(prepared);
@@ -534,16 +644,11 @@ void Interpreter::append(Prepared prepared) {
     return;
   }
   // A mirrored contour has the tool on its other side.
-  const nc::Frame& frame = m_executor.start().frame;
-  base::Vec3 first;
-  base::Vec3 second;
-  first.set(state.planeFirstAxis, 1.0);
-  second.set(state.planeSecondAxis(), 1.0);
-  const base::Vec3 normal = base::cross(frame.turned(first), frame.turned(second));
+  const base::Vec3 normal = planeNormal();
   const double across = normal[state.planeThirdAxis()];
   const Compensation wanted{across < 0.0 ? -state.compensationSide : state.compensationSide,
-                            m_machineWords.radiusMm(), state.planeFirstAxis, state.goesAroundStart,
-                            state.cornersIntersect};
+                            m_machineWords.radiusMm() + m_allowanceMm, state.planeFirstAxis,
+                            state.goesAroundStart, state.cornersIntersect};
   std::optional<Alarm> alarm;
   if (std::abs(across) < (1.0 - 1e-9) * base::norm(normal)) {
     alarm = Alarm{kNotMade, "The tool radius is compensated in a plane of the machine only."};

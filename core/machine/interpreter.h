@@ -16,6 +16,7 @@
 #include "base/instant.h"
 #include "machine/alarm_sink.h"
 #include "machine/config.h"
+#include "machine/contour_corners.h"
 #include "machine/machine_words.h"
 #include "machine/main_run.h"
 #include "machine/motion_sink.h"
@@ -23,6 +24,7 @@
 #include "machine/r_parameters.h"
 #include "machine/radius_compensation.h"
 #include "nc/cycles/drilling.h"
+#include "nc/cycles/milling.h"
 #include "nc/eval/variables.h"
 #include "nc/exec/executor.h"
 #include "nc/flow/flow.h"
@@ -78,6 +80,8 @@ class Interpreter {
                                                  std::span<const nc::Value> indices) const override;
     /// Where the control is said to read R only after a STOPRE: reads them.
     void refresh();
+    /// $P_TOOLR, mm.
+    void setToolRadius(double mm) { m_toolRadiusMm = mm; }
     /// Work offsets that $P_UIFR has changed; nothing: none since they were taken.
     [[nodiscard]] std::optional<std::map<int, base::Vec3>> takeOffsets();
 
@@ -88,6 +92,7 @@ class Interpreter {
                                                double value) override;
     std::map<int, base::Vec3> m_offsetsMm;  ///< by key of the G function
     bool m_hasNewOffsets = false;
+    double m_toolRadiusMm = 0.0;
     RParameters& m_parameters;
     const MainRun* m_mainRun;
     std::vector<double> m_cache;  // empty: read live
@@ -105,7 +110,12 @@ class Interpreter {
   [[nodiscard]] Prepared nextBlock();
   [[nodiscard]] Prepared inOrder(Prepared prepared, base::LineNumber line);
   void append(Prepared prepared);
+  void compensate(Prepared prepared);
+  void finishPath();
+  [[nodiscard]] bool readCorner(const nc::Token& token);
+  [[nodiscard]] base::Vec3 planeNormal();
   [[nodiscard]] Prepared leave();
+  [[nodiscard]] Prepared swivel(const nc::Call& call, base::LineNumber line) const;
   // Cycles.
   [[nodiscard]] bool isCycle(const nc::Call& call) const;
   [[nodiscard]] Prepared callCycle(const nc::Call& call, base::LineNumber line);
@@ -127,6 +137,10 @@ class Interpreter {
   nc::Executor m_executor;
   MachineWords m_machineWords;
   std::deque<Prepared> m_due;  ///< of the block interpreted last
+  ContourCorners m_corners;
+  std::optional<ContourCorner> m_corner;  ///< of the present block
+  double m_roundingMm = 0.0;              ///< RNDM
+  double m_allowanceMm = 0.0;             ///< OFFN
   RadiusCompensation m_compensation;
   nc::Library m_library;
   std::optional<CycleCall> m_modalCycle;

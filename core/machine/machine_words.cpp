@@ -133,7 +133,11 @@ void MachineWords::applyFunction(int number) {
 MachineWords::Actions MachineWords::take(const nc::ModalState& state) {
   Actions actions = std::exchange(m_actions, {});
   const int offset = state.workOffset < 0 ? kNoWorkOffset : state.workOffset / 10;
-  if (m_machine != nullptr && !m_machine->workOffsetsMm.empty() && offset != m_workOffset) {
+  const bool hasOffsets = m_machine != nullptr && !m_machine->workOffsetsMm.empty();
+  // In another plane the length acts on another axis: the place of the workpiece moves as well.
+  const bool turnsLength = m_edge > 0 && state.planeFirstAxis != m_planeFirstAxis;
+  m_planeFirstAxis = state.planeFirstAxis;
+  if (hasOffsets && (offset != m_workOffset || turnsLength)) {
     m_workOffset = offset;
     actions.before.insert(actions.before.begin(),
                           {Kind::WorkOffset, static_cast<double>(offset), {}});

@@ -64,6 +64,7 @@ class MachineWords {
   Tool m_next;  ///< selected by T
   int m_edge = 0;
   int m_workOffset = kNoWorkOffset;
+  std::size_t m_planeFirstAxis = 0;
   Actions m_actions;
   AlarmSink& m_alarms;
 };

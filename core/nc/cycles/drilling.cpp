@@ -280,6 +280,57 @@ Steps bore(Drilling drilling, const CycleStart& start) {
   return drilling.take();
 }
 
+/// CYCLE85(RTP, RFP, SDIS, DP, DPR, DTB, FFR, RFF), CYCLE89 (.., DTB): out of the hole with feed.
+Steps ream(Drilling drilling, bool namesFeeds) {
+  const double inMmPerS = namesFeeds ? drilling.lengthMm(6) / 60.0 : 0.0;
+  const double outMmPerS = namesFeeds ? drilling.lengthMm(7) / 60.0 : 0.0;
+  drilling.rapid(drilling.safety());
+  drilling.tap(drilling.depth(), inMmPerS);
+  drilling.dwell(drilling.value(kDwell));
+  drilling.tap(drilling.safety(), outMmPerS);
+  drilling.rapid(drilling.retraction());
+  return drilling.take();
+}
+
+/// CYCLE87(RTP, RFP, SDIS, DP, DPR, SDIR), CYCLE88(.., DTB, SDIR): the spindle stops, and the
+/// program until cycle start.
+Steps boreWithStop(Drilling drilling, bool dwells) {
+  const int turn = static_cast<int>(drilling.value(dwells ? 6 : 5));
+  if (turn != 3 && turn != 4) {
+    return tl::unexpected(CycleFault{kSpindleDirectionMissing, "SDIR"});
+  }
+  drilling.rapid(drilling.safety());
+  drilling.spindle(turn);
+  drilling.feed(drilling.depth());
+  drilling.dwell(dwells ? drilling.value(kDwell) : 0.0);
+  drilling.spindle(5);
+  drilling.spindle(0);
+  drilling.rapid(drilling.retraction());
+  return drilling.take();
+}
+
+/// CYCLE840(RTP, RFP, SDIS, DP, DPR, DTB, SDR, SDAC, ENC, MPIT, PIT, _AXN): with a chuck that gives
+/// way. Without a pitch the feed is the programmed one.
+Steps tapWithChuck(Drilling drilling, const CycleStart& start) {
+  const int after = static_cast<int>(drilling.value(7));
+  const int out = static_cast<int>(drilling.value(6));
+  if (after != 0 && (after < 3 || after > 5)) {
+    return tl::unexpected(CycleFault{kSpindleDirectionMissing, "SDAC"});
+  }
+  const double size = std::abs(drilling.value(9));
+  const double pitchMm =
+      drilling.value(10) != 0.0 ? std::abs(drilling.lengthMm(10)) : standardPitchMm(size);
+  const double mmPerS = pitchMm * start.spindlePerMin / 60.0;
+  drilling.rapid(drilling.safety());
+  drilling.tap(drilling.depth(), mmPerS);
+  drilling.dwell(drilling.value(kDwell));
+  drilling.spindle(out == 3 || out == 4 ? out : 4);
+  drilling.tap(drilling.safety(), mmPerS);
+  drilling.spindle(after >= 3 ? after : 3);
+  drilling.rapid(drilling.retraction());
+  return drilling.take();
+}
+
 Vec3 inPlane(const CycleStart& start, double firstMm, double secondMm) {
   Vec3 place = start.positionMm;
   place.set(start.planeFirstAxis, firstMm);
@@ -290,13 +341,14 @@ Vec3 inPlane(const CycleStart& start, double firstMm, double secondMm) {
 }  // namespace
 
 bool isDrillingCycle(std::string_view name) {
-  static constexpr std::array<std::string_view, 5> kNames{"CYCLE81", "CYCLE82", "CYCLE83",
-                                                          "CYCLE84", "CYCLE86"};
+  static constexpr std::array<std::string_view, 10> kNames{
+      "CYCLE81", "CYCLE82", "CYCLE83", "CYCLE84", "CYCLE85",
+      "CYCLE86", "CYCLE87", "CYCLE88", "CYCLE89", "CYCLE840"};
   return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
 bool isHolePattern(std::string_view name) {
-  return name == "HOLES1" || name == "HOLES2";
+  return name == "HOLES1" || name == "HOLES2" || name == "CYCLE801" || name == "CYCLE802";
 }
 
 Steps expandCycle(std::string_view name, CycleArguments arguments, const CycleStart& start) {
@@ -310,6 +362,15 @@ Steps expandCycle(std::string_view name, CycleArguments arguments, const CycleSt
   }
   if (name == "CYCLE84") {
     return tap(std::move(drilling), start);
+  }
+  if (name == "CYCLE840") {
+    return tapWithChuck(std::move(drilling), start);
+  }
+  if (name == "CYCLE85" || name == "CYCLE89") {
+    return ream(std::move(drilling), name == "CYCLE85");
+  }
+  if (name == "CYCLE87" || name == "CYCLE88") {
+    return boreWithStop(std::move(drilling), name == "CYCLE88");
   }
   return name == "CYCLE86" ? bore(std::move(drilling), start) : drill(std::move(drilling));
 }
@@ -325,6 +386,36 @@ std::vector<Vec3> holesOf(std::string_view name, CycleArguments arguments,
   const double firstMm = value(0) * start.lengthFactor;
   const double secondMm = value(1) * start.lengthFactor;
   std::vector<Vec3> holes;
+  if (name == "CYCLE802") {
+    // CYCLE802(_XA, _YA, _X0, _Y0, _X1, ...): what is left out ends the list.
+    for (std::size_t at = 2; at + 1 < std::min<std::size_t>(arguments.size(), 20); at += 2) {
+      if (arguments[at] && arguments[at + 1]) {
+        holes.push_back(
+            inPlane(start, value(at) * start.lengthFactor, value(at + 1) * start.lengthFactor));
+      }
+    }
+    return holes;
+  }
+  if (name == "CYCLE801") {
+    // CYCLE801(_SPCA, _SPCO, _STA, _DIS1, _DIS2, _NUM1, _NUM2, _VARI): 1 of _VARI, the edge alone.
+    const double rows = std::clamp(std::floor(value(6)), 0.0, kHolesMax / std::max(count, 1.0));
+    const double cosine = std::cos(value(2) * kRadPerDeg);
+    const double sine = std::sin(value(2) * kRadPerDeg);
+    for (double row = 0.0; row < rows; ++row) {
+      for (double i = 0.0; i < count; ++i) {
+        const double column = std::fmod(row, 2.0) == 0.0 ? i : count - 1.0 - i;
+        const bool isEdge =
+            row == 0.0 || row == rows - 1.0 || column == 0.0 || column == count - 1.0;
+        const double u = column * value(3) * start.lengthFactor;
+        const double v = row * value(4) * start.lengthFactor;
+        if (isEdge || value(7) != 1.0) {
+          holes.push_back(
+              inPlane(start, firstMm + u * cosine - v * sine, secondMm + u * sine + v * cosine));
+        }
+      }
+    }
+    return holes;
+  }
   const auto add = [&](double radiusMm, double degrees) {
     holes.push_back(inPlane(start, firstMm + radiusMm * std::cos(degrees * kRadPerDeg),
                             secondMm + radiusMm * std::sin(degrees * kRadPerDeg)));

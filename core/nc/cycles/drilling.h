@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The drilling cycles of SINUMERIK as the steps they consist of: CYCLE81 to CYCLE84 and CYCLE86,
-/// and the patterns of holes HOLES1 and HOLES2. Whoever executes a program makes motions of the
-/// steps. Parameters as in the Cycles Programming Manual of the 840D (PGZ); what a newer control
-/// adds behind them is not looked at, except where `expandCycle` says so.
+/// The drilling cycles of SINUMERIK as the steps they consist of: CYCLE81 to CYCLE89, CYCLE840, and
+/// the patterns of holes HOLES1, HOLES2, CYCLE801 and CYCLE802. Whoever executes a program makes
+/// motions of the steps. Parameters as in the Cycles Programming Manual of the 840D (PGZ); what a
+/// newer control adds behind them is not looked at, except where `expandCycle` says so.
 /// @threadsafety pure.
 #pragma once
 
@@ -27,6 +27,7 @@ struct CycleStart {
   std::size_t planeFirstAxis = 0;  ///< 0: G17, 2: G18, 1: G19
   double lengthFactor = 1.0;       ///< mm per unit of the parameters
   double spindlePerMin = 0.0;      ///< S
+  double toolRadiusMm = 0.0;
 };
 
 struct CycleStep {
@@ -36,7 +37,7 @@ struct CycleStep {
   double feedFactor = 1.0;   ///< of the programmed feed
   double feedMmPerS = 0.0;   ///< 0: the programmed feed; else it does not count
   double seconds = 0.0;      ///< of Dwell
-  int function = 0;          ///< of Spindle: M3, M4, M5, M19
+  int function = 0;          ///< of Spindle: M3, M4, M5, M19, and M0
   double spindlePerMin = 0;  ///< of Spindle; 0: as before
 };
 
@@ -70,7 +71,8 @@ using CycleArguments = std::span<const std::optional<double>>;
                                                                            const CycleStart& start);
 
 /// Where the holes of a pattern are, in the order of drilling: HOLES1 begins at the nearer end.
-/// The third coordinate is that of the start. @param name  isHolePattern
+/// CYCLE801 goes to and fro, row by row: in which order the control drills them is assumed. The
+/// third coordinate is that of the start. @param name  isHolePattern
 [[nodiscard]] std::vector<base::Vec3> holesOf(std::string_view name, CycleArguments arguments,
                                               const CycleStart& start);
 

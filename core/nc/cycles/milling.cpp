@@ -1,0 +1,466 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "nc/cycles/milling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "base/axes.h"
+
+namespace rivulet::nc {
+
+namespace {
+
+using base::Vec3;
+using Steps = tl::expected<std::vector<CycleStep>, CycleFault>;
+
+// Positions of the parameters that all have, from 0.
+constexpr std::size_t kRtp = 0;   // RTP, absolute
+constexpr std::size_t kRfp = 1;   // RFP, absolute
+constexpr std::size_t kSdis = 2;  // SDIS, without sign
+constexpr std::size_t kDp = 3;    // DP, absolute
+
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+constexpr double kChordMm = 0.01;
+/// Of the diameter of the tool, where the program does not say how far lines are apart.
+constexpr double kWidthMax = 0.8;
+constexpr double kLinesMax = 1000.0;
+constexpr double kPiecesMax = 1000.0;
+
+/// Writes steps in the plane of the cycle, in a system of its own: turned about a place.
+class Milling {
+ public:
+  Milling(CycleArguments arguments, const CycleStart& start)
+      : m_arguments(arguments),
+        m_start(start),
+        m_second((start.planeFirstAxis + 1) % base::kAxisCount),
+        m_third((start.planeFirstAxis + 2) % base::kAxisCount) {}
+
+  [[nodiscard]] double value(std::size_t index) const {
+    return index < m_arguments.size() ? m_arguments[index].value_or(0.0) : 0.0;
+  }
+  [[nodiscard]] double lengthMm(std::size_t index) const {
+    return value(index) * m_start.lengthFactor;
+  }
+  /// mm/s; 0: the programmed feed.
+  [[nodiscard]] double feed(std::size_t index) const { return lengthMm(index) / 60.0; }
+  [[nodiscard]] double radiusMm() const { return m_start.toolRadiusMm; }
+
+  /// @param relativeDepth  index of DPR; 0: none @return why the planes contradict each other
+  std::optional<CycleFault> readPlanes(std::size_t relativeDepth, double allowanceMm) {
+    m_retraction = lengthMm(kRtp);
+    m_reference = lengthMm(kRfp);
+    m_up = m_retraction < m_reference ? -1.0 : 1.0;
+    const double relativeMm = relativeDepth > 0 ? lengthMm(relativeDepth) : 0.0;
+    const double depth =
+        relativeMm != 0.0 ? m_reference - m_up * std::abs(relativeMm) : lengthMm(kDp);
+    m_wholeMm = (m_reference - depth) * m_up - std::abs(allowanceMm);
+    return m_wholeMm < 0.0 ? std::optional(CycleFault{kReferencePlaneWrong, "DP"}) : std::nullopt;
+  }
+
+  void place(double firstMm, double secondMm, double degrees) {
+    m_firstMm = firstMm;
+    m_secondMm = secondMm;
+    m_cos = std::cos(degrees * kRadPerDeg);
+    m_sin = std::sin(degrees * kRadPerDeg);
+  }
+  /// Above the place, then down to the safety distance.
+  void approach(double u, double v) {
+    rapid(u, v, m_retraction);
+    rapid(u, v, safety());
+  }
+  void retract(double u, double v) {
+    rapid(u, v, safety());
+    rapid(u, v, m_retraction);
+  }
+  void rapid(double u, double v, double height) {
+    m_steps.push_back({.kind = CycleStep::Kind::Rapid, .toMm = at(u, v, height)});
+  }
+  /// @param mmPerS  0: the programmed feed
+  void cut(double u, double v, double height, double mmPerS) {
+    m_steps.push_back(
+        {.kind = CycleStep::Kind::Feed, .toMm = at(u, v, height), .feedMmPerS = mmPerS});
+  }
+  [[nodiscard]] double safety() const { return m_reference + m_up * std::abs(lengthMm(kSdis)); }
+
+  /// Heights of the infeeds, the depth last. @param infeedMm  greatest; 0: the depth at once
+  [[nodiscard]] std::vector<double> levels(double infeedMm) const {
+    const double wanted = infeedMm > 0.0 ? std::ceil(m_wholeMm / infeedMm - 1e-9) : 1.0;
+    const double count = std::clamp(wanted, 1.0, kLinesMax);
+    std::vector<double> heights;
+    for (double level = 1.0; level <= count; ++level) {
+      heights.push_back(m_reference - m_up * m_wholeMm * level / count);
+    }
+    return heights;
+  }
+
+  /// How many lines fill a width. @param apartMm  greatest distance; 0: as the tool is wide
+  [[nodiscard]] double lines(double widthMm, double apartMm) const {
+    const double most = kWidthMax * 2.0 * radiusMm();
+    const double step = apartMm > 0.0 && (most == 0.0 || apartMm < most) ? apartMm : most;
+    return step > 0.0 ? std::clamp(std::ceil(widthMm / step - 1e-9), 1.0, kLinesMax) : 1.0;
+  }
+
+  /// Around a rectangle about the place, with round corners.
+  void ring(double halfU, double halfV, double cornerMm, double height, double mmPerS) {
+    const double corner = std::clamp(cornerMm, 0.0, std::min(halfU, halfV));
+    cut(halfU, 0.0, height, mmPerS);
+    static constexpr std::array<std::pair<double, double>, 4> kCorners{
+        {{1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}}};
+    for (std::size_t i = 0; i < kCorners.size(); ++i) {
+      const auto [u, v] = kCorners[i];
+      arc(u * (halfU - corner), v * (halfV - corner), corner, 90.0 * static_cast<double>(i), 90.0,
+          height, mmPerS);
+    }
+    cut(halfU, 0.0, height, mmPerS);
+  }
+  void arc(double u, double v, double radius, double fromDegrees, double sweepDegrees,
+           double height, double mmPerS) {
+    const double piece = radius > kChordMm ? 2.0 * std::acos(1.0 - kChordMm / radius) : 10.0;
+    const double pieces =
+        std::clamp(std::ceil(std::abs(sweepDegrees) * kRadPerDeg / piece - 1e-9), 1.0, kPiecesMax);
+    for (double i = 0.0; i <= pieces; ++i) {
+      const double angle = (fromDegrees + sweepDegrees * i / pieces) * kRadPerDeg;
+      cut(u + radius * std::cos(angle), v + radius * std::sin(angle), height, mmPerS);
+    }
+  }
+
+  [[nodiscard]] std::vector<CycleStep> take() { return std::move(m_steps); }
+
+ private:
+  [[nodiscard]] Vec3 at(double u, double v, double height) const {
+    Vec3 place;
+    place.set(m_start.planeFirstAxis, m_firstMm + u * m_cos - v * m_sin);
+    place.set(m_second, m_secondMm + u * m_sin + v * m_cos);
+    place.set(m_third, height);
+    return place;
+  }
+
+  CycleArguments m_arguments;
+  const CycleStart& m_start;
+  std::size_t m_second;
+  std::size_t m_third;
+  double m_up = 1.0;
+  double m_retraction = 0.0;
+  double m_reference = 0.0;
+  double m_wholeMm = 0.0;
+  double m_firstMm = 0.0;
+  double m_secondMm = 0.0;
+  double m_cos = 1.0;
+  double m_sin = 0.0;
+  std::vector<CycleStep> m_steps;
+};
+
+/// What a pocket or slot is cleared with.
+struct Clearing {
+  double infeedMm = 0.0;
+  double apartMm = 0.0;
+  double allowanceMm = 0.0;  ///< at the edge, left by roughing
+  bool roughs = true;
+  bool finishes = false;
+  double feed = 0.0;       ///< mm/s; 0: as programmed
+  double depthFeed = 0.0;  ///< the same, downwards
+};
+
+/// A rectangle about the place, with round corners. @return false: the tool does not fit
+bool clear(Milling& mill, double halfU, double halfV, double cornerMm, const Clearing& how) {
+  const double offset = mill.radiusMm() + (how.roughs ? how.allowanceMm : 0.0);
+  if (offset > std::min(halfU, halfV) + 1e-9) {
+    return false;
+  }
+  const double outerU = std::max(halfU - offset, 0.0);
+  const double outerV = std::max(halfV - offset, 0.0);
+  const double corner = std::max(cornerMm - offset, 0.0);
+  const double least = std::min(outerU, outerV);
+  const double count = how.roughs ? mill.lines(least, how.apartMm) : 1.0;
+  mill.approach(0.0, 0.0);
+  for (const double height : mill.levels(how.infeedMm)) {
+    mill.cut(0.0, 0.0, height, how.depthFeed);
+    for (double line = count - 1.0; line >= 0.0; --line) {
+      const double inset = least * line / count;
+      mill.ring(outerU - inset, outerV - inset, std::max(corner - inset, 0.0), height, how.feed);
+    }
+    if (how.roughs && how.finishes && how.allowanceMm > 0.0) {
+      mill.ring(halfU - mill.radiusMm(), halfV - mill.radiusMm(),
+                std::max(cornerMm - mill.radiusMm(), 0.0), height, how.feed);
+    }
+    mill.cut(0.0, 0.0, height, how.feed);
+  }
+  mill.retract(0.0, 0.0);
+  return true;
+}
+
+/// Of _VARI: 1 roughs, 2 finishes, 0 does both.
+void readKind(double vari, Clearing& how) {
+  const double kind = std::fmod(std::abs(vari), 10.0);
+  how.roughs = kind != 2.0;
+  how.finishes = kind == 0.0 || kind == 2.0;
+}
+
+Steps tooLarge() {
+  return tl::unexpected(CycleFault{kToolTooLarge, "tool radius"});
+}
+
+/// POCKET3(_RTP, _RFP, _SDIS, _DP, _LENG, _WID, _CRAD, _PA, _PO, _STA, _MID, _FAL, _FALD, _FFP1,
+/// _FFD, _CDIR, _VARI, _MIDA, ...).
+Steps rectangularPocket(Milling mill) {
+  Clearing how{.infeedMm = mill.lengthMm(10),
+               .apartMm = mill.lengthMm(17),
+               .allowanceMm = mill.lengthMm(11),
+               .feed = mill.feed(13),
+               .depthFeed = mill.feed(14)};
+  readKind(mill.value(16), how);
+  if (auto fault = mill.readPlanes(0, how.roughs ? mill.lengthMm(12) : 0.0)) {
+    return tl::unexpected(*std::move(fault));
+  }
+  mill.place(mill.lengthMm(7), mill.lengthMm(8), mill.value(9));
+  return clear(mill, std::abs(mill.lengthMm(4)) / 2.0, std::abs(mill.lengthMm(5)) / 2.0,
+               mill.lengthMm(6), how)
+             ? Steps(mill.take())
+             : tooLarge();
+}
+
+/// POCKET4(_RTP, _RFP, _SDIS, _DP, _PRAD, _PA, _PO, _MID, _FAL, _FALD, _FFP1, _FFD, _CDIR, _VARI,
+/// _MIDA, ...).
+Steps circularPocket(Milling mill) {
+  Clearing how{.infeedMm = mill.lengthMm(7),
+               .apartMm = mill.lengthMm(14),
+               .allowanceMm = mill.lengthMm(8),
+               .feed = mill.feed(10),
+               .depthFeed = mill.feed(11)};
+  readKind(mill.value(13), how);
+  if (auto fault = mill.readPlanes(0, how.roughs ? mill.lengthMm(9) : 0.0)) {
+    return tl::unexpected(*std::move(fault));
+  }
+  mill.place(mill.lengthMm(5), mill.lengthMm(6), 0.0);
+  const double radius = std::abs(mill.lengthMm(4));
+  return clear(mill, radius, radius, radius, how) ? Steps(mill.take()) : tooLarge();
+}
+
+/// Of LONGHOLE, SLOT1 and SLOT2: how many there are on the circle, and where.
+struct Pattern {
+  double count = 0.0;
+  double firstMm = 0.0;
+  double secondMm = 0.0;
+  double radiusMm = 0.0;
+  double startDegrees = 0.0;
+  double stepDegrees = 0.0;
+
+  /// @param at  index of CPA, before CPO, RAD, STA1 and INDA
+  Pattern(const Milling& mill, std::size_t at)
+      : count(std::clamp(std::floor(mill.value(5)), 0.0, kLinesMax)),
+        firstMm(mill.lengthMm(at)),
+        secondMm(mill.lengthMm(at + 1)),
+        radiusMm(mill.lengthMm(at + 2)),
+        startDegrees(mill.value(at + 3)),
+        stepDegrees(mill.value(at + 4) != 0.0 ? mill.value(at + 4) : 360.0 / std::max(count, 1.0)) {
+  }
+};
+
+/// LONGHOLE(RTP, RFP, SDIS, DP, DPR, NUM, LENG, CPA, CPO, RAD, STA1, INDA, FFD, FFP1, MID): as wide
+/// as the tool.
+Steps longHoles(Milling mill) {
+  if (auto fault = mill.readPlanes(4, 0.0)) {
+    return tl::unexpected(*std::move(fault));
+  }
+  const Pattern pattern(mill, 7);
+  const double length = std::abs(mill.lengthMm(6));
+  for (double i = 0.0; i < pattern.count; ++i) {
+    mill.place(pattern.firstMm, pattern.secondMm, pattern.startDegrees + i * pattern.stepDegrees);
+    double from = pattern.radiusMm;
+    double to = from + length;
+    mill.approach(from, 0.0);
+    for (const double height : mill.levels(mill.lengthMm(14))) {
+      mill.cut(from, 0.0, height, mill.feed(12));
+      mill.cut(to, 0.0, height, mill.feed(13));
+      std::swap(from, to);
+    }
+    mill.retract(from, 0.0);
+  }
+  return mill.take();
+}
+
+/// SLOT1(RTP, RFP, SDIS, DP, DPR, NUM, LENG, WID, CPA, CPO, RAD, STA1, INDA, FFD, FFP1, _MID, CDIR,
+/// _FAL, VARI, ...).
+Steps radialSlots(Milling mill) {
+  if (auto fault = mill.readPlanes(4, 0.0)) {
+    return tl::unexpected(*std::move(fault));
+  }
+  const Pattern pattern(mill, 8);
+  const double length = std::abs(mill.lengthMm(6));
+  const double width = std::abs(mill.lengthMm(7));
+  Clearing how{.infeedMm = mill.lengthMm(15),
+               .allowanceMm = mill.lengthMm(17),
+               .feed = mill.feed(14),
+               .depthFeed = mill.feed(13)};
+  readKind(mill.value(18), how);
+  for (double i = 0.0; i < pattern.count; ++i) {
+    const double degrees = pattern.startDegrees + i * pattern.stepDegrees;
+    const double middle = pattern.radiusMm + length / 2.0;
+    mill.place(pattern.firstMm + middle * std::cos(degrees * kRadPerDeg),
+               pattern.secondMm + middle * std::sin(degrees * kRadPerDeg), degrees);
+    if (!clear(mill, length / 2.0, width / 2.0, width / 2.0, how)) {
+      return tooLarge();
+    }
+  }
+  return mill.take();
+}
+
+/// SLOT2(RTP, RFP, SDIS, DP, DPR, NUM, AFSL, WID, CPA, CPO, RAD, STA1, INDA, FFD, FFP1, _MID, CDIR,
+/// _FAL, VARI, ...): along the circle.
+Steps circumferentialSlots(Milling mill) {
+  if (auto fault = mill.readPlanes(4, 0.0)) {
+    return tl::unexpected(*std::move(fault));
+  }
+  const Pattern pattern(mill, 8);
+  const double sweep = mill.value(6);
+  const double beside = std::abs(mill.lengthMm(7)) / 2.0 - mill.radiusMm();
+  if (beside < -1e-9) {
+    return tooLarge();
+  }
+  const double feed = mill.feed(14);
+  mill.place(pattern.firstMm, pattern.secondMm, 0.0);
+  for (double i = 0.0; i < pattern.count; ++i) {
+    const double from = pattern.startDegrees + i * pattern.stepDegrees;
+    const double u = pattern.radiusMm * std::cos(from * kRadPerDeg);
+    const double v = pattern.radiusMm * std::sin(from * kRadPerDeg);
+    mill.approach(u, v);
+    for (const double height : mill.levels(mill.lengthMm(15))) {
+      mill.cut(u, v, height, mill.feed(13));
+      mill.arc(0.0, 0.0, pattern.radiusMm, from, sweep, height, feed);
+      mill.arc(0.0, 0.0, pattern.radiusMm + beside, from + sweep, -sweep, height, feed);
+      mill.arc(0.0, 0.0, pattern.radiusMm - beside, from, sweep, height, feed);
+      mill.arc(0.0, 0.0, pattern.radiusMm, from + sweep, -sweep, height, feed);
+    }
+    mill.retract(u, v);
+  }
+  return mill.take();
+}
+
+struct Face {
+  double lengthMm = 0.0;  ///< with its sign
+  double widthMm = 0.0;
+  double apartMm = 0.0;
+  double infeedMm = 0.0;
+  double feed = 0.0;
+  bool alternates = true;
+  bool alongSecond = false;
+};
+
+/// Lines beside each other, which begin and end outside the face.
+void clearFace(Milling& mill, const Face& face) {
+  const double along = face.alongSecond ? face.widthMm : face.lengthMm;
+  const double across = face.alongSecond ? face.lengthMm : face.widthMm;
+  const double beyond = std::copysign(mill.radiusMm() + std::abs(mill.lengthMm(kSdis)), along);
+  const double count = mill.lines(std::abs(across), face.apartMm);
+  const auto u = [&](double a, double c) { return face.alongSecond ? c : a; };
+  const auto v = [&](double a, double c) { return face.alongSecond ? a : c; };
+  const auto lineAt = [&](double line) { return across * (line + 0.5) / count; };
+  double from = -beyond;
+  double to = along + beyond;
+  double lastC = lineAt(0.0);
+  mill.approach(u(from, lastC), v(from, lastC));
+  for (const double height : mill.levels(face.infeedMm)) {
+    for (double line = 0.0; line < count; ++line) {
+      const double c = lineAt(line);
+      if (line == 0.0 || !face.alternates) {
+        mill.rapid(u(from, c), v(from, c), mill.safety());
+      }
+      mill.cut(u(from, c), v(from, c), height, face.feed);
+      mill.cut(u(to, c), v(to, c), height, face.feed);
+      lastC = c;
+      if (face.alternates) {
+        std::swap(from, to);
+      } else {
+        mill.rapid(u(to, c), v(to, c), mill.safety());
+      }
+    }
+    const double end = face.alternates ? from : to;
+    mill.rapid(u(end, lastC), v(end, lastC), mill.safety());
+    from = -beyond;
+    to = along + beyond;
+  }
+  const double end = face.alternates && std::fmod(count, 2.0) == 0.0 ? from : to;
+  mill.retract(u(end, lastC), v(end, lastC));
+}
+
+/// How lines lie, by the tens of _VARI: 1 and 3 along the first axis, 3 and 4 to and fro.
+void readLines(double vari, Face& face) {
+  const double kind = std::floor(std::fmod(std::abs(vari), 100.0) / 10.0);
+  face.alternates = kind == 3.0 || kind == 4.0;
+  face.alongSecond = kind == 2.0 || kind == 4.0;
+}
+
+/// CYCLE71(_RTP, _RFP, _SDIS, _DP, _PA, _PO, _LENG, _WID, _STA, _MID, _MIDA, _FDP, _FALD, _FFP1,
+/// _VARI, _FDP1).
+Steps face71(Milling mill) {
+  const bool finishes = std::fmod(std::abs(mill.value(14)), 10.0) == 2.0;
+  if (auto fault = mill.readPlanes(0, finishes ? 0.0 : mill.lengthMm(12))) {
+    return tl::unexpected(*std::move(fault));
+  }
+  mill.place(mill.lengthMm(4), mill.lengthMm(5), mill.value(8));
+  Face face{.lengthMm = mill.lengthMm(6),
+            .widthMm = mill.lengthMm(7),
+            .apartMm = mill.lengthMm(10),
+            .infeedMm = mill.lengthMm(9),
+            .feed = mill.feed(13)};
+  readLines(mill.value(14), face);
+  clearFace(mill, face);
+  return mill.take();
+}
+
+/// CYCLE61(_RTP, _Z0, _SDIS, _Z1, _X0, _Y0, _X1, _Y1, _DZ, _DXY, _UZ, _F, _VARI, _LIM, _DMODE,
+/// _AMODE). Assumed: the tens of _AMODE say that _X1 and _Y1 are increments; _DXY is a percentage
+/// of the diameter where it is greater than that.
+Steps face61(Milling mill) {
+  const bool finishes = std::fmod(std::abs(mill.value(12)), 10.0) == 2.0;
+  if (auto fault = mill.readPlanes(0, finishes ? 0.0 : mill.lengthMm(10))) {
+    return tl::unexpected(*std::move(fault));
+  }
+  const bool isIncrement = std::floor(std::fmod(std::abs(mill.value(15)), 100.0) / 10.0) == 1.0;
+  const double diameter = 2.0 * mill.radiusMm();
+  const double apart = mill.lengthMm(9);
+  mill.place(mill.lengthMm(4), mill.lengthMm(5), 0.0);
+  Face face{.lengthMm = mill.lengthMm(6) - (isIncrement ? 0.0 : mill.lengthMm(4)),
+            .widthMm = mill.lengthMm(7) - (isIncrement ? 0.0 : mill.lengthMm(5)),
+            .apartMm = apart > diameter && diameter > 0.0 ? apart / 100.0 * diameter : apart,
+            .infeedMm = mill.lengthMm(8),
+            .feed = mill.feed(11)};
+  readLines(mill.value(12), face);
+  clearFace(mill, face);
+  return mill.take();
+}
+
+struct Cycle {
+  std::string_view name;
+  Steps (*expand)(Milling);
+};
+constexpr std::array kCycles{Cycle{"POCKET3", rectangularPocket},
+                             Cycle{"POCKET4", circularPocket},
+                             Cycle{"LONGHOLE", longHoles},
+                             Cycle{"SLOT1", radialSlots},
+                             Cycle{"SLOT2", circumferentialSlots},
+                             Cycle{"CYCLE71", face71},
+                             Cycle{"CYCLE61", face61}};
+
+const Cycle* cycleOf(std::string_view name) {
+  const auto* const found = std::find_if(kCycles.begin(), kCycles.end(),
+                                         [name](const Cycle& each) { return each.name == name; });
+  return found == kCycles.end() ? nullptr : found;
+}
+
+}  // namespace
+
+bool isMillingCycle(std::string_view name) {
+  return cycleOf(name) != nullptr;
+}
+
+Steps expandMilling(std::string_view name, CycleArguments arguments, const CycleStart& start) {
+  return cycleOf(name)->expand(Milling(arguments, start));
+}
+
+}  // namespace rivulet::nc
