@@ -19,7 +19,7 @@ void markCommon(const GMarks& mark) {
   mark(GEffect::PolarOff, {150});
   mark(GEffect::PolarOn, {160});
   mark(GEffect::BlockEnd, {90, 600});
-  mark(GEffect::Tolerance, {610, 611, 640});
+  mark(GEffect::Tolerance, {610, 611, 640, 1870});
   mark(GEffect::ToolLength, {430, 431, 440, 490});
   mark(GEffect::MachineMove, {530});
   mark(GEffect::WorkOffset, {540, 550, 560, 570, 580, 590, 591, 592, 593});
@@ -31,12 +31,12 @@ void markCommon(const GMarks& mark) {
   mark(GEffect::MacroCall, {650});
   mark(GEffect::CycleOff, {800});
   // Radius compensation off, high-speed modes, spindle speed; G43.4 guides the tool's tip.
-  mark(GEffect::None, {400, 434, 50, 51, 1870, 1030, 690, 960, 970, 980, 990, 501, 670});
+  mark(GEffect::None, {400, 434, 50, 51, 1030, 690, 960, 970, 980, 990, 501, 670});
   mark(GEffect::Mode, {410, 420, 435});
   // Motions Rivulet does not make.
   mark(GEffect::MotionMode, {60, 61, 62, 310, 320, 330, 331, 340, 350, 380, 382, 383, 384, 385});
-  mark(GEffect::Cycle, {120, 130, 720, 730, 740, 750, 760, 770, 810, 820, 830, 840, 841, 842, 850,
-                        860, 870, 880, 890});
+  mark(GEffect::Cycle, {120, 130, 720, 730, 740, 750, 760, 770, 810, 820,
+                        830, 840, 841, 842, 843, 850, 860, 870, 880, 890});
   mark(GEffect::TakesBlock,
        {922, 923, 100, 110, 250, 260, 270, 280, 281, 290, 300, 301, 510, 511, 660, 680, 682});
 }

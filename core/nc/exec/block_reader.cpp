@@ -448,7 +448,10 @@ void BlockReader::readPolarSign(const Token& token, BlockWords& words) {
   noteColumn(token, words);
 }
 
-void BlockReader::refuseWord(const Token& token, BlockWords& /*words*/) {
+void BlockReader::refuseWord(const Token& token, BlockWords& words) {
+  if (token.address == 'E' && words.tolerance) {
+    return;  // G187 P1 E0.05 of Haas
+  }
   m_to.faults.error(token, FaultCode::UnknownWord);
 }
 

@@ -146,6 +146,10 @@ void Executor::setCompensation(const BlockWords& words) {
 void Executor::setBlockEnd(int key) {
   constexpr std::array kExactStops{600, 610, 611};
   constexpr int kByDistance = 6410;
+  constexpr int kAccuracy = 1870;  // G187 of Haas: how closely, not whether
+  if (key == kAccuracy) {
+    return;
+  }
   const bool stops = std::find(kExactStops.begin(), kExactStops.end(), key) != kExactStops.end();
   m_state.blockEnd = stops ? BlockEnd::ExactStop : BlockEnd::Rounded;
   m_state.rounding = key == kByDistance ? RoundingKind::Distance : RoundingKind::Deviation;

@@ -90,6 +90,10 @@ class Executor {
   [[nodiscard]] bool knowsAllAxes(const BlockWords& words, const std::string& statement);
   void setOffset(const BlockWords& words);
   void setPosition(const BlockWords& words);
+  void setTurn(const BlockWords& words);
+  void setScale(const BlockWords& words);
+  void setMirror(const BlockWords& words);
+  [[nodiscard]] bool takeCentre(const BlockWords& words, std::size_t axis, base::Vec3& centreMm);
   void setWorkOffset(const BlockWords& words);
   void makeBaseFrame();
   void setPole(const BlockWords& words);
@@ -165,6 +169,16 @@ class Executor {
     double degrees = 0.0;  ///< about Z
     base::RotaryDeg rotaryDeg{};
   };
+  /// G68, G51 and G51.1 of Fanuc: about a place, in the coordinates of the work offset.
+  struct Change {
+    base::Vec3 centreMm;
+    double degrees = 0.0;  ///< in the plane
+    std::size_t axis = 2;  ///< across the plane
+    base::Vec3 factors{1.0, 1.0, 1.0};
+  };
+  std::optional<Change> m_turn;
+  std::optional<Change> m_scale;
+  std::optional<Change> m_mirror;
   Offset m_setOffset;
   Offset m_keptOffset;  ///< for G92.3
   base::Vec3 m_localOffsetMm;

@@ -119,7 +119,91 @@ void Executor::setPosition(const BlockWords& words) {
   }
 }
 
-/// G92 to G92.3, G52, G50 and G10.
+/// The place about which coordinates change: as named, always absolute, else where the tool is.
+bool Executor::takeCentre(const BlockWords& words, std::size_t axis, Vec3& centreMm) {
+  const double named = words.axes.given[axis] ? lengthMm(words, axis) : programmed()[axis];
+  if (std::isnan(named)) {
+    error(words, FaultCode::RelativeFromUnknownPosition, std::string(1, base::kAxisNames[axis]));
+    return false;
+  }
+  centreMm.set(axis, named);
+  return true;
+}
+
+/// G68 X Y R. In three dimensions, under G91 (where a parameter of the control says what R counts
+/// from) and within scaling it is not made.
+void Executor::setTurn(const BlockWords& words) {
+  Change turn;
+  turn.axis = m_state.planeThirdAxis();
+  if (words.axes.given[turn.axis] || words.hasAnyCentre() || m_state.relative || m_scale ||
+      m_mirror || !words.hasRadius) {
+    error(words, FaultCode::UnsupportedGCode, words.hasRadius ? "G68" : "G68 without R");
+    return;
+  }
+  m_turn.reset();
+  makeBaseFrame();
+  turn.degrees = words.radius;
+  if (takeCentre(words, m_state.planeFirstAxis, turn.centreMm) &&
+      takeCentre(words, m_state.planeSecondAxis(), turn.centreMm)) {
+    m_turn = turn;
+  }
+}
+
+/// G51 X Y Z P, or I J K. Without a point P and I J K count thousandths.
+void Executor::setScale(const BlockWords& words) {
+  if (m_turn || m_mirror || (!words.p && !words.hasAnyCentre())) {
+    error(words, FaultCode::UnsupportedGCode, "G51");
+    return;
+  }
+  m_scale.reset();
+  makeBaseFrame();
+  Change scale;
+  constexpr double kThousandths = 1000.0;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const bool isOwn = words.hasCentre[axis];
+    const Token* const token = isOwn ? words.centreTokens[axis] : words.parameter;
+    if (!isOwn && !words.p) {
+      continue;  // not scaled
+    }
+    const double value = isOwn ? words.centre[axis] : *words.p;
+    const double factor = token != nullptr && token->hasPoint ? value : value / kThousandths;
+    if (!(std::abs(factor) >= 0.001)) {
+      error(words, FaultCode::UnsupportedGCode, "G51");
+      return;
+    }
+    scale.factors.set(axis, factor);
+    if (factor != 1.0 && !takeCentre(words, axis, scale.centreMm)) {
+      return;
+    }
+  }
+  // An arc stays one on the control, whatever the factors: with different ones nobody draws it so.
+  const Vec3 size = scale.factors;
+  if (std::abs(size.x) != std::abs(size.y) || std::abs(size.x) != std::abs(size.z)) {
+    error(words, FaultCode::UnsupportedGCode, "G51");
+    return;
+  }
+  m_scale = scale;
+}
+
+/// G51.1 X: X is mirrored about this coordinate. G50.1 X: X no more, G50.1: none.
+void Executor::setMirror(const BlockWords& words) {
+  if (m_turn || m_scale) {
+    error(words, FaultCode::UnsupportedGCode, "G51.1");
+    return;
+  }
+  const bool begins = words.rare->offset == GEffect::Mirror;
+  Change mirror = m_mirror.value_or(Change{});
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const bool isNamed = words.axes.given[axis] || (!begins && !words.movesLinear());
+    if (isNamed) {
+      mirror.factors.set(axis, begins ? -1.0 : 1.0);
+      mirror.centreMm.set(axis, begins ? lengthMm(words, axis) : 0.0);
+    }
+  }
+  m_mirror = mirror.factors == Vec3{1.0, 1.0, 1.0} ? std::nullopt : std::optional(mirror);
+}
+
+/// G92 to G92.3, G52, G50, G10, and G68, G51 and G51.1 of Fanuc.
 void Executor::setOffset(const BlockWords& words) {
   finishCurve();
   const GEffect offset = words.rare->offset;
@@ -152,8 +236,23 @@ void Executor::setOffset(const BlockWords& words) {
     case GEffect::ScaleOff:  // with other words it is a function of a lathe
       if (words.moves() || words.spindle != nullptr) {
         error(words, FaultCode::UnsupportedGCode, "G50");
+        return;
       }
-      return;
+      m_scale.reset();
+      break;
+    case GEffect::Turn:
+      setTurn(words);
+      break;
+    case GEffect::TurnOff:
+      m_turn.reset();
+      break;
+    case GEffect::Scale:
+      setScale(words);
+      break;
+    case GEffect::Mirror:
+    case GEffect::MirrorOff:
+      setMirror(words);
+      break;
     case GEffect::SetWorkOffset:
       setWorkOffset(words);
       break;
@@ -179,6 +278,14 @@ void Executor::makeBaseFrame() {
   if (offsetMm != Vec3{}) {
     m_state.baseFrame.translate(offsetMm);
   }
+  for (const std::optional<Change>& change : {m_mirror, m_scale, m_turn}) {
+    if (change) {
+      m_state.baseFrame.translate(change->centreMm);
+      m_state.baseFrame.scale(change->factors);
+      m_state.baseFrame.rotate(change->axis, change->degrees);
+      m_state.baseFrame.translate(-1.0 * change->centreMm);
+    }
+  }
   m_position.setFrame(m_state.baseFrame);
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
     m_state.rotaryOffset[axis] = work.rotaryDeg[axis] + m_setOffset.rotaryDeg[axis];
@@ -197,7 +304,8 @@ void Executor::setWorkOffset(const BlockWords& words) {
   const double number = words.p.value_or(-1.0);
   constexpr double kOrigin = 2.0;
   if (words.l != kOrigin || number != std::floor(number) || number < 0.0 || number > kLast ||
-      words.hasAnyCentre()) {
+      words.hasAnyCentre() ||
+      (m_language.setsListedOffsets && (number < 1.0 || m_state.relative || words.hasRadius))) {
     error(words, FaultCode::UnsupportedGCode, "G10 L" + base::formatNumber(words.l.value_or(0.0)));
     return;
   }

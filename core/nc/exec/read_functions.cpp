@@ -35,7 +35,8 @@ bool takesBlock(GEffect effect) {
       GEffect::Pole,        GEffect::SetPosition,     GEffect::ResetPosition,
       GEffect::LocalOffset, GEffect::SuspendPosition, GEffect::RestorePosition,
       GEffect::ScaleOff,    GEffect::SetWorkOffset,   GEffect::MacroCall,
-      GEffect::FixedPoint,  GEffect::TakesBlock};
+      GEffect::Turn,        GEffect::Scale,           GEffect::Mirror,
+      GEffect::MirrorOff,   GEffect::FixedPoint,      GEffect::TakesBlock};
   return isOneOf(effect, kTaking);
 }
 
@@ -171,6 +172,11 @@ void BlockReader::readBlockG(GEffect effect, int key, const Token& token, BlockW
     case GEffect::LocalOffset:
     case GEffect::ScaleOff:
     case GEffect::SetWorkOffset:
+    case GEffect::Turn:
+    case GEffect::TurnOff:
+    case GEffect::Scale:
+    case GEffect::Mirror:
+    case GEffect::MirrorOff:
       words.rareWords().offset = effect;
       break;
     case GEffect::MacroCall:

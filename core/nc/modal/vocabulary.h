@@ -51,7 +51,12 @@ enum class GEffect : unsigned char {
   SuspendPosition,  ///< G92.2: the same, until G92.3
   RestorePosition,  ///< G92.3
   LocalOffset,      ///< G52: an offset
-  ScaleOff,         ///< G50: G51 is not supported
+  Turn,             ///< G68 of Fanuc: turns the coordinates about a place of the plane
+  TurnOff,          ///< G69
+  Scale,            ///< G51 of Fanuc
+  ScaleOff,         ///< G50
+  Mirror,           ///< G51.1 of Fanuc
+  MirrorOff,        ///< G50.1
   SetWorkOffset,    ///< G10 L2 of RS-274: lives on the control
   MacroCall,        ///< G65: a subprogram with arguments
   Compensation,     ///< G40 to G42 of SINUMERIK

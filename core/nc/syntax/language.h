@@ -48,6 +48,7 @@ struct Language {
   bool ignoresBlanksInNumbers = false;
   bool hasRepeatedSigns = false;  ///< X--5 is X5
   bool hasPolarSigns = false;     ///< @ and ^: radius and angle about the origin
+  bool hasCommaWords = false;     ///< ,R and ,C: a rounded or chamfered corner
 
   // What words mean.
   bool lettersMayBeVariables = false;  ///< DEF INT I: then I=5 is no centre
@@ -60,6 +61,8 @@ struct Language {
   bool turnsAboutPole = false;         ///< an arc without a centre turns about the pole
   bool ignoresCentreAcross = false;    ///< of a helix, with a warning
   bool sharesOffset = false;           ///< G52 sets that of G92
+  /// G10 L2: P0 is an offset of its own, G91 adds, and R turns nothing.
+  bool setsListedOffsets = false;
   /// Share of the radius by which start and end of an arc may differ: a spiral.
   double spiralShare = 0.0;
 };

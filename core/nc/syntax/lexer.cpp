@@ -594,6 +594,19 @@ class LineReader {
           return true;
         }
         break;
+      case ',':
+        // ,R and ,C: how a corner ends.
+        if (m_language.hasCommaWords && m_end - m_at > 2 && isOneOf(toUpper(m_at[1]), "RC")) {
+          m_at += 2;
+          skipBlanks();
+          double value = 0.0;
+          if (readNumber(value) == NumberStatus::Read) {
+            add(TokenKind::NamedValue, from, m_at, 0, value);
+            return true;
+          }
+          m_at = from;
+        }
+        break;
       case '#':
       case '$':
         addCalculation(TokenKind::Assignment, from, 0);
@@ -655,6 +668,9 @@ class LineReader {
 }  // namespace
 
 std::string_view tokenName(const Token& token) {
+  if (token.text.starts_with(',')) {  // ,R
+    return token.text.substr(0, 2);
+  }
   std::size_t length = 0;
   while (length < token.text.size() &&
          (classOf(token.text[length]) == kLetter || classOf(token.text[length]) == kDigit)) {

@@ -9,6 +9,8 @@ Language language() {
   Language made = rs274Language(Dialect::Fanuc);
   made.hasTurningCycles = true;
   made.dwellInMilliseconds = true;
+  made.setsListedOffsets = true;
+  made.hasCommaWords = true;
   return made;
 }
 

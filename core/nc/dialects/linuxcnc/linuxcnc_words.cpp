@@ -16,6 +16,7 @@ DialectWords words() {
   mark(GEffect::RestorePosition, {923});
   mark(GEffect::SetWorkOffset, {100});
   mark(GEffect::Cycle, {740});
+  mark(GEffect::Mode, {411, 421});
   mark(GEffect::None, {610});
   return made;
 }
