@@ -16,6 +16,7 @@
 #include "gcode/block_observer.h"
 #include "gcode/feeds.h"
 #include "gcode/program.h"
+#include "job/main_program.h"
 #include "job/plan.h"
 #include "report/plan_json.h"
 #include "report/report_json.h"
@@ -121,6 +122,11 @@ void print(const job::Plan& plan, bool lists) {
   for (const job::Refusal& refusal : plan.refusals) {
     fmt::print("{}:{}: error: {}\n", refusal.file.empty() ? plan.program.name : refusal.file,
                refusal.line.value, job::describe(refusal));
+  }
+  // What is whole may still be no job.
+  const base::Result<void> whole = job::requireWhole(plan);
+  if (!whole && plan.isWhole()) {
+    fmt::print("{}\n", whole.error().text());
   }
 }
 

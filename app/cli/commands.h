@@ -137,14 +137,15 @@ struct JobOptions {
   std::string preset = "dmu75-mill";
   bool namesMachine = false;  ///< else one that is large enough takes the place of the preset
   std::uint64_t seed = 1;
-  double stopAfterS = 0.0;           ///< 0: not
-  std::string record;                ///< file; empty: none
-  bool noMonitor = false;            ///< no reads for the display within stretches
-  std::string resume;                ///< file of a job that was left; empty: from the beginning
-  int fromStretch = 0;               ///< 0: from the beginning
-  double dryRunMm = 0.0;             ///< > 0: a dry run, so much higher
-  bool confirmed = false;            ///< what is done before a job goes on has been checked
-  std::vector<std::string> command;  ///< the words of the command line
+  double stopAfterS = 0.0;             ///< 0: not
+  std::string record;                  ///< file; empty: none
+  bool noMonitor = false;              ///< no reads for the display within stretches
+  std::string resume;                  ///< file of a job that was left; empty: from the beginning
+  int fromStretch = 0;                 ///< 0: from the beginning
+  double dryRunMm = 0.0;               ///< > 0: a dry run, so much higher
+  std::vector<std::string> functions;  ///< M functions of another machine, see --m
+  bool confirmed = false;              ///< what is done before a job goes on has been checked
+  std::vector<std::string> command;    ///< the words of the command line
   bool json = false;
 };
 /// Writes the files of a whole job, or runs it on a virtual machine.

@@ -29,6 +29,7 @@
 #include "platform/log.h"
 #include "platform/recording_file.h"
 #include "report/job_json.h"
+#include "report/machine_functions.h"
 #include "report/machine_profile.h"
 #include "report/machine_store.h"
 #include "report/operating_point.h"
@@ -125,6 +126,9 @@ std::string readMe(const job::Plan& plan, const job::JobPrograms& programs) {
       programs.number, plan.program.name, programs.mainName, programs.loopFileName,
       plan.program.name, programs.mainName, programs.loop.cells.run, programs.loop.cells.run,
       programs.loop.cells.last(), plan.nativeCount(), plan.stretchCount());
+  for (const job::FunctionUse& use : plan.functions) {
+    text += report::describe(use) + '\n';
+  }
   for (const job::Part& part : plan.parts) {
     if (const auto* const native = std::get_if<job::NativeBlock>(&part)) {
       text += fmt::format("  line {:<7} {:<19} {}\n", native->place.line.value,
@@ -142,6 +146,8 @@ class JobCommand {
   base::Result<void> prepare();
   base::Result<void> writeFiles() const;
   base::Result<void> connect();
+  /// What was said of M functions, for the next job on this machine.
+  base::Result<void> keepFunctions();
   /// Where a job is to go on: what is done first is shown, and has to be confirmed.
   base::Result<void> restart();
   /// Compares the job with the machine, and estimates its time.
@@ -157,11 +163,13 @@ class JobCommand {
 
  private:
   base::Result<void> planFeeds();
+  [[nodiscard]] base::Result<job::Profile> profileOfMachine() const;
   base::Result<std::optional<machine::MachineConfig>> machine();
   base::Result<experiments::Restart> findRestart(const machine::MachineConfig& machine);
   base::Result<void> confirm() const;
   [[nodiscard]] report::SavedRun savedRun() const;
   void print(const streaming::WholeJobReport& done) const;
+  void printNotes() const;
 
   const JobOptions& m_options;
   machine::MachineConfig m_machine;  ///< of --preset
@@ -194,7 +202,11 @@ base::Result<void> JobCommand::prepare() {
   if (isVirtual) {
     options.defaultFeedMmPerS = streaming::kFittedFeedMmPerS;
   }
-  auto plan = job::makePlan(std::move(program->name), std::move(program->text), options);
+  const auto profile = profileOfMachine();
+  if (!profile) {
+    return base::fail(profile.error());
+  }
+  auto plan = job::makePlan(std::move(program->name), std::move(program->text), options, *profile);
   if (!plan) {
     return base::fail(plan.error());
   }
@@ -212,8 +224,7 @@ base::Result<void> JobCommand::prepare() {
   }
   m_settings.parameters = m_options.point.parameters();
   if (m_options.point.axes.empty()) {
-    m_settings.parameters =
-        streaming::withTurnedAxes(m_settings.parameters, m_plan.program.trajectory);
+    m_settings.parameters = streaming::withTurnedAxes(m_settings.parameters, m_plan);
   }
   const streaming::AccessPlan access =
       streaming::accessPlan(streaming::AccessPreference::Automatic, m_settings.parameters.method);
@@ -233,6 +244,36 @@ base::Result<void> JobCommand::prepare() {
     m_notes.insert(m_notes.end(), notes.begin(), notes.end());
   }
   return {};
+}
+
+/// What is known of the machine before it is connected.
+base::Result<job::Profile> JobCommand::profileOfMachine() const {
+  job::Profile profile;
+  profile.leavesOutFunctions = m_options.simulate || m_options.verify;
+  auto given = report::functionsOf(m_options.functions);
+  if (!given) {
+    return base::fail(given.error());
+  }
+  profile.functions = *std::move(given);  // what is said now comes before what was said once
+  if (!m_options.endpoint.empty()) {
+    profile.functions.merge(report::MachineStore().functions(m_options.endpoint));
+  }
+  return profile;
+}
+
+base::Result<void> JobCommand::keepFunctions() {
+  if (m_options.functions.empty() || m_options.endpoint.empty()) {
+    return {};
+  }
+  const auto identity = m_connection.control->identity();
+  const auto given = report::functionsOf(m_options.functions);
+  if (!identity || !given) {
+    return base::fail(identity ? given.error() : identity.error());
+  }
+  const report::MachineStore store;
+  report::MachineFunctions functions = *given;
+  functions.merge(store.functions(m_connection.name));
+  return store.save(m_connection.name, *identity, functions);
 }
 
 base::Result<void> JobCommand::planFeeds() {
@@ -419,6 +460,18 @@ base::Result<void> JobCommand::look() {
   if (base::Result<void> none = experiments::requireNoHazard(m_plan, m_hazards); !none) {
     return none;
   }
+  // What this machine does not know, nobody does who simulates it.
+  const auto unknown =
+      std::find_if(m_hazards.begin(), m_hazards.end(), [](const experiments::Hazard& hazard) {
+        return hazard.kind == experiments::HazardKind::NotChecked && hazard.alarm > 0;
+      });
+  if (m_options.simulate && unknown != m_hazards.end()) {
+    return base::fail(job::JobError::BeyondMachine,
+                      fmt::format("The virtual machine would stop with alarm {}: {} Nothing was "
+                                  "moved.",
+                                  unknown->alarm, unknown->text),
+                      fmt::format("{}:{}", m_plan.program.name, unknown->line.value));
+  }
   m_forecast = experiments::forecast(m_plan, **machine, m_settings, options);
   if (!m_options.json) {
     fmt::print("estimated: {}\n", report::describe(m_forecast->times));
@@ -465,6 +518,15 @@ void JobCommand::print(const streaming::WholeJobReport& done) const {
   }
 }
 
+void JobCommand::printNotes() const {
+  for (const std::string& note : m_notes) {
+    fmt::print("{}\n", note);
+  }
+  for (const job::FunctionUse& use : m_plan.functions) {
+    fmt::print("{}\n", report::describe(use));
+  }
+}
+
 Exit JobCommand::verify() {
   m_settings.isCommissioned = true;  // a virtual machine
   const auto proof = streaming::proveJob(m_plan, m_machine, m_settings, m_options.seed);
@@ -481,11 +543,10 @@ Exit JobCommand::verify() {
                {"job_s", base::toSeconds(proof->asJob)},
                {"stretches", m_plan.stretchCount()},
                {"native_blocks", m_plan.nativeCount()},
+               {"m_functions", report::functionsJson(m_plan.functions)},
                {"machine_notes", m_notes}});
   } else {
-    for (const std::string& note : m_notes) {
-      fmt::print("{}\n", note);
-    }
+    printNotes();
     fmt::print(
         "{}\n{} motions compared with {}, at most {:.4f} mm apart; {:.1f} s, as a job {:.1f} s\n",
         proof->difference.empty() ? "The job does what the program does." : proof->difference,
@@ -496,8 +557,8 @@ Exit JobCommand::verify() {
 }
 
 Exit JobCommand::run() {
-  for (std::size_t i = 0; i < m_notes.size() && !m_options.json; ++i) {
-    fmt::print("{}\n", m_notes[i]);
+  if (!m_options.json) {
+    printNotes();
   }
   if (m_options.dryRunMm > 0.0 && !m_options.json) {
     fmt::print("dry run: {:g} mm higher, without spindle and coolant\n", m_options.dryRunMm);
@@ -539,6 +600,7 @@ Exit JobCommand::run() {
     if (m_forecast) {
       json["estimated"] = report::jobTimesJson(m_forecast->times);
     }
+    json["m_functions"] = report::functionsJson(m_plan.functions);
     json["machine_notes"] = m_notes;
     printJson(json);
   } else {
@@ -578,7 +640,8 @@ Exit job(const JobOptions& options) {
   const bool runs = options.simulate || !options.endpoint.empty();
   if (done && runs) {
     done = command.connect();
-    for (const auto step : {&JobCommand::restart, &JobCommand::look, &JobCommand::openRecording}) {
+    for (const auto step : {&JobCommand::keepFunctions, &JobCommand::restart, &JobCommand::look,
+                            &JobCommand::openRecording}) {
       done = done ? (command.*step)() : done;
     }
   }

@@ -431,6 +431,10 @@ void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   command->add_flag("--no-monitor", options->noMonitor, "No reads for the display in stretches");
   command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
+  command->add_option("--m", options->functions,
+                      "What the control does for an M function of another machine: NUMBER=ignore, "
+                      "NUMBER=pass, or NUMBER=\"LINE\". Kept for the machine of --endpoint "
+                      "(repeatable)");
   auto* resume = command->add_option("--resume", options->resume,
                                      "Go on with a job that was left: the file that it named");
   command

@@ -33,6 +33,7 @@ constexpr const char* kRemovedFile = "removed.json";
 constexpr const char* kCalibrationKey = "calibration";
 constexpr const char* kCreditTestKey = "credit_test";
 constexpr const char* kProfileKey = "profile";
+constexpr const char* kFunctionsKey = "m_functions";
 /// Files of earlier versions: a calibration by itself, and a profile with a `credit_test`.
 constexpr const char* kEarlierCalibrationKey = "rivulet_calibration";
 constexpr const char* kEarlierProfileKey = "rivulet_machine_profile";
@@ -182,6 +183,19 @@ base::Result<std::optional<streaming::MachineProfile>> MachineStore::profile(
   return std::optional(std::move(*profile));
 }
 
+MachineFunctions MachineStore::functions(const std::string& endpoint) const {
+  MachineFunctions found;
+  for (const KnownMachine& machine : machines()) {
+    const base::Result<ordered_json> file = machine.endpoint == endpoint
+                                                ? read(machine.endpoint, machine.server)
+                                                : base::Result<ordered_json>(ordered_json());
+    if (file && file->contains(kFunctionsKey) && (*file)[kFunctionsKey].is_object()) {
+      found.merge(functionsOf((*file)[kFunctionsKey].value("lines", ordered_json::object())));
+    }
+  }
+  return found;
+}
+
 std::vector<KnownMachine> MachineStore::machines() const {
   std::vector<KnownMachine> found;
   std::error_code ignored;
@@ -194,7 +208,7 @@ std::vector<KnownMachine> MachineStore::machines() const {
       continue;
     }
     // Each fact names its machine; the profile comes first because it has the name.
-    for (const char* key : {kProfileKey, kCalibrationKey, kCreditTestKey}) {
+    for (const char* key : {kProfileKey, kCalibrationKey, kCreditTestKey, kFunctionsKey}) {
       const auto fact = json.find(key);
       if (fact == json.end() || !fact->is_object() || !fact->contains("endpoint") ||
           !(*fact)["endpoint"].is_string()) {
@@ -298,6 +312,15 @@ base::Result<void> MachineStore::save(const streaming::CalibrationRecord& record
 
 base::Result<void> MachineStore::save(const streaming::CreditTest& test) const {
   return saveMember(test.endpoint, test.server, kCreditTestKey, creditTestJson(test));
+}
+
+base::Result<void> MachineStore::save(const std::string& endpoint,
+                                      const opcua::ServerIdentity& server,
+                                      const MachineFunctions& functions) const {
+  return saveMember(endpoint, server, kFunctionsKey,
+                    {{"endpoint", endpoint},
+                     {"server", {{"application_uri", server.applicationUri}}},
+                     {"lines", functionsJson(functions)}});
 }
 
 base::Result<void> MachineStore::save(const streaming::MachineProfile& profile) const {

@@ -17,6 +17,7 @@
 #include "base/file_lock.h"
 #include "base/result.h"
 #include "base/utc.h"
+#include "report/machine_functions.h"
 #include "streaming/machine_facts.h"
 #include "streaming/machine_profile.h"
 
@@ -68,6 +69,8 @@ class MachineStore {
   /// @return as `calibration`
   [[nodiscard]] base::Result<std::optional<streaming::MachineProfile>> profile(
       const std::string& endpoint, const opcua::ServerIdentity& server) const;
+  /// What was said of M functions for this endpoint; none are a machine's that is not known yet.
+  [[nodiscard]] MachineFunctions functions(const std::string& endpoint) const;
   /// All machines with a file of their own, sorted by endpoint; files that cannot be read are left
   /// out.
   [[nodiscard]] std::vector<KnownMachine> machines() const;
@@ -83,6 +86,9 @@ class MachineStore {
   [[nodiscard]] base::Result<void> save(const streaming::CalibrationRecord& record) const;
   [[nodiscard]] base::Result<void> save(const streaming::CreditTest& test) const;
   [[nodiscard]] base::Result<void> save(const streaming::MachineProfile& profile) const;
+  [[nodiscard]] base::Result<void> save(const std::string& endpoint,
+                                        const opcua::ServerIdentity& server,
+                                        const MachineFunctions& functions) const;
 
  private:
   /// For as long as a file is read, changed and written: another program of this user may do the

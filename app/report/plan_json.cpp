@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "job/main_program.h"
+
 namespace rivulet::report {
 
 using nlohmann::ordered_json;
@@ -51,7 +53,11 @@ ordered_json planJson(const job::Plan& plan) {
                         {"code", job::refusalName(refusal.code)},
                         {"message", job::describe(refusal)}});
   }
-  return {{"whole", plan.isWhole()}, {"parts", parts}, {"refusals", refusals}};
+  ordered_json json{{"whole", plan.isWhole()}, {"parts", parts}, {"refusals", refusals}};
+  if (const base::Result<void> whole = job::requireWhole(plan); !whole) {
+    json["refused"] = whole.error().text();  // what a job of it would say
+  }
+  return json;
 }
 
 }  // namespace rivulet::report

@@ -25,6 +25,9 @@ constexpr int kDrilling = 810;
 constexpr int kCounterboring = 820;
 constexpr int kPecking = 830;
 constexpr int kTapping = 840;
+/// The same without a chuck that gives way, of some controls: so is each of them here.
+constexpr int kRigidTapping = 842;
+constexpr int kRigidLeftTapping = 843;
 constexpr int kBoring = 850;
 constexpr int kBoringStop = 860;
 constexpr int kBoringDwell = 890;
@@ -90,6 +93,7 @@ class HoleCycles::Writer {
 };
 
 bool HoleCycles::begin(int key) {
+  key = key == kRigidTapping ? kTapping : key == kRigidLeftTapping ? kLeftTapping : key;
   if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) {
     end();
     return false;
@@ -118,9 +122,20 @@ void HoleCycles::takeWords(const nc::BlockWords& words, std::optional<double> dw
   m_dwellS = dwellS.value_or(m_dwellS);
 }
 
-std::optional<std::vector<std::string>> HoleCycles::drill(const nc::BlockWords& words,
-                                                          std::optional<double> dwellS,
-                                                          nc::Executor& executor) {
+/// The word that the program leaves to a setting of the control; empty: none.
+std::string HoleCycles::lacks(double feedMmPerS, double spindlePerMin) const {
+  const bool needsStroke = m_key == kChipBreaking || m_key == kPecking;
+  return !m_retract                                    ? "R"
+         : !m_depth                                    ? "Z"
+         : needsStroke && !(m_strokeMm > 0.0)          ? "Q"
+         : !(feedMmPerS > 0.0)                         ? "F"
+         : isTapping(*m_key) && !(spindlePerMin > 0.0) ? "S"
+                                                       : "";
+}
+
+tl::expected<std::vector<std::string>, std::string> HoleCycles::drill(const nc::BlockWords& words,
+                                                                      std::optional<double> dwellS,
+                                                                      nc::Executor& executor) {
   const nc::ModalState& state = executor.state();
   const std::size_t axis = state.planeThirdAxis();
   Writer to(executor, axis);
@@ -134,16 +149,18 @@ std::optional<std::vector<std::string>> HoleCycles::drill(const nc::BlockWords& 
   if (!namesPlace) {
     return std::vector<std::string>();
   }
-  const bool needsStart = m_toStart || (m_retract && m_retract->isIncrement);
-  if (!m_retract || !m_depth || (needsStart && std::isnan(m_startMm)) || state.diameter ||
-      !(executor.feedMmPerS() > 0.0)) {
-    return std::nullopt;
+  if (std::string lacking = lacks(executor.feedMmPerS(), state.spindlePerMin); !lacking.empty()) {
+    return tl::unexpected(std::move(lacking));
+  }
+  if (needsStart() && std::isnan(m_startMm)) {
+    return tl::unexpected(std::string());
   }
   const double retractMm = m_retract->valueMm + (m_retract->isIncrement ? m_startMm : 0.0);
   const double depthMm = m_depth->valueMm + (m_depth->isIncrement ? retractMm : 0.0);
   const double afterMm = m_toStart ? std::max(retractMm, m_startMm) : retractMm;
-  if (!(depthMm < retractMm)) {
-    return std::nullopt;  // upwards: a control refuses it as well
+  if (state.diameter || !(depthMm < retractMm) ||
+      (m_strokeMm > 0.0 && (retractMm - depthMm) / m_strokeMm > kStrokesMax)) {
+    return tl::unexpected(std::string("Z below R"));  // upwards: a control refuses it as well
   }
   const double repeats = words.l ? *words.l : words.hasCentre[axis] ? words.centre[axis] : 1.0;
   for (double hole = 0.0; hole < std::clamp(repeats, 0.0, kRepeatsMax); ++hole) {
@@ -154,22 +171,17 @@ std::optional<std::vector<std::string>> HoleCycles::drill(const nc::BlockWords& 
     place.set(axis, to.height());
     to.rapid(place);
     to.rapid(retractMm);
-    if (!writeHole(to, retractMm, depthMm, executor.feedMmPerS(), state.spindlePerMin)) {
-      return std::nullopt;
-    }
+    writeHole(to, retractMm, depthMm, executor.feedMmPerS(), state.spindlePerMin);
     to.rapid(afterMm);
   }
   return to.take();
 }
 
-/// From the retraction plane to the depth and back. @return false: a value is missing
-bool HoleCycles::writeHole(Writer& to, double retractMm, double depthMm, double feedMmPerS,
+/// From the retraction plane to the depth and back.
+void HoleCycles::writeHole(Writer& to, double retractMm, double depthMm, double feedMmPerS,
                            double spindlePerMin) const {
   const int key = *m_key;
   if (key == kChipBreaking || key == kPecking) {
-    if (!(m_strokeMm > 0.0) || (retractMm - depthMm) / m_strokeMm > kStrokesMax) {
-      return false;
-    }
     double reachedMm = retractMm;
     while (reachedMm - m_strokeMm > depthMm) {
       reachedMm -= m_strokeMm;
@@ -184,12 +196,9 @@ bool HoleCycles::writeHole(Writer& to, double retractMm, double depthMm, double 
     to.feed(depthMm, feedMmPerS);
     to.dwell(m_dwellS);
     to.rapid(retractMm);
-    return true;
+    return;
   }
   if (isTapping(key)) {
-    if (!(spindlePerMin > 0.0)) {
-      return false;
-    }
     const double pitchMm = feedMmPerS * 60.0 / spindlePerMin;
     const std::string speed = base::formatNumber(spindlePerMin);
     const std::string plane = base::formatNumber(to.workpieceHeight(retractMm));
@@ -197,7 +206,7 @@ bool HoleCycles::writeHole(Writer& to, double retractMm, double depthMm, double 
                        base::formatNumber(to.workpieceHeight(depthMm)),
                        base::formatNumber(m_dwellS), key == kTapping ? 3 : 4,
                        base::formatFixed(key == kTapping ? pitchMm : -pitchMm, 6), speed));
-    return true;
+    return;
   }
   to.feed(depthMm, feedMmPerS);
   to.dwell(key == kCounterboring || key == kBoringDwell || key == kBoringStop ? m_dwellS : 0.0);
@@ -210,7 +219,6 @@ bool HoleCycles::writeHole(Writer& to, double retractMm, double depthMm, double 
   } else {
     to.rapid(retractMm);
   }
-  return true;
 }
 
 }  // namespace rivulet::job

@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "nc/exec/executor.h"
@@ -29,10 +30,10 @@ class HoleCycles {
 
   /// Takes the words of a block in a cycle, and drills where it names a place. The executor stands
   /// above the last hole afterwards. @param dwellS  P, seconds
-  /// @return lines; nothing: a value is missing, or the height before the cycle is not known
-  [[nodiscard]] std::optional<std::vector<std::string>> drill(const nc::BlockWords& words,
-                                                              std::optional<double> dwellS,
-                                                              nc::Executor& executor);
+  /// @return lines, or the word that the program has left to the control ("R"); empty: the height
+  /// before the cycle is not known
+  [[nodiscard]] tl::expected<std::vector<std::string>, std::string> drill(
+      const nc::BlockWords& words, std::optional<double> dwellS, nc::Executor& executor);
 
  private:
   /// A number as the program has it: relative to another height with G91.
@@ -43,8 +44,12 @@ class HoleCycles {
   class Writer;
   void takeWords(const nc::BlockWords& words, std::optional<double> dwellS,
                  const nc::ModalState& state);
-  [[nodiscard]] bool writeHole(Writer& to, double retractMm, double depthMm, double feedMmPerS,
-                               double spindlePerMin) const;
+  [[nodiscard]] std::string lacks(double feedMmPerS, double spindlePerMin) const;
+  [[nodiscard]] bool needsStart() const {
+    return m_toStart || (m_retract && m_retract->isIncrement);
+  }
+  void writeHole(Writer& to, double retractMm, double depthMm, double feedMmPerS,
+                 double spindlePerMin) const;
 
   std::optional<int> m_key;
   bool m_toStart = true;

@@ -31,8 +31,6 @@ class Category final : public std::error_category {
         return "a native block reads variables";
       case JobError::IncrementInFrame:
         return "a native block moves by an increment in a frame";
-      case JobError::PlaneChanges:
-        return "the plane changes";
       case JobError::TooManyStretches:
         return "too many stretches";
       case JobError::PositionDiffers:
@@ -359,6 +357,8 @@ class OutlineWriter final : public PlanWriter {
   Outline m_outline;
 };
 
+}  // namespace
+
 base::Result<void> requireWhole(const Plan& plan) {
   if (!plan.isWhole()) {
     const auto isError = [](const gcode::Diagnostic& found) {
@@ -366,6 +366,20 @@ base::Result<void> requireWhole(const Plan& plan) {
     };
     const auto& found = plan.program.diagnostics;
     const auto first = std::find_if(found.begin(), found.end(), isError);
+    const auto reading = std::find_if(found.begin(), found.end(), [](const auto& each) {
+      return each.code == gcode::DiagnosticCode::CentreReading;
+    });
+    if (first != found.end() && reading != found.end() &&
+        first->code == gcode::DiagnosticCode::ArcRadiusMismatch) {
+      return base::fail(
+          JobError::NotWhole,
+          fmt::format(
+              "Not all arcs fit as their centres are written, but all fit if I, J and K are "
+              "read as {0}: if the post-processor writes them so, confirm it with "
+              "--arc-centres {0}.",
+              reading->argument),
+          fmt::format("{}:{}", plan.program.name, first->line.value));
+    }
     return plan.refusals.empty()
                ? base::fail(JobError::NotWhole, gcode::describe(*first),
                             fmt::format("{}:{}", plan.program.name, first->line.value))
@@ -400,11 +414,6 @@ base::Result<void> requireWhole(const Plan& plan) {
                     "A block for the control reads variables, whose values only Rivulet has "
                     "computed. Write the values into it: ");
     }
-    if (native->changesPlane) {
-      return refuse(JobError::PlaneChanges,
-                    "The plane changes, and with it the axis on which the tool length acts: the "
-                    "position after it is not known for certain. Split the program there: ");
-    }
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       const bool hasFrame = !native->frame.empty() || native->before.incrementFrom[axis];
       if (native->increments[axis] && (losesShift[axis] || (hasFrame && !isAfterNative))) {
@@ -412,7 +421,8 @@ base::Result<void> requireWhole(const Plan& plan) {
                       "A block for the control moves by an increment after a tool, an offset or a "
                       "frame has shifted the axis. Write it with G90: ");
       }
-      isShifted[axis] = (isShifted[axis] || mayShift(*native)) && !native->places[axis];
+      const bool shifts = mayShift(*native) && native->shifts[axis];
+      isShifted[axis] = (isShifted[axis] || shifts) && !native->places[axis];
       losesShift[axis] = losesShift[axis] && !native->places[axis];
     }
     isAfterNative = true;
@@ -424,8 +434,6 @@ base::Result<void> requireWhole(const Plan& plan) {
   }
   return {};
 }
-
-}  // namespace
 
 std::string plainProgramOf(const Plan& plan, const std::optional<gcode::ProgramFeeds>& feeds,
                            double feedMmPerS) {

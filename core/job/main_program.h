@@ -23,7 +23,6 @@ enum class JobError {
   NotWhole = 1,      ///< a finding or refusal stops it
   ReadsVariables,    ///< a native block reads variables that only Rivulet has computed
   IncrementInFrame,  ///< a native block moves by an increment that would pass another shift
-  PlaneChanges,      ///< the tool length would act on another axis
   TooManyStretches,  ///< more than `templates::JobProtocol::kStretchesMax`
   PositionDiffers,   ///< the tool is not where the program says
   BeyondMachine,     ///< travel, tools or what the machine refuses
@@ -38,6 +37,10 @@ struct JobPrograms {
   std::string loopFileName;  ///< "RIVLOOP_123.SPF"
   templates::JobLoop loop;
 };
+
+/// Why a plan is no job, whatever the machine. @return NotWhole, ReadsVariables, IncrementInFrame,
+/// TooManyStretches
+[[nodiscard]] base::Result<void> requireWhole(const Plan& plan);
 
 /// @param parameters  see `templates::generateJobLoop`
 /// @return NotWhole, ReadsVariables, IncrementInFrame, TooManyStretches, or the errors of

@@ -78,7 +78,7 @@ constexpr std::array kG{
     Entry<int>{310, 310, NativeReason::Probing},
     Entry<int>{330, 350, NativeReason::OtherMotion},
     Entry<int>{380, 385, NativeReason::Probing},
-    Entry<int>{410, 420, NativeReason::RadiusCompensation},
+    Entry<int>{410, 421, NativeReason::RadiusCompensation},
     Entry<int>{580, 590, NativeReason::WorkOffset},
     Entry<int>{630, 630, NativeReason::OtherMotion},
     Entry<int>{740, 750, NativeReason::Retract},
@@ -135,7 +135,8 @@ constexpr std::array<std::string_view, 14> kProbing{
 constexpr std::array<std::string_view, 17> kOtherMotion{
     "ANG",   "ANG1",  "INVCW",  "INVCCW", "ASPLINE", "CSPLINE", "POLY",    "PO", "DISR",
     "DISCL", "DISRP", "OSCILL", "POS",    "POSA",    "POSP",    "TRAILON", "FXS"};
-constexpr std::array<std::string_view, 6> kCorners{"RND", "RNDM", "FRC", "FRCM", "CHF", "CHR"};
+constexpr std::array<std::string_view, 8> kCorners{"RND", "RNDM", "FRC", "FRCM",
+                                                   "CHF", "CHR",  ",R",  ",C"};
 constexpr std::array<std::string_view, 1> kRetract{"M140"};
 constexpr std::array<std::string_view, 20> kOther{
     "WAITM",  "WAITMC",  "WAITE",  "WAITP", "NEWCONF", "EXTCLOSE", "WRITE",

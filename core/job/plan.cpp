@@ -18,11 +18,20 @@ struct RefusalText {
 };
 
 const RefusalText& textOf(RefusalCode code) {
-  static constexpr std::array<RefusalText, 2> kTexts{{
+  static constexpr std::array<RefusalText, 5> kTexts{{
       {"not-translated",
        "There is no translation of %1 for the control: leave it out (--accept %1)."},
       {"curve-interrupted",
        "%1 stands within a spline, which cannot be split there: move the block before it."},
+      {"start-unknown",
+       "Where %1 begins, only the control knows: name X, Y and Z in a straight move before it, "
+       "after the tool change, the offset or the move in machine coordinates."},
+      {"cycle-incomplete",
+       "The canned cycle %1 lacks a value, which the control would take from a setting: write it "
+       "into the block."},
+      {"function-unknown",
+       "%1 is a function of another machine: say what the control does for it, nothing (--m "
+       "%1=ignore), the same function (--m %1=pass), or a line (--m %1=\"M50\")."},
   }};
   return kTexts[static_cast<std::size_t>(code)];
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -48,9 +49,10 @@ struct NativeBlock {
   nc::ModalState before;  ///< in force when the program reaches it
   /// TRANS, ROT and the like in force, one line each, mm; empty: none.
   std::vector<std::string> frame;
-  bool moves = false;         ///< it names an axis
-  bool changesPlane = false;  ///< G17, G18, G19: the tool length acts on another axis
-  bool setsFrame = false;     ///< TRANS, ROT and the like
+  bool moves = false;      ///< it names an axis
+  bool setsFrame = false;  ///< TRANS, ROT and the like
+  /// Of X, Y, Z: a change of the tool length does not concern the others.
+  std::array<bool, base::kAxisCount> shifts{true, true, true};
   /// Of X, Y, Z: it names the axis with an absolute value, or with an increment.
   std::array<bool, base::kAxisCount> places{};
   std::array<bool, base::kAxisCount> increments{};
@@ -67,6 +69,9 @@ using Part = std::variant<Stretch, NativeBlock>;
 enum class RefusalCode : unsigned char {
   NotTranslated,     ///< argument: the word that the table has no translation for
   CurveInterrupted,  ///< a native block within a spline
+  StartUnknown,      ///< argument: the block; only the control knows where its move begins
+  CycleIncomplete,   ///< argument: the cycle and what it lacks, "G82 (R)"
+  FunctionUnknown,   ///< argument: the M function of another machine, "M163"
 };
 
 struct Refusal {
@@ -75,10 +80,19 @@ struct Refusal {
   std::string file;
   std::string argument;
 };
-/// "not-translated", "curve-interrupted".
+/// "not-translated", "curve-interrupted", "start-unknown", "cycle-incomplete", "function-unknown".
 [[nodiscard]] std::string_view refusalName(RefusalCode code);
 /// One English sentence.
 [[nodiscard]] std::string describe(const Refusal& refusal);
+
+/// An M function of another machine that the program calls, and what the control gets for it.
+struct FunctionUse {
+  int number = 0;
+  base::LineNumber line;  ///< of the first call
+  std::size_t count = 0;
+  std::string text;        ///< line for the control; empty: it is left out
+  bool isAssumed = false;  ///< nobody has said so: `Profile::leavesOutFunctions`
+};
 
 inline constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
@@ -86,8 +100,9 @@ struct Plan {
   /// The streamed points alone, and the findings about streamed blocks.
   gcode::Program program;
   std::vector<Part> parts;
-  std::vector<Refusal> refusals;  ///< at most `gcode::kDiagnosticsMax`
-  int lastEdge = 0;               ///< greatest D of a SINUMERIK
+  std::vector<Refusal> refusals;       ///< at most `gcode::kDiagnosticsMax`
+  std::vector<FunctionUse> functions;  ///< by number
+  int lastEdge = 0;                    ///< greatest D of a SINUMERIK
   /// What all moves reach, native ones too, as far as they are known; workpiece frame, mm; NaN: the
   /// axis is not named.
   base::Vec3 minMm{kNowhere, kNowhere, kNowhere};
@@ -109,6 +124,11 @@ struct Profile {
   std::string home = "SUPA G0 X0 Y0";
   /// With the number of the tool in place of "%1".
   std::string toolChange = "T%1 M6";
+  /// For M functions of another machine, by number: a line for the control; empty: left out.
+  std::map<int, std::string> functions{};
+  /// Those that are not listed are left out too, else they are refused. For a machine that moves
+  /// nothing but a picture.
+  bool leavesOutFunctions = false;
 };
 
 /// Splits a program. A block that Rivulet and the control both do not understand stays a finding of

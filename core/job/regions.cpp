@@ -50,8 +50,12 @@ constexpr std::array kWords{Word{"TRAORI", Effect::Transforms},
                             Word{"RNDM", Effect::ModalCorner},
                             Word{"CHF", Effect::Corner},
                             Word{"CHR", Effect::Corner},
+                            Word{",R", Effect::Corner},
+                            Word{",C", Effect::Corner},
                             Word{"G41", Effect::Compensates},
-                            Word{"G42", Effect::Compensates}};
+                            Word{"G42", Effect::Compensates},
+                            Word{"G41.1", Effect::Compensates},
+                            Word{"G42.1", Effect::Compensates}};
 
 }  // namespace
 

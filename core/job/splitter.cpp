@@ -22,6 +22,8 @@
 #include "job/plan.h"
 #include "job/regions.h"
 #include "job/translation.h"
+#include "nc/eval/evaluate.h"
+#include "nc/syntax/expression.h"
 
 namespace rivulet::job {
 
@@ -52,21 +54,39 @@ bool isLongCurve(Motion motion) {
   return motion == Motion::BSpline || motion == Motion::Nurbs;
 }
 
-/// True if the text of a call or calculation names a variable.
+/// The arguments of a call, or nothing if they cannot be read.
+std::optional<std::vector<std::optional<nc::Expression>>> argumentsOf(const Token& token) {
+  const std::size_t open = token.text.find('(');
+  if (open == std::string_view::npos) {
+    return std::nullopt;
+  }
+  nc::Reader reader(token.text.substr(open), nc::sinumerikNotation());
+  auto arguments = reader.arguments();
+  return arguments ? std::optional(*std::move(arguments)) : std::nullopt;
+}
+
+/// True if a call or calculation needs a value that only Rivulet has computed. What asks the
+/// control for all it reads ($P_TOOLNO) does not.
 bool readsVariables(const Token& token) {
+  const auto isOwn = [](const nc::Expression& expression) {
+    bool found = false;
+    nc::forEachNode(expression, [&found](const nc::Expression& node) {
+      found =
+          found || node.op == nc::Op::R || node.op == nc::Op::Variable || node.op == nc::Op::Hash;
+    });
+    return found;
+  };
   if (token.calculation != nullptr) {
-    return true;
+    const nc::Expression* const value = token.calculated();
+    return value == nullptr || isOwn(*value);
   }
-  bool isQuoted = false;
-  bool isInside = false;
-  for (const char c : token.text) {
-    isQuoted = isQuoted != (c == '"');
-    isInside = isInside || c == '(';
-    if (isInside && !isQuoted && ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '$')) {
-      return true;
-    }
+  if (token.kind != TokenKind::Call) {
+    return false;
   }
-  return false;
+  const auto arguments = argumentsOf(token);
+  return !arguments || std::any_of(arguments->begin(), arguments->end(), [&](const auto& argument) {
+    return argument && isOwn(*argument);
+  });
 }
 
 /// A fault or note of a block, kept until it is known who executes the block.
@@ -97,11 +117,12 @@ struct BlockNotes {
   bool isSeparable = true;  ///< its words do not concern its motion
   bool forgetsAll = false;
   bool forgetsNamed = false;  ///< the axes it names
-  bool isMissing = false;     ///< the subprogram it calls is not at hand
+  /// Along these axes a tool length acts, or acted, that it changes.
+  std::array<bool, base::kAxisCount> forgetsLength{};
+  bool isMissing = false;  ///< the subprogram it calls is not at hand
   bool calls = false;
   bool moves = false;
   bool setsFrame = false;
-  bool changesPlane = false;
   std::array<bool, base::kAxisCount> increments{};
   std::array<bool, nc::kProgrammedAxisCount> given{};
   std::vector<ForeignWord> words;
@@ -109,6 +130,7 @@ struct BlockNotes {
   bool toFixedPoint = false;
   bool isInHoleCycle = false;       ///< the position after it is known
   std::vector<std::string> motion;  ///< its moves as lines for the control (not SINUMERIK)
+  std::string corner;               ///< ,R or ,C
   /// It moves the axis by an increment from where only the control knows it to stand.
   std::array<bool, base::kAxisCount> isUnknown{};
   std::vector<Heard> heard;
@@ -121,7 +143,7 @@ class Splitter final : public gcode::BlockObserver,
                        private nc::WordObserver {
  public:
   Splitter(const gcode::LoadOptions& options, const Profile& profile)
-      : m_options(options), m_translator(profile) {}
+      : m_options(options), m_profile(profile), m_translator(profile) {}
 
   nc::Sinks observe(const nc::Language& language, nc::Sinks own) override {
     m_language = &language;
@@ -166,14 +188,14 @@ class Splitter final : public gcode::BlockObserver,
       block.words.push_back({ForeignWord::Kind::M, 30.0, "M30"});
     }
     if (isForeign()) {
+      endAtCorner(executor);
       drillHoles(words, executor);
       keepIncrements(words, executor);
       setWorkOffset(words, executor);
       noteSetPosition(words);
     }
     if (!isForeign() && executor.state().planeFirstAxis != block.before.planeFirstAxis) {
-      add(NativeReason::Tool);  // its length now acts on another axis
-      block.changesPlane = true;
+      addLength();  // it now acts on another axis
     }
     noteFrame(words, executor.state());
     if (block.reason == NativeReason::Retract) {
@@ -224,6 +246,9 @@ class Splitter final : public gcode::BlockObserver,
     for (const gcode::TrajectoryPoint& point : plan.program.trajectory.points) {
       reach(point.positionMm);
     }
+    for (auto& [number, use] : m_functions) {
+      plan.functions.push_back(std::move(use));
+    }
     plan.lastEdge = m_lastEdge;
     plan.minMm = m_minMm;
     plan.maxMm = m_maxMm;
@@ -248,12 +273,19 @@ class Splitter final : public gcode::BlockObserver,
     if (isElsewhere) {
       return;
     }
-    const auto lines = m_holes.drill(words, dwellSeconds(words), executor);
+    auto lines = m_holes.drill(words, dwellSeconds(words), executor);
     if (lines) {
-      block.motion = *lines;
+      block.motion = *std::move(lines);
+      return;
+    }
+    block.isInHoleCycle = false;
+    if (isAccepted(m_cycleWord)) {
+      return;
+    }
+    if (lines.error().empty()) {
+      refuse(RefusalCode::StartUnknown, std::string(base::trim(block.text)));
     } else {
-      block.isInHoleCycle = false;
-      block.words.push_back({ForeignWord::Kind::Other, 0.0, m_cycleWord});
+      refuse(RefusalCode::CycleIncomplete, fmt::format("{} ({})", m_cycleWord, lines.error()));
     }
   }
 
@@ -267,6 +299,49 @@ class Splitter final : public gcode::BlockObserver,
     }
     // Fanuc counts milliseconds where there is no point.
     return m_language->dwellInMilliseconds && !token->hasPoint ? *words.p / 1000.0 : *words.p;
+  }
+
+  /// G41.1 D6: beside the contour by half of D, whatever the tool. What its radius lacks is an
+  /// allowance.
+  void compensateBy(int key, std::string word) {
+    const auto& tokens = m_block->tokens;
+    const auto diameter = std::find_if(tokens.begin(), tokens.end(), [](const Token& each) {
+      return each.kind == TokenKind::Word && each.address == 'D';
+    });
+    if (diameter == tokens.end() || !(diameter->value > 0.0)) {
+      m_block->words.push_back({ForeignWord::Kind::Other, 0.0, std::move(word)});
+      return;
+    }
+    const double radiusMm = diameter->value * m_executor->state().lengthFactor / 2.0;
+    m_block->words.push_back(
+        {ForeignWord::Kind::Line, 0.0,
+         fmt::format("G{} OFFN={}-$P_TOOLR", key / 10, base::formatFixed(radiusMm, 6))});
+    m_hasAllowance = true;
+  }
+
+  /// ,R is RND and ,C is CHR: as much as it takes of both sides.
+  void endAtCorner(nc::Executor& executor) {
+    BlockNotes& block = *m_block;
+    if (block.corner.empty()) {
+      return;
+    }
+    const auto token = std::find_if(
+        block.tokens.begin(), block.tokens.end(),
+        [&block](const Token& each) { return base::toUpper(nc::tokenName(each)) == block.corner; });
+    if (block.motion.empty() || token == block.tokens.end()) {
+      block.words.push_back({ForeignWord::Kind::Other, 0.0, block.corner});
+      return;
+    }
+    const double mm =
+        token->value * executor.state().lengthFactor * executor.start().frame.stretchMax();
+    block.motion.back() +=
+        fmt::format(" {}={}", block.corner == ",R" ? "RND" : "CHR", base::formatFixed(mm, 6));
+  }
+
+  /// Moves that the control makes, so that their lines are kept.
+  [[nodiscard]] bool keepsMoves() const {
+    const std::optional<NativeReason> reason = nativeReason();
+    return reason == NativeReason::RadiusCompensation || reason == NativeReason::Corner;
   }
 
   /// A straight move by increments from where only the control knows the axes to stand.
@@ -284,8 +359,7 @@ class Splitter final : public gcode::BlockObserver,
     }
     const nc::Position& at = executor.start();
     const bool isRapid = state.motion == Motion::Rapid;
-    const bool isPlain = !words.hasRotary && !state.diameter && !state.polar &&
-                         m_regions.reason() != NativeReason::RadiusCompensation;
+    const bool isPlain = !words.hasRotary && !state.diameter && !state.polar && !m_regions.reason();
     keepMotion(isPlain
                    ? incrementText(at.frame, block.startMm, at.frame.toWorkpiece(at.programmedMm),
                                    incrementsMm,
@@ -353,7 +427,7 @@ class Splitter final : public gcode::BlockObserver,
 
   /// A move that is not streamed, as the control gets it.
   void keepLine(const nc::Position& from, base::Vec3 targetMm, const nc::Move& move) {
-    if (nativeReason() != NativeReason::RadiusCompensation) {
+    if (!keepsMoves()) {
       return;
     }
     const bool isRapid = move.motion == Motion::Rapid;
@@ -375,7 +449,7 @@ class Splitter final : public gcode::BlockObserver,
     }
   }
   void refuseCurve() {
-    if (isForeign() && nativeReason() == NativeReason::RadiusCompensation) {
+    if (isForeign() && keepsMoves()) {
       keepMotion(std::nullopt);
     }
   }
@@ -399,6 +473,9 @@ class Splitter final : public gcode::BlockObserver,
   /// the variables. A variable that is only set is Rivulet's.
   void noteValues(const gcode::SourceBlock& block) {
     for (const Token& token : block.tokens) {
+      if (token.kind == TokenKind::Call) {
+        noteArguments(token, block.variables);
+      }
       if (token.calculation == nullptr || token.text.empty() || token.text.front() == '$') {
         continue;
       }
@@ -421,6 +498,36 @@ class Splitter final : public gcode::BlockObserver,
                                                                   : text);
       }
     }
+  }
+
+  /// CYCLE81(R1,0,2): a cycle of the control gets the values. A program of the user may write to
+  /// its arguments.
+  void noteArguments(const Token& token, const nc::Variables& variables) {
+    const std::string name = base::toUpper(nc::tokenName(token));
+    const nc::NameEffect effect = nc::nameEffect(m_language->dialect, name);
+    const bool isOwn = effect == nc::NameEffect::Unknown || effect == nc::NameEffect::Query;
+    if (isOwn || !readsVariables(token)) {
+      return;
+    }
+    const auto arguments = argumentsOf(token);
+    if (!arguments) {
+      return;
+    }
+    std::string text(token.text.substr(0, token.text.find('(') + 1));
+    for (std::size_t i = 0; i < arguments->size(); ++i) {
+      text += i > 0 ? "," : "";
+      if (!(*arguments)[i]) {
+        continue;
+      }
+      const nc::Expected<nc::Value> value =
+          nc::evaluate(*(*arguments)[i], variables, variables.semantics());
+      if (!value) {
+        return;  // refused later, as what reads variables
+      }
+      const auto* const number = std::get_if<double>(&*value);
+      text += number != nullptr ? base::formatNumber(*number) : '"' + nc::textOf(*value) + '"';
+    }
+    m_block->values[&token] = text + ')';
   }
 
   // --- whose the block is -----------------------------------------------------------------------
@@ -456,8 +563,7 @@ class Splitter final : public gcode::BlockObserver,
       return;  // nothing the path or the machine needs
     }
     BlockNotes& block = *m_block;
-    block.reason = block.reason ? std::min(*block.reason, reason) : reason;
-    block.isSeparable = block.isSeparable && isSeparable(reason);
+    addReason(reason);
     if (reason == NativeReason::Retract) {
       block.forgetsNamed = true;
     } else if (rowOf(reason).after == PositionAfter::ControlOnly) {
@@ -468,6 +574,37 @@ class Splitter final : public gcode::BlockObserver,
     }
   }
 
+  void addReason(NativeReason reason) {
+    BlockNotes& block = *m_block;
+    block.reason = block.reason ? std::min(*block.reason, reason) : reason;
+    block.isSeparable = block.isSeparable && isSeparable(reason);
+  }
+
+  /// A tool length is selected, left out, or acts on another axis: only along that axis is it not
+  /// known where the tool stands in the coordinates of the program.
+  void addLength() {
+    BlockNotes& block = *m_block;
+    constexpr std::size_t kAxisOfIso = 2;
+    block.forgetsLength[isForeign() ? kAxisOfIso : block.before.planeThirdAxis()] = true;
+    block.forgetsLength[m_executor->state().planeThirdAxis()] = true;
+    addReason(NativeReason::Tool);
+    if (isForeign()) {
+      forgetLength();  // the motion of the block begins there
+    }
+  }
+  void forgetLength() {
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (m_block->forgetsLength[axis]) {
+        forget(axis);
+      }
+    }
+  }
+  [[nodiscard]] static bool hasLength(const BlockNotes& block) {
+    return std::find(block.forgetsLength.begin(), block.forgetsLength.end(), true) !=
+           block.forgetsLength.end();
+  }
+  [[nodiscard]] static std::array<bool, base::kAxisCount> allAxes() { return {true, true, true}; }
+
   void forgetPosition(NativeReason reason) {
     const BlockNotes& block = *m_block;
     if (block.isInHoleCycle && reason == NativeReason::Cycle) {
@@ -477,7 +614,12 @@ class Splitter final : public gcode::BlockObserver,
       if (!isForeign() || !isSeparable(reason)) {
         forgetAll();
       }
-    } else if (block.forgetsNamed) {
+      return;
+    }
+    if (!isForeign() || !isSeparable(reason)) {
+      forgetLength();
+    }
+    if (block.forgetsNamed) {
       for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
         if (block.given[axis] || block.toFixedPoint) {
           forget(axis);
@@ -496,6 +638,7 @@ class Splitter final : public gcode::BlockObserver,
   void forget(std::size_t axis) {
     nc::Position& position = m_executor->start();
     position.programmedMm.set(axis, std::numeric_limits<double>::quiet_NaN());
+    m_block->startMm.set(axis, std::numeric_limits<double>::quiet_NaN());
     position.direction = {};
     m_executor->state().incrementFrom[axis].reset();
   }
@@ -521,7 +664,7 @@ class Splitter final : public gcode::BlockObserver,
       for (const base::Vec3& chord : chords) {
         reach(from.frame.toWorkpiece(chord));
       }
-      if (isForeign() && nativeReason() == NativeReason::RadiusCompensation) {
+      if (isForeign() && keepsMoves()) {
         keepMotion(move.turns ? std::nullopt : arcText(from, arc, move));
       }
     }
@@ -570,13 +713,23 @@ class Splitter final : public gcode::BlockObserver,
           words.push_back({ForeignWord::Kind::Line, 0.0, number == kTipOn ? "TRAORI" : "TRAFOOF"});
           break;
         }
-        add(reasonOfM(number));
+        if (isForeign() && !Translator::knowsM(number)) {
+          addMachineFunction(number, line);
+          break;
+        }
+        add(isForeign() ? Translator::reasonOfM(number) : reasonOfM(number));
         words.push_back({ForeignWord::Kind::M, value, fmt::format("M{}", number)});
         break;
       }
       case MachineWord::Tool:
       case MachineWord::NamedTool:
-        add(NativeReason::Tool);
+        // Alone it makes the next tool ready. A control that changes it at once has moved the axes,
+        // which is found where the next stretch begins.
+        if (isForeign() && !m_language->toolChangesZ) {
+          addReason(NativeReason::Tool);
+        } else {
+          add(NativeReason::Tool);
+        }
         words.push_back({ForeignWord::Kind::Tool, value, "T"});
         if (m_language->toolChangesZ) {
           words.push_back({ForeignWord::Kind::M, 6.0, "M6"});
@@ -591,6 +744,30 @@ class Splitter final : public gcode::BlockObserver,
         break;
     }
   }
+  /// An M function of the source's own machine. What is left out moves nothing; what takes its
+  /// place may.
+  void addMachineFunction(int number, base::LineNumber line) {
+    const std::string name = fmt::format("M{}", number);
+    if (isAccepted(name)) {
+      return;
+    }
+    const auto given = m_profile.functions.find(number);
+    const bool isGiven = given != m_profile.functions.end();
+    if (!isGiven && !m_profile.leavesOutFunctions) {
+      add(NativeReason::Other);
+      refuse(RefusalCode::FunctionUnknown, name);
+      return;
+    }
+    const std::string text = isGiven ? given->second : std::string();
+    FunctionUse& use =
+        m_functions.try_emplace(number, FunctionUse{number, line, 0, text, !isGiven}).first->second;
+    ++use.count;
+    if (!text.empty()) {
+      add(NativeReason::Other);
+      m_block->words.push_back({ForeignWord::Kind::Line, 0.0, text});
+    }
+  }
+
   void toolName(std::string_view name, base::LineNumber line) override {
     m_own->path.toolName(name, line);
     add(NativeReason::Tool);
@@ -622,9 +799,15 @@ class Splitter final : public gcode::BlockObserver,
     } else if (isForeign() && code == FaultCode::RelativeFromUnknownPosition && isStraight() &&
                argument.size() == 1 && argument.front() >= 'X' && argument.front() <= 'Z') {
       m_block->isUnknown[static_cast<std::size_t>(argument.front() - 'X')] = true;
+    } else if (isForeign() && *reason == NativeReason::UnknownPosition) {
+      refuse(RefusalCode::StartUnknown, std::string(base::trim(m_block->text)));
+    } else if (isForeign() && *reason == NativeReason::Corner) {
+      m_block->corner = std::move(argument);
     } else if (*reason == NativeReason::RadiusCompensation && (key == 410 || key == 420)) {
       m_block->words.push_back(
           {ForeignWord::Kind::G, static_cast<double>(*key), std::move(argument)});
+    } else if (*reason == NativeReason::RadiusCompensation && (key == 411 || key == 421)) {
+      compensateBy(*key, std::move(argument));
     } else if (*reason == NativeReason::Retract) {
       m_block->toFixedPoint = code != FaultCode::MachineCoordinates;
     } else if (*reason == NativeReason::WorkOffset && key == 100) {
@@ -661,6 +844,9 @@ class Splitter final : public gcode::BlockObserver,
     if (key == kCompensationOff) {
       if (isForeign() && m_block && m_regions.reason() == NativeReason::RadiusCompensation) {
         m_block->words.push_back({ForeignWord::Kind::G, static_cast<double>(key), "G40"});
+        if (std::exchange(m_hasAllowance, false)) {
+          m_block->words.push_back({ForeignWord::Kind::Line, 0.0, "OFFN=0"});
+        }
       }
       m_regions.compensationOff();
     }
@@ -678,7 +864,13 @@ class Splitter final : public gcode::BlockObserver,
       hear({Heard::Kind::G, Severity::Note, key, FaultCode::IgnoredCode, {}, token});
       return;
     }
-    add(*reason);
+    // G43.1 and G43.2 may offset any axis.
+    constexpr std::array kAlongTool{430, 440, 490};
+    if (std::find(kAlongTool.begin(), kAlongTool.end(), key) != kAlongTool.end()) {
+      addLength();
+    } else {
+      add(*reason);
+    }
     if (*reason != NativeReason::Dwell) {
       m_block->words.push_back(
           {ForeignWord::Kind::G, static_cast<double>(key), nc::wordText(token)});
@@ -696,7 +888,11 @@ class Splitter final : public gcode::BlockObserver,
       // The cell of a radius: the control takes that of the tool, with G41.
       hear({Heard::Kind::Letter, Severity::Note, 0, FaultCode::IgnoredCode, {}, token});
     } else if (token.address == 'D' || token.address == 'H') {
-      add(token.address == 'D' || isForeign() ? NativeReason::Tool : NativeReason::Other);
+      if (token.address == 'D' || isForeign()) {
+        addLength();
+      } else {
+        add(NativeReason::Other);
+      }
       m_block->words.push_back({ForeignWord::Kind::LengthCell, token.value, nc::wordText(token)});
     }
   }
@@ -781,7 +977,7 @@ class Splitter final : public gcode::BlockObserver,
     native.frame = block.frame;
     native.moves = block.moves;
     native.setsFrame = block.setsFrame;
-    native.changesPlane = block.changesPlane;
+    native.shifts = block.forgetsAll || !hasLength(block) ? allAxes() : block.forgetsLength;
     native.increments = block.increments;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       native.places[axis] = block.given[axis] && !block.increments[axis];
@@ -922,6 +1118,7 @@ class Splitter final : public gcode::BlockObserver,
   }
 
   const gcode::LoadOptions& m_options;
+  const Profile& m_profile;
   Translator m_translator;
   const nc::Language* m_language = nullptr;
   std::optional<nc::Sinks> m_own;
@@ -935,6 +1132,7 @@ class Splitter final : public gcode::BlockObserver,
   std::array<bool, base::kAxisCount> m_isSetUnknown{};  ///< by G92, from where is not known
   std::vector<std::string> m_frame;
   bool m_curveIsStreamed = false;
+  bool m_hasAllowance = false;  ///< OFFN, until G40
   std::size_t m_points = 0;
 
   Stretch m_open;
@@ -942,6 +1140,7 @@ class Splitter final : public gcode::BlockObserver,
   int m_stretches = 0;
   std::vector<Part> m_parts;
   std::vector<Refusal> m_refusals;
+  std::map<int, FunctionUse> m_functions;
   int m_lastEdge = 0;
   base::Vec3 m_minMm{kNowhere, kNowhere, kNowhere};
   base::Vec3 m_maxMm{kNowhere, kNowhere, kNowhere};

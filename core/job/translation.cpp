@@ -39,10 +39,31 @@ std::string Translator::toolChange() const {
   return m_tool ? nc::filled(m_profile.toolChange, *m_tool) : "M6";
 }
 
+namespace {
+constexpr std::array kBefore{3, 4, 7, 8};
+constexpr std::array kAfter{0, 1, 5, 9, 19, 30};
+/// Rigid tapping comes next: CYCLE84 is rigid.
+constexpr int kRigid = 29;
+}  // namespace
+
+bool Translator::knowsM(int number) {
+  static constexpr std::array kOthers{2, 6, 13, 14, kRigid};
+  const auto has = [number](const auto& numbers) {
+    return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+  };
+  return has(kBefore) || has(kAfter) || has(kOthers);
+}
+
+NativeReason Translator::reasonOfM(int number) {
+  const NativeReason reason = job::reasonOfM(number);
+  return reason == NativeReason::Other ? NativeReason::Spindle : reason;  // M13, M14, M29
+}
+
 void Translator::translateM(int number, const ForeignWord& word, std::string& before,
                             Translation& out) {
-  static constexpr std::array kBefore{3, 4, 7, 8};
-  static constexpr std::array kAfter{0, 1, 5, 9, 19, 30};
+  if (number == kRigid) {
+    return;
+  }
   if (number == 6) {
     addWord(before, toolChange());
   } else if (number == 13 || number == 14) {  // of plain text

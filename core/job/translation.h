@@ -53,6 +53,10 @@ class Translator {
  public:
   explicit Translator(const Profile& profile) : m_profile(profile) {}
 
+  /// An M function that means the same on both controls; others are the profile's.
+  [[nodiscard]] static bool knowsM(int number);
+  /// Of such a one.
+  [[nodiscard]] static NativeReason reasonOfM(int number);
   /// The words of one block. @param home  nothing: the block has no such move
   [[nodiscard]] Translation translate(const std::vector<ForeignWord>& words,
                                       const std::optional<HomeMove>& home);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -108,6 +109,24 @@ templates::TemplateParameters withTurnedAxes(templates::TemplateParameters param
                                              const gcode::Trajectory& trajectory) {
   if (base::streamsRotary(parameters.method)) {
     parameters.rotaryAxes = gcode::turnedAxes(trajectory);
+  }
+  return parameters;
+}
+
+templates::TemplateParameters withTurnedAxes(templates::TemplateParameters parameters,
+                                             const job::Plan& plan) {
+  parameters = withTurnedAxes(std::move(parameters), plan.program.trajectory);
+  const auto isTransformed = [](const job::Part& part) {
+    const auto* const native = std::get_if<job::NativeBlock>(&part);
+    return native != nullptr && native->reason == job::NativeReason::Transformation;
+  };
+  if (base::streamsRotary(parameters.method) &&
+      std::any_of(plan.parts.begin(), plan.parts.end(), isTransformed)) {
+    for (const gcode::RotaryPosition& set : plan.program.trajectory.rotary) {
+      for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+        parameters.rotaryAxes[axis] = parameters.rotaryAxes[axis] || !std::isnan(set.degrees[axis]);
+      }
+    }
   }
   return parameters;
 }

@@ -13,6 +13,7 @@
 #include "base/result.h"
 #include "gcode/feeds.h"
 #include "gcode/trajectory.h"
+#include "job/plan.h"
 #include "opcua/link.h"
 #include "templates/cells.h"
 
@@ -41,6 +42,10 @@ struct ControlAxes {
 /// @param parameters  method window; with another method they are not changed
 [[nodiscard]] templates::TemplateParameters withTurnedAxes(templates::TemplateParameters parameters,
                                                            const gcode::Trajectory& trajectory);
+/// The same of a job: a transformation in it may leave the rotary axes anywhere, so that a single
+/// place to which a stretch turns them counts.
+[[nodiscard]] templates::TemplateParameters withTurnedAxes(templates::TemplateParameters parameters,
+                                                           const job::Plan& plan);
 
 /// Check before a run: every rotary axis that moves is streamed, and the control has it. An axis
 /// that is only set before the path need not be streamed if it is there already, or if the control

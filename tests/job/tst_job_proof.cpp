@@ -3,12 +3,15 @@
 
 // A job does what its source does, on the virtual machine; and what a job does otherwise is found.
 
+#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <QtTest>
 
+#include "experiments/large_machine.h"
 #include "gcode/block_observer.h"
 #include "gcode/feeds.h"
+#include "job/main_program.h"
 #include "streaming/control_axes.h"
 #include "streaming/simulation/fitted_machine.h"
 #include "streaming/simulation/job_proof.h"
@@ -19,6 +22,10 @@ using namespace rivulet;
 namespace {
 
 const QString kCorpus = QStringLiteral(RIVULET_SOURCE_DIR "/../shared/corpus/");
+
+/// Programs as post-processors and people write them, for each control; `refused.tsv` has those
+/// that are no job, with what has to be said.
+const QString kPrograms = QStringLiteral(RIVULET_SOURCE_DIR "/tests/data/job-programs/");
 
 const char* const kPart =
     "N10 G17 G90 G71 G54\nT3 M6\nD1\nS3000 M3\nG0 X0 Y0\nZ50\nZ5\nG1 Z-2 F2000\nG41 X20 Y0\nX60\n"
@@ -35,7 +42,7 @@ Proved prove(job::Plan plan, const machine::MachineConfig& machine) {
   streaming::RunSettings settings;
   settings.parameters.method = base::MethodKind::Window;
   settings.parameters.pointsPerLoop = 7;
-  settings.parameters = streaming::withTurnedAxes(settings.parameters, plan.program.trajectory);
+  settings.parameters = streaming::withTurnedAxes(settings.parameters, plan);
   settings.parameters.feedPerPoint = true;
   settings.isCommissioned = true;
   settings.programFeeds = gcode::ProgramFeeds{};
@@ -75,6 +82,60 @@ class TestJobProof : public QObject {
     QVERIFY(done.proof->ends > 15);
     QVERIFY2(done.proof->farthestMm < 0.001, qPrintable(QString::number(done.proof->farthestMm)));
     QVERIFY(done.proof->asJob > done.proof->plain);
+  }
+
+  /// Each program runs as the job it is, or is refused with the reason.
+  void programs_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("refusal");  ///< a part of the sentence; empty: it runs
+    QFile list(kPrograms + "refused.tsv");
+    QVERIFY(list.open(QIODevice::ReadOnly));
+    QMap<QString, QString> refused;
+    for (const QByteArray& line : list.readAll().split('\n')) {
+      const QList<QByteArray> fields = line.split('\t');
+      if (fields.size() == 2) {
+        refused[QString::fromUtf8(fields[0])] = QString::fromUtf8(fields[1]);
+      }
+    }
+    std::size_t found = 0;
+    for (QDirIterator files(kPrograms, QDir::Files, QDirIterator::Subdirectories);
+         files.hasNext();) {
+      const QString file = files.next().mid(kPrograms.size());
+      if (!file.contains('/') || file == "fanuc/3001.nc") {
+        continue;  // a list; a subprogram
+      }
+      ++found;
+      QTest::newRow(qPrintable(file)) << file << refused.value(file);
+    }
+    QVERIFY(found > 50);
+  }
+  void programs() {
+    QFETCH(const QString, file);
+    QFETCH(const QString, refusal);
+    QFile program(kPrograms + file);
+    QVERIFY(program.open(QIODevice::ReadOnly));
+    gcode::LoadOptions options;
+    options.subprogram = gcode::subprogramsBeside((kPrograms + file).toStdString());
+    options.defaultFeedMmPerS = streaming::kFittedFeedMmPerS;
+    job::Profile profile;
+    profile.leavesOutFunctions = true;
+    auto plan = job::makePlan(QFileInfo(file).fileName().toStdString(),
+                              program.readAll().toStdString(), options, profile);
+    QVERIFY(plan.has_value());
+    const base::Result<void> whole = job::requireWhole(*plan);
+    if (!refusal.isEmpty()) {
+      QVERIFY(!whole);
+      QVERIFY2(QString::fromStdString(whole.error().text()).contains(refusal),
+               whole.error().text().c_str());
+      return;
+    }
+    QVERIFY2(whole.has_value(), whole ? "" : whole.error().text().c_str());
+    machine::MachineConfig machine =
+        streaming::fitMachine(*machine::loadPreset("dmu75-mill"), *plan).config;
+    (void)experiments::enlarge(machine, *plan);
+    const Proved done = prove(*std::move(plan), machine);
+    QVERIFY2(done.proof.has_value(), done.proof ? "" : done.proof.error().text().c_str());
+    QVERIFY2(done.proof->difference.empty(), done.proof->difference.c_str());
   }
 
   /// A block that got lost is found, whether it moves or switches.

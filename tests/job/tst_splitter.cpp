@@ -150,7 +150,10 @@ class TestSplitter : public QObject {
     QCOMPARE(text(test::printPoints(plan.program.trajectory)),
              QStringLiteral("4 R X0 Y0 Z0 | 5 L X0 Y25.4 Z0 F25400"));
     QVERIFY(!planOf("G10 L20 P1 X0\nG0 X1\n", gcode::Dialect::LinuxCnc).isWhole());
-    QVERIFY(!planOf("G10 L2 P1 X0\nG0 X1\n", gcode::Dialect::Fanuc).isWhole());
+    QVERIFY(planOf("G90 G10 L2 P1 X0\nG0 X1\n", gcode::Dialect::Fanuc).isWhole());
+    // P0 is an offset of its own there, and G91 adds.
+    QVERIFY(!planOf("G90 G10 L2 P0 X0\nG0 X1\n", gcode::Dialect::Fanuc).isWhole());
+    QVERIFY(!planOf("G91 G10 L2 P1 X5\nG90 G0 X1\n", gcode::Dialect::Fanuc).isWhole());
   }
 
   /// After a tool change only the control knows where the tool stands, and so what G92 shifts.
@@ -307,6 +310,71 @@ class TestSplitter : public QObject {
             "native 1 coolant N10 M8 ; mist | native 2 coolant M9 | stretch 1 3: 1 point from ?"));
   }
 
+  /// A cycle of the control gets the values of its arguments.
+  void argumentsOfCycles() {
+    const job::Plan plan = planOf(
+        "DEF REAL TOL=0.03\nR1=20 R2=-4.5\nCYCLE832(TOL,3,1)\nG0 X1 Y1 Z20\n"
+        "CYCLE81(R1,,R1/10,R2)\nMSG(\"depth \"<<R2<<\" of \"<<R1)\nMSG(\"T\"<<$P_TOOLNO)\n"
+        "OWN(R1)\n");
+    QStringList found;
+    for (const job::Part& part : plan.parts) {
+      if (const auto* const native = std::get_if<job::NativeBlock>(&part)) {
+        found << QString::fromStdString(native->text);
+        // What the control alone knows stays; a program of the user may write to its argument.
+        QCOMPARE(native->calculates, native->text == "OWN(R1)");
+      }
+    }
+    QCOMPARE(found, (QStringList{
+                        QStringLiteral("CYCLE832(0.03,3,1)"), QStringLiteral("CYCLE81(20,,2,-4.5)"),
+                        QStringLiteral("MSG(\"depth -4.5 of 20\")"),
+                        QStringLiteral("MSG(\"T\"<<$P_TOOLNO)"), QStringLiteral("OWN(R1)")}));
+  }
+
+  /// A tool length acts along Z: an arc after it begins where the program says.
+  void lengthForgetsItsAxisAlone() {
+    const job::Plan plan =
+        planOf("T1 M6\nG0 X0. Y0.\nG43 H1 Z5.\nT2\nG2 X10. Y0. I5. J0. F100.\nG91 G1 X5.\n",
+               gcode::Dialect::Fanuc);
+    QCOMPARE(refusals(plan), QString());
+    const auto& last = std::get<job::Stretch>(plan.parts.back());
+    QVERIFY(last.startIsKnown());
+    QCOMPARE(last.startMm, (base::Vec3{0.0, 0.0, 5.0}));
+    // In another plane the length of a SINUMERIK acts along another axis: Y and Z are not known.
+    const job::Plan turned = planOf("G17 G0 X1 Y2 Z3\nG18\nG0 X5\n");
+    QCOMPARE(text(test::printPoints(turned.program.trajectory)),
+             QStringLiteral("1 R X1 Y2 Z3 | 3 R X5 Y? Z?"));
+  }
+
+  /// Where an arc begins after a tool change nobody knows: the advice must not be to leave X out.
+  void startIsUnknown() {
+    const job::Plan plan =
+        planOf("G0 X0. Y0. Z5.\nT1 M6\nG2 X10. Y0. I5. J0. F100.\n", gcode::Dialect::Fanuc);
+    QCOMPARE(refusals(plan), QStringLiteral("3 start-unknown G2 X10. Y0. I5. J0. F100."));
+  }
+
+  /// M functions of another machine: as the user has said, else they are refused.
+  void functionsOfAnotherMachine() {
+    const char* const program = "G0 X0. Y0. Z5.\nM163\nG0 X1.\nM11\nM163\nG91 G0 X1.\n";
+    QCOMPARE(refusals(planOf(program, gcode::Dialect::Fanuc)),
+             QStringLiteral("2 function-unknown M163 | 4 function-unknown M11 | 5 function-unknown "
+                            "M163"));
+    job::Profile profile;
+    profile.functions = {{163, ""}, {11, "M21"}};
+    const job::Plan plan = planOf(program, gcode::Dialect::Fanuc, profile);
+    QCOMPARE(refusals(plan), QString());
+    // What is left out does not part the motion; what the control does may move the axes.
+    QCOMPARE(text(test::printParts(plan)),
+             QStringLiteral("stretch 1 1-3: 2 points from ? | native 4 other M21 | settings 5 | "
+                            "native 6 unknown-position G0 X=IC(1)"));
+    QCOMPARE(plan.functions.size(), std::size_t{2});
+    QCOMPARE(plan.functions.back().number, 163);
+    QCOMPARE(plan.functions.back().count, std::size_t{2});
+    QVERIFY(!plan.functions.back().isAssumed);
+    job::Profile pictured;
+    pictured.leavesOutFunctions = true;
+    QVERIFY(planOf(program, gcode::Dialect::Fanuc, pictured).functions.front().isAssumed);
+  }
+
   /// The control does not know the variables that Rivulet has computed.
   void valuesTakeThePlaceOfCalculations() {
     const job::Plan plan = planOf(
@@ -315,11 +383,11 @@ class TestSplitter : public QObject {
     QCOMPARE(
         text(test::printParts(plan)),
         QStringLiteral("settings 1-2 | native 3 spindle S=1000 M3 | native 4 message MSG(\"S is "
-                       "\"<<R1) | native 5 message MSG(\"READY\") | stretch 1 6: 1 point from "
-                       "? | native 7 retract SUPA G0 Z=20 D0 | native 8 unknown-position G1 "
-                       "X=IC(5) M8 F100"));
+                       "500\") | native 5 message MSG(\"READY\") | stretch 1 6: 1 point from "
+                       "? | native 7 retract SUPA G0 Z=20 D0 | native 8 coolant G1 X=IC(5) M8 "
+                       "F100"));
     QVERIFY(!std::get<job::NativeBlock>(plan.parts.at(1)).calculates);
-    QVERIFY(std::get<job::NativeBlock>(plan.parts.at(2)).calculates);
+    QVERIFY(!std::get<job::NativeBlock>(plan.parts.at(2)).calculates);
     QVERIFY(!std::get<job::NativeBlock>(plan.parts.at(3)).calculates);
   }
 
@@ -359,8 +427,8 @@ class TestSplitter : public QObject {
             "6 retract SUPA G0 Z0 D0\nD1 | stretch 3 7: 1 point from ? | native 8 dwell G4 F0.5 | "
             "native 9 end M30"));
     QCOMPARE(text(test::printPoints(plan.program.trajectory)),
-             QStringLiteral("2 R X10 Y20 Z? | 3 R X? Y? Z50 | 4 L X? Y? Z-1 "
-                            "F200 | 5 R X? Y? Z50 | 7 R X0 Y0 Z?"));
+             QStringLiteral("2 R X10 Y20 Z? | 3 R X10 Y20 Z50 | 4 L X10 Y20 "
+                            "Z-1 F200 | 5 R X10 Y20 Z50 | 7 R X0 Y0 Z?"));
   }
 
   void translationComesFromTheProfile() {
@@ -398,7 +466,8 @@ class TestSplitter : public QObject {
                gcode::Dialect::Fanuc);
     QVERIFY(!plan.isWhole());
     QCOMPARE(refusals(plan),  // a cycle without R
-             QStringLiteral("2 not-translated G87 | 4 not-translated M60 | 5 not-translated G81"));
+             QStringLiteral("2 not-translated G87 | 4 function-unknown M60 | 5 cycle-incomplete "
+                            "G81 (R)"));
     QCOMPARE(QString::fromStdString(job::describe(plan.refusals.front())),
              QStringLiteral("There is no translation of G87 for the control: leave it out "
                             "(--accept G87)."));
