@@ -180,6 +180,14 @@ constexpr std::array kTexts{
              RIVULET_SENTENCE("DiagnosticTexts",
                               "%1 is a turning cycle, so this is a program for a lathe: X is read "
                               "as a diameter, U and W as increments, the plane is Z X.")},
+    CodeText{DiagnosticCode::CornerMalformed, "corner-malformed",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The corner cannot be rounded or chamfered: there must be an element "
+                              "of the contour before and behind it, both long enough.")},
+    CodeText{DiagnosticCode::StopsWithError, "stops-with-error",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The program ends here with its own error (%1): check the values it "
+                              "has been given.")},
     CodeText{DiagnosticCode::Accepted, "accepted",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "%1 is left out because you accepted it: the path may differ from "

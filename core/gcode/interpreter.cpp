@@ -161,7 +161,7 @@ class Interpreter {
 
   /// Subprograms from elsewhere are kept for an observer.
   [[nodiscard]] nc::CursorOptions cursorOptions() {
-    nc::CursorOptions made{m_options.repeatedLinesMax, m_options.subprogram};
+    nc::CursorOptions made{m_options.blockSkip, m_options.repeatedLinesMax, m_options.subprogram};
     if (m_observer != nullptr && m_options.subprogram) {
       made.load = [this](std::string_view name) {
         std::optional<nc::LoadedText> loaded = m_options.subprogram(name);
@@ -281,7 +281,14 @@ class Interpreter {
   void settle(const nc::Outcome& outcome, const Token& token) {
     if (const auto* const fault = std::get_if<nc::Fault>(&outcome)) {
       m_facts.incomplete();
-      m_to.faults.fault(token.column, *fault);
+      // An unknown position is no matter for the control here: the block has not been read.
+      const bool isUnknown = fault->code == DiagnosticCode::RelativeFromUnknownPosition ||
+                             fault->code == DiagnosticCode::ArcFromUnknownPosition;
+      if (nc::isFinding(fault->code) && !isUnknown) {
+        m_to.faults.report(Severity::Error, token.column, fault->code, fault->argument);
+      } else {
+        m_to.faults.fault(token.column, *fault);
+      }
     } else if (const auto* const missing = std::get_if<nc::SubprogramMissing>(&outcome)) {
       m_to.faults.error(token, DiagnosticCode::SubprogramMissing, missing->name);
     } else if (const auto* const unsupported = std::get_if<nc::Unsupported>(&outcome)) {

@@ -29,8 +29,8 @@ constexpr std::uintmax_t kSubprogramBytesMax = std::uintmax_t{16} * 1024 * 1024;
 /// NAME.SPF beside the program, whatever the case of its letters.
 std::optional<nc::LoadedText> subprogramIn(const std::filesystem::path& folder,
                                            std::string_view name) {
-  static constexpr std::array<std::string_view, 8> kEndings{"",    ".SPF", ".MPF", ".SUB",
-                                                            ".NC", ".NGC", ".TAP", ".CNC"};
+  static constexpr std::array<std::string_view, 9> kEndings{"",     ".SPF", ".MPF", ".SUB", ".NC",
+                                                            ".NGC", ".TAP", ".CNC", ".H"};
   // O<name> of RS-274/NGC is name.ngc.
   if (name.size() > 3 && name.substr(0, 2) == "O<") {
     name = name.substr(2, name.size() - 3);

@@ -67,6 +67,8 @@ enum class FaultCode : std::uint8_t {
   CentreReading,   ///< argument: the reading under which all arcs fit
   NoMotion,        ///< no argument: no axis moves
   LatheAssumed,    ///< argument: the turning cycle; X is read as a diameter, the plane is Z X
+  CornerMalformed,  ///< RND or CHF that has no room, or no element beside it
+  StopsWithError,   ///< argument: FN 14 and its number
   Accepted,        ///< accepted by the user: argument the name; the word is left out
   MoreFindings,    ///< the list was cut here: argument how many are not in it
   // Expressions as text.
@@ -177,6 +179,11 @@ using Expected = tl::expected<T, Fault>;
   return code == FaultCode::SubprogramMissing || code == FaultCode::ProgramTwice ||
          code == FaultCode::AlarmRaised ||
          (code >= FaultCode::NoTarget && code <= FaultCode::CallsTooDeep);
+}
+
+/// True if it is a finding with a sentence of its own, not a cause of one.
+[[nodiscard]] constexpr bool isFinding(FaultCode code) {
+  return code < FaultCode::ValueMissing;
 }
 
 /// The sentence with its parameter in it.

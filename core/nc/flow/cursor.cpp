@@ -20,7 +20,9 @@ Cursor::Cursor(std::string_view text, Dialect dialect, Variables& variables,
       m_options(options),
       m_lexer(text, dialect) {
   m_sources.emplace_back().text = text;
-  if (mayHoldSeveral(text, m_language)) {
+  if (m_language.isKlartext) {
+    m_control.emplace();
+  } else if (mayHoldSeveral(text, m_language)) {
     grow();
   }
 }
@@ -100,8 +102,20 @@ void Cursor::setPlace(const Place& place) {
 
 namespace {
 
-/// Blocks of a program that no control would miss: what is left of ELSE and ENDIF.
+/// The statement of a block of plain text; empty: it is none.
+std::string_view plainText(const Statement& statement) {
+  const auto* const words = std::get_if<Words>(&statement.what);
+  const bool isPlain = words != nullptr && !words->tokens.empty() &&
+                       words->tokens.back().kind == TokenKind::Statement;
+  return isPlain ? words->tokens.back().text : std::string_view();
+}
+
+/// Blocks of a program that no control would miss are none: what is left of ELSE and ENDIF, ends.
 bool isBlock(const Statement& statement) {
+  const std::string_view plain = plainText(statement);
+  if (plain.starts_with("END PGM") || plain.starts_with("LBL")) {
+    return false;
+  }
   const auto* const branch = std::get_if<Branch>(&statement.what);
   return !(branch != nullptr && !branch->condition) &&
          !std::holds_alternative<Definition>(statement.what);
@@ -112,7 +126,8 @@ bool decides(const Tree& tree) {
     const auto* const branch = std::get_if<Branch>(&each.what);
     const auto* const jump = std::get_if<Jump>(&each.what);
     return (branch != nullptr && branch->condition) ||
-           (jump != nullptr && (jump->condition || jump->number));
+           (jump != nullptr && (jump->condition || jump->number)) ||
+           plainText(each).starts_with("FN");
   });
 }
 
@@ -173,7 +188,157 @@ std::vector<Unreached> Cursor::unreached() const {
   return all;
 }
 
+// --- Heidenhain ---------------------------------------------------------------------------------
+
+Cursor::Step Cursor::nextOfKlartext() {
+  while (!m_control->take(m_made)) {
+    if (m_isFinished) {
+      return Step::End;
+    }
+    if (m_endless || m_control->isLost() || !readKlartextBlock()) {
+      m_isFinished = true;
+      m_control->finish();
+    }
+  }
+  m_place = m_made.place;
+  m_line = m_made.line;
+  m_outcome = std::monostate{};
+  if (m_made.fault) {
+    m_outcome = outcomeOf(std::move(*m_made.fault));
+    return Step::Report;
+  }
+  if (!m_made.ignored.empty()) {
+    m_outcome = Ignored{std::move(m_made.ignored)};
+    return Step::Report;
+  }
+  m_words = &m_made.words;
+  return Step::Block;
+}
+
+bool Cursor::readKlartextBlock() {
+  const Words* words = &m_block;
+  std::uint16_t file = 0;
+  if (!m_flow) {
+    if (!m_lexer.next(m_block)) {
+      return false;
+    }
+    ++m_executed;
+    m_readPlace = {m_block.line, 0, 1};
+  } else {
+    const Statement* const statement = m_flow->due();
+    if (statement == nullptr) {
+      const bool isOfProgram = !m_flow->isInLocal();
+      if (!isOfProgram) {
+        m_control->report({FaultCode::NotClosed, "LBL", m_readPlace});
+      }
+      if (!m_flow->leave()) {
+        return false;
+      }
+      if (isOfProgram) {
+        m_control->leaveProgram();
+      }
+      return true;
+    }
+    m_flow->step();
+    if (statement->place.file == m_readPlace.file &&
+        statement->place.line.value <= m_readPlace.line.value) {
+      m_jumpedFrom = m_readLine;
+    }
+    m_readPlace = statement->place;
+    if (m_readPlace.file == 0) {
+      m_reached[m_readPlace.line.value] = true;
+    }
+    if (++m_executed > m_sources.front().programs.lines + m_options.repeatedLinesMax) {
+      m_endless = m_jumpedFrom;
+      return false;
+    }
+    file = statement->place.file;
+    words = std::get_if<Words>(&statement->what);
+    if (words == nullptr) {
+      return true;
+    }
+  }
+  m_readLine = m_readPlace.file == 0 ? m_readPlace.line : m_readLine;
+  bool isSkipped = false;
+  for (const Token& token : words->tokens) {
+    isSkipped = isSkipped || token.kind == TokenKind::BlockSkip;
+    if (token.kind != TokenKind::Statement) {
+      continue;
+    }
+    if (isSkipped && m_options.blockSkip) {
+      continue;
+    }
+    const Place place{m_readPlace.line, file, token.column};
+    const heidenhain::Steering steering =
+        m_control->execute(token.text, place, m_readLine, isSkipped);
+    if (Expected<void> done = steer(steering); !done) {
+      m_control->report(std::move(done.error()));
+    }
+    break;  // what follows may be gone
+  }
+  return true;
+}
+
+Expected<void> Cursor::steer(const heidenhain::Steering& steering) {
+  if (std::holds_alternative<std::monostate>(steering)) {
+    return {};
+  }
+  if (std::holds_alternative<heidenhain::LabelEnd>(steering)) {
+    if (m_flow && m_flow->isInLocal()) {
+      static_cast<void>(m_flow->leave());
+    }
+    return {};
+  }
+  if (std::holds_alternative<heidenhain::ProgramEnd>(steering)) {
+    if (m_flow && m_flow->leaveProgram()) {
+      m_control->leaveProgram();
+    }
+    return {};
+  }
+  m_place = m_readPlace;
+  grow();
+  Statement statement;
+  statement.place = m_readPlace;
+  const bool isProgram = std::holds_alternative<Call>(steering);
+  if (isProgram) {
+    statement.what = std::get<Call>(steering);
+  } else if (const auto* const label = std::get_if<heidenhain::LabelCall>(&steering)) {
+    Call call;
+    call.name = label->label;
+    call.isLocal = true;
+    call.sharesVariables = true;
+    statement.what = std::move(call);
+  } else if (const auto* const jump = std::get_if<Jump>(&steering)) {
+    statement.what = *jump;
+  } else {
+    statement.what = std::get<RepeatLabel>(steering);
+  }
+  const Expected<bool> done = m_flow->execute(statement);
+  if (!done) {
+    return fail(done.error());
+  }
+  m_rounds += std::holds_alternative<Jump>(statement.what) ? 0 : 1;
+  const Statement* const due = m_flow->due();
+  if (std::holds_alternative<Jump>(statement.what) && due != nullptr &&
+      due->place.line.value <= m_readPlace.line.value && m_readPlace.file == 0) {
+    // A jump back by itself, with no other values than the time before, would be made for ever.
+    const std::uint64_t changes = m_control->changes() + m_rounds + 1;
+    std::uint64_t& before = m_jumpsBack[m_readPlace.line.value];
+    if (before == changes) {
+      m_endless = m_readLine;
+    }
+    before = changes;
+  }
+  if (isProgram) {
+    m_control->enterProgram();
+  }
+  return {};
+}
+
 Cursor::Step Cursor::next() {
+  if (m_control) {
+    return nextOfKlartext();
+  }
   if (!m_flow) {
     if (!m_lexer.next(m_block)) {
       return Step::End;

@@ -18,6 +18,7 @@
 #include <variant>
 #include <vector>
 
+#include "nc/dialects/heidenhain/control.h"
 #include "nc/eval/variables.h"
 #include "nc/flow/flow.h"
 #include "nc/syntax/programs.h"
@@ -31,6 +32,8 @@ struct LoadedText {
 };
 
 struct CursorOptions {
+  /// Blocks with "/" are left out. Only plain text asks here: its blocks change more than the path.
+  bool blockSkip = false;
   /// Statements executed beyond the lines of the file before a program counts as endless.
   std::size_t repeatedLinesMax = 5'000'000;
   /// The text of a subprogram that is not in the file: by its name in upper case, "O100" for
@@ -136,6 +139,11 @@ class Cursor {
     Programs programs;
   };
 
+  /// Of Heidenhain: what its control makes of the next blocks.
+  [[nodiscard]] Step nextOfKlartext();
+  /// @return false at the end
+  [[nodiscard]] bool readKlartextBlock();
+  [[nodiscard]] Expected<void> steer(const heidenhain::Steering& steering);
   void grow();
   [[nodiscard]] std::shared_ptr<const Tree> find(const std::string& name);
   void setPlace(const Place& place);
@@ -150,6 +158,13 @@ class Cursor {
   const Words* m_words = &m_block;
   std::deque<Source> m_sources;  ///< the program file first
   std::map<std::string, std::size_t, std::less<>> m_loaded;
+  std::optional<heidenhain::Control> m_control;        ///< of Heidenhain
+  heidenhain::Made m_made;                             ///< the present block of `m_control`
+  Place m_readPlace;                                   ///< of the block read last
+  std::map<std::uint32_t, std::uint64_t> m_jumpsBack;  ///< by line: changes when it was made last
+  std::uint64_t m_rounds = 0;                          ///< of repeats and of calls
+  base::LineNumber m_readLine;                         ///< of the program file
+  bool m_isFinished = false;
   std::optional<Flow> m_flow;  ///< from the first statement on that needs it
   Outcome m_outcome;
   Place m_place;

@@ -227,6 +227,7 @@ Expected<bool> Flow::call(const Call& call) {
       return fail(FaultCode::TargetMissing, name);
     }
     enter(own, *begin, std::nullopt, *times - 1);
+    level().isLocal = true;
     return true;
   }
   std::shared_ptr<const Tree> program = m_library ? m_library(name) : nullptr;
@@ -283,6 +284,13 @@ void Flow::enter(std::shared_ptr<const Tree> program, std::size_t begin, std::op
   if (m_calls != nullptr) {
     m_calls->entered(*level().program);
   }
+}
+
+bool Flow::leaveProgram() {
+  while (level().isLocal) {
+    static_cast<void>(leave());
+  }
+  return leave();
 }
 
 bool Flow::leave() {

@@ -51,6 +51,11 @@ class Flow {
   /// Executes a statement that has just been stepped over: Assignment, Definition, Jump, Branch,
   /// RepeatLabel and Call. Others are the caller's. @return true if it led somewhere else
   [[nodiscard]] Expected<bool> execute(const Statement& statement);
+  /// The call in progress is that of blocks of the program that calls.
+  [[nodiscard]] bool isInLocal() const { return m_levels.back().isLocal; }
+  /// Ends the program in progress and the calls of its own blocks. @return false in the main
+  /// program
+  [[nodiscard]] bool leaveProgram();
   /// M17, RET or the end of the text. @return false in the main program
   [[nodiscard]] bool leave();
   /// M99 P50: back to that block of the caller, or in the main program to its own.
@@ -76,6 +81,7 @@ class Flow {
     std::map<std::size_t, int> repeats;  ///< REPEAT statements in progress, rounds left
     std::vector<Range> ranges;
     std::size_t begin = 0;       ///< where a further round begins
+    bool isLocal = false;        ///< of blocks of the program that calls
     int callsLeft = 0;           ///< rounds of this program still to come
     std::optional<Scope> scope;  ///< as at the call; nothing: shared with the caller
     /// Branches whose condition is not known: their loops are run once.

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Heidenhain's plain text, line by line, as the tokens all dialects share: `L X+10 F500` becomes
-/// G1 X10 F500, `L Z+50 FMAX` G0 Z50, `CC X+0 Y+0` the pole G111 X0 Y0, `C X+5 Y+0 DR-` G2 X5 Y0
-/// about that pole. What moves and has no such counterpart becomes a statement that is refused.
-/// @threadsafety pure.
+/// Heidenhain's plain text, block by block: what is a block, its number, and its label. What its
+/// words mean is for nc/dialects/heidenhain. @threadsafety pure.
 #pragma once
 
 #include <string_view>
@@ -15,8 +13,11 @@
 
 namespace rivulet::nc {
 
-/// Appends the tokens of one line. @param continues  the line before ended with "~"; set for the
-/// next one
-void readKlartext(std::string_view line, bool& continues, std::vector<Token>& tokens);
+/// True if the next line belongs to the block: this one ends with "~", in its comment too.
+[[nodiscard]] bool klartextContinues(std::string_view line);
+
+/// Appends the tokens of one block of one or more lines: a skip mark, a label, or a statement that
+/// is the whole rest of the block with its comments.
+void readKlartext(std::string_view block, std::vector<Token>& tokens);
 
 }  // namespace rivulet::nc

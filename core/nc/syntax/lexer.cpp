@@ -729,7 +729,16 @@ bool Lexer::next(Block& block) {
   block.tokens.clear();
   block.calculations.clear();
   if (m_language.isKlartext) {
-    readKlartext(*line, m_continues, block.tokens);
+    std::string_view whole = *line;
+    for (std::string_view last = *line; klartextContinues(last);) {
+      const std::optional<std::string_view> more = nextLine();
+      if (!more) {
+        break;
+      }
+      last = *more;
+      whole = {whole.data(), static_cast<std::size_t>(last.data() + last.size() - whole.data())};
+    }
+    readKlartext(whole, block.tokens);
   } else {
     LineReader(*line, m_language, {block.line, m_file, 1}, block).read();
   }

@@ -106,7 +106,6 @@ class Lexer {
   std::uint32_t m_line = 0;
   const Language& m_language;
   std::uint16_t m_file;
-  bool m_continues = false;  ///< Heidenhain: the next line belongs to this one
 };
 
 }  // namespace rivulet::nc

@@ -227,7 +227,9 @@ class Splitter {
           (m_detail == Detail::Statements || isSteering(token.text, m_language))) {
         statement = token;
       } else if (token.kind == TokenKind::Label) {
-        labels.push_back({base::toUpper(tokenName(token)), next});
+        labels.push_back(
+            {m_language.isKlartext ? std::string(token.text) : base::toUpper(tokenName(token)),
+             next});
       } else if (isBlockNumber(token)) {
         labels.push_back({numberLabel(token), next});
       } else {

@@ -3,17 +3,9 @@
 
 #include "nc/dialects/heidenhain/heidenhain.h"
 
-#include <array>
-
 #include "nc/syntax/parser.h"
 
 namespace rivulet::nc::heidenhain {
-
-namespace {
-
-constexpr std::array kKlartextOthers{OtherStatement{"CALL", OtherStatement::Meaning::CallsProgram}};
-
-}  // namespace
 
 Language language() {
   return {.dialect = Dialect::Heidenhain,
@@ -21,12 +13,10 @@ Language language() {
           .comparison = hashSemantics(),
           .blockParser = hashParser,
           .steering = {},
-          .otherStatements = kKlartextOthers,
+          .otherStatements = {},
           .isKlartext = true,
           .hasOWords = false,
-          .variablesAreOfCycles = true,
-          .toolChangesZ = true,
-          .turnsAboutPole = true};
+          .toolChangesZ = true};
 }
 
 }  // namespace rivulet::nc::heidenhain

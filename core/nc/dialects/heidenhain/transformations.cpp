@@ -1,0 +1,417 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Datum shift, mirror image, rotation and scaling. TNC 640 User's Manual Cycle Programming, chapter
+// "Cycles: Coordinate Transformations".
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/text.h"
+#include "nc/dialects/heidenhain/control.h"
+
+namespace rivulet::nc::heidenhain {
+
+namespace {
+
+constexpr std::string_view kLinear = "XYZ";
+
+/// The same transformation, but for rounding.
+bool areSame(const Frame& a, const Frame& b) {
+  constexpr double kSameFrame = 1e-9;
+  for (const base::Vec3 probe : {base::Vec3{}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+    if (base::distance(a.toWorkpiece(probe), b.toWorkpiece(probe)) > kSameFrame) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Expected<void> Control::cycle(Scanner& in) {
+  if (in.takeWord("CALL")) {
+    return cycleCall(in);
+  }
+  return in.takeWord("DEF") ? cycleDefinition(in) : in.fault<void>(FaultCode::UnknownWord, "CYCL");
+}
+
+Expected<void> Control::cycleDefinition(Scanner& in) {
+  const std::optional<int> number = in.takeInteger();
+  if (!number) {
+    return in.fault<void>(FaultCode::NumberMissing, "CYCL DEF");
+  }
+  if (in.take('.')) {
+    const std::optional<int> line = in.takeInteger();
+    if (!line) {
+      return in.fault<void>(FaultCode::NumberMissing, "CYCL DEF");
+    }
+    return oldCycleLine(in, *number, *line);
+  }
+  std::set<std::string, std::less<>> named;
+  // CYCL DEF 200 DRILLING Q200=2 Q201=-20 ...: the parameters are those that the program may also
+  // set by itself.
+  while (!in.isAtEnd()) {
+    const std::size_t from = in.at();
+    const std::string name = in.takeParameter();
+    if (name.empty() || !in.take('=')) {
+      in.goTo(from + 1);
+      continue;
+    }
+    m_parameters.set(name, std::nan(""));
+    named.insert(name);
+    if (in.takePrefix("FMAX") || in.takeWord("MAX")) {
+      m_parameters.set(name, 99999.999);
+      continue;
+    }
+    if (in.takePrefix("FAUTO") || in.takeWord("AUTO")) {
+      if (m_toolFeed.kind != FeedKind::PerMinute) {
+        return in.fault<void>(FaultCode::ValueMissing);
+      }
+      m_parameters.set(name, m_toolFeed.value);
+      continue;
+    }
+    if (!in.isAtValue()) {
+      return in.fault<void>(FaultCode::UnsupportedGCode, name + "=" + in.nextText());
+    }
+    const Expected<double> value = in.value();
+    if (!value) {
+      return fail(value.error());
+    }
+    m_parameters.set(name, *value);
+  }
+  constexpr int kTolerance = 32;
+  constexpr int kPreset = 247;
+  if (*number == kPreset) {
+    return selectPreset();
+  }
+  ignore(fmt::format("CYCL DEF {}", *number));
+  if (*number == kTolerance) {
+    return {};
+  }
+  if (isPattern(*number)) {
+    return runPattern(*number);
+  }
+  m_cycle = {*number, {}, std::move(named)};
+  m_callsAlways = false;
+  return {};
+}
+
+/// 247 PRESETTING: the preset that the program begins with is taken as the one that is active at
+/// the control; where another one lies is not known.
+Expected<void> Control::selectPreset() {
+  const Expected<double> preset = m_parameters.number("Q339");
+  if (!preset) {
+    return fail(preset.error());
+  }
+  if (m_hasMoved && (!m_preset || *m_preset != *preset)) {
+    refuse(FaultCode::UnsupportedGCode, "CYCL DEF 247");
+    return {};
+  }
+  m_preset = *preset;
+  ignore("CYCL DEF 247");
+  return {};
+}
+
+/// FUNCTION MODE MILL and FUNCTION RESET TCPM are how a program begins anyway.
+Expected<void> Control::function(Scanner& in) {
+  if (in.takeWord("DWELL") && in.takePrefix("TIME")) {
+    const Expected<double> seconds = in.value();
+    if (!seconds) {
+      return fail(seconds.error());
+    }
+    tell({word('G', 4.0), word('F', *seconds)});
+    return {};
+  }
+  const bool isMill = in.takeWord("MODE") && in.takeWord("MILL");
+  const bool isReset = !isMill && in.takeWord("RESET") && in.takeWord("TCPM");
+  if ((isMill || isReset) && in.isAtEnd()) {
+    ignore("FUNCTION");
+    return {};
+  }
+  refuse(FaultCode::UnsupportedGCode, "FUNCTION " + in.nextText());
+  in.skipRest();
+  return {};
+}
+
+/// Cycles of old controls, line by line.
+Expected<void> Control::oldCycleLine(Scanner& in, int number, int line) {
+  const auto skipRest = [&in] { in.skipRest(); };
+  const auto valueOf = [&in]() -> Expected<double> {
+    // The last word: "SET UP 2", "F300", "DWELL 0,5".
+    const std::string_view rest = base::trim(in.rest());
+    const std::size_t blank = rest.find_last_of(' ');
+    in.goTo(in.at() + in.rest().find(rest) + (blank == std::string_view::npos ? 0 : blank + 1));
+    while (!in.isAtEnd() && !in.isAtValue()) {
+      in.goTo(in.at() + 1);
+    }
+    return in.value();
+  };
+  switch (number) {
+    case 7:
+      if (line == 0) {
+        skipRest();
+        return {};
+      }
+      return datumShift(in, line);
+    case 8:
+      if (line == 0) {
+        skipRest();
+        return {};
+      }
+      return mirror(in);
+    case 10:
+      if (line == 0) {
+        skipRest();
+        return {};
+      }
+      return rotation(in);
+    case 11:
+      if (line == 0) {
+        skipRest();
+        return {};
+      }
+      return scale(in);
+    case 19:
+      if (line == 0) {
+        skipRest();
+        return {};
+      }
+      return swivel(in);
+    case 9: {
+      if (line == 0) {
+        skipRest();
+        return {};
+      }
+      const Expected<double> seconds = valueOf();
+      if (!seconds) {
+        return fail(seconds.error());
+      }
+      tell({word('G', 4.0), word('F', *seconds)});
+      return {};
+    }
+    case 13:  // the angle of M19
+    case 32:  // a tolerance
+      skipRest();
+      ignore(fmt::format("CYCL DEF {}", number));
+      return {};
+    case 26:
+      skipRest();
+      refuse(FaultCode::UnsupportedGCode, fmt::format("CYCL DEF {}", number));
+      return {};
+    default:
+      break;
+  }
+  if (line == 0) {
+    skipRest();
+    ignore(fmt::format("CYCL DEF {}", number));
+    m_cycle = {number, {}, {}};
+    m_callsAlways = false;
+    return {};
+  }
+  if (m_cycle.number != number) {
+    return in.fault<void>(FaultCode::NoBeginning, fmt::format("CYCL DEF {}.{}", number, line));
+  }
+  if (!isKnownCycle(number)) {
+    skipRest();  // refused where it is called
+    return {};
+  }
+  const Expected<double> value = valueOf();
+  if (!value) {
+    return fail(value.error());
+  }
+  m_cycle.values[line] = *value;
+  return {};
+}
+
+// --- transformations ----------------------------------------------------------------------------
+
+Expected<void> Control::datumShift(Scanner& in, int /*line*/) {
+  if (in.take('#') || in.take('*')) {
+    // A line of the datum table of the control.
+    in.skipRest();
+    refuse(FaultCode::UnsupportedGCode, "CYCL DEF 7");
+    return {};
+  }
+  base::Vec3 datum = m_datum;
+  while (!in.isAtEnd()) {
+    const bool isIncrement = in.takePrefix("I");
+    const std::size_t axis = kLinear.find(in.peek());
+    if (axis == std::string_view::npos) {
+      return in.fault<void>(FaultCode::UnsupportedGCode, "CYCL DEF 7 " + in.nextText());
+    }
+    in.goTo(in.at() + 1);
+    const Expected<double> value = in.value();
+    if (!value) {
+      return fail(value.error());
+    }
+    datum.set(axis, *value + (isIncrement ? m_datum[axis] : 0.0));
+  }
+  m_datum = datum;
+  return activate(Shift::Datum, "CYCL DEF 7");
+}
+
+/// TRANS DATUM AXIS X+10, TRANS DATUM RESET.
+Expected<void> Control::translate(Scanner& in) {
+  if (in.takeWord("DATUM") && in.takeWord("RESET")) {
+    m_datum = {};
+    return activate(Shift::Datum, "TRANS DATUM");
+  }
+  if (in.takeWord("AXIS")) {
+    return datumShift(in, 1);
+  }
+  refuse(FaultCode::UnsupportedGCode, "TRANS " + in.nextText());
+  in.skipRest();
+  return {};
+}
+
+/// The axes named are mirrored, and no others; none takes it back.
+Expected<void> Control::mirror(Scanner& in) {
+  m_isMirrored.fill(false);
+  while (!in.isAtEnd()) {
+    const std::size_t axis = kLinear.find(in.peek());
+    if (axis == std::string_view::npos) {
+      return in.fault<void>(FaultCode::UnsupportedGCode, "CYCL DEF 8 " + in.nextText());
+    }
+    m_isMirrored[axis] = true;
+    in.goTo(in.at() + 1);
+  }
+  return activate(Shift::Mirror, "CYCL DEF 8");
+}
+
+Expected<void> Control::rotation(Scanner& in) {
+  const bool isIncrement = in.takePrefix("I");
+  if (!in.takePrefix("ROT")) {
+    return in.fault<void>(FaultCode::UnsupportedGCode, "CYCL DEF 10 " + in.nextText());
+  }
+  const Expected<double> angle = in.value();
+  if (!angle) {
+    return fail(angle.error());
+  }
+  m_turn = std::fmod(*angle + (isIncrement ? m_turn : 0.0), 360.0);
+  m_turnAxis = thirdAxis();
+  return activate(Shift::Rotation, "CYCL DEF 10");
+}
+
+/// All three axes, as a TNC 640 does it; on an iTNC 530 a machine parameter (MP7410) may leave the
+/// tool axis alone.
+Expected<void> Control::scale(Scanner& in) {
+  if (!in.takePrefix("SCL")) {
+    return in.fault<void>(FaultCode::UnsupportedGCode, "CYCL DEF 11 " + in.nextText());
+  }
+  const Expected<double> factor = in.value();
+  if (!factor) {
+    return fail(factor.error());
+  }
+  if (!(*factor > 0.0)) {
+    return in.fault<void>(FaultCode::OutOfDomain, "SCL");
+  }
+  m_scale = *factor;
+  return activate(Shift::Scale, "CYCL DEF 11");
+}
+
+/// 19 WORKING PLANE: the control tilts its coordinates.
+Expected<void> Control::swivel(Scanner& in) {
+  bool isTilted = false;
+  while (!in.isAtEnd()) {
+    if (in.isAtValue()) {
+      const Expected<double> angle = in.value();
+      if (!angle) {
+        return fail(angle.error());
+      }
+      isTilted = isTilted || *angle != 0.0;
+    } else {
+      in.goTo(in.at() + 1);
+    }
+  }
+  if (isTilted || m_isSwivelled) {
+    m_isSwivelled = true;
+    refuse(FaultCode::UnsupportedGCode, "CYCL DEF 19");
+  } else {
+    ignore("CYCL DEF 19");
+  }
+  return {};
+}
+
+Expected<void> Control::plane(Scanner& in) {
+  const std::string kind = in.takeName();
+  const bool isReset = kind == "RESET";
+  const bool stays = in.takeWord("STAY");
+  in.skipRest();
+  if (isReset && stays && !m_isSwivelled) {
+    ignore("PLANE RESET");
+    return {};
+  }
+  m_isSwivelled = !isReset;
+  refuse(FaultCode::UnsupportedGCode, "PLANE " + kind);
+  return {};
+}
+
+bool Control::isActive(Shift shift) const {
+  switch (shift) {
+    case Shift::Datum:
+      return !(m_datum == base::Vec3{});
+    case Shift::Mirror:
+      return m_isMirrored[0] || m_isMirrored[1] || m_isMirrored[2];
+    case Shift::Rotation:
+      return m_turn != 0.0;
+    case Shift::Scale:
+      return m_scale != 1.0;
+  }
+  return false;
+}
+
+Frame Control::frameOf(const std::vector<Shift>& order) const {
+  Frame frame;
+  for (const Shift shift : order) {
+    switch (shift) {
+      case Shift::Datum:
+        frame.translate(m_datum);
+        break;
+      case Shift::Mirror:
+        frame.scale({m_isMirrored[0] ? -1.0 : 1.0, m_isMirrored[1] ? -1.0 : 1.0,
+                     m_isMirrored[2] ? -1.0 : 1.0});
+        break;
+      case Shift::Rotation:
+        frame.rotate(m_turnAxis, m_turn);
+        break;
+      case Shift::Scale:
+        frame.scale({m_scale, m_scale, m_scale});
+        break;
+    }
+  }
+  return frame;
+}
+
+/// The manual does not say what a transformation means that is set or changed behind one of another
+/// kind: it is taken only if it makes no difference whether it keeps its place in the order, comes
+/// last, or the order is always datum, mirror image, rotation, scale.
+Expected<void> Control::activate(Shift shift, std::string_view name) {
+  const auto place = std::find(m_order.begin(), m_order.end(), shift);
+  std::vector<Shift> kept = m_order;
+  std::vector<Shift> last = m_order;
+  std::erase(last, shift);
+  if (isActive(shift)) {
+    last.push_back(shift);
+    if (place == m_order.end()) {
+      kept.push_back(shift);
+    }
+  } else {
+    kept = last;
+  }
+  std::vector<Shift> fixed = kept;
+  std::sort(fixed.begin(), fixed.end());
+  const Frame frame = frameOf(kept);
+  if (!areSame(frame, frameOf(last)) || !areSame(frame, frameOf(fixed))) {
+    return fail(FaultCode::UnsupportedGCode, std::string(name), m_place);
+  }
+  m_order = std::move(kept);
+  m_frame = m_order.empty() ? Frame() : frame;
+  m_pole.reset();
+  return {};
+}
+
+}  // namespace rivulet::nc::heidenhain
