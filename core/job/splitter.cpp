@@ -772,6 +772,9 @@ class Splitter final : public gcode::BlockObserver,
     m_own->path.toolName(name, line);
     add(NativeReason::Tool);
     m_block->words.push_back({ForeignWord::Kind::NamedTool, 0.0, std::string(name)});
+    if (m_language->toolChangesZ) {
+      m_block->words.push_back({ForeignWord::Kind::M, 6.0, "M6"});
+    }
   }
 
   void report(Severity severity, int column, FaultCode code, std::string argument) override {
