@@ -295,8 +295,18 @@ Expected<void> Cursor::steer(const heidenhain::Steering& steering) {
     }
     return {};
   }
-  m_place = m_readPlace;
-  grow();
+  if (!m_flow) {
+    m_place = m_readPlace;
+    grow();
+    // The present block has been read: the flow has stepped over it.
+    const std::vector<Statement>& all =
+        m_sources.front().programs.at(m_readPlace.line).tree->statements;
+    const auto own = std::find_if(all.begin(), all.end(), [this](const Statement& each) {
+      return each.place.line.value == m_readPlace.line.value;
+    });
+    m_flow->startAt(static_cast<std::size_t>(own - all.begin()));
+    m_flow->step();
+  }
   Statement statement;
   statement.place = m_readPlace;
   const bool isProgram = std::holds_alternative<Call>(steering);
@@ -314,6 +324,9 @@ Expected<void> Cursor::steer(const heidenhain::Steering& steering) {
     statement.what = std::get<RepeatLabel>(steering);
   }
   const Expected<bool> done = m_flow->execute(statement);
+  if (!done && done.error().code == FaultCode::TargetMissing) {
+    return fail(FaultCode::TargetMissing, "LBL " + done.error().argument);
+  }
   if (!done) {
     return fail(done.error());
   }

@@ -99,6 +99,7 @@ class Control {
     std::optional<Element> element;                                  ///< in its plane, workpiece
     std::size_t plane = 0;         ///< of the element, by its first axis
     std::optional<double> radius;  ///< as CR has it; none once a corner has changed the arc
+    int turns = 0;                 ///< full circles on top of the arc
     Feed feed;
     std::optional<Fault> fault;
     std::string ignored;

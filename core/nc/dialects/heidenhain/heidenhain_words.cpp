@@ -27,6 +27,7 @@ DialectWords words() {
                     {{"A3", NameEffect::Address},
                      {"B3", NameEffect::Address},
                      {"C3", NameEffect::Address},
+                     {"TURN", NameEffect::Address},
                      {"BLK", NameEffect::None},
                      {"TOOL", NameEffect::None}}};
   const GMarks mark(made.g);

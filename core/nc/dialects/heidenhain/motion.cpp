@@ -238,41 +238,28 @@ Expected<void> Control::polarArc(Scanner& in) {
   if (!item) {
     return fail(item.error());
   }
-  constexpr double kPartsMax = 10000.0;
-  const double parts = std::ceil(std::abs(sweep) / 360.0 - 1e-9);
-  if (parts > kPartsMax) {
+  // Full circles on top of what is left of the angle.
+  const double whole = std::ceil(std::abs(sweep) / 360.0 - 1e-9) - 1.0;
+  constexpr double kTurnsMax = 10000.0;
+  if (whole > kTurnsMax) {
     return in.fault<void>(FaultCode::ValueOutOfRange, "IPA");
   }
-  for (int part = 1; part <= static_cast<int>(parts); ++part) {
-    const bool isLast = part == static_cast<int>(parts);
-    Item own = isLast ? std::move(*item) : *item;
-    if (!isLast) {
-      own.tokens.clear();
-    }
-    const double angle = isLast ? sweep : sense * 360.0 * part;
-    const bool isWhole = std::fmod(std::abs(angle), 360.0) == 0.0;
-    const Flat flatEnd = pole + (isWhole ? start : turned(start, angle));
-    base::Vec3 target = *end;
-    target.set(m_poleAxis, flatEnd.x);
-    target.set(poleSecondAxis(), flatEnd.y);
-    if (words->axes[across]) {
-      target.set(across, isLast ? (*end)[across] : from[across] + rise * angle / sweep);
-    }
-    own.moves = true;
-    own.given[m_poleAxis] = true;
-    own.given[poleSecondAxis()] = true;
-    if (Expected<void> done = setTarget(own, target, *words); !done) {
-      return done;
-    }
-    if (Expected<void> done = setArc(own, pole, *words->clockwise, m_poleAxis); !done) {
-      return done;
-    }
-    if (isLast) {
-      return moveOn(*words, std::move(own));
-    }
-    push(std::move(own));
+  item->turns = static_cast<int>(whole);
+  const bool isWhole = std::fmod(std::abs(sweep), 360.0) == 0.0;
+  const Flat flatEnd = pole + (isWhole ? start : turned(start, sweep));
+  base::Vec3 target = *end;
+  target.set(m_poleAxis, flatEnd.x);
+  target.set(poleSecondAxis(), flatEnd.y);
+  item->moves = true;
+  item->given[m_poleAxis] = true;
+  item->given[poleSecondAxis()] = true;
+  if (Expected<void> done = setTarget(*item, target, *words); !done) {
+    return done;
   }
-  return {};
+  if (Expected<void> done = setArc(*item, pole, *words->clockwise, m_poleAxis); !done) {
+    return done;
+  }
+  return moveOn(*words, std::move(*item));
 }
 
 /// CT and CTP: leaves in the direction in which the element before it has arrived.

@@ -106,7 +106,7 @@ void Control::push(Item item) {
     }
   }
   flush();
-  if (item.moves && item.element && item.plane == firstAxis()) {
+  if (item.moves && item.element && item.plane == firstAxis() && item.turns == 0) {
     m_pending = std::move(item);
   } else {
     emit(std::move(item));
@@ -192,6 +192,9 @@ void Control::emit(Item item) {
       add(word(static_cast<char>('I' + item.plane), centre.x));
       add(word(static_cast<char>('I' + (item.plane + 1) % base::kAxisCount), centre.y));
     }
+    if (item.turns > 0) {
+      add(named("TURN", item.turns));
+    }
     for (std::size_t axis = kFirstRotary; axis < kProgrammedAxisCount; ++axis) {
       if (item.rotary[axis]) {
         add(word(kProgrammedAxes[axis], *item.rotary[axis]));
@@ -222,8 +225,8 @@ void Control::emit(Item item) {
 Expected<void> Control::joinCorner(Item& next) {
   const CornerWords words = *std::exchange(m_corner, std::nullopt);
   const auto malformed = [&words] { return fail(FaultCode::CornerMalformed, {}, words.place); };
-  const bool isFlat = next.moves && next.element && next.plane == firstAxis() && m_pending &&
-                      m_pending->element && !next.given[thirdAxis()] &&
+  const bool isFlat = next.moves && next.element && next.plane == firstAxis() && next.turns == 0 &&
+                      m_pending && m_pending->element && !next.given[thirdAxis()] &&
                       !m_pending->given[thirdAxis()];
   if (!isFlat) {
     return malformed();
