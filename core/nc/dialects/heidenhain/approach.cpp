@@ -151,7 +151,7 @@ Expected<void> Control::joinApproach(const Item& next) {
   way.element = Element::line(own.start, auxiliary);
   way.feed = own.before;
   way.line = own.line;
-  emit(std::move(way));
+  write(std::move(way));
   if (areSame(auxiliary, own.first)) {
     return {};
   }
@@ -169,7 +169,7 @@ Expected<void> Control::joinApproach(const Item& next) {
     return failed();
   }
   arrival.line = own.line;
-  emit(std::move(arrival));
+  write(std::move(arrival));
   return {};
 }
 

@@ -207,7 +207,7 @@ class Control {
   // queue.cpp
   void push(Item item);
   void flush();
-  void emit(Item item);
+  void write(Item item);
   void refuse(FaultCode code, std::string argument);
   void ignore(std::string word);
   void tell(std::vector<Token> tokens);

@@ -109,13 +109,13 @@ void Control::push(Item item) {
   if (item.moves && item.element && item.plane == firstAxis() && item.turns == 0) {
     m_pending = std::move(item);
   } else {
-    emit(std::move(item));
+    write(std::move(item));
   }
 }
 
 void Control::flush() {
   if (m_pending) {
-    emit(std::move(*std::exchange(m_pending, std::nullopt)));
+    write(std::move(*std::exchange(m_pending, std::nullopt)));
   }
 }
 
@@ -143,7 +143,7 @@ bool Control::take(Made& made) {
   return true;
 }
 
-void Control::emit(Item item) {
+void Control::write(Item item) {
   Made made;
   made.place = item.place;
   made.line = item.line;
@@ -258,7 +258,7 @@ Expected<void> Control::joinCorner(Item& next) {
   next.given[firstAxis()] = true;
   next.given[secondAxis()] = true;
   flush();
-  emit(std::move(between));
+  write(std::move(between));
   return {};
 }
 
