@@ -174,13 +174,14 @@ class Drawer {
 
   std::string variable() {
     if (!m_calculates) {
-      return oneOf<std::string>({"#31", "#5220", "#1"});
+      return spelled(between(-9.0, 9.0), 1);
     }
     if (m_inSub) {
-      return oneOf<std::string>({"#1", "#2", "#3", "#31", "#<_size>", "#100"});
+      return oneOf<std::string>({"#1", "#2", "#3", "#30", "#<_size>", "#100"});
     }
-    return oneOf<std::string>({"#1", "#2", "#3", "#[1+1]", "#<size>", "#<_size>", "#100", "#5220",
-                               "#< Some Name >", "##4", "#31"});
+    return oneOf<std::string>({"#1", "#2", "#3", "#[1+1]", "#<size>", "#<_size>", "#100",
+                               "#< Some Name >", "##4", chance(0.05) ? "#31" : "#3",
+                               chance(0.1) ? "#5220" : "#1"});
   }
 
   std::string operand(int depth) {
@@ -272,7 +273,7 @@ class Drawer {
     const std::string target =
         !m_calculates ? oneOf<std::string>({"#1", "#100", "#<_size>"})
         : m_inSub
-            ? oneOf<std::string>({"#1", "#2", "#31", "#<_size>", "#100", "#<inner>"})
+            ? oneOf<std::string>({"#1", "#2", "#30", "#<_size>", "#100", "#<inner>"})
             : oneOf<std::string>({"#1", "#2", "#3", "#<size>", "#<_size>", "#100", "#<SomeName>"});
     const std::string blank = chance(0.3) ? " " : "";
     return target + blank + "=" + blank +
@@ -358,9 +359,10 @@ class Drawer {
   /// F where the feed mode needs one, and sometimes where not.
   void addFeed(Words& words) {
     if (m_inverse || chance(m_hasFeed ? 0.15 : 0.9)) {
-      words.push_back(word('F', m_perTurn   ? spelled(between(0.05, 0.9), 2)
-                                : m_inverse ? spelled(between(1.0, 30.0), 1)
-                                            : value(50.0, 900.0)));
+      words.push_back(word('F', m_perTurn     ? spelled(between(0.05, 0.9), 2)
+                                : m_inverse   ? spelled(between(1.0, 30.0), 1)
+                                : chance(0.1) ? value(50.0, 900.0)
+                                              : spelled(between(50.0, 900.0), oneOf({0, 1, 2}))));
       m_hasFeed = true;
     }
   }
@@ -385,7 +387,7 @@ class Drawer {
       addFeed(words);
     }
     if (chance(0.05)) {
-      words.push_back(oneOf<std::string>({"M3", "M5", "M8", "S500", "G61", "G90", "G94", "G40"}));
+      words.push_back(oneOf<std::string>({"M3", "M5", "M8", "S500", "G61", "G40"}));
     }
     if (chance(0.05)) {
       words.push_back(assignment());
@@ -466,15 +468,17 @@ class Drawer {
     const bool relative = m_relative;
     const bool atKnownPlace = !relative;
     if (atKnownPlace) {
-      Words to{g(1), coordinate(in.first, startFirst), coordinate(in.second, startSecond)};
+      Words to{g(90), g(1), coordinate(in.first, startFirst), coordinate(in.second, startSecond)};
       addFeed(to);
       block(to);
     }
     m_motion = 2 + below(2);
     m_cycle = false;
     Words words{g(m_motion)};
-    if (chance(0.5)) {
+    // What holds after branches and saved states is not followed.
+    if (chance(0.7)) {
       words.push_back(g(in.g));
+      words.push_back(g(relative ? 91 : 90));
     }
     if (chance(0.25)) {
       words.push_back(word(in.third, value(-10.0, 10.0)));
@@ -629,32 +633,27 @@ class Drawer {
     block({g(53), g(m_motion), word(oneOf({'X', 'Y', 'Z'}), value())});
   }
 
+  /// The length is the control's: where a block behind does not name Z, Rivulet does not know it.
   void toolLength() {
-    switch (below(5)) {
-      case 0:
-        block({word('T', fmt::format("{}", 1 + below(3))), "M6"});
-        break;
-      case 1:
-        block({g(43.1), word('Z', value(0.0, 30.0))});
-        break;
-      case 2:
-        block({g(49)});
-        break;
-      default: {
-        Words words{g(43), word('H', fmt::format("{}", 1 + below(3)))};
-        if (chance(0.5)) {
-          words.push_back(g(0));
-          words.push_back(word('Z', value()));
-          m_motion = 0;
-          m_cycle = false;
-        }
-        block(words);
-      }
+    block({word('T', fmt::format("{}", 1 + below(3))), "M6"});
+    Words words = chance(0.2)   ? Words{g(43.1), word('Z', value(0.0, 30.0))}
+                  : chance(0.3) ? Words{g(49)}
+                                : Words{g(43), word('H', fmt::format("{}", 1 + below(3)))};
+    if (words.front() == "G43.1") {
+      block(words);
+      words.clear();
     }
+    words.push_back(g(90));
+    words.push_back(g(0));
+    words.push_back(word('Z', value()));
+    m_relative = false;
+    m_motion = 0;
+    m_cycle = false;
+    block(words);
   }
 
   void savedState() {
-    switch (below(12)) {
+    switch (below(16)) {
       case 0:
         block({"M72"});
         break;
@@ -756,7 +755,8 @@ class Drawer {
 
   void cycle() {
     const char third = inPlane().third;
-    const int number = oneOf({81, 82, 83, 73, 85, 86, 89, 81, 83, 82, 81, 81, 82, 83, 73, 87});
+    const int number = oneOf({81, 82, 83, 73, 85, 86, 89, 81, 83, 82, 81, 81,
+                              82, 83, 73, 85, 89, 81, 81, 82, 83, 73, 87});
     if (m_inverse) {
       feedMode();
     }
@@ -775,7 +775,7 @@ class Drawer {
     if (number == 83 || number == 73) {
       words.push_back(word('Q', spelled(between(1.0, 4.0), 1)));
     }
-    if (chance(0.5)) {
+    if (chance(0.9)) {  // without, LinuxCNC takes G99
       words.push_back(g(chance(0.5) ? 98 : 99));
     }
     if (chance(0.15)) {
@@ -885,7 +885,7 @@ class Drawer {
       plain(fmt::format("{} sub", m_subName));
     }
     if (m_calculates && !isFanuc) {
-      plain("#31=[#1+#2]");
+      plain("#30=[#1+#2]");
     }
     m_motion = -1;
     line();

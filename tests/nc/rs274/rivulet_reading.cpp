@@ -67,7 +67,10 @@ PathReading readAsRivulet(std::string_view text) {
   PathReading reading;
   const auto error = std::find_if(
       read.diagnostics.begin(), read.diagnostics.end(),
-      [](const gcode::Diagnostic& each) { return each.severity == gcode::Severity::Error; });
+      [](const gcode::Diagnostic& each) {  // Without a feed a program runs with a fixed one alone.
+        return each.severity == gcode::Severity::Error ||
+               each.code == gcode::DiagnosticCode::FeedMissing;
+      });
   reading.accepted = error == read.diagnostics.end();
   if (!reading.accepted) {
     reading.refusal = describe(*error);

@@ -134,7 +134,8 @@ class CanonicalReader {
     for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
       move.rotaryDeg[axis] = number(rotary + axis) + m_setDeg[axis] + m_workDeg[axis];
     }
-    move.errorMm = kPrintedError * m_unitMm;
+    // Of the place, and of each offset.
+    move.errorMm = 3.0 * kPrintedError * m_unitMm;
     if (form != MoveForm::Rapid) {
       setFeed(move);
     }
@@ -316,7 +317,7 @@ std::filesystem::path Rs274::program() {
 
 Rs274::Rs274(std::filesystem::path folder) : m_folder(std::move(folder)) {
   std::filesystem::create_directories(m_folder);
-  write(m_folder / "tools", "T1 P1 Z5.0 D6.0\nT2 P2 X1.0 Y2.0 Z3.0 D10.0\nT3 P3 Z-0.4 D3.0\n");
+  write(m_folder / "tools", "T1 P1 Z5.0 D6.0\nT2 P2 Z3.0 D10.0\nT3 P3 Z-0.4 D3.0\n");
 }
 
 PathReading Rs274::read(std::string_view text) {
