@@ -248,16 +248,14 @@ base::Result<void> JobCommand::prepare() {
 
 /// What is known of the machine before it is connected.
 base::Result<job::Profile> JobCommand::profileOfMachine() const {
-  job::Profile profile;
-  profile.leavesOutFunctions = m_options.simulate || m_options.verify;
   auto given = report::functionsOf(m_options.functions);
   if (!given) {
     return base::fail(given.error());
   }
-  profile.functions = *std::move(given);  // what is said now comes before what was said once
-  if (!m_options.endpoint.empty()) {
-    profile.functions.merge(report::MachineStore().functions(m_options.endpoint));
-  }
+  job::Profile profile =
+      report::MachineStore().jobProfile(m_options.endpoint, m_options.simulate || m_options.verify);
+  given->merge(profile.functions);  // what is said now comes before what was said once
+  profile.functions = *std::move(given);
   return profile;
 }
 

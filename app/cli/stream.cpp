@@ -721,7 +721,9 @@ base::Result<bool> isWholeJob(const StreamOptions& options) {
   if (!program) {
     return false;  // said when it is loaded for its motion
   }
-  const auto plan = job::makePlan(program->name, program->text, loading);
+  const auto plan =
+      job::makePlan(program->name, program->text, loading,
+                    report::MachineStore().jobProfile(options.endpoint, options.simulate));
   const std::size_t blocks = plan ? plan->actionCount() : 0;
   if (blocks == 0) {
     return false;

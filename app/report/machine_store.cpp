@@ -196,6 +196,15 @@ MachineFunctions MachineStore::functions(const std::string& endpoint) const {
   return found;
 }
 
+job::Profile MachineStore::jobProfile(const std::string& endpoint, bool isSimulated) const {
+  job::Profile profile;
+  profile.leavesOutFunctions = isSimulated;
+  if (!endpoint.empty()) {
+    profile.functions = functions(endpoint);
+  }
+  return profile;
+}
+
 std::vector<KnownMachine> MachineStore::machines() const {
   std::vector<KnownMachine> found;
   std::error_code ignored;

@@ -71,6 +71,9 @@ class MachineStore {
       const std::string& endpoint, const opcua::ServerIdentity& server) const;
   /// What was said of M functions for this endpoint; none are a machine's that is not known yet.
   [[nodiscard]] MachineFunctions functions(const std::string& endpoint) const;
+  /// What a job has to know of a machine before it is connected. @param endpoint  empty: none
+  /// @param isSimulated  nothing moves: M functions that nobody has spoken of are left out
+  [[nodiscard]] job::Profile jobProfile(const std::string& endpoint, bool isSimulated) const;
   /// All machines with a file of their own, sorted by endpoint; files that cannot be read are left
   /// out.
   [[nodiscard]] std::vector<KnownMachine> machines() const;

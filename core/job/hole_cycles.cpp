@@ -30,9 +30,10 @@ constexpr int kRigidTapping = 842;
 constexpr int kRigidLeftTapping = 843;
 constexpr int kBoring = 850;
 constexpr int kBoringStop = 860;
+constexpr int kBoringManual = 880;
 constexpr int kBoringDwell = 890;
 constexpr std::array kKnown{kChipBreaking, kLeftTapping, kDrilling,   kCounterboring, kPecking,
-                            kTapping,      kBoring,      kBoringStop, kBoringDwell};
+                            kTapping,      kBoring,      kBoringStop, kBoringManual,  kBoringDwell};
 
 /// How far G73 draws back, and above which depth the feed of G83 begins again: a setting of the
 /// control. That of LinuxCNC is 0.254 mm.
@@ -209,11 +210,17 @@ void HoleCycles::writeHole(Writer& to, double retractMm, double depthMm, double 
     return;
   }
   to.feed(depthMm, feedMmPerS);
-  to.dwell(key == kCounterboring || key == kBoringDwell || key == kBoringStop ? m_dwellS : 0.0);
+  to.dwell(key == kCounterboring || key == kBoringDwell || key == kBoringStop ||
+                   key == kBoringManual
+               ? m_dwellS
+               : 0.0);
   if (key == kBoring || key == kBoringDwell) {
     to.feed(retractMm, feedMmPerS);
-  } else if (key == kBoringStop) {
+  } else if (key == kBoringStop || key == kBoringManual) {
     to.add("M5");
+    if (key == kBoringManual) {
+      to.add("M0");  // the operator takes the tool out of the bore
+    }
     to.rapid(retractMm);
     to.add(fmt::format("M{}", m_spindle));
   } else {

@@ -80,4 +80,28 @@ std::optional<std::string> arcText(const nc::Position& from, const nc::Arc& arc,
   return move.feedMmPerS > 0.0 ? text + feedText(move.feedMmPerS) : text;
 }
 
+std::optional<std::string> arcText(const nc::Frame& frame, const ArcWithoutStart& arc) {
+  if (!isUpright(frame)) {
+    return std::nullopt;
+  }
+  std::string text = arc.isClockwise ? "G2" : "G3";
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (arc.incrementsMm[axis]) {
+      text +=
+          fmt::format(" {}=IC({})", base::kAxisNames[axis], lengthText(*arc.incrementsMm[axis]));
+    } else if (!std::isnan(arc.endMm[axis])) {
+      text += fmt::format(" {}{}", base::kAxisNames[axis], lengthText(arc.endMm[axis]));
+    }
+  }
+  for (std::size_t axis = 0; axis < arc.centreMm.size(); ++axis) {
+    if (arc.centreMm[axis]) {
+      text += fmt::format(" {}{}", axis == 0 ? 'I' : 'J', lengthText(*arc.centreMm[axis]));
+    }
+  }
+  if (arc.radiusMm) {
+    text += " CR=" + lengthText(*arc.radiusMm);
+  }
+  return arc.feedMmPerS > 0.0 ? text + feedText(arc.feedMmPerS) : text;
+}
+
 }  // namespace rivulet::job

@@ -35,4 +35,17 @@ namespace rivulet::job {
 [[nodiscard]] std::optional<std::string> arcText(const nc::Position& from, const nc::Arc& arc,
                                                  const nc::Move& move);
 
+/// An arc whose start only the control knows, in its plane X Y.
+struct ArcWithoutStart {
+  bool isClockwise = false;
+  base::Vec3 endMm;  ///< workpiece frame; NaN: the axis is not named, or counts as below
+  std::array<std::optional<double>, base::kAxisCount> incrementsMm;
+  std::array<std::optional<double>, 2> centreMm;  ///< from the start
+  std::optional<double> radiusMm;
+  double feedMmPerS = 0.0;  ///< 0: the one in force
+};
+/// @param frame  of the program @return nothing if the frame turns or scales the axes
+[[nodiscard]] std::optional<std::string> arcText(const nc::Frame& frame,
+                                                 const ArcWithoutStart& arc);
+
 }  // namespace rivulet::job

@@ -131,6 +131,8 @@ struct BlockNotes {
   bool isInHoleCycle = false;       ///< the position after it is known
   std::vector<std::string> motion;  ///< its moves as lines for the control (not SINUMERIK)
   std::string corner;               ///< ,R or ,C
+  bool beginsUnknown = false;       ///< an arc, from where only the control knows the tool to be
+  const nc::Variables* variables = nullptr;
   /// It moves the axis by an increment from where only the control knows it to stand.
   std::array<bool, base::kAxisCount> isUnknown{};
   std::vector<Heard> heard;
@@ -159,6 +161,7 @@ class Splitter final : public gcode::BlockObserver,
     m_block->text = block.text;
     m_block->tokens = block.tokens;
     m_block->isInSubprogram = block.isInSubprogram;
+    m_block->variables = &block.variables;
     m_block->before = executor.state();
     m_block->frame = m_frame;
     const nc::Position& position = executor.start();
@@ -204,6 +207,9 @@ class Splitter final : public gcode::BlockObserver,
       for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
         if (words.axes.given[axis]) {
           block.home->targetMm[axis] = words.axes.value[axis] * executor.state().lengthFactor;
+        }
+        if (const std::size_t rotary = axis + nc::kFirstRotary; block.given[rotary]) {
+          block.home->targetDeg[axis] = words.axes.value[rotary];
         }
       }
     }
@@ -301,18 +307,28 @@ class Splitter final : public gcode::BlockObserver,
     return m_language->dwellInMilliseconds && !token->hasPoint ? *words.p / 1000.0 : *words.p;
   }
 
+  /// Of a word, also where it is calculated.
+  [[nodiscard]] std::optional<double> numberOf(const Token& token) const {
+    const nc::Expression* const calculated = token.calculated();
+    if (calculated == nullptr) {
+      return token.kind == TokenKind::Word ? std::optional(token.value) : std::nullopt;
+    }
+    const nc::Expected<double> number = m_block->variables->number(*calculated);
+    return number ? std::optional(*number) : std::nullopt;
+  }
+
   /// G41.1 D6: beside the contour by half of D, whatever the tool. What its radius lacks is an
   /// allowance.
   void compensateBy(int key, std::string word) {
     const auto& tokens = m_block->tokens;
-    const auto diameter = std::find_if(tokens.begin(), tokens.end(), [](const Token& each) {
-      return each.kind == TokenKind::Word && each.address == 'D';
-    });
-    if (diameter == tokens.end() || !(diameter->value > 0.0)) {
+    const auto token = std::find_if(tokens.begin(), tokens.end(),
+                                    [](const Token& each) { return each.address == 'D'; });
+    const double diameter = token == tokens.end() ? 0.0 : numberOf(*token).value_or(0.0);
+    if (!(diameter > 0.0)) {
       m_block->words.push_back({ForeignWord::Kind::Other, 0.0, std::move(word)});
       return;
     }
-    const double radiusMm = diameter->value * m_executor->state().lengthFactor / 2.0;
+    const double radiusMm = diameter * m_executor->state().lengthFactor / 2.0;
     m_block->words.push_back(
         {ForeignWord::Kind::Line, 0.0,
          fmt::format("G{} OFFN={}-$P_TOOLR", key / 10, base::formatFixed(radiusMm, 6))});
@@ -347,6 +363,10 @@ class Splitter final : public gcode::BlockObserver,
   /// A straight move by increments from where only the control knows the axes to stand.
   void keepIncrements(const nc::BlockWords& words, nc::Executor& executor) {
     const BlockNotes& block = *m_block;
+    if (block.beginsUnknown) {
+      keepArcWithoutStart(words, executor);
+      return;
+    }
     const nc::ModalState& state = executor.state();
     if (std::find(block.isUnknown.begin(), block.isUnknown.end(), true) == block.isUnknown.end()) {
       return;
@@ -365,6 +385,43 @@ class Splitter final : public gcode::BlockObserver,
                                    incrementsMm,
                                    isRapid ? std::nullopt : std::optional(executor.feedMmPerS()))
                    : std::nullopt);
+  }
+
+  /// Its centre counts from there, and so the control can make it.
+  void keepArcWithoutStart(const nc::BlockWords& words, nc::Executor& executor) {
+    const BlockNotes& block = *m_block;
+    const nc::ModalState& state = executor.state();
+    const nc::Position& at = executor.start();
+    ArcWithoutStart arc;
+    arc.isClockwise = state.motion == Motion::ArcClockwise;
+    arc.endMm = at.frame.toWorkpiece(at.programmedMm);
+    arc.feedMmPerS = executor.feedMmPerS();
+    bool isPlain = state.planeFirstAxis == 0 && !state.diameter && !state.polar &&
+                   !state.centreIsAbsolute && !words.hasRotary && !words.p &&
+                   m_options.centres == gcode::CentreReading::AsProgrammed;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (block.isUnknown[axis]) {
+        arc.incrementsMm[axis] = words.axes.value[axis] * state.lengthFactor;
+      } else if (!block.given[axis]) {
+        arc.endMm.set(axis, kNowhere);
+      }
+    }
+    for (const Token& token : block.tokens) {
+      const bool isCentre = token.address >= 'I' && token.address <= 'K';
+      isPlain = isPlain && (!isCentre || (token.kind == TokenKind::Word && token.address != 'K'));
+      if (isCentre && isPlain) {
+        arc.centreMm[static_cast<std::size_t>(token.address - 'I')] =
+            token.value * state.lengthFactor;
+      }
+    }
+    if (words.hasRadius) {
+      arc.radiusMm = words.radius * state.lengthFactor;
+    }
+    if (auto text = isPlain ? arcText(at.frame, arc) : std::nullopt) {
+      keepMotion(std::move(text));
+    } else {
+      refuse(RefusalCode::StartUnknown, std::string(base::trim(block.text)));
+    }
   }
 
   /// G10 L2. The executor adds the turn and the rotary axes to the path: the control has none.
@@ -420,6 +477,10 @@ class Splitter final : public gcode::BlockObserver,
     }
   }
 
+  [[nodiscard]] bool isArc() const {
+    const Motion motion = m_executor->state().motion;
+    return motion == Motion::ArcClockwise || motion == Motion::ArcCounter;
+  }
   [[nodiscard]] bool isStraight() const {
     const Motion motion = m_executor->state().motion;
     return motion == Motion::Rapid || motion == Motion::Line;
@@ -624,6 +685,9 @@ class Splitter final : public gcode::BlockObserver,
         if (block.given[axis] || block.toFixedPoint) {
           forget(axis);
         }
+        if (block.given[axis + nc::kFirstRotary]) {
+          m_executor->start().rotaryDeg[axis] = std::numeric_limits<double>::quiet_NaN();
+        }
       }
     }
   }
@@ -802,6 +866,12 @@ class Splitter final : public gcode::BlockObserver,
     } else if (isForeign() && code == FaultCode::RelativeFromUnknownPosition && isStraight() &&
                argument.size() == 1 && argument.front() >= 'X' && argument.front() <= 'Z') {
       m_block->isUnknown[static_cast<std::size_t>(argument.front() - 'X')] = true;
+    } else if (isForeign() && *reason == NativeReason::UnknownPosition && isArc() &&
+               !m_regions.reason()) {
+      m_block->beginsUnknown = true;
+      if (code == FaultCode::RelativeFromUnknownPosition && argument.front() <= 'Z') {
+        m_block->isUnknown[static_cast<std::size_t>(argument.front() - 'X')] = true;
+      }
     } else if (isForeign() && *reason == NativeReason::UnknownPosition) {
       refuse(RefusalCode::StartUnknown, std::string(base::trim(m_block->text)));
     } else if (isForeign() && *reason == NativeReason::Corner) {

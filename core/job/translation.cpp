@@ -98,6 +98,16 @@ void Translator::goHome(const HomeMove& home, Translation& out) const {
     }
     out.before.push_back(line);
   }
+  std::string turn;
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (home.targetDeg[axis]) {
+      const double degrees = home.toFixedPoint ? 0.0 : *home.targetDeg[axis];
+      turn += fmt::format(" {}{}", base::kRotaryAxisNames[axis], base::formatFixed(degrees, 6));
+    }
+  }
+  if (!turn.empty()) {
+    out.before.push_back("SUPA G0" + turn);
+  }
   if (home.targetMm[kZ]) {
     // The source keeps its length offset, and the line above has cancelled it.
     out.before.push_back(fmt::format("D{}", m_length));

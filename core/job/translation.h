@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/vec3.h"
 #include "job/plan.h"
 
@@ -38,6 +39,7 @@ struct ForeignWord {
 struct HomeMove {
   bool toFixedPoint = false;  ///< G28, G30: the values are those of a point on the way
   std::array<std::optional<double>, base::kAxisCount> targetMm{};
+  std::array<std::optional<double>, base::kRotaryAxisCount> targetDeg{};
 };
 
 struct Translation {

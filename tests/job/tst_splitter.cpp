@@ -345,11 +345,20 @@ class TestSplitter : public QObject {
              QStringLiteral("1 R X1 Y2 Z3 | 3 R X5 Y? Z?"));
   }
 
-  /// Where an arc begins after a tool change nobody knows: the advice must not be to leave X out.
+  /// Where an arc begins after a tool change only the control knows, and so the control makes it.
   void startIsUnknown() {
-    const job::Plan plan =
-        planOf("G0 X0. Y0. Z5.\nT1 M6\nG2 X10. Y0. I5. J0. F100.\n", gcode::Dialect::Fanuc);
-    QCOMPARE(refusals(plan), QStringLiteral("3 start-unknown G2 X10. Y0. I5. J0. F100."));
+    const auto arcOf = [](const std::string& arc) {
+      return planOf(("G0 X0. Y0. Z5.\nT1 M6\n" + arc + "\n").c_str(), gcode::Dialect::Fanuc);
+    };
+    const job::Plan plan = arcOf("G2 X10. Y0. I5. J0. F100.");
+    QCOMPARE(refusals(plan), QString());
+    QCOMPARE(native(plan, job::NativeReason::UnknownPosition).text,
+             std::string("G2 X10 Y0 I5 J0 F100"));
+    QCOMPARE(native(arcOf("G91 G3 X10. Y2. R8. F100."), job::NativeReason::UnknownPosition).text,
+             std::string("G3 X=IC(10) Y=IC(2) CR=8 F100"));
+    // Across another plane it is refused. The advice must not be to leave X out.
+    QCOMPARE(refusals(arcOf("G18 G2 X10. Z0. I5. K0. F100.")),
+             QStringLiteral("3 start-unknown G18 G2 X10. Z0. I5. K0. F100."));
   }
 
   /// M functions of another machine: as the user has said, else they are refused.
@@ -438,6 +447,15 @@ class TestSplitter : public QObject {
     const job::Plan plan = planOf("T7 M6\nG28 Z0.\n", gcode::Dialect::Fanuc, profile);
     QCOMPARE(text(test::printParts(plan)),
              QStringLiteral("native 1 tool TC(7) | native 2 retract G75 Z1=0\nD1"));
+  }
+
+  /// A rotary axis goes home as well.
+  void rotaryAxesGoHome() {
+    const job::Plan plan =
+        planOf("G0 X0. Y0. Z5. B90.\nG91 G28 X0 B0\nG90 G53 Z-10. C30.\n", gcode::Dialect::Fanuc);
+    QCOMPARE(text(test::printParts(plan)),
+             QStringLiteral("stretch 1 1: 1 point from ? | native 2 retract SUPA G0 X0 Y0\nSUPA G0 "
+                            "B0 | native 3 retract SUPA G0 Z-10 D0\nSUPA G0 C30\nD1"));
   }
 
   void plainTextOfHeidenhain() {

@@ -85,7 +85,9 @@ class Milling {
     m_steps.push_back(
         {.kind = CycleStep::Kind::Feed, .toMm = at(u, v, height), .feedMmPerS = mmPerS});
   }
-  [[nodiscard]] double safety() const { return m_reference + m_up * std::abs(lengthMm(kSdis)); }
+  [[nodiscard]] double reference() const { return m_reference; }
+  [[nodiscard]] double safetyMm() const { return std::abs(lengthMm(kSdis)); }
+  [[nodiscard]] double safety() const { return m_reference + m_up * safetyMm(); }
 
   /// Heights of the infeeds, the depth last. @param infeedMm  greatest; 0: the depth at once
   [[nodiscard]] std::vector<double> levels(double infeedMm) const {
@@ -126,6 +128,16 @@ class Milling {
     for (double i = 0.0; i <= pieces; ++i) {
       const double angle = (fromDegrees + sweepDegrees * i / pieces) * kRadPerDeg;
       cut(u + radius * std::cos(angle), v + radius * std::sin(angle), height, mmPerS);
+    }
+  }
+
+  /// One turn about the place, downwards or upwards.
+  void helix(double radius, double turnDegrees, double from, double to, double mmPerS) {
+    constexpr double kPieces = 72.0;
+    for (double i = 1.0; i <= kPieces; ++i) {
+      const double angle = turnDegrees * i / kPieces * kRadPerDeg;
+      cut(radius * std::cos(angle), radius * std::sin(angle), from + (to - from) * i / kPieces,
+          mmPerS);
     }
   }
 
@@ -239,6 +251,83 @@ Steps circularPocket(Milling mill) {
   mill.place(mill.lengthMm(5), mill.lengthMm(6), 0.0);
   const double radius = std::abs(mill.lengthMm(4));
   return clear(mill, radius, radius, radius, how) ? Steps(mill.take()) : tooLarge();
+}
+
+/// Around a spigot about the place, from outside.
+Steps around(Milling mill, double halfU, double halfV, double cornerMm, const Clearing& how) {
+  const double offset = mill.radiusMm() + (how.roughs ? how.allowanceMm : 0.0);
+  const double outside = halfU + offset + mill.radiusMm() + mill.safetyMm();
+  mill.approach(outside, 0.0);
+  for (const double height : mill.levels(how.infeedMm)) {
+    mill.cut(outside, 0.0, height, how.depthFeed);
+    mill.ring(halfU + offset, halfV + offset, cornerMm + offset, height, how.feed);
+    mill.cut(outside, 0.0, height, how.feed);
+  }
+  mill.retract(outside, 0.0);
+  return mill.take();
+}
+
+/// CYCLE76(_RTP, _RFP, _SDIS, _DP, _DPR, _LENG, _WID, _CRAD, _PA, _PO, _STA, _MID, _FAL, _FALD,
+/// _FFP1, _FFD, _CDIR, _VARI, ...).
+Steps rectangularSpigot(Milling mill) {
+  Clearing how{.infeedMm = mill.lengthMm(11),
+               .allowanceMm = mill.lengthMm(12),
+               .feed = mill.feed(14),
+               .depthFeed = mill.feed(15)};
+  readKind(mill.value(17), how);
+  if (auto fault = mill.readPlanes(4, how.roughs ? mill.lengthMm(13) : 0.0)) {
+    return tl::unexpected(*std::move(fault));
+  }
+  mill.place(mill.lengthMm(8), mill.lengthMm(9), mill.value(10));
+  return around(std::move(mill), std::abs(mill.lengthMm(5)) / 2.0, std::abs(mill.lengthMm(6)) / 2.0,
+                mill.lengthMm(7), how);
+}
+
+/// CYCLE77(_RTP, _RFP, _SDIS, _DP, _DPR, _PRAD, _PA, _PO, _MID, _FAL, _FALD, _FFP1, _FFD, _CDIR,
+/// _VARI, ...).
+Steps circularSpigot(Milling mill) {
+  Clearing how{.infeedMm = mill.lengthMm(8),
+               .allowanceMm = mill.lengthMm(9),
+               .feed = mill.feed(11),
+               .depthFeed = mill.feed(12)};
+  readKind(mill.value(14), how);
+  if (auto fault = mill.readPlanes(4, how.roughs ? mill.lengthMm(10) : 0.0)) {
+    return tl::unexpected(*std::move(fault));
+  }
+  mill.place(mill.lengthMm(6), mill.lengthMm(7), 0.0);
+  const double radius = std::abs(mill.lengthMm(5));
+  return around(std::move(mill), radius, radius, radius, how);
+}
+
+/// CYCLE90(RTP, RFP, SDIS, DP, DPR, DIATH, KDIAM, PIT, FFR, CDIR, TYPTH, CPA, CPO): TYPTH 0 within
+/// a hole, 1 around a bolt; CDIR 2 clockwise.
+Steps threadByMilling(Milling mill) {
+  if (auto fault = mill.readPlanes(4, 0.0)) {
+    return tl::unexpected(*std::move(fault));
+  }
+  const double pitch = std::abs(mill.lengthMm(7));
+  const bool isOutside = mill.value(10) == 1.0;
+  const double radius = isOutside ? mill.lengthMm(6) / 2.0 + mill.radiusMm()
+                                  : mill.lengthMm(5) / 2.0 - mill.radiusMm();
+  if (!(pitch > 0.0) || !(radius > 0.0)) {
+    return pitch > 0.0 ? tooLarge() : Steps(tl::unexpected(CycleFault{kPitchWrong, "PIT"}));
+  }
+  const double start = isOutside ? radius + mill.radiusMm() + mill.safetyMm() : 0.0;
+  const double turn = mill.value(9) == 2.0 ? -360.0 : 360.0;
+  const double feed = mill.feed(8);
+  mill.place(mill.lengthMm(11), mill.lengthMm(12), 0.0);
+  mill.approach(start, 0.0);
+  const std::vector<double> levels = mill.levels(pitch);
+  double height = mill.reference();
+  mill.cut(start, 0.0, height, feed);
+  mill.cut(radius, 0.0, height, feed);
+  for (const double level : levels) {
+    mill.helix(radius, turn, height, level, feed);
+    height = level;
+  }
+  mill.cut(start, 0.0, height, feed);
+  mill.retract(start, 0.0);
+  return mill.take();
 }
 
 /// Of LONGHOLE, SLOT1 and SLOT2: how many there are on the circle, and where.
@@ -355,7 +444,7 @@ struct Face {
 void clearFace(Milling& mill, const Face& face) {
   const double along = face.alongSecond ? face.widthMm : face.lengthMm;
   const double across = face.alongSecond ? face.lengthMm : face.widthMm;
-  const double beyond = std::copysign(mill.radiusMm() + std::abs(mill.lengthMm(kSdis)), along);
+  const double beyond = std::copysign(mill.radiusMm() + mill.safetyMm(), along);
   const double count = mill.lines(std::abs(across), face.apartMm);
   const auto u = [&](double a, double c) { return face.alongSecond ? c : a; };
   const auto v = [&](double a, double c) { return face.alongSecond ? a : c; };
@@ -439,7 +528,10 @@ struct Cycle {
   std::string_view name;
   Steps (*expand)(Milling);
 };
-constexpr std::array kCycles{Cycle{"POCKET3", rectangularPocket},
+constexpr std::array kCycles{Cycle{"CYCLE76", rectangularSpigot},
+                             Cycle{"CYCLE77", circularSpigot},
+                             Cycle{"CYCLE90", threadByMilling},
+                             Cycle{"POCKET3", rectangularPocket},
                              Cycle{"POCKET4", circularPocket},
                              Cycle{"LONGHOLE", longHoles},
                              Cycle{"SLOT1", radialSlots},
