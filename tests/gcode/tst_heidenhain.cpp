@@ -9,6 +9,7 @@
 
 #include "gcode/interpreter.h"
 #include "gcode_text.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 
@@ -68,7 +69,7 @@ class TestHeidenhain : public QObject {
         "8 A X5 Y0 Z0 F100");
     add("a helix of a turn and a half",
         "L X+10 Y+0 Z+0 FMAX\nCC X+0 Y+0\nCP IPA+540 IZ-3 DR+ F100\n",
-        "3 R X10 Y0 Z0 | 5 A X10 Y0 Z-2 F100 | 5 A X-10 Y0 Z-3 F100");
+        "3 R X10 Y0 Z0 | 5 A X-10 Y0 Z-3 F100");
     add("an arc in the plane of its centre",
         "L X+0 Y+0 Z+0 FMAX\nCC Y+0 Z+5\nCP IPA+90 DR+ F100\nL X+10\nCC Z+5 X+15\n"
         "C Z+10 X+15 DR+\n",
@@ -145,9 +146,9 @@ class TestHeidenhain : public QObject {
     // "Fixed Cycles: Drilling"
     add("200 in three pecks, called by M99",
         kDrilling + std::string("L X+10 Y+5 Z+60 FMAX M99\nL X+0 FMAX\n"),
-        "11 R X10 Y5 Z60 | 11 R X10 Y5 Z2 | 11 L X10 Y5 Z-8 F150 | 11 R X10 Y5 Z2 | "
-        "11 R X10 Y5 Z-6 | 11 L X10 Y5 Z-16 F150 | 11 R X10 Y5 Z2 | 11 R X10 Y5 Z-14 | "
-        "11 L X10 Y5 Z-20 F150 | 11 R X10 Y5 Z2 | 11 R X10 Y5 Z50 | 12 R X0 Y5 Z50");
+        "12 R X10 Y5 Z60 | 12 R X10 Y5 Z2 | 12 L X10 Y5 Z-8 F150 | 12 R X10 Y5 Z2 | "
+        "12 R X10 Y5 Z-6 | 12 L X10 Y5 Z-16 F150 | 12 R X10 Y5 Z2 | 12 R X10 Y5 Z-14 | "
+        "12 L X10 Y5 Z-20 F150 | 12 R X10 Y5 Z2 | 12 R X10 Y5 Z50 | 13 R X0 Y5 Z50");
     add("modal by M89, until M99",
         kOneStroke +
             std::string("L X+0 Y+0 Z+9 FMAX\nL X+1 FMAX M89\nL X+2 FMAX M99\nL X+3 FMAX\n"),

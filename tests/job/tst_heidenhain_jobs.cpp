@@ -19,6 +19,7 @@
 #include "streaming/control_axes.h"
 #include "streaming/simulation/fitted_machine.h"
 #include "streaming/simulation/job_proof.h"
+#include "support/test_program.h"
 
 using namespace rivulet;
 
