@@ -76,9 +76,7 @@ class Interpreter {
         m_language(nc::languageOf(guess.dialect)),
         m_findings(options.accepted),
         m_variables(m_language.comparison,
-                    [this](char axis, bool inWorkpiece) {
-                      return m_executor.positionOf(axis, inWorkpiece);
-                    }),
+                    [this](char axis) { return m_executor.positionOf(axis); }),
         m_cursorOptions(cursorOptions()),
         m_flow(text, guess.dialect, m_variables, m_cursorOptions),
         m_path(options, m_out.trajectory, m_out.statistics, m_findings),

@@ -19,8 +19,8 @@ ProgramVariables::ProgramVariables(const nc::Semantics& semantics, PositionOf po
 nc::Expected<nc::Value> ProgramVariables::system(std::string_view name,
                                                  std::span<const nc::Value> indices) const {
   const std::string axis = indices.size() == 1 ? nc::textOf(indices[0]) : std::string();
-  if (axis.size() == 1 && (name == "$AA_IW" || name == "$P_EP" || name == "$AA_IM")) {
-    if (const std::optional<double> known = m_positionOf(axis[0], name == "$AA_IM")) {
+  if (axis.size() == 1 && (name == "$AA_IW" || name == "$P_EP")) {
+    if (const std::optional<double> known = m_positionOf(axis[0])) {
       noteChange();
       return *known;
     }
@@ -33,7 +33,7 @@ nc::Expected<nc::Value> ProgramVariables::variable(std::string_view name,
                                                    std::span<const int> indices) const {
   nc::Expected<nc::Value> value = Variables::variable(name, indices);
   if (!value && name.size() == 4 && name.substr(0, 2) == "<_") {
-    if (const std::optional<double> known = m_positionOf(name[2], false)) {
+    if (const std::optional<double> known = m_positionOf(name[2])) {
       noteChange();
       return *known;
     }
@@ -45,7 +45,7 @@ nc::Expected<nc::Value> ProgramVariables::numbered(int number) const {
   constexpr int kFirst = 5420;
   if (number >= kFirst && number < kFirst + static_cast<int>(base::kAxisCount)) {
     const char axis = base::kAxisNames[static_cast<std::size_t>(number - kFirst)];
-    if (const std::optional<double> known = m_positionOf(axis, false)) {
+    if (const std::optional<double> known = m_positionOf(axis)) {
       noteChange();
       return *known;
     }

@@ -17,7 +17,7 @@ namespace rivulet::gcode {
 /// The program's own, and of the control's those that follow from the path.
 class ProgramVariables final : public nc::Variables {
  public:
-  using PositionOf = std::function<std::optional<double>(char axis, bool inWorkpiece)>;
+  using PositionOf = std::function<std::optional<double>(char axis)>;
   ProgramVariables(const nc::Semantics& semantics, PositionOf positionOf);
 
   [[nodiscard]] nc::Expected<nc::Value> system(std::string_view name,

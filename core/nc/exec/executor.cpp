@@ -23,13 +23,11 @@ Executor::Executor(const Language& language, const ExecutorOptions& options, Var
       m_reader(language, m_state, variables, to) {
 }
 
-std::optional<double> Executor::positionOf(char axis, bool inWorkpiece) const {
+std::optional<double> Executor::positionOf(char axis) const {
   if (axis < 'X' || axis > 'Z') {
     return std::nullopt;
   }
-  const base::Vec3 position =
-      inWorkpiece ? m_position.frame.toWorkpiece(programmed()) : programmed();
-  const double value = position[static_cast<std::size_t>(axis - 'X')] / m_state.lengthFactor;
+  const double value = programmed()[static_cast<std::size_t>(axis - 'X')] / m_state.lengthFactor;
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 

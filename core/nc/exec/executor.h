@@ -68,8 +68,8 @@ class Executor {
   /// From 1, as RS-274 counts them: G54 to G59.3. G54 is in force from the beginning.
   [[nodiscard]] int workOffsetNumber() const;
 
-  /// In the unit of the program. @return nothing if no motion has said it yet
-  [[nodiscard]] std::optional<double> positionOf(char axis, bool inWorkpiece) const;
+  /// As programmed, in the unit of the program. @return nothing if no motion has said it yet
+  [[nodiscard]] std::optional<double> positionOf(char axis) const;
 
  private:
   // executor.cpp: the order within a block.
