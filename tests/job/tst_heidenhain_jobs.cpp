@@ -13,6 +13,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "gcode/block_observer.h"
 #include "gcode/feeds.h"
 #include "gcode/program.h"
 #include "job/plan.h"
