@@ -82,7 +82,7 @@ class TestHeidenhainJobs : public QObject {
     add("ellipse.H", 9, "X93.30127 Y75 Z-5 F100", "X93.30127 Y75 Z-5 F350");
     add("rows.H", 24, "X15 Y10 Z-5 F250", "X75 Y30 Z-10 F250");
     add("steps.H", 25, "X-20 Y30 Z-4 F2000", "X-20 Y30 Z-20 F2000");
-    add("spiral.H", 12, "X50 Y50 Z-12.75 F1000", "X30 Y50 Z0.75 F200");
+    add("spiral.H", 4, "X50 Y50 Z-12.75 F1000", "X30 Y50 Z0.75 F200");
     add("mirrored.H", 15, "X10 Y0 Z-2 F300", "X105 Y10 Z-1 F300");
     add("old.H", 6, "X20 Y20 Z-15 F120", "X35 Y20 Z-40 F120");
     add("deep.H", 14, "X10 Y10 Z-7 F200", "X70 Y10 Z7 F250");
@@ -163,9 +163,9 @@ class TestHeidenhainJobs : public QObject {
       }
     }
     QCOMPARE(lines.join(QStringLiteral(" | ")),
-             QStringLiteral("G41 | G1 X5 Y35 F1000 | G1 X5 Y50 F300 | G1 X5 Y95 F300 | "
-                            "G1 X95 Y95 F300 | G1 X95 Y5 F300 | G1 X5 Y5 F300 | G1 X5 Y50 F300 | "
-                            "G1 X5 Y70 F1000 | G40 | G0 X-30 Y80"));
+             QStringLiteral("G41 | G1 X5 Y35 F1000 | G1 Y50 F300 | G1 Y95 F300 | G1 X95 F300 | "
+                            "G1 Y5 F300 | G1 X5 F300 | G1 Y50 F300 | G1 Y70 F1000 | G40 | G40 | "
+                            "G0 X-30 Y80"));
   }
 };
 
