@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -90,10 +91,11 @@ void print(const gcode::Program& program) {
   }
   for (const gcode::Diagnostic& diagnostic : program.diagnostics) {
     const std::string name = gcode::acceptableName(diagnostic);
-    fmt::print("{}:{}:{}: {}: {}{}\n", diagnostic.file.empty() ? program.name : diagnostic.file,
+    fmt::print("{}:{}:{}: {}: {}{}{}\n", diagnostic.file.empty() ? program.name : diagnostic.file,
                diagnostic.line.value, diagnostic.column, gcode::severityName(diagnostic.severity),
                gcode::describe(diagnostic),
-               name.empty() ? std::string() : fmt::format(" [--accept {}]", name));
+               name.empty() ? std::string() : fmt::format(" [--accept {}]", name),
+               diagnostic.count > 1 ? fmt::format(" ({} times)", diagnostic.count) : std::string());
   }
   fmt::print("{}\n", gcode::describe(program.readiness()));
 }
@@ -105,36 +107,111 @@ std::string linesOf(const job::Stretch& stretch) {
   return first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
 }
 
-/// @param lists  each part; else their number
-void print(const job::Plan& plan, bool lists) {
-  fmt::print("\nAs a job: {} streamed, {} for the control\n", plan.stretchCount(),
-             plan.nativeCount());
-  for (const job::Part& part : lists ? plan.parts : std::vector<job::Part>()) {
-    if (const auto* const native = std::get_if<job::NativeBlock>(&part)) {
-      fmt::print("  {:>9}  {:<19}  {}{}\n", native->place.line.value,
-                 job::nativeReasonName(native->reason),
-                 native->file.empty() ? std::string() : native->file + ": ", native->source);
-    } else if (const auto& stretch = std::get<job::Stretch>(part); stretch.number > 0) {
-      fmt::print("  {:>9}  stretch {:<11}  {} point{}\n", linesOf(stretch), stretch.number,
-                 stretch.pointCount, stretch.pointCount == 1 ? "" : "s");
-    }
+void print(const job::Part& part) {
+  if (const auto* const native = std::get_if<job::NativeBlock>(&part)) {
+    fmt::print("  {:>9}  {:<19}  {}{}\n", native->place.line.value,
+               job::nativeReasonName(native->reason),
+               native->file.empty() ? std::string() : native->file + ": ", native->source);
+  } else if (const auto& stretch = std::get<job::Stretch>(part); stretch.number > 0) {
+    fmt::print("  {:>9}  stretch {:<11}  {} point{}\n", linesOf(stretch), stretch.number,
+               stretch.pointCount, stretch.pointCount == 1 ? "" : "s");
   }
-  for (const job::Refusal& refusal : plan.refusals) {
-    fmt::print("{}:{}: error: {}\n", refusal.file.empty() ? plan.program.name : refusal.file,
+}
+
+gcode::LoadOptions optionsOf(const std::string& file, const LoadingOptions& loading) {
+  gcode::LoadOptions options = loading.loadOptions();
+  options.subprogram = gcode::subprogramsBeside(file);
+  return options;
+}
+
+/// The same text again, now block by block. The parts are told as they are found: a program has as
+/// many of them as lines. They are kept only of a program of usual size, to see whether its job
+/// refuses it for their order.
+base::Result<job::Plan> planOf(const std::string& file, const gcode::Program& program,
+                               const LoadingOptions& loading,
+                               const std::function<void(const job::Part&)>& each) {
+  constexpr std::size_t kPartsKept = 20'000;
+  std::vector<job::Part> kept;
+  bool keeps = true;
+  auto plan = job::visitPlan(program.name, program.text, optionsOf(file, loading),
+                             [&](const job::Part& part) {
+                               keeps = keeps && kept.size() < kPartsKept;
+                               if (keeps) {
+                                 kept.push_back(part);
+                               } else {
+                                 kept = {};
+                               }
+                               each(part);
+                             });
+  if (plan) {
+    plan->parts = std::move(kept);
+  }
+  return plan;
+}
+
+/// @param lists  each part; else their number
+void printPlan(const std::string& file, const gcode::Program& program,
+               const LoadingOptions& loading, bool lists) {
+  std::size_t stretches = 0;
+  std::size_t natives = 0;
+  if (lists) {
+    fmt::print("\n");
+  }
+  const auto plan = planOf(file, program, loading, [&](const job::Part& part) {
+    const auto* const stretch = std::get_if<job::Stretch>(&part);
+    natives += stretch == nullptr ? 1U : 0U;
+    stretches += stretch != nullptr && stretch->number > 0 ? 1U : 0U;
+    if (lists) {
+      print(part);
+    }
+  });
+  if (!plan) {
+    return;
+  }
+  fmt::print("{}As a job: {} streamed, {} for the control\n", lists ? "" : "\n", stretches,
+             natives);
+  for (const job::Refusal& refusal : plan->refusals) {
+    fmt::print("{}:{}: error: {}\n", refusal.file.empty() ? program.name : refusal.file,
                refusal.line.value, job::describe(refusal));
   }
   // What is whole may still be no job.
-  const base::Result<void> whole = job::requireWhole(plan);
-  if (!whole && plan.isWhole()) {
+  const base::Result<void> whole = job::requireWhole(*plan);
+  if (!whole && plan->isWhole()) {
     fmt::print("{}\n", whole.error().text());
   }
 }
 
-/// The same text again, now block by block.
-base::Result<job::Plan> planOf(const std::string& file, const gcode::Program& program,
-                               gcode::LoadOptions options) {
-  options.subprogram = gcode::subprogramsBeside(file);
-  return job::makePlan(program.name, program.text, options);
+std::string dumped(const nlohmann::ordered_json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// One object with the plan as its last value, printed as it is found.
+void printJsonWithPlan(nlohmann::ordered_json json, const std::string& file,
+                       const gcode::Program& program, const CheckOptions& options,
+                       const nlohmann::ordered_json& asJob) {
+  std::string head = dumped(json, 2);
+  json = nullptr;
+  head.resize(head.rfind('}'));
+  fmt::print("{},\n  \"stretches\": {{\n    \"parts\": [", base::trim(head));
+  bool isFirst = true;
+  const auto plan = planOf(file, program, options.loading, [&isFirst](const job::Part& part) {
+    const nlohmann::ordered_json made = report::partJson(part);
+    if (!made.is_null()) {
+      fmt::print("{}\n      {}", isFirst ? "" : ",", dumped(made));
+      isFirst = false;
+    }
+  });
+  fmt::print("],\n    \"whole\": {},\n    \"refusals\": {}", plan && plan->isWhole(),
+             plan ? dumped(report::refusalsJson(plan->refusals)) : "[]");
+  const base::Result<void> whole = plan ? job::requireWhole(*plan) : base::fail(plan.error());
+  if (!whole) {
+    fmt::print(",\n    \"refused\": {}", dumped(whole.error().text()));
+  }
+  fmt::print("\n  }}");
+  if (!asJob.is_null()) {
+    fmt::print(",\n  \"job\": {}", dumped(asJob));
+  }
+  fmt::print("\n}}");
 }
 
 void printTable(const std::vector<Checked>& all) {
@@ -177,62 +254,106 @@ gcode::LoadOptions LoadingOptions::loadOptions() const {
   for (const gcode::CentreReading reading : gcode::kCentreReadings) {
     options.centres = gcode::centreReadingName(reading) == centres ? reading : options.centres;
   }
+  if (units != "auto") {
+    options.units = units == "inch" ? gcode::FileUnits::Inches : gcode::FileUnits::Millimetres;
+  }
+  if (noPoint != "auto") {
+    options.noPoint = noPoint == "increments" ? gcode::NoPoint::Increments : gcode::NoPoint::Units;
+  }
   for (std::string& name : options.accepted) {
     name = base::toUpper(name);
   }
   return options;
 }
 
+base::Result<void> requireMeaning(const gcode::Program& program, bool isVirtual) {
+  for (const gcode::Diagnostic& found : program.diagnostics) {
+    const bool isOfControl = found.code == gcode::DiagnosticCode::UnitsNotSaid ||
+                             found.code == gcode::DiagnosticCode::NoDecimalPoint;
+    if (found.code == gcode::DiagnosticCode::DialectUnclear || (isOfControl && !isVirtual)) {
+      return base::fail(gcode::GcodeError::Ambiguous, gcode::describe(found), program.name);
+    }
+  }
+  return {};
+}
+
 Exit check(const CheckOptions& options) {
   const std::vector<std::string> files = filesOf(options.files);
   const bool single = options.files.size() == 1 && files.size() == 1;
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
   std::vector<Checked> all;
   Exit exit = Exit::Done;
+  if (files.empty()) {
+    fmt::print(stderr, "No NC program was found.\n");
+    return Exit::BadInput;
+  }
+  const auto separate = [&] {
+    if (options.json && !single) {
+      fmt::print("{}", all.empty() ? "[\n" : ",\n");
+    }
+  };
   for (const std::string& file : files) {
     Checked checked{file, gcode::loadProgram(file, options.loading.loadOptions())};
     if (!checked.program) {
       if (single) {
         return reportError(checked.program.error(), options.json);
       }
+      separate();
       if (options.json) {
-        nlohmann::ordered_json failed = report::errorJson(checked.program.error());
-        list.push_back({{"file", file}, {"error", failed}});
+        fmt::print(
+            "{}",
+            dumped({{"file", file}, {"error", report::errorJson(checked.program.error())}}, 2));
       } else {
         reportError(checked.program.error(), false);
       }
       exit = exit == Exit::Done ? Exit::Wrong : exit;
-    } else if (options.json) {
-      list.push_back(report::programJson(*checked.program));
-      list.back()["file"] = single ? checked.program->name : file;
-      const gcode::PointList points = gcode::streamPoints(checked.program->trajectory, {});
-      list.back()["statistics"] = !feasibility::hasDistances(points)
-                                      ? nlohmann::ordered_json(nullptr)
-                                      : report::statisticsJson(feasibility::pathStatistics(points));
-      if (const auto plan = planOf(file, *checked.program, options.loading.loadOptions())) {
-        list.back()["stretches"] = report::planJson(*plan);
+      all.push_back(std::move(checked));
+      continue;
+    }
+    gcode::Program& program = *checked.program;
+    checked.readiness = program.readiness();
+    const std::optional<base::Result<void>> asJob =
+        options.asJob ? std::optional(tryJob(file, options.loading)) : std::nullopt;
+    if (options.json) {
+      separate();
+      nlohmann::ordered_json json = report::programJson(program);
+      json["file"] = single ? program.name : file;
+      {
+        const gcode::PointList points = gcode::streamPoints(program.trajectory, {});
+        json["statistics"] = !feasibility::hasDistances(points)
+                                 ? nlohmann::ordered_json(nullptr)
+                                 : report::statisticsJson(feasibility::pathStatistics(points));
       }
+      program.trajectory = {};
+      nlohmann::ordered_json runs;
+      if (asJob) {
+        runs["runs"] = asJob->has_value();
+        if (!*asJob) {
+          runs["error"] = report::errorJson(asJob->error());
+        }
+      }
+      printJsonWithPlan(std::move(json), file, program, options, runs);
     } else {
-      print(*checked.program);
-      if (const auto plan = planOf(file, *checked.program, options.loading.loadOptions())) {
-        print(*plan, single);
+      print(program);
+      program.trajectory = {};
+      printPlan(file, program, options.loading, single);
+      if (asJob) {
+        fmt::print("job: {}\n",
+                   *asJob ? std::string("runs on a virtual machine") : asJob->error().text());
       }
     }
-    if (checked.program) {
-      checked.readiness = checked.program->readiness();
-      // The table needs figures only; thousands of paths would fill the memory.
-      checked.program->trajectory = {};
-      checked.program->text = {};
+    if (asJob) {
+      exit = *asJob || exit == Exit::BadInput ? exit : exitFor(asJob->error());
+    } else if (program.ambiguity) {
+      exit = Exit::BadInput;
+    } else if (!checked.isUnderstood() && exit == Exit::Done) {
+      exit = Exit::Wrong;
     }
-    exit = checked.isUnderstood() ? exit : Exit::Wrong;
+    // The table needs figures only; thousands of paths would fill the memory.
+    program.text = {};
     all.push_back(std::move(checked));
   }
-  if (files.empty()) {
-    fmt::print(stderr, "No NC program was found.\n");
-    return Exit::BadInput;
-  }
   if (options.json) {
-    printJson(single ? list.front() : list);
+    fmt::print("{}", single ? "\n" : "\n]\n");
   } else if (!single) {
     printTable(all);
   }

@@ -28,9 +28,16 @@ struct LoadingOptions {
   std::vector<std::string> accepted;
   bool blockSkip = false;
   std::string centres = "as-programmed";
+  std::string units = "auto";
+  std::string noPoint = "auto";
 
   [[nodiscard]] gcode::LoadOptions loadOptions() const;
 };
+
+/// What a command that moves a machine has to be told before it reads the program.
+/// @param isVirtual  a machine of Rivulet's, which is metric and reads whole units
+/// @return error Ambiguous, with the options that answer it
+[[nodiscard]] base::Result<void> requireMeaning(const gcode::Program& program, bool isVirtual);
 
 /// Fewer or more points on the same path.
 struct ResamplingOptions {
@@ -44,6 +51,7 @@ struct ResamplingOptions {
 struct CheckOptions {
   std::vector<std::string> files;  ///< or folders
   LoadingOptions loading;
+  bool asJob = false;  ///< says what `job` would say, and returns its exit code
   bool json = false;
 };
 [[nodiscard]] Exit check(const CheckOptions& options);
@@ -150,6 +158,8 @@ struct JobOptions {
 };
 /// Writes the files of a whole job, or runs it on a virtual machine.
 [[nodiscard]] Exit job(const JobOptions& options);
+/// Everything that `job --simulate` looks at before anything moves. @return what it would refuse
+[[nodiscard]] base::Result<void> tryJob(const std::string& file, const LoadingOptions& loading);
 
 struct RunsOptions {
   std::string endpoint;  ///< control that is asked, too; empty: none

@@ -217,6 +217,9 @@ base::Result<void> JobCommand::prepare() {
     }
   }
   m_plan = std::move(*plan);
+  if (base::Result<void> meant = requireMeaning(m_plan.program, isVirtual); !meant) {
+    return meant;
+  }
   if (isVirtual) {
     streaming::FittedMachine fitted = streaming::fitMachine(std::move(m_machine), m_plan);
     m_machine = std::move(fitted.config);
@@ -624,6 +627,19 @@ Exit JobCommand::run() {
 }
 
 }  // namespace
+
+base::Result<void> tryJob(const std::string& file, const LoadingOptions& loading) {
+  JobOptions options;
+  options.file = file;
+  options.loading = loading;
+  options.simulate = true;
+  JobCommand command(options);
+  base::Result<void> done = command.prepare();
+  for (const auto step : {&JobCommand::connect, &JobCommand::look}) {
+    done = done ? (command.*step)() : done;
+  }
+  return done;
+}
 
 Exit job(const JobOptions& options) {
   interrupt::watch();

@@ -159,6 +159,17 @@ void addLoading(CLI::App* command, rivulet::cli::LoadingOptions& loading) {
                    "Meaning of I, J and K of arcs, if a post-processor differs from the dialect")
       ->check(CLI::IsMember({"as-programmed", "absolute", "start-minus-centre"}))
       ->capture_default_str();
+  command
+      ->add_option("--units", loading.units,
+                   "Unit of a program that does not say it: mm, inch (auto: mm, with a warning)")
+      ->check(CLI::IsMember({"auto", "mm", "inch"}))
+      ->capture_default_str();
+  command
+      ->add_option("--no-point", loading.noPoint,
+                   "What coordinates without a decimal point are: units, increments of 0.001 mm or "
+                   "0.0001 inch (auto: units, with a warning)")
+      ->check(CLI::IsMember({"auto", "units", "increments"}))
+      ->capture_default_str();
   command->add_flag("--block-skip", loading.blockSkip, "Leave out blocks that begin with /");
 }
 
@@ -181,6 +192,8 @@ void addCheckCommand(CLI::App& app, Exit& exit) {
       app.add_subcommand("check", "Read NC programs and print their facts and findings");
   command->add_option("FILE", options->files, "NC programs, or folders of NC programs")->required();
   addLoading(command, options->loading);
+  command->add_flag("--job", options->asJob,
+                    "Say what job would refuse, on a virtual machine, and exit as it would");
   addJson(command, options->json);
   command->callback([options, &exit] { exit = rivulet::cli::check(*options); });
 }

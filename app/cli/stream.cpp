@@ -345,6 +345,9 @@ base::Result<void> StreamCommand::load() {
     return base::fail(program.error());
   }
   m_program = std::move(*program);
+  if (base::Result<void> meant = requireMeaning(m_program, m_options.simulate); !meant) {
+    return meant;
+  }
   if (const auto blocked = streaming::programBlocked(m_program)) {
     base::Error error = streaming::blockedError(*blocked);
     error.context = m_program.name;
@@ -741,6 +744,9 @@ base::Result<bool> isWholeJob(const StreamOptions& options) {
   const base::Result<bool> runs = runsJobs(options);
   if (!runs) {
     return base::fail(runs.error());
+  }
+  if (base::Result<void> meant = requireMeaning(plan->program, true); !meant) {
+    return base::fail(meant.error());
   }
   if (!*runs) {
     return leaveOut("whole jobs run on virtual machines only so far");

@@ -38,22 +38,33 @@ ordered_json nativeJson(const job::NativeBlock& native) {
 
 }  // namespace
 
-ordered_json planJson(const job::Plan& plan) {
-  ordered_json parts = ordered_json::array();
-  for (const job::Part& part : plan.parts) {
-    if (const auto* const native = std::get_if<job::NativeBlock>(&part)) {
-      parts.push_back(nativeJson(*native));
-    } else if (const auto& stretch = std::get<job::Stretch>(part); stretch.number > 0) {
-      parts.push_back(stretchJson(stretch));
-    }
+ordered_json partJson(const job::Part& part) {
+  if (const auto* const native = std::get_if<job::NativeBlock>(&part)) {
+    return nativeJson(*native);
   }
+  const auto& stretch = std::get<job::Stretch>(part);
+  return stretch.number > 0 ? stretchJson(stretch) : ordered_json(nullptr);
+}
+
+ordered_json refusalsJson(const std::vector<job::Refusal>& list) {
   ordered_json refusals = ordered_json::array();
-  for (const job::Refusal& refusal : plan.refusals) {
+  for (const job::Refusal& refusal : list) {
     refusals.push_back({{"line", refusal.line.value},
                         {"code", job::refusalName(refusal.code)},
                         {"message", job::describe(refusal)}});
   }
-  ordered_json json{{"whole", plan.isWhole()}, {"parts", parts}, {"refusals", refusals}};
+  return refusals;
+}
+
+ordered_json planJson(const job::Plan& plan) {
+  ordered_json parts = ordered_json::array();
+  for (const job::Part& part : plan.parts) {
+    if (ordered_json made = partJson(part); !made.is_null()) {
+      parts.push_back(std::move(made));
+    }
+  }
+  ordered_json json{
+      {"whole", plan.isWhole()}, {"parts", parts}, {"refusals", refusalsJson(plan.refusals)}};
   if (const base::Result<void> whole = job::requireWhole(plan); !whole) {
     json["refused"] = whole.error().text();  // what a job of it would say
   }

@@ -13,5 +13,8 @@ namespace rivulet::report {
 
 /// The parts of a program in its order, each streamed or native, and what refuses the job.
 [[nodiscard]] nlohmann::ordered_json planJson(const job::Plan& plan);
+/// One part of it; null for a stretch that moves nothing.
+[[nodiscard]] nlohmann::ordered_json partJson(const job::Part& part);
+[[nodiscard]] nlohmann::ordered_json refusalsJson(const std::vector<job::Refusal>& refusals);
 
 }  // namespace rivulet::report

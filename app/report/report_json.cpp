@@ -321,6 +321,9 @@ ordered_json programJson(const gcode::Program& program) {
     if (!diagnostic.file.empty()) {
       diagnostics.back()["file"] = diagnostic.file;
     }
+    if (diagnostic.count > 1) {
+      diagnostics.back()["count"] = diagnostic.count;
+    }
   }
   const auto lineWithoutFeed = gcode::lineWithoutFeed(program.trajectory);
   return {{"file", program.name},

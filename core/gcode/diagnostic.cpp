@@ -44,9 +44,8 @@ constexpr std::array kTexts{
             "A bracket is opened but not closed in this line: the rest of the line is not read.")},
     CodeText{DiagnosticCode::CommentNested, "comment-nested",
              RIVULET_SENTENCE("DiagnosticTexts",
-                              "A bracket is opened within the comment %1: the control ends the "
-                              "comment at the first closing bracket. Write it without inner "
-                              "brackets.")},
+                              "A bracket is opened within the comment %1, which ends at the first "
+                              "closing bracket. Write it without inner brackets.")},
     CodeText{DiagnosticCode::UnknownGCode, "unknown-g-code",
              RIVULET_SENTENCE(
                  "DiagnosticTexts",
@@ -178,8 +177,38 @@ constexpr std::array kTexts{
                               "program with G0, G1, G2 or G3 and X, Y or Z.")},
     CodeText{DiagnosticCode::LatheAssumed, "lathe-assumed",
              RIVULET_SENTENCE("DiagnosticTexts",
-                              "%1 is a turning cycle, so this is a program for a lathe: X is read "
-                              "as a diameter, U and W as increments, the plane is Z X.")},
+                              "The program is for a lathe (%1): X is read as a diameter, U and W "
+                              "as increments, the plane is Z X, and with G99 F is per "
+                              "revolution.")},
+    CodeText{
+        DiagnosticCode::UnitsNotSaid, "units-not-said",
+        RIVULET_SENTENCE("DiagnosticTexts",
+                         "No block says mm or inch (G21, G20) before the first move: the size is "
+                         "%1, read as mm or as inch. Load it with its unit (--units).")},
+    CodeText{
+        DiagnosticCode::NoDecimalPoint, "no-decimal-point",
+        RIVULET_SENTENCE("DiagnosticTexts",
+                         "Coordinates have no decimal point: the size is %1, read as whole units "
+                         "or as least increments. Load it as the control is set "
+                         "(--no-point).")},
+    CodeText{DiagnosticCode::SizeUnlikely, "size-unlikely",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The program is larger than a machine (%1): check its unit (G20, "
+                              "G21, --units) and its decimal points.")},
+    CodeText{DiagnosticCode::SemicolonEndsBlock, "semicolon-ends-block",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The words after \";\" are read as a block of their own, as on the "
+                              "control. If \";\" begins comments here, choose another dialect "
+                              "(--dialect).")},
+    CodeText{
+        DiagnosticCode::DialectUnclear, "dialect-unclear",
+        RIVULET_SENTENCE("DiagnosticTexts",
+                         "The text does not show which control it is for, and they differ from "
+                         "here on: %1. Choose the dialect (--dialect).")},
+    CodeText{DiagnosticCode::TwoDialects, "two-dialects",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The file has words of two controls (%1): split it, or choose the "
+                              "dialect (--dialect).")},
     CodeText{DiagnosticCode::CornerMalformed, "corner-malformed",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "The corner cannot be rounded or chamfered: there must be an element "

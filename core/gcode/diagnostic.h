@@ -6,6 +6,7 @@
 /// @threadsafety plain values.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,8 @@ struct Diagnostic {
   std::string file = {};  ///< the called file it stands in; empty: the program itself
   /// Of a calculation or of the sequence of blocks: what is wrong with it; the argument is its own.
   std::optional<nc::FaultCode> cause = {};
+  /// How often it was found, if more often than it is listed (`kRepeatsListed`); else 1.
+  std::size_t count = 1;
 };
 
 /// Stable name for files and `--json`, e.g. "unknown-g-code".

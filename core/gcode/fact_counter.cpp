@@ -63,6 +63,7 @@ void FactCounter::line(const nc::AxisValues& axes) {
 
 void FactCounter::motion(int g, const nc::AxisValues& axes) {
   count(g);
+  noteUnits(axes);
   if (g == 1) {
     line(axes);
   } else {
@@ -72,6 +73,7 @@ void FactCounter::motion(int g, const nc::AxisValues& axes) {
 
 void FactCounter::arc(const nc::AxisValues& axes, nc::Arc arc, nc::ArcWords words) {
   count(arc.clockwise ? 2 : 3);
+  noteUnits(axes);
   const std::size_t third = (arc.firstAxis + 2) % base::kAxisCount;
   bool known = true;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {

@@ -33,6 +33,10 @@ class FactCounter final : public nc::WordObserver {
   void count(int g) {
     ++(g < 0 ? m_facts.defaultMotions : m_facts.motions[static_cast<std::size_t>(g)]);
   }
+  void noteUnits(const nc::AxisValues& axes) {
+    m_facts.movesBeforeUnits |= m_facts.units == FileUnits::Unspecified &&
+                                (axes.given[0] || axes.given[1] || axes.given[2]);
+  }
   struct ArcReading {
     double length = 0.0;
     double mismatch = 0.0;

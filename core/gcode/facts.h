@@ -47,6 +47,8 @@ struct ProgramFacts {
   std::size_t machineMotions = 0;  ///< of all those, the ones in machine coordinates
   std::size_t otherMotions = 0;    ///< cycles, threads, probing, splines, reference moves
   FileUnits units = FileUnits::Unspecified;
+  bool movesBeforeUnits = false;  ///< a block moves X, Y or Z before one says mm or inch
+  bool dependsOnDialect = false;  ///< it has words that controls read differently
   /// Of the end points programmed; nothing for an axis that has none with a known value.
   std::array<std::optional<ProgrammedRange>, kProgrammedAxisCount> bounds{};
   /// An increment of the axis started at a value the program had not given.

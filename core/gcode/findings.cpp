@@ -50,7 +50,18 @@ void Findings::add(Diagnostic found) {
       found.argument = std::move(name);
     }
   }
+  const auto [repeats, isFirst] =
+      m_repeats.try_emplace(fmt::format("{} {} {} {}", static_cast<int>(found.severity),
+                                        static_cast<int>(found.code), found.file, found.argument),
+                            Repeats{m_list.size(), 0});
+  if (++repeats->second.count > kRepeatsListed) {
+    m_list[repeats->second.first].count = repeats->second.count;
+    return;
+  }
   if (m_list.size() >= kDiagnosticsMax) {
+    if (isFirst) {
+      m_repeats.erase(repeats);
+    }
     if (m_suppressed++ == 0) {
       m_suppressedLine = m_line;
     }

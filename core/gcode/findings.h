@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "gcode/diagnostic.h"
@@ -59,6 +60,11 @@ class Findings final : public nc::FaultSink {
   std::bitset<26> m_ignoredLetters;
   std::vector<std::string> m_ignoredNames;
   std::vector<std::string> m_acceptedSeen;
+  struct Repeats {
+    std::size_t first = 0;  ///< in the list
+    std::size_t count = 0;
+  };
+  std::unordered_map<std::string, Repeats> m_repeats;  ///< by what they say
   std::size_t m_suppressed = 0;
   base::LineNumber m_suppressedLine;
   Severity m_suppressedWorst = Severity::Note;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -16,6 +17,8 @@
 #include <vector>
 
 #include "base/contract.h"
+#include "base/text.h"
+#include "base/units.h"
 #include "gcode/block_observer.h"
 #include "gcode/fact_counter.h"
 #include "gcode/findings.h"
@@ -83,13 +86,13 @@ class Interpreter {
         m_executorOptions{.centres = options.centres},
         m_to(sinks()),
         m_executor(m_language, m_executorOptions, m_variables, m_to) {
-    if (m_language.hasTurningCycles && !guess.turningCycle.empty()) {
+    if (m_language.hasTurningCycles && !guess.lathe.empty()) {
       nc::ModalState& state = m_executor.state();
       state.isLathe = true;
       state.diameter = true;
       state.diameterIncrements = true;
       state.planeFirstAxis = 2;
-      m_findings.reportProgram(Severity::Warning, DiagnosticCode::LatheAssumed, guess.turningCycle);
+      m_findings.reportProgram(Severity::Warning, DiagnosticCode::LatheAssumed, guess.lathe);
     }
     if (options.defaultFeedMmPerS > 0.0) {
       nc::ModalState& state = m_executor.state();
@@ -97,6 +100,15 @@ class Interpreter {
       state.feedDegPerS = options.defaultFeedMmPerS;
       state.feedIsDefault = true;
     }
+    if (options.units == FileUnits::Inches) {
+      m_executor.state().lengthFactor = base::kMmPerInch;
+      m_executor.state().feedFactor = base::kMmPerInch;
+    }
+    if (!guess.contradiction.empty()) {
+      m_findings.reportProgram(Severity::Error, DiagnosticCode::TwoDialects,
+                               guess.evidence + ", " + guess.contradiction);
+    }
+    m_out.otherDialects = std::move(guess.others);
     m_out.dialect = guess.dialect;
     m_out.dialectEvidence = std::move(guess.evidence);
   }
@@ -104,6 +116,11 @@ class Interpreter {
   Interpretation run() {
     const auto lineFeeds = static_cast<std::size_t>(std::count(m_text.begin(), m_text.end(), '\n'));
     m_out.trajectory.points.reserve(std::min(lineFeeds + 1, kTrajectoryPointsMax));
+    if (m_language.semicolonEndsBlock &&
+        nc::semicolonOf(m_text, m_language) == nc::Semicolon::EndsBlock) {
+      m_dependsOnDialect = true;
+      m_findings.reportProgram(Severity::Warning, DiagnosticCode::SemicolonEndsBlock, {});
+    }
     if (m_text.substr(0, 4096).find('\0') != std::string_view::npos) {
       m_findings.report(Severity::Error, 1, DiagnosticCode::NotAnyDialect, {});
     }
@@ -137,8 +154,14 @@ class Interpreter {
       if (m_options.blockSkip && hasBlockSkip(block)) {
         continue;
       }
-      begin(block.tokens);
-      interpretBlock(block);
+      noteReading(block);
+      std::optional<nc::Words> counted;
+      if (m_options.noPoint == NoPoint::Increments && m_language.mayCountIncrements) {
+        counted = inUnits(block);
+      }
+      const nc::Words& used = counted ? *counted : block;
+      begin(used.tokens);
+      interpretBlock(used);
       end();
       if (m_out.trajectory.points.size() > kTrajectoryPointsMax) {
         m_findings.report(Severity::Error, 1, DiagnosticCode::TooManyPoints,
@@ -201,6 +224,62 @@ class Interpreter {
     const double share =
         lines == 0 ? 1.0 : static_cast<double>(m_flow.linesRead()) / static_cast<double>(lines + 1);
     return !m_options.progress || m_options.progress(std::min(1.0, share));
+  }
+
+  /// What the same text could mean on another control, or on one with other settings.
+  void noteReading(const nc::Words& block) {
+    for (const Token& token : block.tokens) {
+      if (token.kind != TokenKind::Word) {
+        m_dependsOnDialect |= token.kind != TokenKind::Comment && token.kind != TokenKind::Tape &&
+                              token.kind != TokenKind::BlockSkip;
+      } else if (isLength(token.address)) {
+        const double size = std::abs(token.value);
+        if (token.hasPoint) {
+          m_largestWithPoint = std::max(m_largestWithPoint, size);
+          m_hasPoints = true;
+        } else {
+          m_largestWithoutPoint = std::max(m_largestWithoutPoint, size);
+        }
+      } else if (token.address == 'G') {
+        m_dependsOnDialect |= !meansTheSame(token.value);
+      } else {
+        m_dependsOnDialect |= token.address == 'M' && token.value >= 96.0 && token.value <= 99.0;
+      }
+    }
+  }
+
+  static bool isLength(char address) {
+    return (address >= 'X' && address <= 'Z') || (address >= 'U' && address <= 'W') ||
+           (address >= 'I' && address <= 'K') || address == 'R';
+  }
+
+  /// G functions that move, or set what moves, alike on all controls.
+  static bool meansTheSame(double g) {
+    static constexpr std::array kSame{0.0,  1.0,  2.0,  3.0,  4.0,  17.0, 18.0, 19.0, 20.0,
+                                      21.0, 40.0, 49.0, 53.0, 54.0, 55.0, 56.0, 57.0, 58.0,
+                                      59.0, 61.0, 64.0, 80.0, 90.0, 91.0, 94.0};
+    return std::find(kSame.begin(), kSame.end(), g) != kSame.end();
+  }
+
+  /// The block with its lengths and angles counted in least increments (IS-B): 0.001 mm or degree,
+  /// 0.0001 inch.
+  [[nodiscard]] nc::Words inUnits(const nc::Words& block) {
+    bool inches = m_executor.state().lengthFactor != 1.0;
+    for (const Token& token : block.tokens) {
+      if (token.kind == TokenKind::Word && token.address == 'G') {
+        inches = token.value == 20.0 || (inches && token.value != 21.0);
+      }
+    }
+    nc::Words counted = block;
+    for (Token& token : counted.tokens) {
+      const bool isAngle = token.address >= 'A' && token.address <= 'C';
+      if (token.kind == TokenKind::Word && !token.hasPoint &&
+          (isAngle || token.address == 'Q' || isLength(token.address))) {
+        token.value /= inches && !isAngle ? 10'000.0 : 1'000.0;
+        token.hasPoint = true;
+      }
+    }
+    return counted;
   }
 
   void interpretBlock(const nc::Words& block) {
@@ -336,11 +415,63 @@ class Interpreter {
     if (m_out.trajectory.points.empty() && !m_out.cancelled) {
       m_findings.reportProgram(Severity::Warning, DiagnosticCode::NoMotion, {});
     }
+    reportScale();
+    m_out.facts.dependsOnDialect = m_dependsOnDialect;
     m_out.diagnostics = m_findings.take();
     std::vector<double>& feeds = statistics.feedsMmPerMin;
     std::sort(feeds.begin(), feeds.end());
     feeds.erase(std::unique(feeds.begin(), feeds.end()), feeds.end());
     statistics.points = m_out.trajectory.points.size();
+  }
+
+  /// "120 x 80 x 5", the size of the path in mm.
+  [[nodiscard]] std::string sizeText(double factor) const {
+    const Statistics& statistics = m_out.statistics;
+    std::string text;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      if (std::isfinite(statistics.minMm[axis])) {
+        const double size = (statistics.maxMm[axis] - statistics.minMm[axis]) * factor;
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", base::kAxisNames[axis],
+                            base::formatFixed(size, 3));
+      }
+    }
+    return text + " mm";
+  }
+
+  /// Where settings of the control decide how large the path is, and where it cannot be so large.
+  void reportScale() {
+    const base::Vec3& least = m_out.statistics.minMm;
+    const bool isKnown = std::isfinite(least.x) || std::isfinite(least.y) || std::isfinite(least.z);
+    if (!isKnown || m_out.cancelled) {
+      return;
+    }
+    const auto both = [this](double factor) {
+      return fmt::format("{}; {}", sizeText(1.0), sizeText(factor));
+    };
+    bool isReported = false;
+    if (m_language.unitIsOfMachine && !m_options.units && m_out.facts.movesBeforeUnits) {
+      m_findings.reportProgram(Severity::Warning, DiagnosticCode::UnitsNotSaid,
+                               both(base::kMmPerInch));
+      isReported = true;
+    }
+    // Beyond any machine that counts whole units, or a program of a control that may count.
+    constexpr double kWholeUnitsMost = 1000.0;
+    const bool isLarge = m_largestWithoutPoint >= kWholeUnitsMost &&
+                         m_largestWithoutPoint > 10.0 * m_largestWithPoint;
+    const bool isOfControl = !m_hasPoints && m_largestWithoutPoint > 0.0 &&
+                             (!m_out.dialectEvidence.empty() || m_options.dialect);
+    if (m_language.mayCountIncrements && !m_options.noPoint && (isLarge || isOfControl)) {
+      const bool inches = m_out.facts.units == FileUnits::Inches;
+      m_findings.reportProgram(Severity::Warning, DiagnosticCode::NoDecimalPoint,
+                               both(inches ? 1e-4 : 1e-3));
+      isReported = true;
+    }
+    constexpr double kLargestMachineMm = 10'000.0;
+    const base::Vec3 size = m_out.statistics.maxMm - m_out.statistics.minMm;
+    if (!isReported && (size.x >= kLargestMachineMm || size.y >= kLargestMachineMm ||
+                        size.z >= kLargestMachineMm)) {
+      m_findings.reportProgram(Severity::Warning, DiagnosticCode::SizeUnlikely, sizeText(1.0));
+    }
   }
 
   /// What the file holds and nobody executes may be what its author meant to be executed.
@@ -386,6 +517,10 @@ class Interpreter {
   nc::Executor m_executor;
   bool m_ended = false;
   bool m_isPartial = false;  ///< given up before the end
+  bool m_dependsOnDialect = false;
+  bool m_hasPoints = false;
+  double m_largestWithPoint = 0.0;
+  double m_largestWithoutPoint = 0.0;
 };
 
 }  // namespace
@@ -397,6 +532,8 @@ Interpretation interpret(std::string_view text, const LoadOptions& options,
   if (options.dialect) {
     guess.dialect = *options.dialect;
     guess.evidence.clear();
+    guess.others.clear();
+    guess.contradiction.clear();
   }
   return Interpreter(text, options, std::move(guess), observer).run();
 }

@@ -24,8 +24,9 @@ struct Interpretation {
   ProgramFacts facts;
   Dialect dialect = Dialect::Fanuc;
   std::string dialectEvidence;
-  std::size_t blocks = 0;  ///< lines that hold more than a number and a comment
-  bool cancelled = false;  ///< `LoadOptions::progress` said so: the rest is not there
+  std::vector<Dialect> otherDialects;  ///< what the text may be as well
+  std::size_t blocks = 0;              ///< lines that hold more than a number and a comment
+  bool cancelled = false;              ///< `LoadOptions::progress` said so: the rest is not there
 };
 
 /// @param options chordToleranceMm > 0  @param fileName  its ending helps to find the dialect

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <optional>
@@ -85,6 +86,77 @@ bool isError(const Diagnostic& diagnostic) {
   return diagnostic.severity == Severity::Error;
 }
 
+bool hasErrors(const Interpretation& read) {
+  return std::any_of(read.diagnostics.begin(), read.diagnostics.end(), isError);
+}
+
+/// Axes that were not named are equal.
+bool isSamePoint(const TrajectoryPoint& a, const TrajectoryPoint& b) {
+  constexpr double kToleranceMm = 1e-6;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const double first = a.positionMm[axis];
+    const double second = b.positionMm[axis];
+    if (std::isnan(first) != std::isnan(second) || std::abs(first - second) > kToleranceMm) {
+      return false;
+    }
+  }
+  return std::abs(a.feedMmPerS - b.feedMmPerS) <= 1e-9 * std::max(1.0, std::abs(a.feedMmPerS));
+}
+
+/// Where two readings of one text part. @return nothing if they are one path
+std::optional<Ambiguity> difference(const Interpretation& a, const Interpretation& b) {
+  const std::vector<TrajectoryPoint>& first = a.trajectory.points;
+  const std::vector<TrajectoryPoint>& second = b.trajectory.points;
+  const auto [one, other] =
+      std::mismatch(first.begin(), first.end(), second.begin(), second.end(), isSamePoint);
+  if (one == first.end() && other == second.end()) {
+    return std::nullopt;
+  }
+  Ambiguity found;
+  found.readings[0].dialect = a.dialect;
+  found.readings[1].dialect = b.dialect;
+  if (one != first.end()) {
+    found.readings[0].endMm = one->positionMm;
+    found.line = one->line;
+  }
+  if (other != second.end()) {
+    found.readings[1].endMm = other->positionMm;
+    found.line = one == first.end() ? other->line : std::min(one->line, other->line);
+  }
+  return found;
+}
+
+/// Reads the text as the other dialects it may be of. One that has words which that control does
+/// not know is none. @param again  `read` is of blocks that are not all executed: read it as well
+std::optional<Ambiguity> findAmbiguity(const std::string& text, const LoadOptions& options,
+                                       const std::string& name, const Interpretation& read,
+                                       bool again) {
+  LoadOptions own = options;
+  own.progress = nullptr;
+  const auto as = [&](Dialect dialect) {
+    own.dialect = dialect;
+    return interpret(text, own, name);
+  };
+  std::optional<Interpretation> whole;
+  for (const Dialect other : read.otherDialects) {
+    if (!whole && again) {
+      whole = as(read.dialect);
+    }
+    const Interpretation& first = whole ? *whole : read;
+    if (hasErrors(first)) {
+      return std::nullopt;
+    }
+    const Interpretation second = as(other);
+    if (hasErrors(second)) {
+      continue;
+    }
+    if (std::optional<Ambiguity> found = difference(first, second)) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string_view readinessName(Readiness readiness) {
@@ -115,6 +187,26 @@ Readiness Program::readiness() const {
              : Readiness::Streamable;
 }
 
+std::string describe(const Ambiguity& ambiguity) {
+  std::string text;
+  for (const Ambiguity::Reading& reading : ambiguity.readings) {
+    text += fmt::format("{}as {} the tool goes", text.empty() ? "" : ", ",
+                        nc::dialectName(reading.dialect));
+    if (!reading.endMm) {
+      text += " no further";
+      continue;
+    }
+    text += " to";
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      const double value = (*reading.endMm)[axis];
+      text += std::isnan(value)
+                  ? std::string()
+                  : fmt::format(" {}{}", base::kAxisNames[axis], base::formatFixed(value, 3));
+    }
+  }
+  return text;
+}
+
 base::Result<Program> interpretProgram(std::string name, std::string text,
                                        const LoadOptions& options) {
   return interpretProgram(std::move(name), std::move(text), options, nullptr);
@@ -131,6 +223,15 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
     return base::fail(GcodeError::EmptyProgram,
                       "The program has no blocks: choose a file with NC text.", std::move(name));
   }
+  std::optional<Ambiguity> ambiguity;
+  if (interpretation.facts.dependsOnDialect && !interpretation.cancelled) {
+    ambiguity = findAmbiguity(text, options, name, interpretation, observer != nullptr);
+  }
+  if (ambiguity) {
+    interpretation.diagnostics.insert(interpretation.diagnostics.begin(),
+                                      {Severity::Error, ambiguity->line, 1,
+                                       DiagnosticCode::DialectUnclear, describe(*ambiguity)});
+  }
   std::string hash = fmt::format("{:016x}", base::hashOfFile(text));
   return Program{std::move(name),
                  std::move(text),
@@ -140,7 +241,8 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
                  std::move(interpretation.trajectory),
                  std::move(interpretation.diagnostics),
                  std::move(interpretation.statistics),
-                 std::move(interpretation.facts)};
+                 std::move(interpretation.facts),
+                 ambiguity};
 }
 
 std::function<std::optional<nc::LoadedText>(std::string_view name)> subprogramsBeside(

@@ -33,6 +33,8 @@ using nc::kDialects;
 
 /// Findings kept of one program.
 inline constexpr std::size_t kDiagnosticsMax = 1000;
+/// How often the same finding is listed; the first one says how many there are.
+inline constexpr std::size_t kRepeatsListed = 20;
 /// Points of one trajectory; beyond it the program is refused, not the machine's memory.
 inline constexpr std::size_t kTrajectoryPointsMax = 32'000'000;
 /// Bytes of a program file: 512 MiB.
@@ -41,10 +43,21 @@ inline constexpr std::uintmax_t kProgramBytesMax = std::uintmax_t{512} * 1024 * 
 /// Lines executed again by loops and calls before a program counts as endless.
 inline constexpr std::size_t kRepeatedLinesMax = 5'000'000;
 
+enum class NoPoint : unsigned char {
+  Units,       ///< X10 is 10 mm or 10 inch
+  Increments,  ///< X10 is ten of the least increment: 0.01 mm, 0.001 inch
+};
+
 struct LoadOptions {
   double chordToleranceMm = 0.005;  ///< greatest distance of chords from their arc or spline, > 0
   CentreReading centres = CentreReading::AsProgrammed;  ///< what I, J and K of arcs are
   bool blockSkip = false;  ///< blocks with "/" are left out, as with the switch on
+  /// Millimetres or Inches: the unit until a block names one. Nothing: mm, and a finding where the
+  /// control would decide it.
+  std::optional<FileUnits> units;
+  /// What coordinates without a decimal point are, where the control decides it. Nothing: whole
+  /// units, and a finding.
+  std::optional<NoPoint> noPoint;
   /// Of a machine (SD42110): holds until the program names a feed, which stays a finding. 0: none.
   double defaultFeedMmPerS = 0.0;
   bool keepArcs = false;           ///< arcs stay one point each, see `Trajectory::arcs`
@@ -86,6 +99,19 @@ enum class Readiness {
 /// One sentence for the user.
 [[nodiscard]] std::string_view describe(Readiness readiness);
 
+/// A text that controls execute differently, and nothing shows for which of them it is.
+struct Ambiguity {
+  struct Reading {
+    Dialect dialect = Dialect::Fanuc;
+    /// Where the tool is after the move, mm; NaN: the axis has not been named. Nothing: no move.
+    std::optional<base::Vec3> endMm;
+  };
+  std::array<Reading, 2> readings;
+  base::LineNumber line;  ///< of the first move that differs
+};
+/// "as fanuc the tool goes to X10 Y2, as linuxcnc to X10 Y0"
+[[nodiscard]] std::string describe(const Ambiguity& ambiguity);
+
 struct Program {
   std::string name;  ///< file name without folders
   std::string text;  ///< as read
@@ -98,6 +124,8 @@ struct Program {
   std::vector<Diagnostic> diagnostics;
   Statistics statistics;
   ProgramFacts facts;
+  /// Asks for `LoadOptions::dialect`; a finding of severity error says the same.
+  std::optional<Ambiguity> ambiguity;
 
   /// True if no finding is an error: the whole path is known.
   [[nodiscard]] bool isUnderstood() const;

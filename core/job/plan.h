@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <map>
 #include <string>
@@ -136,5 +137,10 @@ struct Profile {
 [[nodiscard]] base::Result<Plan> makePlan(std::string name, std::string text,
                                           const gcode::LoadOptions& options = {},
                                           const Profile& profile = {});
+/// The same for a plan that is not kept: `each` gets the parts in their order, and the plan has
+/// none.
+[[nodiscard]] base::Result<Plan> visitPlan(std::string name, std::string text,
+                                           const gcode::LoadOptions& options,
+                                           const std::function<void(const Part&)>& each);
 
 }  // namespace rivulet::job

@@ -144,8 +144,12 @@ class Splitter final : public gcode::BlockObserver,
                        private nc::FaultSink,
                        private nc::WordObserver {
  public:
-  Splitter(const gcode::LoadOptions& options, const Profile& profile)
-      : m_options(options), m_profile(profile), m_translator(profile) {}
+  Splitter(const gcode::LoadOptions& options, const Profile& profile,
+           std::function<void(const Part&)> each)
+      : m_options(options),
+        m_profile(profile),
+        m_translator(profile),
+        m_each(std::move(each)) {}
 
   nc::Sinks observe(const nc::Language& language, nc::Sinks own) override {
     m_language = &language;
@@ -1035,7 +1039,7 @@ class Splitter final : public gcode::BlockObserver,
     m_isOpen = false;
     m_open.pointCount = points - m_open.firstPoint;
     m_open.number = m_open.pointCount > 0 ? ++m_stretches : 0;
-    m_parts.emplace_back(std::move(m_open));
+    keep(std::move(m_open));
   }
 
   void pushNative(NativeReason reason, std::string text, const nc::ModalState& before) {
@@ -1061,7 +1065,15 @@ class Splitter final : public gcode::BlockObserver,
         std::any_of(block.tokens.begin(), block.tokens.end(), [&block](const Token& token) {
           return block.values.count(&token) == 0 && readsVariables(token);
         });
-    m_parts.emplace_back(std::move(native));
+    keep(std::move(native));
+  }
+
+  void keep(Part part) {
+    if (m_each) {
+      m_each(part);
+    } else {
+      m_parts.push_back(std::move(part));
+    }
   }
 
   /// The line without what Rivulet has followed (labels, skip marks, calls, returns), with values
@@ -1211,6 +1223,7 @@ class Splitter final : public gcode::BlockObserver,
   Stretch m_open;
   bool m_isOpen = false;
   int m_stretches = 0;
+  std::function<void(const Part&)> m_each;  ///< gets the parts; empty: they are kept
   std::vector<Part> m_parts;
   std::vector<Refusal> m_refusals;
   std::map<int, FunctionUse> m_functions;
@@ -1219,12 +1232,10 @@ class Splitter final : public gcode::BlockObserver,
   base::Vec3 m_maxMm{kNowhere, kNowhere, kNowhere};
 };
 
-}  // namespace
-
-base::Result<Plan> makePlan(std::string name, std::string text, const gcode::LoadOptions& options,
-                            const Profile& profile) {
+base::Result<Plan> planOf(std::string name, std::string text, const gcode::LoadOptions& options,
+                          const Profile& profile, std::function<void(const Part&)> each) {
   Plan plan;
-  Splitter splitter(options, profile);
+  Splitter splitter(options, profile, std::move(each));
   base::Result<gcode::Program> program =
       gcode::interpretProgram(std::move(name), std::move(text), options, &splitter);
   if (!program) {
@@ -1233,6 +1244,18 @@ base::Result<Plan> makePlan(std::string name, std::string text, const gcode::Loa
   plan.program = std::move(*program);
   splitter.take(plan);
   return plan;
+}
+
+}  // namespace
+
+base::Result<Plan> makePlan(std::string name, std::string text, const gcode::LoadOptions& options,
+                            const Profile& profile) {
+  return planOf(std::move(name), std::move(text), options, profile, {});
+}
+
+base::Result<Plan> visitPlan(std::string name, std::string text, const gcode::LoadOptions& options,
+                             const std::function<void(const Part&)>& each) {
+  return planOf(std::move(name), std::move(text), options, {}, each);
 }
 
 }  // namespace rivulet::job

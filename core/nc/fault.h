@@ -66,11 +66,17 @@ enum class FaultCode : std::uint8_t {
   NotAnyDialect,   ///< argument: what was found; the text is of no known dialect
   CentreReading,   ///< argument: the reading under which all arcs fit
   NoMotion,        ///< no argument: no axis moves
-  LatheAssumed,    ///< argument: the turning cycle; X is read as a diameter, the plane is Z X
-  CornerMalformed,  ///< RND or CHF that has no room, or no element beside it
-  StopsWithError,   ///< argument: FN 14 and its number
-  Accepted,        ///< accepted by the user: argument the name; the word is left out
-  MoreFindings,    ///< the list was cut here: argument how many are not in it
+  LatheAssumed,    ///< argument: the words that show it; X is read as a diameter, the plane is Z X
+  UnitsNotSaid,    ///< argument: the size in mm and, read as inch, in mm
+  NoDecimalPoint,  ///< argument: the size in mm and, read as counts, in mm
+  SizeUnlikely,    ///< argument: the size in mm, beyond what machines have
+  SemicolonEndsBlock,  ///< no argument: words follow ";"
+  DialectUnclear,      ///< argument: where the tool goes in each dialect; the load asks
+  TwoDialects,         ///< argument: a word of each
+  CornerMalformed,     ///< RND or CHF that has no room, or no element beside it
+  StopsWithError,      ///< argument: FN 14 and its number
+  Accepted,            ///< accepted by the user: argument the name; the word is left out
+  MoreFindings,        ///< the list was cut here: argument how many are not in it
   // Expressions as text.
   ValueMissing,
   NotAValue,          ///< argument: the character

@@ -97,6 +97,51 @@ class TestCli : public QObject {
              0);
   }
 
+  /// What a text leaves open is asked before anything moves.
+  void asksWhatATextMeans() {
+    const QString unclear = file("unclear.nc", "G21 G90\nG0 X1. Y0. Z5.\nG1 X9. F100 ; Y2.\nX3.\n");
+    const Outcome asked = run({QStringLiteral("check"), unclear});
+    QCOMPARE(asked.exit, 2);
+    QVERIFY(asked.output.contains(QStringLiteral("as fanuc the tool goes to X9 Y2")));
+    for (const char* const command : {"job", "stream"}) {
+      const Outcome refused =
+          run({QString::fromLatin1(command), unclear, QStringLiteral("--simulate")});
+      QCOMPARE(refused.exit, 2);
+      QVERIFY(refused.errors.contains(QStringLiteral("--dialect")));
+    }
+    QCOMPARE(
+        run({QStringLiteral("check"), unclear, QStringLiteral("--dialect"), QStringLiteral("grbl")})
+            .exit,
+        0);
+    // A virtual machine is metric; files for another one are not written on a guess.
+    const QString silent = file("silent.nc", "O1\nG90 G0 X0. Y0. Z5.\nG1 X9. F100\nM30\n");
+    const QStringList write{QStringLiteral("job"), silent, QStringLiteral("-o"),
+                            m_folder.filePath(QStringLiteral("silent"))};
+    const Outcome refused = run(write);
+    QCOMPARE(refused.exit, 2);
+    QVERIFY(refused.errors.contains(QStringLiteral("--units")));
+    QCOMPARE(run(write + words("--units mm")).exit, 0);
+    QCOMPARE(run({QStringLiteral("job"), silent, QStringLiteral("--simulate")}).exit, 0);
+    const QString points =
+        run({QStringLiteral("points"), silent, QStringLiteral("--units"), QStringLiteral("inch")})
+            .output;
+    QVERIFY(points.contains(QStringLiteral("228.6")));
+  }
+
+  void saysWhatAJobWouldSay() {
+    const QString good = file("good.mpf", "T1 M6\nS500 M3\nG0 X1 Y1 Z5\nG1 X2 F100\nM30\n");
+    const QString bad = file("bad.nc", "O1\nG21 G0 X1. Y1. Z5.\nM777\nG1 X2. F100\nM30\n");
+    for (const QString& path : {good, bad}) {
+      const Outcome job = run({QStringLiteral("job"), path, QStringLiteral("--simulate")});
+      const Outcome check = run({QStringLiteral("check"), path, QStringLiteral("--job")});
+      QCOMPARE(check.exit, job.exit);
+      const json result =
+          run({QStringLiteral("check"), path, QStringLiteral("--job"), QStringLiteral("--json")})
+              .parsed();
+      QCOMPARE(result["job"]["runs"].get<bool>(), job.exit == 0);
+    }
+  }
+
   /// Every native block is listed with its reason.
   void listsTheStretches() {
     const QString path =

@@ -391,8 +391,8 @@ class TestCurves : public QObject {
   }
 
   void latin1AndUtf8AreText() {
-    const auto latin = gcode::interpret("(Fr\xE4sen)\nG0 X1 ; \xFC\n", {});
-    const auto utf = gcode::interpret("\xEF\xBB\xBF(Fr\xC3\xA4sen)\nG0 X1\n", {});
+    const auto latin = gcode::interpret("(Fr\xE4sen)\nG21 G0 X1 ; \xFC\n", {});
+    const auto utf = gcode::interpret("\xEF\xBB\xBF(Fr\xC3\xA4sen)\nG21 G0 X1\n", {});
     QVERIFY(latin.diagnostics.empty());
     QVERIFY(utf.diagnostics.empty());
     const auto binary = gcode::interpret(std::string("G0 X1\0\0\n", 8), {});

@@ -185,7 +185,7 @@ class TestFlow : public QObject {
 
   void endlessRecursion() {
     const gcode::Interpretation result =
-        interpret("o1 sub\nG0 X1\no1 call\no1 endsub\no1 call\nM2");
+        interpret("o1 sub\nG21 G0 X1\no1 call\no1 endsub\no1 call\nM2");
     QVERIFY(!result.diagnostics.empty());
     QVERIFY(result.diagnostics.front().severity == gcode::Severity::Error);
   }

@@ -351,7 +351,8 @@ class TestInterpreter : public QObject {
     add("G1 X1\nX2\nX3", "1:4 warning feed-missing");
     add("G1 X1 F0", "1:4 warning feed-missing | 1:7 error feed-not-positive 0");
     add("F-5", "1:1 error feed-not-positive -5");
-    add("G0 X1e6\nX1000001", "1:5 error number-malformed 1e6 | 2:1 error value-out-of-range X1000001");
+    add("G0 X1e6\nX1000001",
+        "1:5 error number-malformed 1e6 | 2:1 error value-out-of-range X1000001");
     add("X1 F60", "1:1 warning motion-mode-assumed");
     add("G0 X1\nM30\n\n(c)\nX2\nX3", "5:1 warning never-executed lines 5 to 6");
     add("G0 X1\nM2\n%\n", "");
@@ -420,7 +421,11 @@ class TestInterpreter : public QObject {
       text += "G2 X" + std::to_string(10 * i) + " Y0 I" + std::to_string(10 * i - 5) + " J0 F60\n";
     }
     const gcode::Interpretation result = interpret(text);
-    QVERIFY(result.diagnostics.size() >= gcode::kDiagnosticsMax);
+    std::size_t count = 0;
+    for (const gcode::Diagnostic& each : result.diagnostics) {
+      count += each.count;
+    }
+    QVERIFY(count >= gcode::kDiagnosticsMax);
     QVERIFY(std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
                         [](const gcode::Diagnostic& diagnostic) {
                           return diagnostic.code == gcode::DiagnosticCode::CentreReading &&
@@ -446,16 +451,33 @@ class TestInterpreter : public QObject {
   void manyFindingsAreCutAndSaySo() {
     std::string text = "G0 X0\n";
     for (int i = 0; i < 1500; ++i) {
+      text += "?" + std::to_string(i) + "\n";
+      text += "PART" + std::to_string(i) + "\n";
+    }
+    text = "G21\n" + text;
+    const gcode::Interpretation result = interpret(text);
+    QCOMPARE(result.diagnostics.size(), gcode::kDiagnosticsMax + 1);
+    QCOMPARE(result.diagnostics.back().code, gcode::DiagnosticCode::MoreFindings);
+    QCOMPARE(result.diagnostics.back().severity, gcode::Severity::Error);
+  }
+
+  /// A word in each of a thousand lines is one finding with its number, and hides no other.
+  void repeatedFindingsAreCounted() {
+    std::string text = "G0 X0\n";
+    for (int i = 0; i < 1500; ++i) {
       text += "S1 S2\n";
     }
     text += "E5\n";
     const gcode::Interpretation result = interpret(text);
-    QCOMPARE(result.diagnostics.size(), gcode::kDiagnosticsMax + 1);
-    const gcode::Diagnostic& last = result.diagnostics.back();
-    QCOMPARE(last.code, gcode::DiagnosticCode::MoreFindings);
-    // One note and 1500 warnings and one error; the error is among those left out.
-    QCOMPARE(last.argument, std::string("502"));
-    QCOMPARE(last.severity, gcode::Severity::Error);
+    std::size_t listed = 0;
+    std::size_t counted = 0;
+    for (const gcode::Diagnostic& found : result.diagnostics) {
+      listed += found.code == gcode::DiagnosticCode::RepeatedWord ? 1U : 0U;
+      counted = std::max(counted, found.count);
+    }
+    QCOMPARE(listed, gcode::kRepeatsListed);
+    QCOMPARE(counted, std::size_t{1500});
+    QCOMPARE(result.diagnostics.back().code, gcode::DiagnosticCode::UnknownWord);
   }
 
   void statistics() {

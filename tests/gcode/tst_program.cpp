@@ -246,7 +246,7 @@ class TestProgram : public QObject {
     const auto program = gcode::interpretProgram("a.nc", "G0 X1\nG28 X0\nG0 X2");
     QVERIFY(program.has_value());
     QVERIFY(!program->isStreamable());
-    const auto warned = gcode::interpretProgram("a.nc", "G1 X1");
+    const auto warned = gcode::interpretProgram("a.nc", "G21 G1 X1");
     QVERIFY(warned.has_value());
     QVERIFY(warned->isStreamable());
     QCOMPARE(warned->diagnostics.size(), std::size_t{1});

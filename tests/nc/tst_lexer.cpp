@@ -111,7 +111,7 @@ class TestLexer : public QObject {
         "1: X1@1 | 2: Y2@1 | 3: Z3@1 | 4: X4@1 | 5: | 6: X5@1");
     add("doubled carriage returns", "X1\r\r\nX2\r\r\nX3", "1: X1@1 | 2: X2@1 | 3: X3@1");
     add("mixed ends", "X1\rX2\r\nX3\n", "1: X1@1 | 2: X2@1 | 3: X3@1");
-    add("comments", "(a) G1 (b X9) X1 ; Y2", "1: G1@5 X1@15");
+    add("comments", "(a) G1 (b X9) X1 ; to Y2", "1: G1@5 X1@15");
     add("nested comment", "(a (b) X9) X1", "1: nested<(a (b) X9)>@1 X1@12");
     add("open comment", "X1 (open\nX2", "1: X1@1 unclosed@4 | 2: X2@1");
     add("tape", "%\n%_N_A_MPF\nX1", "1: tape@1 | 2: tape@1 | 3: X1@1");

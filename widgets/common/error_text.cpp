@@ -53,6 +53,10 @@ struct ErrorTexts {
         return tr("Parts of the program are not understood. See the list of findings.");
       case GcodeError::Cancelled:
         return tr("Loading was cancelled.");
+      case GcodeError::Ambiguous:
+        return tr(
+            "The text leaves open what it means. Choose the dialect, the unit or the reading of "
+            "numbers without a decimal point.");
     }
     return {};
   }
@@ -67,16 +71,19 @@ struct ErrorTexts {
       case EmulatorError::NoMotion:
         return tr("An axis does not move in these recordings. Add one that moves it.");
       case EmulatorError::TooShort:
-        return tr("There are too few samples to learn from. Record a longer program, with set "
-                  "points and actual positions.");
+        return tr(
+            "There are too few samples to learn from. Record a longer program, with set "
+            "points and actual positions.");
       case EmulatorError::BadUnits:
         return tr("Set points and actual positions differ by a factor. Check their units.");
       case EmulatorError::WrongProgram:
-        return tr("Recording and program do not fit together. Check the program, and that the "
-                  "preset has the machine's limits.");
+        return tr(
+            "Recording and program do not fit together. Check the program, and that the "
+            "preset has the machine's limits.");
       case EmulatorError::Diverged:
-        return tr("No model follows this recording. Check that set points and positions belong "
-                  "together.");
+        return tr(
+            "No model follows this recording. Check that set points and positions belong "
+            "together.");
       case EmulatorError::Cancelled:
         return tr("Learning was cancelled. What was learned before stays.");
       case EmulatorError::BadFile:

@@ -42,8 +42,13 @@ void Cursor::grow() {
   // The words of the present block have been read.
   const auto next =
       std::find_if(tree.statements.begin(), tree.statements.end(), [this](const Statement& each) {
-        return each.place.line > m_place.line ||
-               (each.place.line == m_place.line && !std::holds_alternative<Words>(each.what));
+        if (each.place.line != m_place.line || m_block.tokens.empty()) {
+          return each.place.line > m_place.line;
+        }
+        // Where a line has several blocks, those before are done, and the words of those after.
+        return std::holds_alternative<Words>(each.what)
+                   ? each.place.column > m_block.tokens.back().column
+                   : each.place.column >= m_block.column;
       });
   m_flow->startAt(static_cast<std::size_t>(next - tree.statements.begin()));
   m_reached.assign(file.programs.lines + 1, false);

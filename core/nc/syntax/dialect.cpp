@@ -75,11 +75,32 @@ constexpr std::array kEvidence{
     Evidence{Dialect::LinuxCnc, " SUB", 3, false},
     Evidence{Dialect::LinuxCnc, "ENDSUB", 15, false},
     Evidence{Dialect::LinuxCnc, "ENDREPEAT", 15, false},
+    Evidence{Dialect::LinuxCnc, " ENDWHILE", 8, false},
+    Evidence{Dialect::LinuxCnc, " ENDIF", 8, false},
+    Evidence{Dialect::LinuxCnc, " REPEAT [", 10, false},
+    Evidence{Dialect::LinuxCnc, " WHILE [", 3, false},
+    Evidence{Dialect::LinuxCnc, "G7 ", 5, false},
+    Evidence{Dialect::LinuxCnc, "M66 P", 5, false},
+    Evidence{Dialect::LinuxCnc, "M68 E", 5, false},
     Evidence{Dialect::Grbl, "$H", 10, true},
     Evidence{Dialect::Grbl, "$X", 10, true},
     Evidence{Dialect::Grbl, "$J=", 10, true},
     Evidence{Dialect::Grbl, "$$", 10, true},
+    Evidence{Dialect::Grbl, "$#", 5, true},
     Evidence{Dialect::Grbl, "$G", 5, true},
+    // Haas, mill operator's manual, list of G and M codes: pockets, engraving, local subprograms,
+    // smoothness, further work offsets, look-ahead, tool centre point.
+    Evidence{Dialect::Haas, "G150 ", 10, false},
+    Evidence{Dialect::Haas, "G187", 10, false},
+    Evidence{Dialect::Haas, "G154 P", 10, false},
+    Evidence{Dialect::Haas, "G154P", 10, false},
+    Evidence{Dialect::Haas, "G103", 10, false},
+    Evidence{Dialect::Haas, "G234", 10, false},
+    Evidence{Dialect::Haas, "G47 P", 8, false},
+    Evidence{Dialect::Haas, "G12 I", 8, false},
+    Evidence{Dialect::Haas, "G13 I", 8, false},
+    Evidence{Dialect::Haas, "M97 P", 10, false},
+    Evidence{Dialect::Haas, "M97P", 10, false},
     Evidence{Dialect::Fanuc, "G65", 5, false},
     Evidence{Dialect::Fanuc, "G43.4", 5, false},
     Evidence{Dialect::Fanuc, "G05.1", 5, false},
@@ -166,13 +187,23 @@ bool isPlain(std::string_view line) {
   return true;
 }
 
-/// A place in a plain line at which a G function identifies the dialect.
+/// A place in a plain line at which a G or M function identifies the dialect.
 bool hasTellingG(std::string_view line) {
-  for (std::size_t at = 0; at + 1 < line.size(); ++at) {
-    if ((line[at] == 'G' || line[at] == 'g') &&
-        (line[at + 1] == '5' || line[at + 1] == '6' || line[at + 1] == '7' || line[at + 1] == '4' ||
-         line[at + 1] == '0')) {
-      return true;
+  for (std::size_t at = 0; at + 2 < line.size(); ++at) {
+    const char letter = base::toUpper(line[at]);
+    if (letter == 'M') {
+      if (line[at + 1] == '9' || line[at + 1] == '6' || line[at + 1] == '7') {
+        return true;
+      }
+    } else if (letter == 'G') {
+      // G1 and G10 to G19 tell nothing but G12 and G13; G100 and on do.
+      const char second = line[at + 1];
+      const bool isLong = at + 3 < line.size() && isDigit(line[at + 2]) && isDigit(line[at + 3]);
+      if (second == '4' || second == '5' || second == '6' || second == '7' || second == '0' ||
+          (second == '1' && (isLong || line[at + 2] == '2' || line[at + 2] == '3')) ||
+          (second == '2' && isLong)) {
+        return true;
+      }
     }
   }
   return false;
@@ -194,6 +225,153 @@ std::string_view turningCycleOf(std::string_view line) {
     }
   }
   return {};
+}
+
+/// Calls `word(letter, number)` for each letter with digits, outside of comments: "G97" is G, 97;
+/// "T0101" is T, 101 with four digits.
+template <class Word>
+void forWords(std::string_view line, Word word) {
+  int depth = 0;
+  for (std::size_t at = 0; at < line.size() && line[at] != ';'; ++at) {
+    depth += line[at] == '(' ? 1 : (line[at] == ')' && depth > 0) ? -1 : 0;
+    if (depth > 0 || !isLetter(line[at])) {
+      continue;
+    }
+    const char letter = base::toUpper(line[at]);
+    std::size_t digit = at + 1;
+    while (digit < line.size() && line[digit] == ' ') {
+      ++digit;
+    }
+    const std::size_t first = digit;
+    int number = 0;
+    while (digit < line.size() && isDigit(line[digit]) && digit - first < 6) {
+      number = number * 10 + (line[digit++] - '0');
+    }
+    const bool isWhole = digit >= line.size() || line[digit] != '.';
+    word(letter, isWhole && digit > first ? number : -1, digit - first);
+  }
+}
+
+/// Collects what lathes have and mills have not. @source Fanuc, operator's manual for lathe
+/// systems, G code list of system A: G50 limits the speed, G96 and G97 say what S is, G98 and G99
+/// what F is; T has the offset in its last two digits.
+class LatheSigns {
+ public:
+  void look(std::string_view line) {
+    bool limits = false;
+    bool hasSpeed = false;
+    bool isMotion = false;
+    forWords(line, [&](char letter, int number, std::size_t digits) {
+      switch (letter) {
+        case 'G':
+          limits |= number == 50;
+          m_hasConstantSpeed |= number == 96;
+          m_hasFixedSpeed |= number == 97;
+          m_hasPerRevolution |= number == 99;
+          m_hasDrilling |= (number >= 81 && number <= 89) || number == 73 || number == 74;
+          m_isMill |= number == 17 || number == 43;
+          break;
+        case 'S':
+          hasSpeed = true;
+          break;
+        case 'T':
+          m_hasOffsetInTool |= digits == 4 && number % 100 != 0;
+          break;
+        case 'X':
+          isMotion = m_hasX = true;
+          break;
+        case 'Z':
+          isMotion = m_hasZ = true;
+          break;
+        case 'U':
+        case 'W':
+          m_hasIncrements = true;
+          break;
+        case 'Y':
+          m_isMill = true;
+          break;
+        default:
+          break;
+      }
+    });
+    m_limitsSpeed |= limits && hasSpeed && !isMotion;
+  }
+
+  /// "G97, G99"; "" if it is no lathe.
+  [[nodiscard]] std::string shown() const {
+    std::string signs;
+    int count = 0;
+    const auto add = [&](bool has, std::string_view text) {
+      if (has) {
+        signs += count++ == 0 ? "" : ", ";
+        signs += text;
+      }
+    };
+    add(m_limitsSpeed, "G50 S");
+    add(m_hasConstantSpeed, "G96");
+    add(m_hasFixedSpeed, "G97");
+    add(m_hasPerRevolution && !m_hasDrilling, "G99");
+    add(m_hasOffsetInTool, "T with four digits");
+    add(m_hasIncrements, "U, W");
+    return count >= 2 && m_hasX && m_hasZ && !m_isMill ? signs : std::string();
+  }
+
+ private:
+  bool m_limitsSpeed = false;
+  bool m_hasConstantSpeed = false;
+  bool m_hasFixedSpeed = false;
+  bool m_hasPerRevolution = false;
+  bool m_hasDrilling = false;
+  bool m_hasOffsetInTool = false;
+  bool m_hasIncrements = false;
+  bool m_hasX = false;
+  bool m_hasZ = false;
+  bool m_isMill = false;
+};
+
+/// A line that may be one of a lathe: G50, G9x, T with four digits. Cheap, for every line.
+bool hintsAtLathe(std::string_view line) {
+  for (std::size_t at = 0; at + 2 < line.size(); ++at) {
+    const char letter = base::toUpper(line[at]);
+    if (letter == 'G' && ((line[at + 1] == '9' && line[at + 2] >= '6') ||
+                          (line[at + 1] == '5' && line[at + 2] == '0'))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Lines of a text, whatever ends them.
+std::string_view takeLine(std::string_view& text) {
+  const std::size_t end = text.find_first_of("\r\n");
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  return line;
+}
+
+/// Controls that a post-processor names in the comments at the beginning.
+struct Mention {
+  std::string_view text;
+  Dialect dialect;
+};
+constexpr std::array kMentions{
+    Mention{"SINUMERIK", Dialect::Sinumerik}, Mention{"840D", Dialect::Sinumerik},
+    Mention{"FANUC", Dialect::Fanuc},         Mention{"HAAS", Dialect::Haas},
+    Mention{"LINUXCNC", Dialect::LinuxCnc},   Mention{"EMC2", Dialect::LinuxCnc},
+    Mention{"GRBL", Dialect::Grbl},           Mention{"FLUIDNC", Dialect::Grbl}};
+constexpr std::size_t kLinesOfHeader = 30;
+constexpr int kMentionWeight = 6;
+
+/// Dialects whose words do not contradict each other: one has those of the other.
+bool areRelated(Dialect a, Dialect b) {
+  const auto isOf = [&](Dialect x, Dialect y) { return (a == x && b == y) || (a == y && b == x); };
+  return isOf(Dialect::Fanuc, Dialect::Haas) || isOf(Dialect::LinuxCnc, Dialect::Grbl);
+}
+
+std::string shownEvidence(std::string_view text, Dialect dialect) {
+  std::string shown(base::trim(text));
+  std::replace(shown.begin(), shown.end(), '#', dialect == Dialect::LinuxCnc ? '#' : 'n');
+  return shown;
 }
 
 }  // namespace
@@ -243,15 +421,23 @@ DialectGuess detectDialect(std::string_view text, std::string_view fileName) {
       count(ending);
     }
   }
+  const std::string_view all = text;
+  std::array<bool, kMentions.size()> mentioned{};
   std::string_view turningCycle;
+  bool mayBeLathe = false;
   std::size_t lines = 0;
   while (!text.empty() && lines++ < kLinesLookedAt) {
-    const std::size_t end = text.find_first_of("\r\n");
-    const std::string_view raw = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    const std::string_view raw = takeLine(text);
     // No word of a dialect fits into a line of coordinates only.
     constexpr std::size_t kLongestLookedAt = 400;
     const std::string_view front = raw.substr(0, kLongestLookedAt);
+    if (lines <= kLinesOfHeader && front.find_first_of("(;") != std::string_view::npos) {
+      const std::string comment = base::toUpper(front.substr(front.find_first_of("(;")));
+      for (std::size_t i = 0; i < kMentions.size(); ++i) {
+        mentioned[i] = mentioned[i] || comment.find(kMentions[i].text) != std::string::npos;
+      }
+    }
+    mayBeLathe = mayBeLathe || hintsAtLathe(front);
     if (isPlain(front) && !hasTellingG(front)) {
       continue;
     }
@@ -268,15 +454,49 @@ DialectGuess detectDialect(std::string_view text, std::string_view fileName) {
       turningCycle = turningCycleOf(line);
     }
   }
+  for (std::size_t i = 0; i < kMentions.size(); ++i) {
+    if (mentioned[i]) {
+      count({kMentions[i].dialect, kMentions[i].text, kMentionWeight});
+    }
+  }
+  DialectGuess guess;
+  guess.lathe = turningCycle;
+  if (mayBeLathe && guess.lathe.empty()) {
+    LatheSigns signs;
+    text = all;
+    for (lines = 0; !text.empty() && lines < kLinesLookedAt; ++lines) {
+      signs.look(takeLine(text));
+    }
+    guess.lathe = signs.shown();
+  }
+  if (!guess.lathe.empty()) {
+    // Its G codes are those of Fanuc's lathes.
+    constexpr int kLatheWeight = 4;
+    count({Dialect::Fanuc, guess.lathe, kLatheWeight});
+  }
   const auto* const best = std::max_element(weight.begin(), weight.end());
-  if (*best < 3) {
-    return {Dialect::Fanuc, {}, std::string(turningCycle)};
+  constexpr int kLeastWeight = 3;
+  if (*best < kLeastWeight) {
+    guess.others = {Dialect::LinuxCnc, Dialect::Grbl};
+    return guess;
   }
   const auto index = static_cast<std::size_t>(best - weight.begin());
-  std::string shown(base::trim(strongest[index].second));
-  std::replace(shown.begin(), shown.end(), '#',
-               index == static_cast<std::size_t>(Dialect::LinuxCnc) ? '#' : 'n');
-  return {static_cast<Dialect>(index), std::move(shown), std::string(turningCycle)};
+  guess.dialect = static_cast<Dialect>(index);
+  guess.evidence = shownEvidence(strongest[index].second, guess.dialect);
+  for (const Dialect other : kDialects) {
+    const auto its = static_cast<std::size_t>(other);
+    constexpr int kStrong = 10;
+    if (other == guess.dialect || weight[its] < kLeastWeight) {
+      continue;
+    }
+    if (strongest[its].first >= kStrong && strongest[index].first >= kStrong &&
+        !areRelated(other, guess.dialect)) {
+      guess.contradiction = shownEvidence(strongest[its].second, other);
+    } else if (2 * weight[its] > *best) {
+      guess.others.push_back(other);
+    }
+  }
+  return guess;
 }
 
 }  // namespace rivulet::nc

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rivulet::nc {
 
@@ -32,8 +33,13 @@ inline constexpr std::array kDialects{Dialect::Sinumerik, Dialect::Fanuc, Dialec
 struct DialectGuess {
   Dialect dialect = Dialect::Fanuc;
   std::string evidence;  ///< the text that decided, "" if nothing did
-  /// The turning cycle (G70 to G73 with P and Q) that shows a program for a lathe; "": none.
-  std::string turningCycle;
+  /// The words that show a program for a lathe: a turning cycle (G70 to G73 with P and Q), or
+  /// several of G50 S, G96, G97, G99, T0101, U and W where no Y is; "": none.
+  std::string lathe;
+  /// What else the text may be, the likeliest first; empty: the evidence decides.
+  std::vector<Dialect> others;
+  /// Words that only another control has, strong as those that decided; "": none.
+  std::string contradiction;
 };
 
 /// Looks at the words of the first 2000 lines and at the ending of the file's name. Without

@@ -47,10 +47,15 @@ struct Language {
   /// Blanks mean nothing, within a number too: X1 0 is X10. Else such a number is refused.
   bool ignoresBlanksInNumbers = false;
   bool hasRepeatedSigns = false;  ///< X--5 is X5
-  bool hasPolarSigns = false;     ///< @ and ^: radius and angle about the origin
-  bool hasCommaWords = false;     ///< ,R and ,C: a rounded or chamfered corner
+  /// ";" is the end of a block, so that words after it are the next one: see `semicolonOf`. Else it
+  /// begins a comment.
+  bool semicolonEndsBlock = false;
+  bool hasPolarSigns = false;  ///< @ and ^: radius and angle about the origin
+  bool hasCommaWords = false;  ///< ,R and ,C: a rounded or chamfered corner
 
   // What words mean.
+  bool unitIsOfMachine = false;        ///< mm or inch is the control's setting until G20 or G21
+  bool mayCountIncrements = false;     ///< X10 is 0.01 mm if the control is set so
   bool lettersMayBeVariables = false;  ///< DEF INT I: then I=5 is no centre
   bool namesAreCalls = false;          ///< PART, L123 and M17; M30 of a subprogram returns
   bool variablesAreOfCycles = false;   ///< Q1=5 is ignored

@@ -95,6 +95,11 @@ class LineReader {
         m_words(words),
         m_tokens(words.tokens) {}
 
+  /// What stands behind the end of the block, ";" included.
+  [[nodiscard]] std::string_view rest() const {
+    return {m_at, static_cast<std::size_t>(m_end - m_at)};
+  }
+
   void read() {
     skipBlanks();
     if (m_at == m_end) {
@@ -102,6 +107,7 @@ class LineReader {
     }
     if (*m_at == '%') {
       add(TokenKind::Tape, m_at, m_end);
+      m_at = m_end;
       return;
     }
     while (m_at != m_end) {
@@ -651,6 +657,7 @@ class LineReader {
       }
     }
     add(TokenKind::CommentNotClosed, from, m_end);
+    m_at = m_end;
     return false;
   }
 
@@ -703,6 +710,60 @@ Words readWords(std::string_view text, const Language& language, Place place) {
   return words;
 }
 
+namespace {
+
+/// True if a control reads this as words: none is a name or has a part that is no NC text.
+bool isWords(std::string_view text, const Language& language) {
+  const Words words = readWords(text, language, {});
+  return std::all_of(words.tokens.begin(), words.tokens.end(), [](const Token& token) {
+    switch (token.kind) {
+      case TokenKind::Word:
+      case TokenKind::BlockSkip:
+        return true;
+      case TokenKind::Expression:
+      case TokenKind::Assignment:
+        return token.calculation != nullptr && token.calculation->has_value();
+      case TokenKind::Statement:
+        return token.text.find_first_of("[0123456789") != std::string_view::npos;
+      default:
+        return false;
+    }
+  });
+}
+
+}  // namespace
+
+Semicolon semicolonOf(std::string_view text, const Language& language) {
+  Semicolon found = Semicolon::EndsLine;
+  for (std::size_t at = text.find(';'); at != std::string_view::npos; at = text.find(';', at)) {
+    const std::size_t before = text.find_last_of("\r\n", at);
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+    int depth = 0;
+    std::size_t from = begin;
+    for (std::size_t i = begin; i < end; ++i) {
+      depth = text[i] == '(' ? depth + 1 : text[i] == ')' ? std::max(depth - 1, 0) : depth;
+      if (text[i] != ';' || depth > 0) {
+        continue;
+      }
+      // Up to the next one.
+      from = i + 1;
+      std::size_t to = from;
+      for (int inner = 0; to < end && (text[to] != ';' || inner > 0); ++to) {
+        inner = text[to] == '(' ? inner + 1 : text[to] == ')' ? std::max(inner - 1, 0) : inner;
+      }
+      const std::string_view tail = base::trim(text.substr(from, to - from));
+      if (!tail.empty() && !isWords(tail, language)) {
+        return Semicolon::BeginsComment;
+      }
+      const bool isComment = !tail.empty() && tail.front() == '(' && tail.back() == ')';
+      found = tail.empty() || isComment ? found : Semicolon::EndsBlock;
+    }
+    at = end;
+  }
+  return found;
+}
+
 Lexer::Lexer(std::string_view text, Dialect dialect, std::uint16_t file)
     : m_language(languageOf(dialect)), m_file(file) {
   // A byte order mark and the end marks of old systems are not part of the program.
@@ -715,13 +776,21 @@ Lexer::Lexer(std::string_view text, Dialect dialect, std::uint16_t file)
   if (text.empty()) {
     text = std::string_view("", 0);  // never a null pointer
   }
+  m_text = text;
   m_position = text.data();
   m_end = text.data() + text.size();
   m_lineFeed = nullptr;
 }
 
 bool Lexer::next(Block& block) {
-  const std::optional<std::string_view> line = nextLine();
+  std::optional<std::string_view> line;
+  block.column = 1;
+  if (m_rest.empty()) {
+    line = nextLine();
+  } else {
+    line = std::exchange(m_rest, {});
+    block.column = m_restColumn;
+  }
   if (!line) {
     return false;
   }
@@ -740,9 +809,27 @@ bool Lexer::next(Block& block) {
     }
     readKlartext(whole, block.tokens);
   } else {
-    LineReader(*line, m_language, {block.line, m_file, 1}, block).read();
+    LineReader reader(*line, m_language, {block.line, m_file, block.column}, block);
+    reader.read();
+    if (m_language.semicolonEndsBlock && reader.rest().size() > 1) {
+      keepRest(reader.rest(), block.column + static_cast<int>(line->size() - reader.rest().size()));
+    }
   }
   return true;
+}
+
+void Lexer::keepRest(std::string_view rest, int column) {
+  const std::string_view behind = rest.substr(1);
+  if (base::trim(behind).empty()) {
+    return;
+  }
+  if (!m_semicolon) {
+    m_semicolon = semicolonOf(m_text, m_language);
+  }
+  if (*m_semicolon == Semicolon::EndsBlock) {
+    m_rest = behind;
+    m_restColumn = column + 1;
+  }
 }
 
 std::optional<std::string_view> Lexer::nextLine() {

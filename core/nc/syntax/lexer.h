@@ -70,7 +70,17 @@ struct Words {
 
 struct Block : Words {
   base::LineNumber line;
+  int column = 1;  ///< where it begins: a line may hold several blocks
 };
+
+/// What ";" is in a text whose language ends blocks with it.
+enum class Semicolon : std::uint8_t {
+  EndsLine,       ///< nothing but blanks and comments in brackets follows any
+  EndsBlock,      ///< words follow, all of which can be read: blocks of their own
+  BeginsComment,  ///< some text that follows is none of the language's words
+};
+/// @threadsafety pure. O(text up to the first comment)
+[[nodiscard]] Semicolon semicolonOf(std::string_view text, const Language& language);
 
 /// The name of a `Name`, `NamedValue`, `Call` or `Label` token: its text up to the first byte that
 /// cannot be part of a name.
@@ -91,7 +101,8 @@ class Lexer {
   /// @param file  number of the text, for the places of faults
   explicit Lexer(std::string_view text, Dialect dialect = Dialect::Fanuc, std::uint16_t file = 0);
 
-  /// Reads the next line into `block`. @return false at the end of the text
+  /// Reads the next block, which is the next line in most cases. @return false at the end of the
+  /// text
   [[nodiscard]] bool next(Block& block);
   /// Steps over the next line. @return its text without the line end; nothing at the end
   [[nodiscard]] std::optional<std::string_view> nextLine();
@@ -100,12 +111,18 @@ class Lexer {
   [[nodiscard]] std::size_t lines() const { return m_line; }
 
  private:
+  void keepRest(std::string_view rest, int column);
+
   const char* m_position;
   const char* m_end;
   const char* m_lineFeed;  ///< the next one at or after m_position, searched once
   std::uint32_t m_line = 0;
   const Language& m_language;
   std::uint16_t m_file;
+  std::string_view m_text;
+  std::optional<Semicolon> m_semicolon;  ///< found out when it matters first
+  std::string_view m_rest;               ///< of the line: its further blocks
+  int m_restColumn = 1;
 };
 
 }  // namespace rivulet::nc

@@ -7,6 +7,12 @@ namespace rivulet::nc::fanuc {
 
 Language language() {
   Language made = rs274Language(Dialect::Fanuc);
+  // The operator's manuals write ";" for the end-of-block code, keep the unit of the last program
+  // ("Inch/metric conversion"), and leave numbers without a point to a parameter ("Decimal point
+  // programming").
+  made.semicolonEndsBlock = true;
+  made.unitIsOfMachine = true;
+  made.mayCountIncrements = true;
   made.hasTurningCycles = true;
   made.dwellInMilliseconds = true;
   made.setsListedOffsets = true;

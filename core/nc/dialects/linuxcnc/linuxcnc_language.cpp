@@ -7,6 +7,7 @@ namespace rivulet::nc::linuxcnc {
 
 Language language() {
   Language made = rs274Language(Dialect::LinuxCnc);
+  made.unitIsOfMachine = true;  // [TRAJ] LINEAR_UNITS
   made.hasRepeatedSigns = true;
   made.hasPolarSigns = true;
   made.sharesOffset = true;
