@@ -109,6 +109,7 @@ class Interpreter {
                                guess.evidence + ", " + guess.contradiction);
     }
     m_out.otherDialects = std::move(guess.others);
+    m_watchesReading = !m_out.otherDialects.empty() || m_language.mayCountIncrements;
     m_out.dialect = guess.dialect;
     m_out.dialectEvidence = std::move(guess.evidence);
   }
@@ -154,7 +155,6 @@ class Interpreter {
       if (m_options.blockSkip && hasBlockSkip(block)) {
         continue;
       }
-      noteReading(block);
       std::optional<nc::Words> counted;
       if (m_options.noPoint == NoPoint::Increments && m_language.mayCountIncrements) {
         counted = inUnits(block);
@@ -227,24 +227,18 @@ class Interpreter {
   }
 
   /// What the same text could mean on another control, or on one with other settings.
-  void noteReading(const nc::Words& block) {
-    for (const Token& token : block.tokens) {
-      if (token.kind != TokenKind::Word) {
-        m_dependsOnDialect |= token.kind != TokenKind::Comment && token.kind != TokenKind::Tape &&
-                              token.kind != TokenKind::BlockSkip;
-      } else if (isLength(token.address)) {
-        const double size = std::abs(token.value);
-        if (token.hasPoint) {
-          m_largestWithPoint = std::max(m_largestWithPoint, size);
-          m_hasPoints = true;
-        } else {
-          m_largestWithoutPoint = std::max(m_largestWithoutPoint, size);
-        }
-      } else if (token.address == 'G') {
-        m_dependsOnDialect |= !meansTheSame(token.value);
-      } else {
-        m_dependsOnDialect |= token.address == 'M' && token.value >= 96.0 && token.value <= 99.0;
-      }
+  void noteReading(const Token& token) {
+    if (token.kind != TokenKind::Word) {
+      m_dependsOnDialect |= token.kind != TokenKind::Comment && token.kind != TokenKind::Tape &&
+                            token.kind != TokenKind::BlockSkip;
+    } else if (isLength(token.address)) {
+      double& largest = token.hasPoint ? m_largestWithPoint : m_largestWithoutPoint;
+      largest = std::max(largest, std::abs(token.value));
+      m_hasPoints |= token.hasPoint;
+    } else if (token.address == 'G') {
+      m_dependsOnDialect = m_dependsOnDialect || !meansTheSame(token.value);
+    } else if (token.address == 'M') {
+      m_dependsOnDialect |= token.value >= 96.0 && token.value <= 99.0;
     }
   }
 
@@ -291,6 +285,9 @@ class Interpreter {
           token.kind == TokenKind::Word && (token.address == 'N' || token.address == 'O');
       counts |= !isNumber && token.kind != TokenKind::Tape && token.kind != TokenKind::BlockSkip &&
                 token.kind != TokenKind::Comment;
+      if (m_watchesReading) {
+        noteReading(token);
+      }
       m_executor.read(token, words);
     }
     if (counts) {
@@ -516,7 +513,8 @@ class Interpreter {
   nc::Sinks m_to;
   nc::Executor m_executor;
   bool m_ended = false;
-  bool m_isPartial = false;  ///< given up before the end
+  bool m_isPartial = false;       ///< given up before the end
+  bool m_watchesReading = false;  ///< something depends on how it is read
   bool m_dependsOnDialect = false;
   bool m_hasPoints = false;
   double m_largestWithPoint = 0.0;
