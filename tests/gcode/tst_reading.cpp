@@ -173,7 +173,13 @@ class TestReading : public QObject {
     const gcode::Diagnostic* const found = find(program, DiagnosticCode::LatheAssumed);
     QVERIFY(found != nullptr);
     QCOMPARE(found->argument, std::string("G97, G99"));
-    QCOMPARE(program.trajectory.points.front().positionMm.x, 25.0);
+    // X is a diameter; 0.25 mm per revolution at 500/min.
+    QCOMPARE(points(program),
+             std::string("3 R X25 Y? Z2 | 4 L X25 Y? Z-20 F125 | 5 L X30 Y? Z-20 F125 | "
+                         "6 R X50 Y? Z50"));
+    // The speed of G96 depends on X: refused by name.
+    QVERIFY(
+        !load("O3\nG21 G99\nG50 S2000\nG96 S180 M4\nG0 X60. Z2.\nG1 Z-20. F0.2\n").isStreamable());
     QVERIFY(find(load("O3\nG21\nG50 S2000\nG96 S180 M4\nT0101\nG0 X60. Z2.\nG1 Z-20. F0.2\nM30\n"),
                  DiagnosticCode::LatheAssumed));
     QVERIFY(find(load("O3\nG21 T0202\nG97 S800 M3\nG0 X60. Z2.\nG1 W-20. F0.2\nU10.\nM30\n"),

@@ -69,6 +69,17 @@ void BlockReader::readG(const Token& token, BlockWords& words) {
     return;
   }
   const GEffect effect = m_g[static_cast<std::size_t>(key)];
+  if (m_state.isLathe && (key == 980 || key == 990)) {
+    // Fanuc, operator's manual for lathe systems, G codes of system A: feed per minute and per
+    // revolution.
+    setFeedMode(key == 990 ? FeedMode::PerRevolution : FeedMode::PerMinute);
+    return;
+  }
+  if (m_state.isLathe && key == 960 && effect == GEffect::None) {
+    // S is m/min: the speed, and with it a feed per revolution, depends on X.
+    m_to.faults.error(token, FaultCode::UnsupportedGCode, wordText(token));
+    return;
+  }
   readG(effect, key, token, words);
   words.taken |= takesBlock(effect);
   if (isNoted(effect)) {
