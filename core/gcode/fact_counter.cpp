@@ -62,6 +62,10 @@ void FactCounter::line(const nc::AxisValues& axes) {
 }
 
 void FactCounter::motion(int g, const nc::AxisValues& axes) {
+  if (m_isMade) {
+    forget(std::nullopt);
+    return;
+  }
   count(g);
   noteUnits(axes);
   if (g == 1) {
@@ -72,6 +76,10 @@ void FactCounter::motion(int g, const nc::AxisValues& axes) {
 }
 
 void FactCounter::arc(const nc::AxisValues& axes, nc::Arc arc, nc::ArcWords words) {
+  if (m_isMade) {
+    forget(std::nullopt);
+    return;
+  }
   count(arc.clockwise ? 2 : 3);
   noteUnits(axes);
   const std::size_t third = (arc.firstAxis + 2) % base::kAxisCount;
@@ -146,6 +154,9 @@ void FactCounter::forget(std::optional<std::size_t> axis) {
 }
 
 void FactCounter::feed(double value) {
+  if (m_isMade) {
+    return;
+  }
   if (m_facts.feeds.empty() || m_facts.feeds.back() != value) {
     m_facts.feeds.push_back(value);
   }

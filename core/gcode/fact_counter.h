@@ -25,6 +25,8 @@ class FactCounter final : public nc::WordObserver {
   void feed(double value) override;
   void units(bool inches) override;
   void forget(std::optional<std::size_t> axis) override;
+  /// Moves that no word of the program names are left out until it is said otherwise.
+  void leaveOut(bool isMade) { m_isMade = isMade; }
   void incomplete() { m_facts.complete = false; }
 
   [[nodiscard]] ProgramFacts take();
@@ -48,6 +50,7 @@ class FactCounter final : public nc::WordObserver {
   std::array<ArcReading, kCentreReadings.size()> m_readings;
   std::array<double, kProgrammedAxisCount> m_value{};
   std::array<bool, kProgrammedAxisCount> m_known{};
+  bool m_isMade = false;
 };
 
 }  // namespace rivulet::gcode

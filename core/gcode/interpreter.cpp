@@ -161,6 +161,7 @@ class Interpreter {
       }
       const nc::Words& used = counted ? *counted : block;
       begin(used.tokens);
+      m_facts.leaveOut(m_flow.isMade());
       interpretBlock(used);
       end();
       if (m_out.trajectory.points.size() > kTrajectoryPointsMax) {
@@ -354,7 +355,13 @@ class Interpreter {
 
   void settle(const nc::Outcome& outcome, const Token& token) {
     if (const auto* const fault = std::get_if<nc::Fault>(&outcome)) {
-      m_facts.incomplete();
+      const bool isRefused = fault->code == DiagnosticCode::UnsupportedGCode ||
+                             fault->code == DiagnosticCode::CycleNotRun;
+      if (isRefused) {
+        m_facts.forget(std::nullopt);
+      } else {
+        m_facts.incomplete();
+      }
       // An unknown position is no matter for the control here: the block has not been read.
       const bool isUnknown = fault->code == DiagnosticCode::RelativeFromUnknownPosition ||
                              fault->code == DiagnosticCode::ArcFromUnknownPosition;

@@ -295,7 +295,7 @@ class TestCorpus : public QObject {
     add("nx-postprocessor/Haas_5T.ptp", "number-missing");
     add("sinumerik-cas/CAM_TEST.MPF", "machine-coordinates");
     add("nx-postprocessor/DMU_70_eVo_840D_in_Sample_part.ptp", "cycle-not-run");
-    add("heidenhain-plan/Plan-Beispiel.h", "subprogram-missing");
+    add("heidenhain-plan/Plan-Beispiel.h", "expression-fault");  // the radius of the tool
   }
 
   void refusedForTheRightReason() {

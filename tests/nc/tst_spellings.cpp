@@ -57,13 +57,6 @@ const std::vector<NotYet>& notYet() {
       {Control::Haas, Feature::Scale, "G51 is refused"},
       {Control::LinuxCnc, Feature::SavedState, "M70 M72 do not restore"},
       {Control::LinuxCnc, Feature::Deferred, "assignments take effect too early"},
-      {Control::Heidenhain, Feature::Variables, "Q parameters are refused"},
-      {Control::Heidenhain, Feature::Call, "CALL LBL is refused"},
-      {Control::Heidenhain, Feature::Loop, "CALL LBL REP is refused"},
-      {Control::Heidenhain, Feature::PlaneWords, "the axis of TOOL CALL is no plane"},
-      {Control::Heidenhain, Feature::Shift, "CYCL DEF 7 is refused"},
-      {Control::Heidenhain, Feature::Mirror, "CYCL DEF 8 is refused"},
-      {Control::Heidenhain, Feature::Turn, "CYCL DEF 10 is refused"},
   };
   return list;
 }

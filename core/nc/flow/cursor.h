@@ -108,6 +108,9 @@ class Cursor {
   [[nodiscard]] Outcome leaveTo(int number, bool stays);
   [[nodiscard]] bool isInSubprogram() const { return m_flow && m_flow->depth() > 1; }
 
+  /// The present block is a move that a cycle or a corner of plain text makes.
+  [[nodiscard]] bool isMade() const { return m_control && m_made.isMade; }
+
   /// Where the present block or statement stands.
   [[nodiscard]] Place place() const { return m_place; }
   /// Name of a file of `place`; empty for the program file itself.

@@ -249,6 +249,7 @@ Expected<void> Control::step(base::Vec3 programmed, Feed feed) {
   item.place = m_place;
   item.isSkipped = m_isSkipped;
   item.moves = true;
+  item.isMade = true;
   item.feed = feed;
   const base::Vec3 from = m_at;
   MotionWords words;

@@ -42,6 +42,7 @@ struct Made {
   Words words;
   std::optional<Fault> fault;
   std::string ignored;  ///< a word without effect on the path
+  bool isMade = false;  ///< a move of a cycle or a corner: no word of the program says it
 };
 
 /// CALL LBL without REP.
@@ -91,6 +92,7 @@ class Control {
     bool isSkipped = false;
     std::vector<Token> tokens;  ///< but for motion and feed
     bool moves = false;
+    bool isMade = false;       ///< see `Made`
     bool isInMachine = false;  ///< M91, M92
     base::Vec3 start;          ///< workpiece
     base::Vec3 target;         ///< workpiece

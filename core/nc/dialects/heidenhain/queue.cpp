@@ -147,6 +147,7 @@ void Control::write(Item item) {
   Made made;
   made.place = item.place;
   made.line = item.line;
+  made.isMade = item.isMade;
   made.fault = std::move(item.fault);
   made.ignored = std::move(item.ignored);
   std::vector<Token>& tokens = made.words.tokens;
@@ -241,6 +242,7 @@ Expected<void> Control::joinCorner(Item& next) {
   between.place = words.place;
   between.line = words.line;
   between.moves = true;
+  between.isMade = true;
   between.given[firstAxis()] = true;
   between.given[secondAxis()] = true;
   between.element = made->between;
