@@ -50,6 +50,10 @@ constexpr std::array kTexts{
              RIVULET_SENTENCE(
                  "DiagnosticTexts",
                  "Rivulet does not know the G function %1: its effect on the path is unknown.")},
+    CodeText{DiagnosticCode::UnknownMFunction, "unknown-m-function",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "%1 is a function of the builder of the machine: whether it moves an "
+                              "axis or changes the feed is not known. Accept it if it does not.")},
     CodeText{
         DiagnosticCode::UnknownWord, "unknown-word",
         RIVULET_SENTENCE("DiagnosticTexts",
@@ -285,6 +289,7 @@ std::string acceptableName(const Diagnostic& diagnostic) {
   }
   switch (diagnostic.code) {
     case DiagnosticCode::UnknownGCode:
+    case DiagnosticCode::UnknownMFunction:
     case DiagnosticCode::UnknownWord:
     case DiagnosticCode::UnsupportedGCode:
     case DiagnosticCode::UnsupportedExpression:

@@ -11,7 +11,7 @@ namespace rivulet::gcode {
 
 void FactCounter::takeOver(const nc::AxisValues& axes) {
   for (std::size_t axis = 0; axis < kProgrammedAxisCount; ++axis) {
-    if (!axes.given[axis]) {
+    if (!axes.has(axis)) {
       continue;
     }
     if (std::isnan(axes.value[axis])) {
@@ -19,7 +19,7 @@ void FactCounter::takeOver(const nc::AxisValues& axes) {
       m_known[axis] = false;
       continue;
     }
-    if (axes.isIncrement[axis]) {
+    if (axes.isIncrement(axis)) {
       if (!m_known[axis]) {
         m_facts.boundsUnknown[axis] = true;
         continue;
@@ -42,15 +42,15 @@ void FactCounter::line(const nc::AxisValues& axes) {
   double squares = 0.0;
   bool known = true;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (!axes.given[axis]) {
+    if (!axes.has(axis)) {
       continue;
     }
     if (std::isnan(axes.value[axis])) {
       m_facts.lengthsKnown = false;
     }
-    known &= m_known[axis] || axes.isIncrement[axis];
+    known &= m_known[axis] || axes.isIncrement(axis);
     const double step =
-        axes.isIncrement[axis] ? axes.value[axis] : axes.value[axis] - m_value[axis];
+        axes.isIncrement(axis) ? axes.value[axis] : axes.value[axis] - m_value[axis];
     squares += step * step;
   }
   takeOver(axes);
@@ -86,13 +86,13 @@ void FactCounter::arc(const nc::AxisValues& axes, nc::Arc arc, nc::ArcWords word
   bool known = true;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     // A rise needs its start as well; an axis that does not move needs none.
-    const bool absolute = axes.given[axis] && !axes.isIncrement[axis];
+    const bool absolute = axes.has(axis) && !axes.isIncrement(axis);
     const bool needed = axis == third ? absolute : absolute || words.centreIsAbsolute[axis];
     known &= m_known[axis] || !needed;
     const double start = m_known[axis] ? m_value[axis] : 0.0;
     arc.startMm.set(axis, start);
-    arc.endMm.set(axis, !axes.given[axis]        ? start
-                        : axes.isIncrement[axis] ? start + axes.value[axis]
+    arc.endMm.set(axis, !axes.has(axis)          ? start
+                        : axes.isIncrement(axis) ? start + axes.value[axis]
                                                  : axes.value[axis]);
   }
   takeOver(axes);
@@ -141,7 +141,7 @@ void FactCounter::machineMotion(int g, const nc::AxisValues& axes) {
     ++m_facts.g1Excluded;
   }
   for (std::size_t axis = 0; axis < kProgrammedAxisCount; ++axis) {
-    m_known[axis] = m_known[axis] && !axes.given[axis];
+    m_known[axis] = m_known[axis] && !axes.has(axis);
   }
 }
 

@@ -100,6 +100,10 @@ void Findings::ignoreG(int key, const nc::Token& token) {
 }
 
 void Findings::ignoreM(Severity severity, int number, const nc::Token& token) {
+  if (severity == Severity::Error) {
+    report(severity, token.column, DiagnosticCode::UnknownMFunction, nc::wordText(token));
+    return;
+  }
   auto& seen = severity == Severity::Note ? m_ignoredM : m_warnedM;
   const auto index = static_cast<std::size_t>(number);
   if (!seen.test(index)) {

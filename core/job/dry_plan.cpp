@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "job/main_program.h"
+#include "nc/nc_number.h"
 #include "nc/syntax/language.h"
 #include "nc/syntax/lexer.h"
 
@@ -190,7 +191,7 @@ class DryPlanner {
     if (!std::all_of(native.frame.begin(), native.frame.end(), isShift)) {
       return refuse(native, "the coordinates are turned or scaled here:");
     }
-    const std::string height = base::formatFixed(m_raiseMm, 6);
+    const std::string height = nc::ncNumber(m_raiseMm);
     const bool isForeign = m_plan.program.dialect != nc::Dialect::Sinumerik;
     if (isForeign) {
       if (m_isFirst) {

@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "job/motion_text.h"
+#include "nc/nc_number.h"
 
 namespace rivulet::job {
 
@@ -58,7 +59,7 @@ class HoleCycles::Writer {
   void feed(double heightMm, double mmPerS) { go(at(heightMm), mmPerS); }
   void dwell(double seconds) {
     if (seconds > 0.0) {
-      add("G4 F" + base::formatNumber(seconds));
+      add("G4 F" + nc::ncNumber(seconds));
     }
   }
   void add(std::string line) { m_lines.push_back(std::move(line)); }
@@ -116,8 +117,8 @@ void HoleCycles::takeWords(const nc::BlockWords& words, std::optional<double> dw
   if (words.hasRadius) {
     m_retract = {words.radius * state.lengthFactor, state.relative};
   }
-  if (words.axes.given[axis]) {
-    m_depth = {words.axes.value[axis] * state.lengthFactor, words.axes.isIncrement[axis]};
+  if (words.axes.has(axis)) {
+    m_depth = {words.axes.value[axis] * state.lengthFactor, words.axes.isIncrement(axis)};
   }
   m_strokeMm = words.q ? std::abs(*words.q) * state.lengthFactor : m_strokeMm;
   m_dwellS = dwellS.value_or(m_dwellS);
@@ -163,7 +164,9 @@ tl::expected<std::vector<std::string>, std::string> HoleCycles::drill(const nc::
       (m_strokeMm > 0.0 && (retractMm - depthMm) / m_strokeMm > kStrokesMax)) {
     return tl::unexpected(std::string("Z below R"));  // upwards: a control refuses it as well
   }
-  const double repeats = words.l ? *words.l : words.hasCentre[axis] ? words.centre[axis] : 1.0;
+  const double repeats = words.l                  ? *words.l
+                         : words.centre.has(axis) ? words.centre.value[axis]
+                                                  : 1.0;
   for (double hole = 0.0; hole < std::clamp(repeats, 0.0, kRepeatsMax); ++hole) {
     if (to.height() < retractMm) {
       to.rapid(retractMm);
@@ -201,12 +204,12 @@ void HoleCycles::writeHole(Writer& to, double retractMm, double depthMm, double 
   }
   if (isTapping(key)) {
     const double pitchMm = feedMmPerS * 60.0 / spindlePerMin;
-    const std::string speed = base::formatNumber(spindlePerMin);
-    const std::string plane = base::formatNumber(to.workpieceHeight(retractMm));
+    const std::string speed = nc::ncNumber(spindlePerMin);
+    const std::string plane = nc::ncNumber(to.workpieceHeight(retractMm));
     to.add(fmt::format("CYCLE84({0},{0},0,{1},,{2},{3},,{4},,{5},{5})", plane,
-                       base::formatNumber(to.workpieceHeight(depthMm)),
-                       base::formatNumber(m_dwellS), key == kTapping ? 3 : 4,
-                       base::formatFixed(key == kTapping ? pitchMm : -pitchMm, 6), speed));
+                       nc::ncNumber(to.workpieceHeight(depthMm)), nc::ncNumber(m_dwellS),
+                       key == kTapping ? 3 : 4, nc::ncNumber(key == kTapping ? pitchMm : -pitchMm),
+                       speed));
     return;
   }
   to.feed(depthMm, feedMmPerS);

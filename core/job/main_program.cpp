@@ -12,6 +12,7 @@
 #include "base/hash.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "nc/nc_number.h"
 
 namespace rivulet::job {
 
@@ -132,6 +133,14 @@ class PlanWriter {
     }
   }
 
+  /// The feed of streamed points has the override in it already.
+  void cancelOverride() {
+    if (m_hasOverride) {
+      line("OVR=100");
+      m_hasOverride = false;
+    }
+  }
+
   [[nodiscard]] const Plan& plan() const { return m_plan; }
   [[nodiscard]] unsigned lineCount() const { return m_lines; }
   [[nodiscard]] std::string take() { return std::move(m_text); }
@@ -150,12 +159,17 @@ class PlanWriter {
       for (const std::string& frame : native.frame) {
         line("{}", frame);
       }
+      if (native.before.feedOverride == 1.0) {
+        cancelOverride();
+      }
       line("{}", modalWords(native.before));
       m_hasFrame = !native.frame.empty();
     }
     beforeText(textOf(native));
     lines(textOf(native));
     written(native, m_natives);
+    m_hasOverride = m_hasOverride || native.before.feedOverride != 1.0 ||
+                    base::toUpper(native.text).find("OVR") != std::string::npos;
     m_hasFrame = m_hasFrame || native.setsFrame || native.reason == NativeReason::Subprogram;
   }
 
@@ -163,7 +177,8 @@ class PlanWriter {
   std::string m_text;
   unsigned m_lines = 0;
   int m_natives = 0;
-  bool m_hasFrame = false;  ///< the control may have one
+  bool m_hasFrame = false;     ///< the control may have one
+  bool m_hasOverride = false;  ///< the same
 };
 
 class MainWriter final : public PlanWriter {
@@ -198,6 +213,7 @@ class MainWriter final : public PlanWriter {
 
   void writeStreamed(const Stretch& stretch) override {
     // The loop clears its cells when it is interpreted: not before the native blocks are done.
+    cancelOverride();
     line("STOPRE");
     line("R{}={}", blockCell(m_loop), -m_due);
     line("{}({},{},RIV_RUN+{})", m_loop.name, m_number, stretch.number, stretch.number);
@@ -251,7 +267,7 @@ std::string pointWords(const gcode::Trajectory& trajectory, std::size_t point) {
   std::string words;
   const auto add = [&words](char axis, double value) {
     if (!std::isnan(value)) {
-      words += fmt::format("{}{} ", axis, base::formatFixed(value, 6));
+      words += fmt::format("{}{} ", axis, nc::ncNumber(value));
     }
   };
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
@@ -277,13 +293,14 @@ class PlainWriter final : public PlanWriter {
  private:
   void writeStreamed(const Stretch& stretch) override {
     const gcode::Trajectory& trajectory = plan().program.trajectory;
+    cancelOverride();
     line("G90 G94 G64");
     for (std::size_t i = 0; i < stretch.pointCount; ++i) {
       const std::size_t point = stretch.firstPoint + i;
       const double mmPerS =
           m_feeds ? gcode::commandedMmPerS(trajectory.points[point], *m_feeds) : m_feedMmPerS;
       line("G1 {}F{}", pointWords(trajectory, point),
-           base::formatFixed(base::mmPerMinFromMmPerS(mmPerS), 6));
+           nc::ncNumber(base::mmPerMinFromMmPerS(mmPerS)));
     }
   }
   void writeDue(const NativeBlock&, int) override {}
@@ -464,15 +481,18 @@ std::string modalWords(const nc::ModalState& state) {
   if (state.feedMode == nc::FeedMode::PerRevolution) {
     words += " G95";
     if (state.feedMmPerRev > 0.0) {
-      words += " F" + base::formatFixed(state.feedMmPerRev / state.lengthFactor, 6);
+      words += " F" + nc::ncNumber(state.feedMmPerRev / state.lengthFactor);
     }
   } else if (state.feedMode == nc::FeedMode::InverseTime) {
     words += " G93";
   } else {
     words += " G94";
     if (state.feedMmPerS > 0.0) {
-      words += " F" + base::formatFixed(state.feedMmPerS * 60.0 / state.feedFactor, 6);
+      words += " F" + nc::ncNumber(state.feedMmPerS * 60.0 / state.feedFactor);
     }
+  }
+  if (state.feedOverride != 1.0) {
+    words += " OVR=" + nc::ncNumber(100.0 * state.feedOverride);
   }
   return words;
 }

@@ -9,20 +9,18 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "nc/nc_number.h"
 
 namespace rivulet::job {
 
 namespace {
 
-/// Coordinates of a frame are rounded in their last bits; a control has no more digits.
 std::string lengthText(double mm) {
-  constexpr double kDigit = 1e6;
-  const double rounded = std::round(mm * kDigit) / kDigit;
-  return base::formatNumber(rounded == 0.0 ? 0.0 : rounded);
+  return nc::ncNumber(mm);
 }
 
 std::string feedText(double mmPerS) {
-  return " F" + base::formatNumber(std::round(base::mmPerMinFromMmPerS(mmPerS) * 1e6) / 1e6);
+  return " F" + nc::ncNumber(base::mmPerMinFromMmPerS(mmPerS));
 }
 
 bool isUpright(const nc::Frame& frame) {

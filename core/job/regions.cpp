@@ -112,13 +112,13 @@ void Regions::compensationOff() {
 }
 
 void Regions::blockExecuted(const nc::BlockWords& words, const nc::ModalState& state) {
-  const bool movesInPlane = words.axes.given[state.planeFirstAxis] ||
-                            words.axes.given[state.planeSecondAxis()] || words.hasAnyCentre();
+  const bool movesInPlane = words.axes.has(state.planeFirstAxis) ||
+                            words.axes.has(state.planeSecondAxis()) || words.hasAnyCentre();
   // The tool returns to the programmed path with the next motion in the plane.
   if (m_compensation == Compensation::Leaving && movesInPlane) {
     m_compensation = Compensation::Off;
   }
-  m_curve = m_curve && words.motionKey < 0;
+  m_curve = m_curve && words.motion == nullptr;
   if (m_cornerMotions > 0 && (words.moves() || words.hasAnyCentre())) {
     --m_cornerMotions;
   }

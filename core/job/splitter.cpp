@@ -23,6 +23,7 @@
 #include "job/regions.h"
 #include "job/translation.h"
 #include "nc/eval/evaluate.h"
+#include "nc/nc_number.h"
 #include "nc/syntax/expression.h"
 
 namespace rivulet::job {
@@ -184,11 +185,13 @@ class Splitter final : public gcode::BlockObserver,
     }
     block.calls = words.rare && (words.rare->call || words.rare->call98 || words.rare->macroCall);
     block.moves = words.moves() || words.hasAnyCentre();
-    block.given = words.axes.given;
     block.setsFrame = words.rare && !words.rare->frame.empty();
+    for (std::size_t axis = 0; axis < nc::kProgrammedAxisCount; ++axis) {
+      block.given[axis] = words.axes.has(axis);
+    }
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       block.increments[axis] = isForeign() ? block.isUnknown[axis]
-                                           : words.axes.given[axis] && words.axes.isIncrement[axis];
+                                           : words.axes.has(axis) && words.axes.isIncrement(axis);
     }
     if ((words.ends || (words.rare && words.rare->returns)) && !block.isInSubprogram) {
       add(NativeReason::End);
@@ -209,7 +212,7 @@ class Splitter final : public gcode::BlockObserver,
       block.home.emplace();
       block.home->toFixedPoint = block.toFixedPoint;
       for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-        if (words.axes.given[axis]) {
+        if (words.axes.has(axis)) {
           block.home->targetMm[axis] = words.axes.value[axis] * executor.state().lengthFactor;
         }
         if (const std::size_t rotary = axis + nc::kFirstRotary; block.given[rotary]) {
@@ -440,13 +443,12 @@ class Splitter final : public gcode::BlockObserver,
     std::string line;
     const auto set = [&line, number](char axis, std::string_view what, double value) {
       line += fmt::format("{}$P_UIFR[{},{},{}]={}", line.empty() ? "" : " ", number, axis, what,
-                          base::formatNumber(value));
+                          nc::ncNumber(value));
     };
     for (std::size_t axis = 0; axis < nc::kFirstFurther; ++axis) {
-      if (words.axes.given[axis]) {
+      if (words.axes.has(axis)) {
         const bool isLinear = axis < base::kAxisCount;
-        set(nc::kProgrammedAxes[axis], "TR",
-            isLinear ? words.axes.value[axis] * executor.state().lengthFactor : 0.0);
+        set(nc::kProgrammedAxes[axis], "TR", isLinear ? executor.radiusMm(words, axis) : 0.0);
       }
     }
     if (words.hasRadius) {
@@ -467,7 +469,7 @@ class Splitter final : public gcode::BlockObserver,
       m_isSetUnknown.fill(false);
     }
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (!words.axes.given[axis]) {
+      if (!words.axes.has(axis)) {
         continue;
       }
       if (offset == nc::GEffect::SetPosition) {
@@ -555,12 +557,10 @@ class Splitter final : public gcode::BlockObserver,
                                       : nc::Expected<double>(nc::fail(FaultCode::ListMalformed))) {
         const std::string_view address = token.text.substr(0, token.text.find('='));
         const nc::Reference reference = (*token.calculation)->reference;
-        const std::string text = base::formatNumber(*number);
-        m_block->values[&token] =
-            fmt::format("{}={}", address,
-                        reference == nc::Reference::Absolute      ? "AC(" + text + ")"
-                        : reference == nc::Reference::Incremental ? "IC(" + text + ")"
-                                                                  : text);
+        const std::string text = nc::ncNumber(*number);
+        const std::string_view from = nc::referenceWord(reference);
+        m_block->values[&token] = from.empty() ? fmt::format("{}={}", address, text)
+                                               : fmt::format("{}={}({})", address, from, text);
       }
     }
   }
@@ -590,7 +590,7 @@ class Splitter final : public gcode::BlockObserver,
         return;  // refused later, as what reads variables
       }
       const auto* const number = std::get_if<double>(&*value);
-      text += number != nullptr ? base::formatNumber(*number) : '"' + nc::textOf(*value) + '"';
+      text += number != nullptr ? nc::ncNumber(*number) : '"' + nc::textOf(*value) + '"';
     }
     m_block->values[&token] = text + ')';
   }
@@ -1138,7 +1138,7 @@ class Splitter final : public gcode::BlockObserver,
   void endForeign(NativeReason reason) {
     BlockNotes& block = *m_block;
     forward();
-    const Translation translation = m_translator.translate(block.words, block.home);
+    const Translation translation = m_translator.translate(block.words, block.home, *m_language);
     for (const std::string& word : translation.missing) {
       if (!isAccepted(word)) {
         refuse(RefusalCode::NotTranslated, word);
@@ -1180,16 +1180,16 @@ class Splitter final : public gcode::BlockObserver,
     std::string text = name;
     const double factor = name == "TRANS" || name == "ATRANS" ? state.lengthFactor : 1.0;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (words.axes.given[axis]) {
+      if (words.axes.has(axis)) {
         text += fmt::format(" {}{}", base::kAxisNames[axis],
-                            base::formatNumber(words.axes.value[axis] * factor));
+                            nc::ncNumber(words.axes.value[axis] * factor));
       }
     }
     if (const nc::NamedWord* const turn = words.named("RPL")) {
       m_frame.emplace_back(state.planeFirstAxis == 0   ? "G17"
                            : state.planeFirstAxis == 2 ? "G18"
                                                        : "G19");
-      text += " RPL=" + base::formatNumber(turn->value);
+      text += " RPL=" + nc::ncNumber(turn->value);
     }
     if (text != name) {
       m_frame.push_back(std::move(text));

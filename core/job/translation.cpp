@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "nc/fault.h"
+#include "nc/nc_number.h"
 
 namespace rivulet::job {
 
@@ -84,16 +85,15 @@ void Translator::goHome(const HomeMove& home, Translation& out) const {
   constexpr std::size_t kZ = 2;
   if (home.targetMm[kZ]) {
     const bool isTop = home.toFixedPoint || *home.targetMm[kZ] == 0.0;
-    out.before.push_back(
-        isTop ? m_profile.retract
-              : fmt::format("SUPA G0 Z{} D0", base::formatNumber(*home.targetMm[kZ])));
+    out.before.push_back(isTop ? m_profile.retract
+                               : fmt::format("SUPA G0 Z{} D0", nc::ncNumber(*home.targetMm[kZ])));
   }
   if (home.targetMm[0] || home.targetMm[1]) {
     std::string line = home.toFixedPoint ? m_profile.home : "SUPA G0";
     for (std::size_t axis = 0; axis < kZ && !home.toFixedPoint; ++axis) {
       if (home.targetMm[axis]) {
-        addWord(line, fmt::format("{}{}", base::kAxisNames[axis],
-                                  base::formatNumber(*home.targetMm[axis])));
+        addWord(line,
+                fmt::format("{}{}", base::kAxisNames[axis], nc::ncNumber(*home.targetMm[axis])));
       }
     }
     out.before.push_back(line);
@@ -114,8 +114,55 @@ void Translator::goHome(const HomeMove& home, Translation& out) const {
   }
 }
 
+/// A control of another make knows no length until G43 asks for one, and H names its offset; the
+/// SINUMERIK has D1 of a tool from the change on, which is offset n of tool n alone.
+void Translator::setLength(const std::vector<ForeignWord>& words, const nc::Language& language,
+                           std::string& line, Translation& out) {
+  using Kind = ForeignWord::Kind;
+  const auto find = [&words](Kind kind, double value, bool anyValue) {
+    const auto found = std::find_if(words.begin(), words.end(), [&](const ForeignWord& word) {
+      return word.kind == kind && (anyValue || word.value == value);
+    });
+    return found == words.end() ? nullptr : &*found;
+  };
+  constexpr double kLengthOn = 430.0;
+  constexpr double kLengthOff = 490.0;
+  const int before = m_length;
+  const bool changes = find(Kind::M, 6.0, false) != nullptr;
+  if (changes) {
+    m_inSpindle = m_tool;
+    m_length = language.lengthComesWithTool ? 1 : 0;
+  }
+  const ForeignWord* const cell = find(Kind::LengthCell, 0.0, true);
+  const ForeignWord* const on = find(Kind::G, kLengthOn, false);
+  if (find(Kind::G, kLengthOff, false) != nullptr || (cell != nullptr && cell->value == 0.0)) {
+    m_length = 0;
+  } else if (cell != nullptr) {
+    const bool isOwn = !m_inSpindle || *m_inSpindle == nc::ncNumber(cell->value);
+    if (!isOwn) {
+      out.missing.push_back(cell->text);
+      return;
+    }
+    m_length = 1;
+  } else if (on != nullptr && language.lengthIsOfTool) {
+    m_length = 1;
+  } else if (on != nullptr) {
+    out.missing.push_back(on->text);
+    return;
+  } else if (!changes || language.lengthComesWithTool) {
+    return;
+  }
+  const std::string length = fmt::format("D{}", m_length);
+  if (changes) {
+    out.before.insert(out.before.begin(), length);  // behind the change, which may be a call
+  } else if (cell != nullptr || before != m_length) {
+    addWord(line, length);
+  }
+}
+
 Translation Translator::translate(const std::vector<ForeignWord>& words,
-                                  const std::optional<HomeMove>& home) {
+                                  const std::optional<HomeMove>& home,
+                                  const nc::Language& language) {
   using Kind = ForeignWord::Kind;
   Translation out;
   const auto has = [&words](Kind kind, double value) {
@@ -125,13 +172,14 @@ Translation Translator::translate(const std::vector<ForeignWord>& words,
   };
   for (const ForeignWord& word : words) {
     if (word.kind == Kind::Tool) {
-      m_tool = base::formatNumber(word.value);
+      m_tool = nc::ncNumber(word.value);
     } else if (word.kind == Kind::NamedTool) {
       m_tool = "=\"" + word.text + "\"";
     }
   }
   const bool changes = has(Kind::M, 6.0);
   std::string line;
+  setLength(words, language, line, out);
   for (const ForeignWord& word : words) {
     switch (word.kind) {
       case Kind::Tool:
@@ -144,31 +192,28 @@ Translation Translator::translate(const std::vector<ForeignWord>& words,
         translateM(static_cast<int>(word.value), word, line, out);
         break;
       case Kind::Spindle:
-        addWord(line, "S" + base::formatNumber(word.value));
+        addWord(line, "S" + nc::ncNumber(word.value));
         break;
       case Kind::Dwell:
         if (std::isfinite(word.value)) {
-          out.before.push_back("G4 F" + base::formatNumber(word.value));
+          out.before.push_back("G4 F" + nc::ncNumber(word.value));
         } else {
           out.missing.push_back(word.text);
         }
         break;
       case Kind::LengthCell:
-        m_length = word.value > 0.0 ? 1 : 0;
-        addWord(line, fmt::format("D{}", m_length));
-        break;
+        break;  // see setLength
       case Kind::G: {
         const int key = static_cast<int>(word.value);
         constexpr int kLengthOn = 430;
         constexpr int kLengthOff = 490;
-        if (key == kLengthOff) {
-          m_length = 0;
-          addWord(line, "D0");
+        if ((key == 410 || key == 420) && m_length == 0) {
+          out.missing.push_back(word.text);  // D0 has no radius either
         } else if (key == 970 || key == 400 || key == 410 || key == 420) {
           addWord(line, fmt::format("G{}", key / 10));
         } else if (const auto offset = workOffsetOf(key)) {
           addWord(line, *offset);
-        } else if (key != kLengthOn) {  // its H says the rest
+        } else if (key != kLengthOn && key != kLengthOff) {
           out.missing.push_back(word.text);
         }
         break;

@@ -14,6 +14,7 @@
 #include "base/axes.h"
 #include "base/vec3.h"
 #include "job/plan.h"
+#include "nc/syntax/language.h"
 
 namespace rivulet::job {
 
@@ -61,16 +62,20 @@ class Translator {
   [[nodiscard]] static NativeReason reasonOfM(int number);
   /// The words of one block. @param home  nothing: the block has no such move
   [[nodiscard]] Translation translate(const std::vector<ForeignWord>& words,
-                                      const std::optional<HomeMove>& home);
+                                      const std::optional<HomeMove>& home,
+                                      const nc::Language& language);
 
  private:
   void translateM(int number, const ForeignWord& word, std::string& before, Translation& out);
   [[nodiscard]] std::string toolChange() const;
+  void setLength(const std::vector<ForeignWord>& words, const nc::Language& language,
+                 std::string& line, Translation& out);
   void goHome(const HomeMove& home, Translation& out) const;
 
   const Profile& m_profile;
-  std::optional<std::string> m_tool;  ///< the last one named
-  int m_length = 1;                   ///< D in force; 0: none
+  std::optional<std::string> m_tool;       ///< the last one named
+  std::optional<std::string> m_inSpindle;  ///< the tool that M6 has changed to
+  int m_length = 1;                        ///< D in force, 0: none; as the operator has left it
 };
 
 }  // namespace rivulet::job

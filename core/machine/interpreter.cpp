@@ -34,6 +34,9 @@ nc::ExecutorOptions executorOptions(const InterpreterOptions& options) {
     made.workOffsetsMm = options.machine->workOffsetsMm;
     made.fixedPointsMm = options.machine->fixedPointsMm;
     made.compensatesRadius = options.machine->tools.has_value();
+    if (options.machine->spindle) {
+      made.spindlePerMinMax = options.machine->spindle->speedPerMinMax;
+    }
   }
   return made;
 }
@@ -500,7 +503,8 @@ Prepared Interpreter::executeWords(const nc::Words& words, base::LineNumber line
     return Alarm{kNotMade,
                  fmt::format("Line {}: this machine has no rotary axes for TRAORI.", line.value)};
   }
-  if (block.compensationKey > 400 && !m_machineWords.hasEdge()) {
+  if (block.compensationMode != nullptr &&
+      block.compensationMode->function != nc::G::CompensationOff && !m_machineWords.hasEdge()) {
     return Alarm{kNoToolRadius, fmt::format("Line {}: the tool radius is to be compensated, but no "
                                             "tool or edge is active.",
                                             line.value)};

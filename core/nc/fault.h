@@ -33,6 +33,7 @@ enum class FaultCode : std::uint8_t {
   CommentNotClosed,             ///< no argument
   CommentNested,                ///< argument: the comment
   UnknownGCode,                 ///< argument: the word, e.g. "G87"
+  UnknownMFunction,             ///< of the builder of the machine: argument the word
   UnknownWord,                  ///< argument: the word
   UnsupportedGCode,             ///< known, changes the path, not supported: argument the word
   UnsupportedExpression,        ///< variables, expressions and jumps: argument the text

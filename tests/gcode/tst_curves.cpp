@@ -312,7 +312,8 @@ class TestCurves : public QObject {
 
   /// The tolerance holds where the tool goes, and lengths are those of its way.
   void scaledArcs() {
-    const gcode::LoadOptions options;
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Sinumerik;
     const auto big = gcode::interpret("SCALE X10 Y10 Z10\nG0 X10 Y0 Z0\nG3 X-10 I-10 F60", options);
     const auto& points = big.trajectory.points;
     for (std::size_t i = 1; i < points.size(); ++i) {

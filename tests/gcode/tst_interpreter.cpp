@@ -139,7 +139,7 @@ class TestInterpreter : public QObject {
     add("inverse time", "G0 X0 Y0 Z0\nG93 G1 X10 F6\nG94 X20 F50",
         "1 R X0 Y0 Z0 | 2 L X10 Y0 Z0 F60 | 3 L X20 Y0 Z0 F50");
     add("per revolution", "S1000 M3\nG95 G1 X1 F0.2", "2 L X1 Y? Z? F200");
-    add("lathe diameter", "G7\nG0 X20\nG8 X20", "2 R X10 Y? Z? | 3 R X20 Y? Z?");
+    add("lathe diameter", "STOPRE\nDIAMON\nG0 X20\nDIAMOF X20", "3 R X10 Y? Z? | 4 R X20 Y? Z?");
     add("R in brackets is a radius", "#1=10\nG0 X0 Y10\nG2 X10 Y0 R[#1] F60",
         "2 R X0 Y10 Z? | 3 A X10 Y0 Z? F60");
     // Siemens, NC programming, "Diameter or radius programming": with DIAMON and DIAM90 the values
@@ -148,8 +148,9 @@ class TestInterpreter : public QObject {
         "DIAM90\nG18 G0 X20 Z0\nG2 X40 Z10 I=AC(20) K=AC(10) F60",
         "2 R X10 Y? Z0 | "
         "3 A X20 Y? Z10 F60");
-    add("centre as an increment is a radius", "DIAMON\nG18 G0 X20 Z0\nG3 X40 Z10 I10 K0 F60",
-        "2 R X10 Y? Z0 | 3 A X20 Y? Z10 F60");
+    add("centre as an increment is a radius",
+        "STOPRE\nDIAMON\nG18 G0 X20 Z0\nG3 X40 Z10 I10 K0 F60",
+        "3 R X10 Y? Z0 | 4 A X20 Y? Z10 F60");
     add("G92 before any motion", "G92 X0 Y0 Z5\nG0 X1\nG1 Y2 F60",
         "2 R X1 Y0 Z5 | 3 L X1 Y2 Z5 F60");
     // SINUMERIK's indirect forms.
@@ -222,8 +223,7 @@ class TestInterpreter : public QObject {
     COMPARE_TEXT(found("G0 X1\nG10 L2 P1 X5"), "2:11 error unsupported-g-code G10");
     COMPARE_TEXT(found("G0 X1\nG10 L20 P1 X5"), "2:12 error unsupported-g-code G10 L20");
     COMPARE_TEXT(found("G0 X1\nG10 L2 P12 X5"), "2:12 error unsupported-g-code G10 L2");
-    COMPARE_TEXT(found("G50\nG0 X1"), "");
-    COMPARE_TEXT(found("G0 X1\nG50 X5"), "2:5 error unsupported-g-code G50");
+    COMPARE_TEXT(found("G50\nG0 X1"), "1:1 error unknown-g-code G50");
     COMPARE_TEXT(found("G0 X0 Y0 Z0\nF60\nG6.2 X0 Y0 K0 P2\nX10 Y5 K0\nX20 Y0 K1\nG6.2 K2\nG1 X30"),
                  "7:1 error value-out-of-range K");
   }
@@ -289,8 +289,9 @@ class TestInterpreter : public QObject {
         "1:1 note ignored-code G54.1 | 5:1 error unsupported-g-code G54.1");
     add("G54.1\nG0 X1", "1:1 error number-missing P");
     add("CYCLE800(1,2)", "1:1 error unsupported-g-code CYCLE800");
-    add("CSPLINE", "1:1 error unsupported-g-code CSPLINE");
-    add("G0 X1 RND=2", "1:7 error unsupported-g-code RND");
+    add("STOPRE CSPLINE", "1:1 note ignored-code STOPRE | 1:8 error unsupported-g-code CSPLINE");
+    add("STOPRE\nG0 X1 RND=2", "1:1 note ignored-code STOPRE | 2:7 error unsupported-g-code RND");
+    add("SOFT", "1:1 error unknown-word SOFT");
     add("R1=5", "");
     add("#1=5", "");
     add("G0 X=R1",
@@ -318,7 +319,8 @@ class TestInterpreter : public QObject {
     add("M0", "1:1 warning ignored-code M0");
     add("M1=3", "1:1 note ignored-code M1=3");
     add("MSG(\"a\")", "1:1 note ignored-code MSG");
-    add("SOFT FFWON", "1:1 note ignored-code SOFT | 1:6 note ignored-code FFWON");
+    add("STOPRE SOFT FFWON",
+        "1:1 note ignored-code STOPRE | 1:8 note ignored-code SOFT | 1:13 note ignored-code FFWON");
     add("G641 ADIS=0.1", "1:1 note ignored-code G641 | 1:6 note ignored-code ADIS");
     add("/G0 X1", "1:1 note ignored-code /");
     add("G4 F2", "1:1 note ignored-code G4");
@@ -357,7 +359,7 @@ class TestInterpreter : public QObject {
     add("G0 X1\nM30\n\n(c)\nX2\nX3", "5:1 warning never-executed lines 5 to 6");
     add("G0 X1\nM2\n%\n", "");
     add("G0 X1\n%\nX2", "3:1 warning never-executed line 3");
-    add("M17\nG0 X1", "1:1 note ignored-code M17");
+    add("M17\nG0 X1", "1:1 error unknown-m-function M17");
     add("STOPRE\nM17\nG0 X1", "1:1 note ignored-code STOPRE | 3:1 warning never-executed line 3");
     add("G0 X1\nO5", "");
     add("G81 X1 Y2 Z-3 R1 F60\nX5\nG80\nG0 X6",
@@ -439,12 +441,13 @@ class TestInterpreter : public QObject {
   }
 
   void oneFindingPerIgnoredWord() {
-    std::string text = "G0 X0\n";
+    std::string text = "STOPRE G0 X0\n";
     for (int i = 0; i < 5000; ++i) {
       text += "G1 X1 M3 S100 F60 G64 SOFT\n";
     }
     COMPARE_TEXT(::findings(text),
-                 "2:7 note ignored-code M3 | 2:10 note ignored-code S | 2:19 note ignored-code G64 "
+                 "1:1 note ignored-code STOPRE | 2:7 note ignored-code M3 | 2:10 note ignored-code "
+                 "S | 2:19 note ignored-code G64 "
                  "| 2:23 note ignored-code SOFT");
   }
 

@@ -430,7 +430,8 @@ class TestSplitter : public QObject {
     QCOMPARE(
         text(test::printParts(plan)),
         QStringLiteral(
-            "native 1 tool T5 M6 | native 2 work-offset G54 S3000 M3 | stretch 1 2: 1 point from ? "
+            "native 1 tool T5 M6\nD0 | native 2 work-offset G54 S3000 M3 | stretch 1 2: 1 point "
+            "from ? "
             "| "
             "native 3 tool D1 M8 | stretch 2 3-5: 3 points from ? | native 5 coolant M9 | native "
             "6 retract SUPA G0 Z0 D0\nD1 | stretch 3 7: 1 point from ? | native 8 dwell G4 F0.5 | "
@@ -440,13 +441,50 @@ class TestSplitter : public QObject {
                             "Z-1 F200 | 5 R X10 Y20 Z50 | 7 R X0 Y0 Z?"));
   }
 
+  /// Catches a length that nobody has asked for, and one of another tool.
+  void toolLength_data() {
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<QString>("parts");
+    QTest::addColumn<QString>("refused");
+    QTest::newRow("none without G43") << "T1 M6\nG0 X0 Y0 Z10\nM30\n"
+                                      << "native 1 tool T1 M6\nD0"
+                                      << "";
+    QTest::newRow("that of the tool") << "T2 M6\nG43 H2\nG0 X0 Y0 Z10\nM30\n"
+                                      << "native 1 tool T2 M6\nD0 | native 2 tool D1"
+                                      << "";
+    QTest::newRow("one of another tool") << "T2 M6\nG43 H12\nG0 X0 Y0 Z10\nM30\n"
+                                         << ""
+                                         << "H12";
+    QTest::newRow("a tool that waits")
+        << "T2 M6\nT3\nG43 H2\nG0 X0 Y0 Z10\nM30\n"
+        << "native 1 tool T2 M6\nD0 | native 2 tool T3 | native 3 tool D1"
+        << "";
+    QTest::newRow("none after G49")
+        << "T2 M6\nG43 H2\nG49\nG0 X0 Y0 Z10\nM30\n"
+        << "native 1 tool T2 M6\nD0 | native 2 tool D1 | native 3 tool D0"
+        << "";
+    QTest::newRow("H0") << "T2 M6\nG43 H0\nG0 X0 Y0 Z10\nM30\n"
+                        << "native 1 tool T2 M6\nD0 | native 2 tool D0"
+                        << "";
+  }
+  void toolLength() {
+    QFETCH(const QString, program);
+    QFETCH(const QString, parts);
+    QFETCH(const QString, refused);
+    const job::Plan plan = planOf(qPrintable(program), gcode::Dialect::Fanuc);
+    QVERIFY2(refused.isEmpty() ? refusals(plan).isEmpty() : refusals(plan).contains(refused),
+             qPrintable(refusals(plan)));
+    const QString made = text(test::printParts(plan));
+    QVERIFY2(made.contains(parts), qPrintable(made));
+  }
+
   void translationComesFromTheProfile() {
     job::Profile profile;
     profile.retract = "G75 Z1=0";
     profile.toolChange = "TC(%1)";
     const job::Plan plan = planOf("T7 M6\nG28 Z0.\n", gcode::Dialect::Fanuc, profile);
     QCOMPARE(text(test::printParts(plan)),
-             QStringLiteral("native 1 tool TC(7) | native 2 retract G75 Z1=0\nD1"));
+             QStringLiteral("native 1 tool TC(7)\nD0 | native 2 retract G75 Z1=0\nD0"));
   }
 
   /// A rotary axis goes home as well.
@@ -537,16 +575,17 @@ class TestSplitter : public QObject {
   /// Between G41 and G40 the control moves, with arcs to their centres.
   void compensationOfIso() {
     const job::Plan plan = planOf(
-        "T3 M6\nG0 G90 X0. Y0. Z2.\nG1 Z-1. F100.\nG41 D13 X10. Y0.\nX20. M8\n"
+        "T3 M6\nG43 H3\nG0 G90 X0. Y0. Z2.\nG1 Z-1. F100.\nG41 D13 X10. Y0.\nX20. M8\n"
         "G3 X30. Y10. R10.\nG40 G1 X40.\nG0 Z2.\n",
         gcode::Dialect::Fanuc);
     QCOMPARE(refusals(plan), QString());
     QCOMPARE(text(test::printParts(plan)),
-             QStringLiteral("native 1 tool T3 M6 | stretch 1 2-3: 2 points from ? | native 4 "
-                            "radius-compensation G41\nG1 X10 F100 | native 5 radius-compensation "
-                            "M8\nG1 X20 F100 | native 6 radius-compensation G3 X30 Y10 I=AC(20) "
-                            "J=AC(10) F100 | native 7 radius-compensation G40\nG1 X40 F100 | "
-                            "stretch 2 8: 1 point"));
+             QStringLiteral("native 1 tool T3 M6\nD0 | native 2 tool D1 | stretch 1 3-4: 2 points "
+                            "from ? | native 5 "
+                            "radius-compensation G41\nG1 X10 F100 | native 6 radius-compensation "
+                            "M8\nG1 X20 F100 | native 7 radius-compensation G3 X30 Y10 I=AC(20) "
+                            "J=AC(10) F100 | native 8 radius-compensation G40\nG1 X40 F100 | "
+                            "stretch 2 9: 1 point"));
   }
 
   void incrementsFromUnknownPosition() {

@@ -6,7 +6,6 @@
 /// a header with these two functions. @threadsafety pure.
 #pragma once
 
-#include <cstddef>
 #include <initializer_list>
 #include <span>
 #include <string_view>
@@ -16,36 +15,33 @@
 
 namespace rivulet::nc {
 
-using NameTable = std::unordered_map<std::string_view, NameEffect>;
-
-struct MFunction {
-  int number = 0;
-  MEffect effect = MEffect::None;
+/// A word that is a name.
+struct NameRow {
+  NameEffect effect = NameEffect::Unknown;
+  std::string_view source;  ///< manual, and its chapter
 };
 
-struct DialectWords {
-  GTable g{};
-  std::span<const MFunction> m;
-  NameTable names;
-};
-
-/// Marks functions of a table, by key; what is marked later wins.
-class GMarks {
+class NameTable {
  public:
-  explicit GMarks(GTable& table) : m_table(table) {}
-  void operator()(GEffect effect, std::initializer_list<int> keys) const {
-    for (const int key : keys) {
-      m_table[static_cast<std::size_t>(key)] = effect;
+  void add(NameEffect effect, std::string_view source,
+           std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) {
+      m_rows.emplace(name, NameRow{effect, source});
     }
+  }
+  [[nodiscard]] NameEffect effect(std::string_view name) const {
+    const auto found = m_rows.find(name);
+    return found == m_rows.end() ? NameEffect::Unknown : found->second.effect;
   }
 
  private:
-  GTable& m_table;
+  std::unordered_map<std::string_view, NameRow> m_rows;
 };
 
-/// G functions that mean the same in all dialects.
-void markCommon(const GMarks& mark);
-/// M functions that mean the same in all dialects.
-[[nodiscard]] std::span<const MFunction> commonMFunctions();
+struct DialectWords {
+  GTable g;
+  std::span<const MRow> m;
+  NameTable names;
+};
 
 }  // namespace rivulet::nc

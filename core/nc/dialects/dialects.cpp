@@ -42,22 +42,24 @@ const GTable& gTable(Dialect dialect) {
   return wordsOf(dialect).g;
 }
 
+std::span<const MRow> mFunctions(Dialect dialect) {
+  return wordsOf(dialect).m;
+}
+
+const MRow* mFunction(Dialect dialect, int number) {
+  const std::span<const MRow> rows = mFunctions(dialect);
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [number](const MRow& row) { return row.number == number; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
 MEffect mEffect(Dialect dialect, int number) {
-  for (const std::span<const MFunction> functions : {wordsOf(dialect).m, commonMFunctions()}) {
-    const auto found =
-        std::find_if(functions.begin(), functions.end(),
-                     [number](const MFunction& each) { return each.number == number; });
-    if (found != functions.end()) {
-      return found->effect;
-    }
-  }
-  return MEffect::None;
+  const MRow* const row = mFunction(dialect, number);
+  return row == nullptr ? MEffect::None : row->effect;
 }
 
 NameEffect nameEffect(Dialect dialect, std::string_view name) {
-  const NameTable& names = wordsOf(dialect).names;
-  const auto found = names.find(name);
-  return found == names.end() ? NameEffect::Unknown : found->second;
+  return wordsOf(dialect).names.effect(name);
 }
 
 }  // namespace rivulet::nc

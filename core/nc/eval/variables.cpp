@@ -218,8 +218,8 @@ Expected<void> Variables::assign(const Assignment& assignment) {
   const Expression& target = assignment.target;
   if (assignment.reference != Reference::Modal) {
     // Only the coordinate of an axis counts from somewhere.
-    const bool isAbsolute = assignment.reference == Reference::Absolute;
-    return fail(FaultCode::NameUnknown, isAbsolute ? "AC" : "IC", target.place);
+    const bool isIncrement = assignment.reference == Reference::Incremental;
+    return fail(FaultCode::NameUnknown, isIncrement ? "IC" : "AC", target.place);
   }
   if (target.op == Op::Variable && binding(target.name) != nullptr) {
     const Binding& bound = *binding(target.name);

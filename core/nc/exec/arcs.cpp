@@ -32,9 +32,9 @@ void Executor::moveArc(const BlockWords& words, Vec3 target, Move move) {
   if (m_state.feedMode == FeedMode::InverseTime && words.feed != nullptr) {
     // How long an ellipse is, is not known in advance.
     const Frame& frame = m_position.frame;
-    move.feedMmPerS = frame.keepsCircles()
-                          ? arcLength(*arc) * frame.stretchMax() * words.feed->value / 60.0
-                          : 0.0;
+    move.feedMmPerS = frame.keepsCircles() ? arcLength(*arc) * frame.stretchMax() *
+                                                 words.feed->value / 60.0 * m_state.feedOverride
+                                           : 0.0;
   }
   m_to.path.arc(m_position, *arc, move);
   const SpaceArc turn = inSpace(*arc);
@@ -78,6 +78,14 @@ std::optional<Arc> Executor::arcOf(const BlockWords& words, Vec3 target) {
 bool Executor::takeTurns(const BlockWords& words, Arc& arc) {
   const NamedWord* const turns = words.named("TURN");
   if (turns == nullptr) {
+    // P1 is the arc alone.
+    if (m_language.hasTurnsInP && words.p) {
+      if (!(*words.p >= 1.0 && *words.p <= kTurnsMax && *words.p == std::floor(*words.p))) {
+        error(words, FaultCode::ValueOutOfRange, "P");
+        return false;
+      }
+      arc.turns = static_cast<int>(*words.p) - 1;
+    }
     return true;
   }
   if (!(turns->value >= 0.0 && turns->value <= kTurnsMax &&
@@ -92,16 +100,18 @@ bool Executor::takeTurns(const BlockWords& words, Arc& arc) {
 ArcWords Executor::arcWordsOf(const BlockWords& words) const {
   ArcWords given;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (words.hasCentre[axis]) {
-      given.centre[axis] = words.centre[axis];
-      given.centreIsAbsolute[axis] = words.centreIsAbsolute[axis];
+    if (words.centre.has(axis)) {
+      given.centre[axis] = words.centre.value[axis];
+      const Reference from = words.centre.reference[axis];
+      given.centreIsAbsolute[axis] =
+          from == Reference::Absolute || (from == Reference::Modal && m_state.centreIsAbsolute);
     }
   }
   if (words.hasRadius) {
     given.radius = words.radius;
   }
   given.endIsGiven =
-      words.axes.given[m_state.planeFirstAxis] || words.axes.given[m_state.planeSecondAxis()];
+      words.axes.has(m_state.planeFirstAxis) || words.axes.has(m_state.planeSecondAxis());
   if (const NamedWord* const angle = words.named("AR")) {
     given.degrees = angle->value;
   }
@@ -147,8 +157,8 @@ bool Executor::toMillimetres(const BlockWords& words, ArcWords& given) {
       return false;
     }
     // I=AC() is a diameter where X is one; an increment, and G90.1, is not.
-    const bool isDiameter =
-        m_state.diameter && axis == 0 && words.centreIsAbsolute[axis] && !m_state.centreIsAbsolute;
+    const bool isDiameter = m_state.diameter && axis == 0 && words.centre.has(axis) &&
+                            words.centre.reference[axis] == Reference::Absolute;
     *given.centre[axis] *= isDiameter ? m_state.lengthFactor / 2.0 : m_state.lengthFactor;
   }
   if (given.radius) {
@@ -164,7 +174,7 @@ bool Executor::toMillimetres(const BlockWords& words, ArcWords& given) {
 bool Executor::startIsKnown(const BlockWords& words) {
   const std::size_t third = m_state.planeThirdAxis();
   for (const std::size_t axis : {m_state.planeFirstAxis, m_state.planeSecondAxis(), third}) {
-    const bool needed = axis != third || words.axes.given[third];
+    const bool needed = axis != third || words.axes.has(third);
     if (needed && std::isnan(m_position.programmedMm[axis])) {
       error(words, FaultCode::ArcFromUnknownPosition, std::string(1, base::kAxisNames[axis]));
       return false;
@@ -177,7 +187,7 @@ bool Executor::startIsKnown(const BlockWords& words) {
 void Executor::ignoreCentreAcross(const BlockWords& words, ArcWords& given) {
   const std::size_t third = m_state.planeThirdAxis();
   if (m_language.ignoresCentreAcross && given.centre[third].value_or(0.0) != 0.0 &&
-      words.axes.given[third]) {
+      words.axes.has(third)) {
     const Token& token = *words.centreTokens[third];
     m_to.faults.report(Severity::Warning, token.column, FaultCode::CentreOutsidePlane,
                        std::string(token.text));
@@ -231,7 +241,7 @@ void Executor::moveSpaceArc(const BlockWords& words, Vec3 target, const Move& mo
     bool given = false;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (const NamedWord* const word = words.named(kNames[axis])) {
-        const bool isIncrement = word->isIncrement || m_state.relative;
+        const bool isIncrement = isIncremental(*word);
         middle.set(axis, word->value * m_state.lengthFactor + (isIncrement ? from[axis] : 0.0));
         given = true;
       }

@@ -206,12 +206,25 @@ void BlockReader::readAssignment(const Token& token, BlockWords& words) {
         }
         return;
       }
+      case NameEffect::BlockFeed:
+      case NameEffect::Override:
+      case NameEffect::OtherOverride:
+      case NameEffect::SpeedLimit: {
+        if (const std::optional<double> value = numberOf(token)) {
+          Token computed = token;
+          computed.value = *value;
+          m_calculated.push_back(computed);
+          readFeedName(nameEffect(m_language.dialect, name), m_calculated.back(), name, words);
+        }
+        return;
+      }
       case NameEffect::None:
       case NameEffect::Dynamics:
       case NameEffect::Rounding:
         m_to.faults.ignore(token, name);
         return;
       case NameEffect::Mode:
+      case NameEffect::Feed:
       case NameEffect::TakesBlock:
         m_to.faults.error(token, FaultCode::UnsupportedGCode, name);
         return;
@@ -311,6 +324,9 @@ void BlockReader::readWord(const Token& token, BlockWords& words) {
       &BlockReader::readAxis,    // Y
       &BlockReader::readAxis,    // Z
   };
+  if (token.reference == Reference::Vacant) {
+    return;
+  }
   const char address = token.address;
   const auto letter = static_cast<std::size_t>(address - 'A');
   if (letter >= kLetters.size()) {
@@ -347,12 +363,8 @@ void BlockReader::noteColumn(const Token& token, BlockWords& words) {
 
 void BlockReader::readAxis(const Token& token, BlockWords& words) {
   const std::size_t axis = axisOf(token.address);
-  words.axes.value[axis] = token.value;
-  words.axes.given[axis] = true;
-  words.axes.isIncrement[axis] = token.reference == Reference::Modal
-                                     ? m_state.relative
-                                     : token.reference == Reference::Incremental;
-  words.hasOwnMode[axis] = token.reference != Reference::Modal;
+  words.axes.set(axis, token.value, token.reference);
+  words.axes.relative = m_state.relative;
   words.axisTokens[axis] = &token;
   noteColumn(token, words);
 }
@@ -376,9 +388,7 @@ void BlockReader::readFurtherAxis(const Token& token, BlockWords& words) {
 
 void BlockReader::readCentre(const Token& token, BlockWords& words) {
   const auto axis = static_cast<std::size_t>(token.address - 'I');
-  words.centre[axis] = token.value;
-  words.hasCentre[axis] = true;
-  words.centreIsAbsolute[axis] = m_state.centreIsAbsolute || token.reference == Reference::Absolute;
+  words.centre.set(axis, token.value, token.reference);
   words.centreTokens[axis] = &token;
   noteColumn(token, words);
 }
@@ -406,8 +416,6 @@ void BlockReader::readMachineWord(const Token& token, BlockWords& words) {
   m_to.faults.ignoreLetter(token);
   if (token.address == 'S') {
     words.spindle = &token;
-    words.spindleBefore = m_state.spindlePerMin;
-    m_state.spindlePerMin = token.value;
     m_to.path.machineWord(MachineWord::Spindle, token.value, words.line);
   } else if (token.address == 'T') {
     m_to.path.machineWord(MachineWord::Tool, token.value, words.line);
@@ -415,6 +423,7 @@ void BlockReader::readMachineWord(const Token& token, BlockWords& words) {
       m_to.words.forget(2);
     }
   } else if (token.address == 'D') {
+    words.edge = &token;
     m_to.path.machineWord(MachineWord::Edge, token.value, words.line);
   }
 }
@@ -444,7 +453,7 @@ void BlockReader::readPolarSign(const Token& token, BlockWords& words) {
     refuseWord(token, words);
     return;
   }
-  words.rareWords().named[token.address == '@' ? "RP" : "AP"] = {token.value, false};
+  words.rareWords().named[token.address == '@' ? "RP" : "AP"] = {token.value, token.reference};
   noteColumn(token, words);
 }
 

@@ -71,12 +71,13 @@ class BlockReader {
   // G and M functions.
   void readG(const Token& token, BlockWords& words);
   void readM(const Token& token, BlockWords& words);
-  void readG(GEffect effect, int key, const Token& token, BlockWords& words);
-  void readBlockG(GEffect effect, int key, const Token& token, BlockWords& words);
+  void readG(const GRow& row, const Token& token, BlockWords& words);
+  void readBlockG(const GRow& row, const Token& token, BlockWords& words);
   void setFeedMode(FeedMode mode);
-  void setModal(int& slot, int key, const Token& token);
-  void readDistance(int key, const Token& token, BlockWords& words);
-  void readBlockEnd(int key, const Token& token, BlockWords& words);
+  void setModal(const GRow*& slot, const GRow& row, const Token& token);
+  void readDistance(const GRow& row, const Token& token, BlockWords& words);
+  void readSpindleMode(const GRow& row, const Token& token, BlockWords& words);
+  void readBlockEnd(const GRow& row, const Token& token, BlockWords& words);
   void readForeignMotion(GEffect effect, const Token& token, BlockWords& words);
   void readTurningCycle(const Token& token, BlockWords& words);
 
@@ -84,6 +85,9 @@ class BlockReader {
   void readName(const Token& token, BlockWords& words);
   void readNamedAddress(const Token& token, const std::string& name, BlockWords& words);
   void setNamed(const std::string& name, const Token& token, BlockWords& words);
+  void readFeedGroup(const Token& token, const std::string& name);
+  void readFeedName(NameEffect effect, const Token& token, const std::string& name,
+                    BlockWords& words);
   void readUnknownName(const Token& token, BlockWords& words);
   void readCycle(const Token& token, const std::string& name, BlockWords& words);
   void readKlartextCycle(const Token& token);

@@ -15,6 +15,23 @@
 
 namespace rivulet::nc {
 
+namespace {
+
+Motion motionOf(G function) {
+  switch (function) {
+    case G::Rapid:
+      return Motion::Rapid;
+    case G::Line:
+      return Motion::Line;
+    case G::ArcClockwise:
+      return Motion::ArcClockwise;
+    default:
+      return Motion::ArcCounter;
+  }
+}
+
+}  // namespace
+
 Executor::Executor(const Language& language, const ExecutorOptions& options, Variables& variables,
                    Sinks to)
     : m_language(language),
@@ -38,7 +55,7 @@ void Executor::execute(BlockWords& words) {
   if (words.foreignMotion) {
     finishCurve();
   }
-  if (words.latheKey >= 0 && words.latheKey != 910 && words.motionKey < 0 && words.movesLinear()) {
+  if (words.turning != nullptr && words.motion == nullptr && words.movesLinear()) {
     executeTurningCycle(words);
   }
   setModes(words);
@@ -51,6 +68,9 @@ void Executor::execute(BlockWords& words) {
   }
   if (m_options.knowsMachineCoordinates) {
     takeZero();
+  }
+  if (words.spindle != nullptr || words.rare) {
+    setSpindle(words);
   }
   if (words.rare) {
     executeRare(words);
@@ -79,8 +99,10 @@ void Executor::leaveOutMissingAxes(BlockWords& words) const {
   for (std::size_t axis = kFirstRotary; axis < kProgrammedAxisCount; ++axis) {
     const bool exists = axis < kFirstFurther ? m_options.rotaryAxes[axis - kFirstRotary]
                                              : m_options.refusesFurtherAxes;
-    words.axes.given[axis] = words.axes.given[axis] && exists;
-    words.hasRotary = words.hasRotary || words.axes.given[axis];
+    if (!exists) {
+      words.axes.remove(axis);
+    }
+    words.hasRotary = words.hasRotary || words.axes.has(axis);
   }
   const bool isFurther = words.parameter != nullptr && words.parameter->address == 'U';
   if (isFurther && !m_options.refusesFurtherAxes) {
@@ -91,7 +113,7 @@ void Executor::leaveOutMissingAxes(BlockWords& words) const {
 /// G90 X Z and G94 X Z of a lathe go along a rectangle; with G0 to G3 they are what they are on
 /// a mill.
 void Executor::executeTurningCycle(BlockWords& words) {
-  error(words, FaultCode::CycleNotRun, fmt::format("G{}", words.latheKey / 10));
+  error(words, FaultCode::CycleNotRun, fmt::format("G{}", words.turning->key / 10));
   m_to.words.foreignMotion();
   words.taken = true;
 }
@@ -99,7 +121,8 @@ void Executor::executeTurningCycle(BlockWords& words) {
 bool Executor::hasUnusedParameter(const BlockWords& words) const {
   if (words.parameter == nullptr || words.dwell || words.tolerance || words.taken ||
       m_state.motion == Motion::Unsupported || m_state.motion == Motion::CubicSpline ||
-      m_state.motion == Motion::Nurbs) {
+      m_state.motion == Motion::Nurbs || words.takesParameter ||
+      (m_language.hasTurnsInP && isPlaneArc(m_state.motion) && words.parameter->address == 'P')) {
     return false;
   }
   return !words.rare || !(words.rare->call98 || words.rare->workOffsetToken != nullptr ||
@@ -107,50 +130,113 @@ bool Executor::hasUnusedParameter(const BlockWords& words) const {
 }
 
 void Executor::setModes(const BlockWords& words) {
-  if (words.unitsKey >= 0) {
-    const bool inches = words.unitsKey == 200 || words.unitsKey == 700 || words.unitsKey == 7000;
-    const bool lengthsOnly = words.unitsKey == 700 && m_language.inchesOfLengthsOnly;
+  if (words.units != nullptr) {
+    const G units = words.units->function;
+    const bool inches = units == G::Inches || units == G::InchesOfLengths;
     m_state.lengthFactor = inches ? base::kMmPerInch : 1.0;
-    m_state.feedFactor = lengthsOnly ? 1.0 : m_state.lengthFactor;
+    m_state.feedFactor = units == G::InchesOfLengths ? 1.0 : m_state.lengthFactor;
     m_to.words.units(inches);
   }
-  if (words.planeKey >= 0) {
-    m_state.planeFirstAxis = words.planeKey == 170 ? 0 : (words.planeKey == 180 ? 2 : 1);
+  if (words.plane != nullptr) {
+    const G plane = words.plane->function;
+    m_state.planeFirstAxis = plane == G::PlaneXY ? 0 : (plane == G::PlaneZX ? 2 : 1);
   }
-  if (words.motionKey >= 0) {
+  if (words.motion != nullptr) {
     finishCurve();
-    m_state.motion = static_cast<Motion>(words.motionKey / 10);
+    m_state.motion = motionOf(words.motion->function);
   }
-  if (words.blockEndKey >= 0) {
-    setBlockEnd(words.blockEndKey);
+  if (words.blockEnd != nullptr) {
+    setBlockEnd(words.blockEnd->function);
   }
-  if (words.compensationKey >= 0) {
+  if (words.compensationMode != nullptr) {
     setCompensation(words);
   }
 }
 
 /// Whoever takes the path offsets it.
 void Executor::setCompensation(const BlockWords& words) {
-  if (words.compensationKey != 400 && !m_options.compensatesRadius) {
+  const G mode = words.compensationMode->function;
+  if (mode != G::CompensationOff && !m_options.compensatesRadius) {
     m_to.faults.error(*words.compensation, FaultCode::UnsupportedGCode,
                       wordText(*words.compensation));
     return;
   }
-  m_state.compensationSide = words.compensationKey == 400   ? 0
-                             : words.compensationKey == 410 ? 1
-                                                            : -1;
+  m_state.compensationSide = mode == G::CompensationOff ? 0 : mode == G::CompensationLeft ? 1 : -1;
 }
 
-void Executor::setBlockEnd(int key) {
-  constexpr std::array kExactStops{600, 610, 611};
-  constexpr int kByDistance = 6410;
-  constexpr int kAccuracy = 1870;  // G187 of Haas: how closely, not whether
-  if (key == kAccuracy) {
+void Executor::setBlockEnd(G function) {
+  const bool stops = function == G::ExactStop || function == G::ExactPath;
+  m_state.blockEnd = stops ? BlockEnd::ExactStop : BlockEnd::Rounded;
+  m_state.rounding =
+      function == G::ContinuousByDistance ? RoundingKind::Distance : RoundingKind::Deviation;
+}
+
+/// What S means, and its value.
+void Executor::setSpindle(const BlockWords& words) {
+  if (words.dwell) {
+    return;  // turns of the spindle
+  }
+  if (words.rare && words.rare->speedMax != nullptr) {
+    m_state.surfaceSpeedPerMinMax = words.rare->speedMax->value;
+  }
+  if (words.rare && words.rare->spindleMode != nullptr) {
+    const G mode = words.rare->spindleMode->function;
+    const bool isSurface = mode == G::SurfaceSpeed || mode == G::SurfaceSpeedPerMinute ||
+                           mode == G::SurfaceSpeedPerRevolution;
+    if (isSurface != m_state.constantSurfaceSpeed) {
+      m_state.constantSurfaceSpeed = isSurface;
+      m_state.spindlePerMin = 0.0;
+      m_state.surfaceMmPerMin = 0.0;
+    }
+    if (isSurface && words.edge != nullptr && m_language.speedLimitIsD) {
+      m_state.surfaceSpeedPerMinMax = words.edge->value;
+    }
+  }
+  if (words.spindle == nullptr) {
     return;
   }
-  const bool stops = std::find(kExactStops.begin(), kExactStops.end(), key) != kExactStops.end();
-  m_state.blockEnd = stops ? BlockEnd::ExactStop : BlockEnd::Rounded;
-  m_state.rounding = key == kByDistance ? RoundingKind::Distance : RoundingKind::Deviation;
+  const double speed = words.spindle->value;
+  const bool isLimit =
+      words.rare && words.taken &&
+      (words.rare->offset == GEffect::SetPosition || words.rare->offset == GEffect::ScaleOff);
+  if (isLimit) {  // G50 S, G92 S of Fanuc
+    m_state.surfaceSpeedPerMinMax = speed;
+  } else if (m_state.constantSurfaceSpeed) {
+    // Metres a minute, or feet.
+    constexpr double kMmPerM = 1000.0;
+    constexpr double kInchesPerFoot = 12.0;
+    const bool inches = m_state.feedFactor != 1.0;
+    m_state.surfaceMmPerMin = speed * (inches ? base::kMmPerInch * kInchesPerFoot : kMmPerM);
+  } else {
+    m_state.spindlePerMin = std::min(speed, m_options.spindlePerMinMax);
+  }
+}
+
+/// Of the move to a place; 0: not known. With a cutting speed it follows from the diameter, and
+/// where that changes along a move, one feed does not describe it.
+double Executor::spindlePerMin(const BlockWords& words, base::Vec3 target) {
+  if (!m_state.constantSurfaceSpeed) {
+    return m_state.spindlePerMin;
+  }
+  constexpr double kSameMm = 1e-9;
+  const double radiusMm = std::abs(target.x);
+  const double perMin = m_state.surfaceMmPerMin / (2.0 * std::acos(-1.0) * radiusMm);
+  const double before =
+      m_state.surfaceMmPerMin / (2.0 * std::acos(-1.0) * std::abs(m_position.programmedMm.x));
+  const double limit = m_state.surfaceSpeedPerMinMax;
+  const auto limited = [this, limit](double speed) {
+    return std::min(limit > 0.0 ? std::min(speed, limit) : speed, m_options.spindlePerMinMax);
+  };
+  const bool isConstant = std::abs(m_position.programmedMm.x - target.x) <= kSameMm ||
+                          limited(before) == limited(perMin);
+  const bool isOneDiameter = isConstant && !isPlaneArc(m_state.motion);
+  if (!isOneDiameter || !std::isfinite(limited(perMin)) || !(m_state.surfaceMmPerMin > 0.0)) {
+    if (m_state.motion != Motion::Rapid) {
+      error(words, FaultCode::UnsupportedGCode, "G96");
+    }
+    return 0.0;
+  }
+  return limited(perMin);
 }
 
 /// What must happen before the axes of the block are read.
@@ -174,15 +260,15 @@ void Executor::executeRare(BlockWords& words) {
   if (const NamedWord* const degree = words.named("SD")) {
     m_splineDegree = degree->value >= 2.0 && degree->value < 3.0 ? 2 : 3;
   }
-  if (rare.splineKey >= 0) {
-    selectSpline(rare.splineKey);
+  if (rare.spline != nullptr) {
+    selectSpline(rare.spline->function);
   }
   if (rare.workOffsetToken != nullptr && !words.p) {
     m_to.faults.error(*rare.workOffsetToken, FaultCode::NumberMissing, "P");
   } else if (rare.workOffsetToken != nullptr) {
-    m_reader.selectWorkOffset(rare.workOffsetKey, *rare.workOffsetToken, *words.p);
+    m_reader.selectWorkOffset(rare.workOffset->key, *rare.workOffsetToken, *words.p);
   }
-  if (rare.poleKey >= 0) {
+  if (rare.pole != nullptr) {
     setPole(words);
   }
   if (!rare.frame.empty()) {
@@ -191,22 +277,22 @@ void Executor::executeRare(BlockWords& words) {
   if (rare.offset != GEffect::None) {
     setOffset(words);
   }
+  if (rare.savedState != MEffect::None) {
+    changeSavedState(words);
+  }
 }
 
 /// X, F, P and U of a dwell are times, S turns of the spindle; what else it names would be lost.
 void Executor::executeDwell(const BlockWords& words) {
   for (std::size_t axis = 1; axis < base::kAxisCount; ++axis) {
-    if (words.axes.given[axis]) {
+    if (words.axes.has(axis)) {
       m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);
     }
   }
   rejectArcWords(words);
   double seconds = kUnknown;
-  if (words.spindle != nullptr) {
-    m_state.spindlePerMin = words.spindleBefore;
-    if (words.spindleBefore > 0.0) {
-      seconds = words.spindle->value * 60.0 / words.spindleBefore;
-    }
+  if (words.spindle != nullptr && m_state.spindlePerMin > 0.0) {
+    seconds = words.spindle->value * 60.0 / m_state.spindlePerMin;
   }
   if (words.feed != nullptr) {
     seconds = words.feed->value;
@@ -214,9 +300,9 @@ void Executor::executeDwell(const BlockWords& words) {
     // Fanuc counts milliseconds where there is no point, RS-274/NGC seconds.
     const bool milliseconds = m_language.dwellInMilliseconds && !words.parameter->hasPoint;
     seconds = milliseconds ? *words.p / 1000.0 : *words.p;
-  } else if (words.axes.given[0]) {
+  } else if (words.axes.has(0)) {
     seconds = words.axes.value[0];
-  } else if (words.axes.given[kFirstFurther]) {
+  } else if (words.axes.has(kFirstFurther)) {
     seconds = words.axes.value[kFirstFurther];
   }
   m_to.path.machineWord(MachineWord::Dwell, seconds, words.line);
@@ -227,7 +313,7 @@ void Executor::rejectArcWords(const BlockWords& words) {
     m_to.faults.error(*words.radiusToken, FaultCode::UnknownWord);
   }
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (words.hasCentre[axis]) {
+    if (words.centre.has(axis)) {
       m_to.faults.error(*words.centreTokens[axis], FaultCode::UnknownWord);
     }
   }
@@ -244,13 +330,13 @@ void Executor::setFeed(const BlockWords& words) {
   if (m_state.feedMode == FeedMode::PerRevolution) {
     m_state.feedMmPerRev = feed * m_state.feedFactor;
     m_state.feedDegPerRev = feed;
-    mmPerMin = m_state.feedMmPerRev * m_state.spindlePerMin;
+    mmPerMin = m_state.feedMmPerRev * (m_state.constantSurfaceSpeed ? 0.0 : m_state.spindlePerMin);
   } else if (m_state.feedMode != FeedMode::PerMinute) {
     return;  // known block by block, or not at all
   }
   // A SINUMERIK refuses such a number; others move as fast as the machine can.
   constexpr double kReducedMmPerMinMax = 1e9;
-  const bool reduces = m_language.dialect != Dialect::Sinumerik;
+  const bool reduces = !m_language.refusesLargeFeeds;
   if (!(mmPerMin <= (reduces ? kReducedMmPerMinMax : kCoordinateMmMax))) {
     m_to.faults.error(*words.feed, FaultCode::ValueOutOfRange);
     return;
@@ -259,6 +345,101 @@ void Executor::setFeed(const BlockWords& words) {
   m_state.feedMmPerS = base::mmPerSFromMmPerMin(mmPerMin);
   m_state.feedDegPerS = feed / 60.0;
   m_state.feedIsDefault = false;
+}
+
+// --- saved state --------------------------------------------------------------------------------
+
+SavedState Executor::save() {
+  finishCurve();
+  return {m_state, m_position.frame};
+}
+
+void Executor::restore(const SavedState& saved) {
+  finishCurve();
+  const ModalState now = m_state;
+  const base::Vec3 before = m_position.programmedMm;
+  m_state = saved.modal;
+  // Where the tool is, and what belongs to it or to the machine, is no setting.
+  m_state.incrementFrom = now.incrementFrom;
+  m_state.workOffsetMm = now.workOffsetMm;
+  m_state.toolLengthMm = now.toolLengthMm;
+  m_state.tipWord = now.tipWord;
+  m_state.isModulo = now.isModulo;
+  m_state.poleMm = now.poleMm;
+  m_state.polarRadiusMm = now.polarRadiusMm;
+  m_state.polarDegrees = now.polarDegrees;
+  m_state.roundingMm = now.roundingMm;
+  if (m_language.savesFeedAndSpeed) {
+    // M70 of RS-274: feed and speed, and no motion.
+    m_state.motion = now.motion;
+    m_state.motionBeforeUnsupported = now.motionBeforeUnsupported;
+    m_state.motionAssumed = now.motionAssumed;
+    m_state.motionNamed = now.motionNamed;
+    m_state.baseFrame = now.baseFrame;
+    m_state.rotaryOffset = now.rotaryOffset;
+    if (m_state.workOffset != now.workOffset) {
+      m_frameOffset = m_state.workOffset;
+      makeBaseFrame();
+    }
+  } else {
+    m_state.spindlePerMin = now.spindlePerMin;
+    m_state.surfaceMmPerMin = now.surfaceMmPerMin;
+    m_state.surfaceSpeedPerMinMax = now.surfaceSpeedPerMinMax;
+    m_state.feedOverride = now.feedOverride;
+    // F is no G function; its number keeps its meaning only where that is still the same.
+    if (now.feedMode == saved.modal.feedMode && now.feedFactor == saved.modal.feedFactor) {
+      m_state.feedMmPerS = now.feedMmPerS;
+      m_state.feedDegPerS = now.feedDegPerS;
+      m_state.feedIsDefault = now.feedIsDefault;
+      m_state.feedMmPerRev = now.feedMmPerRev;
+      m_state.feedDegPerRev = now.feedDegPerRev;
+    }
+    m_position.setFrame(saved.frame);
+    keepIncrements(before);
+  }
+  m_to.words.forget(std::nullopt);
+  m_to.words.units(m_state.lengthFactor != 1.0);
+}
+
+void Executor::enterCall(bool saves) {
+  SavedCall& call = m_calls.emplace_back();
+  if (saves) {
+    call.saved = std::make_unique<const SavedState>(save());
+    call.restoresOnReturn = true;
+  }
+}
+
+void Executor::leaveCall() {
+  if (m_calls.size() <= 1) {
+    return;
+  }
+  const SavedCall call = std::move(m_calls.back());
+  m_calls.pop_back();
+  if (call.saved && call.restoresOnReturn) {
+    restore(*call.saved);
+  }
+}
+
+/// M70 to M73.
+void Executor::changeSavedState(const BlockWords& words) {
+  SavedCall& call = m_calls.back();
+  switch (words.rare->savedState) {
+    case MEffect::SaveState:
+    case MEffect::SaveUntilReturn:
+      call.saved = std::make_unique<const SavedState>(save());
+      call.restoresOnReturn = words.rare->savedState == MEffect::SaveUntilReturn;
+      break;
+    case MEffect::ForgetState:
+      call.saved.reset();
+      break;
+    default:
+      if (!call.saved) {
+        m_to.faults.error(*words.rare->savedStateToken, FaultCode::UnsupportedGCode, "M72");
+      } else {
+        restore(*call.saved);
+      }
+      break;
+  }
 }
 
 }  // namespace rivulet::nc

@@ -8,7 +8,9 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,10 +36,19 @@ struct ExecutorOptions {
   /// Where the zero of the workpiece lies in the machine; else a move in its coordinates is left
   /// out.
   bool knowsMachineCoordinates = false;
+  /// Of the machine: S beyond it is cut down to it.
+  double spindlePerMinMax = std::numeric_limits<double>::infinity();
   bool compensatesRadius = false;  ///< else G41 and G42 are refused
   bool knowsWorkOffsets = false;   ///< else the one active at the control holds for the whole path
   std::map<int, base::Vec3> workOffsetsMm{};  ///< by key of G54 to G599; none: zero
   std::map<int, base::Vec3> fixedPointsMm{};  ///< of G75, by number, machine coordinates
+};
+
+/// The settings that a subprogram can bring back when it returns: G functions, units, plane, work
+/// offset, programmable frame. What else it takes along is a matter of the dialect.
+struct SavedState {
+  ModalState modal;
+  Frame frame;
 };
 
 class Executor {
@@ -58,11 +69,24 @@ class Executor {
   /// Where a block names a place across the tool: the tool's own axis stays. For a cycle, whose
   /// words the executor does not carry out.
   [[nodiscard]] base::Vec3 placeInPlane(BlockWords words) {
-    words.axes.given[m_state.planeThirdAxis()] = false;
+    words.axes.remove(m_state.planeThirdAxis());
     return targetOf(words);
+  }
+  /// Of a coordinate or offset that may be a diameter.
+  [[nodiscard]] double radiusMm(const BlockWords& words, std::size_t axis) const {
+    const bool isDiameter = axis == 0 && m_state.diameter &&
+                            (m_state.diameterIncrements || !words.axes.isIncrement(axis));
+    return isDiameter ? lengthMm(words, axis) / 2.0 : lengthMm(words, axis);
   }
   /// The programmed feed along the path; 0: none, or it is not known without a block.
   [[nodiscard]] double feedMmPerS() const;
+  /// Ends a curve in progress.
+  [[nodiscard]] SavedState save();
+  void restore(const SavedState& saved);
+  /// A subprogram begins. @param saves  PROC … SAVE: its return brings the present state back
+  void enterCall(bool saves);
+  /// It returns. Brings back what SAVE or M73 has saved.
+  void leaveCall();
   /// Ends a curve that goes over several blocks.
   void finishCurve();
   /// From 1, as RS-274 counts them: G54 to G59.3. G54 is in force from the beginning.
@@ -75,7 +99,10 @@ class Executor {
   // executor.cpp: the order within a block.
   void leaveOutMissingAxes(BlockWords& words) const;
   void setModes(const BlockWords& words);
-  void setBlockEnd(int key);
+  void setBlockEnd(G function);
+  void setSpindle(const BlockWords& words);
+  [[nodiscard]] double spindlePerMin(const BlockWords& words, base::Vec3 target);
+  void changeSavedState(const BlockWords& words);
   void setCompensation(const BlockWords& words);
   void executeRare(BlockWords& words);
   void executeTurningCycle(BlockWords& words);
@@ -110,9 +137,12 @@ class Executor {
   [[nodiscard]] base::Vec3 targetOf(const BlockWords& words);
   [[nodiscard]] double coordinate(const BlockWords& words, std::size_t axis, base::Vec3 from);
   void takePolarWords(const BlockWords& words, base::Vec3 from, base::Vec3& target);
+  void takePolarPlane(const BlockWords& words, base::Vec3 from, base::Vec3& target);
   void setPolar(base::Vec3& target) const;
   [[nodiscard]] Move moveOf(const BlockWords& words, base::Vec3 target);
   void takeRotary(const BlockWords& words, Move& move);
+  [[nodiscard]] std::optional<double> rotaryTarget(const BlockWords& words, std::size_t axis);
+  void takeBlockFeed(const BlockWords& words, base::Vec3 target, Move& move);
   void takeDirection(const BlockWords& words, Move& move);
   void noteRotary(std::size_t axis, double degrees, int column);
   void noteMissingFeed(const BlockWords& words);
@@ -134,7 +164,7 @@ class Executor {
   void moveSpaceArc(const BlockWords& words, base::Vec3 target, const Move& move);
 
   // splines.cpp
-  void selectSpline(int key);
+  void selectSpline(G function);
   void takeKnot(const BlockWords& words);
   void addControlPoint(const BlockWords& words, base::Vec3 target, const Move& move);
   [[nodiscard]] double weightOf(const BlockWords& words);
@@ -147,6 +177,10 @@ class Executor {
   [[nodiscard]] double lengthMm(const BlockWords& words, std::size_t axis) const {
     return words.axes.value[axis] * m_state.lengthFactor;
   }
+  [[nodiscard]] bool isIncremental(const NamedWord& word) const {
+    return word.reference == Reference::Incremental ||
+           (m_state.relative && word.reference == Reference::Modal);
+  }
   void error(const BlockWords& words, FaultCode code, std::string argument = {}) {
     m_to.faults.report(Severity::Error, words.motionColumn, code, std::move(argument));
   }
@@ -158,6 +192,12 @@ class Executor {
   Position m_position;
   BlockReader m_reader;
   bool m_pathBegun = false;  ///< X, Y or Z has moved
+
+  struct SavedCall {
+    std::unique_ptr<const SavedState> saved;
+    bool restoresOnReturn = false;
+  };
+  std::vector<SavedCall> m_calls = std::vector<SavedCall>(1);  ///< the main program first
 
   /// Of G92.
   struct Offset {

@@ -26,7 +26,8 @@ void Executor::setFrame(const std::string& name, const BlockWords& words) {
   if (kind == "TRANS") {
     Vec3 offset;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      offset.set(axis, words.axes.given[axis] ? lengthMm(words, axis) : 0.0);
+      // Of frames X is a radius, also with DIAMON (MD20360, bit 3, as delivered).
+      offset.set(axis, words.axes.has(axis) ? lengthMm(words, axis) : 0.0);
     }
     if (words.movesLinear()) {
       frame.translate(offset);
@@ -34,7 +35,7 @@ void Executor::setFrame(const std::string& name, const BlockWords& words) {
   } else if (kind == "ROT") {
     // About Z, then the turned Y, then the turned X.
     for (std::size_t axis = base::kAxisCount; axis-- > 0;) {
-      if (words.axes.given[axis]) {
+      if (words.axes.has(axis)) {
         frame.rotate(axis, words.axes.value[axis]);
       }
     }
@@ -77,7 +78,7 @@ void Executor::takeZero() {
 std::optional<Vec3> Executor::scaleFactors(bool mirrors, const BlockWords& words) {
   Vec3 factors{1.0, 1.0, 1.0};
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (!words.axes.given[axis]) {
+    if (!words.axes.has(axis)) {
       continue;
     }
     factors.set(axis, mirrors ? -1.0 : words.axes.value[axis]);
@@ -103,16 +104,16 @@ bool Executor::knowsAllAxes(const BlockWords& words, const std::string& statemen
 void Executor::setPosition(const BlockWords& words) {
   const Vec3 position = m_position.programmedMm;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (words.axes.given[axis] && std::isnan(position[axis])) {
-      m_position.programmedMm.set(axis, lengthMm(words, axis));
-    } else if (words.axes.given[axis]) {
-      m_setOffset.mm.set(axis, m_setOffset.mm[axis] + position[axis] - lengthMm(words, axis));
+    if (words.axes.has(axis) && std::isnan(position[axis])) {
+      m_position.programmedMm.set(axis, radiusMm(words, axis));
+    } else if (words.axes.has(axis)) {
+      m_setOffset.mm.set(axis, m_setOffset.mm[axis] + position[axis] - radiusMm(words, axis));
     }
     const std::size_t rotary = axis + kFirstRotary;
-    if (words.axes.given[rotary] && std::isnan(m_position.rotaryDeg[axis])) {
+    if (words.axes.has(rotary) && std::isnan(m_position.rotaryDeg[axis])) {
       m_position.rotaryDeg[axis] = words.axes.value[rotary];
       m_rotaryFirst[axis] = words.axes.value[rotary];
-    } else if (words.axes.given[rotary]) {
+    } else if (words.axes.has(rotary)) {
       m_setOffset.rotaryDeg[axis] = m_position.rotaryDeg[axis] - words.axes.value[rotary] -
                                     m_workOffsets[workOffsetNumber()].rotaryDeg[axis];
     }
@@ -121,7 +122,7 @@ void Executor::setPosition(const BlockWords& words) {
 
 /// The place about which coordinates change: as named, always absolute, else where the tool is.
 bool Executor::takeCentre(const BlockWords& words, std::size_t axis, Vec3& centreMm) {
-  const double named = words.axes.given[axis] ? lengthMm(words, axis) : programmed()[axis];
+  const double named = words.axes.has(axis) ? radiusMm(words, axis) : programmed()[axis];
   if (std::isnan(named)) {
     error(words, FaultCode::RelativeFromUnknownPosition, std::string(1, base::kAxisNames[axis]));
     return false;
@@ -135,7 +136,7 @@ bool Executor::takeCentre(const BlockWords& words, std::size_t axis, Vec3& centr
 void Executor::setTurn(const BlockWords& words) {
   Change turn;
   turn.axis = m_state.planeThirdAxis();
-  if (words.axes.given[turn.axis] || words.hasAnyCentre() || m_state.relative || m_scale ||
+  if (words.axes.has(turn.axis) || words.hasAnyCentre() || m_state.relative || m_scale ||
       m_mirror || !words.hasRadius) {
     error(words, FaultCode::UnsupportedGCode, words.hasRadius ? "G68" : "G68 without R");
     return;
@@ -160,12 +161,12 @@ void Executor::setScale(const BlockWords& words) {
   Change scale;
   constexpr double kThousandths = 1000.0;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const bool isOwn = words.hasCentre[axis];
+    const bool isOwn = words.centre.has(axis);
     const Token* const token = isOwn ? words.centreTokens[axis] : words.parameter;
     if (!isOwn && !words.p) {
       continue;  // not scaled
     }
-    const double value = isOwn ? words.centre[axis] : *words.p;
+    const double value = isOwn ? words.centre.value[axis] : *words.p;
     const double factor = token != nullptr && token->hasPoint ? value : value / kThousandths;
     if (!(std::abs(factor) >= 0.001)) {
       error(words, FaultCode::UnsupportedGCode, "G51");
@@ -194,10 +195,10 @@ void Executor::setMirror(const BlockWords& words) {
   const bool begins = words.rare->offset == GEffect::Mirror;
   Change mirror = m_mirror.value_or(Change{});
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const bool isNamed = words.axes.given[axis] || (!begins && !words.movesLinear());
+    const bool isNamed = words.axes.has(axis) || (!begins && !words.movesLinear());
     if (isNamed) {
       mirror.factors.set(axis, begins ? -1.0 : 1.0);
-      mirror.centreMm.set(axis, begins ? lengthMm(words, axis) : 0.0);
+      mirror.centreMm.set(axis, begins ? radiusMm(words, axis) : 0.0);
     }
   }
   m_mirror = mirror.factors == Vec3{1.0, 1.0, 1.0} ? std::nullopt : std::optional(mirror);
@@ -208,8 +209,7 @@ void Executor::setOffset(const BlockWords& words) {
   finishCurve();
   const GEffect offset = words.rare->offset;
   m_to.words.forget(std::nullopt);
-  const bool further = std::find(words.axes.given.begin() + kFirstFurther, words.axes.given.end(),
-                                 true) != words.axes.given.end();
+  const bool further = words.axes.hasAny(kFirstFurther, kProgrammedAxisCount);
   const bool isLocal = offset == GEffect::LocalOffset;
   if ((isLocal || further) && !knowsAllAxes(words, isLocal ? "G52" : "G92")) {
     return;
@@ -218,8 +218,8 @@ void Executor::setOffset(const BlockWords& words) {
   switch (offset) {
     case GEffect::LocalOffset:
       for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-        if (words.axes.given[axis]) {
-          (m_language.sharesOffset ? set.mm : m_localOffsetMm).set(axis, lengthMm(words, axis));
+        if (words.axes.has(axis)) {
+          (m_language.sharesOffset ? set.mm : m_localOffsetMm).set(axis, radiusMm(words, axis));
         }
       }
       m_keptOffset = set;
@@ -314,7 +314,7 @@ void Executor::setWorkOffset(const BlockWords& words) {
   work.degrees = words.hasRadius && std::isfinite(words.radius) ? words.radius : work.degrees;
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
     const double degrees = words.axes.value[axis + kFirstRotary];
-    if (words.axes.given[axis + kFirstRotary] && std::isfinite(degrees)) {
+    if (words.axes.has(axis + kFirstRotary) && std::isfinite(degrees)) {
       work.rotaryDeg[axis] = degrees;
     }
   }
@@ -323,21 +323,18 @@ void Executor::setWorkOffset(const BlockWords& words) {
 
 /// G110, G111, G112, and CC of Heidenhain's plain text.
 void Executor::setPole(const BlockWords& words) {
-  constexpr int kFromPosition = 1100;
-  constexpr int kFromZero = 1110;
-  constexpr int kFromPole = 1120;
-  const int key = words.rare->poleKey;
+  const G from = words.rare->pole->function;
   const Vec3 position = programmed();
-  Vec3 pole = key == kFromPosition                            ? position
-              : key == kFromPole || m_language.turnsAboutPole ? m_state.poleMm
-                                                              : Vec3{};
+  Vec3 pole = from == G::PoleFromPosition                            ? position
+              : from == G::PoleFromPole || m_language.turnsAboutPole ? m_state.poleMm
+                                                                     : Vec3{};
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (!words.axes.given[axis]) {
+    if (!words.axes.has(axis)) {
       continue;
     }
     // IX of Heidenhain counts from the position, as G110 does.
-    const double origin = words.axes.isIncrement[axis] ? position[axis]
-                          : key != kFromZero           ? pole[axis]
+    const double origin = words.axes.isIncrement(axis) ? position[axis]
+                          : from != G::PoleFromZero    ? pole[axis]
                                                        : 0.0;
     pole.set(axis, origin + lengthMm(words, axis));
   }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "base/units.h"
 #include "nc/exec/executor.h"
 #include "nc/unknown.h"
 
@@ -32,7 +33,7 @@ void Executor::executeMotion(BlockWords& words) {
     return;
   }
   for (std::size_t axis = kFirstFurther; axis < kProgrammedAxisCount; ++axis) {
-    if (words.axes.given[axis]) {
+    if (words.axes.has(axis)) {
       m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);
     }
   }
@@ -43,7 +44,8 @@ void Executor::executeMotion(BlockWords& words) {
              motion != Motion::QuadraticSpline) {
     rejectArcWords(words);
   }
-  if (motion == Motion::Nurbs && words.rare && words.rare->splineKey == 52 && !moves) {
+  if (motion == Motion::Nurbs && words.rare && words.rare->spline != nullptr &&
+      words.rare->spline->function == G::NurbsOn && !moves) {
     m_nurbsFirstWeight = words.p.value_or(1.0);
   }
   if (!moves) {
@@ -82,7 +84,7 @@ void Executor::moveToFixedPoint(const BlockWords& words) {
   Vec3 target = m_position.programmedMm;
   static constexpr std::array<std::string_view, base::kAxisCount> kNames{"X1", "Y1", "Z1"};
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (words.axes.given[axis] || words.named(kNames[axis]) != nullptr) {
+    if (words.axes.has(axis) || words.named(kNames[axis]) != nullptr) {
       target.set(axis, place->second[axis]);
       m_state.incrementFrom[axis].reset();
     }
@@ -124,7 +126,7 @@ void Executor::move(BlockWords& words) {
     m_state.motion = Motion::Line;
     m_state.motionAssumed = !m_state.motionNamed;
   }
-  m_state.motionAssumed = m_state.motionAssumed && words.motionKey < 0;
+  m_state.motionAssumed = m_state.motionAssumed && words.motion == nullptr;
   if (!m_options.knowsWorkOffsets) {
     m_reader.setMoved();
   }
@@ -167,7 +169,10 @@ void Executor::move(BlockWords& words) {
 }
 
 void Executor::noteMissingFeed(const BlockWords& words) {
-  if (m_state.feedMode == FeedMode::InverseTime && words.feed != nullptr) {
+  if (m_state.feedMode == FeedMode::InverseTime) {
+    if (words.feed == nullptr) {
+      error(words, FaultCode::FeedMissing);  // G93: each block has its own
+    }
     return;
   }
   m_to.faults.report(Severity::Warning, words.motionColumn, FaultCode::FeedMissing, {});
@@ -196,9 +201,11 @@ void Executor::moveTo(Vec3 programmedMm, std::optional<double> feedMmPerS, base:
 double Executor::feedMmPerS() const {
   switch (m_state.feedMode) {
     case FeedMode::PerMinute:
-      return m_state.feedMmPerS;
-    case FeedMode::PerRevolution:
-      return m_state.feedMmPerRev * m_state.spindlePerMin / 60.0;  // S may have changed since F
+      return m_state.feedMmPerS * m_state.feedOverride;
+    case FeedMode::PerRevolution:  // S may have changed since F
+      return m_state.constantSurfaceSpeed
+                 ? 0.0
+                 : m_state.feedMmPerRev * m_state.spindlePerMin / 60.0 * m_state.feedOverride;
     default:
       return 0.0;
   }
@@ -230,7 +237,7 @@ Vec3 Executor::targetOf(const BlockWords& words) {
   const Vec3 from = programmed();
   Vec3 target = from;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (!words.axes.given[axis]) {
+    if (!words.axes.has(axis)) {
       continue;
     }
     if (const double value = coordinate(words, axis, from); !std::isnan(value)) {
@@ -244,17 +251,29 @@ Vec3 Executor::targetOf(const BlockWords& words) {
     m_state.incrementFrom[first].reset();
     m_state.incrementFrom[second].reset();
   }
-  if (m_state.polar && (words.axes.given[first] || words.axes.given[second])) {
-    // G16: the first axis of the plane is the radius, the second the angle.
-    m_state.polarRadiusMm =
-        words.axes.given[first] ? lengthMm(words, first) : m_state.polarRadiusMm;
-    m_state.polarDegrees =
-        words.axes.given[second] ? words.axes.value[second] : m_state.polarDegrees;
-    setPolar(target);
+  if (m_state.polar && (words.axes.has(first) || words.axes.has(second))) {
+    takePolarPlane(words, from, target);
   } else if (words.rare) {
     takePolarWords(words, from, target);
   }
   return target;
+}
+
+/// G16 of Fanuc: the first axis of the plane is the radius, the second the angle. With G91 the
+/// radius is measured from where the tool stands, and the angle is added to the one before ("Polar
+/// coordinate command (G15, G16)" in the manual of the Series 0i).
+void Executor::takePolarPlane(const BlockWords& words, Vec3 from, Vec3& target) {
+  const std::size_t first = m_state.planeFirstAxis;
+  const std::size_t second = m_state.planeSecondAxis();
+  if (words.axes.has(first)) {
+    m_state.polarRadiusMm = lengthMm(words, first);
+    m_state.poleMm = words.axes.isIncrement(first) ? from : Vec3{};
+  }
+  if (words.axes.has(second)) {
+    const bool adds = words.axes.isIncrement(second);
+    m_state.polarDegrees = words.axes.value[second] + (adds ? m_state.polarDegrees : 0.0);
+  }
+  setPolar(target);
 }
 
 /// @return NaN if it is not known: the axis stays where it is
@@ -266,11 +285,14 @@ double Executor::coordinate(const BlockWords& words, std::size_t axis, Vec3 from
     }
     return kUnknown;
   }
-  const bool isIncrement = words.axes.isIncrement[axis];
-  if (m_state.diameter && axis == 0 && (!isIncrement || m_state.diameterIncrements)) {
-    value /= 2.0;
+  const Reference reference = words.axes.reference[axis];
+  if (reference == Reference::Nearest || reference == Reference::Positive ||
+      reference == Reference::Negative) {
+    m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);  // of rotary axes only
+    return kUnknown;
   }
-  if (isIncrement) {
+  value = radiusMm(words, axis);
+  if (words.axes.isIncrement(axis)) {
     const double origin = m_state.incrementFrom[axis].value_or(from[axis]);
     if (std::isnan(origin)) {
       m_to.faults.error(*words.axisTokens[axis], FaultCode::RelativeFromUnknownPosition,
@@ -283,7 +305,7 @@ double Executor::coordinate(const BlockWords& words, std::size_t axis, Vec3 from
 }
 
 void Executor::setPolar(Vec3& target) const {
-  const Vec3 pole = m_state.polar ? Vec3{} : m_state.poleMm;
+  const Vec3 pole = m_state.poleMm;
   for (const std::size_t axis : {m_state.planeFirstAxis, m_state.planeSecondAxis()}) {
     target.set(axis, pole[axis]);
   }
@@ -302,14 +324,26 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
   const double up = from[second] - m_state.poleMm[second];
   // CP of Heidenhain names no radius: it is that of the start. RS-274 counts both from there.
   const bool countsFromStart = m_language.hasPolarSigns;
+  for (const std::size_t axis : {first, second}) {
+    if (countsFromStart && words.axes.has(axis)) {
+      m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);
+    }
+  }
   const double radiusMm = std::hypot(across, up);
   const double degrees = std::atan2(up, across) * 180.0 / std::acos(-1.0);
+  if (countsFromStart && m_state.relative && !(radiusMm > 0.0)) {
+    // RS-274/NGC: of the origin nobody knows the angle.
+    error(words, FaultCode::RelativeFromUnknownPosition,
+          angle == nullptr ? "@" : "^" + base::formatNumber(angle->value));
+    return;
+  }
   if (countsFromStart) {
     m_state.polarRadiusMm = radiusMm;
     m_state.polarDegrees = degrees;
   }
   if (radius != nullptr) {
-    const bool relative = radius->isIncrement || (countsFromStart && m_state.relative);
+    const bool relative =
+        countsFromStart ? isIncremental(*radius) : radius->reference == Reference::Incremental;
     m_state.polarRadiusMm =
         radius->value * m_state.lengthFactor + (relative ? m_state.polarRadiusMm : 0.0);
   } else if (m_language.turnsAboutPole) {
@@ -317,7 +351,7 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
   }
   m_polarTurnDegrees = 0.0;
   if (angle != nullptr) {
-    const bool relative = angle->isIncrement || m_state.relative;
+    const bool relative = isIncremental(*angle);
     if (relative) {
       m_polarTurnDegrees = angle->value;
     }
@@ -345,8 +379,12 @@ Move Executor::moveOf(const BlockWords& words, Vec3 target) {
         words.feed != nullptr ? m_position.lengthMmTo(target) * words.feed->value / 60.0 : 0.0;
   }
   if (m_state.feedMode == FeedMode::PerRevolution) {  // S may have changed since F
-    move.feedMmPerS = m_state.feedMmPerRev * m_state.spindlePerMin / 60.0;
-    move.feedDegPerS = m_state.feedDegPerRev * m_state.spindlePerMin / 60.0;
+    const double perMin = spindlePerMin(words, target);
+    move.feedMmPerS = m_state.feedMmPerRev * perMin / 60.0;
+    move.feedDegPerS = m_state.feedDegPerRev * perMin / 60.0;
+  }
+  if (words.rare && words.rare->blockFeed != nullptr) {
+    takeBlockFeed(words, target, move);
   }
   if (words.hasRotary) {
     takeRotary(words, move);
@@ -356,32 +394,93 @@ Move Executor::moveOf(const BlockWords& words, Vec3 target) {
     move.feedDegPerS =
         words.feed != nullptr && turnDeg > 0.0 ? turnDeg * words.feed->value / 60.0 : 0.0;
   }
+  move.feedMmPerS *= m_state.feedOverride;
+  move.feedDegPerS *= m_state.feedOverride;
   if (words.rare) {
     takeDirection(words, move);
   }
   return move;
 }
 
+/// FB=: the feed of this block alone, of the kind that G94 or G95 has chosen.
+void Executor::takeBlockFeed(const BlockWords& words, Vec3 target, Move& move) {
+  const Token& token = *words.rare->blockFeed;
+  if (token.value == 0.0) {
+    return;  // that of F
+  }
+  if (m_state.feedMode == FeedMode::PerMinute) {
+    move.feedMmPerS = base::mmPerSFromMmPerMin(token.value * m_state.feedFactor);
+    move.feedDegPerS = token.value / 60.0;
+  } else if (m_state.feedMode == FeedMode::PerRevolution) {
+    const double perMin = spindlePerMin(words, target);
+    move.feedMmPerS = token.value * m_state.feedFactor * perMin / 60.0;
+    move.feedDegPerS = token.value * perMin / 60.0;
+  } else {
+    m_to.faults.error(token, FaultCode::UnsupportedGCode, "FB");
+  }
+}
+
 void Executor::takeRotary(const BlockWords& words, Move& move) {
   move.rotaryDeg = m_position.rotaryDeg;
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    const std::size_t word = axis + kFirstRotary;
-    if (!words.axes.given[word]) {
+    if (!words.axes.has(axis + kFirstRotary)) {
       continue;
     }
-    double degrees = words.axes.value[word];
-    if (!words.axes.isIncrement[word]) {
-      degrees += m_state.rotaryOffset[axis];
-    } else if (std::isnan(m_position.rotaryDeg[axis])) {
-      error(words, FaultCode::RelativeFromUnknownPosition, std::string(1, kProgrammedAxes[word]));
+    const std::optional<double> degrees = rotaryTarget(words, axis);
+    if (!degrees) {
       continue;
-    } else {
-      degrees += m_position.rotaryDeg[axis];
     }
-    move.rotaryDeg[axis] = degrees;
+    move.rotaryDeg[axis] = *degrees;
     move.turns = true;
-    noteRotary(axis, degrees, words.motionColumn);
+    noteRotary(axis, *degrees, words.motionColumn);
   }
+}
+
+/// Where a rotary axis turns to; full turns count. @return nothing if a fault has been reported
+std::optional<double> Executor::rotaryTarget(const BlockWords& words, std::size_t axis) {
+  constexpr double kTurn = 360.0;
+  constexpr double kSameDegrees = 1e-9;
+  const std::size_t word = axis + kFirstRotary;
+  const double value = words.axes.value[word];
+  const double from = m_position.rotaryDeg[axis];
+  const Reference reference = words.axes.reference[word];
+  const bool isIncrement = words.axes.isIncrement(word);
+  const bool isDirected = reference == Reference::Nearest || reference == Reference::Positive ||
+                          reference == Reference::Negative;
+  const bool turnsShortest = m_state.turnsShortest && !isIncrement;
+  if (isDirected) {
+    m_state.isModulo[axis] = true;
+  }
+  const bool startMatters = isIncrement || isDirected || turnsShortest || m_state.isModulo[axis];
+  if (startMatters && std::isnan(from)) {
+    // How far it turns is not known, but where to is.
+    if (isIncrement || isDirected || turnsShortest) {
+      m_to.faults.report(isIncrement ? Severity::Error : Severity::Warning, words.motionColumn,
+                         FaultCode::RelativeFromUnknownPosition,
+                         std::string(1, kProgrammedAxes[word]));
+    }
+    return isIncrement ? std::nullopt : std::optional(value + m_state.rotaryOffset[axis]);
+  }
+  if (isIncrement) {
+    return from + value;
+  }
+  const double target = value + m_state.rotaryOffset[axis];
+  if (reference == Reference::Nearest || (turnsShortest && !isDirected)) {
+    return from + std::remainder(target - from, kTurn);
+  }
+  if (isDirected) {
+    const double ahead = std::fmod(std::fmod(target - from, kTurn) + kTurn, kTurn);
+    const bool isThere = ahead < kSameDegrees || kTurn - ahead < kSameDegrees;
+    return isThere ? from : reference == Reference::Positive ? from + ahead : from + ahead - kTurn;
+  }
+  if (m_state.isModulo[axis]) {
+    if (!(value >= 0.0 && value < kTurn)) {
+      m_to.faults.error(*words.axisTokens[word], FaultCode::ValueOutOfRange);
+      return std::nullopt;
+    }
+    return std::floor(from / kTurn + kSameDegrees) * kTurn + target;
+  }
+  return target;
 }
 
 void Executor::noteRotary(std::size_t axis, double degrees, int column) {

@@ -22,8 +22,8 @@ bool isOneOf(GEffect effect, const std::array<GEffect, Count>& effects) {
 
 /// Without effect on the path by itself.
 bool isNoted(GEffect effect) {
-  static constexpr std::array kNoted{GEffect::CentreMode, GEffect::FeedMode, GEffect::Diameter,
-                                     GEffect::Dwell,      GEffect::PolarOn,  GEffect::PolarOff,
+  static constexpr std::array kNoted{GEffect::CentreMode, GEffect::FeedMode, GEffect::SpindleMode,
+                                     GEffect::Diameter,   GEffect::Dwell,    GEffect::Polar,
                                      GEffect::None,       GEffect::BlockEnd, GEffect::Tolerance,
                                      GEffect::ToolLength, GEffect::CycleOff};
   return isOneOf(effect, kNoted);
@@ -40,18 +40,22 @@ bool takesBlock(GEffect effect) {
   return isOneOf(effect, kTaking);
 }
 
-FeedMode feedModeOf(int key) {
-  struct Mode {
-    int key;
-    FeedMode mode;
-  };
-  static constexpr std::array kModes{
-      Mode{930, FeedMode::InverseTime}, Mode{940, FeedMode::PerMinute},
-      Mode{9610, FeedMode::PerMinute}, Mode{950, FeedMode::PerRevolution},
-      Mode{9510, FeedMode::PerRevolution}};
-  const auto* const found = std::find_if(kModes.begin(), kModes.end(),
-                                         [key](const Mode& mode) { return mode.key == key; });
-  return found == kModes.end() ? FeedMode::Unknown : found->mode;
+FeedMode feedModeOf(G function) {
+  switch (function) {
+    case G::FeedInverseTime:
+      return FeedMode::InverseTime;
+    case G::FeedPerMinute:
+    case G::FeedPerMinuteOrFacing:
+    case G::SurfaceSpeedPerMinute:
+    case G::SpindleSpeedPerMinute:
+      return FeedMode::PerMinute;
+    case G::FeedPerRevolution:
+    case G::SurfaceSpeedPerRevolution:
+    case G::SpindleSpeedPerRevolution:
+      return FeedMode::PerRevolution;
+    default:
+      return FeedMode::Unknown;
+  }
 }
 
 }  // namespace
@@ -64,81 +68,69 @@ void BlockReader::readG(const Token& token, BlockWords& words) {
     m_to.faults.error(token, FaultCode::UnknownGCode, wordText(token));
     return;
   }
-  if (m_state.isLathe && key >= 700 && key <= 730) {
-    readTurningCycle(token, words);
-    return;
-  }
-  const GEffect effect = m_g[static_cast<std::size_t>(key)];
-  if (m_state.isLathe && (key == 980 || key == 990)) {
-    // Fanuc, operator's manual for lathe systems, G codes of system A: feed per minute and per
-    // revolution.
-    setFeedMode(key == 990 ? FeedMode::PerRevolution : FeedMode::PerMinute);
-    return;
-  }
-  if (m_state.isLathe && key == 960 && effect == GEffect::None) {
-    // S is m/min: the speed, and with it a feed per revolution, depends on X.
-    m_to.faults.error(token, FaultCode::UnsupportedGCode, wordText(token));
-    return;
-  }
-  readG(effect, key, token, words);
+  const auto index = static_cast<std::size_t>(key);
+  const GRow& row = m_state.isLathe ? m_g.latheRow(index) : m_g.row(index);
+  readG(row, token, words);
+  const GEffect effect = row.effect;
   words.taken |= takesBlock(effect);
   if (isNoted(effect)) {
     m_to.faults.ignoreG(key, token);
   }
 }
 
-void BlockReader::readG(GEffect effect, int key, const Token& token, BlockWords& words) {
-  switch (effect) {
+void BlockReader::readG(const GRow& row, const Token& token, BlockWords& words) {
+  switch (row.effect) {
     case GEffect::Motion:
-      setModal(words.motionKey, key, token);
+      setModal(words.motion, row, token);
       break;
     case GEffect::Plane:
-      setModal(words.planeKey, key, token);
+      setModal(words.plane, row, token);
       break;
     case GEffect::Units:
-      setModal(words.unitsKey, key, token);
+      setModal(words.units, row, token);
       break;
     case GEffect::Distance:
-      readDistance(key, token, words);
+      readDistance(row, token, words);
       break;
     case GEffect::CentreMode:
-      m_state.centreIsAbsolute = key == 901;
-      words.centreIsAbsolute.fill(m_state.centreIsAbsolute);
+      m_state.centreIsAbsolute = row.function == G::CentreAbsolute;
       break;
     case GEffect::FeedMode:
-      words.latheKey = m_state.isLathe && key == 940 ? key : words.latheKey;
-      setFeedMode(feedModeOf(key));
+      words.turning = row.function == G::FeedPerMinuteOrFacing ? &row : words.turning;
+      setFeedMode(feedModeOf(row.function));
+      break;
+    case GEffect::SpindleMode:
+      readSpindleMode(row, token, words);
       break;
     case GEffect::Diameter:
-      m_state.diameter = key == 70;
+      m_state.diameter = row.function == G::Diameter;
       m_state.diameterIncrements = m_state.diameter;
       break;
-    case GEffect::PolarOn:
-    case GEffect::PolarOff:
-      m_state.polar = effect == GEffect::PolarOn;
+    case GEffect::Polar:
+      m_state.polar = row.function == G::PolarOn;
+      m_state.poleMm = {};
       break;
     case GEffect::None:
-      if (key == 434) {
+      if (row.function == G::TipLength) {
         m_state.tipWord = "G43.4";
-      } else if (key == 4500 || key == 4510) {
-        m_state.cornersIntersect = key == 4510;
+      } else if (row.function == G::CornersRound || row.function == G::CornersIntersect) {
+        m_state.cornersIntersect = row.function == G::CornersIntersect;
       }
       break;
     case GEffect::Compensation:
-      setModal(words.compensationKey, key, token);
+      setModal(words.compensationMode, row, token);
       words.compensation = &token;
-      if (key == 400) {
-        m_to.faults.ignoreG(key, token);
+      if (row.function == G::CompensationOff) {
+        m_to.faults.ignoreG(row.key, token);
       }
       break;
     case GEffect::BlockEnd:
     case GEffect::Tolerance:
-      readBlockEnd(key, token, words);
+      readBlockEnd(row, token, words);
       break;
     case GEffect::ToolLength:
       m_state.tipWord.clear();
       m_to.words.forget(2);
-      words.taken |= key == 431;  // G43.1 gives the offset itself, it is not a move
       break;
     case GEffect::CycleOff:
       if (m_state.motion == Motion::Unsupported) {
@@ -146,28 +138,29 @@ void BlockReader::readG(GEffect effect, int key, const Token& token, BlockWords&
       }
       break;
     case GEffect::WorkOffset:
-      selectWorkOffset(key, token);
+      selectWorkOffset(row.key, token);
       break;
     default:
-      readBlockG(effect, key, token, words);
+      readBlockG(row, token, words);
       break;
   }
 }
 
 /// Functions of one block, and those that are not made here.
-void BlockReader::readBlockG(GEffect effect, int key, const Token& token, BlockWords& words) {
+void BlockReader::readBlockG(const GRow& row, const Token& token, BlockWords& words) {
+  const GEffect effect = row.effect;
   switch (effect) {
     case GEffect::Dwell:
       words.dwell = true;
       break;
     case GEffect::Pole:
-      words.rareWords().poleKey = key;
+      words.rareWords().pole = &row;
       break;
     case GEffect::Spline:
-      words.rareWords().splineKey = key;
+      words.rareWords().spline = &row;
       break;
     case GEffect::WorkOffsetP:
-      words.rareWords().workOffsetKey = key;
+      words.rareWords().workOffset = &row;
       words.rare->workOffsetToken = &token;
       break;
     case GEffect::MachineMove:
@@ -201,6 +194,9 @@ void BlockReader::readBlockG(GEffect effect, int key, const Token& token, BlockW
       m_to.faults.error(token, FaultCode::UnsupportedGCode, wordText(token));
       m_to.words.foreignMotion();
       break;
+    case GEffect::TurningCycle:
+      readTurningCycle(token, words);
+      break;
     default:
       m_to.faults.error(
           token, effect == GEffect::Unknown ? FaultCode::UnknownGCode : FaultCode::UnsupportedGCode,
@@ -221,37 +217,38 @@ void BlockReader::setFeedMode(FeedMode mode) {
 }
 
 /// Two different functions of one group in a block contradict each other.
-void BlockReader::setModal(int& slot, int key, const Token& token) {
-  if (slot >= 0 && slot != key) {
+void BlockReader::setModal(const GRow*& slot, const GRow& row, const Token& token) {
+  if (slot != nullptr && slot != &row) {
     m_to.faults.error(token, FaultCode::ConflictingGCodes,
-                      fmt::format("G{} {}", slot / 10, wordText(token)));
+                      fmt::format("G{} {}", slot->key / 10, wordText(token)));
   }
-  slot = key;
+  slot = &row;
 }
 
 /// G90 and G91 hold for the whole block, also for the words before them.
-void BlockReader::readDistance(int key, const Token& token, BlockWords& words) {
-  words.latheKey = m_state.isLathe ? key : words.latheKey;
-  setModal(words.distanceKey, key, token);
-  const bool relative = key == 910;
-  if (relative == m_state.relative) {
-    return;
-  }
-  m_state.relative = relative;
-  for (std::size_t axis = 0; axis < kProgrammedAxisCount; ++axis) {
-    if (!words.hasOwnMode[axis]) {
-      words.axes.isIncrement[axis] = words.axes.given[axis] && relative;
-    }
+void BlockReader::readDistance(const GRow& row, const Token& token, BlockWords& words) {
+  words.turning = row.function == G::AbsoluteOrTurning ? &row : words.turning;
+  setModal(words.distance, row, token);
+  m_state.relative = row.function == G::Incremental;
+  words.axes.relative = m_state.relative;
+}
+
+/// G96 and G97, which on a SINUMERIK say what F means, too.
+void BlockReader::readSpindleMode(const GRow& row, const Token& token, BlockWords& words) {
+  setModal(words.rareWords().spindleMode, row, token);
+  if (row.function != G::SurfaceSpeed && row.function != G::SpindleSpeed) {
+    setFeedMode(feedModeOf(row.function));
   }
 }
 
-void BlockReader::readBlockEnd(int key, const Token& token, BlockWords& words) {
-  constexpr int kExactStopOnce = 90;
-  if (key == kExactStopOnce) {
+void BlockReader::readBlockEnd(const GRow& row, const Token& token, BlockWords& words) {
+  if (row.function == G::ExactStopOnce) {
     words.exactStop = true;
+  } else if (row.function == G::Accuracy) {
+    words.tolerance = true;
   } else {
-    setModal(words.blockEndKey, key, token);
-    words.tolerance = words.tolerance || m_g[static_cast<std::size_t>(key)] == GEffect::Tolerance;
+    setModal(words.blockEnd, row, token);
+    words.tolerance = words.tolerance || row.effect == GEffect::Tolerance;
   }
 }
 
@@ -299,7 +296,9 @@ void BlockReader::readM(const Token& token, BlockWords& words) {
     return;
   }
   const auto number = static_cast<int>(value);
-  switch (mEffect(m_language.dialect, number)) {
+  const MRow* const row = mFunction(m_language.dialect, number);
+  words.takesParameter = words.takesParameter || (row != nullptr && !row->takes.empty());
+  switch (row == nullptr ? MEffect::None : row->effect) {
     case MEffect::End:
       words.ends = true;
       return;
@@ -322,13 +321,33 @@ void BlockReader::readM(const Token& token, BlockWords& words) {
       m_to.faults.error(token, FaultCode::UnsupportedGCode, wordText(token));
       m_to.words.foreignMotion();
       return;
+    case MEffect::FeedPerRevolution:
+      setFeedMode(FeedMode::PerRevolution);
+      return;
+    case MEffect::FeedPerMinute:
+      setFeedMode(FeedMode::PerMinute);
+      return;
+    case MEffect::TurnsShortest:
+    case MEffect::TurnsAsWritten:
+      m_state.turnsShortest = row->effect == MEffect::TurnsShortest;
+      break;
+    case MEffect::SaveState:
+    case MEffect::ForgetState:
+    case MEffect::RestoreState:
+    case MEffect::SaveUntilReturn:
+      words.rareWords().savedState = row->effect;
+      words.rare->savedStateToken = &token;
+      return;
     case MEffect::None:
       break;
   }
   m_to.path.machineWord(MachineWord::M, value, words.line);
   // If the program makes the machine wait for a person or a tool, a stream does not wait.
   const bool waits = number == 0 || number == 1 || (number == 6 && m_moved);
-  m_to.faults.ignoreM(waits ? Severity::Warning : Severity::Note, number, token);
+  m_to.faults.ignoreM(row == nullptr ? Severity::Error
+                      : waits        ? Severity::Warning
+                                     : Severity::Note,
+                      number, token);
 }
 
 }  // namespace rivulet::nc

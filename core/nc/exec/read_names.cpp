@@ -46,7 +46,21 @@ void BlockReader::readName(const Token& token, BlockWords& words) {
     case NameEffect::End:
       words.rareWords().returns = true;
       break;
+    case NameEffect::BlockFeed:
+    case NameEffect::Override:
+    case NameEffect::OtherOverride:
+    case NameEffect::SpeedLimit:
+      if (token.kind != TokenKind::NamedValue) {
+        m_to.faults.error(token, FaultCode::UnknownWord);
+      } else {
+        readFeedName(nameEffect(m_language.dialect, name), token, name, words);
+      }
+      break;
+    case NameEffect::FeedGroup:
+      readFeedGroup(token, name);
+      break;
     case NameEffect::Mode:
+    case NameEffect::Feed:
       m_to.faults.error(token, FaultCode::UnsupportedGCode, name);
       break;
     case NameEffect::TakesBlock:
@@ -102,11 +116,48 @@ void BlockReader::setNamed(const std::string& name, const Token& token, BlockWor
     setRadius(token, words);
     return;
   }
-  words.rareWords().named[name] = {token.value, token.reference == Reference::Incremental};
+  words.rareWords().named[name] = {token.value, token.reference};
   if (nameEffect(m_language.dialect, name) == NameEffect::MachineAxis) {
     words.rare->machineAxis = &token;
   }
   noteColumn(token, words);
+}
+
+/// Where F counts an axis beside X, Y and Z, it is no feed along their path.
+void BlockReader::readFeedGroup(const Token& token, const std::string& name) {
+  const std::string text = base::toUpper(token.text);
+  const bool isOfPath = std::all_of(
+      text.begin() + static_cast<std::ptrdiff_t>(name.size()), text.end(), [](char letter) {
+        return std::string_view("XYZ,() \t").find(letter) != std::string_view::npos;
+      });
+  if (isOfPath) {
+    m_to.faults.ignore(token, name);
+  } else {
+    m_to.faults.error(token, FaultCode::UnsupportedGCode, name);
+  }
+}
+
+/// Names that change the feed, with a value.
+void BlockReader::readFeedName(NameEffect effect, const Token& token, const std::string& name,
+                               BlockWords& words) {
+  constexpr double kPercent = 100.0;
+  constexpr double kPercentMax = 200.0;
+  if (!(token.value >= 0.0)) {
+    m_to.faults.error(token, FaultCode::ValueOutOfRange);
+  } else if (effect == NameEffect::BlockFeed) {
+    words.rareWords().blockFeed = &token;
+  } else if (effect == NameEffect::SpeedLimit) {
+    words.rareWords().speedMax = &token;
+    m_to.faults.ignore(token, name);
+  } else if (effect == NameEffect::Override && token.value > 0.0 && token.value <= kPercentMax) {
+    m_state.feedOverride = token.value / kPercent;
+  } else if (effect == NameEffect::Override) {
+    m_to.faults.error(token, FaultCode::ValueOutOfRange);
+  } else if (token.value != kPercent) {
+    m_to.faults.error(token, FaultCode::UnsupportedGCode, name);
+  } else {
+    m_to.faults.ignore(token, name);
+  }
 }
 
 /// On a SINUMERIK a name alone, or with arguments, calls a subprogram.

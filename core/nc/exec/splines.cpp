@@ -15,24 +15,23 @@ using base::Vec3;
 /// The start of a curve, as its first block names it.
 constexpr double kSameMm = 1e-3;
 
-void Executor::selectSpline(int key) {
-  constexpr int kWithKnots = 62;
-  if (key == kWithKnots && m_hasKnots && m_state.motion == Motion::Nurbs) {
+void Executor::selectSpline(G function) {
+  if (function == G::NurbsWithKnots && m_hasKnots && m_state.motion == Motion::Nurbs) {
     return;  // the curve goes on
   }
   finishCurve();
-  m_hasKnots = key == kWithKnots;
+  m_hasKnots = function == G::NurbsWithKnots;
   m_knots.clear();
   m_lastTangent = {};
-  switch (key) {
-    case 50:
+  switch (function) {
+    case G::CubicSpline:
       m_state.motion = Motion::CubicSpline;
       break;
-    case 51:
+    case G::QuadraticSpline:
       m_state.motion = Motion::QuadraticSpline;
       break;
-    case 52:
-    case kWithKnots:
+    case G::NurbsOn:
+    case G::NurbsWithKnots:
       m_state.motion = Motion::Nurbs;
       m_splineDegree = m_hasKnots ? 3 : 2;
       break;
@@ -45,8 +44,8 @@ void Executor::selectSpline(int key) {
 
 /// G6.2: K is the next knot, P the order of the curve. Blocks without axes name the last knots.
 void Executor::takeKnot(const BlockWords& words) {
-  if (words.hasCentre[2]) {
-    m_knots.push_back(words.centre[2]);
+  if (words.centre.has(2)) {
+    m_knots.push_back(words.centre.value[2]);
   }
   if (words.p && *words.p >= 2.0) {
     m_splineDegree = static_cast<int>(std::min(*words.p - 1.0, 9.0));
@@ -129,6 +128,14 @@ void Executor::spline(const Spline& spline, const Move& move) {
   arrive(control.back(), direction, move);
 }
 
+namespace {
+
+double centreOf(const BlockWords& words, std::size_t axis) {
+  return words.centre.has(axis) ? words.centre.value[axis] : 0.0;
+}
+
+}  // namespace
+
 /// G5: I J from the start, P Q from the end. G5.1: I J only.
 void Executor::moveBezier(const BlockWords& words, Vec3 target, const Move& move) {
   const Vec3 from = m_position.programmedMm;
@@ -138,9 +145,9 @@ void Executor::moveBezier(const BlockWords& words, Vec3 target, const Move& move
     return;
   }
   const double unit = m_state.lengthFactor;
-  const bool hasStart = words.hasCentre[0] || words.hasCentre[1];
-  const Vec3 start =
-      hasStart ? Vec3{words.centre[0] * unit, words.centre[1] * unit, 0.0} : -1.0 * m_lastTangent;
+  const bool hasStart = words.centre.has(0) || words.centre.has(1);
+  const Vec3 start = hasStart ? Vec3{centreOf(words, 0) * unit, centreOf(words, 1) * unit, 0.0}
+                              : -1.0 * m_lastTangent;
   if (!hasStart && m_lastTangent == Vec3{}) {
     error(words, FaultCode::ArcWithoutCentre);
     unknownWay(target, move);

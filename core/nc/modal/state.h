@@ -73,12 +73,16 @@ struct ModalState {
   bool isLathe = false;  ///< ISO: turning cycles, U and W as increments
 
   FeedMode feedMode = FeedMode::PerMinute;
-  double feedMmPerS = 0.0;     ///< 0: none is programmed
-  double feedDegPerS = 0.0;    ///< the same number, for blocks that only turn
-  bool feedIsDefault = false;  ///< of the machine: the program has named none
-  double spindlePerMin = 0.0;
-  double feedMmPerRev = 0.0;   ///< with G95
-  double feedDegPerRev = 0.0;  ///< the same number
+  double feedMmPerS = 0.0;             ///< 0: none is programmed
+  double feedDegPerS = 0.0;            ///< the same number, for blocks that only turn
+  bool feedIsDefault = false;          ///< of the machine: the program has named none
+  double spindlePerMin = 0.0;          ///< as S says; 0: not known
+  bool constantSurfaceSpeed = false;   ///< G96: S is a cutting speed
+  double surfaceMmPerMin = 0.0;        ///< the cutting speed
+  double surfaceSpeedPerMinMax = 0.0;  ///< LIMS=: limit of the spindle meanwhile; 0: none
+  double feedOverride = 1.0;           ///< OVR=
+  double feedMmPerRev = 0.0;           ///< with G95
+  double feedDegPerRev = 0.0;          ///< the same number
 
   BlockEnd blockEnd = BlockEnd::ExactStop;
   RoundingKind rounding = RoundingKind::Deviation;
@@ -92,7 +96,10 @@ struct ModalState {
   int compensationSide = 0;       ///< G41 1: left of the path; G42 -1; G40 0
   bool cornersIntersect = false;  ///< G451; else G450
   bool goesAroundStart = false;   ///< KONT; else NORM
-  std::string tipWord;            ///< what keeps X Y Z at the tip of the tool; empty: nothing
+  bool turnsShortest = false;     ///< M126: absolute values of rotary axes are `Nearest`
+  /// DC() and the like have shown that the axis counts from 0 to 360 degrees.
+  std::array<bool, base::kRotaryAxisCount> isModulo{};
+  std::string tipWord;  ///< what keeps X Y Z at the tip of the tool; empty: nothing
 
   Frame baseFrame;                 ///< G52 and G92; TRANS and ROT work on it
   base::RotaryDeg rotaryOffset{};  ///< G92

@@ -564,19 +564,32 @@ Expected<Assignment> Reader::assignment() {
   return Assignment{std::move(*target), std::move(*value), reference};
 }
 
+namespace {
+
+struct ReferenceWord {
+  std::string_view word;
+  Reference reference;
+};
+constexpr std::array kReferenceWords{
+    ReferenceWord{"AC", Reference::Absolute}, ReferenceWord{"DC", Reference::Nearest},
+    ReferenceWord{"ACP", Reference::Positive}, ReferenceWord{"ACN", Reference::Negative},
+    ReferenceWord{"IC", Reference::Incremental}};
+
+}  // namespace
+
+std::string_view referenceWord(Reference reference) {
+  const auto* const found =
+      std::find_if(kReferenceWords.begin(), kReferenceWords.end(),
+                   [reference](const ReferenceWord& each) { return each.reference == reference; });
+  return found == kReferenceWords.end() ? std::string_view() : found->word;
+}
+
 /// AC(...), IC(...). @return false: see the fault
 bool Reader::takeReference(Reference& reference) {
-  struct Word {
-    std::string_view word;
-    Reference reference;
-  };
-  static constexpr std::array kWords{
-      Word{"AC", Reference::Absolute}, Word{"DC", Reference::Absolute},
-      Word{"ACP", Reference::Absolute}, Word{"ACN", Reference::Absolute},
-      Word{"IC", Reference::Incremental}};
-  const auto* const found = std::find_if(kWords.begin(), kWords.end(),
-                                         [this](const Word& each) { return takeWord(each.word); });
-  if (found == kWords.end()) {
+  const auto* const found =
+      std::find_if(kReferenceWords.begin(), kReferenceWords.end(),
+                   [this](const ReferenceWord& each) { return takeWord(each.word); });
+  if (found == kReferenceWords.end()) {
     return true;
   }
   reference = found->reference;

@@ -134,8 +134,19 @@ struct Initial {
       values;  ///< nothing: left out, the element keeps its value
 };
 
-/// What a coordinate counts from: as G90 and G91 say, or AC() and IC().
-enum class Reference : std::uint8_t { Modal, Absolute, Incremental };
+/// What a value counts from, and which way it is reached.
+enum class Reference : std::uint8_t {
+  Modal,        ///< as G90 and G91 say
+  Absolute,     ///< AC()
+  Incremental,  ///< IC()
+  Nearest,      ///< DC(): absolute, a rotary axis turns the shortest way
+  Positive,     ///< ACP(): absolute, it turns in the positive direction
+  Negative,     ///< ACN(): absolute, it turns in the negative direction
+  Vacant,       ///< of a macro: the variable has no value, so the word is left out
+};
+
+/// AC, IC, DC, ACP, ACN; empty: it is written without a word.
+[[nodiscard]] std::string_view referenceWord(Reference reference);
 
 /// R1=5, CR=R2, and the address of an axis with its value: X=AC(R1), X[#1+2].
 struct Assignment {

@@ -60,14 +60,19 @@ struct Language {
   bool namesAreCalls = false;          ///< PART, L123 and M17; M30 of a subprogram returns
   bool variablesAreOfCycles = false;   ///< Q1=5 is ignored
   bool hasTurningCycles = false;       ///< G70 to G73 with P and Q show a lathe
-  bool inchesOfLengthsOnly = false;    ///< G70 leaves the unit of the feed alone
   bool dwellInMilliseconds = false;    ///< G4 P without a point
   bool toolChangesZ = false;           ///< T: Z is somewhere else afterwards
   bool turnsAboutPole = false;         ///< an arc without a centre turns about the pole
   bool ignoresCentreAcross = false;    ///< of a helix, with a warning
+  bool lengthComesWithTool = false;    ///< a tool change switches the tool's length on
+  bool lengthIsOfTool = false;         ///< G43 without H takes that of the tool in the spindle
+  bool hasTurnsInP = false;            ///< P of an arc: how often it goes round
   bool sharesOffset = false;           ///< G52 sets that of G92
   /// G10 L2: P0 is an offset of its own, G91 adds, and R turns nothing.
   bool setsListedOffsets = false;
+  bool speedLimitIsD = false;      ///< G96 D: the largest speed of the spindle
+  bool refusesLargeFeeds = false;  ///< others move as fast as the machine can
+  bool savesFeedAndSpeed = false;  ///< a saved state: F and S, and no motion
   /// Share of the radius by which start and end of an arc may differ: a spiral.
   double spiralShare = 0.0;
 };

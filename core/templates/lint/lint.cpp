@@ -102,18 +102,16 @@ BlockSummary summaryOf(const Words& words) {
     reader.read(token, block);
   }
   made.alarm = alarms.take();
-  if (block.motionKey >= 0 || (block.rare && block.rare->threePointArc)) {
-    made.rapid = block.motionKey == 0;
+  if (block.motion != nullptr || (block.rare && block.rare->threePointArc)) {
+    made.rapid = block.motion != nullptr && block.motion->function == nc::G::Rapid;
   }
-  if (block.distanceKey >= 0) {
+  if (block.distance != nullptr) {
     made.relative = state.relative;
   }
   made.namesFeed = block.feed != nullptr && !block.dwell;
   made.dwells = block.dwell;
-  const auto firstFurther = block.axes.given.begin() + nc::kFirstFurther;
   made.moves = !made.alarm && !block.dwell &&
-               (block.hasAnyCentre() ||
-                std::find(block.axes.given.begin(), firstFurther, true) != firstFurther);
+               (block.hasAnyCentre() || block.axes.hasAny(0, nc::kFirstFurther));
   return made;
 }
 

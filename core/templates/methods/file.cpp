@@ -140,7 +140,7 @@ std::string windowFileText(const CellMap& cells, const WindowFile& window) {
     const bool isSame = feedMmPerMin == motion.feedMmPerMin;
     feedMmPerMin = motion.feedMmPerMin;
     out.line("G1{}{}", words,
-             isSame ? "" : fmt::format(" F{}", base::formatNumber(roundedDown(feedMmPerMin))));
+             isSame ? "" : fmt::format(" F{}", base::formatFixed(roundedDown(feedMmPerMin), 6)));
   }
   out.line("RIV_END:");
   out.line("M17");

@@ -16,7 +16,8 @@ Language language() {
           .otherStatements = {},
           .isKlartext = true,
           .hasOWords = false,
-          .toolChangesZ = true};
+          .toolChangesZ = true,
+          .lengthComesWithTool = true};
 }
 
 }  // namespace rivulet::nc::heidenhain

@@ -10,7 +10,11 @@ Language language() {
   made.unitIsOfMachine = true;  // [TRAJ] LINEAR_UNITS
   made.hasRepeatedSigns = true;
   made.hasPolarSigns = true;
+  made.lengthIsOfTool = true;
+  made.hasTurnsInP = true;
   made.sharesOffset = true;
+  made.speedLimitIsD = true;
+  made.savesFeedAndSpeed = true;
   return made;
 }
 

@@ -37,8 +37,8 @@ Language language() {
           .comparesNumbersAsText = true,
           .lettersMayBeVariables = true,
           .namesAreCalls = true,
-          .inchesOfLengthsOnly = true,
-          .ignoresCentreAcross = true};
+          .ignoresCentreAcross = true,
+          .refusesLargeFeeds = true};
 }
 
 }  // namespace rivulet::nc::sinumerik
