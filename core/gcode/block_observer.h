@@ -47,6 +47,8 @@ class BlockObserver {
   virtual void modalCall(std::string_view name) = 0;
   /// @param points  of the trajectory so far
   virtual void end(nc::Executor& executor, std::size_t points) = 0;
+  /// Blocks that it has left to the control.
+  [[nodiscard]] virtual std::size_t nativeBlocks() const { return 0; }
   /// After the last block. A curve may have ended there.
   virtual void finish(std::size_t points) = 0;
 };

@@ -133,6 +133,10 @@ constexpr std::array kTexts{
         DiagnosticCode::TooManyPoints, "too-many-points",
         RIVULET_SENTENCE("DiagnosticTexts",
                          "The program has more than %1 points: it is not read further. Split it.")},
+    CodeText{DiagnosticCode::TooManyNativeBlocks, "too-many-native-blocks",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "Loops and calls repeat more than %1 blocks for the control: the "
+                              "program is not read further. Check the condition of the loop.")},
     CodeText{DiagnosticCode::EndlessLoop, "endless-loop",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "The loop that ends here does not terminate: reading stopped after "

@@ -78,8 +78,10 @@ class Interpreter {
         m_observer(observer),
         m_language(nc::languageOf(guess.dialect)),
         m_findings(options.accepted),
-        m_variables(m_language.comparison,
-                    [this](char axis) { return m_executor.positionOf(axis); }),
+        m_variables(
+            m_language.comparison, [this](char axis) { return m_executor.positionOf(axis); },
+            [this](int number) { return knownNumber(number); },
+            [this] { return m_executor.state().lengthFactor != 1.0; }),
         m_cursorOptions(cursorOptions()),
         m_flow(text, guess.dialect, m_variables, m_cursorOptions),
         m_path(options, m_out.trajectory, m_out.statistics, m_findings),
@@ -164,9 +166,7 @@ class Interpreter {
       m_facts.leaveOut(m_flow.isMade());
       interpretBlock(used);
       end();
-      if (m_out.trajectory.points.size() > kTrajectoryPointsMax) {
-        m_findings.report(Severity::Error, 1, DiagnosticCode::TooManyPoints,
-                          fmt::format("{}", kTrajectoryPointsMax));
+      if (isTooLarge()) {
         m_isPartial = true;
         break;
       }
@@ -176,6 +176,13 @@ class Interpreter {
   }
 
  private:
+  [[nodiscard]] std::optional<double> knownNumber(int number) {
+    const auto position = [this](char axis) { return m_executor.positionOf(axis); };
+    return m_language.knownNumber != nullptr
+               ? m_language.knownNumber(number, m_executor.state(), position)
+               : std::nullopt;
+  }
+
   [[nodiscard]] nc::Sinks sinks() {
     const nc::Sinks own{m_path, m_findings, m_facts};
     return m_observer != nullptr ? m_observer->observe(m_language, own) : own;
@@ -277,6 +284,24 @@ class Interpreter {
     return counted;
   }
 
+  /// What loops and calls repeat has a lower limit than what the file holds.
+  [[nodiscard]] bool isTooLarge() {
+    const std::size_t repeated = m_flow.repeatedLines();
+    const std::size_t pointsMax = repeated > 0 ? nc::kRepeatedPointsMax : kTrajectoryPointsMax;
+    if (m_out.trajectory.points.size() > pointsMax) {
+      m_findings.report(Severity::Error, 1, DiagnosticCode::TooManyPoints,
+                        fmt::format("{}", pointsMax));
+      return true;
+    }
+    if (m_observer != nullptr && repeated > nc::kRepeatedNativeBlocksMax &&
+        m_observer->nativeBlocks() > m_flow.fileLines() + nc::kRepeatedNativeBlocksMax) {
+      m_findings.report(Severity::Error, 1, DiagnosticCode::TooManyNativeBlocks,
+                        fmt::format("{}", nc::kRepeatedNativeBlocksMax));
+      return true;
+    }
+    return false;
+  }
+
   void interpretBlock(const nc::Words& block) {
     BlockWords words;
     words.line = m_flow.line();
@@ -304,6 +329,7 @@ class Interpreter {
     if (words.rare) {
       executeFlow(words);
     }
+    callModally(words);
     if (words.ends) {
       endProgram();
     }
@@ -328,29 +354,85 @@ class Interpreter {
       const auto times = static_cast<int>(std::clamp(words.p.value_or(1.0), 0.0, 1e6));
       settle(m_flow.call(*rare.call, times), *rare.call);
     }
-    if ((rare.call98 || rare.macroCall) && !words.p) {
-      m_to.faults.report(Severity::Error, 1, DiagnosticCode::NumberMissing, "P");
-    } else if (rare.call98 || rare.macroCall) {
-      int number = static_cast<int>(std::clamp(*words.p, 0.0, 1e9));
-      int times = static_cast<int>(std::clamp(words.l.value_or(1.0), 0.0, 1e6));
-      constexpr int kNumbers = 10000;
-      if (number >= kNumbers && !words.l && rare.call98) {
-        // P31000 of a Fanuc: three times O1000.
-        times = number / kNumbers;
-        number %= kNumbers;
-      }
-      Token token;
-      settle(m_flow.callNumber(number, times,
-                               rare.macroCall ? std::optional(rare.arguments) : std::nullopt),
-             token);
+    if (rare.call98 || rare.call97 || rare.isMacro()) {
+      callByNumber(words, rare);
     }
-    if (rare.returns && !m_flow.leaveSubprogram()) {
+    if (rare.modalMacroOff) {
+      m_modalMacro.reset();
+    }
+    if (rare.returns && words.p) {
+      returnTo(static_cast<int>(std::clamp(*words.p, 0.0, 1e9)));
+    } else if (rare.returns && !m_flow.leaveSubprogram()) {
       m_executor.finishCurve();
       m_ended = true;
       if (!m_language.namesAreCalls) {
         m_to.faults.report(Severity::Warning, 1, DiagnosticCode::RunsAgain, {});
       }
     }
+  }
+
+  /// M98, M97, G65 and G66.
+  void callByNumber(const BlockWords& words, const nc::RareWords& rare) {
+    if (!words.p) {
+      m_to.faults.report(Severity::Error, 1, DiagnosticCode::NumberMissing, "P");
+      return;
+    }
+    MacroCall call{static_cast<int>(std::clamp(*words.p, 0.0, 1e9)),
+                   static_cast<int>(std::clamp(words.l.value_or(1.0), 0.0, 1e6)), rare.arguments};
+    Token token;
+    if (rare.call97) {
+      settle(m_flow.callBlock(call.number, call.times), token);
+      return;
+    }
+    if (rare.isMacro() && isOfMacroA(rare)) {
+      m_to.faults.error(token, DiagnosticCode::UnsupportedGCode,
+                        fmt::format("G65 H{:.0f}", rare.arguments.at(kArgumentH)));
+      return;
+    }
+    if (rare.modalMacro) {
+      if (m_modalMacro) {
+        // One within another is a matter of levels that is not followed here.
+        m_to.faults.error(token, DiagnosticCode::UnsupportedGCode, "G66");
+      }
+      m_modalMacro = std::move(call);
+      return;
+    }
+    constexpr int kNumbers = 10000;
+    if (call.number >= kNumbers && !words.l && rare.call98 && m_language.packsRounds) {
+      call.times = call.number / kNumbers;
+      call.number %= kNumbers;
+    }
+    settle(m_flow.callNumber(call.number, call.times,
+                             rare.macroCall ? std::optional(call.arguments) : std::nullopt),
+           token);
+  }
+
+  /// H of custom macro A says what is calculated, and P then is the variable that gets the result.
+  [[nodiscard]] static bool isOfMacroA(const nc::RareWords& rare) {
+    return rare.hasVariableP && rare.arguments.contains(kArgumentH);
+  }
+
+  /// M99 P50.
+  void returnTo(int block) {
+    Token token;
+    if (m_language.returnTo == nc::ReturnTo::Nowhere) {
+      m_to.faults.error(token, DiagnosticCode::UnknownWord, "P");
+      m_ended = !m_flow.leaveSubprogram();
+      return;
+    }
+    const bool stays = m_language.returnTo == nc::ReturnTo::Itself || !m_flow.isInSubprogram();
+    settle(m_flow.leaveTo(block, stays), token);
+  }
+
+  /// G66: behind each block that moves, but not behind those of the macro itself.
+  void callModally(const BlockWords& words) {
+    const bool runs = m_modalCallDepth && m_flow.depth() > *m_modalCallDepth;
+    if (!m_modalMacro || !words.moves() || words.taken || words.ends || runs) {
+      return;
+    }
+    m_modalCallDepth = m_flow.depth();
+    settle(m_flow.callNumber(m_modalMacro->number, m_modalMacro->times, m_modalMacro->arguments),
+           Token());
   }
 
   void settle(const nc::Outcome& outcome, const Token& token) {
@@ -369,6 +451,10 @@ class Interpreter {
         m_to.faults.report(Severity::Error, token.column, fault->code, fault->argument);
       } else {
         m_to.faults.fault(token.column, *fault);
+      }
+      if (fault->code == nc::FaultCode::AlarmRaised) {
+        m_executor.finishCurve();
+        m_ended = true;
       }
     } else if (const auto* const missing = std::get_if<nc::SubprogramMissing>(&outcome)) {
       m_to.faults.error(token, DiagnosticCode::SubprogramMissing, missing->name);
@@ -503,6 +589,14 @@ class Interpreter {
     }
   }
 
+  /// O word, rounds and # variables of a call.
+  struct MacroCall {
+    int number = 0;
+    int times = 1;
+    std::map<int, double> arguments;
+  };
+  static constexpr int kArgumentH = 11;
+
   std::string_view m_text;
   const LoadOptions& m_options;
   BlockObserver* m_observer;
@@ -519,6 +613,8 @@ class Interpreter {
   nc::ExecutorOptions m_executorOptions;
   nc::Sinks m_to;
   nc::Executor m_executor;
+  std::optional<MacroCall> m_modalMacro;        ///< G66
+  std::optional<std::size_t> m_modalCallDepth;  ///< of the program that it was called in last
   bool m_ended = false;
   bool m_isPartial = false;       ///< given up before the end
   bool m_watchesReading = false;  ///< something depends on how it is read

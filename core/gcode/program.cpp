@@ -24,10 +24,15 @@ namespace rivulet::gcode {
 
 namespace {
 
-/// Subprograms are small; a file beyond this is none.
-constexpr std::uintmax_t kSubprogramBytesMax = std::uintmax_t{16} * 1024 * 1024;
+/// "O100" of O0100 and 100, as files of numbered programs are called; "": not a number.
+std::string numberOf(std::string_view stem) {
+  stem.remove_prefix(stem.starts_with('O') ? 1 : 0);
+  const bool isNumber = !stem.empty() && std::all_of(stem.begin(), stem.end(), base::isDigit);
+  const std::optional<int> number = isNumber ? base::parseInteger(stem) : std::nullopt;
+  return number ? fmt::format("O{}", *number) : std::string();
+}
 
-/// NAME.SPF beside the program, whatever the case of its letters.
+/// NAME.SPF beside the program, whatever the case of its letters; O100 is O0100.NC and 100.NC, too.
 std::optional<nc::LoadedText> subprogramIn(const std::filesystem::path& folder,
                                            std::string_view name) {
   static constexpr std::array<std::string_view, 9> kEndings{"",     ".SPF", ".MPF", ".SUB", ".NC",
@@ -45,12 +50,14 @@ std::optional<nc::LoadedText> subprogramIn(const std::filesystem::path& folder,
     const std::string file = base::toUpper(entry->path().filename().string());
     const bool matches =
         std::any_of(kEndings.begin(), kEndings.end(), [&](std::string_view ending) {
-          return file.size() == name.size() + ending.size() && file.rfind(name, 0) == 0 &&
-                 file.substr(name.size()) == ending;
+          const bool ends = file.ends_with(ending);
+          const std::string_view stem =
+              std::string_view(file).substr(0, file.size() - (ends ? ending.size() : 0));
+          return ends && (stem == name || numberOf(stem) == name);
         });
     std::error_code ignored;
     if (!matches || !entry->is_regular_file(ignored) ||
-        entry->file_size(ignored) > kSubprogramBytesMax) {
+        entry->file_size(ignored) > nc::kSubprogramBytesMax) {
       continue;
     }
     std::ifstream stream(entry->path(), std::ios::binary);

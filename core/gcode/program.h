@@ -21,6 +21,7 @@
 #include "gcode/facts.h"
 #include "gcode/trajectory.h"
 #include "nc/flow/cursor.h"
+#include "nc/limits.h"
 #include "nc/syntax/dialect.h"
 
 namespace rivulet::gcode {
@@ -35,13 +36,9 @@ using nc::kDialects;
 inline constexpr std::size_t kDiagnosticsMax = 1000;
 /// How often the same finding is listed; the first one says how many there are.
 inline constexpr std::size_t kRepeatsListed = 20;
-/// Points of one trajectory; beyond it the program is refused, not the machine's memory.
-inline constexpr std::size_t kTrajectoryPointsMax = 32'000'000;
-/// Bytes of a program file: 512 MiB.
-inline constexpr std::uintmax_t kProgramBytesMax = std::uintmax_t{512} * 1024 * 1024;
-
-/// Lines executed again by loops and calls before a program counts as endless.
-inline constexpr std::size_t kRepeatedLinesMax = 5'000'000;
+using nc::kProgramBytesMax;
+using nc::kRepeatedLinesMax;
+using nc::kTrajectoryPointsMax;
 
 enum class NoPoint : unsigned char {
   Units,       ///< X10 is 10 mm or 10 inch

@@ -12,8 +12,12 @@
 
 namespace rivulet::gcode {
 
-ProgramVariables::ProgramVariables(const nc::Semantics& semantics, PositionOf positionOf)
-    : Variables(semantics), m_positionOf(std::move(positionOf)) {
+ProgramVariables::ProgramVariables(const nc::Semantics& semantics, PositionOf positionOf,
+                                   KnownNumber knownNumber, std::function<bool()> countsInches)
+    : Variables(semantics),
+      m_positionOf(std::move(positionOf)),
+      m_knownNumber(std::move(knownNumber)),
+      m_countsInches(std::move(countsInches)) {
 }
 
 nc::Expected<nc::Value> ProgramVariables::system(std::string_view name,
@@ -42,10 +46,8 @@ nc::Expected<nc::Value> ProgramVariables::variable(std::string_view name,
 }
 
 nc::Expected<nc::Value> ProgramVariables::numbered(int number) const {
-  constexpr int kFirst = 5420;
-  if (number >= kFirst && number < kFirst + static_cast<int>(base::kAxisCount)) {
-    const char axis = base::kAxisNames[static_cast<std::size_t>(number - kFirst)];
-    if (const std::optional<double> known = m_positionOf(axis)) {
+  if (semantics().kindOf(number) == nc::NumberKind::Control) {
+    if (const std::optional<double> known = m_knownNumber(number)) {
       noteChange();
       return *known;
     }

@@ -18,18 +18,25 @@ namespace rivulet::gcode {
 class ProgramVariables final : public nc::Variables {
  public:
   using PositionOf = std::function<std::optional<double>(char axis)>;
-  ProgramVariables(const nc::Semantics& semantics, PositionOf positionOf);
+  /// Of a # variable of the control.
+  using KnownNumber = std::function<std::optional<double>(int number)>;
+  ProgramVariables(const nc::Semantics& semantics, PositionOf positionOf, KnownNumber knownNumber,
+                   std::function<bool()> countsInches);
 
   [[nodiscard]] nc::Expected<nc::Value> system(std::string_view name,
                                                std::span<const nc::Value> indices) const override;
   /// #<_x>
   [[nodiscard]] nc::Expected<nc::Value> variable(std::string_view name,
                                                  std::span<const int> indices) const override;
-  /// #5420 and on: the position.
+  /// Of the control's, what its dialect knows.
   [[nodiscard]] nc::Expected<nc::Value> numbered(int number) const override;
+
+  [[nodiscard]] double leastIncrement() const override { return m_countsInches() ? 1e-4 : 1e-3; }
 
  private:
   PositionOf m_positionOf;
+  KnownNumber m_knownNumber;
+  std::function<bool()> m_countsInches;
 };
 
 }  // namespace rivulet::gcode

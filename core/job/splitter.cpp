@@ -152,6 +152,8 @@ class Splitter final : public gcode::BlockObserver,
         m_translator(profile),
         m_each(std::move(each)) {}
 
+  [[nodiscard]] std::size_t nativeBlocks() const override { return m_parts.size(); }
+
   nc::Sinks observe(const nc::Language& language, nc::Sinks own) override {
     m_language = &language;
     m_own.emplace(own);

@@ -99,6 +99,7 @@ constexpr std::array kClauses{
     Clause{FaultCode::TypeMismatch, RIVULET_SENTENCE("FaultTexts", "the value is not of type %1")},
     Clause{FaultCode::OutOfRange, RIVULET_SENTENCE("FaultTexts", "the value is outside the range of type %1")},
     Clause{FaultCode::TooManyValues, RIVULET_SENTENCE("FaultTexts", "the list has more values than the array has elements")},
+    Clause{FaultCode::TooManyVariables, RIVULET_SENTENCE("FaultTexts", "the program has more than %1 variables")},
     Clause{FaultCode::OnlyOnControl, RIVULET_SENTENCE("FaultTexts", "only the control knows the value of %1")},
     Clause{FaultCode::ControlWritten, RIVULET_SENTENCE("FaultTexts", "a variable of the control would be written")},
     Clause{FaultCode::NumberNotWritable, RIVULET_SENTENCE("FaultTexts", "%1 cannot be written by a program here")},

@@ -55,6 +55,7 @@ enum class FaultCode : std::uint8_t {
   MotionModeAssumed,            ///< an axis before any G0..G3: G1, as SINUMERIK after reset
   CentreOutsidePlane,           ///< I, J or K across the plane of the arc: argument the word
   TooManyPoints,                ///< argument: the limit; the program was not read further
+  TooManyNativeBlocks,          ///< argument: the limit; the program was not read further
   EndlessLoop,                  ///< argument: the blocks run again; the program was not run further
   ExpressionFault,              ///< argument: what is wrong with the calculation
   FlowFault,                    ///< argument: what is wrong with the jump, loop or subprogram
@@ -145,7 +146,8 @@ enum class FaultCode : std::uint8_t {
   TypeMismatch,  ///< argument: the type that is needed
   OutOfRange,    ///< argument: the type
   TooManyValues,
-  OnlyOnControl,  ///< argument: the variable
+  TooManyVariables,  ///< argument: the limit
+  OnlyOnControl,     ///< argument: the variable
   ControlWritten,
   NumberNotWritable,       ///< argument: "#2001"
   AlarmRaised,             ///< by the program: argument its number and text; it ends there

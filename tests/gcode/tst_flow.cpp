@@ -124,7 +124,7 @@ class TestFlow : public QObject {
     add("missing subprogram", "MSG(\"a\")\nG0 X0\nPART(3)\nX1",
         "0 1 ! 3:1 error subprogram-missing PART");
     add("ENDIF missing", "MSG(\"a\")\nIF 1==2\nG0 X1",
-        " ! 2:1 error flow-fault the IF that begins here is not closed");
+        "1 ! 2:1 error flow-fault the IF that begins here is not closed");
     add("stray end", "MSG(\"a\")\nG0 X1\nENDLOOP",
         "1 ! 3:1 error flow-fault ENDLOOP has no beginning");
     // ISO

@@ -87,6 +87,7 @@ constexpr std::array kComputations{
     Computation{Op::Divide, [](double a, double b, double) { return a / b; }},
     Computation{Op::IntegerDivide, [](double a, double b, double) { return std::trunc(a / b); }},
     Computation{Op::Modulo, [](double a, double b, double) { return std::fmod(a, b); }},
+    Computation{Op::WholeModulo, [](double a, double b, double) { return std::fmod(std::round(a), std::round(b)); }},
     Computation{Op::FloorModulo, [](double a, double b, double) { return notNegative(std::fmod(a, b), std::abs(b)); }},
     Computation{Op::Power, [](double a, double b, double) { return std::pow(a, b); }},
     Computation{Op::Sin, [](double a, double, double) { return std::sin(a * kRadPerDegree); }},
@@ -262,11 +263,21 @@ const Semantics& hashSemantics() {
   return semantics;
 }
 
-NumberKind Semantics::kindOf(int number) const {
+const NumberRange* Semantics::rangeOf(int number) const {
   const auto range = std::find_if(
       numbers.begin(), numbers.end(),
       [number](const NumberRange& each) { return number >= each.first && number <= each.last; });
-  return range == numbers.end() ? NumberKind::Nothing : range->kind;
+  return range == numbers.end() ? nullptr : &*range;
+}
+
+NumberKind Semantics::kindOf(int number) const {
+  const NumberRange* const range = rangeOf(number);
+  return range == nullptr ? NumberKind::Nothing : range->kind;
+}
+
+int Semantics::canonical(int number) const {
+  const NumberRange* const range = rangeOf(number);
+  return range == nullptr || range->sameAs == 0 ? number : range->sameAs + number - range->first;
 }
 
 bool areEqual(double a, double b, const Semantics& semantics) {
@@ -330,7 +341,8 @@ Expected<Value> evaluate(const Expression& node, const ValueSource& source,
     operands[1] = source.leastIncrement();
   }
   const bool divides = node.op >= Op::Divide && node.op <= Op::FloorModulo;
-  if (divides && operands[1] == 0.0) {
+  if (divides &&
+      (operands[1] == 0.0 || (node.op == Op::WholeModulo && std::round(operands[1]) == 0.0))) {
     return fail(FaultCode::DivisionByZero, {}, node.place);
   }
   const double result = compute(node.op, operands[0], operands[1], operands[2]);

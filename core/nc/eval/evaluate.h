@@ -42,6 +42,7 @@ struct NumberRange {
   int first;
   int last;
   NumberKind kind;
+  int sameAs = 0;  ///< the number by which `first` is known as well; 0: it has one
 };
 
 /// How the control calculates.
@@ -53,6 +54,11 @@ struct Semantics {
   std::span<const NumberRange> numbers{};  ///< ascending
 
   [[nodiscard]] NumberKind kindOf(int number) const;
+  /// The one number of a variable that has two.
+  [[nodiscard]] int canonical(int number) const;
+
+ private:
+  [[nodiscard]] const NumberRange* rangeOf(int number) const;
 };
 /// Relative 1e-12 for all six comparisons.
 [[nodiscard]] const Semantics& sinumerikSemantics();

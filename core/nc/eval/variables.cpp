@@ -12,13 +12,13 @@
 
 #include "base/contract.h"
 #include "base/text.h"
+#include "nc/limits.h"
 #include "nc/unknown.h"
 
 namespace rivulet::nc {
 
 namespace {
 
-constexpr int kElementsMax = 100'000;
 constexpr double kIntMax = 2147483647.0;
 
 bool holdsText(Type type) {
@@ -51,6 +51,7 @@ Expected<Value> Variables::variable(std::string_view name, std::span<const int> 
 
 Expected<Value> Variables::numbered(int number) const {
   const NumberKind kind = m_semantics.kindOf(number);
+  number = m_semantics.canonical(number);
   const auto& numbers = kind == NumberKind::Local ? m_scopes.back().numbers : m_globals.numbers;
   const auto found = numbers.find(number);
   if (found != numbers.end()) {
@@ -239,6 +240,9 @@ Expected<void> Variables::assign(const Assignment& assignment) {
   }
   Expected<Value> value = evaluate(*assignment.initial.values.front(), *this, m_semantics);
   Expected<void> done = assign(target, value ? *value : Value(kUnknown));
+  if (value && !done && done.error().code == FaultCode::AlarmRaised && !assignment.text.empty()) {
+    done.error().argument += " (" + assignment.text + ")";
+  }
   return value ? done : fail(value.error());
 }
 
@@ -250,6 +254,10 @@ Expected<void> Variables::assign(const Expression& target, Value value) {
   if (target.op == Op::Variable) {
     const Binding* found = binding(target.name);
     if (found == nullptr && target.name.starts_with('<')) {
+      if (m_elements >= kElementsMax) {
+        return fail(FaultCode::TooManyVariables, fmt::format("{}", kElementsMax), target.place);
+      }
+      ++m_elements;
       Scope& owner = isGlobal(target.name) ? m_globals : scope();
       auto fresh = std::make_shared<Variable>();
       fresh->values = {0.0};
@@ -305,6 +313,7 @@ Expected<void> Variables::setR(int index, double value) {
 
 Expected<void> Variables::setNumbered(int number, const Value& value) {
   const NumberKind kind = m_semantics.kindOf(number);
+  number = m_semantics.canonical(number);
   switch (kind) {
     case NumberKind::Local:
     case NumberKind::Common:
@@ -313,7 +322,7 @@ Expected<void> Variables::setNumbered(int number, const Value& value) {
     case NumberKind::Nothing:
       return fail(FaultCode::NoSuchHash, fmt::format("#{}", number));
     case NumberKind::Alarm:
-      return fail(FaultCode::AlarmRaised, textOf(value));
+      return fail(FaultCode::AlarmRaised, fmt::format("#{}={}", number, textOf(value)));
     default:
       return fail(FaultCode::NumberNotWritable, fmt::format("#{}", number));
   }
@@ -324,6 +333,9 @@ Expected<void> Variables::setNumbered(int number, const Value& value) {
     // is.
     m_changes += numbers.erase(number);
     return {};
+  }
+  if (numbers.size() >= kNumbersMax && !numbers.contains(number)) {
+    return fail(FaultCode::TooManyVariables, fmt::format("{}", kNumbersMax));
   }
   const auto [slot, isNew] = numbers.emplace(number, *written);
   m_changes += isNew ? 1 : 0;
@@ -352,7 +364,7 @@ Expected<Variable> Variables::made(const Definition& definition) const {
       return fail(value.error());
     }
     elements *= std::floor(*value);
-    if (!(*value >= 1.0) || elements > kElementsMax) {
+    if (!(*value >= 1.0) || elements > static_cast<double>(kElementsMax)) {
       return fail(FaultCode::SizeMalformed, {}, definition.place);
     }
     variable.sizes.push_back(static_cast<int>(*value));
@@ -376,6 +388,10 @@ Expected<void> Variables::define(const Definition& definition) {
                                       ? valueFor(Type::Real, *definition.initial->values.front())
                                       : Expected<Value>(0.0);
     return value ? setR(*r, std::get<double>(*value)) : fail(value.error());  // Real is a number
+  }
+  m_elements += scope().names.contains(definition.name) ? 0 : variable->values.size();
+  if (m_elements > kElementsMax) {
+    return fail(FaultCode::TooManyVariables, fmt::format("{}", kElementsMax), definition.place);
   }
   auto owned = std::make_shared<Variable>(std::move(*variable));
   scope().names.insert_or_assign(definition.name, Binding{owned, {}, false});
@@ -458,6 +474,9 @@ void Variables::enter(const Scope& scope) {
 
 void Variables::leave() {
   RIVULET_ASSERT(m_scopes.size() > 1);
+  for (const auto& [name, bound] : m_scopes.back().names) {
+    m_elements -= bound.isReference ? 0 : std::min(m_elements, bound.variable->values.size());
+  }
   m_scopes.pop_back();
 }
 

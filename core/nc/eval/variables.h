@@ -102,8 +102,9 @@ class Variables : public ValueSource {
   const Semantics& m_semantics;
   std::vector<Scope> m_scopes;
   mutable std::uint64_t m_changes = 0;
-  Scope m_globals;            ///< # variables of all programs, #<_name>
-  std::map<int, double> m_r;  ///< those assigned
+  std::size_t m_elements = 0;  ///< of variables with names
+  Scope m_globals;             ///< # variables of all programs, #<_name>
+  std::map<int, double> m_r;   ///< those assigned
 };
 
 }  // namespace rivulet::nc

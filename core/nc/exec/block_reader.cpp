@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "nc/unknown.h"
 
 namespace rivulet::nc {
 
@@ -49,7 +50,7 @@ void BlockReader::read(const Token& token, BlockWords& words) {
   switch (token.kind) {
     case TokenKind::Word:
       if (isVariable(token)) {
-        assign(token);
+        assign(token, words);
       } else {
         readWord(token, words);
       }
@@ -67,7 +68,7 @@ void BlockReader::read(const Token& token, BlockWords& words) {
       break;
     case TokenKind::Expression:
       if (isVariable(token)) {
-        assign(token);
+        assign(token, words);
       } else {
         readCalculated(token, words);
       }
@@ -127,13 +128,60 @@ bool BlockReader::isVariable(const Token& token) const {
          m_variables.find(std::string_view(&token.address, 1)) != nullptr;
 }
 
-void BlockReader::assign(const Token& token) {
+void BlockReader::assign(const Token& token, BlockWords& words) {
+  if (m_language.assignsBehindBlock && token.calculated() != nullptr) {
+    assignLater(token);
+    return;
+  }
   const Expected<void> done = token.calculation == nullptr ? m_variables.assign(assignmentOf(token))
                               : *token.calculation         ? m_variables.assign(**token.calculation)
                                                            : fail(token.calculation->error());
   if (!done) {
     m_to.faults.fault(token.column, done.error());
+    words.ends = words.ends || done.error().code == FaultCode::AlarmRaised;
   }
+}
+
+/// All words of the block, and its other assignments, read what was there before it.
+void BlockReader::assignLater(const Token& token) {
+  Pending pending{token, (*token.calculation)->target, kUnknown};
+  for (Expression& index : pending.target.operands) {
+    const Expected<double> number = m_variables.number(index);
+    if (!number) {
+      m_to.faults.fault(token.column, number.error());
+      return;
+    }
+    index = Expression::constant(*number);
+  }
+  Expected<Value> value = evaluate(*token.calculated(), m_variables, m_variables.semantics());
+  if (value) {
+    pending.value = *std::move(value);
+  } else {
+    m_to.faults.fault(token.column, value.error());
+  }
+  m_pending.push_back(std::move(pending));
+}
+
+void BlockReader::assignPending() {
+  for (Pending& each : m_pending) {
+    if (const Expected<void> done = m_variables.assign(each.target, std::move(each.value)); !done) {
+      m_to.faults.fault(each.token.column, done.error());
+    }
+  }
+  m_pending.clear();
+}
+
+/// X#24 and X-#24 of a variable without a value: the control leaves the address out.
+bool BlockReader::isVacant(const Expression& value) const {
+  if (!m_variables.semantics().knowsVacant) {
+    return false;
+  }
+  if (value.op == Op::Negate) {
+    return isVacant(value.operands.front());
+  }
+  const Expected<Value> read =
+      value.op == Op::Hash ? evaluate(value, m_variables, m_variables.semantics()) : Value(0.0);
+  return read && std::holds_alternative<Vacant>(*read);
 }
 
 std::optional<double> BlockReader::numberOf(const Token& token) {
@@ -148,6 +196,9 @@ std::optional<double> BlockReader::numberOf(const Token& token) {
 }
 
 void BlockReader::readCalculated(const Token& token, BlockWords& words) {
+  if (token.calculated() != nullptr && isVacant(*token.calculated())) {
+    return;
+  }
   const std::optional<double> result = numberOf(token);
   if (!result && axisOf(token.address) >= kProgrammedAxisCount) {
     return;
@@ -237,7 +288,7 @@ void BlockReader::readAssignment(const Token& token, BlockWords& words) {
     m_to.faults.error(token, FaultCode::UnknownWord);
     return;
   }
-  assign(token);
+  assign(token, words);
 }
 
 /// M1=3, M[R1]=3 and S2=500 are the spindles'; G[6]=2 is a G function by group and number.
@@ -272,7 +323,7 @@ void BlockReader::readIndexed(const Token& token, BlockWords& words) {
   readG(m_calculated.back(), words);
 }
 
-void BlockReader::readText(const Token& token, const BlockWords& words) {
+void BlockReader::readText(const Token& token, BlockWords& words) {
   if (token.address == 'T') {
     const std::size_t open = token.text.find('"');
     m_to.path.toolName(token.text.substr(open + 1, token.text.size() - open - 2), words.line);
@@ -281,7 +332,7 @@ void BlockReader::readText(const Token& token, const BlockWords& words) {
   }
   const std::string name = base::toUpper(tokenName(token));
   if (token.address == 0 && m_variables.find(name) != nullptr) {
-    assign(token);
+    assign(token, words);
   } else if (nameEffect(m_language.dialect, name) == NameEffect::None) {
     m_to.faults.ignore(token, name);
   } else {
@@ -333,20 +384,37 @@ void BlockReader::readWord(const Token& token, BlockWords& words) {
     readPolarSign(token, words);
     return;
   }
-  const bool isFunction = address == 'G' || address == 'M';
-  if (words.rare && words.rare->macroCall && !isFunction && address != 'N' && address != 'P' &&
-      address != 'L') {
-    if (const int number = argumentOf(address); number > 0) {
-      words.rare->arguments[number] = token.value;
-    }
+  if (words.rare && words.rare->isMacro() &&
+      std::string_view("GNOPL").find(address) == std::string_view::npos) {
+    readArgument(token, *words.rare);
     return;
   }
+  const bool isFunction = address == 'G' || address == 'M';
   const unsigned bit = isFunction ? 0U : 1U << letter;
   if ((words.repeated & bit) != 0) {
     reportRepetition(token);
   }
   words.repeated |= bit;
   (this->*kLetters[letter])(token, words);
+}
+
+/// FANUC Series 30i Operator's Manual B-63944EN, "Simple call (G65)", argument specification I and
+/// II: I, J and K again begin the next three variables, and what is written last holds.
+void BlockReader::readArgument(const Token& token, RareWords& call) const {
+  constexpr int kPerSet = 3;
+  constexpr int kLast = 33;
+  int number = argumentOf(token.address);
+  if (token.address >= 'I' && token.address <= 'K') {
+    const bool isNext = m_language.hasArgumentSets && call.argumentLetter >= token.address;
+    call.argumentSet += isNext ? 1 : 0;
+    call.argumentLetter = token.address;
+    number += kPerSet * call.argumentSet;
+  }
+  if (number <= 0 || number > kLast) {
+    m_to.faults.error(token, FaultCode::UnknownWord);
+    return;
+  }
+  call.arguments[number] = token.value;
 }
 
 void BlockReader::reportRepetition(const Token& token) {
@@ -429,6 +497,9 @@ void BlockReader::readMachineWord(const Token& token, BlockWords& words) {
 }
 
 void BlockReader::readP(const Token& token, BlockWords& words) {
+  if (words.rare) {
+    words.rare->hasVariableP = token.calculation != nullptr;
+  }
   words.p = token.value;
   words.parameter = &token;
 }

@@ -32,6 +32,9 @@ class BlockReader {
     if (!m_calculated.empty()) {
       m_calculated.clear();
     }
+    if (!m_pending.empty()) {
+      assignPending();
+    }
   }
   /// The tool has moved: another work offset would send it to a wrong place.
   void setMoved() { m_moved = true; }
@@ -42,14 +45,18 @@ class BlockReader {
   // Kinds of tokens.
   void readWord(const Token& token, BlockWords& words);
   void readUnreadable(const Token& token);
-  void readText(const Token& token, const BlockWords& words);
+  void readText(const Token& token, BlockWords& words);
   void readIndexed(const Token& token, BlockWords& words);
   void readCalculated(const Token& token, BlockWords& words);
   void readIndexedAxis(const Token& token, BlockWords& words);
   void readAssignment(const Token& token, BlockWords& words);
-  void assign(const Token& token);
+  void assign(const Token& token, BlockWords& words);
+  void assignLater(const Token& token);
+  void assignPending();
+  void readArgument(const Token& token, RareWords& call) const;
   [[nodiscard]] bool isVariable(const Token& token) const;
   [[nodiscard]] std::optional<double> numberOf(const Token& token);
+  [[nodiscard]] bool isVacant(const Expression& value) const;
 
   // Letters.
   void reportRepetition(const Token& token);
@@ -99,6 +106,13 @@ class BlockReader {
   Variables& m_variables;
   Sinks m_to;
   std::deque<Token> m_calculated;  ///< of the present block
+  /// A variable that gets its value when the block has been executed.
+  struct Pending {
+    Token token;
+    Expression target;
+    Value value;
+  };
+  std::vector<Pending> m_pending;
   bool m_moved = false;
 };
 

@@ -60,11 +60,17 @@ struct NamedWord {
 struct RareWords {
   std::map<std::string, NamedWord, std::less<>> named;
   std::map<int, double> arguments;  ///< of G65: #1 and on
+  int argumentSet = 0;              ///< I J K of G65: how many began before
+  char argumentLetter = 0;          ///< the last of them
+  bool hasVariableP = false;        ///< G65 P#1
   std::string frame;                ///< TRANS, ROT, ...
   std::optional<Token> call;        ///< a subprogram by name, or L and its number
   std::optional<Token> statement;
   bool macroCall = false;
+  bool modalMacro = false;     ///< G66
+  bool modalMacroOff = false;  ///< G67
   bool call98 = false;
+  bool call97 = false;
   bool returns = false;
   GEffect offset = GEffect::None;  ///< SetPosition to SetWorkOffset
   const GRow* pole = nullptr;
@@ -81,6 +87,9 @@ struct RareWords {
   const GRow* spindleMode = nullptr;   ///< G96, G97
   MEffect savedState = MEffect::None;  ///< M70 to M73
   const Token* savedStateToken = nullptr;
+
+  /// The words of the block are arguments.
+  [[nodiscard]] bool isMacro() const { return macroCall || modalMacro; }
 };
 
 /// Tokens that are pointed at live as long as the block is executed.

@@ -81,7 +81,7 @@ void Executor::execute(BlockWords& words) {
   if (words.dwell) {
     executeDwell(words);
   } else {
-    if (words.feed != nullptr && !(words.taken && words.rare && words.rare->macroCall)) {
+    if (words.feed != nullptr && !(words.taken && words.rare && words.rare->isMacro())) {
       setFeed(words);
       if (!(words.feed->value > 0.0)) {
         words.feed = nullptr;  // reported; with G93, no motion takes it
@@ -125,8 +125,9 @@ bool Executor::hasUnusedParameter(const BlockWords& words) const {
       (m_language.hasTurnsInP && isPlaneArc(m_state.motion) && words.parameter->address == 'P')) {
     return false;
   }
-  return !words.rare || !(words.rare->call98 || words.rare->workOffsetToken != nullptr ||
-                          words.rare->call || words.rare->returns);
+  return !words.rare ||
+         !(words.rare->call98 || words.rare->call97 || words.rare->workOffsetToken != nullptr ||
+           words.rare->call || words.rare->returns);
 }
 
 void Executor::setModes(const BlockWords& words) {

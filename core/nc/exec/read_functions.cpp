@@ -35,8 +35,9 @@ bool takesBlock(GEffect effect) {
       GEffect::Pole,        GEffect::SetPosition,     GEffect::ResetPosition,
       GEffect::LocalOffset, GEffect::SuspendPosition, GEffect::RestorePosition,
       GEffect::ScaleOff,    GEffect::SetWorkOffset,   GEffect::MacroCall,
-      GEffect::Turn,        GEffect::Scale,           GEffect::Mirror,
-      GEffect::MirrorOff,   GEffect::FixedPoint,      GEffect::TakesBlock};
+      GEffect::ModalMacro,  GEffect::Turn,            GEffect::Scale,
+      GEffect::Mirror,      GEffect::MirrorOff,       GEffect::FixedPoint,
+      GEffect::TakesBlock};
   return isOneOf(effect, kTaking);
 }
 
@@ -184,7 +185,16 @@ void BlockReader::readBlockG(const GRow& row, const Token& token, BlockWords& wo
       words.rareWords().offset = effect;
       break;
     case GEffect::MacroCall:
-      words.rareWords().macroCall = true;
+    case GEffect::ModalMacro:
+      words.rareWords().macroCall = effect == GEffect::MacroCall;
+      words.rare->modalMacro = effect == GEffect::ModalMacro;
+      if (words.motionColumn != 0) {
+        // Arguments stand behind the call; what stands before it would be lost.
+        m_to.faults.error(token, FaultCode::UnsupportedGCode, wordText(token));
+      }
+      break;
+    case GEffect::ModalMacroOff:
+      words.rareWords().modalMacroOff = true;
       break;
     case GEffect::MotionMode:
     case GEffect::Cycle:
@@ -307,6 +317,9 @@ void BlockReader::readM(const Token& token, BlockWords& words) {
       return;
     case MEffect::Call:
       words.rareWords().call98 = true;
+      return;
+    case MEffect::LocalCall:
+      words.rareWords().call97 = true;
       return;
     case MEffect::Refused:
       m_to.faults.error(token, FaultCode::UnsupportedGCode, wordText(token));

@@ -21,7 +21,7 @@ void BlockReader::readName(const Token& token, BlockWords& words) {
     return;
   }
   if (token.kind == TokenKind::NamedValue && m_variables.find(name) != nullptr) {
-    assign(token);
+    assign(token, words);
     return;
   }
   switch (nameEffect(m_language.dialect, name)) {

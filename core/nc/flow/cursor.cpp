@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "nc/unknown.h"
 
 namespace rivulet::nc {
 
@@ -20,6 +21,7 @@ Cursor::Cursor(std::string_view text, Dialect dialect, Variables& variables,
       m_options(options),
       m_lexer(text, dialect) {
   m_sources.emplace_back().text = text;
+  setReturned(std::nullopt);
   if (m_language.isKlartext) {
     m_control.emplace();
   } else if (mayHoldSeveral(text, m_language)) {
@@ -136,21 +138,33 @@ bool decides(const Tree& tree) {
   });
 }
 
-void addUnreached(const TextProgram& program, const std::vector<bool>& reached, bool isBehindEnd,
+/// Of a program that nobody has entered, or whose blocks are all behind its end.
+Unreached wholeOf(const TextProgram& program, bool isBehindEnd) {
+  const bool isMain = !program.isCalled() && (!program.name.empty() || program.ends);
+  return {.what = isBehindEnd          ? Unreached::What::Blocks
+                  : program.isCalled() ? Unreached::What::Subprogram
+                  : isMain             ? Unreached::What::MainProgram
+                                       : Unreached::What::Blocks,
+          .program = program.name,
+          .first = program.firstBlock,
+          .last = program.lastBlock};
+}
+
+void addUnreached(const TextProgram& program, const std::vector<bool>& reached,
                   std::vector<Unreached>& all) {
   const auto isReached = [&reached](const Statement& each) {
     return each.place.line.value < reached.size() && reached[each.place.line.value];
   };
   const std::vector<Statement>& statements = program.tree->statements;
-  const bool isEntered =
-      isBehindEnd || std::any_of(statements.begin(), statements.end(), isReached);
+  if (std::none_of(statements.begin(), statements.end(), isReached)) {
+    if (program.firstBlock.value != 0) {
+      all.push_back(wholeOf(program, false));
+    }
+    return;
+  }
   Unreached found;
   found.program = program.name;
-  found.what = isEntered                               ? Unreached::What::Blocks
-               : program.isCalled()                    ? Unreached::What::Subprogram
-               : !program.name.empty() || program.ends ? Unreached::What::MainProgram
-                                                       : Unreached::What::Blocks;
-  found.dependsOnValues = isEntered && !isBehindEnd && decides(*program.tree);
+  found.dependsOnValues = decides(*program.tree);
   const auto add = [&] {
     if (found.first.value != 0) {
       all.push_back(found);
@@ -174,7 +188,7 @@ std::vector<Unreached> Cursor::unreached() const {
   std::vector<Unreached> all;
   if (m_flow) {
     for (const TextProgram& program : m_sources.front().programs.all) {
-      addUnreached(program, m_reached, false, all);
+      addUnreached(program, m_reached, all);
     }
     return all;
   }
@@ -185,10 +199,11 @@ std::vector<Unreached> Cursor::unreached() const {
     }
     return lexer;
   };
-  const Programs programs =
-      readPrograms(m_isAtHeading ? fromHeading() : m_lexer, m_language.dialect);
+  const Programs programs = outlineOf(m_isAtHeading ? fromHeading() : m_lexer, m_language.dialect);
   for (const TextProgram& program : programs.all) {
-    addUnreached(program, {}, program.heading == Heading::None, all);
+    if (program.firstBlock.value != 0) {
+      all.push_back(wholeOf(program, program.heading == Heading::None));
+    }
   }
   return all;
 }
@@ -374,11 +389,16 @@ Cursor::Step Cursor::next() {
     return Step::Block;
   }
   for (;;) {
+    if (m_flow->isStuck()) {
+      m_endless = m_line;
+      return Step::End;
+    }
     const Statement* const statement = m_flow->due();
     if (statement == nullptr) {
       if (!m_flow->leave()) {
         return Step::End;
       }
+      setReturned(std::nullopt);
       continue;
     }
     m_flow->step();
@@ -397,19 +417,35 @@ Cursor::Step Cursor::next() {
     m_outcome = std::monostate{};
     if (const auto* const faulty = std::get_if<Faulty>(&statement->what)) {
       m_outcome = faulty->fault;
-    } else if (std::holds_alternative<Return>(statement->what)) {
-      if (!m_flow->leave()) {
-        m_outcome = Fault{FaultCode::NotCalled, "RETURN", statement->place};
-      }
+    } else if (const auto* const with = std::get_if<Return>(&statement->what)) {
+      m_outcome = leave(*with);
     } else if (Expected<bool> done = m_flow->execute(*statement); !done) {
       m_outcome = outcomeOf(std::move(done.error()));
-    } else if (m_flow->isStuck()) {
-      m_endless = m_place.file == 0 ? m_place.line : m_line;
-      return Step::End;
     }
     if (!std::holds_alternative<std::monostate>(m_outcome)) {
       return Step::Report;
     }
+  }
+}
+
+Outcome Cursor::leave(const Return& with) {
+  const Expected<double> value = with.value ? m_variables.number(*with.value) : 0.0;
+  if (!m_flow->leave()) {
+    return Fault{FaultCode::NotCalled, "RETURN", m_place};
+  }
+  if (!value) {
+    setReturned(kUnknown);
+    return value.error();
+  }
+  setReturned(with.value ? std::optional(*value) : std::nullopt);
+  return std::monostate{};
+}
+
+/// LinuxCNC, O codes, "Subroutines": #<_value> and #<_value_returned>.
+void Cursor::setReturned(std::optional<double> value) {
+  if (m_language.returnsValues) {
+    static_cast<void>(m_variables.assign(variableNamed("<_VALUE>"), value.value_or(0.0)));
+    static_cast<void>(m_variables.assign(variableNamed("<_VALUE_RETURNED>"), value ? 1.0 : 0.0));
   }
 }
 
@@ -490,6 +526,7 @@ Outcome Cursor::callNumber(int number, int times,
   made.times = Expression::constant(times);
   made.isNumbered = numbers.has_value();
   made.sharesVariables = !numbers.has_value();
+  made.keepsValues = m_language.keepsArguments;
   for (const auto& [index, value] : numbers.value_or(std::map<int, double>{})) {
     made.arguments.resize(static_cast<std::size_t>(index));
     made.arguments.back() = Expression::constant(value);

@@ -21,6 +21,7 @@
 #include "nc/dialects/heidenhain/control.h"
 #include "nc/eval/variables.h"
 #include "nc/flow/flow.h"
+#include "nc/limits.h"
 #include "nc/syntax/programs.h"
 
 namespace rivulet::nc {
@@ -35,7 +36,7 @@ struct CursorOptions {
   /// Blocks with "/" are left out. Only plain text asks here: its blocks change more than the path.
   bool blockSkip = false;
   /// Statements executed beyond the lines of the file before a program counts as endless.
-  std::size_t repeatedLinesMax = 5'000'000;
+  std::size_t repeatedLinesMax = kRepeatedLinesMax;
   /// The text of a subprogram that is not in the file: by its name in upper case, "O100" for
   /// numbers. Nothing: there is none. May be empty.
   std::function<std::optional<LoadedText>(std::string_view name)> load;
@@ -106,7 +107,9 @@ class Cursor {
   [[nodiscard]] bool leaveSubprogram() { return m_flow && m_flow->leave(); }
   /// M99 P50: see `Flow::leaveTo`.
   [[nodiscard]] Outcome leaveTo(int number, bool stays);
-  [[nodiscard]] bool isInSubprogram() const { return m_flow && m_flow->depth() > 1; }
+  [[nodiscard]] bool isInSubprogram() const { return depth() > 1; }
+  /// Programs within each other, 1: the main program.
+  [[nodiscard]] std::size_t depth() const { return m_flow ? m_flow->depth() : 1; }
 
   /// The present block is a move that a cycle or a corner of plain text makes.
   [[nodiscard]] bool isMade() const { return m_control && m_made.isMade; }
@@ -127,7 +130,7 @@ class Cursor {
   /// Statements executed beyond the lines of the file.
   [[nodiscard]] std::size_t repeatedLines() const {
     const std::size_t lines = m_sources.front().programs.lines;
-    return m_executed > lines ? m_executed - lines : 0;
+    return m_flow && m_executed > lines ? m_executed - lines : 0;
   }
   /// The file has programs with names, be they empty.
   [[nodiscard]] bool holdsPrograms() const { return !m_sources.front().programs.named.empty(); }
@@ -150,6 +153,8 @@ class Cursor {
   void grow();
   [[nodiscard]] std::shared_ptr<const Tree> find(const std::string& name);
   void setPlace(const Place& place);
+  [[nodiscard]] Outcome leave(const Return& with);
+  void setReturned(std::optional<double> value);
   [[nodiscard]] Outcome call(Call call);
   [[nodiscard]] static Outcome outcomeOf(Fault fault);
 

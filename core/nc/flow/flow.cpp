@@ -10,16 +10,9 @@
 #include <utility>
 
 #include "base/text.h"
+#include "nc/limits.h"
 
 namespace rivulet::nc {
-
-namespace {
-
-/// Program levels of the control: NC Programming 12/2019 (6FC5398-2EP40-0BA0), 3.2.1.3.
-constexpr std::size_t kLevelsMax = 16;
-constexpr double kRoundsMax = 9999.0;
-
-}  // namespace
 
 Flow::Flow(std::shared_ptr<const Tree> program, Variables& variables, Library library,
            CallObserver* calls)
@@ -243,6 +236,7 @@ Expected<bool> Flow::call(const Call& call) {
     return false;
   }
   enter(std::move(program), 0, std::move(*scope), *times - 1);
+  level().keepsValues = call.keepsValues;
   return true;
 }
 
@@ -317,6 +311,18 @@ Expected<bool> Flow::leaveTo(const std::string& label, bool stays) {
 bool Flow::leave(bool again) {
   if (m_levels.size() == 1) {
     return false;
+  }
+  if (again && level().keepsValues && level().callsLeft > 0) {
+    Level next;
+    next.program = level().program;
+    next.next = next.begin = level().begin;
+    next.scope = std::move(level().scope);
+    next.keepsValues = true;
+    next.callsLeft = level().callsLeft - 1;
+    level() = std::move(next);
+    m_moved = true;
+    ++m_rounds;
+    return true;
   }
   Level left = std::move(m_levels.back());
   m_levels.pop_back();

@@ -82,6 +82,7 @@ class Flow {
     std::vector<Range> ranges;
     std::size_t begin = 0;       ///< where a further round begins
     bool isLocal = false;        ///< of blocks of the program that calls
+    bool keepsValues = false;    ///< in further rounds
     int callsLeft = 0;           ///< rounds of this program still to come
     std::optional<Scope> scope;  ///< as at the call; nothing: shared with the caller
     /// Branches whose condition is not known: their loops are run once.

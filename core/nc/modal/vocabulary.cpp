@@ -117,6 +117,10 @@ GEffect effectOf(G function) {
       return GEffect::SetWorkOffset;
     case G::MacroCall:
       return GEffect::MacroCall;
+    case G::ModalMacro:
+      return GEffect::ModalMacro;
+    case G::ModalMacroOff:
+      return GEffect::ModalMacroOff;
     case G::CompensationOff:
     case G::CompensationLeft:
     case G::CompensationRight:

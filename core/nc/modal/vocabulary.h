@@ -62,6 +62,8 @@ enum class GEffect : unsigned char {
   MirrorOff,        ///< G50.1
   SetWorkOffset,    ///< G10 L2 of RS-274: lives on the control
   MacroCall,        ///< G65: a subprogram with arguments
+  ModalMacro,       ///< G66: the same behind each block that moves
+  ModalMacroOff,    ///< G67
   Compensation,     ///< G40 to G42 of SINUMERIK
   Mode,             ///< not supported; the block still moves
   MotionMode,       ///< not supported; replaces G0 to G3
@@ -143,6 +145,8 @@ enum class G : unsigned char {
   MirrorOff,
   SetWorkOffset,
   MacroCall,
+  ModalMacro,
+  ModalMacroOff,
   CompensationOff,
   CompensationLeft,
   CompensationRight,
@@ -214,6 +218,7 @@ enum class MEffect : unsigned char {
   End,                ///< M2, M30
   Return,             ///< M17, M99
   Call,               ///< M98
+  LocalCall,          ///< M97 of Haas: blocks of the same program
   Refused,            ///< it changes the path or the feed in a way that is not made here
   CycleCall,          ///< M99 of plain text
   MachineMove,        ///< M91, M92 of plain text: this block is in machine coordinates

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "nc/limits.h"
 
 namespace rivulet::nc {
 
@@ -19,11 +20,6 @@ namespace {
 using base::isBlank;
 using base::isDigit;
 using base::isNameLetter;
-
-/// Brackets within brackets.
-constexpr int kDepthMax = 60;
-/// Operators of one chain such as 1+2+3: each adds a level to the tree.
-constexpr int kChainMax = 1000;
 
 // Longer words before their beginnings.
 constexpr std::array kComparisons{
@@ -236,7 +232,7 @@ Reader::Result Reader::level(std::size_t index) {
 }
 
 Reader::Result Reader::unary() {
-  if (++m_depth > kDepthMax) {
+  if (++m_depth > kBracketsMax) {
     return fault(FaultCode::NestedTooDeeply);
   }
   Result value = unaryInner();
@@ -434,7 +430,7 @@ Reader::Result Reader::hash() {
     return made;
   }
   Result index;
-  if (++m_depth > kDepthMax) {
+  if (++m_depth > kBracketsMax) {
     return fault(FaultCode::NestedTooDeeply);
   }
   if (peek() == '#') {
@@ -497,6 +493,19 @@ Reader::Result Reader::named() {
   return indices(made) ? Result(std::move(made)) : std::nullopt;
 }
 
+/// Behind the first argument of ATAN: a second one follows as "]/[".
+bool Reader::hasSecond() const {
+  std::string_view signs = "]/[";
+  for (std::size_t at = m_at; at < m_text.size() && !signs.empty(); ++at) {
+    if (m_text[at] == signs.front()) {
+      signs.remove_prefix(1);
+    } else if (!isBlank(m_text[at])) {
+      return false;
+    }
+  }
+  return signs.empty();
+}
+
 Reader::Result Reader::function(const FunctionWord& word, Place at) {
   Expression made = node(word.op, at);
   if (!take(m_notation.open)) {
@@ -504,7 +513,12 @@ Reader::Result Reader::function(const FunctionWord& word, Place at) {
   }
   for (int i = 0; i < word.arguments; ++i) {
     // The ISO dialects write two arguments as ATAN[y]/[x].
-    if (i > 0 && !(m_notation.hasNames ? take(',') : take(']') && take('/') && take('['))) {
+    if (i > 0 && word.ofOne != Op::Number && !hasSecond() && take(']')) {
+      made.op = word.ofOne;
+      return made;
+    }
+    const bool hasComma = (m_notation.hasNames || m_notation.hasCommas) && i > 0 && take(',');
+    if (i > 0 && !hasComma && (m_notation.hasNames || !(take(']') && take('/') && take('[')))) {
       return m_notation.hasNames ? fault(FaultCode::TooFewArguments, std::string(word.word))
                                  : fault(FaultCode::AtanMalformed);
     }
@@ -561,7 +575,15 @@ Expected<Assignment> Reader::assignment() {
   if (!value) {
     return fail(*m_fault);
   }
-  return Assignment{std::move(*target), std::move(*value), reference};
+  Assignment made{std::move(*target), std::move(*value), reference, {}};
+  if (!m_notation.hasNames) {
+    const std::string_view behind = base::trim(rest());
+    const std::size_t end = behind.find(')');
+    if (behind.starts_with('(') && end != std::string_view::npos) {
+      made.text = behind.substr(1, end - 1);
+    }
+  }
+  return made;
 }
 
 namespace {
@@ -599,6 +621,13 @@ bool Reader::takeReference(Reference& reference) {
   return peek() == '(';
 }
 
+void Reader::roundToIncrement(Expression& node) {
+  node.op = node.op == Op::Round ? Op::RoundToIncrement : node.op;
+  for (Expression& operand : node.operands) {
+    roundToIncrement(operand);
+  }
+}
+
 Expected<Assignment> Reader::address() {
   skipBlanks();
   Assignment made;
@@ -607,6 +636,12 @@ Expected<Assignment> Reader::address() {
   Result value = take('=') ? level(0) : unary();
   if (!value) {
     return fail(*m_fault);
+  }
+  // Lengths and angles have an increment; other numbers are whole.
+  constexpr std::string_view kWithIncrement = "XYZUVWABCIJKQR";
+  if (m_notation.roundsAddresses &&
+      kWithIncrement.find(made.target.name) != std::string_view::npos) {
+    roundToIncrement(*value);
   }
   made.initial.values.emplace_back(std::move(value));
   return made;

@@ -7,8 +7,8 @@
 /// between them stands in the tables of a `Notation`; the tree is the same. @threadsafety pure.
 ///
 /// Priorities, strongest first. SINUMERIK: NOT B_NOT and the sign; * / DIV MOD; + -; B_AND; B_XOR;
-/// B_OR; AND; XOR; OR; <<; comparisons. ISO: the sign; **; * / MOD; + -; comparisons; AND OR XOR.
-/// Equal rank goes left to right.
+/// B_OR; AND; XOR; OR; <<; comparisons. RS-274/NGC: the sign; **; * / MOD; + -; comparisons; AND OR
+/// XOR. Those of a macro stand in the folder of its dialect. Equal rank goes left to right.
 #pragma once
 
 #include <cstdint>
@@ -56,6 +56,7 @@ enum class Op : std::uint8_t {
   Divide,
   IntegerDivide,
   Modulo,
+  WholeModulo,  ///< of both values rounded, with the sign of the first
   FloorModulo,  ///< a rest that is never negative, as in RS-274/NGC
   Power,
   // Functions; angles in degrees.
@@ -114,6 +115,7 @@ struct FunctionWord {
   std::string_view word;
   Op op;
   int arguments;
+  Op ofOne = Op::Number;  ///< what it is with one argument alone; Number: it needs all
 };
 
 /// What a notation calls its operators and functions.
@@ -123,6 +125,8 @@ struct Notation {
   char open;
   char close;
   bool hasNames;  ///< variables have names, R-parameters exist, words end at word boundaries
+  bool hasCommas = false;        ///< ATAN[y,x] besides ATAN[y]/[x]
+  bool roundsAddresses = false;  ///< ROUND in the value of an address goes by its least increment
 };
 [[nodiscard]] const Notation& sinumerikNotation();
 [[nodiscard]] const Notation& hashNotation();
@@ -153,6 +157,7 @@ struct Assignment {
   Expression target;  ///< R, MainR, Variable, Hash or System
   Initial initial;
   Reference reference = Reference::Modal;
+  std::string text{};  ///< #3000=1 (TEXT): that of the alarm
 };
 
 enum class Type : std::uint8_t { Int, Real, Bool, Char, String, Axis, Frame };
@@ -227,6 +232,8 @@ class Reader {
   Result hash();
   Result named();
   Result function(const FunctionWord& word, Place place);
+  [[nodiscard]] bool hasSecond() const;
+  static void roundToIncrement(Expression& node);
   Result exists(Place place);
   Result readTarget();
   bool takeReference(Reference& reference);

@@ -33,14 +33,15 @@ std::string takeTrailingDigits(std::string& word) {
 /// Structures become branches; those with a number or name close by it.
 class HashParser final : public BlockParser {
  public:
-  using BlockParser::BlockParser;
+  HashParser(Tree& tree, const Notation& notation) : BlockParser(tree), m_notation(notation) {}
 
   std::string_view steer(std::string_view text, Place place) override {
     m_place = place;
-    const std::size_t comment = text.find_first_of(";(");
-    std::string_view rest = text.substr(0, comment);
-    if (text.empty() || (text.front() != 'O' && text.front() != 'o')) {
-      Reader reader(rest, hashNotation(), place);
+    // The text of an alarm stands behind its value.
+    const bool isO = text.starts_with('O') || text.starts_with('o');
+    std::string_view rest = text.substr(0, text.find_first_of(isO ? ";(" : ";"));
+    if (!isO) {
+      Reader reader(rest, m_notation, place);
       m_in = &reader;
       read(kWords, reader.name());
       return {};
@@ -51,7 +52,7 @@ class HashParser final : public BlockParser {
       return {};
     }
     m_id = *id;
-    Reader reader(rest, hashNotation(), place);
+    Reader reader(rest, m_notation, place);
     m_in = &reader;
     read(kOWords, reader.name());
     return {};
@@ -64,7 +65,7 @@ class HashParser final : public BlockParser {
   };
 
   static const std::array<Word, 5> kWords;
-  static const std::array<Word, 13> kOWords;
+  static const std::array<Word, 14> kOWords;
 
   template <std::size_t Count>
   void read(const std::array<Word, Count>& words, const std::string& word) {
@@ -319,7 +320,23 @@ class HashParser final : public BlockParser {
     }
   }
 
-  void oReturn() { append(Return{}); }
+  void oReturn() {
+    Return made;
+    if (!m_in->isAtEnd()) {
+      made.value = expression();
+      if (!made.value) {
+        return;
+      }
+    }
+    append(std::move(made));
+  }
+
+  /// Without a value the text of the subprogram just ends.
+  void oEndSub() {
+    if (!m_in->isAtEnd()) {
+      oReturn();
+    }
+  }
 
   void oCall() {
     Call made;
@@ -335,6 +352,7 @@ class HashParser final : public BlockParser {
     append(std::move(made));
   }
 
+  const Notation& m_notation;
   std::string m_id;  ///< "O100", "O<NAME>", "DO1"
   std::string m_word;
   std::string m_digits;  ///< after the word: DO1, GOTO100
@@ -348,9 +366,10 @@ const std::array<HashParser::Word, 5> HashParser::kWords{{
     {"END", &HashParser::end},
 }};
 
-const std::array<HashParser::Word, 13> HashParser::kOWords{{
+const std::array<HashParser::Word, 14> HashParser::kOWords{{
     {"CALL", &HashParser::oCall},
     {"RETURN", &HashParser::oReturn},
+    {"ENDSUB", &HashParser::oEndSub},
     {"IF", &HashParser::oIf},
     {"ELSEIF", &HashParser::oElseIf},
     {"ELSE", &HashParser::oElse},
@@ -366,8 +385,8 @@ const std::array<HashParser::Word, 13> HashParser::kOWords{{
 
 }  // namespace
 
-std::unique_ptr<BlockParser> hashParser(Tree& tree, Detail /*detail*/) {
-  return std::make_unique<HashParser>(tree);
+std::unique_ptr<BlockParser> hashParser(Tree& tree, const Language& language, Detail /*detail*/) {
+  return std::make_unique<HashParser>(tree, language.notation);
 }
 
 }  // namespace rivulet::nc

@@ -9,11 +9,11 @@
 
 namespace rivulet::nc {
 
-Language rs274Language(Dialect dialect) {
+Language rs274Language(Dialect dialect, const Notation& notation, const Semantics& comparison) {
   static constexpr std::array<std::string_view, 5> kSteering{"IF", "WHILE", "DO", "END", "GOTO"};
   return {.dialect = dialect,
-          .notation = hashNotation(),
-          .comparison = hashSemantics(),
+          .notation = notation,
+          .comparison = comparison,
           .blockParser = hashParser,
           .steering = kSteering,
           .otherStatements = {},

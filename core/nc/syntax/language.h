@@ -8,7 +8,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -21,6 +23,7 @@ namespace rivulet::nc {
 class BlockParser;
 enum class Detail : std::uint8_t;
 struct Tree;
+struct ModalState;
 
 /// A statement that neither steers nor moves.
 struct OtherStatement {
@@ -29,11 +32,17 @@ struct OtherStatement {
   Meaning meaning = Meaning::Ignored;
 };
 
+/// Which program has the block N50 of M99 P50.
+enum class ReturnTo : std::uint8_t { Nowhere, Caller, Itself };
+
+/// In the unit of the program; nothing: no motion has said it yet.
+using PositionOf = std::function<std::optional<double>(char axis)>;
+
 struct Language {
   Dialect dialect = Dialect::Fanuc;
   const Notation& notation;
   const Semantics& comparison;
-  std::unique_ptr<BlockParser> (*blockParser)(Tree& tree, Detail detail);
+  std::unique_ptr<BlockParser> (*blockParser)(Tree& tree, const Language& language, Detail detail);
   /// Words that jump, decide, repeat, define or call.
   std::span<const std::string_view> steering;
   std::span<const OtherStatement> otherStatements;
@@ -52,6 +61,18 @@ struct Language {
   bool semicolonEndsBlock = false;
   bool hasPolarSigns = false;  ///< @ and ^: radius and angle about the origin
   bool hasCommaWords = false;  ///< ,R and ,C: a rounded or chamfered corner
+
+  // Macros and calls.
+  bool assignsBehindBlock = false;  ///< #3=6 G1 X#3: X has the #3 from before the block
+  bool hasArgumentSets = false;     ///< G65 with several I J K: #4 #5 #6, #7 #8 #9 and on
+  bool hasModalMacros = false;      ///< G66 calls behind each block that moves, until G67
+  bool returnsValues = false;       ///< O100 ENDSUB [1] sets #<_value>
+  bool packsRounds = false;         ///< M98 P30100: three times O100
+  bool keepsArguments = false;      ///< G65 L3: only the first round begins with the arguments
+  ReturnTo returnTo = ReturnTo::Nowhere;
+  /// What is known of a # variable of the control; null: nothing.
+  std::optional<double> (*knownNumber)(int number, const ModalState& state,
+                                       const PositionOf& position) = nullptr;
 
   // What words mean.
   bool unitIsOfMachine = false;        ///< mm or inch is the control's setting until G20 or G21
@@ -80,6 +101,7 @@ struct Language {
 [[nodiscard]] const Language& languageOf(Dialect dialect);
 
 /// What the dialects that follow RS-274/NGC have in common; each changes what it reads differently.
-[[nodiscard]] Language rs274Language(Dialect dialect);
+[[nodiscard]] Language rs274Language(Dialect dialect, const Notation& notation = hashNotation(),
+                                     const Semantics& comparison = hashSemantics());
 
 }  // namespace rivulet::nc

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "nc/limits.h"
 #include "nc/modal/vocabulary.h"
 
 namespace rivulet::nc {
@@ -20,9 +21,6 @@ namespace {
 
 using base::isBlank;
 using base::isDigit;
-
-/// Control structures within each other.
-constexpr std::size_t kNestingMax = 16;
 
 template <std::size_t Count>
 bool isOneOf(std::string_view name, const std::array<std::string_view, Count>& words) {
@@ -317,7 +315,7 @@ class SinumerikParser final : public BlockParser {
   // --- control structures -------------------------------------------------------------------
 
   bool isShallow() {
-    if (m_open.size() <= kNestingMax) {
+    if (m_open.size() <= kStructuresMax) {
       return true;
     }
     m_open.pop_back();
@@ -537,7 +535,14 @@ class SinumerikParser final : public BlockParser {
       m_defined.insert(made.name);
     }
     m_tree.parameters = std::move(*all);
-    return restIsIgnored();
+    while (!m_in->isAtEnd()) {
+      const std::string attribute = m_in->name();
+      m_tree.saves = m_tree.saves || attribute == "SAVE";
+      if (attribute.empty()) {
+        return restIsIgnored();
+      }
+    }
+    return true;
   }
 
   /// Behind the name: arguments, then how often.
@@ -709,9 +714,13 @@ void BlockParser::closeLoop(const Open& ended) {
 
 void BlockParser::finish() {
   for (const Open& open : m_open) {
-    patch(open.branch);
     patch(open.toEnd);
-    fault(FaultCode::NotClosed, open.name, open.place);
+    if (open.branch) {
+      // Where it begins: the end of the text may not be reached.
+      m_tree.statements[*open.branch].what = Faulty{{FaultCode::NotClosed, open.name, open.place}};
+    } else {
+      fault(FaultCode::NotClosed, open.name, open.place);
+    }
   }
 }
 
@@ -737,7 +746,8 @@ std::size_t BlockParser::add(Statement made) {
   return here() - 1;
 }
 
-std::unique_ptr<BlockParser> sinumerikParser(Tree& tree, Detail detail) {
+std::unique_ptr<BlockParser> sinumerikParser(Tree& tree, const Language& /*language*/,
+                                             Detail detail) {
   return std::make_unique<SinumerikParser>(tree, detail);
 }
 

@@ -105,9 +105,11 @@ class BlockParser {
   std::size_t add(Statement made);
 };
 
-[[nodiscard]] std::unique_ptr<BlockParser> sinumerikParser(Tree& tree, Detail detail);
+[[nodiscard]] std::unique_ptr<BlockParser> sinumerikParser(Tree& tree, const Language& language,
+                                                           Detail detail);
 /// IF, WHILE ... DO and GOTO of the ISO dialects, O words of RS-274/NGC.
-[[nodiscard]] std::unique_ptr<BlockParser> hashParser(Tree& tree, Detail detail);
+[[nodiscard]] std::unique_ptr<BlockParser> hashParser(Tree& tree, const Language& language,
+                                                      Detail detail);
 
 /// The call of a `Call` or `Name` token, or of a word L123.
 [[nodiscard]] Expected<Call> callOf(const Token& token, const Notation& notation, Place place);

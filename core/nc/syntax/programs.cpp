@@ -64,8 +64,13 @@ std::shared_ptr<const Tree> treeOf(Fault fault) {
 /// Distributes the lines of a text over its programs.
 class Splitter {
  public:
-  Splitter(const Lexer& lexer, Dialect dialect, std::uint16_t file, Detail detail)
-      : m_lexer(lexer), m_language(languageOf(dialect)), m_file(file), m_detail(detail) {
+  /// @param detail  nothing: no statements
+  Splitter(const Lexer& lexer, Dialect dialect, std::uint16_t file, std::optional<Detail> detail)
+      : m_lexer(lexer),
+        m_language(languageOf(dialect)),
+        m_file(file),
+        m_detail(detail.value_or(Detail::Blocks)),
+        m_isOutline(!detail) {
     begin({});
   }
 
@@ -95,7 +100,7 @@ class Splitter {
   Part& begin(Place place) {
     Part& part = m_parts.emplace_back();
     part.tree = std::make_shared<Tree>();
-    part.parser = m_language.blockParser(*part.tree, m_detail);
+    part.parser = m_language.blockParser(*part.tree, m_language, m_detail);
     part.program.tree = part.tree;
     part.program.firstLine = place.line;
     part.place = place;
@@ -109,7 +114,7 @@ class Splitter {
     const bool isOnly =
         m_parts.empty() && std::all_of(m_programs.all.begin(), m_programs.all.end(),
                                        [](const TextProgram& each) { return each.isInside; });
-    if (isOnly || !part.tree->statements.empty()) {
+    if (isOnly || part.program.firstBlock.value != 0) {
       m_programs.all.push_back(std::move(part.program));
     }
   }
@@ -139,8 +144,8 @@ class Splitter {
   void beginProgram(Heading heading, Place place) {
     endSubprograms();
     const Heading before = m_parts.back().program.heading;
-    const bool isFresh =
-        m_parts.back().tree->statements.empty() && (before < heading || heading == Heading::Tape);
+    const bool isFresh = m_parts.back().program.firstBlock.value == 0 &&
+                         (before < heading || heading == Heading::Tape);
     if (!isFresh) {
       end();
       begin(place);
@@ -176,11 +181,14 @@ class Splitter {
         block.tokens.erase(block.tokens.begin());
         break;
       }
-      case Heading::Procedure:
+      case Heading::Procedure: {
         beginProgram(Heading::Procedure, place);
         m_parts.back().program.isSubprogram = !m_parts.back().program.isMain;
-        name(procedureName(procedureOf(block)->text));
-        break;
+        const Token statement = *procedureOf(block);
+        name(procedureName(statement.text));
+        m_parts.back().parser->steer(statement.text, {block.line, m_file, statement.column});
+        return;
+      }
       case Heading::None:
         break;
     }
@@ -240,6 +248,16 @@ class Splitter {
     if (statement) {
       words.tokens.pop_back();  // a statement is the rest of its block
     }
+    const bool isBoundary =
+        statement && isSubprogramBoundary(statement->text, {line, m_file, statement->column});
+    if (hasWords || (statement && !isBoundary)) {
+      TextProgram& program = m_parts.back().program;
+      program.firstBlock = program.firstBlock.value == 0 ? line : program.firstBlock;
+      program.lastBlock = line;
+    }
+    if (isBoundary || m_isOutline) {
+      return {};
+    }
     if (hasWords) {
       const Place place{line, m_file, words.tokens.front().column};
       m_parts.back().parser->words(std::move(words), place);
@@ -247,7 +265,8 @@ class Splitter {
     if (!statement) {
       return {};
     }
-    const std::string_view rest = steer(statement->text, {line, m_file, statement->column});
+    const std::string_view rest =
+        m_parts.back().parser->steer(statement->text, {line, m_file, statement->column});
     m_column = statement->column + static_cast<int>(rest.data() - statement->text.data());
     return rest;
   }
@@ -262,7 +281,8 @@ class Splitter {
                : fmt::format("N{}", base::parseInteger(digits).value_or(-1));
   }
 
-  std::string_view steer(std::string_view statement, Place place) {
+  /// O100 SUB and O100 ENDSUB.
+  bool isSubprogramBoundary(std::string_view statement, Place place) {
     std::string_view rest = statement;
     if (std::optional<std::string> name = m_language.hasOWords ? takeOName(rest) : std::nullopt) {
       const std::string word = firstName(base::trim(rest));
@@ -275,24 +295,26 @@ class Splitter {
         program.isSubprogram = true;
         program.isInside = true;
         this->name(std::move(*name));
-        return {};
+        return true;
       }
       if (word == "ENDSUB") {
         if (m_parts.size() == 1) {
           m_parts.back().parser->fault(FaultCode::NotCalled, *name + " " + word, place);
         } else {
+          m_parts.back().parser->steer(statement, place);
           end();
         }
-        return {};
+        return true;
       }
     }
-    return m_parts.back().parser->steer(statement, place);
+    return false;
   }
 
   Lexer m_lexer;
   const Language& m_language;
   std::uint16_t m_file;
   Detail m_detail;
+  bool m_isOutline;
   int m_column = 1;
   Programs m_programs;
   std::vector<Part> m_parts;  ///< the innermost SUB last
@@ -319,8 +341,8 @@ Programs readPrograms(std::string_view text, Dialect dialect, std::uint16_t file
   return Splitter(Lexer(text, dialect, file), dialect, file, detail).split();
 }
 
-Programs readPrograms(const Lexer& rest, Dialect dialect) {
-  return Splitter(rest, dialect, 0, Detail::Blocks).split();
+Programs outlineOf(const Lexer& rest, Dialect dialect) {
+  return Splitter(rest, dialect, 0, std::nullopt).split();
 }
 
 std::shared_ptr<const Tree> parseSinumerik(std::string text) {

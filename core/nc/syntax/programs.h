@@ -38,6 +38,8 @@ struct TextProgram {
   std::string name;            ///< "O100", "PART"; empty: none is given
   base::LineNumber firstLine;  ///< of its heading
   Heading heading = Heading::None;
+  base::LineNumber firstBlock;  ///< that has words; 0: none has
+  base::LineNumber lastBlock;
   bool isMain = false;        ///< its heading says so: %_N_NAME_MPF
   bool isSubprogram = false;  ///< its heading says so: %_N_NAME_SPF, PROC, O100 SUB
   bool isInside = false;      ///< O100 SUB: stands within another one
@@ -66,8 +68,8 @@ struct Programs {
 /// in it
 [[nodiscard]] Programs readPrograms(std::string_view text, Dialect dialect, std::uint16_t file,
                                     Detail detail = Detail::Blocks);
-/// What the lexer has not read yet, with the numbers of its lines.
-[[nodiscard]] Programs readPrograms(const Lexer& rest, Dialect dialect);
+/// What the lexer has not read yet, with the numbers of its lines; without the statements.
+[[nodiscard]] Programs outlineOf(const Lexer& rest, Dialect dialect);
 
 [[nodiscard]] Heading headingOf(const Words& block, const Language& language);
 /// True if the block has more than its number, labels and what begins a program.

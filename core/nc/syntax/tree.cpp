@@ -103,6 +103,8 @@ void forEachExpression(const Statement& statement, const Visit& visit) {
           if (what.call) {
             each(*what.call, visit);
           }
+        } else if constexpr (std::is_same_v<What, Return>) {
+          each(what.value, visit);
         } else if constexpr (std::is_same_v<What, Cancel>) {
           visit(what.id);
         }

@@ -65,6 +65,7 @@ struct Call {
   std::vector<std::optional<Expression>> arguments;
   bool isNumbered = false;       ///< the arguments become #1 and on
   bool sharesVariables = false;  ///< M98: the # variables are those of the caller
+  bool keepsValues = false;      ///< further rounds begin with what the one before has left
   bool isLocal = false;          ///< M97: `name` is a block number of the calling program
 };
 
@@ -92,7 +93,9 @@ struct Cancel {
   Expression id;
 };
 /// M17, RET: back to where the program was called; in the main program its end.
-struct Return {};
+struct Return {
+  std::optional<Expression> value;  ///< O100 RETURN [#1*2]
+};
 struct End {};
 struct Faulty {
   Fault fault;

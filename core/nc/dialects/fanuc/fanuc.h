@@ -13,4 +13,11 @@ namespace rivulet::nc::fanuc {
 [[nodiscard]] Language language();
 [[nodiscard]] DialectWords words();
 
+// Custom macro B.
+[[nodiscard]] const Notation& macroNotation();
+[[nodiscard]] const Semantics& macroSemantics();
+/// #4001 to #4003 of the modal functions, #5001 to #5003 of the position.
+[[nodiscard]] std::optional<double> knownNumber(int number, const ModalState& state,
+                                                const PositionOf& position);
+
 }  // namespace rivulet::nc::fanuc

@@ -6,13 +6,18 @@
 namespace rivulet::nc::fanuc {
 
 Language language() {
-  Language made = rs274Language(Dialect::Fanuc);
+  Language made = rs274Language(Dialect::Fanuc, macroNotation(), macroSemantics());
   // The operator's manuals write ";" for the end-of-block code, keep the unit of the last program
   // ("Inch/metric conversion"), and leave numbers without a point to a parameter ("Decimal point
   // programming").
   made.semicolonEndsBlock = true;
   made.unitIsOfMachine = true;
   made.mayCountIncrements = true;
+  made.hasArgumentSets = true;
+  made.hasModalMacros = true;
+  made.packsRounds = true;
+  made.returnTo = ReturnTo::Caller;
+  made.knownNumber = knownNumber;
   made.hasTurningCycles = true;
   made.dwellInMilliseconds = true;
   made.setsListedOffsets = true;

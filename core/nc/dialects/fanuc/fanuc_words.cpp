@@ -87,7 +87,7 @@ constexpr std::array kG{
          Changes::State,
          {},
          "B-63944EN-1, Programmable mirror image (G50.1, G51.1)"},
-    GRow{670, G::Harmless, Changes::Nothing, {}, kMacro},
+    GRow{670, G::ModalMacroOff, Changes::State, {}, kMacro},
     GRow{980, G::Harmless, Changes::Nothing, {}, kSimplify},
     GRow{990, G::Harmless, Changes::Nothing, {}, kSimplify},
     GRow{960, G::SurfaceSpeed, Changes::Feed, "S", kSpindle},
@@ -148,7 +148,7 @@ constexpr std::array kG{
          Changes::State,
          {},
          "B-63944EN-1, Programmable mirror image (G50.1, G51.1)"},
-    GRow{660, G::TakesBlock, Changes::Path, {}, kPreparatory},
+    GRow{660, G::ModalMacro, Changes::Path, {}, kMacro},
     GRow{680, G::Turn, Changes::State, "R", "B-63944EN-1, Coordinate system rotation (G68, G69)"},
     GRow{682, G::TakesBlock, Changes::Path, {}, kPreparatory}};
 

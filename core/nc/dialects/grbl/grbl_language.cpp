@@ -3,10 +3,15 @@
 
 #include "nc/dialects/grbl/grbl.h"
 
+#include "nc/dialects/linuxcnc/linuxcnc.h"
+
 namespace rivulet::nc::grbl {
 
 Language language() {
-  return rs274Language(Dialect::Grbl);
+  Language made = rs274Language(Dialect::Grbl);
+  made.assignsBehindBlock = true;
+  made.knownNumber = linuxcnc::knownNumber;
+  return made;
 }
 
 }  // namespace rivulet::nc::grbl

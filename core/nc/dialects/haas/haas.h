@@ -13,4 +13,7 @@ namespace rivulet::nc::haas {
 [[nodiscard]] Language language();
 [[nodiscard]] DialectWords words();
 
+[[nodiscard]] const Notation& macroNotation();
+[[nodiscard]] const Semantics& macroSemantics();
+
 }  // namespace rivulet::nc::haas

@@ -8,8 +8,13 @@
 namespace rivulet::nc::haas {
 
 Language language() {
-  Language made = fanuc::language();
-  made.dialect = Dialect::Haas;
+  Language made = rs274Language(Dialect::Haas, macroNotation(), macroSemantics());
+  made.hasArgumentSets = true;
+  made.keepsArguments = true;
+  made.returnTo = ReturnTo::Itself;
+  made.knownNumber = fanuc::knownNumber;
+  made.hasTurningCycles = true;
+  made.dwellInMilliseconds = true;
   return made;
 }
 

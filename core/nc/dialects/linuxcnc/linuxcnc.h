@@ -12,5 +12,7 @@ namespace rivulet::nc::linuxcnc {
 
 [[nodiscard]] Language language();
 [[nodiscard]] DialectWords words();
+[[nodiscard]] std::optional<double> knownNumber(int number, const ModalState& state,
+                                                const PositionOf& position);
 
 }  // namespace rivulet::nc::linuxcnc

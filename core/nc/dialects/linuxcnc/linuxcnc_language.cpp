@@ -3,12 +3,26 @@
 
 #include "nc/dialects/linuxcnc/linuxcnc.h"
 
+#include "base/vec3.h"
+
 namespace rivulet::nc::linuxcnc {
+
+/// #5420 and on: the position. LinuxCNC, G-code overview, "Numbered Parameters".
+std::optional<double> knownNumber(int number, const ModalState& /*state*/,
+                                  const PositionOf& position) {
+  constexpr int kFirst = 5420;
+  return number >= kFirst && number < kFirst + static_cast<int>(base::kAxisCount)
+             ? position(base::kAxisNames[static_cast<std::size_t>(number - kFirst)])
+             : std::nullopt;
+}
 
 Language language() {
   Language made = rs274Language(Dialect::LinuxCnc);
   made.unitIsOfMachine = true;  // [TRAJ] LINEAR_UNITS
   made.hasRepeatedSigns = true;
+  made.assignsBehindBlock = true;
+  made.returnsValues = true;
+  made.knownNumber = knownNumber;
   made.hasPolarSigns = true;
   made.lengthIsOfTool = true;
   made.hasTurnsInP = true;
