@@ -85,7 +85,8 @@ class Interpreter {
         m_cursorOptions(cursorOptions()),
         m_flow(text, guess.dialect, m_variables, m_cursorOptions),
         m_path(options, m_out.trajectory, m_out.statistics, m_findings),
-        m_executorOptions{.centres = options.centres},
+        m_executorOptions{.centres = options.centres,
+                          .runsCannedCycles = m_language.hasCannedCycles && observer == nullptr},
         m_to(sinks()),
         m_executor(m_language, m_executorOptions, m_variables, m_to) {
     if (m_language.hasTurningCycles && !guess.lathe.empty()) {

@@ -37,9 +37,10 @@ int argumentOf(char letter) {
 
 }  // namespace
 
-BlockReader::BlockReader(const Language& language, ModalState& state, Variables& variables,
-                         Sinks to)
+BlockReader::BlockReader(const Language& language, bool runsCannedCycles, ModalState& state,
+                         Variables& variables, Sinks to)
     : m_language(language),
+      m_runsCannedCycles(runsCannedCycles),
       m_g(gTable(language.dialect)),
       m_state(state),
       m_variables(variables),
@@ -346,13 +347,12 @@ void BlockReader::readWord(const Token& token, BlockWords& words) {
   using Read = void (BlockReader::*)(const Token&, BlockWords&);
   constexpr Read kFurther = &BlockReader::readFurtherAxis;
   constexpr Read kMachine = &BlockReader::readMachineWord;
-  constexpr Read kRefused = &BlockReader::refuseWord;
   static constexpr std::array<Read, 26> kLetters{
       kFurther,                  // A
       kFurther,                  // B
       kFurther,                  // C
       kMachine,                  // D
-      kRefused,                  // E
+      &BlockReader::readE,       // E
       &BlockReader::readFeed,    // F
       &BlockReader::readG,       // G
       kMachine,                  // H
@@ -526,6 +526,15 @@ void BlockReader::readPolarSign(const Token& token, BlockWords& words) {
   }
   words.rareWords().named[token.address == '@' ? "RP" : "AP"] = {token.value, token.reference};
   noteColumn(token, words);
+}
+
+/// A parameter of M functions.
+void BlockReader::readE(const Token& token, BlockWords& words) {
+  if (m_language.hasParameterE) {
+    words.parameter = &token;
+  } else {
+    refuseWord(token, words);
+  }
 }
 
 void BlockReader::refuseWord(const Token& token, BlockWords& words) {

@@ -20,10 +20,16 @@
 
 namespace rivulet::nc {
 
+/// True for those that the executor makes: G73, G81 to G83, G85 and G89 of RS-274.
+/// @param key  ten times the number
+[[nodiscard]] bool isCannedCycle(int key);
+
 class BlockReader {
  public:
   /// All outlive the reader.
-  BlockReader(const Language& language, ModalState& state, Variables& variables, Sinks to);
+  /// @param runsCannedCycles  see `ExecutorOptions`
+  BlockReader(const Language& language, bool runsCannedCycles, ModalState& state,
+              Variables& variables, Sinks to);
 
   /// @param token  lives as long as `words`
   void read(const Token& token, BlockWords& words);
@@ -71,6 +77,7 @@ class BlockReader {
   void readQ(const Token& token, BlockWords& words);
   void readL(const Token& token, BlockWords& words);
   void readPolarSign(const Token& token, BlockWords& words);
+  void readE(const Token& token, BlockWords& words);
   void refuseWord(const Token& token, BlockWords& words);
   static void noteColumn(const Token& token, BlockWords& words);
   void setRadius(const Token& token, BlockWords& words);
@@ -85,6 +92,7 @@ class BlockReader {
   void readDistance(const GRow& row, const Token& token, BlockWords& words);
   void readSpindleMode(const GRow& row, const Token& token, BlockWords& words);
   void readBlockEnd(const GRow& row, const Token& token, BlockWords& words);
+  void beginCannedCycle(int key, BlockWords& words);
   void readForeignMotion(GEffect effect, const Token& token, BlockWords& words);
   void readTurningCycle(const Token& token, BlockWords& words);
 
@@ -101,6 +109,7 @@ class BlockReader {
   void forgetArguments(const Token& token);
 
   const Language& m_language;
+  const bool m_runsCannedCycles;
   const GTable& m_g;
   ModalState& m_state;
   Variables& m_variables;

@@ -37,7 +37,7 @@ Executor::Executor(const Language& language, const ExecutorOptions& options, Var
     : m_language(language),
       m_options(options),
       m_to(to),
-      m_reader(language, m_state, variables, to) {
+      m_reader(language, options.runsCannedCycles, m_state, variables, to) {
 }
 
 std::optional<double> Executor::positionOf(char axis) const {
@@ -80,7 +80,8 @@ void Executor::execute(BlockWords& words) {
   }
   if (words.dwell) {
     executeDwell(words);
-  } else {
+  }
+  if (!words.dwell || m_language.dwellsBesideMove) {
     if (words.feed != nullptr && !(words.taken && words.rare && words.rare->isMacro())) {
       setFeed(words);
       if (!(words.feed->value > 0.0)) {
@@ -119,10 +120,14 @@ void Executor::executeTurningCycle(BlockWords& words) {
 }
 
 bool Executor::hasUnusedParameter(const BlockWords& words) const {
-  if (words.parameter == nullptr || words.dwell || words.tolerance || words.taken ||
+  if (words.parameter == nullptr || words.tolerance || words.taken ||
       m_state.motion == Motion::Unsupported || m_state.motion == Motion::CubicSpline ||
-      m_state.motion == Motion::Nurbs || words.takesParameter ||
-      (m_language.hasTurnsInP && isPlaneArc(m_state.motion) && words.parameter->address == 'P')) {
+      m_state.motion == Motion::Nurbs || words.takesParameter) {
+    return false;
+  }
+  const bool isP = words.parameter->address == 'P';
+  if ((words.dwell && (isP || !m_language.dwellsBesideMove)) ||
+      (m_language.hasTurnsInP && isPlaneArc(m_state.motion) && isP)) {
     return false;
   }
   return !words.rare ||
@@ -143,6 +148,8 @@ void Executor::setModes(const BlockWords& words) {
     m_state.planeFirstAxis = plane == G::PlaneXY ? 0 : (plane == G::PlaneZX ? 2 : 1);
   }
   if (words.motion != nullptr) {
+    m_lastTangent = {};
+    m_state.cycle = {};
     finishCurve();
     m_state.motion = motionOf(words.motion->function);
   }
@@ -174,7 +181,7 @@ void Executor::setBlockEnd(G function) {
 
 /// What S means, and its value.
 void Executor::setSpindle(const BlockWords& words) {
-  if (words.dwell) {
+  if (words.dwell && !m_language.dwellsBesideMove) {
     return;  // turns of the spindle
   }
   if (words.rare && words.rare->speedMax != nullptr) {
@@ -285,6 +292,14 @@ void Executor::executeRare(BlockWords& words) {
 
 /// X, F, P and U of a dwell are times, S turns of the spindle; what else it names would be lost.
 void Executor::executeDwell(const BlockWords& words) {
+  if (m_language.dwellsBesideMove) {
+    if (!words.p || !(*words.p >= 0.0)) {
+      m_to.faults.report(Severity::Error, 1, FaultCode::NumberMissing, "P");
+    } else {
+      m_to.path.machineWord(MachineWord::Dwell, *words.p, words.line);
+    }
+    return;
+  }
   for (std::size_t axis = 1; axis < base::kAxisCount; ++axis) {
     if (words.axes.has(axis)) {
       m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);
@@ -365,6 +380,8 @@ void Executor::restore(const SavedState& saved) {
   m_state.workOffsetMm = now.workOffsetMm;
   m_state.toolLengthMm = now.toolLengthMm;
   m_state.tipWord = now.tipWord;
+  m_state.cycle = now.cycle;
+  m_state.retractsToR = now.retractsToR;
   m_state.isModulo = now.isModulo;
   m_state.poleMm = now.poleMm;
   m_state.polarRadiusMm = now.polarRadiusMm;

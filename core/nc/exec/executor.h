@@ -38,6 +38,7 @@ struct ExecutorOptions {
   bool knowsMachineCoordinates = false;
   /// Of the machine: S beyond it is cut down to it.
   double spindlePerMinMax = std::numeric_limits<double>::infinity();
+  bool runsCannedCycles = false;   ///< of RS-274; else whoever takes the path makes them
   bool compensatesRadius = false;  ///< else G41 and G42 are refused
   bool knowsWorkOffsets = false;   ///< else the one active at the control holds for the whole path
   std::map<int, base::Vec3> workOffsetsMm{};  ///< by key of G54 to G599; none: zero
@@ -163,6 +164,11 @@ class Executor {
   [[nodiscard]] bool reportArcProblem(const ResolvedArc& resolved, const BlockWords& words);
   void moveSpaceArc(const BlockWords& words, base::Vec3 target, const Move& move);
 
+  // canned_cycles.cpp
+  [[nodiscard]] bool takeCycleWords(const BlockWords& words);
+  void runCannedCycle(const BlockWords& words);
+  void drill(base::Vec3 atR, std::size_t third, double bottomMm, const BlockWords& words);
+
   // splines.cpp
   void selectSpline(G function);
   void takeKnot(const BlockWords& words);
@@ -231,8 +237,9 @@ class Executor {
   std::optional<base::Vec3> m_splineEnd;  ///< its last control point so far
   Move m_splineMove;
   int m_splineDegree = 3;
-  bool m_hasKnots = false;      ///< G6.2
-  std::vector<double> m_knots;  ///< as far as they have been named
+  bool m_hasKnots = false;       ///< G6.2
+  bool m_curveIsClosed = false;  ///< by G5.3
+  std::vector<double> m_knots;   ///< as far as they have been named
   double m_nurbsFirstWeight = 1.0;
   base::Vec3 m_lastTangent;  ///< P Q of the last G5
 

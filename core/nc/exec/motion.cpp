@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "base/text.h"
@@ -26,7 +27,15 @@ void Executor::executeMotion(BlockWords& words) {
     leaveOutMachineMove(words);
     return;
   }
+  if (m_state.cycle.key != 0 && moves) {
+    runCannedCycle(words);
+    return;
+  }
   if (motion == Motion::Unsupported) {
+    if (m_state.cycle.key != 0 && (words.hasRadius || words.parameter != nullptr)) {
+      m_to.faults.error(words.hasRadius ? *words.radiusToken : *words.parameter,
+                        FaultCode::UnknownWord);
+    }
     if (moves) {
       m_to.words.foreignMotion();
     }
@@ -49,6 +58,9 @@ void Executor::executeMotion(BlockWords& words) {
     m_nurbsFirstWeight = words.p.value_or(1.0);
   }
   if (!moves) {
+    if (m_language.needsMotion && words.motion != nullptr && motion != Motion::Rapid) {
+      noteMissingFeed(words);
+    }
     return;
   }
   if (words.machineToken == nullptr) {
@@ -121,6 +133,13 @@ int Executor::motionNumber() const {
 }
 
 void Executor::move(BlockWords& words) {
+  if (m_state.motion == Motion::None && m_language.needsMotion) {
+    const auto axis = static_cast<std::size_t>(std::countr_zero(words.axes.named));
+    error(words, FaultCode::UnknownWord,
+          axis < kProgrammedAxisCount ? std::string(words.axisTokens[axis]->text) : "@ ^");
+    m_to.words.foreignMotion();
+    return;
+  }
   if (m_state.motion == Motion::None) {
     m_to.faults.report(Severity::Warning, words.motionColumn, FaultCode::MotionModeAssumed, {});
     m_state.motion = Motion::Line;
@@ -133,8 +152,7 @@ void Executor::move(BlockWords& words) {
   const Vec3 target = targetOf(words);
   const Move move = moveOf(words, target);
   m_pathBegun = m_pathBegun || words.movesLinear() || words.rare || words.hasAnyCentre();
-  const bool namesNone = move.feedMmPerS == 0.0 || m_state.feedIsDefault;
-  if (namesNone && move.motion != Motion::Rapid && !m_feedMissingReported) {
+  if (move.motion != Motion::Rapid && (move.feedMmPerS == 0.0 || m_state.feedIsDefault)) {
     noteMissingFeed(words);
   }
   switch (m_state.motion) {
@@ -234,7 +252,8 @@ void Executor::arrive(Vec3 target, Vec3 direction, const Move& move) {
 
 /// Takes the programmed axes over. @return the new position, programmed coordinates
 Vec3 Executor::targetOf(const BlockWords& words) {
-  const Vec3 from = programmed();
+  // RS-274 counts the increments of a curve's points from its start.
+  const Vec3 from = m_language.leavesSplines ? m_position.programmedMm : programmed();
   Vec3 target = from;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (!words.axes.has(axis)) {
@@ -320,6 +339,10 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
   }
   const std::size_t first = m_state.planeFirstAxis;
   const std::size_t second = m_state.planeSecondAxis();
+  if (m_language.hasPolarSigns && (first != 0 || words.axes.has(0) || words.axes.has(1))) {
+    error(words, FaultCode::UnsupportedGCode, "@ ^");
+    return;
+  }
   const double across = from[first] - m_state.poleMm[first];
   const double up = from[second] - m_state.poleMm[second];
   // CP of Heidenhain names no radius: it is that of the start. RS-274 counts both from there.
@@ -331,7 +354,8 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
   }
   const double radiusMm = std::hypot(across, up);
   const double degrees = std::atan2(up, across) * 180.0 / std::acos(-1.0);
-  if (countsFromStart && m_state.relative && !(radiusMm > 0.0)) {
+  const bool needsStart = m_state.relative || angle == nullptr;
+  if (countsFromStart && needsStart && !(radiusMm > 0.0)) {
     // RS-274/NGC: of the origin nobody knows the angle.
     error(words, FaultCode::RelativeFromUnknownPosition,
           angle == nullptr ? "@" : "^" + base::formatNumber(angle->value));

@@ -114,6 +114,8 @@ void BlockReader::readG(const GRow& row, const Token& token, BlockWords& words) 
     case GEffect::None:
       if (row.function == G::TipLength) {
         m_state.tipWord = "G43.4";
+      } else if (row.function == G::RetractToStart || row.function == G::RetractToR) {
+        m_state.retractsToR = row.function == G::RetractToR;
       } else if (row.function == G::CornersRound || row.function == G::CornersIntersect) {
         m_state.cornersIntersect = row.function == G::CornersIntersect;
       }
@@ -134,7 +136,10 @@ void BlockReader::readG(const GRow& row, const Token& token, BlockWords& words) 
       m_to.words.forget(2);
       break;
     case GEffect::CycleOff:
-      if (m_state.motion == Motion::Unsupported) {
+      m_state.cycle = {};
+      if (m_language.needsMotion) {
+        m_state.motion = Motion::None;
+      } else if (m_state.motion == Motion::Unsupported) {
         m_state.motion = m_state.motionBeforeUnsupported;
       }
       break;
@@ -196,8 +201,13 @@ void BlockReader::readBlockG(const GRow& row, const Token& token, BlockWords& wo
     case GEffect::ModalMacroOff:
       words.rareWords().modalMacroOff = true;
       break;
-    case GEffect::MotionMode:
     case GEffect::Cycle:
+      if (m_runsCannedCycles && isCannedCycle(row.key)) {
+        beginCannedCycle(row.key, words);
+        break;
+      }
+      [[fallthrough]];
+    case GEffect::MotionMode:
       readForeignMotion(effect, token, words);
       break;
     case GEffect::TakesBlock:
@@ -279,6 +289,18 @@ void BlockReader::selectWorkOffset(int key, const Token& token, double number) {
   m_state.workOffsetNumber = number;
 }
 
+void BlockReader::beginCannedCycle(int key, BlockWords& words) {
+  CannedCycle& cycle = m_state.cycle;
+  if (m_state.motion != Motion::Unsupported) {
+    m_state.motionBeforeUnsupported = m_state.motion;
+    cycle = {};
+  }
+  cycle.isFirst = cycle.key != key;
+  cycle.key = key;
+  words.foreignMotion = true;
+  m_state.motion = Motion::Unsupported;
+}
+
 /// A motion or cycle that is not made here; it stays until another motion is named.
 void BlockReader::readForeignMotion(GEffect effect, const Token& token, BlockWords& words) {
   m_to.faults.error(token,
@@ -288,6 +310,7 @@ void BlockReader::readForeignMotion(GEffect effect, const Token& token, BlockWor
     m_state.motionBeforeUnsupported = m_state.motion;
   }
   words.foreignMotion = true;
+  m_state.cycle = {};
   m_state.motion = Motion::Unsupported;
   m_to.words.forget(std::nullopt);
 }

@@ -19,10 +19,14 @@ void Executor::selectSpline(G function) {
   if (function == G::NurbsWithKnots && m_hasKnots && m_state.motion == Motion::Nurbs) {
     return;  // the curve goes on
   }
+  m_state.cycle = {};
+  m_curveIsClosed = function == G::NurbsOff;
   finishCurve();
   m_hasKnots = function == G::NurbsWithKnots;
   m_knots.clear();
-  m_lastTangent = {};
+  if (function != G::CubicSpline) {
+    m_lastTangent = {};
+  }
   switch (function) {
     case G::CubicSpline:
       m_state.motion = Motion::CubicSpline;
@@ -81,6 +85,9 @@ void Executor::addControlPoint(const BlockWords& words, Vec3 target, const Move&
 
 double Executor::weightOf(const BlockWords& words) {
   double weight = 1.0;
+  if (m_language.leavesSplines && !words.p) {
+    error(words, FaultCode::NumberMissing, "P");
+  }
   if (m_hasKnots) {
     weight = words.hasRadius ? words.radius : 1.0;
   } else if (m_state.motion == Motion::Nurbs) {
@@ -106,6 +113,9 @@ void Executor::finishCurve() {
     return;
   }
   m_splineEnd.reset();
+  if (m_language.leavesSplines && !m_curveIsClosed) {
+    m_to.faults.fault(m_splineMove.column, {FaultCode::NotClosed, "G5.2", {}});
+  }
   const std::size_t points = m_spline.controlMm.size();
   m_spline.degree = std::min(m_splineDegree, static_cast<int>(points) - 1);
   m_spline.knots = m_hasKnots ? std::move(m_knots) : clampedKnots(points, m_spline.degree);
@@ -139,10 +149,22 @@ double centreOf(const BlockWords& words, std::size_t axis) {
 /// G5: I J from the start, P Q from the end. G5.1: I J only.
 void Executor::moveBezier(const BlockWords& words, Vec3 target, const Move& move) {
   const Vec3 from = m_position.programmedMm;
+  const bool isCubic = m_state.motion == Motion::CubicSpline;
   if (!base::isFinite(from) || m_state.planeFirstAxis != 0) {
     error(words, FaultCode::ArcFromUnknownPosition, "X Y Z");
     unknownWay(target, move);
     return;
+  }
+  if (m_language.leavesSplines) {
+    m_state.motion = Motion::None;  // of this block alone
+    m_state.motionNamed = true;
+    const bool isWhole = words.centre.has(0) == words.centre.has(1) &&
+                         (isCubic || words.centre.has(0)) && !words.axes.has(2) && !words.hasRotary;
+    if (!isWhole || (isCubic && (!words.p || !words.q))) {
+      error(words, FaultCode::ArcWithoutCentre);
+      unknownWay(target, move);
+      return;
+    }
   }
   const double unit = m_state.lengthFactor;
   const bool hasStart = words.centre.has(0) || words.centre.has(1);
@@ -155,7 +177,7 @@ void Executor::moveBezier(const BlockWords& words, Vec3 target, const Move& move
   }
   Spline curve;
   curve.controlMm = {from, from + start};
-  if (m_state.motion == Motion::CubicSpline) {
+  if (isCubic) {
     const Vec3 end{words.p.value_or(0.0) * unit, words.q.value_or(0.0) * unit, 0.0};
     curve.controlMm.push_back(target + end);
     m_lastTangent = end;

@@ -57,6 +57,19 @@ enum class Dynamics : unsigned char {
   Soft,   ///< SOFT: with the axes' acceleration and jerk
 };
 
+/// A canned cycle of RS-274 in force. Numbers as written, in the unit of the program.
+struct CannedCycle {
+  int key = 0;           ///< of its G function; 0: none
+  bool isFirst = false;  ///< no block of it has been executed
+  bool hasStart = false;
+  std::size_t planeFirstAxis = 0;
+  double start = 0.0;    ///< height before the first of several cycles
+  double retract = 0.0;  ///< R
+  double bottom = 0.0;
+  double stroke = 0.0;  ///< Q
+  double dwellS = 0.0;  ///< P
+};
+
 struct ModalState {
   Motion motion = Motion::None;
   Motion motionBeforeUnsupported = Motion::None;
@@ -83,6 +96,9 @@ struct ModalState {
   double feedOverride = 1.0;           ///< OVR=
   double feedMmPerRev = 0.0;           ///< with G95
   double feedDegPerRev = 0.0;          ///< the same number
+
+  CannedCycle cycle;
+  std::optional<bool> retractsToR;  ///< G99; else G98, to where the cycle began
 
   BlockEnd blockEnd = BlockEnd::ExactStop;
   RoundingKind rounding = RoundingKind::Deviation;

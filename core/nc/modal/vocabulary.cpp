@@ -67,6 +67,8 @@ GEffect effectOf(G function) {
       return GEffect::Spline;
     case G::Harmless:
     case G::TipLength:
+    case G::RetractToStart:
+    case G::RetractToR:
     case G::CornersRound:
     case G::CornersIntersect:
       return GEffect::None;

@@ -117,6 +117,8 @@ enum class G : unsigned char {
   NurbsWithKnots,
   Harmless,  ///< of the path nothing changes
   TipLength,
+  RetractToStart,  ///< G98, of canned cycles
+  RetractToR,
   CornersRound,
   CornersIntersect,
   ExactStopOnce,

@@ -83,6 +83,11 @@ struct Language {
   bool hasTurningCycles = false;       ///< G70 to G73 with P and Q show a lathe
   bool dwellInMilliseconds = false;    ///< G4 P without a point
   bool toolChangesZ = false;           ///< T: Z is somewhere else afterwards
+  bool dwellsBesideMove = false;       ///< G4 takes P alone, the other words of its block move
+  bool hasCannedCycles = false;        ///< of RS-274, with its clearance
+  bool needsMotion = false;            ///< no motion is assumed where a program names none
+  bool hasParameterE = false;          ///< E of M66 to M68
+  bool leavesSplines = false;          ///< G5 and G5.1 are of their block, G5.2 ends with G5.3
   bool turnsAboutPole = false;         ///< an arc without a centre turns about the pole
   bool ignoresCentreAcross = false;    ///< of a helix, with a warning
   bool lengthComesWithTool = false;    ///< a tool change switches the tool's length on

@@ -198,8 +198,8 @@ class LineReader {
     while (m_at != from && classOf(m_at[-1]) == kBlank) {
       --m_at;
     }
-    const bool ends =
-        m_at == m_end || isOneOf(*m_at, " \t\v\f;(") || (m_at != from && isOneOf(m_at[-1], ")]"));
+    const bool ends = m_at == m_end || isOneOf(*m_at, " \t\v\f;(") ||
+                      (m_at != from && isOneOf(m_at[-1], ")]")) || isAtNextWord();
     const bool goesOn = !ends || isInCalculation(m_at);
     if (!read) {
       m_at = endOfUnreadable(valueFrom);
@@ -220,6 +220,13 @@ class LineReader {
               .emplace_back(std::make_shared<const Expected<Assignment>>(std::move(read)))
               .get();
     }
+  }
+
+  /// Blanks are not needed in RS-274/NGC: #1=2G0X3.
+  [[nodiscard]] bool isAtNextWord() const {
+    return m_language.hasPolarSigns &&
+           (isOneOf(*m_at, "#@^") ||
+            (classOf(*m_at) == kLetter && m_at + 1 != m_end && classOf(m_at[1]) != kLetter));
   }
 
   static bool isTextOf(const Expected<Assignment>& read) {
@@ -301,10 +308,11 @@ class LineReader {
     return endsNumber() ? NumberStatus::Read : NumberStatus::Malformed;
   }
 
-  /// True if what follows directly leaves the number what it is; "^" may begin a word, @5^30.
+  /// True if what follows directly leaves the number what it is. In RS-274/NGC "^" begins a word,
+  /// @5^30, and "#" an assignment, X1#2=3.
   [[nodiscard]] bool endsNumber() const {
     return m_at == m_end || !isOneOf(*m_at, kSpoilsNumber) ||
-           (*m_at == '^' && m_language.hasPolarSigns);
+           (isOneOf(*m_at, "^#") && m_language.hasPolarSigns);
   }
 
   /// True if digits or a decimal point follow the blanks here: "1 0", "1 . 5".
@@ -621,6 +629,7 @@ class LineReader {
       case '^':
         if (m_language.hasPolarSigns) {
           ++m_at;
+          skipBlanks();
           readValueOf(from, *from);
           return true;
         }

@@ -27,6 +27,11 @@ Language language() {
   made.lengthIsOfTool = true;
   made.hasTurnsInP = true;
   made.sharesOffset = true;
+  made.dwellsBesideMove = true;
+  made.hasCannedCycles = true;
+  made.needsMotion = true;
+  made.hasParameterE = true;
+  made.leavesSplines = true;
   made.speedLimitIsD = true;
   made.savesFeedAndSpeed = true;
   return made;
