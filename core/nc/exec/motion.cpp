@@ -58,7 +58,8 @@ void Executor::executeMotion(BlockWords& words) {
     m_nurbsFirstWeight = words.p.value_or(1.0);
   }
   if (!moves) {
-    if (m_language.needsMotion && words.motion != nullptr && motion != Motion::Rapid) {
+    const bool hasFeed = m_state.feedMmPerS > 0.0 || m_state.feedMmPerRev > 0.0;
+    if (m_language.needsMotion && words.motion != nullptr && motion != Motion::Rapid && !hasFeed) {
       noteMissingFeed(words);
     }
     return;
@@ -187,14 +188,15 @@ void Executor::move(BlockWords& words) {
 }
 
 void Executor::noteMissingFeed(const BlockWords& words) {
+  const int column = std::max(1, words.motionColumn);
   if (m_state.feedMode == FeedMode::InverseTime) {
-    if (words.feed == nullptr) {
-      error(words, FaultCode::FeedMissing);  // G93: each block has its own
+    if (words.feed == nullptr) {  // each block has its own
+      m_to.faults.report(Severity::Error, column, FaultCode::FeedMissing, {});
     }
-    return;
+  } else if (!m_feedMissingReported) {
+    m_to.faults.report(Severity::Warning, column, FaultCode::FeedMissing, {});
+    m_feedMissingReported = true;
   }
-  m_to.faults.report(Severity::Warning, words.motionColumn, FaultCode::FeedMissing, {});
-  m_feedMissingReported = true;
 }
 
 void Executor::moveTo(Vec3 programmedMm, std::optional<double> feedMmPerS, base::LineNumber at) {
@@ -339,8 +341,8 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
   }
   const std::size_t first = m_state.planeFirstAxis;
   const std::size_t second = m_state.planeSecondAxis();
-  if (m_language.hasPolarSigns && (first != 0 || words.axes.has(0) || words.axes.has(1))) {
-    error(words, FaultCode::UnsupportedGCode, "@ ^");
+  if (m_language.hasPolarSigns && first != 0) {
+    error(words, FaultCode::UnsupportedGCode, "@ ^");  // in the plane of G17 alone
     return;
   }
   const double across = from[first] - m_state.poleMm[first];

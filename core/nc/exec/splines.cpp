@@ -85,7 +85,7 @@ void Executor::addControlPoint(const BlockWords& words, Vec3 target, const Move&
 
 double Executor::weightOf(const BlockWords& words) {
   double weight = 1.0;
-  if (m_language.leavesSplines && !words.p) {
+  if (m_language.leavesSplines && !m_hasKnots && !words.p) {
     error(words, FaultCode::NumberMissing, "P");
   }
   if (m_hasKnots) {
@@ -113,7 +113,7 @@ void Executor::finishCurve() {
     return;
   }
   m_splineEnd.reset();
-  if (m_language.leavesSplines && !m_curveIsClosed) {
+  if (m_language.leavesSplines && !m_hasKnots && !m_curveIsClosed) {
     m_to.faults.fault(m_splineMove.column, {FaultCode::NotClosed, "G5.2", {}});
   }
   const std::size_t points = m_spline.controlMm.size();
