@@ -375,6 +375,8 @@ class Writer {
   void useUnit(bool inch);
   void usePlane(int plane);
   void pushFrame();
+  void writeAbout(const std::string& function, const std::vector<int>& axes,
+                  const std::string& amount, Frame& frame);
   void popFrame();
   void setPosition();
   std::string frameWords(Feature kind, int axis, double value);
@@ -964,8 +966,7 @@ void Writer::pushFrame() {
       const bool inPlane = axis == m_modal.plane && below(Feature::Turn, 2) == 0;
       block({{name, true}, {word(inPlane ? "RPL" : std::string(1, kAxes[at(axis)]), angle)}});
     } else if (isIso()) {
-      block(std::string("G68 ") + kAxes[at(firstOf(axis))] + "0. " + kAxes[at(secondOf(axis))] +
-            "0. R" + literal(angle));
+      writeAbout("G68", {firstOf(axis), secondOf(axis)}, " R" + literal(angle), next);
     } else {
       raw("CYCL DEF 10.0 ROTATION");
       raw("CYCL DEF 10.1 ROT" + std::string(angle < 0 ? "" : "+") + plain(angle));
@@ -985,14 +986,17 @@ void Writer::pushFrame() {
       for (Vec3& axis : next.axes) {
         axis = factor * axis;
       }
-      block("G51 X0. Y0. Z0. P" + literal(factor));
+      writeAbout("G51", {0, 1, 2}, " P" + literal(factor), next);
     }
-  } else if ((isSinumerik || (isPlain() && canNest)) && takes(Feature::Mirror, 0.04)) {
+  } else if ((isSinumerik || (!is(Control::LinuxCnc) && !is(Control::Grbl) && canNest)) &&
+             takes(Feature::Mirror, 0.04)) {
     const int axis = static_cast<int>(below(Feature::Mirror, isPlain() ? 2 : 3));
     next.axes[at(axis)] = -1.0 * next.axes[at(axis)];
     if (isPlain()) {
       raw("CYCL DEF 8.0 MIRROR IMAGE");
       raw("CYCL DEF 8.1 " + std::string(1, kAxes[at(axis)]));
+    } else if (isIso()) {
+      writeAbout("G51.1", {axis}, "", next);
     } else {
       const std::string name = depth > 1 || below(Feature::Mirror, 2) == 0 ? "AMIRROR" : "MIRROR";
       block({{name, true}, {std::string(1, kAxes[at(axis)]) + "0"}});
@@ -1003,6 +1007,26 @@ void Writer::pushFrame() {
   m_modal.frames.push_back(m_modal.frames.back().then(next));
   m_fresh = true;
   m_pole.reset();
+}
+
+/// G68, G51 and G51.1: about a place, absolute. The frame so far is about zero.
+void Writer::writeAbout(const std::string& function, const std::vector<int>& axes,
+                        const std::string& amount, Frame& frame) {
+  if (m_modal.relative) {
+    m_modal.relative = false;
+    block("G90");
+  }
+  Vec3 centre;
+  std::vector<Word> words{{function, true}};
+  for (const int axis : axes) {
+    centre.set(at(axis), std::round(uniform(Feature::Shift) * 500.0) / 10.0);
+    words.push_back({std::string(1, kAxes[at(axis)]) + literal(length(centre[at(axis)]))});
+  }
+  if (!amount.empty()) {
+    words.push_back({amount.substr(1)});
+  }
+  frame.origin = centre - frame.turn(centre);
+  block(words);
 }
 
 void Writer::popFrame() {
@@ -1028,6 +1052,7 @@ void Writer::popFrame() {
     default:
       block("G69");
       block("G50");
+      block("G50.1 X0. Y0. Z0.");
       block("G52 X0. Y0. Z0.");
       break;
   }

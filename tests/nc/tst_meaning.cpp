@@ -23,6 +23,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "gcode/program.h"
+#include "nc/evaluated_path.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -409,6 +410,56 @@ std::vector<std::string> differencesOf(const Case& which) {
   return differences;
 }
 
+/// What the second evaluator makes of it.
+std::vector<Step> movesOf(const tests::Evaluation& evaluation) {
+  std::vector<Step> moves;
+  for (const tests::EvaluatedMove& each : tests::withoutRests(evaluation.moves)) {
+    Step move;
+    move.axes = each.end;
+    move.rapid = each.kind == tests::EvaluatedMove::Kind::Rapid;
+    move.feedPerMin = *move.rapid ? kUnknown : each.feed;
+    move.arc = each.kind == tests::EvaluatedMove::Kind::Arc;
+    if (move.arc) {
+      move.centre = {each.centre.x, each.centre.y, each.centre.z};
+      move.turnDeg = each.sweepDeg;
+      move.counterclockwise = each.axis.x + each.axis.y + each.axis.z > 0.0;
+    }
+    moves.push_back(move);
+  }
+  return moves;
+}
+
+tests::Evaluation evaluationOf(const Case& which, const std::string& folder) {
+  return tests::evaluate(folder, which.program,
+                         [&which](std::string_view name) -> std::optional<std::string> {
+                           for (const auto& [file, text] : which.files) {
+                             const std::string stem = base::toUpper(file.substr(0, file.find('.')));
+                             if (stem == name || stem == "O" + std::string(name) ||
+                                 stem == "O<" + std::string(name) + ">") {
+                               return text;
+                             }
+                           }
+                           return std::nullopt;
+                         });
+}
+
+/// @return where it does not find the path of the case; ""; it does
+std::string secondDifference(const Case& which, const std::vector<Step>& moves) {
+  for (std::size_t i = 0; which.hasPath && i < std::max(moves.size(), which.path.size()); ++i) {
+    const bool both = i < moves.size() && i < which.path.size();
+    if (!both || differs(which.path[i], moves[i], which.tolerance)) {
+      return fmt::format("move {}: expected {}, evaluated {}", i + 1,
+                         i < which.path.size() ? printed(which.path[i]) : "the end of the path",
+                         i < moves.size() ? printed(moves[i]) : "the end of the path");
+    }
+  }
+  Step last = moves.empty() ? Step{} : moves.back();
+  last.arc = which.end && which.end->arc;
+  return which.end && differs(*which.end, last, which.tolerance)
+             ? fmt::format("end: expected {}, evaluated {}", printed(*which.end), printed(last))
+             : std::string();
+}
+
 std::filesystem::path casesFolder() {
   return std::filesystem::path(RIVULET_SOURCE_DIR) / "tests/nc/meaning";
 }
@@ -524,6 +575,45 @@ class TestMeaning : public QObject {
           fmt::format("{}: line {}: {}", row, fault.source().begin.line, fault.description()));
     }
     QVERIFY2(m_differences.size() == before, "see the differences at the end");
+  }
+
+  /// An evaluator that shares nothing with the reader finds the same paths, as far as it follows.
+  void secondEvaluator() {
+    std::map<std::string, int> stopped;
+    std::string differing;
+    int followed = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(casesFolder())) {
+      if (entry.path().extension() != ".toml") {
+        continue;
+      }
+      const std::string folder = entry.path().parent_path().filename().string();
+      const toml::table table = toml::parse_file(entry.path().string());
+      for (const toml::node& each : *table["case"].as_array()) {
+        const Case made = caseOf(*each.as_table(), dialectOfFolder(folder));
+        const bool isPath = (made.hasPath || made.end) && made.refused.empty();
+        if (!isPath || made.options.blockSkip || !made.options.accepted.empty()) {
+          continue;
+        }
+        const tests::Evaluation evaluation = evaluationOf(made, folder);
+        if (!evaluation.cannotFollow.empty()) {
+          ++stopped[evaluation.cannotFollow];
+          continue;
+        }
+        ++followed;
+        const std::string difference = secondDifference(made, movesOf(evaluation));
+        if (!difference.empty()) {
+          differing += fmt::format("{}/{}: {}: {}\n", folder, entry.path().stem().string(),
+                                   made.name, difference);
+        }
+      }
+    }
+    fmt::print("second evaluator: {} cases followed, not followed:", followed);
+    for (const auto& [word, times] : stopped) {
+      fmt::print(" {}{}{};", word, times > 1 ? " x " : "", times > 1 ? std::to_string(times) : "");
+    }
+    fmt::print("\n");
+    QVERIFY2(differing.empty(), differing.c_str());
+    QVERIFY(followed > 100);
   }
 
   void cleanupTestCase() {
