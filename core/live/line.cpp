@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/text.h"
 #include "live/error.h"
+#include "live/number_object.h"
 
 namespace rivulet::live {
 
@@ -77,7 +77,7 @@ Result<Line> parseWords(std::string_view text) {
 }
 
 /// One flat object; each key once.
-class ObjectReader final : public nlohmann::json_sax<nlohmann::json> {
+class ObjectReader final : public NumberObject {
  public:
   [[nodiscard]] Result<Line> read(std::string_view text) {
     if (!nlohmann::json::sax_parse(text, this)) {
@@ -87,17 +87,10 @@ class ObjectReader final : public nlohmann::json_sax<nlohmann::json> {
                                                               : Result<Line>(m_line);
   }
 
-  bool start_object(std::size_t) override { return !std::exchange(m_isOpen, true); }
-  bool end_object() override { return true; }
   bool key(std::string& name) override {
     m_key = name;
     return true;
   }
-  bool number_integer(number_integer_t value) override { return take(static_cast<double>(value)); }
-  bool number_unsigned(number_unsigned_t value) override {
-    return take(static_cast<double>(value));
-  }
-  bool number_float(number_float_t value, const std::string&) override { return take(value); }
   bool boolean(bool value) override {
     if (!value || (m_key != "end" && m_key != "hold")) {
       return false;
@@ -110,15 +103,9 @@ class ObjectReader final : public nlohmann::json_sax<nlohmann::json> {
     m_badNumber = m_key.size() == 1 ? toUpper(m_key.front()) : '\0';
     return false;
   }
-  bool binary(nlohmann::json::binary_t&) override { return false; }
-  bool start_array(std::size_t) override { return false; }
-  bool end_array() override { return false; }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
-    return false;
-  }
 
  private:
-  bool take(double number) {
+  bool take(double number) override {
     std::optional<double>* const value =
         m_key.size() == 1 ? place(m_line, toUpper(m_key.front())) : nullptr;
     if (value == nullptr || *value) {
@@ -135,7 +122,6 @@ class ObjectReader final : public nlohmann::json_sax<nlohmann::json> {
   Line m_line;
   std::string m_key;
   char m_badNumber = 0;
-  bool m_isOpen = false;
   bool m_isComment = false;
 };
 

@@ -42,6 +42,18 @@ std::optional<LinkError> requestFault(std::span<const Variable> variables,
   return isFinite ? std::nullopt : std::optional(LinkError::BadValue);
 }
 
+Event unanswered(base::RequestId id, base::Instant sent, base::Instant at) {
+  Event event;
+  event.kind = EventKind::RequestFailed;
+  event.request = id;
+  event.sent = sent;
+  event.at = at;
+  event.error = base::makeError(LinkError::DeadlineExceeded,
+                                "The control did not answer in time. Check the network and the "
+                                "load of the control.");
+  return event;
+}
+
 base::Instant addSaturating(base::Instant instant, base::Duration duration) {
   return duration > base::Instant::max() - instant ? base::Instant::max() : instant + duration;
 }

@@ -65,6 +65,9 @@ struct PendingRequest {
 [[nodiscard]] std::optional<LinkError> requestFault(std::span<const Variable> variables,
                                                     std::span<const double> values);
 
+/// A request that nobody answered until its deadline. @param at  when the client gives up
+[[nodiscard]] Event unanswered(base::RequestId id, base::Instant sent, base::Instant at);
+
 /// The end of a time that may be `Duration::max`.
 [[nodiscard]] base::Instant addSaturating(base::Instant instant, base::Duration duration);
 

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/text.h"
+#include "live/number_object.h"
 
 namespace rivulet::streaming {
 
@@ -38,15 +38,13 @@ std::optional<double> takeNumber(std::string_view& text, std::string_view ends) 
 }
 
 /// {"x": 0.01, ...}: accepts one flat object whose keys are axes, each once, with finite numbers.
-class ObjectReader final : public nlohmann::json_sax<nlohmann::json> {
+class ObjectReader final : public live::NumberObject {
  public:
   [[nodiscard]] std::optional<CorrectionLine> read(std::string_view text) {
     const bool understood = nlohmann::json::sax_parse(text, this);
     return understood && m_names > 0 ? std::optional(m_line) : std::nullopt;
   }
 
-  bool start_object(std::size_t) override { return !std::exchange(m_isOpen, true); }
-  bool end_object() override { return true; }
   bool key(std::string& name) override {
     const std::optional<std::size_t> axis = name.size() == 1 ? axisOf(name.front()) : std::nullopt;
     if (!axis || m_line[*axis]) {
@@ -56,23 +54,9 @@ class ObjectReader final : public nlohmann::json_sax<nlohmann::json> {
     ++m_names;
     return true;
   }
-  bool number_integer(number_integer_t value) override { return take(static_cast<double>(value)); }
-  bool number_unsigned(number_unsigned_t value) override {
-    return take(static_cast<double>(value));
-  }
-  bool number_float(number_float_t value, const std::string&) override { return take(value); }
-  bool null() override { return false; }
-  bool boolean(bool) override { return false; }
-  bool string(std::string&) override { return false; }
-  bool binary(nlohmann::json::binary_t&) override { return false; }
-  bool start_array(std::size_t) override { return false; }
-  bool end_array() override { return false; }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
-    return false;
-  }
 
  private:
-  bool take(double value) {
+  bool take(double value) override {
     if (m_names == 0 || !std::isfinite(value)) {
       return false;
     }
@@ -83,7 +67,6 @@ class ObjectReader final : public nlohmann::json_sax<nlohmann::json> {
   CorrectionLine m_line;
   std::size_t m_axis = 0;
   std::size_t m_names = 0;
-  bool m_isOpen = false;
 };
 
 }  // namespace

@@ -159,13 +159,41 @@ bool isEnter(const QKeyEvent& event) {
 
 }  // namespace
 
-NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
+template <class Box>
+TypedSpinBox<Box>::TypedSpinBox(QWidget* parent) : Box(parent) {
   setUpTyping(*this);
 }
 
-QValidator::State NumberField::validate(QString& text, int& /*position*/) const {
+template <class Box>
+QValidator::State TypedSpinBox<Box>::validate(QString& text, int& /*position*/) const {
   return textOf(*this).validate(text);
 }
+
+template <class Box>
+void TypedSpinBox<Box>::complain() {
+  using Value = decltype(this->value());
+  const auto show = [this](double value) { return this->textFromValue(static_cast<Value>(value)); };
+  if (const auto reason = textOf(*this).refusal(this->lineEdit()->text(), show)) {
+    refuse(FieldText::withValue(*reason, this->textFromValue(this->value()) + this->suffix()));
+  }
+}
+
+template <class Box>
+void TypedSpinBox<Box>::focusOutEvent(QFocusEvent* event) {
+  complain();
+  Box::focusOutEvent(event);
+}
+
+template <class Box>
+void TypedSpinBox<Box>::keyPressEvent(QKeyEvent* event) {
+  if (isEnter(*event)) {
+    complain();
+  }
+  Box::keyPressEvent(event);
+}
+
+template class TypedSpinBox<QDoubleSpinBox>;
+template class TypedSpinBox<QSpinBox>;
 
 double NumberField::valueFromText(const QString& text) const {
   const FieldText field = textOf(*this);
@@ -178,33 +206,6 @@ QString NumberField::textFromValue(double value) const {
   return plain.toString(value, 'f', decimals());
 }
 
-void NumberField::complain() {
-  const auto show = [this](double value) { return textFromValue(value); };
-  if (const auto reason = textOf(*this).refusal(lineEdit()->text(), show)) {
-    Q_EMIT refused(FieldText::withValue(*reason, textFromValue(value()) + suffix()));
-  }
-}
-
-void NumberField::focusOutEvent(QFocusEvent* event) {
-  complain();
-  QDoubleSpinBox::focusOutEvent(event);
-}
-
-void NumberField::keyPressEvent(QKeyEvent* event) {
-  if (isEnter(*event)) {
-    complain();
-  }
-  QDoubleSpinBox::keyPressEvent(event);
-}
-
-WholeNumberField::WholeNumberField(QWidget* parent) : QSpinBox(parent) {
-  setUpTyping(*this);
-}
-
-QValidator::State WholeNumberField::validate(QString& text, int& /*position*/) const {
-  return textOf(*this).validate(text);
-}
-
 int WholeNumberField::valueFromText(const QString& text) const {
   const FieldText field = textOf(*this);
   // Also asked for what does not count.
@@ -215,25 +216,6 @@ int WholeNumberField::valueFromText(const QString& text) const {
 
 QString WholeNumberField::textFromValue(int value) const {
   return QString::number(value);
-}
-
-void WholeNumberField::complain() {
-  const auto show = [this](double value) { return textFromValue(static_cast<int>(value)); };
-  if (const auto reason = textOf(*this).refusal(lineEdit()->text(), show)) {
-    Q_EMIT refused(FieldText::withValue(*reason, textFromValue(value()) + suffix()));
-  }
-}
-
-void WholeNumberField::focusOutEvent(QFocusEvent* event) {
-  complain();
-  QSpinBox::focusOutEvent(event);
-}
-
-void WholeNumberField::keyPressEvent(QKeyEvent* event) {
-  if (isEnter(*event)) {
-    complain();
-  }
-  QSpinBox::keyPressEvent(event);
 }
 
 }  // namespace rivulet::widgets

@@ -34,52 +34,58 @@ struct TypedNumber {
 /// The same for a whole number: it has no separators, and one with decimals is NotWhole.
 [[nodiscard]] TypedNumber parseTypedWhole(const QString& text, QChar decimalPoint);
 
-class NumberField final : public QDoubleSpinBox {
-  Q_OBJECT
-
+/// What the two fields have in common. @tparam Box  QDoubleSpinBox or QSpinBox
+template <class Box>
+class TypedSpinBox : public Box {
  public:
-  explicit NumberField(QWidget* parent = nullptr);
+  explicit TypedSpinBox(QWidget* parent = nullptr);
 
   [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
   /// Does not repair what was typed: the base class would take separators out.
   void fixup(QString& /*text*/) const override {}
+
+ protected:
+  void focusOutEvent(QFocusEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void complain();
+  /// What was typed does not count; the field has its former value. @param reason  a sentence
+  virtual void refuse(const QString& reason) = 0;
+};
+
+class NumberField final : public TypedSpinBox<QDoubleSpinBox> {
+  Q_OBJECT
+
+ public:
+  using TypedSpinBox::TypedSpinBox;
+
   [[nodiscard]] double valueFromText(const QString& text) const override;
   [[nodiscard]] QString textFromValue(double value) const override;
 
  Q_SIGNALS:
-  /// What was typed does not count; the field has its former value. @param reason  a sentence
+  /// See `TypedSpinBox::refuse`.
   void refused(const QString& reason);
 
- protected:
-  void focusOutEvent(QFocusEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
-
  private:
-  void complain();
+  void refuse(const QString& reason) override { Q_EMIT refused(reason); }
 };
 
 /// The same for whole numbers.
-class WholeNumberField final : public QSpinBox {
+class WholeNumberField final : public TypedSpinBox<QSpinBox> {
   Q_OBJECT
 
  public:
-  explicit WholeNumberField(QWidget* parent = nullptr);
+  using TypedSpinBox::TypedSpinBox;
 
-  [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
-  void fixup(QString& /*text*/) const override {}
   [[nodiscard]] int valueFromText(const QString& text) const override;
   [[nodiscard]] QString textFromValue(int value) const override;
 
  Q_SIGNALS:
-  /// As `NumberField::refused`.
   void refused(const QString& reason);
 
- protected:
-  void focusOutEvent(QFocusEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
-
  private:
-  void complain();
+  void refuse(const QString& reason) override { Q_EMIT refused(reason); }
 };
 
 }  // namespace rivulet::widgets

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "opcua/request.h"
+
 namespace rivulet::streaming {
 
 using base::Duration;
@@ -174,15 +176,7 @@ std::optional<Event> FaultyLink::giveUp(Instant& next) {
   for (Sent& request : m_requests) {
     if (!request.givenUp && request.deadline <= now()) {
       request.givenUp = true;
-      Event event;
-      event.kind = EventKind::RequestFailed;
-      event.request = request.id;
-      event.sent = request.sent;
-      event.at = now();
-      event.error = base::makeError(LinkError::DeadlineExceeded,
-                                    "The control did not answer in time. Check the network and the "
-                                    "load of the control.");
-      return event;
+      return opcua::unanswered(request.id, request.sent, now());
     }
     if (!request.givenUp) {
       next = std::min(next, request.deadline);

@@ -10,6 +10,7 @@
 
 #include "base/contract.h"
 #include "base/units.h"
+#include "opcua/request.h"
 
 namespace rivulet::streaming {
 
@@ -159,15 +160,7 @@ std::optional<Event> SimulatedLink::wait(Instant until) {
       // The client gives up, but the control still carries the request out.
       m_machine.advance(request.deadline);
       request.reported = true;
-      Event event;
-      event.kind = EventKind::RequestFailed;
-      event.request = request.id;
-      event.sent = request.sent;
-      event.at = now();
-      event.error = base::makeError(LinkError::DeadlineExceeded,
-                                    "The control did not answer in time. Check the network and "
-                                    "the load of the control.");
-      return event;
+      return opcua::unanswered(request.id, request.sent, now());
     }
     if (request.nextDoneAt > until) {
       break;
