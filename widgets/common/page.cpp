@@ -6,6 +6,7 @@
 #include <QEvent>
 #include <QLabel>
 #include <QLocale>
+#include <QPainter>
 #include <QPushButton>
 #include <utility>
 
@@ -60,6 +61,15 @@ QLabel* makeValueLabel(QWidget* parent) {
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   label->setTextFormat(Qt::PlainText);
   return label;
+}
+
+void paintAttentionBar(QWidget& bar) {
+  QPainter painter(&bar);
+  const ThemeColors& colors = themeColors(bar.palette());
+  painter.fillRect(bar.rect(), colors.surface);
+  painter.fillRect(QRect(0, 0, 4, bar.height()), colors.attention);
+  painter.setPen(colors.line);
+  painter.drawLine(0, bar.height() - 1, bar.width(), bar.height() - 1);
 }
 
 QLabel* makeHeading(QWidget* parent) {

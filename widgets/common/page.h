@@ -48,6 +48,9 @@ class Page : public QWidget {
 /// A bold label as the heading of a group.
 [[nodiscard]] QLabel* makeHeading(QWidget* parent);
 
+/// Background of a bar over a page that asks for attention. To be called by its `paintEvent`.
+void paintAttentionBar(QWidget& bar);
+
 /// Gives a widget the colour of secondary text.
 /// @param palette  of the page: while a theme changes, the children still have the old one
 void setMuted(QWidget* widget, const QPalette& palette);

@@ -5,7 +5,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
 #include <cmath>
@@ -120,12 +119,7 @@ void FileBanner::restyle() {
 }
 
 void FileBanner::paintEvent(QPaintEvent* /*event*/) {
-  QPainter painter(this);
-  const ThemeColors& colors = themeColors(palette());
-  painter.fillRect(rect(), colors.surface);
-  painter.fillRect(QRect(0, 0, 4, height()), colors.attention);
-  painter.setPen(colors.line);
-  painter.drawLine(0, height() - 1, width(), height() - 1);
+  paintAttentionBar(*this);
 }
 
 }  // namespace rivulet::widgets

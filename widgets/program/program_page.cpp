@@ -3,14 +3,15 @@
 
 #include "widgets/program/program_page.h"
 
-#include <QHBoxLayout>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QVBoxLayout>
 
 #include "widgets/live/live_panel.h"
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/program/program_text_view.h"
+#include "widgets/program/reading_bar.h"
 #include "widgets/program/text_pane.h"
 
 namespace rivulet::widgets {
@@ -33,6 +34,7 @@ ProgramPage::ProgramPage(QWidget* parent)
       m_text(new TextPane),
       m_panel(new ProgramPanel(this)),
       m_live(new LivePanel(this)),
+      m_reading(new ReadingBar(this)),
       m_side(new QStackedWidget(this)),
       m_halves(new QSplitter(Qt::Horizontal, this)) {
   m_panel->placeAboveTabs(m_text);
@@ -45,9 +47,11 @@ ProgramPage::ProgramPage(QWidget* parent)
   m_halves->setChildrenCollapsible(false);
   connect(m_halves, &QSplitter::splitterMoved, m_halves,
           [this] { m_halves->setProperty(kMoved, true); });
-  auto* layout = new QHBoxLayout(this);
+  auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_halves);
+  layout->setSpacing(0);
+  layout->addWidget(m_reading);
+  layout->addWidget(m_halves, 1);
   connect(m_path, &PathView::pointChosen, this, &ProgramPage::showPoint);
   connect(m_text, &TextPane::lineChosen, this, &ProgramPage::showLine);
   connect(text(), &ProgramTextView::lineChosen, this, &ProgramPage::showLine);
@@ -61,6 +65,7 @@ void ProgramPage::setProgram(const std::shared_ptr<const ProgramView>& view) {
   m_path->setProgram(view);
   m_text->setProgram(view);
   m_panel->setProgram(view);
+  m_reading->setProgram(view ? view->program : nullptr);
 }
 
 void ProgramPage::replaceProgram(const std::shared_ptr<const ProgramView>& view) {

@@ -22,6 +22,7 @@ class LivePanel;
 class PathView;
 class ProgramPanel;
 class ProgramTextView;
+class ReadingBar;
 class TextPane;
 
 class ProgramPage final : public Page {
@@ -55,6 +56,7 @@ class ProgramPage final : public Page {
   [[nodiscard]] TextPane* textPane() const { return m_text; }
   [[nodiscard]] ProgramPanel* panel() const { return m_panel; }
   [[nodiscard]] LivePanel* livePanel() const { return m_live; }
+  [[nodiscard]] ReadingBar* readingBar() const { return m_reading; }
 
   /// Shows a line in the text and its moves on the path.
   void showLine(std::size_t line);
@@ -72,6 +74,7 @@ class ProgramPage final : public Page {
   TextPane* m_text;
   ProgramPanel* m_panel;
   LivePanel* m_live;
+  ReadingBar* m_reading;
   QStackedWidget* m_side;  ///< one of both
   QSplitter* m_halves;
 };

@@ -35,6 +35,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/program/diagnostic_model.h"
 #include "widgets/program/distance_chart.h"
+#include "widgets/program/reading_bar.h"
 
 namespace rivulet::widgets {
 
@@ -500,27 +501,10 @@ void ProgramPanel::showTimes() {
 }
 
 void ProgramPanel::showDialect() {
-  const auto nameOf = [](gcode::Dialect dialect) {
-    switch (dialect) {
-      case gcode::Dialect::Sinumerik:
-        return QStringLiteral("SINUMERIK");
-      case gcode::Dialect::Fanuc:
-        return QStringLiteral("ISO (Fanuc …)");
-      case gcode::Dialect::Haas:
-        return QStringLiteral("Haas");
-      case gcode::Dialect::LinuxCnc:
-        return QStringLiteral("LinuxCNC");
-      case gcode::Dialect::Grbl:
-        return QStringLiteral("GRBL");
-      case gcode::Dialect::Heidenhain:
-        break;
-    }
-    return QStringLiteral("HEIDENHAIN Klartext");
-  };
   m_dialect->setEnabled(m_openEnabled && m_program);
   m_dialect->setItemText(0, tr("as detected"));
   for (std::size_t i = 0; i < gcode::kDialects.size(); ++i) {
-    m_dialect->setItemText(static_cast<int>(i) + 1, nameOf(gcode::kDialects[i]));
+    m_dialect->setItemText(static_cast<int>(i) + 1, controlName(gcode::kDialects[i]));
   }
   int index = 0;
   if (m_ordered) {
@@ -530,7 +514,7 @@ void ProgramPanel::showDialect() {
   m_dialect->setCurrentIndex(index);
   m_evidence->setVisible(m_program != nullptr);
   if (m_program) {
-    const QString dialect = nameOf(m_program->program->dialect);
+    const QString dialect = controlName(m_program->program->dialect);
     const QString evidence = QString::fromStdString(m_program->program->dialectEvidence);
     m_evidence->setText(
         m_ordered ? tr("Read as %1, as selected.").arg(dialect)

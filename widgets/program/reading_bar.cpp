@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/program/reading_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "widgets/common/icons.h"
+#include "widgets/common/number_format.h"
+#include "widgets/common/theme.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+using gcode::DiagnosticCode;
+
+/// The argument of the finding with this code; nothing: there is none.
+std::optional<QString> argumentOf(const gcode::Program& program, DiagnosticCode code) {
+  const auto found =
+      std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
+                   [code](const gcode::Diagnostic& finding) { return finding.code == code; });
+  return found == program.diagnostics.end()
+             ? std::nullopt
+             : std::optional(QString::fromStdString(found->argument));
+}
+
+/// "X 10.000, Y 2.000"
+QString placeText(const base::Vec3& endMm) {
+  QStringList parts;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (std::isfinite(endMm[axis])) {
+      parts.push_back(QStringLiteral("%1 %2")
+                          .arg(QLatin1Char(base::kAxisNames[axis]))
+                          .arg(numberText(endMm[axis], 3)));
+    }
+  }
+  return parts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+QString controlName(gcode::Dialect dialect) {
+  switch (dialect) {
+    case gcode::Dialect::Sinumerik:
+      return QStringLiteral("SINUMERIK");
+    case gcode::Dialect::Fanuc:
+      return QStringLiteral("FANUC");
+    case gcode::Dialect::Haas:
+      return QStringLiteral("Haas");
+    case gcode::Dialect::LinuxCnc:
+      return QStringLiteral("LinuxCNC");
+    case gcode::Dialect::Grbl:
+      return QStringLiteral("GRBL");
+    case gcode::Dialect::Heidenhain:
+      break;
+  }
+  return QStringLiteral("HEIDENHAIN");
+}
+
+ReadingBar::ReadingBar(QWidget* parent)
+    : Page(parent), m_icon(new QLabel(this)), m_text(makeValueLabel(this)), m_row(new QHBoxLayout) {
+  m_text->setWordWrap(true);
+  m_row->setContentsMargins(12, 4, 12, 4);
+  m_row->addWidget(m_icon);
+  m_row->addWidget(m_text, 1);
+  setLayout(m_row);
+  hide();
+  restyle();
+}
+
+void ReadingBar::setProgram(std::shared_ptr<const gcode::Program> program) {
+  m_program = std::move(program);
+  retranslate();
+}
+
+void ReadingBar::setAnswerable(bool answerable) {
+  m_isAnswerable = answerable;
+  for (QPushButton* answer : m_answers) {
+    answer->setEnabled(answerable);
+  }
+}
+
+QString ReadingBar::question() const {
+  if (!m_program) {
+    return {};
+  }
+  if (const auto& ambiguity = m_program->ambiguity) {
+    QStringList ways;
+    for (const gcode::Ambiguity::Reading& reading : ambiguity->readings) {
+      const QString name = controlName(reading.dialect);
+      ways.push_back(reading.endMm ? tr("a %1 goes to %2 mm").arg(name, placeText(*reading.endMm))
+                                   : tr("a %1 does not move").arg(name));
+    }
+    return tr("Nothing shows for which control this program was made. In line %1, %2. Which is it?")
+        .arg(QString::number(ambiguity->line.value), ways.join(QStringLiteral("; ")));
+  }
+  if (const auto sizes = argumentOf(*m_program, DiagnosticCode::UnitsNotSaid)) {
+    return tr("The program does not say whether it is in mm or inch. Its size in mm, or in inch: "
+              "%1.")
+        .arg(*sizes);
+  }
+  if (const auto sizes = argumentOf(*m_program, DiagnosticCode::NoDecimalPoint)) {
+    return tr("Coordinates have no decimal point. Some controls count them in thousandths. The "
+              "size as whole units, or as thousandths: %1.")
+        .arg(*sizes);
+  }
+  return {};
+}
+
+void ReadingBar::addAnswer(const QString& text, std::function<void()> choose) {
+  QPushButton* answer = makeTouchButton(this);
+  answer->setText(text);
+  answer->setEnabled(m_isAnswerable);
+  connect(answer, &QPushButton::clicked, this, std::move(choose));
+  m_row->addWidget(answer);
+  m_answers.push_back(answer);
+}
+
+void ReadingBar::makeAnswers() {
+  for (QPushButton* answer : m_answers) {
+    answer->hide();
+    answer->deleteLater();
+  }
+  m_answers.clear();
+  if (!m_program) {
+    return;
+  }
+  if (const auto& ambiguity = m_program->ambiguity) {
+    for (const gcode::Ambiguity::Reading& reading : ambiguity->readings) {
+      addAnswer(controlName(reading.dialect),
+                [this, dialect = reading.dialect] { Q_EMIT dialectChosen(dialect); });
+    }
+  } else if (argumentOf(*m_program, DiagnosticCode::UnitsNotSaid)) {
+    addAnswer(tr("mm"), [this] { Q_EMIT unitsChosen(gcode::FileUnits::Millimetres); });
+    addAnswer(tr("inch"), [this] { Q_EMIT unitsChosen(gcode::FileUnits::Inches); });
+  } else if (argumentOf(*m_program, DiagnosticCode::NoDecimalPoint)) {
+    addAnswer(tr("Whole units"), [this] { Q_EMIT noPointChosen(gcode::NoPoint::Units); });
+    addAnswer(tr("Thousandths"), [this] { Q_EMIT noPointChosen(gcode::NoPoint::Increments); });
+  }
+}
+
+void ReadingBar::retranslate() {
+  const QString text = question();
+  m_text->setText(text);
+  makeAnswers();
+  setVisible(!text.isEmpty());
+}
+
+void ReadingBar::restyle() {
+  m_icon->setPixmap(iconPixmap(QStringLiteral("status-attention"), themeColors(palette()).attention,
+                               24, devicePixelRatioF()));
+}
+
+void ReadingBar::paintEvent(QPaintEvent* /*event*/) {
+  paintAttentionBar(*this);
+}
+
+}  // namespace rivulet::widgets
