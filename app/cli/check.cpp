@@ -257,9 +257,7 @@ gcode::LoadOptions LoadingOptions::loadOptions() const {
   if (units != "auto") {
     options.units = units == "inch" ? gcode::FileUnits::Inches : gcode::FileUnits::Millimetres;
   }
-  if (noPoint != "auto") {
-    options.noPoint = noPoint == "increments" ? gcode::NoPoint::Increments : gcode::NoPoint::Units;
-  }
+  options.noPoint = gcode::noPointOfName(noPoint);
   for (std::string& name : options.accepted) {
     name = base::toUpper(name);
   }

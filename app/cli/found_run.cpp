@@ -57,6 +57,14 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
     command.insert(command.end(),
                    {"--dialect", std::string(gcode::dialectName(*run.reading.dialect))});
   }
+  if (run.reading.units) {
+    const bool inches = *run.reading.units == gcode::FileUnits::Inches;
+    command.insert(command.end(), {"--units", inches ? "inch" : "mm"});
+  }
+  if (run.reading.noPoint) {
+    command.insert(command.end(),
+                   {"--no-point", std::string(gcode::noPointName(*run.reading.noPoint))});
+  }
   for (const std::string& name : run.reading.accepted) {
     command.insert(command.end(), {"--accept", name});
   }

@@ -207,10 +207,7 @@ std::optional<base::Error> Document::dryRunProblem() const {
 session::ProgramSource Document::source() const {
   session::ProgramSource source;
   source.file = m_path.toStdString();
-  source.reading.dialect = m_reading.dialect;
-  source.reading.accepted = m_reading.accepted;
-  source.reading.centres = m_reading.centres;
-  source.reading.chordToleranceMm = m_reading.chordToleranceMm;
+  source.reading.setReading(m_reading);
   return source;
 }
 

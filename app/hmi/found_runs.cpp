@@ -199,11 +199,7 @@ bool FoundRuns::load(const report::SavedRun& run) {
     });
     return false;
   }
-  session::Reading reading;
-  reading.dialect = run.reading.dialect;
-  reading.accepted = run.reading.accepted;
-  reading.centres = run.reading.centres;
-  reading.chordToleranceMm = run.reading.chordToleranceMm;
+  const session::Reading reading{run.reading};
   if (m_seen.isJob) {
     m_document.open(file, reading);
   } else {

@@ -24,10 +24,7 @@ struct ProgramToCompare {
 
   [[nodiscard]] std::optional<gcode::Program> load() const {
     gcode::LoadOptions options;
-    options.dialect = reading.dialect;
-    options.accepted = reading.accepted;
-    options.centres = reading.centres;
-    options.chordToleranceMm = reading.chordToleranceMm;
+    options.setReading(reading);
     auto program = report::loadComparedProgram(file, std::move(options));
     return program ? std::move(*program) : std::nullopt;
   }

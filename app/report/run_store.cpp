@@ -55,6 +55,14 @@ gcode::LoadOptions readingOf(Members& members) {
   for (const gcode::CentreReading known : gcode::kCentreReadings) {
     reading.centres = gcode::centreReadingName(known) == centres ? known : reading.centres;
   }
+  std::string units;
+  members.ifThere("/reading/units", units, text);
+  for (const gcode::FileUnits known : {gcode::FileUnits::Millimetres, gcode::FileUnits::Inches}) {
+    reading.units = gcode::fileUnitsName(known) == units ? std::optional(known) : reading.units;
+  }
+  std::string noPoint;
+  members.ifThere("/reading/no_point", noPoint, text);
+  reading.noPoint = gcode::noPointOfName(noPoint);
   constexpr double kToleranceMmMax = 10.0;
   members.ifThere("/reading/chord_tolerance_mm", reading.chordToleranceMm,
                   [&members](const char* at) { return members.number(at, 1e-6, kToleranceMmMax); });
@@ -68,6 +76,12 @@ ordered_json readingJson(const gcode::LoadOptions& reading) {
                     {"accepted", reading.accepted}};
   if (reading.dialect) {
     text["dialect"] = gcode::dialectName(*reading.dialect);
+  }
+  if (reading.units) {
+    text["units"] = gcode::fileUnitsName(*reading.units);
+  }
+  if (reading.noPoint) {
+    text["no_point"] = gcode::noPointName(*reading.noPoint);
   }
   return text;
 }

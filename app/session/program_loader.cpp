@@ -64,10 +64,7 @@ void ProgramLoader::load(LoadRequest request) {
       return !stop->load();
     };
     gcode::LoadOptions options;
-    options.chordToleranceMm = request.reading.chordToleranceMm;
-    options.dialect = request.reading.dialect;
-    options.accepted = request.reading.accepted;
-    options.centres = request.reading.centres;
+    options.setReading(request.reading);
     options.progress = [&](double share) { return progress(kReadShare * share); };
     // Taken before the text is read: anything written meanwhile counts as a change.
     const FileStamp stamp = fileStamp(request.path);

@@ -22,11 +22,7 @@
 namespace rivulet::session {
 
 /// Settings for reading a text.
-struct Reading {
-  std::optional<gcode::Dialect> dialect;  ///< nothing: as detected
-  std::vector<std::string> accepted;      ///< see gcode::LoadOptions
-  gcode::CentreReading centres = gcode::CentreReading::AsProgrammed;
-  double chordToleranceMm = gcode::LoadOptions{}.chordToleranceMm;
+struct Reading : gcode::TextReading {
   /// Stream what is left beside the blocks that the control executes itself; false: all motion.
   /// Programs without such blocks, and those that cannot be a job, are the same with both.
   bool asJob = false;

@@ -166,6 +166,19 @@ std::optional<Ambiguity> findAmbiguity(const std::string& text, const LoadOption
 
 }  // namespace
 
+std::string_view noPointName(NoPoint meaning) {
+  return meaning == NoPoint::Units ? "units" : "increments";
+}
+
+std::optional<NoPoint> noPointOfName(std::string_view name) {
+  for (const NoPoint known : {NoPoint::Units, NoPoint::Increments}) {
+    if (noPointName(known) == name) {
+      return known;
+    }
+  }
+  return std::nullopt;
+}
+
 std::string_view readinessName(Readiness readiness) {
   return textOf(readiness).name;
 }

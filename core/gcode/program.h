@@ -44,30 +44,40 @@ enum class NoPoint : unsigned char {
   Units,       ///< X10 is 10 mm or 10 inch
   Increments,  ///< X10 is ten of the least increment: 0.01 mm, 0.001 inch
 };
+/// "units", "increments": for files and options.
+[[nodiscard]] std::string_view noPointName(NoPoint meaning);
+[[nodiscard]] std::optional<NoPoint> noPointOfName(std::string_view name);
 
-struct LoadOptions {
+/// How a person wants a text to be read: what it leaves open, and how finely its curves are
+/// divided. Belongs to a run, so that the same points come out when it is resumed.
+struct TextReading {
   double chordToleranceMm = 0.005;  ///< greatest distance of chords from their arc or spline, > 0
   CentreReading centres = CentreReading::AsProgrammed;  ///< what I, J and K of arcs are
-  bool blockSkip = false;  ///< blocks with "/" are left out, as with the switch on
+  std::optional<Dialect> dialect;                       ///< nothing: as detected from the text
   /// Millimetres or Inches: the unit until a block names one. Nothing: mm, and a finding where the
   /// control would decide it.
   std::optional<FileUnits> units;
   /// What coordinates without a decimal point are, where the control decides it. Nothing: whole
   /// units, and a finding.
   std::optional<NoPoint> noPoint;
-  /// Of a machine (SD42110): holds until the program names a feed, which stays a finding. 0: none.
-  double defaultFeedMmPerS = 0.0;
-  bool keepArcs = false;           ///< arcs stay one point each, see `Trajectory::arcs`
-  std::optional<Dialect> dialect;  ///< nothing: as detected from the text
   /// Names (`acceptableName`) of what Rivulet does not understand and the user knows to be
   /// harmless: the finding becomes a warning, the word is left out.
   std::vector<std::string> accepted;
+};
+
+struct LoadOptions : TextReading {
+  bool blockSkip = false;  ///< blocks with "/" are left out, as with the switch on
+  /// Of a machine (SD42110): holds until the program names a feed, which stays a finding. 0: none.
+  double defaultFeedMmPerS = 0.0;
+  bool keepArcs = false;  ///< arcs stay one point each, see `Trajectory::arcs`
   std::size_t repeatedLinesMax = kRepeatedLinesMax;
   /// The text of a subprogram by its name (upper case, no ending), nothing if there is none.
   /// `loadProgram` looks in the folder of the file if this is empty.
   std::function<std::optional<nc::LoadedText>(std::string_view name)> subprogram;
   /// Told now and then how much has been read, 0 to 1. False: give up (GcodeError::Cancelled).
   std::function<bool(double share)> progress;
+
+  void setReading(const TextReading& reading) { static_cast<TextReading&>(*this) = reading; }
 };
 
 struct Statistics {

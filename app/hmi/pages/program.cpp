@@ -15,6 +15,7 @@
 #include "widgets/program/path_view.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
+#include "widgets/program/reading_bar.h"
 #include "widgets/program/text_pane.h"
 
 namespace rivulet::hmi {
@@ -94,6 +95,22 @@ void connectReading(ProgramPanel* panel, const Models& models) {
       panel, &ProgramPanel::centresRequested, panel, [models](gcode::CentreReading centres) {
         readAgain(models, [&](session::Reading& reading) { reading.centres = centres; });
       });
+}
+
+/// What the program leaves open is answered by reading it again.
+void connectQuestions(widgets::ReadingBar* bar, const Models& models) {
+  QObject::connect(bar, &widgets::ReadingBar::dialectChosen, bar, [models](gcode::Dialect dialect) {
+    readAgain(models, [&](session::Reading& reading) { reading.dialect = dialect; });
+  });
+  QObject::connect(bar, &widgets::ReadingBar::unitsChosen, bar, [models](gcode::FileUnits units) {
+    readAgain(models, [&](session::Reading& reading) { reading.units = units; });
+  });
+  QObject::connect(bar, &widgets::ReadingBar::noPointChosen, bar, [models](gcode::NoPoint meaning) {
+    readAgain(models, [&](session::Reading& reading) { reading.noPoint = meaning; });
+  });
+  const RunController* runs = &models.runs;
+  QObject::connect(runs, &RunController::permissionsChanged, bar,
+                   [bar, runs] { bar->setAnswerable(!runs->isRunning()); });
 }
 
 void connectLoading(ProgramPage* page, const Models& models) {
@@ -211,6 +228,7 @@ QWidget* makeProgramPage(const Models& models, QWidget* parent) {
   ProgramPanel* panel = page->panel();
   panel->setRecentFiles(models.settings.recentFiles);
   connectReading(panel, models);
+  connectQuestions(page->readingBar(), models);
   connectLoading(page, models);
   connectPath(page->path(), models);
   connectLive(page, models);
