@@ -37,7 +37,7 @@ class FactCounter final : public nc::WordObserver {
   }
   void noteUnits(const nc::AxisValues& axes) {
     m_facts.movesBeforeUnits |= m_facts.units == FileUnits::Unspecified &&
-                                (axes.given[0] || axes.given[1] || axes.given[2]);
+                                axes.hasAny(0, base::kAxisCount);
   }
   struct ArcReading {
     double length = 0.0;
