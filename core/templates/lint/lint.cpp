@@ -87,7 +87,7 @@ BlockSummary summaryOf(const Words& words) {
   nc::WordObserver observer;
   nc::ModalState state;
   nc::Variables variables(nc::sinumerikSemantics());
-  nc::BlockReader reader(nc::languageOf(nc::Dialect::Sinumerik), state, variables,
+  nc::BlockReader reader(nc::languageOf(nc::Dialect::Sinumerik), false, state, variables,
                          {path, alarms, observer});
   nc::BlockWords block;
   std::vector<nc::Token> tokens = words.tokens;
