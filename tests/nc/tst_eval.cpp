@@ -229,7 +229,7 @@ class TestEval : public QObject {
     add("[1.00005 LE 1]", "1");
     add("[1.00005 GT 1]", "1");
     add("ATAN[1]/[-1]", "135");
-    add("ATAN[-1]/[-1]", "225");
+    add("ATAN[-1]/[-1]", "-135");
     add("FIX[-2.5]+FUP[2.1]", "0");
     add("EXISTS[#<depth>]", "1");
     add("EXISTS[#<width>]", "0");

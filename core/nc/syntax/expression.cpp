@@ -66,7 +66,7 @@ constexpr std::array kSinumerikFunctions{
 constexpr std::array kHashFunctions{
     FunctionWord{"SIN", Op::Sin, 1},       FunctionWord{"COS", Op::Cos, 1},
     FunctionWord{"TAN", Op::Tan, 1},       FunctionWord{"ASIN", Op::Asin, 1},
-    FunctionWord{"ACOS", Op::Acos, 1},     FunctionWord{"ATAN", Op::AtanPositive, 2},
+    FunctionWord{"ACOS", Op::Acos, 1},     FunctionWord{"ATAN", Op::Atan2, 2},
     FunctionWord{"SQRT", Op::Sqrt, 1},     FunctionWord{"ABS", Op::Abs, 1},
     FunctionWord{"FIX", Op::RoundDown, 1}, FunctionWord{"FUP", Op::RoundUp, 1},
     FunctionWord{"ROUND", Op::Round, 1},   FunctionWord{"LN", Op::Ln, 1},
