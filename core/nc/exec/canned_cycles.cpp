@@ -132,9 +132,11 @@ void Executor::runCannedCycle(const BlockWords& words) {
     moveTo(at(hole, i == 0 && heightMm > rMm ? heightMm : clearMm), std::nullopt, words.line);
     moveTo(at(hole, rMm), std::nullopt, words.line);
     drill(at(hole, rMm), third, bottomMm, words);
-    const bool returnsWithFeed = cycle.key == kBoring || cycle.key == kBoringWithDwell;
-    moveTo(at(hole, clearMm), returnsWithFeed ? std::optional(feedMmPerS()) : std::nullopt,
-           words.line);
+    if (cycle.key == kBoring) {
+      moveTo(at(hole, rMm), feedMmPerS(), words.line);
+    }
+    moveTo(at(hole, clearMm),
+           cycle.key == kBoringWithDwell ? std::optional(feedMmPerS()) : std::nullopt, words.line);
   }
 }
 
