@@ -65,7 +65,6 @@ struct Language {
   // Macros and calls.
   bool assignsBehindBlock = false;  ///< #3=6 G1 X#3: X has the #3 from before the block
   bool hasArgumentSets = false;     ///< G65 with several I J K: #4 #5 #6, #7 #8 #9 and on
-  bool hasModalMacros = false;      ///< G66 calls behind each block that moves, until G67
   bool returnsValues = false;       ///< O100 ENDSUB [1] sets #<_value>
   bool packsRounds = false;         ///< M98 P30100: three times O100
   bool keepsArguments = false;      ///< G65 L3: only the first round begins with the arguments

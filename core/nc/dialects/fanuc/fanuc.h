@@ -11,6 +11,9 @@
 namespace rivulet::nc::fanuc {
 
 [[nodiscard]] Language language();
+/// What controls that follow Fanuc have in common with it.
+[[nodiscard]] Language languageLike(Dialect dialect, const Notation& notation,
+                                    const Semantics& semantics);
 [[nodiscard]] DialectWords words();
 
 // Custom macro B.

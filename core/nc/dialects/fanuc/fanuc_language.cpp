@@ -5,8 +5,8 @@
 
 namespace rivulet::nc::fanuc {
 
-Language language() {
-  Language made = rs274Language(Dialect::Fanuc, macroNotation(), macroSemantics());
+Language languageLike(Dialect dialect, const Notation& notation, const Semantics& semantics) {
+  Language made = rs274Language(dialect, notation, semantics);
   // The operator's manuals write ";" for the end-of-block code, keep the unit of the last program
   // ("Inch/metric conversion"), and leave numbers without a point to a parameter ("Decimal point
   // programming").
@@ -14,14 +14,18 @@ Language language() {
   made.unitIsOfMachine = true;
   made.mayCountIncrements = true;
   made.hasArgumentSets = true;
-  made.hasModalMacros = true;
-  made.packsRounds = true;
-  made.returnTo = ReturnTo::Caller;
   made.knownNumber = knownNumber;
   made.hasTurningCycles = true;
   made.dwellInMilliseconds = true;
   made.setsListedOffsets = true;
   made.hasCommaWords = true;
+  return made;
+}
+
+Language language() {
+  Language made = languageLike(Dialect::Fanuc, macroNotation(), macroSemantics());
+  made.packsRounds = true;
+  made.returnTo = ReturnTo::Caller;
   return made;
 }
 

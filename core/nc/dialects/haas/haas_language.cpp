@@ -8,13 +8,9 @@
 namespace rivulet::nc::haas {
 
 Language language() {
-  Language made = rs274Language(Dialect::Haas, macroNotation(), macroSemantics());
-  made.hasArgumentSets = true;
+  Language made = fanuc::languageLike(Dialect::Haas, macroNotation(), macroSemantics());
   made.keepsArguments = true;
   made.returnTo = ReturnTo::Itself;
-  made.knownNumber = fanuc::knownNumber;
-  made.hasTurningCycles = true;
-  made.dwellInMilliseconds = true;
   return made;
 }
 
