@@ -69,7 +69,7 @@ class SourceLines {
   std::vector<std::uint32_t> m_sizes;
 };
 
-class Interpreter {
+class Interpreter final : private nc::CallObserver {
  public:
   Interpreter(std::string_view text, const LoadOptions& options, nc::DialectGuess guess,
               BlockObserver* observer)
@@ -191,7 +191,8 @@ class Interpreter {
 
   /// Subprograms from elsewhere are kept for an observer.
   [[nodiscard]] nc::CursorOptions cursorOptions() {
-    nc::CursorOptions made{m_options.blockSkip, m_options.repeatedLinesMax, m_options.subprogram};
+    nc::CursorOptions made{m_options.blockSkip, m_options.repeatedLinesMax, m_options.subprogram,
+                           this};
     if (m_observer != nullptr && m_options.subprogram) {
       made.load = [this](std::string_view name) {
         std::optional<nc::LoadedText> loaded = m_options.subprogram(name);
@@ -335,6 +336,9 @@ class Interpreter {
       endProgram();
     }
   }
+
+  void entered(const nc::Tree& program) override { m_executor.enterCall(program.saves); }
+  void left() override { m_executor.leaveCall(); }
 
   void endProgram() {
     m_executor.finishCurve();

@@ -212,6 +212,32 @@ class TestMacros : public QObject {
     add(ngc, "named", "#<a>=1\n#<a>=2 G0 X#<a> Y0 Z0\nX#<a>", "1 0 0 | 2 0 0");
     add(ngc, "locals", "o1 sub\n#31=5\n#30=6\no1 endsub\n#30=1\no1 call\nG0 X#30 Y#31 Z0\nM2",
         "1 5 0");
+    // What a call brings back: NC Programming (6FC5398-2EP40-0BA0), "SAVE"; LinuxCNC, M70 to M73.
+    const Dialect sinumerik = Dialect::Sinumerik;
+    add(sinumerik, "PROC SAVE",
+        "%_N_MAIN_MPF\nG90 G17 G710 G94\nG0 X0 Y0 Z0\nG1 X10 F500\nSTEPS\nG1 X20\nY5\nM30\n"
+        "%_N_STEPS_SPF\nPROC STEPS SAVE\nG91 G19\nTRANS X100\nG1 Y1\nM17",
+        "0 0 0 | 10 0 0 | 10 1 0 | 20 1 0 | 20 5 0");
+    add(sinumerik, "PROC SAVE with parameters, left by its end",
+        "%_N_MAIN_MPF\nG90 G0 X0 Y0 Z0\nSTEPS(3)\nX20\nM30\n"
+        "%_N_STEPS_SPF\nPROC STEPS(REAL A) SAVE DISPLOF\nG91 X=A\n",
+        "0 0 0 | 3 0 0 | 20 0 0");
+    add(sinumerik, "PROC without SAVE",
+        "%_N_MAIN_MPF\nG90 G0 X0 Y0 Z0\nSTEPS\nX20\nM30\n%_N_STEPS_SPF\nPROC STEPS\nG91 X3\nM17",
+        "0 0 0 | 3 0 0 | 23 0 0");
+    add(sinumerik, "SAVE within a call without it",
+        "%_N_MAIN_MPF\nG90 G0 X0 Y0 Z0\nAA\nX20\nM30\n%_N_AA_SPF\nG91\nBB\nX1\nM17\n"
+        "%_N_BB_SPF\nPROC BB SAVE\nG90 X5\nM17",
+        "0 0 0 | 5 0 0 | 6 0 0 | 26 0 0");
+    add(ngc, "M70 and M72",
+        "G21 G90 G17\nG0 X10 Y0 Z5\no100 call\nG1 X20 F300\nM2\no100 sub\nM70\nG91 G20\nG1 Y1 F10\n"
+        "M72\no100 endsub",
+        "10 0 5 | 10 25.4 5 | 20 25.4 5");
+    add(ngc, "M73",
+        "G21 G90 G17\nG0 X10 Y0 Z5\no100 call\nG0 X20\nM2\no100 sub\nM73\nG91\nG0 Y1\no100 endsub",
+        "10 0 5 | 10 1 5 | 20 1 5");
+    add(fanuc, "nothing modal is brought back",
+        "O1\nG90 G0 X0 Y0 Z0\nM98 P2\nX5\nM30\nO2\nG91 X1\nM99", "0 0 0 | 1 0 0 | 6 0 0");
     add(fanuc, "assignments one after another", "#1=1\n#2=2\n#1=#2\n#2=#1\nG0 X#1 Y#2 Z0", "2 2 0");
   }
 
