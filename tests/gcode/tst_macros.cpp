@@ -119,11 +119,11 @@ class TestMacros : public QObject {
 
     // F30 "System variables": not the program's to know.
     add(fanuc, "offset of a tool", "G0 X0 Y0 Z10\nG1 Z[#2001+5.] F100",
-        "0 0 10 | 0 0 ? ! 2:4 error expression-fault only the control knows the value of #2001");
+        "0 0 10 | 0 0 10 ! 2:4 error expression-fault only the control knows the value of #2001");
     add(fanuc, "machine coordinates", "G0 X0 Y0 Z10\nG1 X#5021 F100",
-        "0 0 10 | ? 0 10 ! 2:4 error expression-fault only the control knows the value of #5021");
+        "0 0 10 | 0 0 10 ! 2:4 error expression-fault only the control knows the value of #5021");
     add(fanuc, "kept from before", "G0 X0 Y0 Z10\nG1 X#500 F100",
-        "0 0 10 | ? 0 10 ! 2:4 error expression-fault only the control knows the value of #500");
+        "0 0 10 | 0 0 10 ! 2:4 error expression-fault only the control knows the value of #500");
     add(fanuc, "kept, but written here", "#500=4\nG0 X#500 Y0 Z0", "4 0 0");
     add(fanuc, "no such variable", "#50=4\nG0 X0 Y0 Z0",
         "0 0 0 ! 1:1 error expression-fault #50 is not a variable");
@@ -141,7 +141,7 @@ class TestMacros : public QObject {
     add(fanuc, "alarm not reached", "G0 X1 Y1 Z1\nIF [1 EQ 2] THEN #3000=7 (NO TOOL)\nX9",
         "1 1 1 | 9 1 1");
     add(haas, "saved by Haas", "G0 X0 Y0 Z10\nG1 X#101 F100",
-        "0 0 10 | ? 0 10 ! 2:4 error expression-fault only the control knows the value of #101");
+        "0 0 10 | 0 0 10 ! 2:4 error expression-fault only the control knows the value of #101");
     add(haas, "two numbers of one variable", "#100=5\nG0 X#10000 Y0 Z0\n#10500=6\nX#500",
         "5 0 0 | 6 0 0");
 
