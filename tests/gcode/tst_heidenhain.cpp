@@ -287,8 +287,6 @@ class TestHeidenhain : public QObject {
     add("a feed that needs the teeth of the tool", "L X+0 Y+0 FZ0.1\n",
         "3:12 error unsupported-g-code");
     add("a word that nobody knows", "L X+0 Y+0 FMAX\nSPLINE X+1\n", "4:1 error unsupported-g-code");
-    add("the shortest way of rotary axes", "L C+350 FMAX M126\n",
-        "3:14 error unsupported-g-code M126");
     add("the tip of the tool", "M128\n", "3:1 error unsupported-g-code M128");
     add("the feed of plunging", "L X+0 Y+0 F500 M103 F20\n", "3:20 error unsupported-g-code M103");
     add("the datum of the machine's builder", "L X+0 FMAX M92\n",

@@ -22,9 +22,9 @@ Token Control::word(char address, double value) const {
   token.hasPoint = true;
   token.reference = Reference::Absolute;
   token.text = kLetters.substr(static_cast<std::size_t>(address - 'A'), 1);
-  const bool isCoordinate =
-      (address >= 'X' && address <= 'Z') || (address >= 'A' && address <= 'C');
-  if (!isCoordinate) {
+  // M126 and M127 say how rotary axes turn there.
+  const bool isLinear = address >= 'X' && address <= 'Z';
+  if (!isLinear) {
     token.reference = Reference::Modal;
   }
   return token;
