@@ -159,15 +159,13 @@ class Evaluator {
  public:
   using Beside = std::function<std::optional<std::string>(std::string_view)>;
 
-  Evaluator(Control control, std::string_view text, const Beside& beside)
-      : m_control(control), m_beside(beside) {
-    readTexts(startsWith(text, "\xEF\xBB\xBF") ? text.substr(3) : text, "");
-  }
+  Evaluator(Control control, const Beside& beside) : m_control(control), m_beside(beside) {}
 
-  Evaluation run() {
+  Evaluation run(std::string_view text) {
     Evaluation result;
-    m_levels.emplace_back().text = m_texts.front().get();
     try {
+      readTexts(startsWith(text, "\xEF\xBB\xBF") ? text.substr(3) : text, "");
+      m_levels.emplace_back().text = m_texts.front().get();
       for (std::size_t steps = 0; !m_ended; ++steps) {
         check(steps < kStepsMax, "a loop without an end");
         if (level().at >= level().text->lines.size()) {
@@ -219,6 +217,7 @@ class Evaluator {
   /// The programs in one file; the first is the one that runs.
   void readTexts(std::string_view text, const std::string& name) {
     const std::size_t first = m_texts.size();
+    m_marks = 0;
     beginText(name);
     std::size_t number = 0;
     for (std::size_t from = 0; from < text.size();) {
@@ -253,7 +252,8 @@ class Evaluator {
       return;
     }
     block.erase(0, !block.empty() && block[0] == '/' ? 1 : 0);
-    if (block.empty() || block[0] == '%') {
+    m_marks += hasBrackets() && !isFanuc() && startsWith(block, "%") ? 1 : 0;
+    if (block.empty() || block[0] == '%' || m_marks > 1) {
       return;
     }
     Line line;
@@ -405,6 +405,9 @@ class Evaluator {
     }
     if (const auto found = kFunctions.find(name); found != kFunctions.end()) {
       const bool isOwn = !isLinux() || (name != "FIX" && name != "FUP");
+      if (name == "ROUND") {  // in a word of Fanuc to the least input increment
+        return {std::round(a[0] / m_step) * m_step};
+      }
       return {isOwn ? found->second(a[0]) : name == "FIX" ? std::floor(a[0]) : std::ceil(a[0])};
     }
     if (name == "ATAN" && !isSinumerik() && accept("/")) {
@@ -462,7 +465,8 @@ class Evaluator {
     const bool same = isFanuc() && (a.vacant || b.vacant)
                           ? a.vacant == b.vacant
                           : std::abs(x - y) <= (isFanuc() ? 0.0 : near);
-    const bool bits = isFanuc();
+    const bool bits = isFanuc() || startsWith(op, "B_");
+    const bool tie = isFanuc() ? x == y : same;
     const auto p = static_cast<unsigned>(bits ? std::lround(x) : x != 0.0);
     const auto q = static_cast<unsigned>(bits ? std::lround(y) : y != 0.0);
     const double rest = op == "MOD" ? std::fmod(x, y) : 0.0;
@@ -474,17 +478,17 @@ class Evaluator {
         {"+", x + y}, {"-", x - y}, {"*", x * y}, {"/", x / y}, {"**", std::pow(x, y)}, {"^", std::pow(x, y)},
         {"DIV", isPlain() ? x / y : std::trunc(x / y)}, {"MOD", isLinux() && rest < 0.0 ? rest + std::abs(y) : rest},
         {"EQ", same}, {"EQU", same}, {"==", same}, {"NE", !same}, {"<>", !same}, {"GT", more}, {">", more},
-        {"LT", less}, {"<", less}, {"GE", more || same}, {">=", more || same}, {"LE", less || same}, {"<=", less || same},
+        {"LT", less}, {"<", less}, {"GE", more || tie}, {">=", more || tie}, {"LE", less || tie}, {"<=", less || tie},
         {"AND", p & q}, {"OR", p | q}, {"XOR", p ^ q}};
     // clang-format on
-    return {results.at(op)};
+    return {results.at(startsWith(op, "B_") ? op.substr(2) : op)};
   }
 
   /// Operators by their rank, those that bind least first; equal ranks from left to right.
   Value expression(std::size_t rank = 0) {
     using Ranks = std::vector<std::vector<std::string>>;
     // clang-format off
-    static const Ranks kSinumerik{{"==", "<>", ">=", "<=", ">", "<"}, {"OR"}, {"XOR"}, {"AND"}, {"+", "-"}, {"*", "/", "DIV", "MOD"}};
+    static const Ranks kSinumerik{{"==", "<>", ">=", "<=", ">", "<"}, {"OR"}, {"XOR"}, {"AND"}, {"B_OR"}, {"B_XOR"}, {"B_AND"}, {"+", "-"}, {"*", "/", "DIV", "MOD"}};
     static const Ranks kFanuc{{"EQ", "NE", "GT", "GE", "LT", "LE"}, {"+", "-", "OR", "XOR"}, {"*", "/", "AND", "MOD"}};
     static const Ranks kLinux{{"AND", "OR", "XOR"}, {"EQ", "NE", "GT", "GE", "LT", "LE"}, {"+", "-"}, {"*", "/", "MOD"}, {"**"}};
     static const Ranks kPlain{{"EQU", "NE", "GT", "LT"}, {"+", "-"}, {"*", "/", "DIV"}, {"^"}};
@@ -776,6 +780,7 @@ class Evaluator {
     check(key.size() > 1, "O with a calculated number");
     m_i = key.size();
     if (accept("ENDSUB") || accept("RETURN")) {
+      m_globals["#<_VALUE>"] = peek() == '[' ? primary() : Value{};
       leave();
     } else if (accept("CALL")) {
       Values variables;
@@ -824,7 +829,9 @@ class Evaluator {
     } else if (blanks() && peek() == 'Q' && isDigit(peek(1))) {
       const std::string name = identifier();
       expect("=");
-      variable(name) = expression();
+      const Value value = expression();
+      check(!blanks(), m_rest);
+      variable(name) = value;
     } else {
       return false;
     }
@@ -847,7 +854,9 @@ class Evaluator {
         continue;
       } else {
         word.name = std::string(1, m_rest[m_i++]);
+        m_step = isFanuc() ? (m_modal.unit == 1.0 ? 0.001 : 0.0001) : 1.0;
         word.value = primary();
+        m_step = 1.0;
         word.hasValue = true;
       }
       if (!(isFanuc() && word.value.vacant && word.name != "G") && !word.name.empty()) {
@@ -944,7 +953,9 @@ class Evaluator {
       m_modal.speed = word.name == "S" ? word.value.number : m_modal.speed;
     }
     const bool calls = std::any_of(words.begin(), words.end(), [](const Word& word) {
-      return word.name == "M" && (word.value.number == 98.0 || word.value.number == 99.0);
+      const double number = word.value.number;
+      return (word.name == "M" && (number == 98.0 || number == 99.0)) ||
+             (word.name == "G" && number == 4.0);
     });
     for (const Word& word : words) {
       if (word.name == "F" && word.hasValue && !taken) {
@@ -1020,13 +1031,14 @@ class Evaluator {
     } else {
       static const std::vector<int> kHarmless{40, 90, 400, 490, 600, 610, 640, 800};
       static const std::vector<int> kSinumerik{5000, 6010, 6020, 6030, 6410, 6420, 6430, 4500};
-      static const std::vector<int> kOthers{430, 911, 970, 980, 990, 670};
-      const std::vector<int>& own = isSinumerik() ? kSinumerik : kOthers;
+      static const std::vector<int> kOthers{430, 911, 670};
+      static const std::vector<int> kLinux{430, 911, 970, 980, 990};
+      const std::vector<int>& own = isSinumerik() ? kSinumerik : isFanuc() ? kOthers : kLinux;
       check(std::count(kHarmless.begin(), kHarmless.end(), g) +
                     std::count(own.begin(), own.end(), g) >
                 0,
             gName(g));
-      return g == 40 || ((g == 640 || g == 610) && find(words, 'P') != nullptr);
+      return (g == 40 && !isLinux()) || ((g == 640 || g == 610) && find(words, 'P') != nullptr);
     }
     return false;
   }
@@ -1228,10 +1240,15 @@ class Evaluator {
         const double now = m_turned[axis];
         const double way = std::fmod(std::fmod(word.value.number - now, 360.0) + 360.0, 360.0);
         const char reference = word.reference;
+        const double shown = std::fmod(std::fmod(now, 360.0) + 360.0, 360.0);
         m_turned[axis] = reference == 'P'   ? now + way
-                         : reference == 'N' ? now + way - 360.0
+                         : reference == 'N' ? now + way - (way > 0.0 ? 360.0 : 0.0)
                          : reference == 'D' ? now + way - (way > 180.0 ? 360.0 : 0.0)
-                                            : word.value.number + (isIncrement(word) ? now : 0.0);
+                                            : word.value.number + (isIncrement(word) ? now
+                                                                   : m_modulo[axis]  ? now - shown
+                                                                                     : 0.0);
+        // An axis for which these have a meaning counts from 0 to 360.
+        m_modulo[axis] |= reference == 'P' || reference == 'N' || reference == 'D';
       }
     }
   }
@@ -1259,9 +1276,10 @@ class Evaluator {
     const bool counter = turn != nullptr ? turn->value.number > 0.0 : m_motion == "G3";
     if (m_motion == "C" || m_motion == "CP") {
       const Word* const angle = find(words, "AP");
-      const bool isFull =
-          angle != nullptr && angle->reference == 'I' && std::abs(angle->value.number) == 360.0;
-      arcAbout(m_pole, end, counter, isFull);
+      const bool counts = angle != nullptr && angle->reference == 'I';
+      const double sweep = counts ? std::abs(angle->value.number) : 0.0;
+      check(sweep <= 360.0, "more than a turn");
+      arcAbout(m_pole, end, counter, sweep == 360.0);
     } else if (isArc || m_motion == "CR") {
       arc(words, end, counter);
     } else if (m_motion == "CIP" || m_motion == "CT") {
@@ -1289,6 +1307,7 @@ class Evaluator {
                 : m_modal.feedMode == 'R'               ? m_modal.feed * m_modal.speed
                 : m_modal.feedMode == 'I'               ? m_blockFeed * lengthMm
                                                         : m_modal.feed;
+    made.feed /= lengthMm == 0.0 && m_modal.feedMode == 'M' ? m_modal.feedUnit : 1.0;  // degrees
     made.line = m_line;
     m_at = end;
     m_moves.push_back(made);
@@ -1409,6 +1428,8 @@ class Evaluator {
     } else if (startsWith(line, "TOOL CALL")) {
       const std::size_t axis = line.find_first_of(kAxes, 10);
       m_modal.across = axis == std::string::npos ? m_modal.across : kAxes.find(line[axis]);
+      const std::size_t feed = line.find(" F");
+      m_modal.feed = feed == std::string::npos ? m_modal.feed : std::atof(line.c_str() + feed + 2);
     } else if (startsWith(line, "CYCL DEF")) {
       plainFrame(trimmed(line.substr(8)));
     } else if (head == "CC") {
@@ -1469,6 +1490,7 @@ class Evaluator {
   std::vector<std::unique_ptr<Text>> m_texts;
   Text* m_current = nullptr;  ///< to which lines are added
   Text* m_outer = nullptr;
+  int m_marks = 0;  ///< "%" begins and ends a text
   std::vector<Level> m_levels;
   std::vector<Modal> m_saved;
   Values m_globals;
@@ -1477,6 +1499,7 @@ class Evaluator {
   std::string m_rest;
   std::size_t m_i = 0;
   std::size_t m_line = 0;
+  double m_step = 1.0;
   bool m_ended = false;
   // The machine.
   Modal m_modal;
@@ -1484,6 +1507,7 @@ class Evaluator {
   Vec3 m_at;             ///< programmed coordinates
   std::array<bool, 3> m_known{};
   std::array<double, 3> m_turned{kNaN, kNaN, kNaN};
+  std::array<bool, 3> m_modulo{};
   Vec3 m_direction;
   Vec3 m_pole;
   double m_polarAngle = kNaN;
@@ -1509,7 +1533,7 @@ Evaluation evaluate(std::string_view control, std::string_view text,
       {"sinumerik", Control::Sinumerik}, {"fanuc", Control::Fanuc},
       {"haas", Control::Haas},           {"linuxcnc", Control::LinuxCnc},
       {"grbl", Control::Grbl},           {"heidenhain", Control::Heidenhain}};
-  return Evaluator(kControls.at(control), text, beside).run();
+  return Evaluator(kControls.at(control), beside).run(text);
 }
 
 }  // namespace rivulet::tests

@@ -612,7 +612,8 @@ class TestMeaning : public QObject {
       fmt::print(" {}{}{};", word, times > 1 ? " x " : "", times > 1 ? std::to_string(times) : "");
     }
     fmt::print("\n");
-    QVERIFY2(differing.empty(), differing.c_str());
+    fmt::print("{}", differing);
+    QVERIFY2(differing.empty(), "see the differences above");
     QVERIFY(followed > 100);
   }
 
