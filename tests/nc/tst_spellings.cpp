@@ -46,9 +46,7 @@ const std::vector<NotYet>& notYet() {
   static const std::vector<NotYet> list{
       {Control::Sinumerik, Feature::SavedState, "PROC SAVE does not restore"},
       {Control::Sinumerik, Feature::Polar, "AP=AC() under G91 is read as an increment"},
-      {Control::Sinumerik, Feature::ArcThrough, "I1=AC() under G91 is read as an increment"},
       {Control::LinuxCnc, Feature::SavedState, "M70 M72 do not restore"},
-      {Control::LinuxCnc, Feature::Deferred, "assignments take effect too early"},
       {Control::Heidenhain, Feature::PlaneWords,
        "behind TOOL CALL only the control knows where the tip stands along the tool"},
   };

@@ -332,10 +332,10 @@ void Executor::setPole(const BlockWords& words) {
     if (!words.axes.has(axis)) {
       continue;
     }
-    // IX of Heidenhain counts from the position, as G110 does.
-    const double origin = words.axes.isIncrement(axis) ? position[axis]
-                          : from != G::PoleFromZero    ? pole[axis]
-                                                       : 0.0;
+    // IX of Heidenhain counts from the position, as G110 does; G91 has no effect on G110 to G112
+    // (840Di sl Fundamentals 4.2.1).
+    const bool isIncrement = m_language.turnsAboutPole && words.axes.isIncrement(axis);
+    const double origin = isIncrement ? position[axis] : from != G::PoleFromZero ? pole[axis] : 0.0;
     pole.set(axis, origin + lengthMm(words, axis));
   }
   if (const NamedWord* const radius = words.named("RP")) {
