@@ -72,6 +72,9 @@ void BlockReader::readG(const Token& token, BlockWords& words) {
   const auto index = static_cast<std::size_t>(key);
   const GRow& row = m_state.isLathe ? m_g.latheRow(index) : m_g.row(index);
   readG(row, token, words);
+  // G103 P1, G5.1 Q1: they belong to a function that changes nothing.
+  words.takesParameter =
+      words.takesParameter || (row.function == G::Harmless && !row.takes.empty());
   const GEffect effect = row.effect;
   words.taken |= takesBlock(effect);
   if (isNoted(effect)) {
