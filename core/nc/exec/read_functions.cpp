@@ -31,13 +31,22 @@ bool isNoted(GEffect effect) {
 
 /// The axis words of the block are its own.
 bool takesBlock(GEffect effect) {
-  static constexpr std::array kTaking{
-      GEffect::Pole,        GEffect::SetPosition,     GEffect::ResetPosition,
-      GEffect::LocalOffset, GEffect::SuspendPosition, GEffect::RestorePosition,
-      GEffect::ScaleOff,    GEffect::SetWorkOffset,   GEffect::MacroCall,
-      GEffect::ModalMacro,  GEffect::Turn,            GEffect::Scale,
-      GEffect::Mirror,      GEffect::MirrorOff,       GEffect::FixedPoint,
-      GEffect::TakesBlock};
+  static constexpr std::array kTaking{GEffect::Pole,
+                                      GEffect::SetPosition,
+                                      GEffect::ResetPosition,
+                                      GEffect::LocalOffset,
+                                      GEffect::SuspendPosition,
+                                      GEffect::RestorePosition,
+                                      GEffect::ScaleOff,
+                                      GEffect::SetWorkOffset,
+                                      GEffect::MacroCall,
+                                      GEffect::ModalMacro,
+                                      GEffect::Turn,
+                                      GEffect::Scale,
+                                      GEffect::Mirror,
+                                      GEffect::MirrorOff,
+                                      GEffect::FixedPoint,
+                                      GEffect::TakesBlock};
   return isOneOf(effect, kTaking);
 }
 
