@@ -123,14 +123,18 @@ void BlockReader::setNamed(const std::string& name, const Token& token, BlockWor
   noteColumn(token, words);
 }
 
-/// Where F counts an axis beside X, Y and Z, it is no feed along their path.
+/// Where F counts an axis beside X, Y and Z, or leaves one of them out, it is no feed along their
+/// path. FGROUP() brings back the group of the machine.
 void BlockReader::readFeedGroup(const Token& token, const std::string& name) {
   const std::string text = base::toUpper(token.text);
   const bool isOfPath = std::all_of(
       text.begin() + static_cast<std::ptrdiff_t>(name.size()), text.end(), [](char letter) {
         return std::string_view("XYZ,() \t").find(letter) != std::string_view::npos;
       });
-  if (isOfPath) {
+  const auto axes = static_cast<std::size_t>(
+      std::count_if(base::kAxisNames.begin(), base::kAxisNames.end(),
+                    [&](char axis) { return text.find(axis, name.size()) != std::string::npos; }));
+  if (isOfPath && (axes == 0 || axes == base::kAxisCount)) {
     m_to.faults.ignore(token, name);
   } else {
     m_to.faults.error(token, FaultCode::UnsupportedGCode, name);
