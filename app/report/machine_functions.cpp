@@ -58,7 +58,7 @@ base::Result<MachineFunctions> functionsOf(const std::vector<std::string>& texts
   return functions;
 }
 
-MachineFunctions functionsOf(const ordered_json& json) {
+MachineFunctions functionsOfJson(const ordered_json& json) {
   MachineFunctions functions;
   if (!json.is_object()) {
     return functions;

@@ -28,7 +28,7 @@ enum class FunctionError {
 [[nodiscard]] std::error_code make_error_code(FunctionError code);
 
 /// {"163": "", "164": "M50"}; what is no such member is passed over.
-[[nodiscard]] MachineFunctions functionsOf(const nlohmann::ordered_json& json);
+[[nodiscard]] MachineFunctions functionsOfJson(const nlohmann::ordered_json& json);
 [[nodiscard]] nlohmann::ordered_json functionsJson(const MachineFunctions& functions);
 
 /// For the list before a start: "M163 (line 15, 2 times): left out".

@@ -190,7 +190,7 @@ MachineFunctions MachineStore::functions(const std::string& endpoint) const {
                                                 ? read(machine.endpoint, machine.server)
                                                 : base::Result<ordered_json>(ordered_json());
     if (file && file->contains(kFunctionsKey) && (*file)[kFunctionsKey].is_object()) {
-      found.merge(functionsOf((*file)[kFunctionsKey].value("lines", ordered_json::object())));
+      found.merge(functionsOfJson((*file)[kFunctionsKey].value("lines", ordered_json::object())));
     }
   }
   return found;

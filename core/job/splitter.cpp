@@ -147,10 +147,7 @@ class Splitter final : public gcode::BlockObserver,
  public:
   Splitter(const gcode::LoadOptions& options, const Profile& profile,
            std::function<void(const Part&)> each)
-      : m_options(options),
-        m_profile(profile),
-        m_translator(profile),
-        m_each(std::move(each)) {}
+      : m_options(options), m_profile(profile), m_translator(profile), m_each(std::move(each)) {}
 
   [[nodiscard]] std::size_t nativeBlocks() const override { return m_parts.size(); }
 
@@ -783,7 +780,7 @@ class Splitter final : public gcode::BlockObserver,
           words.push_back({ForeignWord::Kind::Line, 0.0, number == kTipOn ? "TRAORI" : "TRAFOOF"});
           break;
         }
-        if (isForeign() && !Translator::knowsM(number)) {
+        if (isForeign() && !Translator::knowsM(m_language->dialect, number)) {
           addMachineFunction(number, line);
           break;
         }
@@ -819,6 +816,14 @@ class Splitter final : public gcode::BlockObserver,
   void addMachineFunction(int number, base::LineNumber line) {
     const std::string name = fmt::format("M{}", number);
     if (isAccepted(name)) {
+      return;
+    }
+    if (nc::mEffect(m_language->dialect, number) != nc::MEffect::None) {
+      return;  // followed here
+    }
+    if (Translator::isOfLanguage(m_language->dialect, number)) {
+      add(NativeReason::Other);
+      m_block->words.push_back({ForeignWord::Kind::Other, 0.0, name});
       return;
     }
     const auto given = m_profile.functions.find(number);

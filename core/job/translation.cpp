@@ -47,12 +47,28 @@ constexpr std::array kAfter{0, 1, 5, 9, 19, 30};
 constexpr int kRigid = 29;
 }  // namespace
 
-bool Translator::knowsM(int number) {
-  static constexpr std::array kOthers{2, 6, 13, 14, kRigid};
+bool Translator::knowsM(nc::Dialect dialect, int number) {
+  static constexpr std::array kOthers{2, 6, 13, 14};
+  const bool isRigid =
+      number == kRigid && (dialect == nc::Dialect::Fanuc || dialect == nc::Dialect::Haas);
   const auto has = [number](const auto& numbers) {
     return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
   };
-  return has(kBefore) || has(kAfter) || has(kOthers);
+  return has(kBefore) || has(kAfter) || has(kOthers) || isRigid;
+}
+
+bool Translator::isOfLanguage(nc::Dialect dialect, int number) {
+  switch (dialect) {
+    case nc::Dialect::LinuxCnc:  // tool number, input, saved state: M codes of LinuxCNC
+      return number == 61 || number == 66 || (number >= 70 && number <= 73);
+    case nc::Dialect::Heidenhain:  // miscellaneous functions for path behaviour and rotary axes
+      return number >= 89 && number <= 199;
+    case nc::Dialect::Fanuc:
+    case nc::Dialect::Haas:  // a program from another device
+      return number == 198;
+    default:
+      return false;
+  }
 }
 
 NativeReason Translator::reasonOfM(int number) {

@@ -57,8 +57,11 @@ class Translator {
   explicit Translator(const Profile& profile) : m_profile(profile) {}
 
   /// An M function that means the same on both controls; others are the profile's.
-  [[nodiscard]] static bool knowsM(int number);
-  /// Of such a one.
+  [[nodiscard]] static bool knowsM(nc::Dialect dialect, int number);
+  /// One that the language itself defines: what it does to the path, the tool or the order of
+  /// blocks no machine's table can say.
+  [[nodiscard]] static bool isOfLanguage(nc::Dialect dialect, int number);
+  /// Of one that is known.
   [[nodiscard]] static NativeReason reasonOfM(int number);
   /// The words of one block. @param home  nothing: the block has no such move
   [[nodiscard]] Translation translate(const std::vector<ForeignWord>& words,

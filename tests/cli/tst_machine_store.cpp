@@ -12,6 +12,7 @@
 #include "base/file.h"
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
+#include "report/machine_functions.h"
 #include "report/machine_profile.h"
 #include "report/machine_store.h"
 #include "streaming/run.h"
@@ -276,6 +277,25 @@ class TestMachineStore : public QObject {
         why(makeTest(), later).contains(QStringLiteral("Control 4.95 7; now it is Control 4.96")));
     QVERIFY(
         why(makeTest(false), kServer).contains(QStringLiteral("failed the test on 2026-05-04")));
+  }
+
+  /// What was said of M functions is kept with the machine, beside everything else.
+  void keepsFunctions() {
+    const auto given = report::functionsOf({"163=ignore", "M11=pass", "51= M8 "});
+    QVERIFY(given.has_value());
+    QCOMPARE(*given, (report::MachineFunctions{{11, "M11"}, {51, "M8"}, {163, ""}}));
+    for (const char* wrong : {"163", "=ignore", "X=ignore", "163=", "163=M1\nM2"}) {
+      QVERIFY(!report::functionsOf({std::string(wrong)}));
+    }
+    QVERIFY(store().functions(kEndpoint).empty());
+    QVERIFY(store().save(makeTest()).has_value());
+    QVERIFY(store().save(kEndpoint, kServer, *given).has_value());
+    QCOMPARE(store().functions(kEndpoint), *given);
+    QVERIFY(store().functions("opc.tcp://127.0.0.1:4840").empty());
+    QVERIFY(store().creditTest(kEndpoint, kServer)->has_value());
+    // A simulation leaves out what nobody has spoken of, a control gets no job with it.
+    QVERIFY(!store().jobProfile(kEndpoint, false).leavesOutFunctions);
+    QVERIFY(store().jobProfile("", true).leavesOutFunctions);
   }
 };
 

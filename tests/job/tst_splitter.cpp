@@ -381,6 +381,9 @@ class TestSplitter : public QObject {
     QVERIFY(!plan.functions.back().isAssumed);
     job::Profile pictured;
     pictured.leavesOutFunctions = true;
+    // What the language itself defines is no machine's.
+    QCOMPARE(refusals(planOf("G0 X0 Y0 Z5\nM61 Q3\nG0 X1\n", gcode::Dialect::LinuxCnc, pictured)),
+             QStringLiteral("2 not-translated M61"));
     QVERIFY(planOf(program, gcode::Dialect::Fanuc, pictured).functions.front().isAssumed);
   }
 
