@@ -250,7 +250,12 @@ class Splitter {
     }
     const bool isBoundary =
         statement && isSubprogramBoundary(statement->text, {line, m_file, statement->column});
-    if (hasWords || (statement && !isBoundary)) {
+    // The ends of a program and of a subprogram of plain text do nothing themselves.
+    const std::string_view plain = m_language.isKlartext && !words.tokens.empty()
+                                       ? words.tokens.back().text
+                                       : std::string_view();
+    const bool isPlainEnd = plain.starts_with("END PGM") || plain.starts_with("LBL");
+    if ((hasWords && !isPlainEnd) || (statement && !isBoundary)) {
       TextProgram& program = m_parts.back().program;
       program.firstBlock = program.firstBlock.value == 0 ? line : program.firstBlock;
       program.lastBlock = line;
