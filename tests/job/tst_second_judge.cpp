@@ -79,6 +79,9 @@ std::optional<std::vector<base::Vec3>> executed(const job::Plan& plan) {
     return std::nullopt;
   }
   std::vector<base::Vec3> places;
+  if (!done.stretches.empty()) {
+    places.push_back(done.stretches.front().startMm);  // a first move may end where the tool stands
+  }
   for (const trace::ExecutedBlock& block : done.controlTrace->blocks) {
     if (block.lengthMm > 0.0) {
       places.push_back(block.targetMm);
@@ -148,7 +151,7 @@ constexpr std::array kExamples{
     Example{"sinumerik",
             "G17 G90 G71 G94 G54\nT3 M6\nD1\nS3000 M3\nG0 X0 Y0 Z50\nG1 Z-2 F2000\nX20 Y5\nM8\nG91 "
             "X=AC(30) Y10\nG90 G2 X40 Y25 CR=10\nM9\nTRANS X5\nAROT RPL=30\nG1 X50 Y0\nG3 X40 Y10 "
-            "I=AC(40) J=AC(0)\nTRANS\nG70 G1 X1 Y2\nG71\nM5\nR1=0\nWHILE R1<3\nG91 G1 X=2+R1 "
+            "I=AC(40) J=AC(0)\nTRANS\nG70 G1 X1 Y2 Z0\nG71\nM5\nR1=0\nWHILE R1<3\nG91 G1 X=2+R1 "
             "Z1\nR1=R1+1\nENDWHILE\nG90 G0 Z60\nM30\n"},
     Example{"fanuc",
             "%\nO1234\nG17 G21 G40 G80 G90 G94 G54\nT3 M6\nS3000 M3\nG0 X0. Y0. Z50.\nG1 Z-2. "

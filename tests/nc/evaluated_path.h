@@ -24,7 +24,9 @@ inline base::Vec3 placeOf(const EvaluatedMove& move) {
 /// Moves that go nowhere are none.
 inline std::vector<EvaluatedMove> withoutRests(const std::vector<EvaluatedMove>& moves) {
   std::vector<EvaluatedMove> kept;
-  const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  const auto same = [](double a, double b) {
+    return std::abs(a - b) <= 1e-9 || (std::isnan(a) && std::isnan(b));
+  };
   for (const EvaluatedMove& move : moves) {
     bool rests = !kept.empty() && move.kind != EvaluatedMove::Kind::Arc;
     for (std::size_t axis = 0; rests && axis < move.end.size(); ++axis) {

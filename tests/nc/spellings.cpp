@@ -570,7 +570,10 @@ std::string Writer::commented(std::string text) {
 
 void Writer::block(std::vector<Word> words, bool mayReorder) {
   if (!m_deferred.empty()) {
-    words.push_back({std::exchange(m_deferred, {})});
+    // Rivulet refuses "^" behind it as an operator: there it stays the last word.
+    const bool isPolar = std::any_of(words.begin(), words.end(),
+                                     [](const Word& word) { return word.text[0] == '^'; });
+    words.push_back({std::exchange(m_deferred, {}), isPolar});
   }
   if (mayReorder && takes(Feature::Order, 0.3)) {
     for (std::size_t i = words.size(); i > 1; --i) {
@@ -922,6 +925,14 @@ void Writer::usePlane(int plane) {
   if (isPlain()) {
     m_used.insert(Feature::PlaneWords);
     block("TOOL CALL 1 " + std::string(1, kAxes[at(plane)]) + " S1000");
+    // Another tool is as long as only the control knows: the place is named again.
+    const Vec3 here = frame().programmed(m_at);
+    std::string text = "L";
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      text += std::string(" ") + kAxes[axis] + (here[axis] < 0 ? "" : "+") + plain(here[axis]);
+    }
+    block(text + " FMAX");
+    m_direction = {};
     return;
   }
   block(kPlaneWords[at(plane)]);
