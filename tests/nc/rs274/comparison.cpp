@@ -104,12 +104,18 @@ std::string differenceOf(const std::vector<ReadMove>& linuxCnc,
                          const std::vector<ReadMove>& rivulet) {
   std::size_t a = 0;
   std::size_t b = 0;
+  bool isBehindSpline = false;
   while (a < linuxCnc.size() || b < rivulet.size()) {
     const std::string difference = a < linuxCnc.size() && b < rivulet.size()
                                        ? differenceOf(linuxCnc[a], rivulet[b])
                                        : std::string("another number of moves");
     if (difference.empty()) {
+      isBehindSpline = linuxCnc[a].form == MoveForm::Spline;
       ++a;
+      ++b;
+    } else if (isBehindSpline && a < linuxCnc.size() && linuxCnc[a].form == MoveForm::Spline) {
+      ++a;  // splines behind each other are one where the reader does not tell them apart
+    } else if (isBehindSpline && b < rivulet.size() && rivulet[b].form == MoveForm::Spline) {
       ++b;
     } else if (a < linuxCnc.size() && goesNowhere(linuxCnc, a)) {
       ++a;

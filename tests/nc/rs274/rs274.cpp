@@ -183,7 +183,8 @@ class CanonicalReader {
                               base::dot(fromAcross, toAcross));
     constexpr double kTurn = 2.0 * std::numbers::pi;
     sweep += sweep < 0.0 ? kTurn : 0.0;
-    if (base::distance(fromAcross, toAcross) < 4.0 * move.errorMm) {
+    constexpr double kFullCircleMm = 0.01;  // the start may have been printed in inches
+    if (base::distance(fromAcross, toAcross) < kFullCircleMm) {
       sweep = kTurn;
     }
     move.sweepRad = sweep + (std::abs(turns) - 1) * kTurn;
