@@ -69,6 +69,18 @@ constexpr Difference kDifferences[] = {
      "I is calculated, [0.9995 * 1000]; the radii differ by 1 mm"},
 };
 
+/// Programs that are executed as far as Rivulet can, and refused: no count is claimed.
+/// @return why; nullptr: the program is none of them
+const char* refusalOf(const QString& path) {
+  if (path == QLatin1String("heidenhain-plan/Plan-Beispiel.h")) {
+    return "it calls Plan.h, which reads Q108, the tool radius of the control";
+  }
+  if (path == QLatin1String("nx-postprocessor/training_deckel.h")) {
+    return "CYCL DEF 19 tilts the working plane";
+  }
+  return nullptr;
+}
+
 const Difference* differenceOf(const QString& path, const QString& fact) {
   for (const Difference& difference : kDifferences) {
     if (path == QLatin1String(difference.path) && fact == QLatin1String(difference.fact)) {
@@ -252,6 +264,10 @@ class TestCorpus : public QObject {
     QVERIFY2(!file.isEmpty(), "gzip can unpack the file");
     const auto program = gcode::loadProgram(file.toStdString());
     QVERIFY2(program.has_value(), program ? "" : program.error().text().c_str());
+    if (const char* const reason = refusalOf(path)) {
+      QVERIFY2(!program->isUnderstood() && !program->facts.complete, reason);
+      return;
+    }
     const Comparison comparison(path, corpusIndex()[path], *program);
     QVERIFY(comparison.compared() > 0);
     QVERIFY2(comparison.differences().isEmpty(),
@@ -370,13 +386,13 @@ class TestCorpus : public QObject {
                              "trig",
                              "variables",
                              "logic_operators",
-                             "actual_position",
                              "function_calls"}) {
       QTest::newRow(name) << QString::fromLatin1(name);
     }
   }
 
-  /// Executed rows of another SINUMERIK interpreter, with TRANS applied, arcs not flattened.
+  /// Executed rows of another SINUMERIK interpreter, with TRANS applied, arcs not flattened. Its
+  /// $AA_IM (actual_position.mpf) leaves the work offset and the tool out; here it is refused.
   void executedAsElsewhere() {
     QFETCH(const QString, name);
     const QString cead = kCorpus + QStringLiteral("cead-nc-interpreter/");

@@ -22,8 +22,10 @@ namespace {
 
 const QString kCorpus = QStringLiteral(RIVULET_SOURCE_DIR "/../shared/corpus/");
 
-/// Share of the valid milling programs that must split without a refusal.
-constexpr double kShare = 0.92;
+/// Share of the valid milling programs that must split without a refusal. Refused by name, although
+/// they ran before: G41 without a length (D0 has no radius either), $AA_IM, an O word behind whose
+/// number a comment stands.
+constexpr double kShare = 0.89;
 
 /// Files that are no valid milling program of a dialect Rivulet reads, and why.
 const QMap<QString, QString>& noMillingPrograms() {
@@ -225,7 +227,9 @@ class TestJobCorpus : public QObject {
     QVERIFY(gcode::interpretProgram(plan->program.name, plan->program.text, loadOptions(path),
                                     &recorder));
     QCOMPARE(print(blocks), print(recorder.blocks));
-    if (corpusFiles().value(path) == QStringLiteral("linear") &&
+    const bool calls = std::any_of(blocks.begin(), blocks.end(),
+                                   [](const nc::Place& block) { return block.file != 0; });
+    if (corpusFiles().value(path) == QStringLiteral("linear") && !calls &&
         !noMillingPrograms().contains(path)) {
       std::vector<nc::Place> lines;
       nc::Lexer lexer(plan->program.text, plan->program.dialect);

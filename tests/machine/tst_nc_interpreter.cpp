@@ -222,7 +222,6 @@ class TestNcInterpreter : public QObject {
     row("comment of ISO", "(ROUGHING)\nM30", 12080);
     row("transformation", "TRAORI\nM30", 12550);
     row("tool direction", "X1 A3=1\nM30", 12550);
-    row("rounding by name", "X1 RND=5\nM30", 12550);
     row("spline", "BSPLINE X1\nX2\nM30", 12550);
     row("query", "DEF INT NN\nGETT(NN,\"MILL\")\nM30", 12550);
     row("group twice", "G0 G1 X1\nM30", 12060);

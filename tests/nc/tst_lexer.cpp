@@ -154,6 +154,7 @@ class TestLexer : public QObject {
     add("array", "DEF REAL A[2]", "1: statement<DEF REAL A[2]>@1");
     add("missing", "G1 X Y2\nZ-", "1: G1@1 missing<X>@4 Y2@6 | 2: missing<Z>@1");
     add("decimal comma", "X1,5 Y2", "1: malformed<1,5>@2 Y2@6");
+    add("corner word", "X10.,R2. Y2", "1: X10@1 ,R=2@5 Y2@10");
     add("two points", "X1.2.3 Y2", "1: malformed<1.2.3>@2 Y2@8");
     add("point only", "X. Y2", "1: malformed<.>@2 Y2@4");
     add("no exponent", "X1E5 Y2", "1: malformed<1E5>@2 Y2@6");

@@ -150,7 +150,8 @@ void Executor::setTurn(const BlockWords& words) {
   }
 }
 
-/// G51 X Y Z P, or I J K. Without a point P and I J K count thousandths.
+/// G51 X Y Z P, or I J K. Without a point P and I J K count 0.001 or 0.00001, as a parameter of the
+/// control says: nobody knows here.
 void Executor::setScale(const BlockWords& words) {
   if (m_turn || m_mirror || (!words.p && !words.hasAnyCentre())) {
     error(words, FaultCode::UnsupportedGCode, "G51");
@@ -159,16 +160,14 @@ void Executor::setScale(const BlockWords& words) {
   m_scale.reset();
   makeBaseFrame();
   Change scale;
-  constexpr double kThousandths = 1000.0;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     const bool isOwn = words.centre.has(axis);
     const Token* const token = isOwn ? words.centreTokens[axis] : words.parameter;
     if (!isOwn && !words.p) {
       continue;  // not scaled
     }
-    const double value = isOwn ? words.centre.value[axis] : *words.p;
-    const double factor = token != nullptr && token->hasPoint ? value : value / kThousandths;
-    if (!(std::abs(factor) >= 0.001)) {
+    const double factor = isOwn ? words.centre.value[axis] : *words.p;
+    if (token == nullptr || !token->hasPoint || !(std::abs(factor) >= 0.001)) {
       error(words, FaultCode::UnsupportedGCode, "G51");
       return;
     }

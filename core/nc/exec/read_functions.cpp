@@ -68,6 +68,14 @@ FeedMode feedModeOf(G function) {
   }
 }
 
+/// G70 and G71 of some mills are patterns of holes, where a canned cycle is in force: no unit then.
+bool isPatternOfHoles(const GRow& row, const Language& language, const ModalState& state) {
+  constexpr int kFirst = 700;
+  constexpr int kLast = 710;
+  return language.hasTurningCycles && state.motion == Motion::Unsupported && row.key >= kFirst &&
+         row.key <= kLast;
+}
+
 }  // namespace
 
 void BlockReader::readG(const Token& token, BlockWords& words) {
@@ -100,6 +108,10 @@ void BlockReader::readG(const GRow& row, const Token& token, BlockWords& words) 
       setModal(words.plane, row, token);
       break;
     case GEffect::Units:
+      if (isPatternOfHoles(row, m_language, m_state)) {
+        m_to.faults.error(token, FaultCode::UnsupportedGCode, wordText(token));
+        break;
+      }
       setModal(words.units, row, token);
       break;
     case GEffect::Distance:

@@ -309,10 +309,12 @@ class LineReader {
   }
 
   /// True if what follows directly leaves the number what it is. In RS-274/NGC "^" begins a word,
-  /// @5^30, and "#" an assignment, X1#2=3.
+  /// @5^30, and "#" an assignment, X1#2=3; on a Fanuc "," begins one, X10.,R2.
   [[nodiscard]] bool endsNumber() const {
     return m_at == m_end || !isOneOf(*m_at, kSpoilsNumber) ||
-           (isOneOf(*m_at, "^#") && m_language.hasPolarSigns);
+           (isOneOf(*m_at, "^#") && m_language.hasPolarSigns) ||
+           (*m_at == ',' && m_language.hasCommaWords && m_at + 1 != m_end &&
+            classOf(m_at[1]) == kLetter);
   }
 
   /// True if digits or a decimal point follow the blanks here: "1 0", "1 . 5".
