@@ -633,6 +633,7 @@ base::Result<void> tryJob(const std::string& file, const LoadingOptions& loading
   options.file = file;
   options.loading = loading;
   options.simulate = true;
+  options.json = true;  // prints nothing
   JobCommand command(options);
   base::Result<void> done = command.prepare();
   for (const auto step : {&JobCommand::connect, &JobCommand::look}) {

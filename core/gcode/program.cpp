@@ -153,7 +153,9 @@ std::optional<Ambiguity> findAmbiguity(const std::string& text, const LoadOption
     if (hasErrors(first)) {
       return std::nullopt;
     }
+    own.accepted.clear();  // what one control has, and a person accepts, is no word of another
     const Interpretation second = as(other);
+    own.accepted = options.accepted;
     if (hasErrors(second)) {
       continue;
     }
