@@ -217,7 +217,7 @@ base::Result<void> JobCommand::prepare() {
     }
   }
   m_plan = std::move(*plan);
-  if (base::Result<void> meant = requireMeaning(m_plan.program, isVirtual); !meant) {
+  if (base::Result<void> meant = requireMeaning(m_plan.program, m_options.output.empty()); !meant) {
     return meant;
   }
   if (isVirtual) {

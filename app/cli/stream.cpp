@@ -345,7 +345,7 @@ base::Result<void> StreamCommand::load() {
     return base::fail(program.error());
   }
   m_program = std::move(*program);
-  if (base::Result<void> meant = requireMeaning(m_program, m_options.simulate); !meant) {
+  if (base::Result<void> meant = requireMeaning(m_program, true); !meant) {
     return meant;
   }
   if (const auto blocked = streaming::programBlocked(m_program)) {
@@ -427,6 +427,12 @@ base::Result<void> StreamCommand::connect() {
     return base::fail(connection.error());
   }
   m_connection = std::move(*connection);
+  // Its own machines are metric and read whole units; of others nobody has said so.
+  if (base::Result<void> meant =
+          requireMeaning(m_program, m_connection.control->isVirtualMachine());
+      !meant) {
+    return meant;
+  }
   if (base::needsCommissioning(m_settings.parameters.method)) {
     if (base::Result<void> tested = requireTest(m_options, m_connection); !tested) {
       return tested;

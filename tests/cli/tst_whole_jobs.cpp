@@ -159,13 +159,13 @@ class TestWholeJobs : public QObject {
   void streamNamesTheMotionOnly() {
     QFile file(m_folder.filePath(QStringLiteral("other.tap")));
     QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("G21\nM10\nG0 X0 Y0 Z45\nG1 X5 F1000\nM30\n");
+    file.write("G21\nT2 M6\nG43 H5\nG0 X0 Y0 Z45\nG1 X5 F1000\nM30\n");
     file.close();
     const QStringList arguments{QStringLiteral("stream"), file.fileName(),
                                 QStringLiteral("--simulate")};
     const Outcome refused = runCli(arguments);
     QCOMPARE(refused.exit, 2);
-    QVERIFY2(refused.errors.contains("M10") && refused.errors.contains("--motion-only"),
+    QVERIFY2(refused.errors.contains("H5") && refused.errors.contains("--motion-only"),
              refused.errors.constData());
     const Outcome motion = runCli(arguments + QStringList{QStringLiteral("--motion-only")});
     QVERIFY2(motion.exit == 0, motion.errors.constData());
