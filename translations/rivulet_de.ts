@@ -664,10 +664,6 @@
         <translation>Der Wert von %1 liegt außerhalb des zulässigen Bereichs.</translation>
     </message>
     <message>
-        <source>The blocks from here on are after the end of the program (M30, M2, M17 or %): they are not read.</source>
-        <translation>Die Sätze ab hier stehen nach dem Programmende (M30, M2, M17 oder %): Sie werden nicht gelesen.</translation>
-    </message>
-    <message>
         <source>An axis is programmed before any of G0 to G3: G1 is assumed, as after a reset of the control.</source>
         <translation>Eine Achse ist vor dem ersten G0 bis G3 programmiert: Es wird G1 angenommen, wie nach einem Reset der Steuerung.</translation>
     </message>
@@ -716,10 +712,6 @@
         <translation>Die Datei enthält Bytes, die in NC-Text nicht vorkommen: eine Textdatei wählen, kein Archiv oder Bild.</translation>
     </message>
     <message>
-        <source>%1 is a turning cycle, so this is a program for a lathe: X is read as a diameter, U and W as increments, the plane is Z X.</source>
-        <translation>%1 ist ein Drehzyklus, das Programm also für eine Drehmaschine: X wird als Durchmesser gelesen, U und W als Inkremente, die Ebene ist Z X.</translation>
-    </message>
-    <message>
         <source>%1 is left out because you accepted it: the path may differ from the path at the control.</source>
         <translation>%1 wird ausgelassen, wie akzeptiert: Die Bahn kann von der Bahn an der Steuerung abweichen.</translation>
     </message>
@@ -746,6 +738,78 @@
     <message>
         <source>A block moves with G1, G2 or G3 before a feed F is programmed: only a fixed feed can be used.</source>
         <translation>Ein Satz fährt mit G1, G2 oder G3, bevor ein Vorschub F programmiert ist: Es kann nur ein fester Vorschub verwendet werden.</translation>
+    </message>
+    <message>
+        <source>A blank is inside the number &quot;%1&quot;: this control does not put the parts together. Write the number without blanks.</source>
+        <translation>Im Zahlenwert „%1“ steht ein Leerzeichen: Diese Steuerung setzt die Teile nicht zusammen. Die Zahl ohne Leerzeichen schreiben.</translation>
+    </message>
+    <message>
+        <source>An invisible character stands here (%1), as office programs and web pages insert it: replace it by an ordinary blank.</source>
+        <translation>Hier steht ein unsichtbares Zeichen (%1), wie es Büroprogramme und Webseiten einfügen: durch ein gewöhnliches Leerzeichen ersetzen.</translation>
+    </message>
+    <message>
+        <source>A bracket is opened within the comment %1, which ends at the first closing bracket. Write it without inner brackets.</source>
+        <translation>Im Kommentar %1 wird eine Klammer geöffnet; er endet an der ersten schließenden Klammer. Ohne innere Klammern schreiben.</translation>
+    </message>
+    <message>
+        <source>%1 is a function of the builder of the machine: whether it moves an axis or changes the feed is not known. Accept it if it does not.</source>
+        <translation>%1 ist eine Funktion des Maschinenherstellers: Ob sie eine Achse bewegt oder den Vorschub ändert, ist nicht bekannt. Nur annehmen, wenn sie das nicht tut.</translation>
+    </message>
+    <message>
+        <source>The blocks of %1 are never executed: check the end of the program and the jumps before them, or remove them.</source>
+        <translation>Die Sätze von %1 werden nie ausgeführt: das Programmende und die Sprünge davor prüfen, oder sie entfernen.</translation>
+    </message>
+    <message>
+        <source>No block calls the subprogram %1: check the calls, or remove it.</source>
+        <translation>Kein Satz ruft das Unterprogramm %1 auf: die Aufrufe prüfen, oder es entfernen.</translation>
+    </message>
+    <message>
+        <source>The file holds another main program, %1: which one is to run is not known. Give each main program a file of its own.</source>
+        <translation>Die Datei enthält ein weiteres Hauptprogramm, %1: Welches laufen soll, ist nicht bekannt. Jedem Hauptprogramm eine eigene Datei geben.</translation>
+    </message>
+    <message>
+        <source>With M99, a main program begins again at the control, without end: it is executed once here. Write M30 if it is to end.</source>
+        <translation>Mit M99 beginnt ein Hauptprogramm an der Steuerung ohne Ende von vorn: Hier wird es einmal ausgeführt. M30 schreiben, wenn es enden soll.</translation>
+    </message>
+    <message>
+        <source>Loops and calls repeat more than %1 blocks for the control: the program is not read further. Check the condition of the loop.</source>
+        <translation>Schleifen und Aufrufe wiederholen mehr als %1 Sätze für die Steuerung: Das Programm wird nicht weiter gelesen. Die Bedingung der Schleife prüfen.</translation>
+    </message>
+    <message>
+        <source>The program is for a lathe (%1): X is read as a diameter, U and W as increments, the plane is Z X, and with G99 F is per revolution.</source>
+        <translation>Das Programm ist für eine Drehmaschine (%1): X wird als Durchmesser gelesen, U und W als Zuwachs, die Ebene ist Z X, und mit G99 gilt F je Umdrehung.</translation>
+    </message>
+    <message>
+        <source>No block says mm or inch (G21, G20) before the first move: the size is %1, read as mm or as inch. Load it with its unit (--units).</source>
+        <translation>Kein Satz sagt vor der ersten Bewegung mm oder Zoll (G21, G20): Die Größe ist %1, als mm oder als Zoll gelesen. Mit seiner Einheit laden (--units).</translation>
+    </message>
+    <message>
+        <source>Coordinates have no decimal point: the size is %1, read as whole units or as least increments. Load it as the control is set (--no-point).</source>
+        <translation>Die Koordinaten haben keinen Dezimalpunkt: Die Größe ist %1, als ganze Einheiten oder als kleinste Schritte gelesen. So laden, wie die Steuerung eingestellt ist (--no-point).</translation>
+    </message>
+    <message>
+        <source>The program is larger than a machine (%1): check its unit (G20, G21, --units) and its decimal points.</source>
+        <translation>Das Programm ist größer als eine Maschine (%1): die Einheit (G20, G21, --units) und die Dezimalpunkte prüfen.</translation>
+    </message>
+    <message>
+        <source>The words after &quot;;&quot; are read as a block of their own, as on the control. If &quot;;&quot; begins comments here, choose another dialect (--dialect).</source>
+        <translation>Die Wörter hinter „;“ werden wie an der Steuerung als eigener Satz gelesen. Wenn „;“ hier Kommentare beginnt, einen anderen Dialekt wählen (--dialect).</translation>
+    </message>
+    <message>
+        <source>The text does not show which control it is for, and they differ from here on: %1. Choose the dialect (--dialect).</source>
+        <translation>Der Text zeigt nicht, für welche Steuerung er ist, und ab hier unterscheiden sie sich: %1. Den Dialekt wählen (--dialect).</translation>
+    </message>
+    <message>
+        <source>The file has words of two controls (%1): split it, or choose the dialect (--dialect).</source>
+        <translation>Die Datei hat Wörter von zwei Steuerungen (%1): sie teilen, oder den Dialekt wählen (--dialect).</translation>
+    </message>
+    <message>
+        <source>The corner cannot be rounded or chamfered: there must be an element of the contour before and behind it, both long enough.</source>
+        <translation>Die Ecke kann nicht gerundet oder gefast werden: Davor und dahinter muss ein genügend langes Konturelement stehen.</translation>
+    </message>
+    <message>
+        <source>The program ends here with its own error (%1): check the values it has been given.</source>
+        <translation>Das Programm endet hier mit seinem eigenen Fehler (%1): die Werte prüfen, die es bekommen hat.</translation>
     </message>
 </context>
 <context>
@@ -1372,6 +1436,10 @@
         <source>Too many files and connections are open on this computer. Close other programs, then try again.</source>
         <translation>Auf diesem Rechner sind zu viele Dateien und Verbindungen offen. Schließen Sie andere Programme, und versuchen Sie es dann noch einmal.</translation>
     </message>
+    <message>
+        <source>The text leaves open what it means. Choose the dialect, the unit or the reading of numbers without a decimal point.</source>
+        <translation>Der Text lässt offen, was er bedeutet. Den Dialekt, die Einheit oder die Lesart von Zahlen ohne Dezimalpunkt wählen.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1718,6 +1786,34 @@
     <message>
         <source>a subprogram is defined inside %1</source>
         <translation>In %1 ist ein Unterprogramm definiert</translation>
+    </message>
+    <message>
+        <source>a blank is inside the number &quot;%1&quot;</source>
+        <translation>im Zahlenwert „%1“ steht ein Leerzeichen</translation>
+    </message>
+    <message>
+        <source>the invisible character %1 has no meaning here</source>
+        <translation>das unsichtbare Zeichen %1 hat hier keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>a bracket is opened within the comment %1</source>
+        <translation>im Kommentar %1 wird eine Klammer geöffnet</translation>
+    </message>
+    <message>
+        <source>the program has more than %1 variables</source>
+        <translation>das Programm hat mehr als %1 Variablen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written by a program here</source>
+        <translation>%1 kann hier von einem Programm nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the program stops here with its alarm %1</source>
+        <translation>das Programm hält hier mit seinem Alarm %1 an</translation>
+    </message>
+    <message>
+        <source>the file holds two programs of the name %1: rename or remove one of them</source>
+        <translation>die Datei enthält zwei Programme mit dem Namen %1: eines umbenennen oder entfernen</translation>
     </message>
 </context>
 <context>
@@ -8311,6 +8407,45 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>No program is loaded</source>
         <translation>Kein Programm geladen</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ReadingBar</name>
+    <message>
+        <source>a %1 goes to %2 mm</source>
+        <translation>eine %1 fährt nach %2 mm</translation>
+    </message>
+    <message>
+        <source>a %1 does not move</source>
+        <translation>eine %1 bewegt sich nicht</translation>
+    </message>
+    <message>
+        <source>Nothing shows for which control this program was made. In line %1, %2. Which is it?</source>
+        <translation>Nichts zeigt, für welche Steuerung dieses Programm geschrieben ist. In Zeile %1: %2. Welche ist es?</translation>
+    </message>
+    <message>
+        <source>The program does not say whether it is in mm or inch. Its size in mm, or in inch: %1.</source>
+        <translation>Das Programm sagt nicht, ob es in mm oder in Zoll ist. Seine Größe in mm, oder in Zoll: %1.</translation>
+    </message>
+    <message>
+        <source>Coordinates have no decimal point. Some controls count them in thousandths. The size as whole units, or as thousandths: %1.</source>
+        <translation>Die Koordinaten haben keinen Dezimalpunkt. Manche Steuerungen zählen sie in Tausendsteln. Die Größe als ganze Einheiten, oder als Tausendstel: %1.</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Whole units</source>
+        <translation>Ganze Einheiten</translation>
+    </message>
+    <message>
+        <source>Thousandths</source>
+        <translation>Tausendstel</translation>
     </message>
 </context>
 <context>

@@ -664,10 +664,6 @@
         <translation>El valor de %1 está fuera del rango que acepta Rivulet.</translation>
     </message>
     <message>
-        <source>The blocks from here on are after the end of the program (M30, M2, M17 or %): they are not read.</source>
-        <translation>Las secuencias a partir de aquí están después del final del programa (M30, M2, M17 o %): no se leen.</translation>
-    </message>
-    <message>
         <source>An axis is programmed before any of G0 to G3: G1 is assumed, as after a reset of the control.</source>
         <translation>Se programa un eje antes de cualquiera de G0 a G3: se supone G1, como después de un Reset del control.</translation>
     </message>
@@ -716,10 +712,6 @@
         <translation>El archivo contiene bytes que no aparecen en un texto CN: elegir un archivo de texto, no un archivo comprimido ni una imagen.</translation>
     </message>
     <message>
-        <source>%1 is a turning cycle, so this is a program for a lathe: X is read as a diameter, U and W as increments, the plane is Z X.</source>
-        <translation>%1 es un ciclo de torneado, así que el programa es para un torno: X se lee como diámetro, U y W como incrementos, y el plano es Z X.</translation>
-    </message>
-    <message>
         <source>%1 is left out because you accepted it: the path may differ from the path at the control.</source>
         <translation>%1 se omite porque usted lo aceptó: la trayectoria puede diferir de la del control.</translation>
     </message>
@@ -746,6 +738,78 @@
     <message>
         <source>A block moves with G1, G2 or G3 before a feed F is programmed: only a fixed feed can be used.</source>
         <translation>Una secuencia se mueve con G1, G2 o G3 antes de programar un avance F: solo se puede usar un avance fijo.</translation>
+    </message>
+    <message>
+        <source>A blank is inside the number &quot;%1&quot;: this control does not put the parts together. Write the number without blanks.</source>
+        <translation>Hay un espacio dentro del número «%1»: este control no une las partes. Escriba el número sin espacios.</translation>
+    </message>
+    <message>
+        <source>An invisible character stands here (%1), as office programs and web pages insert it: replace it by an ordinary blank.</source>
+        <translation>Aquí hay un carácter invisible (%1), como los que insertan los programas de oficina y las páginas web: sustitúyalo por un espacio normal.</translation>
+    </message>
+    <message>
+        <source>A bracket is opened within the comment %1, which ends at the first closing bracket. Write it without inner brackets.</source>
+        <translation>Se abre un paréntesis dentro del comentario %1, que termina en el primer paréntesis de cierre. Escríbalo sin paréntesis internos.</translation>
+    </message>
+    <message>
+        <source>%1 is a function of the builder of the machine: whether it moves an axis or changes the feed is not known. Accept it if it does not.</source>
+        <translation>%1 es una función del fabricante de la máquina: no se sabe si mueve un eje o cambia el avance. Acéptela si no lo hace.</translation>
+    </message>
+    <message>
+        <source>The blocks of %1 are never executed: check the end of the program and the jumps before them, or remove them.</source>
+        <translation>Los bloques de %1 no se ejecutan nunca: compruebe el final del programa y los saltos anteriores, o elimínelos.</translation>
+    </message>
+    <message>
+        <source>No block calls the subprogram %1: check the calls, or remove it.</source>
+        <translation>Ningún bloque llama al subprograma %1: compruebe las llamadas o elimínelo.</translation>
+    </message>
+    <message>
+        <source>The file holds another main program, %1: which one is to run is not known. Give each main program a file of its own.</source>
+        <translation>El archivo contiene otro programa principal, %1: no se sabe cuál debe ejecutarse. Dé a cada programa principal su propio archivo.</translation>
+    </message>
+    <message>
+        <source>With M99, a main program begins again at the control, without end: it is executed once here. Write M30 if it is to end.</source>
+        <translation>Con M99, un programa principal vuelve a empezar sin fin en el control: aquí se ejecuta una vez. Escriba M30 si debe terminar.</translation>
+    </message>
+    <message>
+        <source>Loops and calls repeat more than %1 blocks for the control: the program is not read further. Check the condition of the loop.</source>
+        <translation>Bucles y llamadas repiten más de %1 bloques para el control: el programa no se lee más. Compruebe la condición del bucle.</translation>
+    </message>
+    <message>
+        <source>The program is for a lathe (%1): X is read as a diameter, U and W as increments, the plane is Z X, and with G99 F is per revolution.</source>
+        <translation>El programa es para un torno (%1): X se lee como diámetro, U y W como incrementos, el plano es Z X y con G99 F es por vuelta.</translation>
+    </message>
+    <message>
+        <source>No block says mm or inch (G21, G20) before the first move: the size is %1, read as mm or as inch. Load it with its unit (--units).</source>
+        <translation>Ningún bloque dice mm o pulgadas (G21, G20) antes del primer movimiento: el tamaño es %1, leído en mm o en pulgadas. Cárguelo con su unidad (--units).</translation>
+    </message>
+    <message>
+        <source>Coordinates have no decimal point: the size is %1, read as whole units or as least increments. Load it as the control is set (--no-point).</source>
+        <translation>Las coordenadas no tienen punto decimal: el tamaño es %1, leído en unidades enteras o en incrementos mínimos. Cárguelo según el ajuste del control (--no-point).</translation>
+    </message>
+    <message>
+        <source>The program is larger than a machine (%1): check its unit (G20, G21, --units) and its decimal points.</source>
+        <translation>El programa es más grande que una máquina (%1): compruebe su unidad (G20, G21, --units) y sus puntos decimales.</translation>
+    </message>
+    <message>
+        <source>The words after &quot;;&quot; are read as a block of their own, as on the control. If &quot;;&quot; begins comments here, choose another dialect (--dialect).</source>
+        <translation>Las palabras tras «;» se leen como un bloque propio, como en el control. Si «;» inicia aquí comentarios, elija otro dialecto (--dialect).</translation>
+    </message>
+    <message>
+        <source>The text does not show which control it is for, and they differ from here on: %1. Choose the dialect (--dialect).</source>
+        <translation>El texto no muestra para qué control es, y difieren a partir de aquí: %1. Elija el dialecto (--dialect).</translation>
+    </message>
+    <message>
+        <source>The file has words of two controls (%1): split it, or choose the dialect (--dialect).</source>
+        <translation>El archivo tiene palabras de dos controles (%1): divídalo o elija el dialecto (--dialect).</translation>
+    </message>
+    <message>
+        <source>The corner cannot be rounded or chamfered: there must be an element of the contour before and behind it, both long enough.</source>
+        <translation>La esquina no se puede redondear ni achaflanar: antes y después debe haber un elemento de contorno suficientemente largo.</translation>
+    </message>
+    <message>
+        <source>The program ends here with its own error (%1): check the values it has been given.</source>
+        <translation>El programa termina aquí con su propio error (%1): compruebe los valores que ha recibido.</translation>
     </message>
 </context>
 <context>
@@ -1372,6 +1436,10 @@
         <source>Too many files and connections are open on this computer. Close other programs, then try again.</source>
         <translation>En este ordenador hay demasiados archivos y conexiones abiertos. Cierre otros programas y vuelva a intentarlo.</translation>
     </message>
+    <message>
+        <source>The text leaves open what it means. Choose the dialect, the unit or the reading of numbers without a decimal point.</source>
+        <translation>El texto deja abierto lo que significa. Elija el dialecto, la unidad o la lectura de los números sin punto decimal.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1718,6 +1786,34 @@
     <message>
         <source>a subprogram is defined inside %1</source>
         <translation>se define un subprograma dentro de %1</translation>
+    </message>
+    <message>
+        <source>a blank is inside the number &quot;%1&quot;</source>
+        <translation>hay un espacio dentro del número «%1»</translation>
+    </message>
+    <message>
+        <source>the invisible character %1 has no meaning here</source>
+        <translation>el carácter invisible %1 no tiene significado aquí</translation>
+    </message>
+    <message>
+        <source>a bracket is opened within the comment %1</source>
+        <translation>se abre un paréntesis dentro del comentario %1</translation>
+    </message>
+    <message>
+        <source>the program has more than %1 variables</source>
+        <translation>el programa tiene más de %1 variables</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written by a program here</source>
+        <translation>%1 no puede ser escrito aquí por un programa</translation>
+    </message>
+    <message>
+        <source>the program stops here with its alarm %1</source>
+        <translation>el programa se detiene aquí con su alarma %1</translation>
+    </message>
+    <message>
+        <source>the file holds two programs of the name %1: rename or remove one of them</source>
+        <translation>el archivo contiene dos programas con el nombre %1: cambie el nombre de uno o elimínelo</translation>
     </message>
 </context>
 <context>
@@ -8311,6 +8407,45 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>No program is loaded</source>
         <translation>No hay ningún programa cargado</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ReadingBar</name>
+    <message>
+        <source>a %1 goes to %2 mm</source>
+        <translation>un %1 va a %2 mm</translation>
+    </message>
+    <message>
+        <source>a %1 does not move</source>
+        <translation>un %1 no se mueve</translation>
+    </message>
+    <message>
+        <source>Nothing shows for which control this program was made. In line %1, %2. Which is it?</source>
+        <translation>Nada muestra para qué control se hizo este programa. En la línea %1: %2. ¿Cuál es?</translation>
+    </message>
+    <message>
+        <source>The program does not say whether it is in mm or inch. Its size in mm, or in inch: %1.</source>
+        <translation>El programa no dice si está en mm o en pulgadas. Su tamaño en mm, o en pulgadas: %1.</translation>
+    </message>
+    <message>
+        <source>Coordinates have no decimal point. Some controls count them in thousandths. The size as whole units, or as thousandths: %1.</source>
+        <translation>Las coordenadas no tienen punto decimal. Algunos controles las cuentan en milésimas. El tamaño en unidades enteras, o en milésimas: %1.</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pulgada</translation>
+    </message>
+    <message>
+        <source>Whole units</source>
+        <translation>Unidades enteras</translation>
+    </message>
+    <message>
+        <source>Thousandths</source>
+        <translation>Milésimas</translation>
     </message>
 </context>
 <context>

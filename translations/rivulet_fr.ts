@@ -664,10 +664,6 @@
         <translation>La valeur de %1 est hors de la plage que Rivulet accepte.</translation>
     </message>
     <message>
-        <source>The blocks from here on are after the end of the program (M30, M2, M17 or %): they are not read.</source>
-        <translation>Les blocs à partir d’ici se trouvent après la fin du programme (M30, M2, M17 ou %)&#xa0;: ils ne sont pas lus.</translation>
-    </message>
-    <message>
         <source>An axis is programmed before any of G0 to G3: G1 is assumed, as after a reset of the control.</source>
         <translation>Un axe est programmé avant tout G0 à G3&#xa0;: G1 est supposé, comme après un reset de la commande.</translation>
     </message>
@@ -716,10 +712,6 @@
         <translation>Le fichier contient des octets qui n’existent pas dans un texte CN&#xa0;: choisir un fichier texte, pas une archive ni une image.</translation>
     </message>
     <message>
-        <source>%1 is a turning cycle, so this is a program for a lathe: X is read as a diameter, U and W as increments, the plane is Z X.</source>
-        <translation>%1 est un cycle de tournage, c’est donc un programme pour un tour&#xa0;: X est lu comme diamètre, U et W en relatif, le plan est Z X.</translation>
-    </message>
-    <message>
         <source>%1 is left out because you accepted it: the path may differ from the path at the control.</source>
         <translation>%1 est omis parce que vous l’avez accepté&#xa0;: la trajectoire peut différer de celle de la commande.</translation>
     </message>
@@ -746,6 +738,78 @@
     <message>
         <source>A block moves with G1, G2 or G3 before a feed F is programmed: only a fixed feed can be used.</source>
         <translation>Un bloc se déplace avec G1, G2 ou G3 avant qu’une avance F soit programmée&#xa0;: seule une avance fixe est possible.</translation>
+    </message>
+    <message>
+        <source>A blank is inside the number &quot;%1&quot;: this control does not put the parts together. Write the number without blanks.</source>
+        <translation>Un espace se trouve dans le nombre «&#xa0;%1&#xa0;»&#xa0;: cette commande n’assemble pas les parties. Écrivez le nombre sans espace.</translation>
+    </message>
+    <message>
+        <source>An invisible character stands here (%1), as office programs and web pages insert it: replace it by an ordinary blank.</source>
+        <translation>Un caractère invisible se trouve ici (%1), comme en insèrent les logiciels de bureau et les pages Web&#xa0;: remplacez-le par un espace ordinaire.</translation>
+    </message>
+    <message>
+        <source>A bracket is opened within the comment %1, which ends at the first closing bracket. Write it without inner brackets.</source>
+        <translation>Une parenthèse est ouverte dans le commentaire %1, qui finit à la première parenthèse fermante. Écrivez-le sans parenthèses internes.</translation>
+    </message>
+    <message>
+        <source>%1 is a function of the builder of the machine: whether it moves an axis or changes the feed is not known. Accept it if it does not.</source>
+        <translation>%1 est une fonction du constructeur de la machine&#xa0;: on ne sait pas si elle déplace un axe ou change l’avance. Acceptez-la si ce n’est pas le cas.</translation>
+    </message>
+    <message>
+        <source>The blocks of %1 are never executed: check the end of the program and the jumps before them, or remove them.</source>
+        <translation>Les blocs de %1 ne sont jamais exécutés&#xa0;: vérifiez la fin du programme et les sauts qui précèdent, ou supprimez-les.</translation>
+    </message>
+    <message>
+        <source>No block calls the subprogram %1: check the calls, or remove it.</source>
+        <translation>Aucun bloc n’appelle le sous-programme %1&#xa0;: vérifiez les appels, ou supprimez-le.</translation>
+    </message>
+    <message>
+        <source>The file holds another main program, %1: which one is to run is not known. Give each main program a file of its own.</source>
+        <translation>Le fichier contient un autre programme principal, %1&#xa0;: on ne sait pas lequel doit être exécuté. Donnez à chaque programme principal son propre fichier.</translation>
+    </message>
+    <message>
+        <source>With M99, a main program begins again at the control, without end: it is executed once here. Write M30 if it is to end.</source>
+        <translation>Avec M99, un programme principal recommence sans fin sur la commande&#xa0;: il est exécuté une fois ici. Écrivez M30 s’il doit se terminer.</translation>
+    </message>
+    <message>
+        <source>Loops and calls repeat more than %1 blocks for the control: the program is not read further. Check the condition of the loop.</source>
+        <translation>Des boucles et des appels répètent plus de %1 blocs pour la commande&#xa0;: la lecture du programme s’arrête. Vérifiez la condition de la boucle.</translation>
+    </message>
+    <message>
+        <source>The program is for a lathe (%1): X is read as a diameter, U and W as increments, the plane is Z X, and with G99 F is per revolution.</source>
+        <translation>Le programme est pour un tour (%1)&#xa0;: X est lu comme un diamètre, U et W comme des incréments, le plan est Z X, et avec G99 F est par tour.</translation>
+    </message>
+    <message>
+        <source>No block says mm or inch (G21, G20) before the first move: the size is %1, read as mm or as inch. Load it with its unit (--units).</source>
+        <translation>Aucun bloc n’indique mm ou pouces (G21, G20) avant le premier déplacement&#xa0;: la taille est %1, lue en mm ou en pouces. Chargez-le avec son unité (--units).</translation>
+    </message>
+    <message>
+        <source>Coordinates have no decimal point: the size is %1, read as whole units or as least increments. Load it as the control is set (--no-point).</source>
+        <translation>Les coordonnées n’ont pas de point décimal&#xa0;: la taille est %1, lue en unités entières ou en plus petits incréments. Chargez-le selon le réglage de la commande (--no-point).</translation>
+    </message>
+    <message>
+        <source>The program is larger than a machine (%1): check its unit (G20, G21, --units) and its decimal points.</source>
+        <translation>Le programme est plus grand qu’une machine (%1)&#xa0;: vérifiez son unité (G20, G21, --units) et ses points décimaux.</translation>
+    </message>
+    <message>
+        <source>The words after &quot;;&quot; are read as a block of their own, as on the control. If &quot;;&quot; begins comments here, choose another dialect (--dialect).</source>
+        <translation>Les mots après «&#xa0;;&#xa0;» sont lus comme un bloc à part, comme sur la commande. Si «&#xa0;;&#xa0;» commence ici des commentaires, choisissez un autre dialecte (--dialect).</translation>
+    </message>
+    <message>
+        <source>The text does not show which control it is for, and they differ from here on: %1. Choose the dialect (--dialect).</source>
+        <translation>Le texte n’indique pas pour quelle commande il est fait, et elles diffèrent à partir d’ici&#xa0;: %1. Choisissez le dialecte (--dialect).</translation>
+    </message>
+    <message>
+        <source>The file has words of two controls (%1): split it, or choose the dialect (--dialect).</source>
+        <translation>Le fichier contient des mots de deux commandes (%1)&#xa0;: divisez-le, ou choisissez le dialecte (--dialect).</translation>
+    </message>
+    <message>
+        <source>The corner cannot be rounded or chamfered: there must be an element of the contour before and behind it, both long enough.</source>
+        <translation>Le coin ne peut être ni arrondi ni chanfreiné&#xa0;: il faut avant et après un élément de contour assez long.</translation>
+    </message>
+    <message>
+        <source>The program ends here with its own error (%1): check the values it has been given.</source>
+        <translation>Le programme se termine ici avec sa propre erreur (%1)&#xa0;: vérifiez les valeurs qu’il a reçues.</translation>
     </message>
 </context>
 <context>
@@ -1372,6 +1436,10 @@
         <source>Too many files and connections are open on this computer. Close other programs, then try again.</source>
         <translation>Trop de fichiers et de connexions sont ouverts sur cet ordinateur. Fermez d&apos;autres programmes, puis réessayez.</translation>
     </message>
+    <message>
+        <source>The text leaves open what it means. Choose the dialect, the unit or the reading of numbers without a decimal point.</source>
+        <translation>Le texte laisse ouvert ce qu’il signifie. Choisissez le dialecte, l’unité ou la lecture des nombres sans point décimal.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1718,6 +1786,34 @@
     <message>
         <source>a subprogram is defined inside %1</source>
         <translation>un sous-programme est défini à l’intérieur de %1</translation>
+    </message>
+    <message>
+        <source>a blank is inside the number &quot;%1&quot;</source>
+        <translation>un espace se trouve dans le nombre «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the invisible character %1 has no meaning here</source>
+        <translation>le caractère invisible %1 n’a pas de sens ici</translation>
+    </message>
+    <message>
+        <source>a bracket is opened within the comment %1</source>
+        <translation>une parenthèse est ouverte dans le commentaire %1</translation>
+    </message>
+    <message>
+        <source>the program has more than %1 variables</source>
+        <translation>le programme a plus de %1 variables</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written by a program here</source>
+        <translation>%1 ne peut pas être écrit ici par un programme</translation>
+    </message>
+    <message>
+        <source>the program stops here with its alarm %1</source>
+        <translation>le programme s’arrête ici avec son alarme %1</translation>
+    </message>
+    <message>
+        <source>the file holds two programs of the name %1: rename or remove one of them</source>
+        <translation>le fichier contient deux programmes du nom %1&#xa0;: renommez ou supprimez l’un d’eux</translation>
     </message>
 </context>
 <context>
@@ -8311,6 +8407,45 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>No program is loaded</source>
         <translation>Aucun programme n’est chargé</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ReadingBar</name>
+    <message>
+        <source>a %1 goes to %2 mm</source>
+        <translation>une %1 va à %2 mm</translation>
+    </message>
+    <message>
+        <source>a %1 does not move</source>
+        <translation>une %1 ne se déplace pas</translation>
+    </message>
+    <message>
+        <source>Nothing shows for which control this program was made. In line %1, %2. Which is it?</source>
+        <translation>Rien n’indique pour quelle commande ce programme a été fait. Ligne %1&#xa0;: %2. Laquelle est-ce&#xa0;?</translation>
+    </message>
+    <message>
+        <source>The program does not say whether it is in mm or inch. Its size in mm, or in inch: %1.</source>
+        <translation>Le programme ne dit pas s’il est en mm ou en pouces. Sa taille en mm, ou en pouces&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Coordinates have no decimal point. Some controls count them in thousandths. The size as whole units, or as thousandths: %1.</source>
+        <translation>Les coordonnées n’ont pas de point décimal. Certaines commandes les comptent en millièmes. La taille en unités entières, ou en millièmes&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pouce</translation>
+    </message>
+    <message>
+        <source>Whole units</source>
+        <translation>Unités entières</translation>
+    </message>
+    <message>
+        <source>Thousandths</source>
+        <translation>Millièmes</translation>
     </message>
 </context>
 <context>

@@ -664,10 +664,6 @@
         <translation>Il valore di %1 è fuori dal campo ammesso da Rivulet.</translation>
     </message>
     <message>
-        <source>The blocks from here on are after the end of the program (M30, M2, M17 or %): they are not read.</source>
-        <translation>I blocchi da qui in poi si trovano dopo la fine del programma (M30, M2, M17 o %): non vengono letti.</translation>
-    </message>
-    <message>
         <source>An axis is programmed before any of G0 to G3: G1 is assumed, as after a reset of the control.</source>
         <translation>Un asse è programmato prima di qualsiasi G0 … G3: si assume G1, come dopo un Reset del controllo.</translation>
     </message>
@@ -716,10 +712,6 @@
         <translation>Il file contiene byte che non compaiono in un testo NC: scegliere un file di testo, non un archivio o un’immagine.</translation>
     </message>
     <message>
-        <source>%1 is a turning cycle, so this is a program for a lathe: X is read as a diameter, U and W as increments, the plane is Z X.</source>
-        <translation>%1 è un ciclo di tornitura, quindi il programma è per un tornio: X è letto come diametro, U e W come incrementi, il piano è Z X.</translation>
-    </message>
-    <message>
         <source>%1 is left out because you accepted it: the path may differ from the path at the control.</source>
         <translation>%1 viene omesso perché è stato accettato: il percorso può differire da quello sul controllo.</translation>
     </message>
@@ -746,6 +738,78 @@
     <message>
         <source>A block moves with G1, G2 or G3 before a feed F is programmed: only a fixed feed can be used.</source>
         <translation>Un blocco si muove con G1, G2 o G3 prima che sia programmato un avanzamento F: si può usare solo un avanzamento fisso.</translation>
+    </message>
+    <message>
+        <source>A blank is inside the number &quot;%1&quot;: this control does not put the parts together. Write the number without blanks.</source>
+        <translation>Nel numero «%1» c’è uno spazio: questo controllo non unisce le parti. Scrivere il numero senza spazi.</translation>
+    </message>
+    <message>
+        <source>An invisible character stands here (%1), as office programs and web pages insert it: replace it by an ordinary blank.</source>
+        <translation>Qui c’è un carattere invisibile (%1), come lo inseriscono programmi da ufficio e pagine web: sostituirlo con uno spazio normale.</translation>
+    </message>
+    <message>
+        <source>A bracket is opened within the comment %1, which ends at the first closing bracket. Write it without inner brackets.</source>
+        <translation>Nel commento %1 si apre una parentesi; termina alla prima parentesi chiusa. Scriverlo senza parentesi interne.</translation>
+    </message>
+    <message>
+        <source>%1 is a function of the builder of the machine: whether it moves an axis or changes the feed is not known. Accept it if it does not.</source>
+        <translation>%1 è una funzione del costruttore della macchina: non si sa se muove un asse o cambia l’avanzamento. Accettarla se non lo fa.</translation>
+    </message>
+    <message>
+        <source>The blocks of %1 are never executed: check the end of the program and the jumps before them, or remove them.</source>
+        <translation>I blocchi di %1 non vengono mai eseguiti: controllare la fine del programma e i salti precedenti, oppure eliminarli.</translation>
+    </message>
+    <message>
+        <source>No block calls the subprogram %1: check the calls, or remove it.</source>
+        <translation>Nessun blocco chiama il sottoprogramma %1: controllare le chiamate, oppure eliminarlo.</translation>
+    </message>
+    <message>
+        <source>The file holds another main program, %1: which one is to run is not known. Give each main program a file of its own.</source>
+        <translation>Il file contiene un altro programma principale, %1: non si sa quale deve essere eseguito. Dare a ogni programma principale un file proprio.</translation>
+    </message>
+    <message>
+        <source>With M99, a main program begins again at the control, without end: it is executed once here. Write M30 if it is to end.</source>
+        <translation>Con M99 un programma principale ricomincia senza fine sul controllo: qui viene eseguito una volta. Scrivere M30 se deve terminare.</translation>
+    </message>
+    <message>
+        <source>Loops and calls repeat more than %1 blocks for the control: the program is not read further. Check the condition of the loop.</source>
+        <translation>Cicli e chiamate ripetono più di %1 blocchi per il controllo: il programma non viene letto oltre. Controllare la condizione del ciclo.</translation>
+    </message>
+    <message>
+        <source>The program is for a lathe (%1): X is read as a diameter, U and W as increments, the plane is Z X, and with G99 F is per revolution.</source>
+        <translation>Il programma è per un tornio (%1): X viene letto come diametro, U e W come incrementi, il piano è Z X e con G99 F è per giro.</translation>
+    </message>
+    <message>
+        <source>No block says mm or inch (G21, G20) before the first move: the size is %1, read as mm or as inch. Load it with its unit (--units).</source>
+        <translation>Nessun blocco indica mm o pollici (G21, G20) prima del primo movimento: la dimensione è %1, letta in mm o in pollici. Caricarlo con la sua unità (--units).</translation>
+    </message>
+    <message>
+        <source>Coordinates have no decimal point: the size is %1, read as whole units or as least increments. Load it as the control is set (--no-point).</source>
+        <translation>Le coordinate non hanno punto decimale: la dimensione è %1, letta in unità intere o in incrementi minimi. Caricarlo secondo l’impostazione del controllo (--no-point).</translation>
+    </message>
+    <message>
+        <source>The program is larger than a machine (%1): check its unit (G20, G21, --units) and its decimal points.</source>
+        <translation>Il programma è più grande di una macchina (%1): controllare l’unità (G20, G21, --units) e i punti decimali.</translation>
+    </message>
+    <message>
+        <source>The words after &quot;;&quot; are read as a block of their own, as on the control. If &quot;;&quot; begins comments here, choose another dialect (--dialect).</source>
+        <translation>Le parole dopo «;» vengono lette come un blocco a sé, come sul controllo. Se «;» inizia qui commenti, scegliere un altro dialetto (--dialect).</translation>
+    </message>
+    <message>
+        <source>The text does not show which control it is for, and they differ from here on: %1. Choose the dialect (--dialect).</source>
+        <translation>Il testo non mostra per quale controllo è, e da qui differiscono: %1. Scegliere il dialetto (--dialect).</translation>
+    </message>
+    <message>
+        <source>The file has words of two controls (%1): split it, or choose the dialect (--dialect).</source>
+        <translation>Il file contiene parole di due controlli (%1): dividerlo, oppure scegliere il dialetto (--dialect).</translation>
+    </message>
+    <message>
+        <source>The corner cannot be rounded or chamfered: there must be an element of the contour before and behind it, both long enough.</source>
+        <translation>Lo spigolo non può essere arrotondato né smussato: prima e dopo deve esserci un elemento di contorno abbastanza lungo.</translation>
+    </message>
+    <message>
+        <source>The program ends here with its own error (%1): check the values it has been given.</source>
+        <translation>Il programma termina qui con un proprio errore (%1): controllare i valori che ha ricevuto.</translation>
     </message>
 </context>
 <context>
@@ -1372,6 +1436,10 @@
         <source>Too many files and connections are open on this computer. Close other programs, then try again.</source>
         <translation>Su questo computer sono aperti troppi file e connessioni. Chiudere altri programmi, poi riprovare.</translation>
     </message>
+    <message>
+        <source>The text leaves open what it means. Choose the dialect, the unit or the reading of numbers without a decimal point.</source>
+        <translation>Il testo lascia aperto il suo significato. Scegliere il dialetto, l’unità o la lettura dei numeri senza punto decimale.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1718,6 +1786,34 @@
     <message>
         <source>a subprogram is defined inside %1</source>
         <translation>un sottoprogramma è definito dentro %1</translation>
+    </message>
+    <message>
+        <source>a blank is inside the number &quot;%1&quot;</source>
+        <translation>nel numero «%1» c’è uno spazio</translation>
+    </message>
+    <message>
+        <source>the invisible character %1 has no meaning here</source>
+        <translation>il carattere invisibile %1 qui non ha significato</translation>
+    </message>
+    <message>
+        <source>a bracket is opened within the comment %1</source>
+        <translation>nel commento %1 si apre una parentesi</translation>
+    </message>
+    <message>
+        <source>the program has more than %1 variables</source>
+        <translation>il programma ha più di %1 variabili</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written by a program here</source>
+        <translation>%1 non può essere scritto qui da un programma</translation>
+    </message>
+    <message>
+        <source>the program stops here with its alarm %1</source>
+        <translation>il programma si ferma qui con il suo allarme %1</translation>
+    </message>
+    <message>
+        <source>the file holds two programs of the name %1: rename or remove one of them</source>
+        <translation>il file contiene due programmi di nome %1: rinominarne o eliminarne uno</translation>
     </message>
 </context>
 <context>
@@ -8311,6 +8407,45 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>No program is loaded</source>
         <translation>Nessun programma caricato</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::ReadingBar</name>
+    <message>
+        <source>a %1 goes to %2 mm</source>
+        <translation>un %1 va a %2 mm</translation>
+    </message>
+    <message>
+        <source>a %1 does not move</source>
+        <translation>un %1 non si muove</translation>
+    </message>
+    <message>
+        <source>Nothing shows for which control this program was made. In line %1, %2. Which is it?</source>
+        <translation>Nulla mostra per quale controllo è stato fatto questo programma. Nella riga %1: %2. Quale è?</translation>
+    </message>
+    <message>
+        <source>The program does not say whether it is in mm or inch. Its size in mm, or in inch: %1.</source>
+        <translation>Il programma non dice se è in mm o in pollici. La sua dimensione in mm, o in pollici: %1.</translation>
+    </message>
+    <message>
+        <source>Coordinates have no decimal point. Some controls count them in thousandths. The size as whole units, or as thousandths: %1.</source>
+        <translation>Le coordinate non hanno punto decimale. Alcuni controlli le contano in millesimi. La dimensione in unità intere, o in millesimi: %1.</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pollici</translation>
+    </message>
+    <message>
+        <source>Whole units</source>
+        <translation>Unità intere</translation>
+    </message>
+    <message>
+        <source>Thousandths</source>
+        <translation>Millesimi</translation>
     </message>
 </context>
 <context>
