@@ -310,7 +310,6 @@ class TestFeeds : public QObject {
     QTest::addColumn<int>("line");
     QTest::newRow("no F") << QStringLiteral("G0 X0 Y0 Z0\nG1 X1\nM30\n") << 2;
     QTest::newRow("G95 without S") << QStringLiteral("G0 X0 Y0 Z0\nG95 F0.1\nG1 X1\nM30\n") << 3;
-    QTest::newRow("G93 without F") << QStringLiteral("G0 X0 Y0 Z0\nG93\nG1 X1 F2\nX2\nM30\n") << 4;
     QTest::newRow("all known") << QStringLiteral("G0 X0 Y0 Z0\nG1 X1 F100\nX2\nM30\n") << 0;
     QTest::newRow("G95 with S") << QStringLiteral("G0 X0 Y0 Z0\nG95 F0.1\nS1000 M3\nG1 X1\nM30\n")
                                 << 0;

@@ -366,7 +366,7 @@ class TestRotaryStream : public QObject {
       QSKIP("the corpus is not here");
     }
     gcode::LoadOptions options;
-    options.accepted = {"G54"};
+    options.accepted = {"G54", "M428", "M429"};
     const auto program = gcode::loadProgram(path.toStdString(), options);
     QVERIFY(program.has_value());
     QVERIFY(program->isStreamable());
