@@ -118,10 +118,10 @@ ArcWords Executor::arcWordsOf(const BlockWords& words) const {
   return given;
 }
 
-/// Arcs of Heidenhain's plain text, and those with AP=, turn about the pole.
+/// Arcs with AP= turn about the pole.
 void Executor::usePoleAsCentre(const BlockWords& words, ArcWords& given) const {
   const bool hasCentre = words.hasAnyCentre() || words.hasRadius || given.degrees;
-  if (hasCentre || (!m_language.turnsAboutPole && words.named("AP") == nullptr)) {
+  if (hasCentre || words.named("AP") == nullptr) {
     return;
   }
   for (const std::size_t axis : {m_state.planeFirstAxis, m_state.planeSecondAxis()}) {
@@ -131,17 +131,11 @@ void Executor::usePoleAsCentre(const BlockWords& words, ArcWords& given) const {
 }
 
 /// The arc as it is written, in the unit of the program.
-void Executor::tellArc(const BlockWords& words, const Arc& arc, ArcWords given) {
+void Executor::tellArc(const BlockWords& words, const Arc& arc, const ArcWords& given) {
   if (words.named("AP") != nullptr) {
     // The end of a polar arc is calculated, not programmed.
     m_to.words.foreignMotion();
     return;
-  }
-  usePoleAsCentre(words, given);
-  for (const std::size_t axis : {m_state.planeFirstAxis, m_state.planeSecondAxis()}) {
-    if (m_language.turnsAboutPole && given.centre[axis]) {
-      *given.centre[axis] /= m_state.lengthFactor;
-    }
   }
   m_to.words.arc(words.axes, arc, given);
 }

@@ -231,10 +231,6 @@ void BlockReader::readIndexedAxis(const Token& token, BlockWords& words) {
 }
 
 void BlockReader::readAssignment(const Token& token, BlockWords& words) {
-  if (m_language.variablesAreOfCycles) {
-    m_to.faults.ignore(token, "Q");  // a word made of one is refused
-    return;
-  }
   const std::string name = base::toUpper(tokenName(token));
   if (name == "AX" && m_language.hasIndexedWords) {
     readIndexedAxis(token, words);
@@ -375,9 +371,6 @@ void BlockReader::readWord(const Token& token, BlockWords& words) {
       &BlockReader::readAxis,    // Y
       &BlockReader::readAxis,    // Z
   };
-  if (token.reference == Reference::Vacant) {
-    return;
-  }
   const char address = token.address;
   const auto letter = static_cast<std::size_t>(address - 'A');
   if (letter >= kLetters.size()) {

@@ -105,7 +105,6 @@ class BlockReader {
                     BlockWords& words);
   void readUnknownName(const Token& token, BlockWords& words);
   void readCycle(const Token& token, const std::string& name, BlockWords& words);
-  void readKlartextCycle(const Token& token);
   void forgetArguments(const Token& token);
 
   const Language& m_language;

@@ -157,7 +157,7 @@ class Executor {
   [[nodiscard]] bool takeTurns(const BlockWords& words, Arc& arc);
   [[nodiscard]] ArcWords arcWordsOf(const BlockWords& words) const;
   void usePoleAsCentre(const BlockWords& words, ArcWords& given) const;
-  void tellArc(const BlockWords& words, const Arc& arc, ArcWords given);
+  void tellArc(const BlockWords& words, const Arc& arc, const ArcWords& given);
   [[nodiscard]] bool toMillimetres(const BlockWords& words, ArcWords& given);
   [[nodiscard]] bool startIsKnown(const BlockWords& words);
   void ignoreCentreAcross(const BlockWords& words, ArcWords& given);

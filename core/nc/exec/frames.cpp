@@ -320,22 +320,18 @@ void Executor::setWorkOffset(const BlockWords& words) {
   error(words, FaultCode::UnsupportedGCode, "G10");
 }
 
-/// G110, G111, G112, and CC of Heidenhain's plain text.
+/// G110, G111, G112: whatever G90 and G91 say (840Di sl Fundamentals 4.2.1).
 void Executor::setPole(const BlockWords& words) {
   const G from = words.rare->pole->function;
   const Vec3 position = programmed();
-  Vec3 pole = from == G::PoleFromPosition                            ? position
-              : from == G::PoleFromPole || m_language.turnsAboutPole ? m_state.poleMm
-                                                                     : Vec3{};
+  Vec3 pole = from == G::PoleFromPosition ? position
+              : from == G::PoleFromPole   ? m_state.poleMm
+                                          : Vec3{};
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (!words.axes.has(axis)) {
       continue;
     }
-    // IX of Heidenhain counts from the position, as G110 does; G91 has no effect on G110 to G112
-    // (840Di sl Fundamentals 4.2.1).
-    const bool isIncrement = m_language.turnsAboutPole && words.axes.isIncrement(axis);
-    const double origin = isIncrement ? position[axis] : from != G::PoleFromZero ? pole[axis] : 0.0;
-    pole.set(axis, origin + lengthMm(words, axis));
+    pole.set(axis, pole[axis] + lengthMm(words, axis));
   }
   if (const NamedWord* const radius = words.named("RP")) {
     const NamedWord* const angle = words.named("AP");

@@ -347,7 +347,7 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
   }
   const double across = from[first] - m_state.poleMm[first];
   const double up = from[second] - m_state.poleMm[second];
-  // CP of Heidenhain names no radius: it is that of the start. RS-274 counts both from there.
+  // RS-274 counts radius and angle from the start.
   const bool countsFromStart = m_language.hasPolarSigns;
   for (const std::size_t axis : {first, second}) {
     if (countsFromStart && words.axes.has(axis)) {
@@ -372,8 +372,6 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
         countsFromStart ? isIncremental(*radius) : radius->reference == Reference::Incremental;
     m_state.polarRadiusMm =
         radius->value * m_state.lengthFactor + (relative ? m_state.polarRadiusMm : 0.0);
-  } else if (m_language.turnsAboutPole) {
-    m_state.polarRadiusMm = radiusMm;
   }
   m_polarTurnDegrees = 0.0;
   if (angle != nullptr) {

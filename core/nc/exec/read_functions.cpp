@@ -371,9 +371,6 @@ void BlockReader::readM(const Token& token, BlockWords& words) {
     case MEffect::Refused:
       m_to.faults.error(token, FaultCode::UnsupportedGCode, wordText(token));
       return;
-    case MEffect::CycleCall:
-      m_to.faults.error(token, FaultCode::CycleNotRun, "CYCL CALL");
-      return;
     case MEffect::MachineMove:
       words.machineToken = &token;
       return;

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Words that are names: SOFT, CR=12, CYCLE83(...), and the cycles of plain text.
-
-#include <fmt/format.h>
+// Words that are names: SOFT, CR=12, CYCLE83(...).
 
 #include <algorithm>
 #include <array>
@@ -16,10 +14,6 @@ namespace rivulet::nc {
 
 void BlockReader::readName(const Token& token, BlockWords& words) {
   const std::string name = base::toUpper(tokenName(token));
-  if (m_language.isKlartext && name == "CYCL") {
-    readKlartextCycle(token);
-    return;
-  }
   if (token.kind == TokenKind::NamedValue && m_variables.find(name) != nullptr) {
     assign(token, words);
     return;
@@ -203,26 +197,6 @@ void BlockReader::readCycle(const Token& token, const std::string& name, BlockWo
   }
   m_to.faults.error(token, swivels ? FaultCode::UnsupportedGCode : FaultCode::CycleNotRun, name);
   m_to.words.otherMotion();
-}
-
-void BlockReader::readKlartextCycle(const Token& token) {
-  const std::string text = base::toUpper(token.text);
-  std::string_view digits = text;
-  while (!digits.empty() && !base::isDigit(digits.front())) {
-    digits.remove_prefix(1);
-  }
-  const int number = base::parseInteger(digits).value_or(0);
-  // Cycles that move nothing themselves: shift, mirror, rotation, scale and tilt of the plane.
-  static constexpr std::array kFrames{7, 8, 10, 11, 19, 26, 247};
-  if (text.find("CALL") != std::string::npos) {
-    m_to.faults.error(token, FaultCode::CycleNotRun, "CYCL CALL");
-    m_to.words.forget(std::nullopt);
-  } else if (std::find(kFrames.begin(), kFrames.end(), number) != kFrames.end()) {
-    m_to.faults.error(token, FaultCode::UnsupportedGCode, fmt::format("CYCL DEF {}", number));
-    m_to.words.forget(std::nullopt);
-  } else {
-    m_to.faults.ignore(token, fmt::format("CYCL DEF {}", number));
-  }
 }
 
 }  // namespace rivulet::nc

@@ -487,11 +487,6 @@ Outcome Cursor::execute(const Token& statement) {
   switch (found->meaning) {
     case OtherStatement::Meaning::ModalCall:
       return ModalCall{reader.name()};
-    case OtherStatement::Meaning::CallsProgram:
-      if (reader.takeWord("PGM")) {
-        return SubprogramMissing{std::string(base::trim(reader.rest()))};
-      }
-      break;
     case OtherStatement::Meaning::Ignored:
       return Ignored{word};
   }

@@ -222,7 +222,6 @@ enum class MEffect : unsigned char {
   Call,               ///< M98
   LocalCall,          ///< M97 of Haas: blocks of the same program
   Refused,            ///< it changes the path or the feed in a way that is not made here
-  CycleCall,          ///< M99 of plain text
   MachineMove,        ///< M91, M92 of plain text: this block is in machine coordinates
   Retract,            ///< M140 of plain text: along the tool, to where only the control knows
   FeedPerRevolution,  ///< M136 of plain text

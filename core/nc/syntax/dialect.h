@@ -19,7 +19,7 @@ enum class Dialect : unsigned char {
   Haas,        ///< follows Fanuc, with rules of its own
   LinuxCnc,    ///< RS-274/NGC with O words
   Grbl,        ///< GRBL and FluidNC
-  Heidenhain,  ///< plain text (Klartext): recognised, straight lines and arcs are read
+  Heidenhain,  ///< plain text (Klartext): read by a language of its own
 };
 
 inline constexpr std::array kDialects{Dialect::Sinumerik, Dialect::Fanuc, Dialect::Haas,

@@ -146,7 +146,6 @@ enum class Reference : std::uint8_t {
   Nearest,      ///< DC(): absolute, a rotary axis turns the shortest way
   Positive,     ///< ACP(): absolute, it turns in the positive direction
   Negative,     ///< ACN(): absolute, it turns in the negative direction
-  Vacant,       ///< of a macro: the variable has no value, so the word is left out
 };
 
 /// AC, IC, DC, ACP, ACN; empty: it is written without a word.

@@ -27,7 +27,7 @@ struct ModalState;
 
 /// A statement that neither steers nor moves.
 struct OtherStatement {
-  enum class Meaning : unsigned char { ModalCall, Ignored, CallsProgram };
+  enum class Meaning : unsigned char { ModalCall, Ignored };
   std::string_view word;
   Meaning meaning = Meaning::Ignored;
 };
@@ -78,7 +78,6 @@ struct Language {
   bool mayCountIncrements = false;     ///< X10 is 0.01 mm if the control is set so
   bool lettersMayBeVariables = false;  ///< DEF INT I: then I=5 is no centre
   bool namesAreCalls = false;          ///< PART, L123 and M17; M30 of a subprogram returns
-  bool variablesAreOfCycles = false;   ///< Q1=5 is ignored
   bool hasTurningCycles = false;       ///< G70 to G73 with P and Q show a lathe
   bool dwellInMilliseconds = false;    ///< G4 P without a point
   bool toolChangesZ = false;           ///< T: Z is somewhere else afterwards
@@ -87,7 +86,6 @@ struct Language {
   bool needsMotion = false;            ///< no motion is assumed where a program names none
   bool hasParameterE = false;          ///< E of M66 to M68
   bool leavesSplines = false;          ///< G5 and G5.1 are of their block, G5.2 ends with G5.3
-  bool turnsAboutPole = false;         ///< an arc without a centre turns about the pole
   bool ignoresCentreAcross = false;    ///< of a helix, with a warning
   bool lengthComesWithTool = false;    ///< a tool change switches the tool's length on
   bool lengthIsOfTool = false;         ///< G43 without H takes that of the tool in the spindle
