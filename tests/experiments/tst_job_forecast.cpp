@@ -188,7 +188,7 @@ class TestJobForecast : public QObject {
 
   /// Programs of other dialects: the line is that of the source.
   void translated() {
-    const job::Plan plan = planOf("G21 G90\nT12 M6\nG54\nG43 H1\nG0 X0 Y0 Z50\nG1 X500 F500\nM30\n",
+    const job::Plan plan = planOf("G21 G90\nT12 M6\nG54\nG43 H12\nG0 X0 Y0 Z50\nG1 X500 F500\nM30\n",
                                   gcode::Dialect::Fanuc);
     QCOMPARE(found(experiments::hazardsOf(plan, mill(), {mill().start()})),
              QStringLiteral("tool-missing 2, travel 6 X"));
