@@ -8420,8 +8420,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>eine %1 bewegt sich nicht</translation>
     </message>
     <message>
-        <source>Nothing shows for which control this program was made. In line %1, %2. Which is it?</source>
-        <translation>Nichts zeigt, für welche Steuerung dieses Programm geschrieben ist. In Zeile %1: %2. Welche ist es?</translation>
+        <source>Nothing shows for which control this program was made. From line %1 on, %2. Which is it?</source>
+        <translation>Nichts zeigt, für welche Steuerung dieses Programm geschrieben ist. Ab Zeile %1: %2. Welche ist es?</translation>
     </message>
     <message>
         <source>The program does not say whether it is in mm or inch. Its size in mm, or in inch: %1.</source>

@@ -8420,8 +8420,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>un %1 no se mueve</translation>
     </message>
     <message>
-        <source>Nothing shows for which control this program was made. In line %1, %2. Which is it?</source>
-        <translation>Nada muestra para qué control se hizo este programa. En la línea %1: %2. ¿Cuál es?</translation>
+        <source>Nothing shows for which control this program was made. From line %1 on, %2. Which is it?</source>
+        <translation>Nada muestra para qué control se hizo este programa. A partir de la línea %1: %2. ¿Cuál es?</translation>
     </message>
     <message>
         <source>The program does not say whether it is in mm or inch. Its size in mm, or in inch: %1.</source>

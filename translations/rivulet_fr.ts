@@ -8420,8 +8420,8 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>une %1 ne se déplace pas</translation>
     </message>
     <message>
-        <source>Nothing shows for which control this program was made. In line %1, %2. Which is it?</source>
-        <translation>Rien n’indique pour quelle commande ce programme a été fait. Ligne %1&#xa0;: %2. Laquelle est-ce&#xa0;?</translation>
+        <source>Nothing shows for which control this program was made. From line %1 on, %2. Which is it?</source>
+        <translation>Rien n’indique pour quelle commande ce programme a été fait. À partir de la ligne %1&#xa0;: %2. Laquelle est-ce&#xa0;?</translation>
     </message>
     <message>
         <source>The program does not say whether it is in mm or inch. Its size in mm, or in inch: %1.</source>

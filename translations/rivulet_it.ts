@@ -8420,8 +8420,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>un %1 non si muove</translation>
     </message>
     <message>
-        <source>Nothing shows for which control this program was made. In line %1, %2. Which is it?</source>
-        <translation>Nulla mostra per quale controllo è stato fatto questo programma. Nella riga %1: %2. Quale è?</translation>
+        <source>Nothing shows for which control this program was made. From line %1 on, %2. Which is it?</source>
+        <translation>Nulla mostra per quale controllo è stato fatto questo programma. Dalla riga %1: %2. Quale è?</translation>
     </message>
     <message>
         <source>The program does not say whether it is in mm or inch. Its size in mm, or in inch: %1.</source>

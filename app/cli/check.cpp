@@ -265,12 +265,16 @@ gcode::LoadOptions LoadingOptions::loadOptions() const {
 }
 
 base::Result<void> requireMeaning(const gcode::Program& program, bool isVirtual) {
+  const auto asks = [&program](const gcode::Diagnostic& found) {
+    return base::fail(gcode::GcodeError::Ambiguous, gcode::describe(found), program.name);
+  };
   for (const gcode::Diagnostic& found : program.diagnostics) {
-    const bool isOfControl = found.code == gcode::DiagnosticCode::UnitsNotSaid ||
-                             found.code == gcode::DiagnosticCode::NoDecimalPoint;
-    if (found.code == gcode::DiagnosticCode::DialectUnclear || (isOfControl && !isVirtual)) {
-      return base::fail(gcode::GcodeError::Ambiguous, gcode::describe(found), program.name);
+    if (found.code == gcode::DiagnosticCode::DialectUnclear) {
+      return asks(found);
     }
+  }
+  if (const gcode::Diagnostic* const open = gcode::openSetting(program); open && !isVirtual) {
+    return asks(*open);
   }
   return {};
 }

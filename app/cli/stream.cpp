@@ -427,12 +427,6 @@ base::Result<void> StreamCommand::connect() {
     return base::fail(connection.error());
   }
   m_connection = std::move(*connection);
-  // Its own machines are metric and read whole units; of others nobody has said so.
-  if (base::Result<void> meant =
-          requireMeaning(m_program, m_connection.control->isVirtualMachine());
-      !meant) {
-    return meant;
-  }
   if (base::needsCommissioning(m_settings.parameters.method)) {
     if (base::Result<void> tested = requireTest(m_options, m_connection); !tested) {
       return tested;
@@ -460,11 +454,12 @@ base::Result<void> StreamCommand::connect() {
 base::Result<void> StreamCommand::judge() {
   streaming::StartFacts facts;
   facts.isConnected = true;
+  facts.isVirtualMachine = m_connection.control->isVirtualMachine();
   facts.program = &m_program;
   facts.turnedAxes = gcode::turnedAxes(m_program.trajectory);
   facts.method = m_settings.parameters.method;
   // Wrong motion of a virtual machine does no harm.
-  facts.acceptsInfeasible = m_options.acceptInfeasible || m_connection.control->isVirtualMachine();
+  facts.acceptsInfeasible = m_options.acceptInfeasible || *facts.isVirtualMachine;
   const feasibility::OperatingPoint point = report::operatingPointOf(m_settings);
   const std::vector<gcode::StreamPoint> points = this->points();
   m_judged.feasible = true;  // a single point needs no refill; method file waits

@@ -103,6 +103,7 @@ streaming::StartFacts RunController::facts(Act act) const {
                    : m_session.isCommissioning() ? streaming::Activity::Commissioning
                                                  : streaming::Activity::Idle;
   facts.isConnected = m_machine.isConnected();
+  facts.isVirtualMachine = machine.isVirtualMachine;
   facts.program = m_document.program().get();
   facts.hasFileChanged = m_document.hasFileChanged();
   if (const auto& live = m_document.live()) {

@@ -258,6 +258,7 @@ streaming::StartFacts ServiceSession::facts(const Caller& caller, Act act) const
                    : m_isAsking ? streaming::Activity::CheckingResume
                                 : streaming::Activity::Idle;
   facts.isConnected = m_link.state == session::LinkState::Connected && m_machine.has_value();
+  facts.isVirtualMachine = m_link.isVirtualMachine;
   facts.refusal = permission::refusal(caller.standing, act, isReleased());
   facts.hasRunToResume = leftRun() != nullptr;
   if (m_seen) {

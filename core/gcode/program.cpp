@@ -229,6 +229,15 @@ std::string describe(const Ambiguity& ambiguity) {
   return text;
 }
 
+const Diagnostic* openSetting(const Program& program) {
+  const auto found = std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
+                                  [](const Diagnostic& each) {
+                                    return each.code == DiagnosticCode::UnitsNotSaid ||
+                                           each.code == DiagnosticCode::NoDecimalPoint;
+                                  });
+  return found == program.diagnostics.end() ? nullptr : &*found;
+}
+
 base::Result<Program> interpretProgram(std::string name, std::string text,
                                        const LoadOptions& options) {
   return interpretProgram(std::move(name), std::move(text), options, nullptr);

@@ -142,6 +142,10 @@ struct Program {
   [[nodiscard]] bool isStreamable() const { return readiness() == Readiness::Streamable; }
 };
 
+/// The finding that leaves the size of the path to a setting of the control: its unit, or what
+/// numbers without a decimal point are. Null: there is none.
+[[nodiscard]] const Diagnostic* openSetting(const Program& program);
+
 /// Interprets an NC text. @return error EmptyProgram or NoMotion; findings are in the program.
 /// @threadsafety pure.
 [[nodiscard]] base::Result<Program> interpretProgram(std::string name, std::string text,

@@ -118,8 +118,20 @@ Reason pathBlocked(const StartFacts& facts) {
   if (facts.live) {
     return sourceBlocked(facts);
   }
-  return facts.program == nullptr ? Reason(because(BlockReason::NoProgram))
-                                  : programBlocked(*facts.program);
+  if (facts.program == nullptr) {
+    return because(BlockReason::NoProgram);
+  }
+  if (Reason reason = programBlocked(*facts.program)) {
+    return reason;
+  }
+  const gcode::Diagnostic* const open = gcode::openSetting(*facts.program);
+  if (open == nullptr || facts.isVirtualMachine.value_or(true)) {
+    return std::nullopt;
+  }
+  return Blocked{
+      BlockReason::SettingOpen,
+      {},
+      base::makeError(gcode::GcodeError::Ambiguous, gcode::describe(*open), facts.program->name)};
 }
 
 /// All but the state of the channel.
@@ -170,6 +182,7 @@ StreamError codeOf(BlockReason reason) {
     case BlockReason::NoMotion:
     case BlockReason::NeedsTransformation:
     case BlockReason::PathUnknown:
+    case BlockReason::SettingOpen:
     case BlockReason::SettingsInvalid:
     case BlockReason::Infeasible:
     case BlockReason::NotRehearsed:
@@ -256,6 +269,8 @@ std::string sentence(const Blocked& blocked) {
              "credit.";
     case BlockReason::SourceNotOpen:
       return "The live source is not open. Open it again.";
+    case BlockReason::SettingOpen:
+      return "A setting of the control decides how large the path is. Say which it is.";
     case BlockReason::SettingsInvalid:
       break;
   }

@@ -41,30 +41,31 @@ enum class BlockReason {
   NoMotion,             ///< the program moves no axis
   NeedsTransformation,  ///< the path is known, but only with a transformation of the control
   PathUnknown,          ///< the program has findings of severity error
-  RotaryNotStreamed,    ///< the program turns rotary axes, the method moves X, Y, Z; axes
-  AxesMissing,          ///< the program turns axes the control lacks; axes
-  SettingsInvalid,      ///< see `Blocked::cause`
-  Infeasible,           ///< the control would repeat points; equation, largest feed in mm/min
-  NotRehearsed,         ///< the simulation of this program with these settings is in progress
-  RehearsalFailed,      ///< that simulation executed wrong points; runs that failed, all runs
-  NotCommissioned,      ///< the method needs a test that this control has not passed
-  AlarmActive,          ///< number of the alarm
-  ChannelBusy,          ///< a program runs on the control
-  NothingToResume,      ///< no run was left
-  Locked,               ///< the window is locked: only Stop works
-  NeedsEngineer,        ///< who is there may not do this
-  NotReleased,          ///< an operator starts only what an engineer has released
-  MethodCannotResume,   ///< only methods with numbered windows go on where a run was left
-  JobNotChecked,        ///< the comparison of the whole job with the machine is in progress
-  BeyondMachine,        ///< the machine cannot do the job; see `Blocked::cause`
-  LiveNeedsWindows,     ///< a live source needs a machine that waits for its points
-  SourceNotOpen,        ///< the live source cannot be opened; see `Blocked::cause`
+  SettingOpen,         ///< a setting of the control decides how large the path is; `Blocked::cause`
+  RotaryNotStreamed,   ///< the program turns rotary axes, the method moves X, Y, Z; axes
+  AxesMissing,         ///< the program turns axes the control lacks; axes
+  SettingsInvalid,     ///< see `Blocked::cause`
+  Infeasible,          ///< the control would repeat points; equation, largest feed in mm/min
+  NotRehearsed,        ///< the simulation of this program with these settings is in progress
+  RehearsalFailed,     ///< that simulation executed wrong points; runs that failed, all runs
+  NotCommissioned,     ///< the method needs a test that this control has not passed
+  AlarmActive,         ///< number of the alarm
+  ChannelBusy,         ///< a program runs on the control
+  NothingToResume,     ///< no run was left
+  Locked,              ///< the window is locked: only Stop works
+  NeedsEngineer,       ///< who is there may not do this
+  NotReleased,         ///< an operator starts only what an engineer has released
+  MethodCannotResume,  ///< only methods with numbered windows go on where a run was left
+  JobNotChecked,       ///< the comparison of the whole job with the machine is in progress
+  BeyondMachine,       ///< the machine cannot do the job; see `Blocked::cause`
+  LiveNeedsWindows,    ///< a live source needs a machine that waits for its points
+  SourceNotOpen,       ///< the live source cannot be opened; see `Blocked::cause`
 };
 
 struct Blocked {
   BlockReason reason = BlockReason::NotConnected;
   std::vector<std::string> arguments;
-  /// SettingsInvalid, BeyondMachine and SourceNotOpen only
+  /// SettingOpen, SettingsInvalid, BeyondMachine and SourceNotOpen only
   std::optional<base::Error> cause;
 };
 
@@ -94,8 +95,10 @@ struct StartFacts {
   bool isConnected = false;
   const gcode::Program* program = nullptr;  ///< null: none is loaded
   std::optional<LiveFacts> live;            ///< in place of `program`; nothing: there is none
-  bool hasFileChanged = false;              ///< since the program was read from it
-  base::RotarySet turnedAxes{};             ///< rotary axes the program turns
+  /// One of Rivulet's machines, which are metric and read whole units; nothing: not known.
+  std::optional<bool> isVirtualMachine;
+  bool hasFileChanged = false;   ///< since the program was read from it
+  base::RotarySet turnedAxes{};  ///< rotary axes the program turns
   base::MethodKind method = base::MethodKind::Window;
   std::optional<base::Error> settingsError;     ///< no program can be made of the settings
   std::optional<feasibility::Verdict> verdict;  ///< nothing: there is none to be had

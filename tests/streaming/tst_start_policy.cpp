@@ -90,6 +90,29 @@ class TestStartPolicy : public QObject {
     QVERIFY(!streaming::startBlocked(facts));
   }
 
+  /// The unit a real control takes where a program names none is a setting of its own. Rivulet's
+  /// machines are metric and read whole units.
+  void aRealControlMayReadAnotherSize() {
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Fanuc;
+    gcode::Program program =
+        gcode::interpretProgram("O1.nc", "O1\nG90 G0 X10. Y20.\nX5.\nM30\n", options).value();
+    StartFacts facts = ready(program);
+    QVERIFY(!streaming::startBlocked(facts));  // whose machine it is is not known
+    facts.isVirtualMachine = true;
+    QVERIFY(!streaming::startBlocked(facts));
+    facts.isVirtualMachine = false;
+    const auto blocked = streaming::startBlocked(facts);
+    QVERIFY(reasonOf(blocked) == BlockReason::SettingOpen);
+    const base::Error error = streaming::blockedError(*blocked);
+    QVERIFY(error.code == gcode::GcodeError::Ambiguous);
+    QVERIFY2(error.message.find("X 5, Y 0 mm; X 127, Y 0 mm") != std::string::npos,
+             error.message.c_str());
+    options.units = gcode::FileUnits::Millimetres;
+    program = gcode::interpretProgram("O1.nc", "O1\nG90 G0 X10. Y20.\nX5.\nM30\n", options).value();
+    QVERIFY(!streaming::startBlocked(facts));
+  }
+
   void namesTheFirstReason() {
     const gcode::Program program = programOf("G1 X1 Y2 Z3 F100\nX2\n");
     StartFacts facts = ready(program);

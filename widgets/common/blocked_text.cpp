@@ -71,8 +71,8 @@ struct BlockedTexts {
         return tr("Not released: an engineer has to release this program with these settings.");
       case BlockReason::JobNotChecked:
         return tr("The job is being compared with the machine.");
+      case BlockReason::SettingOpen:
       case BlockReason::BeyondMachine:
-        return blocked.cause ? errorText(*blocked.cause) : QString();
       case BlockReason::SourceNotOpen:
         return blocked.cause ? errorText(*blocked.cause) : QString();
       case BlockReason::LiveNeedsWindows:

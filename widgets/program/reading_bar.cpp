@@ -97,7 +97,8 @@ QString ReadingBar::question() const {
       ways.push_back(reading.endMm ? tr("a %1 goes to %2 mm").arg(name, placeText(*reading.endMm))
                                    : tr("a %1 does not move").arg(name));
     }
-    return tr("Nothing shows for which control this program was made. In line %1, %2. Which is it?")
+    return tr("Nothing shows for which control this program was made. From line %1 on, %2. Which "
+              "is it?")
         .arg(QString::number(ambiguity->line.value), ways.join(QStringLiteral("; ")));
   }
   if (const auto sizes = argumentOf(*m_program, DiagnosticCode::UnitsNotSaid)) {
