@@ -4310,6 +4310,65 @@ GPL-3.0-or-later</translation>
         <source>The tool is so far outside the box that no first point can be in it. Move the tool, or change the box.</source>
         <translation>Das Werkzeug steht so weit außerhalb des Quaders, dass kein erster Punkt darin liegen kann. Das Werkzeug verfahren oder den Quader ändern.</translation>
     </message>
+    <message>
+        <source>Read as</source>
+        <translation>Gelesen als</translation>
+    </message>
+    <message>
+        <source>a program for %1</source>
+        <translation>Programm für %1</translation>
+    </message>
+    <message>
+        <source>mm, because this machine is metric; the program does not say (%1)</source>
+        <translation>mm, weil diese Maschine metrisch ist; das Programm sagt es nicht (%1)</translation>
+    </message>
+    <message>
+        <source>inch where the program does not say it, as chosen</source>
+        <translation>Zoll, wo das Programm es nicht sagt, wie gewählt</translation>
+    </message>
+    <message>
+        <source>mm where the program does not say it, as chosen</source>
+        <translation>mm, wo das Programm es nicht sagt, wie gewählt</translation>
+    </message>
+    <message>
+        <source>whole units where a number has no decimal point (%1)</source>
+        <translation>ganze Einheiten, wo eine Zahl keinen Dezimalpunkt hat (%1)</translation>
+    </message>
+    <message>
+        <source>thousandths where a number has no decimal point, as chosen</source>
+        <translation>Tausendstel, wo eine Zahl keinen Dezimalpunkt hat, wie gewählt</translation>
+    </message>
+    <message>
+        <source>whole units where a number has no decimal point, as chosen</source>
+        <translation>ganze Einheiten, wo eine Zahl keinen Dezimalpunkt hat, wie gewählt</translation>
+    </message>
+    <message>
+        <source>M functions of another machine</source>
+        <translation>M-Funktionen einer anderen Maschine</translation>
+    </message>
+    <message numerus="yes">
+        <source>M%1 (line %2, %Ln times)</source>
+        <translation>
+            <numerusform>M%1 (Zeile %2, einmal)</numerusform>
+            <numerusform>M%1 (Zeile %2, %Ln-mal)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the control executes %2</source>
+        <translation>%1: Die Steuerung führt %2 aus</translation>
+    </message>
+    <message>
+        <source>%1: left out, because nobody has said what this machine does for it (Set up, Limits)</source>
+        <translation>%1: weggelassen, weil niemand gesagt hat, was diese Maschine dafür tut (Einrichten, Grenzen)</translation>
+    </message>
+    <message>
+        <source>%1: left out</source>
+        <translation>%1: weggelassen</translation>
+    </message>
+    <message>
+        <source>without %1, which does not change the path, as confirmed</source>
+        <translation>ohne %1: bestätigt, dass sich der Weg dadurch nicht ändert</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -8112,6 +8171,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Discard changes</source>
         <translation>Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>M functions: write a number, =, and ignore, pass or a line for the control; a semicolon between two.</source>
+        <translation>M-Funktionen: Nummer, = und ignore, pass oder eine Zeile für die Steuerung schreiben; zwischen zweien ein Semikolon.</translation>
+    </message>
+    <message>
+        <source>M functions of other machines</source>
+        <translation>M-Funktionen anderer Maschinen</translation>
+    </message>
+    <message>
+        <source>What this machine does for the M functions of programs made for another: ignore leaves the function out, pass gives it to the control, anything else is a line for it.</source>
+        <translation>Was diese Maschine für die M-Funktionen von Programmen tut, die für eine andere gemacht sind: ignore lässt die Funktion weg, pass gibt sie an die Steuerung, alles andere ist eine Zeile für sie.</translation>
     </message>
 </context>
 <context>

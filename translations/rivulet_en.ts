@@ -139,6 +139,13 @@
             <numerusform>The %Ln points before it are not executed.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>M%1 (line %2, %Ln times)</source>
+        <translation>
+            <numerusform>M%1 (line %2, once)</numerusform>
+            <numerusform>M%1 (line %2, %Ln times)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>

@@ -4310,6 +4310,65 @@ GPL-3.0-or-later</translation>
         <source>The tool is so far outside the box that no first point can be in it. Move the tool, or change the box.</source>
         <translation>La herramienta está tan lejos del volumen que ningún primer punto puede estar dentro. Mover la herramienta o cambiar el volumen.</translation>
     </message>
+    <message>
+        <source>Read as</source>
+        <translation>Leído como</translation>
+    </message>
+    <message>
+        <source>a program for %1</source>
+        <translation>un programa para %1</translation>
+    </message>
+    <message>
+        <source>mm, because this machine is metric; the program does not say (%1)</source>
+        <translation>mm, porque esta máquina es métrica; el programa no lo dice (%1)</translation>
+    </message>
+    <message>
+        <source>inch where the program does not say it, as chosen</source>
+        <translation>pulgadas donde el programa no lo dice, como se eligió</translation>
+    </message>
+    <message>
+        <source>mm where the program does not say it, as chosen</source>
+        <translation>mm donde el programa no lo dice, como se eligió</translation>
+    </message>
+    <message>
+        <source>whole units where a number has no decimal point (%1)</source>
+        <translation>unidades enteras donde un número no tiene punto decimal (%1)</translation>
+    </message>
+    <message>
+        <source>thousandths where a number has no decimal point, as chosen</source>
+        <translation>milésimas donde un número no tiene punto decimal, como se eligió</translation>
+    </message>
+    <message>
+        <source>whole units where a number has no decimal point, as chosen</source>
+        <translation>unidades enteras donde un número no tiene punto decimal, como se eligió</translation>
+    </message>
+    <message>
+        <source>M functions of another machine</source>
+        <translation>Funciones M de otra máquina</translation>
+    </message>
+    <message numerus="yes">
+        <source>M%1 (line %2, %Ln times)</source>
+        <translation>
+            <numerusform>M%1 (línea %2, una vez)</numerusform>
+            <numerusform>M%1 (línea %2, %Ln veces)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the control executes %2</source>
+        <translation>%1: el control ejecuta %2</translation>
+    </message>
+    <message>
+        <source>%1: left out, because nobody has said what this machine does for it (Set up, Limits)</source>
+        <translation>%1: se omite, porque nadie ha dicho qué hace esta máquina para ella (Preparar, Límites)</translation>
+    </message>
+    <message>
+        <source>%1: left out</source>
+        <translation>%1: se omite</translation>
+    </message>
+    <message>
+        <source>without %1, which does not change the path, as confirmed</source>
+        <translation>sin %1, que no cambia la trayectoria, como se confirmó</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -8112,6 +8171,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Discard changes</source>
         <translation>Descartar los cambios</translation>
+    </message>
+    <message>
+        <source>M functions: write a number, =, and ignore, pass or a line for the control; a semicolon between two.</source>
+        <translation>Funciones M: escriba un número, = e ignore, pass o una línea para el control; un punto y coma entre dos.</translation>
+    </message>
+    <message>
+        <source>M functions of other machines</source>
+        <translation>Funciones M de otras máquinas</translation>
+    </message>
+    <message>
+        <source>What this machine does for the M functions of programs made for another: ignore leaves the function out, pass gives it to the control, anything else is a line for it.</source>
+        <translation>Lo que hace esta máquina para las funciones M de programas hechos para otra: ignore omite la función, pass la entrega al control, cualquier otra cosa es una línea para él.</translation>
     </message>
 </context>
 <context>

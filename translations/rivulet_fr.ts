@@ -4310,6 +4310,65 @@ GPL-3.0-or-later</translation>
         <source>The tool is so far outside the box that no first point can be in it. Move the tool, or change the box.</source>
         <translation>L’outil est si loin du pavé qu’aucun premier point ne peut s’y trouver. Déplacer l’outil ou modifier le pavé.</translation>
     </message>
+    <message>
+        <source>Read as</source>
+        <translation>Lu comme</translation>
+    </message>
+    <message>
+        <source>a program for %1</source>
+        <translation>un programme pour %1</translation>
+    </message>
+    <message>
+        <source>mm, because this machine is metric; the program does not say (%1)</source>
+        <translation>mm, car cette machine est métrique&#x202f;; le programme ne le dit pas (%1)</translation>
+    </message>
+    <message>
+        <source>inch where the program does not say it, as chosen</source>
+        <translation>pouces là où le programme ne le dit pas, comme choisi</translation>
+    </message>
+    <message>
+        <source>mm where the program does not say it, as chosen</source>
+        <translation>mm là où le programme ne le dit pas, comme choisi</translation>
+    </message>
+    <message>
+        <source>whole units where a number has no decimal point (%1)</source>
+        <translation>unités entières là où un nombre n’a pas de point décimal (%1)</translation>
+    </message>
+    <message>
+        <source>thousandths where a number has no decimal point, as chosen</source>
+        <translation>millièmes là où un nombre n’a pas de point décimal, comme choisi</translation>
+    </message>
+    <message>
+        <source>whole units where a number has no decimal point, as chosen</source>
+        <translation>unités entières là où un nombre n’a pas de point décimal, comme choisi</translation>
+    </message>
+    <message>
+        <source>M functions of another machine</source>
+        <translation>Fonctions M d’une autre machine</translation>
+    </message>
+    <message numerus="yes">
+        <source>M%1 (line %2, %Ln times)</source>
+        <translation>
+            <numerusform>M%1 (ligne %2, une fois)</numerusform>
+            <numerusform>M%1 (ligne %2, %Ln fois)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the control executes %2</source>
+        <translation>%1&#xa0;: la commande exécute %2</translation>
+    </message>
+    <message>
+        <source>%1: left out, because nobody has said what this machine does for it (Set up, Limits)</source>
+        <translation>%1&#xa0;: omise, car personne n’a dit ce que cette machine fait pour elle (Préparer, Limites)</translation>
+    </message>
+    <message>
+        <source>%1: left out</source>
+        <translation>%1&#xa0;: omise</translation>
+    </message>
+    <message>
+        <source>without %1, which does not change the path, as confirmed</source>
+        <translation>sans %1, qui ne change pas la trajectoire, comme confirmé</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -8112,6 +8171,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Discard changes</source>
         <translation>Abandonner les modifications</translation>
+    </message>
+    <message>
+        <source>M functions: write a number, =, and ignore, pass or a line for the control; a semicolon between two.</source>
+        <translation>Fonctions M&#xa0;: écrire un numéro, = et ignore, pass ou une ligne pour la commande&#x202f;; un point-virgule entre deux.</translation>
+    </message>
+    <message>
+        <source>M functions of other machines</source>
+        <translation>Fonctions M d’autres machines</translation>
+    </message>
+    <message>
+        <source>What this machine does for the M functions of programs made for another: ignore leaves the function out, pass gives it to the control, anything else is a line for it.</source>
+        <translation>Ce que cette machine fait pour les fonctions M de programmes faits pour une autre&#xa0;: ignore omet la fonction, pass la donne à la commande, toute autre chose est une ligne pour elle.</translation>
     </message>
 </context>
 <context>

@@ -4310,6 +4310,65 @@ GPL-3.0-or-later</translation>
         <source>The tool is so far outside the box that no first point can be in it. Move the tool, or change the box.</source>
         <translation>L’utensile è così lontano dal volume che nessun primo punto può trovarsi dentro. Spostare l’utensile o modificare il volume.</translation>
     </message>
+    <message>
+        <source>Read as</source>
+        <translation>Letto come</translation>
+    </message>
+    <message>
+        <source>a program for %1</source>
+        <translation>un programma per %1</translation>
+    </message>
+    <message>
+        <source>mm, because this machine is metric; the program does not say (%1)</source>
+        <translation>mm, perché questa macchina è metrica; il programma non lo dice (%1)</translation>
+    </message>
+    <message>
+        <source>inch where the program does not say it, as chosen</source>
+        <translation>pollici dove il programma non lo dice, come scelto</translation>
+    </message>
+    <message>
+        <source>mm where the program does not say it, as chosen</source>
+        <translation>mm dove il programma non lo dice, come scelto</translation>
+    </message>
+    <message>
+        <source>whole units where a number has no decimal point (%1)</source>
+        <translation>unità intere dove un numero non ha il punto decimale (%1)</translation>
+    </message>
+    <message>
+        <source>thousandths where a number has no decimal point, as chosen</source>
+        <translation>millesimi dove un numero non ha il punto decimale, come scelto</translation>
+    </message>
+    <message>
+        <source>whole units where a number has no decimal point, as chosen</source>
+        <translation>unità intere dove un numero non ha il punto decimale, come scelto</translation>
+    </message>
+    <message>
+        <source>M functions of another machine</source>
+        <translation>Funzioni M di un’altra macchina</translation>
+    </message>
+    <message numerus="yes">
+        <source>M%1 (line %2, %Ln times)</source>
+        <translation>
+            <numerusform>M%1 (riga %2, una volta)</numerusform>
+            <numerusform>M%1 (riga %2, %Ln volte)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the control executes %2</source>
+        <translation>%1: il controllo esegue %2</translation>
+    </message>
+    <message>
+        <source>%1: left out, because nobody has said what this machine does for it (Set up, Limits)</source>
+        <translation>%1: omessa, perché nessuno ha detto che cosa fa questa macchina per essa (Preparare, Limiti)</translation>
+    </message>
+    <message>
+        <source>%1: left out</source>
+        <translation>%1: omessa</translation>
+    </message>
+    <message>
+        <source>without %1, which does not change the path, as confirmed</source>
+        <translation>senza %1, che non cambia il percorso, come confermato</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -8112,6 +8171,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Discard changes</source>
         <translation>Annulla le modifiche</translation>
+    </message>
+    <message>
+        <source>M functions: write a number, =, and ignore, pass or a line for the control; a semicolon between two.</source>
+        <translation>Funzioni M: scrivere un numero, = e ignore, pass o una riga per il controllo; un punto e virgola tra due.</translation>
+    </message>
+    <message>
+        <source>M functions of other machines</source>
+        <translation>Funzioni M di altre macchine</translation>
+    </message>
+    <message>
+        <source>What this machine does for the M functions of programs made for another: ignore leaves the function out, pass gives it to the control, anything else is a line for it.</source>
+        <translation>Che cosa fa questa macchina per le funzioni M di programmi fatti per un’altra: ignore omette la funzione, pass la passa al controllo, qualsiasi altra cosa è una riga per esso.</translation>
     </message>
 </context>
 <context>

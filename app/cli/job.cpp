@@ -23,13 +23,13 @@
 #include "experiments/large_machine.h"
 #include "gcode/block_observer.h"
 #include "job/dry_plan.h"
+#include "job/functions.h"
 #include "job/main_program.h"
 #include "machine/config.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
 #include "platform/recording_file.h"
 #include "report/job_json.h"
-#include "report/machine_functions.h"
 #include "report/machine_profile.h"
 #include "report/machine_store.h"
 #include "report/operating_point.h"
@@ -127,7 +127,7 @@ std::string readMe(const job::Plan& plan, const job::JobPrograms& programs) {
       plan.program.name, programs.mainName, programs.loop.cells.run, programs.loop.cells.run,
       programs.loop.cells.last(), plan.nativeCount(), plan.stretchCount());
   for (const job::FunctionUse& use : plan.functions) {
-    text += report::describe(use) + '\n';
+    text += job::describe(use) + '\n';
   }
   for (const job::Part& part : plan.parts) {
     if (const auto* const native = std::get_if<job::NativeBlock>(&part)) {
@@ -251,7 +251,7 @@ base::Result<void> JobCommand::prepare() {
 
 /// What is known of the machine before it is connected.
 base::Result<job::Profile> JobCommand::profileOfMachine() const {
-  auto given = report::functionsOf(m_options.functions);
+  auto given = job::functionsOf(m_options.functions);
   if (!given) {
     return base::fail(given.error());
   }
@@ -267,12 +267,12 @@ base::Result<void> JobCommand::keepFunctions() {
     return {};
   }
   const auto identity = m_connection.control->identity();
-  const auto given = report::functionsOf(m_options.functions);
+  const auto given = job::functionsOf(m_options.functions);
   if (!identity || !given) {
     return base::fail(identity ? given.error() : identity.error());
   }
   const report::MachineStore store;
-  report::MachineFunctions functions = *given;
+  job::Functions functions = *given;
   functions.merge(store.functions(m_connection.name));
   return store.save(m_connection.name, *identity, functions);
 }
@@ -524,7 +524,7 @@ void JobCommand::printNotes() const {
     fmt::print("{}\n", note);
   }
   for (const job::FunctionUse& use : m_plan.functions) {
-    fmt::print("{}\n", report::describe(use));
+    fmt::print("{}\n", job::describe(use));
   }
 }
 

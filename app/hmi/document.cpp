@@ -147,6 +147,11 @@ const widgets::JobOutline* Document::outline() const {
   return m_view && !m_view->outline.needed().empty() ? &m_view->outline : nullptr;
 }
 
+const std::vector<job::FunctionUse>& Document::foreignFunctions() const {
+  static const std::vector<job::FunctionUse> none;
+  return m_view && m_view->plan ? m_view->plan->functions : none;
+}
+
 std::optional<Document::JobObstacle> Document::jobObstacle() const {
   if (outline() == nullptr) {
     return std::nullopt;
@@ -178,9 +183,10 @@ void Document::setRunsJobs(bool runsJobs) {
 void Document::followJob() {
   // A file that has changed is read when the operator says so.
   const double dryRunMm = wantsJob() ? m_settings.dryRunMm : 0.0;
-  const bool differs = m_reading.asJob != wantsJob() || m_reading.dryRunMm != dryRunMm;
-  if (outline() != nullptr && differs && !m_isRunning && !m_isHeld && !hasFileChanged() &&
-      !m_loader.isBusy()) {
+  const bool differs = m_reading.asJob != wantsJob() || m_reading.dryRunMm != dryRunMm ||
+                       m_reading.machine != m_jobProfile;
+  const bool concerns = outline() != nullptr || !foreignFunctions().empty();
+  if (concerns && differs && !m_isRunning && !m_isHeld && !hasFileChanged() && !m_loader.isBusy()) {
     read(m_path, m_reading);
   }
 }
@@ -222,6 +228,7 @@ void Document::read(const QString& path, const session::Reading& reading) {
   session::Reading whole = reading;
   whole.asJob = wantsJob();
   whole.dryRunMm = whole.asJob ? m_settings.dryRunMm : 0.0;
+  whole.machine = m_jobProfile;
   Q_EMIT readingProgressed(0.0);
   m_loader.load({path, std::move(whole), m_toolMm, std::max(2, m_settings.parameters.pointsPerLoop),
                  m_machineFeeds});
@@ -383,6 +390,11 @@ void Document::setJobMachine(std::shared_ptr<const machine::MachineConfig> machi
   m_jobMachine = std::move(machine);
   m_checkedPlan.reset();
   judge();
+}
+
+void Document::setJobProfile(const job::Profile& profile) {
+  m_jobProfile = profile;
+  followJob();
 }
 
 void Document::checkJob() {

@@ -93,6 +93,8 @@ class Document final : public QObject {
   [[nodiscard]] double dryRunMm() const { return isJob() ? m_reading.dryRunMm : 0.0; }
   /// Null: there are no blocks that the machine needs beside the motion.
   [[nodiscard]] const widgets::JobOutline* outline() const;
+  /// M functions of another machine that the program calls, and what this one gets for them.
+  [[nodiscard]] const std::vector<job::FunctionUse>& foreignFunctions() const;
   /// Why the program cannot be run as a whole job with the present settings; nothing: it can, or it
   /// has no blocks for the control.
   enum class JobObstacle : unsigned char { Machine, Method, Correction, NotWhole };
@@ -122,6 +124,9 @@ class Document final : public QObject {
   /// The machine that whole jobs are compared with before they start. @param machine  null: it is
   /// not known
   void setJobMachine(std::shared_ptr<const machine::MachineConfig> machine);
+  /// What the machine does for words of other machines. Until it is told, nothing moves, and what
+  /// nobody has spoken of is left out.
+  void setJobProfile(const job::Profile& profile);
   [[nodiscard]] const std::shared_ptr<const machine::MachineConfig>& jobMachine() const {
     return m_jobMachine;
   }
@@ -208,9 +213,10 @@ class Document final : public QObject {
 
   std::shared_ptr<const machine::MachineConfig> m_machine;     ///< null: that of the paper
   std::shared_ptr<const machine::MachineConfig> m_jobMachine;  ///< null: not known
-  std::shared_ptr<const job::Plan> m_checkedPlan;              ///< of `m_hazards`, or in progress
-  std::shared_ptr<const session::Hazards> m_hazards;           ///< null: not known (yet)
-  gcode::ProgramFeeds m_machineFeeds;                          ///< limits, at 100 %
+  job::Profile m_jobProfile;
+  std::shared_ptr<const job::Plan> m_checkedPlan;     ///< of `m_hazards`, or in progress
+  std::shared_ptr<const session::Hazards> m_hazards;  ///< null: not known (yet)
+  gcode::ProgramFeeds m_machineFeeds;                 ///< limits, at 100 %
   widgets::StreamSettings m_settings;
   /// What `parameters` was last completed for, and the result: it takes a pass over the program.
   struct FeedCells {

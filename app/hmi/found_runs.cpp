@@ -199,7 +199,7 @@ bool FoundRuns::load(const report::SavedRun& run) {
     });
     return false;
   }
-  const session::Reading reading{run.reading};
+  const session::Reading reading{run.reading, false, 0.0, {}};
   if (m_seen.isJob) {
     m_document.open(file, reading);
   } else {

@@ -25,10 +25,12 @@ MachineProfiles::MachineProfiles(Document& document, MachineModel& machine, RunC
       m_runs(runs),
       m_messages(messages),
       m_store(std::move(store)) {
+  followFunctions();
   connect(&m_machine, &MachineModel::linkChanged, this, [this] {
     if (m_machine.isConnected()) {
       load();
     }
+    followFunctions();
     Q_EMIT permissionsChanged();
   });
   connect(&m_runs, &RunController::permissionsChanged, this, &MachineProfiles::permissionsChanged);
@@ -57,6 +59,32 @@ void MachineProfiles::apply() {
       report::knownMachine(m_machine.link().server, m_profile ? &*m_profile : nullptr);
   m_document.setJobMachine(known ? std::make_shared<const machine::MachineConfig>(*known)
                                  : nullptr);
+  Q_EMIT changed();
+}
+
+void MachineProfiles::followFunctions() {
+  const bool isConnected = m_machine.isConnected();
+  m_document.setJobProfile(
+      m_store.jobProfile(isConnected ? m_machine.endpoint().trimmed().toStdString() : std::string(),
+                         !isConnected || m_machine.view().isVirtualMachine));
+}
+
+job::Functions MachineProfiles::functions() const {
+  return m_store.functions(m_machine.endpoint().trimmed().toStdString());
+}
+
+void MachineProfiles::saveFunctions(const job::Functions& functions) {
+  if (!canSave()) {
+    return;
+  }
+  const std::string endpoint = m_machine.endpoint().trimmed().toStdString();
+  if (const auto saved = m_store.save(endpoint, m_machine.link().server, functions); !saved) {
+    m_messages.show(Severity::Error, [error = saved.error()] { return widgets::errorText(error); });
+    return;
+  }
+  m_messages.didAct(permission::Act::ChangeSettings,
+                    {{"machine", endpoint}, {"m_functions", job::textOf(functions)}});
+  followFunctions();
   Q_EMIT changed();
 }
 

@@ -13,6 +13,7 @@
 #include "hmi/machine_model.h"
 #include "hmi/messages.h"
 #include "hmi/run_controller.h"
+#include "job/functions.h"
 #include "report/machine_store.h"
 #include "streaming/machine_profile.h"
 
@@ -34,6 +35,9 @@ class MachineProfiles final : public QObject {
   [[nodiscard]] bool canSave() const {
     return m_machine.isConnected() && m_runs.canChangeSettings();
   }
+  /// What the connected machine does for M functions of other machines.
+  [[nodiscard]] job::Functions functions() const;
+  void saveFunctions(const job::Functions& functions);
   /// Keeps the limits for the connected machine. @param profile  without machine, time and user
   void save(streaming::MachineProfile profile);
 
@@ -43,6 +47,7 @@ class MachineProfiles final : public QObject {
 
  private:
   void load();
+  void followFunctions();
   void apply();
 
   Document& m_document;

@@ -13,6 +13,7 @@
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
 #include "widgets/live/live_text.h"
+#include "widgets/program/reading_bar.h"
 
 namespace rivulet::hmi {
 
@@ -140,9 +141,15 @@ std::vector<PreflightItem> Preflight::items() const {
 std::vector<PreflightItem> Preflight::programItems() const {
   std::vector<PreflightItem> items;
   items.push_back(programItem());
+  if (PreflightItem reading = readingItem(); !reading.text.isEmpty()) {
+    items.push_back(std::move(reading));
+  }
   items.push_back(machineItem());
   if (m_document.outline() != nullptr && !isForChosenLine()) {
     items.push_back(jobItem());
+  }
+  if (!m_document.foreignFunctions().empty()) {
+    items.push_back(functionsItem());
   }
   items.push_back(isForResume() ? resumeItem() : firstMoveItem());
   if (isForChosenLine()) {
@@ -243,6 +250,75 @@ PreflightItem Preflight::programItem() const {
               .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash)),
           {},
           0};
+}
+
+PreflightItem Preflight::readingItem() const {
+  using gcode::DiagnosticCode;
+  const gcode::Program& program = *m_document.program();
+  const session::Reading& reading = m_document.reading();
+  PreflightItem item{Status::Plain, tr("Read as"), {}, {}, 0};
+  QStringList parts;
+  if (reading.dialect) {
+    parts.append(tr("a program for %1").arg(widgets::controlName(*reading.dialect)));
+  }
+  const auto open = [&](DiagnosticCode code) {
+    const auto found =
+        std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
+                     [code](const gcode::Diagnostic& each) { return each.code == code; });
+    if (found != program.diagnostics.end()) {
+      item.status = Status::Attention;
+    }
+    return found == program.diagnostics.end()
+               ? std::nullopt
+               : std::optional(QString::fromStdString(found->argument));
+  };
+  if (const auto sizes = open(DiagnosticCode::UnitsNotSaid)) {
+    parts.append(
+        tr("mm, because this machine is metric; the program does not say (%1)").arg(*sizes));
+  } else if (reading.units) {
+    parts.append(*reading.units == gcode::FileUnits::Inches
+                     ? tr("inch where the program does not say it, as chosen")
+                     : tr("mm where the program does not say it, as chosen"));
+  }
+  if (const auto sizes = open(DiagnosticCode::NoDecimalPoint)) {
+    parts.append(tr("whole units where a number has no decimal point (%1)").arg(*sizes));
+  } else if (reading.noPoint) {
+    parts.append(*reading.noPoint == gcode::NoPoint::Increments
+                     ? tr("thousandths where a number has no decimal point, as chosen")
+                     : tr("whole units where a number has no decimal point, as chosen"));
+  }
+  if (!reading.accepted.empty()) {
+    QStringList words;
+    for (const std::string& word : reading.accepted) {
+      words.append(QString::fromStdString(word));
+    }
+    parts.append(tr("without %1, which does not change the path, as confirmed")
+                     .arg(words.join(QStringLiteral(", "))));
+  }
+  item.text = parts.join(QStringLiteral("; "));
+  return item;
+}
+
+PreflightItem Preflight::functionsItem() const {
+  PreflightItem item{Status::Plain, tr("M functions of another machine"), {}, {}, 0};
+  QStringList lines;
+  for (const job::FunctionUse& use : m_document.foreignFunctions()) {
+    const QString call = tr("M%1 (line %2, %Ln times)", nullptr, static_cast<int>(use.count))
+                             .arg(use.number)
+                             .arg(use.line.value);
+    if (!use.text.empty()) {
+      lines.append(tr("%1: the control executes %2").arg(call, QString::fromStdString(use.text)));
+    } else if (use.isAssumed) {
+      item.status = Status::Attention;
+      lines.append(tr("%1: left out, because nobody has said what this machine does for it "
+                      "(Set up, Limits)")
+                       .arg(call));
+    } else {
+      lines.append(tr("%1: left out").arg(call));
+    }
+  }
+  item.text = lines.join(QLatin1Char('\n'));
+  return item;
 }
 
 PreflightItem Preflight::machineItem() const {

@@ -74,6 +74,9 @@ class Preflight final : public QObject {
   [[nodiscard]] std::vector<widgets::PreflightItem> liveItems() const;
   [[nodiscard]] widgets::PreflightItem liveStartItem() const;
   [[nodiscard]] widgets::PreflightItem programItem() const;
+  /// What the program leaves open, and how it is read; no text: nothing is open.
+  [[nodiscard]] widgets::PreflightItem readingItem() const;
+  [[nodiscard]] widgets::PreflightItem functionsItem() const;
   [[nodiscard]] widgets::PreflightItem machineItem() const;
   /// Of a program with blocks that the machine needs beside the motion.
   [[nodiscard]] widgets::PreflightItem jobItem() const;

@@ -47,7 +47,8 @@ std::optional<permission::Job> Releases::job() const {
   }
   const widgets::AccessSource& source = m_document.findings().source;
   return permission::Job{
-      program->hash, preparation::textOf(preparation::settingsFacts(m_document.settings())),
+      program->hash,
+      preparation::textOf(preparation::releasedFacts(m_document.settings(), m_document.reading())),
       source.isUsed() ? source.record->endpoint + " " + source.record->measuredAtUtc : ""};
 }
 
@@ -99,8 +100,15 @@ void Releases::takeSettings() {
   if (present && m_users.standing().role == permission::Role::Operator && !isReleased()) {
     if (const Release* last = permission::lastReleaseOf(m_releases, present->programHash)) {
       widgets::StreamSettings settings = m_document.settings();
-      preparation::applySettings(settings, preparation::factsOfText(last->job.settings));
+      const preparation::SettingsFacts facts = preparation::factsOfText(last->job.settings);
+      preparation::applySettings(settings, facts);
       m_document.setSettings(settings);
+      session::Reading reading = m_document.reading();
+      static_cast<gcode::TextReading&>(reading) = {};
+      preparation::applyReading(reading, facts);
+      if (!(static_cast<const gcode::TextReading&>(reading) == m_document.reading())) {
+        m_document.readAgain(reading);
+      }
     }
   }
   Q_EMIT changed();

@@ -4,6 +4,7 @@
 #include "preparation/settings_facts.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "base/text.h"
 #include "base/units.h"
@@ -15,6 +16,9 @@ namespace {
 
 /// Before the height of a dry run.
 const std::string kDry = "dry ";
+constexpr std::string_view kAuto = "auto";
+/// Between accepted words, none of which has one.
+constexpr char kBar = '|';
 
 }  // namespace
 
@@ -80,6 +84,66 @@ void applySettings(widgets::StreamSettings& settings, const SettingsFacts& facts
       settings.transferByHand = value == "yes";
     }
   }
+}
+
+SettingsFacts readingFacts(const gcode::TextReading& reading) {
+  const auto name = [](const auto& value, auto nameOf) {
+    return value ? std::string(nameOf(*value)) : std::string(kAuto);
+  };
+  std::string accepted;
+  for (const std::string& word : reading.accepted) {
+    accepted += (accepted.empty() ? "" : std::string(1, kBar)) + word;
+  }
+  return {
+      {"dialect", name(reading.dialect, gcode::dialectName)},
+      {"units", name(reading.units, gcode::fileUnitsName)},
+      {"no_point", name(reading.noPoint, gcode::noPointName)},
+      {"centres", std::string(gcode::centreReadingName(reading.centres))},
+      {"chord_tolerance", base::formatFixed(reading.chordToleranceMm, 6)},
+      {"accept", accepted},
+  };
+}
+
+void applyReading(gcode::TextReading& reading, const SettingsFacts& facts) {
+  for (const auto& [name, value] : facts) {
+    if (name == "dialect" && (value == kAuto || gcode::dialectOfName(value))) {
+      reading.dialect = gcode::dialectOfName(value);
+    } else if (name == "units") {
+      for (const gcode::FileUnits units :
+           {gcode::FileUnits::Millimetres, gcode::FileUnits::Inches}) {
+        reading.units = value == gcode::fileUnitsName(units) ? std::optional(units) : reading.units;
+      }
+      reading.units = value == kAuto ? std::nullopt : reading.units;
+    } else if (name == "no_point" && (value == kAuto || gcode::noPointOfName(value))) {
+      reading.noPoint = gcode::noPointOfName(value);
+    } else if (name == "centres") {
+      for (const gcode::CentreReading centres : gcode::kCentreReadings) {
+        reading.centres = value == gcode::centreReadingName(centres) ? centres : reading.centres;
+      }
+    } else if (name == "chord_tolerance") {
+      const auto number = base::parseNumber(value);
+      reading.chordToleranceMm =
+          number && *number > 0.0 && *number <= 10.0 ? *number : reading.chordToleranceMm;
+    } else if (name == "accept") {
+      reading.accepted.clear();
+      std::stringstream words(value);
+      for (std::string word; std::getline(words, word, kBar);) {
+        reading.accepted.push_back(word);
+      }
+    }
+  }
+}
+
+SettingsFacts releasedFacts(const widgets::StreamSettings& settings,
+                            const gcode::TextReading& reading) {
+  SettingsFacts facts = settingsFacts(settings);
+  const SettingsFacts usual = readingFacts({});
+  for (const auto& fact : readingFacts(reading)) {
+    if (std::find(usual.begin(), usual.end(), fact) == usual.end()) {
+      facts.push_back(fact);
+    }
+  }
+  return facts;
 }
 
 std::string textOf(const SettingsFacts& facts) {

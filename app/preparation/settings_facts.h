@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The settings of a run by name, in a form that does not depend on the language: for the audit
+/// The settings of a run and the reading of its program by name, in a form that does not depend on the language: for the audit
 /// trail, for releases, and for clients of a service. @threadsafety pure.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "gcode/program.h"
 #include "widgets/streaming/stream_settings.h"
 
 namespace rivulet::preparation {
@@ -21,6 +22,14 @@ using SettingsFacts = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] SettingsFacts settingsFacts(const widgets::StreamSettings& settings);
 /// Inverse of `settingsFacts`: what is not named, or is out of range, stays as it is.
 void applySettings(widgets::StreamSettings& settings, const SettingsFacts& facts);
+
+/// How the text is read. What nobody has said is "auto".
+[[nodiscard]] SettingsFacts readingFacts(const gcode::TextReading& reading);
+/// Inverse of `readingFacts`: what is not named, or is no value, stays as it is.
+void applyReading(gcode::TextReading& reading, const SettingsFacts& facts);
+/// What a release names: every setting of a run, and of the reading what somebody has said.
+[[nodiscard]] SettingsFacts releasedFacts(const widgets::StreamSettings& settings,
+                                          const gcode::TextReading& reading);
 
 /// "method=window;points=7;…".
 [[nodiscard]] std::string textOf(const SettingsFacts& facts);

@@ -12,9 +12,10 @@
 namespace rivulet::preparation {
 
 SplitProgram splitProgram(gcode::Program program, gcode::LoadOptions options,
-                          const std::filesystem::path& path, bool asJob, double dryRunMm) {
+                          const std::filesystem::path& path, bool asJob, double dryRunMm,
+                          const job::Profile& machine) {
   options.subprogram = gcode::subprogramsBeside(path);
-  auto made = job::makePlan(program.name, program.text, options);
+  auto made = job::makePlan(program.name, program.text, options, machine);
   if (!made) {
     return {std::make_shared<const gcode::Program>(std::move(program)), nullptr};
   }

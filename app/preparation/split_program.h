@@ -26,8 +26,9 @@ struct SplitProgram {
 /// Reads the same text again, block by block. A program that cannot be split stays as it is.
 /// @param options  with which the program was read  @param path  subprograms are looked for beside
 /// it  @param asJob  a whole job is wanted  @param dryRunMm  > 0: dry, so much higher
+/// @param machine  that runs it
 [[nodiscard]] SplitProgram splitProgram(gcode::Program program, gcode::LoadOptions options,
                                         const std::filesystem::path& path, bool asJob,
-                                        double dryRunMm);
+                                        double dryRunMm, const job::Profile& machine);
 
 }  // namespace rivulet::preparation

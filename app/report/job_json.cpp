@@ -40,6 +40,18 @@ ordered_json jobTimesJson(const streaming::JobTimes& times) {
           {"handover_s", toSeconds(times.handover)}, {"total_s", toSeconds(times.total())}};
 }
 
+ordered_json functionsJson(const std::vector<job::FunctionUse>& uses) {
+  ordered_json json = ordered_json::array();
+  for (const job::FunctionUse& use : uses) {
+    json.push_back({{"number", use.number},
+                    {"line", use.line.value},
+                    {"count", use.count},
+                    {"text", use.text},
+                    {"assumed", use.isAssumed}});
+  }
+  return json;
+}
+
 ordered_json jobPlaceJson(const streaming::JobPlace& place) {
   ordered_json json{{"stretch", place.stretch}, {"executed", place.executed},
                     {"points", place.total},    {"native_block", place.native},

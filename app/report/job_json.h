@@ -22,6 +22,7 @@ namespace rivulet::report {
 /// In seconds.
 [[nodiscard]] nlohmann::ordered_json jobTimesJson(const streaming::JobTimes& times);
 [[nodiscard]] nlohmann::ordered_json toolsJson(const std::vector<trace::ToolUse>& uses);
+[[nodiscard]] nlohmann::ordered_json functionsJson(const std::vector<job::FunctionUse>& uses);
 [[nodiscard]] nlohmann::ordered_json jobPlaceJson(const streaming::JobPlace& place);
 [[nodiscard]] nlohmann::ordered_json wholeJobJson(const job::Plan& plan,
                                                   const streaming::WholeJobReport& report);

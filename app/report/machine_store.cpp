@@ -13,6 +13,7 @@
 
 #include "base/file.h"
 #include "base/hash.h"
+#include "base/text.h"
 #include "platform/user_folders.h"
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
@@ -65,6 +66,26 @@ std::optional<ordered_json> findEarlier(const fs::path& folder, Pick pick) {
     }
   }
   return std::nullopt;
+}
+
+/// {"163": "", "164": "M50"}; what is no such member is passed over.
+job::Functions functionsOf(const ordered_json& lines) {
+  job::Functions functions;
+  for (const auto& [name, line] : lines.items()) {
+    const std::optional<int> number = base::parseInteger(name);
+    if (number && line.is_string()) {
+      functions[*number] = line.get<std::string>();
+    }
+  }
+  return functions;
+}
+
+ordered_json linesJson(const job::Functions& functions) {
+  ordered_json lines = ordered_json::object();
+  for (const auto& [number, line] : functions) {
+    lines[std::to_string(number)] = line;
+  }
+  return lines;
 }
 
 }  // namespace
@@ -183,14 +204,14 @@ base::Result<std::optional<streaming::MachineProfile>> MachineStore::profile(
   return std::optional(std::move(*profile));
 }
 
-MachineFunctions MachineStore::functions(const std::string& endpoint) const {
-  MachineFunctions found;
+job::Functions MachineStore::functions(const std::string& endpoint) const {
+  job::Functions found;
   for (const KnownMachine& machine : machines()) {
     const base::Result<ordered_json> file = machine.endpoint == endpoint
                                                 ? read(machine.endpoint, machine.server)
                                                 : base::Result<ordered_json>(ordered_json());
     if (file && file->contains(kFunctionsKey) && (*file)[kFunctionsKey].is_object()) {
-      found.merge(functionsOfJson((*file)[kFunctionsKey].value("lines", ordered_json::object())));
+      found.merge(functionsOf((*file)[kFunctionsKey].value("lines", ordered_json::object())));
     }
   }
   return found;
@@ -325,11 +346,11 @@ base::Result<void> MachineStore::save(const streaming::CreditTest& test) const {
 
 base::Result<void> MachineStore::save(const std::string& endpoint,
                                       const opcua::ServerIdentity& server,
-                                      const MachineFunctions& functions) const {
+                                      const job::Functions& functions) const {
   return saveMember(endpoint, server, kFunctionsKey,
                     {{"endpoint", endpoint},
                      {"server", {{"application_uri", server.applicationUri}}},
-                     {"lines", functionsJson(functions)}});
+                     {"lines", linesJson(functions)}});
 }
 
 base::Result<void> MachineStore::save(const streaming::MachineProfile& profile) const {

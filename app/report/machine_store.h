@@ -17,7 +17,7 @@
 #include "base/file_lock.h"
 #include "base/result.h"
 #include "base/utc.h"
-#include "report/machine_functions.h"
+#include "job/functions.h"
 #include "streaming/machine_facts.h"
 #include "streaming/machine_profile.h"
 
@@ -70,7 +70,7 @@ class MachineStore {
   [[nodiscard]] base::Result<std::optional<streaming::MachineProfile>> profile(
       const std::string& endpoint, const opcua::ServerIdentity& server) const;
   /// What was said of M functions for this endpoint; none are a machine's that is not known yet.
-  [[nodiscard]] MachineFunctions functions(const std::string& endpoint) const;
+  [[nodiscard]] job::Functions functions(const std::string& endpoint) const;
   /// What a job has to know of a machine before it is connected. @param endpoint  empty: none
   /// @param isSimulated  nothing moves: M functions that nobody has spoken of are left out
   [[nodiscard]] job::Profile jobProfile(const std::string& endpoint, bool isSimulated) const;
@@ -91,7 +91,7 @@ class MachineStore {
   [[nodiscard]] base::Result<void> save(const streaming::MachineProfile& profile) const;
   [[nodiscard]] base::Result<void> save(const std::string& endpoint,
                                         const opcua::ServerIdentity& server,
-                                        const MachineFunctions& functions) const;
+                                        const job::Functions& functions) const;
 
  private:
   /// For as long as a file is read, changed and written: another program of this user may do the

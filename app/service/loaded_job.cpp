@@ -77,6 +77,7 @@ base::Result<MachineFacts> factsOf(const report::MachineStore& store, const std:
   facts.endpoint = endpoint;
   facts.server = server;
   facts.runsJobs = isVirtual;
+  facts.words = store.jobProfile(endpoint, isVirtual);
   facts.feeds = report::programFeedsOf(report::configOf(limits), 1.0);
   if (const auto known = report::knownMachine(server, limits)) {
     facts.known = std::make_shared<const machine::MachineConfig>(*known);
@@ -88,25 +89,28 @@ base::Result<MachineFacts> factsOf(const report::MachineStore& store, const std:
   return facts;
 }
 
-widgets::StreamSettings defaultSettings() {
-  widgets::StreamSettings settings;
-  settings.programFeeds = true;
-  settings.wholeJob = true;
+JobSettings defaultSettings() {
+  JobSettings settings;
+  settings.run.programFeeds = true;
+  settings.run.wholeJob = true;
   return settings;
 }
 
-base::Result<widgets::StreamSettings> settingsWith(widgets::StreamSettings settings,
-                                                   const std::string& given) {
+base::Result<JobSettings> settingsWith(JobSettings settings, const std::string& given) {
   const preparation::SettingsFacts wanted = preparation::factsOfText(given);
   if (wanted.empty() && !given.empty()) {
     return base::fail(ServiceError::BadSettings,
                       "Settings are written as name=value, with a semicolon between them.", given);
   }
   if (valueOf(wanted, "feed") != nullptr && valueOf(wanted, "feeds") == nullptr) {
-    settings.programFeeds = false;
+    settings.run.programFeeds = false;
   }
-  preparation::applySettings(settings, wanted);
-  const preparation::SettingsFacts facts = preparation::settingsFacts(settings);
+  preparation::applySettings(settings.run, wanted);
+  preparation::applyReading(settings.reading, wanted);
+  preparation::SettingsFacts facts = preparation::settingsFacts(settings.run);
+  for (auto& fact : preparation::readingFacts(settings.reading)) {
+    facts.push_back(std::move(fact));
+  }
   for (const auto& [name, value] : wanted) {
     const std::string* taken = valueOf(facts, name);
     if (taken == nullptr) {
@@ -148,15 +152,15 @@ void LoadedJob::place(base::Vec3 toolMm, const MachineFacts& machine) {
     runSettings.parameters.feedPerPoint = true;
   }
   judged = preparation::judge(view.get(), runSettings, access);
-  released = {view->program->hash, preparation::textOf(preparation::settingsFacts(settings)),
-              machine.calibration
-                  ? machine.calibration->endpoint + " " + machine.calibration->measuredAtUtc
-                  : std::string()};
+  released = {
+      view->program->hash, preparation::textOf(preparation::releasedFacts(settings, reading)),
+      machine.calibration ? machine.calibration->endpoint + " " + machine.calibration->measuredAtUtc
+                          : std::string()};
 }
 
 base::Result<LoadedJob> loadJob(
     const std::filesystem::path& file, const gcode::LoadOptions& reading,
-    const std::function<base::Result<widgets::StreamSettings>(const std::string& hash)>& settings,
+    const std::function<base::Result<JobSettings>(const std::string& hash)>& settings,
     base::Vec3 toolMm, const MachineFacts& machine) {
   LoadedJob job;
   std::error_code ignored;
@@ -173,12 +177,19 @@ base::Result<LoadedJob> loadJob(
   if (!chosen) {
     return base::fail(chosen.error());
   }
-  job.settings = *std::move(chosen);
+  job.settings = std::move(chosen->run);
+  if (!(chosen->reading == reading)) {
+    job.reading.setReading(chosen->reading);
+    program = gcode::loadProgram(job.file, job.reading);
+    if (!program) {
+      return base::fail(program.error());
+    }
+  }
   const bool asJob = job.settings.wholeJob && machine.runsJobs &&
                      base::hasWindows(job.settings.parameters.method) &&
                      job.settings.parameters.correctionLimitMm == 0.0;
   preparation::SplitProgram split = preparation::splitProgram(
-      *std::move(program), reading, job.file, asJob, job.settings.dryRunMm);
+      *std::move(program), job.reading, job.file, asJob, job.settings.dryRunMm, machine.words);
   if (split.dryRunError) {
     return base::fail(*split.dryRunError);
   }

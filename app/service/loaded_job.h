@@ -31,6 +31,7 @@ struct MachineFacts {
   std::string endpoint;
   opcua::ServerIdentity server;
   bool runsJobs = false;      ///< whole jobs; so far only virtual machines
+  job::Profile words;         ///< what it does for words of other machines
   gcode::ProgramFeeds feeds;  ///< its limits, at 100 %
   std::shared_ptr<const machine::MachineConfig> known;  ///< null: jobs are not compared with it
   /// What access costs; null: not measured with this version of its server.
@@ -43,12 +44,17 @@ struct MachineFacts {
                                                  const opcua::ServerIdentity& server,
                                                  bool isVirtual);
 
+struct JobSettings {
+  widgets::StreamSettings run;
+  gcode::TextReading reading;
+};
+
 /// The settings of a job for which nobody has given any: feeds of the program, whole jobs.
-[[nodiscard]] widgets::StreamSettings defaultSettings();
+[[nodiscard]] JobSettings defaultSettings();
 /// With what a client has given as "name=value;…". A feed alone means one feed for all moves.
 /// @return BadSettings, naming the setting
-[[nodiscard]] base::Result<widgets::StreamSettings> settingsWith(widgets::StreamSettings settings,
-                                                                 const std::string& given);
+[[nodiscard]] base::Result<JobSettings> settingsWith(JobSettings settings,
+                                                     const std::string& given);
 
 struct LoadedJob {
   std::filesystem::path file;
@@ -68,13 +74,13 @@ struct LoadedJob {
   void place(base::Vec3 toolMm, const MachineFacts& machine);
 };
 
-/// @param settings  of a text of this hash; asked once it has been read
-/// @param toolMm  where the tool is
+/// @param reading  to begin with  @param settings  of a text of this hash; asked once it has been
+/// read, and read again if that says so  @param toolMm  where the tool is
 /// @return what is wrong with file or program; BadSettings; NotAJob if blocks for the control would
 ///         be left out and nobody has asked for that
 [[nodiscard]] base::Result<LoadedJob> loadJob(
     const std::filesystem::path& file, const gcode::LoadOptions& reading,
-    const std::function<base::Result<widgets::StreamSettings>(const std::string& hash)>& settings,
+    const std::function<base::Result<JobSettings>(const std::string& hash)>& settings,
     base::Vec3 toolMm, const MachineFacts& machine);
 
 }  // namespace rivulet::service

@@ -10,6 +10,7 @@
 
 #include "base/sha256.h"
 #include "base/units.h"
+#include "job/functions.h"
 #include "journal/audit.h"
 #include "platform/log.h"
 #include "platform/utc_now.h"
@@ -309,7 +310,7 @@ base::Result<LoadedJob> ServiceSession::load(const Caller& caller, const std::st
   if (!path) {
     return base::fail(path.error());
   }
-  const auto settingsOf = [&](const std::string& hash) -> base::Result<widgets::StreamSettings> {
+  const auto settingsOf = [&](const std::string& hash) -> base::Result<JobSettings> {
     if (caller.standing.role == permission::Role::Engineer) {
       return settingsWith(defaultSettings(), settings);
     }
@@ -384,6 +385,9 @@ std::string ServiceSession::describeStart() const {
     text += fmt::format("The control executes {} blocks itself. ", view.outline.needed().size());
     if (m_job->settings.dryRunMm > 0.0) {
       text += fmt::format("It is a dry run, {:.1f} mm higher. ", m_job->settings.dryRunMm);
+    }
+    for (const job::FunctionUse& use : view.plan->functions) {
+      text += job::describe(use) + ". ";
     }
     if (!m_job->hazards) {
       text += "The job is not compared with the machine, because its limits are not known. ";
@@ -562,10 +566,10 @@ Answer ServiceSession::preflightResume(const Caller& caller) {
   if (!isAnswered) {
     auto loaded = service::loadJob(
         run->programFile, run->reading,
-        [run, this](const std::string&) -> base::Result<widgets::StreamSettings> {
-          widgets::StreamSettings settings =
-              preparation::settingsOfRun(run->settings, defaultSettings());
-          settings.wholeJob = m_runs.isJob;
+        [run, this](const std::string&) -> base::Result<JobSettings> {
+          JobSettings settings{preparation::settingsOfRun(run->settings, defaultSettings().run),
+                               run->reading};
+          settings.run.wholeJob = m_runs.isJob;
           return settings;
         },
         run->checkpoint.startMm, *m_machine);

@@ -83,7 +83,8 @@ void ProgramLoader::load(LoadRequest request) {
     options.progress = [&](double share) { return progress(kReadShare + kSplitShare * share); };
     preparation::SplitProgram read =
         preparation::splitProgram(*std::move(program), options, request.path.toStdString(),
-                                  request.reading.asJob, request.reading.dryRunMm);
+                                  request.reading.asJob, request.reading.dryRunMm,
+                                  request.reading.machine);
     auto view = widgets::makeProgramView(
         std::move(read.program), request.startMm, request.pointsPerLoop,
         [&](double share) {

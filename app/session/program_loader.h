@@ -16,6 +16,7 @@
 
 #include "base/result.h"
 #include "gcode/program.h"
+#include "job/plan.h"
 #include "session/file_watch.h"
 #include "widgets/program/program_view.h"
 
@@ -27,6 +28,7 @@ struct Reading : gcode::TextReading {
   /// Programs without such blocks, and those that cannot be a job, are the same with both.
   bool asJob = false;
   double dryRunMm = 0.0;  ///< > 0: a job is to run dry, so much higher (`job::dryPlan`)
+  job::Profile machine;   ///< that is to run it
 };
 
 struct LoadRequest {

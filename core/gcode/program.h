@@ -63,6 +63,8 @@ struct TextReading {
   /// Names (`acceptableName`) of what Rivulet does not understand and the user knows to be
   /// harmless: the finding becomes a warning, the word is left out.
   std::vector<std::string> accepted;
+
+  friend bool operator==(const TextReading&, const TextReading&) = default;
 };
 
 struct LoadOptions : TextReading {

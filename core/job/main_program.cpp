@@ -38,6 +38,8 @@ class Category final : public std::error_category {
         return "the tool is not where the program says";
       case JobError::BeyondMachine:
         return "beyond what the machine can do";
+      case JobError::FunctionMalformed:
+        return "not what a control does for an M function";
       case JobError::NotDry:
         return "no dry run";
     }

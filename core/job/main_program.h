@@ -20,13 +20,14 @@
 namespace rivulet::job {
 
 enum class JobError {
-  NotWhole = 1,      ///< a finding or refusal stops it
-  ReadsVariables,    ///< a native block reads variables that only Rivulet has computed
-  IncrementInFrame,  ///< a native block moves by an increment that would pass another shift
-  TooManyStretches,  ///< more than `templates::JobProtocol::kStretchesMax`
-  PositionDiffers,   ///< the tool is not where the program says
-  BeyondMachine,     ///< travel, tools or what the machine refuses
-  NotDry,            ///< a block cannot be raised, or turns the spindle itself (`dryPlan`)
+  NotWhole = 1,       ///< a finding or refusal stops it
+  ReadsVariables,     ///< a native block reads variables that only Rivulet has computed
+  IncrementInFrame,   ///< a native block moves by an increment that would pass another shift
+  TooManyStretches,   ///< more than `templates::JobProtocol::kStretchesMax`
+  PositionDiffers,    ///< the tool is not where the program says
+  BeyondMachine,      ///< travel, tools or what the machine refuses
+  FunctionMalformed,  ///< no number of an M function, or nothing that the control does for it
+  NotDry,             ///< a block cannot be raised, or turns the spindle itself (`dryPlan`)
 };
 [[nodiscard]] std::error_code make_error_code(JobError code);
 

@@ -130,6 +130,8 @@ struct Profile {
   /// Those that are not listed are left out too, else they are refused. For a machine that moves
   /// nothing but a picture.
   bool leavesOutFunctions = false;
+
+  friend bool operator==(const Profile&, const Profile&) = default;
 };
 
 /// Splits a program. A block that Rivulet and the control both do not understand stays a finding of

@@ -12,7 +12,6 @@
 #include "base/file.h"
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
-#include "report/machine_functions.h"
 #include "report/machine_profile.h"
 #include "report/machine_store.h"
 #include "streaming/run.h"
@@ -281,12 +280,16 @@ class TestMachineStore : public QObject {
 
   /// What was said of M functions is kept with the machine, beside everything else.
   void keepsFunctions() {
-    const auto given = report::functionsOf({"163=ignore", "M11=pass", "51= M8 "});
+    const auto given = job::functionsOf({"163=ignore", "M11=pass", "51= M8 "});
     QVERIFY(given.has_value());
-    QCOMPARE(*given, (report::MachineFunctions{{11, "M11"}, {51, "M8"}, {163, ""}}));
+    QCOMPARE(*given, (job::Functions{{11, "M11"}, {51, "M8"}, {163, ""}}));
     for (const char* wrong : {"163", "=ignore", "X=ignore", "163=", "163=M1\nM2"}) {
-      QVERIFY(!report::functionsOf({std::string(wrong)}));
+      QVERIFY(!job::functionsOf({std::string(wrong)}));
     }
+    QCOMPARE(job::textOf(*given), std::string("11=pass; 51=M8; 163=ignore"));
+    QCOMPARE(*job::functionsOfText(job::textOf(*given)), *given);
+    QVERIFY(job::functionsOfText(" ; ")->empty());
+    QVERIFY(!job::functionsOfText("163=ignore; 11"));
     QVERIFY(store().functions(kEndpoint).empty());
     QVERIFY(store().save(makeTest()).has_value());
     QVERIFY(store().save(kEndpoint, kServer, *given).has_value());

@@ -4,10 +4,12 @@
 /// The limits of a machine, typed in the window: they count at once, and again at the next
 /// connection to this machine. And the machines that the window knows.
 
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "base/file.h"
 #include "hmi/main_window.h"
 #include "report/machine_profile.h"
 #include "report/machine_store.h"
@@ -143,6 +145,36 @@ class TestMachineProfiles : public QObject {
     QCoreApplication::processEvents();
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/limits-dark.png")));
     m_window->setTheme(widgets::Theme::Light);
+  }
+
+  /// What a machine does for M functions of other machines is said once, and shown before a start.
+  void functionsOfAnotherMachine() {
+    const QString file = m_folder.filePath(QStringLiteral("O7.nc"));
+    QVERIFY(base::writeFile(file.toStdString(),
+                            "O7\nG21 G90 G94 G17\nG54\nT1 M6\nG43 H1\nG0 X0. Y0. Z10.\nM163\n"
+                            "G1 X5. F500.\nM30\n"));
+    openWindow();
+    m_window->openProgram(file);
+    QTRY_VERIFY2_WITH_TIMEOUT(
+        preflightText().contains(QStringLiteral("M163 (line 7, once): left out, because nobody")),
+        qPrintable(preflightText()), kSoonMs);
+    QLineEdit* functions = nullptr;
+    for (auto* each : page()->findChildren<QLineEdit*>()) {
+      if (each->accessibleName() == QStringLiteral("M functions of other machines")) {
+        functions = each;
+      }
+    }
+    QVERIFY(functions != nullptr);
+    QTest::keyClicks(functions, QStringLiteral("163"));
+    QVERIFY(!button(QStringLiteral("Save the limits"))->isEnabled());
+    QTest::keyClicks(functions, QStringLiteral("=M8"));
+    button(QStringLiteral("Save the limits"))->click();
+    QTRY_VERIFY2_WITH_TIMEOUT(
+        preflightText().contains(QStringLiteral("M163 (line 7, once): the control executes M8")),
+        qPrintable(preflightText()), kSoonMs);
+    openWindow();
+    m_window->openProgram(file);
+    QTRY_VERIFY_WITH_TIMEOUT(preflightText().contains(QStringLiteral("executes M8")), kSoonMs);
   }
 
   /// With several machines, the window begins with them; a click goes to one.

@@ -151,6 +151,9 @@ class TestService : public QObject {
     QVERIFY(says("/etc/passwd", "", "Only files in the folder of jobs"));
     QVERIFY(refusal("none.nc", "") != "accepted");
     QVERIFY(says("rows.nc", "points=four", "four is no value of the setting points"));
+    QVERIFY(says("rows.nc", "units=feet", "feet is no value of the setting units"));
+    QVERIFY(says("rows.nc", "dialect=apt", "apt is no value of the setting dialect"));
+    QCOMPARE(refusal("rows.nc", "units=in;dialect=fanuc;no_point=units"), "accepted");
     QVERIFY(says("rows.nc", "colour=blue", "There is no setting colour."));
     QVERIFY(says("rows.nc", "fast", "Settings are written as name=value"));
   }
@@ -338,8 +341,12 @@ class TestService : public QObject {
     QVERIFY(session.loadJob(operatorAt(), file(), "").accepted);
     QCOMPARE(session.preflight(operatorAt()).message,
              "This program with these settings is not released. An engineer has to release it.");
+    // How the program is read belongs to what is released: in inch it is another path.
+    QVERIFY(session.loadJob(engineer(), file(), std::string(kSettings) + ";units=in").accepted);
+    const std::string inInch = session.snapshot().settings;
     QVERIFY(session.loadJob(engineer(), file(), kSettings).accepted);
     QVERIFY(session.preflight(engineer()).accepted);
+    QCOMPARE(inInch, session.snapshot().settings + ";units=in");
     const service::Snapshot seen = session.snapshot();
     permission::Release release;
     release.job = {seen.hash, seen.settings, ""};

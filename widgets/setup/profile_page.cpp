@@ -94,6 +94,8 @@ ProfilePage::ProfilePage(QWidget* parent)
       m_rapid(makeField(this, 0.0)),
       m_spindleLabel(new QLabel(this)),
       m_spindle(makeField(this, 0.0)),
+      m_functionsLabel(new QLabel(this)),
+      m_functions(new QLineEdit(this)),
       m_toolsTitle(makeHeading(this)),
       m_toolGrid(new QGridLayout),
       m_addTool(makeTouchButton(this)),
@@ -141,11 +143,17 @@ ProfilePage::ProfilePage(QWidget* parent)
   layout->addWidget(m_axesTitle);
   layout->addLayout(axes);
   layout->addLayout(others);
+  m_functions->setMinimumHeight(kTouchHeightPx);
+  auto* functionsRow = new QHBoxLayout;
+  functionsRow->addWidget(m_functionsLabel);
+  functionsRow->addWidget(m_functions, 1);
+  layout->addLayout(functionsRow);
   layout->addWidget(m_toolsTitle);
   layout->addLayout(m_toolGrid);
   layout->addLayout(addRow);
   layout->addStretch();
   connect(m_name, &QLineEdit::textEdited, this, &ProfilePage::edited);
+  connect(m_functions, &QLineEdit::textEdited, this, &ProfilePage::edited);
   connect(m_rapid, &NumberField::valueChanged, this, &ProfilePage::edited);
   connect(m_spindle, &NumberField::valueChanged, this, &ProfilePage::edited);
   connect(m_takeOver, &QPushButton::clicked, this,
@@ -158,8 +166,20 @@ ProfilePage::ProfilePage(QWidget* parent)
     addTool({number + 1, {}, 0.0, 0.0});
     edited();
   });
-  connect(m_save, &QPushButton::clicked, this, [this] { Q_EMIT saveRequested(typed()); });
-  connect(m_discard, &QPushButton::clicked, this, [this] { takeOver(m_profile); });
+  connect(m_save, &QPushButton::clicked, this, [this] {
+    const MachineProfile profile = typed();
+    const auto functions = typedFunctions();
+    if (!(profile == m_asSaved) || !m_isEntered) {
+      Q_EMIT saveRequested(profile);
+    }
+    if (functions && *functions != m_savedFunctions) {
+      Q_EMIT functionsSaveRequested(*functions);
+    }
+  });
+  connect(m_discard, &QPushButton::clicked, this, [this] {
+    setFunctions(m_savedFunctions);
+    takeOver(m_profile);
+  });
   orderFocus();
   retranslate();
   restyle();
@@ -203,6 +223,16 @@ void ProfilePage::setProfile(const MachineProfile& profile, bool isEntered) {
   takeOver(profile);
   m_asSaved = typed();
   showState();
+}
+
+void ProfilePage::setFunctions(const job::Functions& functions) {
+  m_savedFunctions = functions;
+  m_functions->setText(QString::fromStdString(job::textOf(functions)));
+  showState();
+}
+
+base::Result<job::Functions> ProfilePage::typedFunctions() const {
+  return job::functionsOfText(m_functions->text().toStdString());
 }
 
 void ProfilePage::takeOver(const MachineProfile& profile) {
@@ -313,7 +343,7 @@ void ProfilePage::orderFocus() {
     }
     order.insert(order.end(), m_limits[axis].begin(), m_limits[axis].end());
   }
-  order.insert(order.end(), {m_rapid, m_spindle});
+  order.insert(order.end(), {m_rapid, m_spindle, m_functions});
   for (const ToolRow& tool : m_tools) {
     order.insert(order.end(), {tool.number, tool.name, tool.length, tool.radius, tool.remove});
   }
@@ -384,13 +414,18 @@ void ProfilePage::showState() {
   }
   const MachineProfile now = typed();
   const auto problem = streaming::problemOf(now);
-  const bool isChanged = !(now == m_asSaved);
+  const auto functions = typedFunctions();
+  const bool isChanged = !(now == m_asSaved) || !functions || *functions != m_savedFunctions;
   m_discard->setEnabled(isChanged);
-  m_save->setEnabled(m_blocked.isEmpty() && !problem && (isChanged || !m_isEntered));
+  m_save->setEnabled(m_blocked.isEmpty() && !problem && functions && (isChanged || !m_isEntered));
   if (!m_blocked.isEmpty()) {
     m_problem->setStatus(Status::Unknown, m_blocked);
   } else if (problem) {
     m_problem->setStatus(Status::Fault, profileProblemText(*problem));
+  } else if (!functions) {
+    m_problem->setStatus(Status::Fault,
+                         tr("M functions: write a number, =, and ignore, pass or a line for the "
+                            "control; a semicolon between two."));
   } else if (isChanged) {
     m_problem->setStatus(Status::Attention, tr("Not saved yet."));
   } else {
@@ -422,6 +457,12 @@ void ProfilePage::retranslate() {
   m_spindleLabel->setText(tr("Spindle up to, 1/min"));
   m_spindle->setAccessibleName(m_spindleLabel->text());
   m_spindle->setToolTip(tr("0: no spindle"));
+  m_functionsLabel->setText(tr("M functions of other machines"));
+  m_functions->setAccessibleName(m_functionsLabel->text());
+  m_functions->setPlaceholderText(QStringLiteral("163=ignore; 11=pass; 51=M8"));
+  m_functions->setToolTip(
+      tr("What this machine does for the M functions of programs made for another: ignore leaves "
+         "the function out, pass gives it to the control, anything else is a line for it."));
   m_toolsTitle->setText(tr("Tools"));
   m_toolHeads[0]->setText(tr("Number"));
   m_toolHeads[1]->setText(tr("Name"));

@@ -9,6 +9,7 @@
 #include <array>
 #include <vector>
 
+#include "job/functions.h"
 #include "streaming/machine_profile.h"
 #include "widgets/common/page.h"
 
@@ -40,12 +41,15 @@ class ProfilePage final : public Page {
   void setProfile(const streaming::MachineProfile& profile, bool isEntered);
   /// Fills the fields with other limits; nothing is saved.
   void takeOver(const streaming::MachineProfile& profile);
+  /// What the machine does for M functions of other machines.
+  void setFunctions(const job::Functions& functions);
   /// @param why  they cannot be saved; empty: they can
   void setBlocked(const QString& why);
 
  Q_SIGNALS:
   /// Without endpoint, server, time and user.
   void saveRequested(const rivulet::streaming::MachineProfile& profile);
+  void functionsSaveRequested(const rivulet::job::Functions& functions);
   void presetRequested(const QString& name);
 
  protected:
@@ -71,6 +75,7 @@ class ProfilePage final : public Page {
   [[nodiscard]] streaming::AxisProfile axis(std::size_t index) const;
   void showAxis(std::size_t index, const streaming::AxisProfile& axis);
   [[nodiscard]] streaming::MachineProfile typed() const;
+  [[nodiscard]] base::Result<job::Functions> typedFunctions() const;
   void edited();
   void showState();
 
@@ -95,6 +100,9 @@ class ProfilePage final : public Page {
   NumberField* m_rapid;
   QLabel* m_spindleLabel;
   NumberField* m_spindle;
+  QLabel* m_functionsLabel;
+  QLineEdit* m_functions;
+  job::Functions m_savedFunctions;
   QLabel* m_toolsTitle;
   QGridLayout* m_toolGrid;
   std::array<QLabel*, 4> m_toolHeads{};

@@ -32,6 +32,7 @@ ProfilePage* makeProfilePage(const Models& models) {
   }
   page->setPresets(presets);
   const auto show = [page, profiles] {
+    page->setFunctions(profiles->functions());
     page->setProfile(profiles->shown(), profiles->profile().has_value());
   };
   const auto block = [page, models] {
@@ -44,6 +45,8 @@ ProfilePage* makeProfilePage(const Models& models) {
   QObject::connect(profiles, &MachineProfiles::changed, page, show);
   QObject::connect(profiles, &MachineProfiles::permissionsChanged, page, block);
   QObject::connect(page, &ProfilePage::saveRequested, profiles, &MachineProfiles::save);
+  QObject::connect(page, &ProfilePage::functionsSaveRequested, profiles,
+                   &MachineProfiles::saveFunctions);
   QObject::connect(page, &ProfilePage::presetRequested, page, [page](const QString& name) {
     if (const auto profile = report::profileOfPreset(name.toStdString())) {
       page->takeOver(*profile);
