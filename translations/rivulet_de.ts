@@ -4358,8 +4358,8 @@ GPL-3.0-or-later</translation>
         <translation>%1: Die Steuerung führt %2 aus</translation>
     </message>
     <message>
-        <source>%1: left out, because nobody has said what this machine does for it (Set up, Limits)</source>
-        <translation>%1: weggelassen, weil niemand gesagt hat, was diese Maschine dafür tut (Einrichten, Grenzen)</translation>
+        <source>%1: left out, because nobody has said what this machine does for it (Configure, Limits)</source>
+        <translation>%1: weggelassen, weil niemand gesagt hat, was diese Maschine dafür tut (Konfiguration, Grenzen)</translation>
     </message>
     <message>
         <source>%1: left out</source>

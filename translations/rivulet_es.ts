@@ -4358,8 +4358,8 @@ GPL-3.0-or-later</translation>
         <translation>%1: el control ejecuta %2</translation>
     </message>
     <message>
-        <source>%1: left out, because nobody has said what this machine does for it (Set up, Limits)</source>
-        <translation>%1: se omite, porque nadie ha dicho qué hace esta máquina para ella (Preparar, Límites)</translation>
+        <source>%1: left out, because nobody has said what this machine does for it (Configure, Limits)</source>
+        <translation>%1: se omite, porque nadie ha dicho qué hace esta máquina para ella (Configurar, Límites)</translation>
     </message>
     <message>
         <source>%1: left out</source>

@@ -4358,8 +4358,8 @@ GPL-3.0-or-later</translation>
         <translation>%1&#xa0;: la commande exécute %2</translation>
     </message>
     <message>
-        <source>%1: left out, because nobody has said what this machine does for it (Set up, Limits)</source>
-        <translation>%1&#xa0;: omise, car personne n’a dit ce que cette machine fait pour elle (Préparer, Limites)</translation>
+        <source>%1: left out, because nobody has said what this machine does for it (Configure, Limits)</source>
+        <translation>%1&#xa0;: omise, car personne n’a dit ce que cette machine fait pour elle (Configurer, Limites)</translation>
     </message>
     <message>
         <source>%1: left out</source>

@@ -4358,8 +4358,8 @@ GPL-3.0-or-later</translation>
         <translation>%1: il controllo esegue %2</translation>
     </message>
     <message>
-        <source>%1: left out, because nobody has said what this machine does for it (Set up, Limits)</source>
-        <translation>%1: omessa, perché nessuno ha detto che cosa fa questa macchina per essa (Preparare, Limiti)</translation>
+        <source>%1: left out, because nobody has said what this machine does for it (Configure, Limits)</source>
+        <translation>%1: omessa, perché nessuno ha detto che cosa fa questa macchina per essa (Configura, Limiti)</translation>
     </message>
     <message>
         <source>%1: left out</source>

@@ -311,7 +311,7 @@ PreflightItem Preflight::functionsItem() const {
     } else if (use.isAssumed) {
       item.status = Status::Attention;
       lines.append(tr("%1: left out, because nobody has said what this machine does for it "
-                      "(Set up, Limits)")
+                      "(Configure, Limits)")
                        .arg(call));
     } else {
       lines.append(tr("%1: left out").arg(call));
