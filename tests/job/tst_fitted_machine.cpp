@@ -61,6 +61,19 @@ class TestFittedMachine : public QObject {
     QCOMPARE(made.config.axes[0].positionMmMax, 375.0);
   }
 
+  /// An axis that is placed once is not streamed, so it stands there from the beginning.
+  void rotaryAxesStandWhereTheyArePlaced() {
+    const auto made = fitted("G0 X0 Y0 Z10 C4\nG1 X5 F100\nC4\nM30\n");
+    const auto axis = made.config.rotaryAxes[2];
+    if (axis) {
+      QCOMPARE(axis->startDeg, 4.0);
+      QVERIFY(made.notes.front().find("C stands at 4 degrees") != std::string::npos);
+    }
+    const auto turned = fitted("G0 X0 Y0 Z10 C4\nG1 X5 F100\nC5\nM30\n");
+    QVERIFY(turned.config.rotaryAxes[2].has_value());
+    QCOMPARE(turned.config.rotaryAxes[2]->startDeg, 0.0);
+  }
+
   void hasAFeedBeforeAnyF() {
     const auto made = fitted("G0 X0 Y0 Z10\nG1 X5\nM30\n");
     QCOMPARE(made.notes.size(), std::size_t{1});

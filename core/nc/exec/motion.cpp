@@ -316,8 +316,10 @@ double Executor::coordinate(const BlockWords& words, std::size_t axis, Vec3 from
   if (words.axes.isIncrement(axis)) {
     const double origin = m_state.incrementFrom[axis].value_or(from[axis]);
     if (std::isnan(origin)) {
-      m_to.faults.error(*words.axisTokens[axis], FaultCode::RelativeFromUnknownPosition,
-                        std::string(1, base::kAxisNames[axis]));
+      if (value != 0.0) {  // an increment of nothing leaves the axis where it is
+        m_to.faults.error(*words.axisTokens[axis], FaultCode::RelativeFromUnknownPosition,
+                          std::string(1, base::kAxisNames[axis]));
+      }
       return kUnknown;
     }
     value += origin;
@@ -477,7 +479,10 @@ std::optional<double> Executor::rotaryTarget(const BlockWords& words, std::size_
   }
   const bool startMatters = isIncrement || isDirected || turnsShortest || m_state.isModulo[axis];
   if (startMatters && std::isnan(from)) {
-    // How far it turns is not known, but where to is.
+    // How far it turns is not known, but where to is. An increment of nothing turns nothing.
+    if (isIncrement && value == 0.0) {
+      return std::nullopt;
+    }
     if (isIncrement || isDirected || turnsShortest) {
       m_to.faults.report(isIncrement ? Severity::Error : Severity::Warning, words.motionColumn,
                          FaultCode::RelativeFromUnknownPosition,

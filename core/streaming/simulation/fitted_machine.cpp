@@ -92,11 +92,28 @@ void turnFreely(FittedMachine& made, const job::Plan& plan, std::size_t axis) {
   }
 }
 
+/// An axis that the program places once, and never turns, is not streamed: it stands there.
+void placeAxis(FittedMachine& made, const job::Plan& plan, std::size_t axis) {
+  const auto& places = plan.program.trajectory.rotary;
+  const auto placed = std::find_if(places.begin(), places.end(), [axis](const auto& place) {
+    return !std::isnan(place.degrees[axis]);
+  });
+  auto& limits = made.config.rotaryAxes[axis];
+  if (!limits || placed == places.end() || placed->degrees[axis] == limits->startDeg) {
+    return;
+  }
+  limits->startDeg = placed->degrees[axis];
+  made.notes.push_back(
+      fmt::format("Rotary axis {} stands at {:g} degrees, where the program has it.",
+                  base::kRotaryAxisNames[axis], limits->startDeg));
+}
+
 void addAxes(FittedMachine& made, const job::Plan& plan) {
   const base::RotarySet turned = gcode::turnedAxes(plan.program.trajectory);
   auto& axes = made.config.rotaryAxes;
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
     if (!turned[axis]) {
+      placeAxis(made, plan, axis);
       continue;
     }
     if (axes[axis]) {
