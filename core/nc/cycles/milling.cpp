@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/axes.h"
+#include "nc/cycles/area.h"
 
 namespace rivulet::nc {
 
@@ -26,19 +27,15 @@ constexpr std::size_t kDp = 3;    // DP, absolute
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kChordMm = 0.01;
-/// Of the diameter of the tool, where the program does not say how far lines are apart.
-constexpr double kWidthMax = 0.8;
-constexpr double kLinesMax = 1000.0;
-constexpr double kPiecesMax = 1000.0;
+constexpr double kSlotsMax = 1000.0;
 
-/// Writes steps in the plane of the cycle, in a system of its own: turned about a place.
-class Milling {
+/// The parameters, and the area they describe. Lengths in mm.
+class Milling : public AreaMill {
  public:
   Milling(CycleArguments arguments, const CycleStart& start)
-      : m_arguments(arguments),
-        m_start(start),
-        m_second((start.planeFirstAxis + 1) % base::kAxisCount),
-        m_third((start.planeFirstAxis + 2) % base::kAxisCount) {}
+      : AreaMill(start.toolRadiusMm, start.planeFirstAxis, kChordMm),
+        m_arguments(arguments),
+        m_start(start) {}
 
   [[nodiscard]] double value(std::size_t index) const {
     return index < m_arguments.size() ? m_arguments[index].value_or(0.0) : 0.0;
@@ -48,159 +45,32 @@ class Milling {
   }
   /// mm/s; 0: the programmed feed.
   [[nodiscard]] double feed(std::size_t index) const { return lengthMm(index) / 60.0; }
-  [[nodiscard]] double radiusMm() const { return m_start.toolRadiusMm; }
 
   /// @param relativeDepth  index of DPR; 0: none @return why the planes contradict each other
   std::optional<CycleFault> readPlanes(std::size_t relativeDepth, double allowanceMm) {
-    m_retraction = lengthMm(kRtp);
-    m_reference = lengthMm(kRfp);
-    m_up = m_retraction < m_reference ? -1.0 : 1.0;
+    AreaPlanes made;
+    made.retraction = lengthMm(kRtp);
+    made.reference = lengthMm(kRfp);
+    made.safety = std::abs(lengthMm(kSdis));
+    made.up = made.retraction < made.reference ? -1.0 : 1.0;
     const double relativeMm = relativeDepth > 0 ? lengthMm(relativeDepth) : 0.0;
     const double depth =
-        relativeMm != 0.0 ? m_reference - m_up * std::abs(relativeMm) : lengthMm(kDp);
-    m_wholeMm = (m_reference - depth) * m_up - std::abs(allowanceMm);
-    return m_wholeMm < 0.0 ? std::optional(CycleFault{kReferencePlaneWrong, "DP"}) : std::nullopt;
+        relativeMm != 0.0 ? made.reference - made.up * std::abs(relativeMm) : lengthMm(kDp);
+    made.depth = (made.reference - depth) * made.up - std::abs(allowanceMm);
+    setPlanes(made);
+    return made.depth < 0.0 ? std::optional(CycleFault{kReferencePlaneWrong, "DP"}) : std::nullopt;
   }
-
-  void place(double firstMm, double secondMm, double degrees) {
-    m_firstMm = firstMm;
-    m_secondMm = secondMm;
-    m_cos = std::cos(degrees * kRadPerDeg);
-    m_sin = std::sin(degrees * kRadPerDeg);
-  }
-  /// Above the place, then down to the safety distance.
-  void approach(double u, double v) {
-    rapid(u, v, m_retraction);
-    rapid(u, v, safety());
-  }
-  void retract(double u, double v) {
-    rapid(u, v, safety());
-    rapid(u, v, m_retraction);
-  }
-  void rapid(double u, double v, double height) {
-    m_steps.push_back({.kind = CycleStep::Kind::Rapid, .toMm = at(u, v, height)});
-  }
-  /// @param mmPerS  0: the programmed feed
-  void cut(double u, double v, double height, double mmPerS) {
-    m_steps.push_back(
-        {.kind = CycleStep::Kind::Feed, .toMm = at(u, v, height), .feedMmPerS = mmPerS});
-  }
-  [[nodiscard]] double reference() const { return m_reference; }
-  [[nodiscard]] double safetyMm() const { return std::abs(lengthMm(kSdis)); }
-  [[nodiscard]] double safety() const { return m_reference + m_up * safetyMm(); }
-
-  /// Heights of the infeeds, the depth last. @param infeedMm  greatest; 0: the depth at once
-  [[nodiscard]] std::vector<double> levels(double infeedMm) const {
-    const double wanted = infeedMm > 0.0 ? std::ceil(m_wholeMm / infeedMm - 1e-9) : 1.0;
-    const double count = std::clamp(wanted, 1.0, kLinesMax);
-    std::vector<double> heights;
-    for (double level = 1.0; level <= count; ++level) {
-      heights.push_back(m_reference - m_up * m_wholeMm * level / count);
-    }
-    return heights;
-  }
-
-  /// How many lines fill a width. @param apartMm  greatest distance; 0: as the tool is wide
-  [[nodiscard]] double lines(double widthMm, double apartMm) const {
-    const double most = kWidthMax * 2.0 * radiusMm();
-    const double step = apartMm > 0.0 && (most == 0.0 || apartMm < most) ? apartMm : most;
-    return step > 0.0 ? std::clamp(std::ceil(widthMm / step - 1e-9), 1.0, kLinesMax) : 1.0;
-  }
-
-  /// Around a rectangle about the place, with round corners.
-  void ring(double halfU, double halfV, double cornerMm, double height, double mmPerS) {
-    const double corner = std::clamp(cornerMm, 0.0, std::min(halfU, halfV));
-    cut(halfU, 0.0, height, mmPerS);
-    static constexpr std::array<std::pair<double, double>, 4> kCorners{
-        {{1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}}};
-    for (std::size_t i = 0; i < kCorners.size(); ++i) {
-      const auto [u, v] = kCorners[i];
-      arc(u * (halfU - corner), v * (halfV - corner), corner, 90.0 * static_cast<double>(i), 90.0,
-          height, mmPerS);
-    }
-    cut(halfU, 0.0, height, mmPerS);
-  }
-  void arc(double u, double v, double radius, double fromDegrees, double sweepDegrees,
-           double height, double mmPerS) {
-    const double piece = radius > kChordMm ? 2.0 * std::acos(1.0 - kChordMm / radius) : 10.0;
-    const double pieces =
-        std::clamp(std::ceil(std::abs(sweepDegrees) * kRadPerDeg / piece - 1e-9), 1.0, kPiecesMax);
-    for (double i = 0.0; i <= pieces; ++i) {
-      const double angle = (fromDegrees + sweepDegrees * i / pieces) * kRadPerDeg;
-      cut(u + radius * std::cos(angle), v + radius * std::sin(angle), height, mmPerS);
-    }
-  }
-
-  /// One turn about the place, downwards or upwards.
-  void helix(double radius, double turnDegrees, double from, double to, double mmPerS) {
-    constexpr double kPieces = 72.0;
-    for (double i = 1.0; i <= kPieces; ++i) {
-      const double angle = turnDegrees * i / kPieces * kRadPerDeg;
-      cut(radius * std::cos(angle), radius * std::sin(angle), from + (to - from) * i / kPieces,
-          mmPerS);
-    }
-  }
-
-  [[nodiscard]] std::vector<CycleStep> take() { return std::move(m_steps); }
 
  private:
-  [[nodiscard]] Vec3 at(double u, double v, double height) const {
-    Vec3 place;
-    place.set(m_start.planeFirstAxis, m_firstMm + u * m_cos - v * m_sin);
-    place.set(m_second, m_secondMm + u * m_sin + v * m_cos);
-    place.set(m_third, height);
-    return place;
-  }
-
   CycleArguments m_arguments;
   const CycleStart& m_start;
-  std::size_t m_second;
-  std::size_t m_third;
-  double m_up = 1.0;
-  double m_retraction = 0.0;
-  double m_reference = 0.0;
-  double m_wholeMm = 0.0;
-  double m_firstMm = 0.0;
-  double m_secondMm = 0.0;
-  double m_cos = 1.0;
-  double m_sin = 0.0;
-  std::vector<CycleStep> m_steps;
-};
-
-/// What a pocket or slot is cleared with.
-struct Clearing {
-  double infeedMm = 0.0;
-  double apartMm = 0.0;
-  double allowanceMm = 0.0;  ///< at the edge, left by roughing
-  bool roughs = true;
-  bool finishes = false;
-  double feed = 0.0;       ///< mm/s; 0: as programmed
-  double depthFeed = 0.0;  ///< the same, downwards
 };
 
 /// A rectangle about the place, with round corners. @return false: the tool does not fit
 bool clear(Milling& mill, double halfU, double halfV, double cornerMm, const Clearing& how) {
-  const double offset = mill.radiusMm() + (how.roughs ? how.allowanceMm : 0.0);
-  if (offset > std::min(halfU, halfV) + 1e-9) {
-    return false;
-  }
-  const double outerU = std::max(halfU - offset, 0.0);
-  const double outerV = std::max(halfV - offset, 0.0);
-  const double corner = std::max(cornerMm - offset, 0.0);
-  const double least = std::min(outerU, outerV);
-  const double count = how.roughs ? mill.lines(least, how.apartMm) : 1.0;
   mill.approach(0.0, 0.0);
-  for (const double height : mill.levels(how.infeedMm)) {
-    mill.cut(0.0, 0.0, height, how.depthFeed);
-    for (double line = count - 1.0; line >= 0.0; --line) {
-      const double inset = least * line / count;
-      mill.ring(outerU - inset, outerV - inset, std::max(corner - inset, 0.0), height, how.feed);
-    }
-    if (how.roughs && how.finishes && how.allowanceMm > 0.0) {
-      mill.ring(halfU - mill.radiusMm(), halfV - mill.radiusMm(),
-                std::max(cornerMm - mill.radiusMm(), 0.0), height, how.feed);
-    }
-    mill.cut(0.0, 0.0, height, how.feed);
+  if (!clearRectangle(mill, halfU, halfV, cornerMm, how)) {
+    return false;
   }
   mill.retract(0.0, 0.0);
   return true;
@@ -220,9 +90,9 @@ Steps tooLarge() {
 /// POCKET3(_RTP, _RFP, _SDIS, _DP, _LENG, _WID, _CRAD, _PA, _PO, _STA, _MID, _FAL, _FALD, _FFP1,
 /// _FFD, _CDIR, _VARI, _MIDA, ...).
 Steps rectangularPocket(Milling mill) {
-  Clearing how{.infeedMm = mill.lengthMm(10),
-               .apartMm = mill.lengthMm(17),
-               .allowanceMm = mill.lengthMm(11),
+  Clearing how{.infeed = mill.lengthMm(10),
+               .apart = mill.lengthMm(17),
+               .allowance = mill.lengthMm(11),
                .feed = mill.feed(13),
                .depthFeed = mill.feed(14)};
   readKind(mill.value(16), how);
@@ -239,9 +109,9 @@ Steps rectangularPocket(Milling mill) {
 /// POCKET4(_RTP, _RFP, _SDIS, _DP, _PRAD, _PA, _PO, _MID, _FAL, _FALD, _FFP1, _FFD, _CDIR, _VARI,
 /// _MIDA, ...).
 Steps circularPocket(Milling mill) {
-  Clearing how{.infeedMm = mill.lengthMm(7),
-               .apartMm = mill.lengthMm(14),
-               .allowanceMm = mill.lengthMm(8),
+  Clearing how{.infeed = mill.lengthMm(7),
+               .apart = mill.lengthMm(14),
+               .allowance = mill.lengthMm(8),
                .feed = mill.feed(10),
                .depthFeed = mill.feed(11)};
   readKind(mill.value(13), how);
@@ -255,14 +125,11 @@ Steps circularPocket(Milling mill) {
 
 /// Around a spigot about the place, from outside.
 Steps around(Milling mill, double halfU, double halfV, double cornerMm, const Clearing& how) {
-  const double offset = mill.radiusMm() + (how.roughs ? how.allowanceMm : 0.0);
-  const double outside = halfU + offset + mill.radiusMm() + mill.safetyMm();
+  const Spigot spigot{
+      .halfU = halfU, .halfV = halfV, .corner = cornerMm, .outside = mill.planes().safety};
+  const double outside = startOf(mill, spigot, how);
   mill.approach(outside, 0.0);
-  for (const double height : mill.levels(how.infeedMm)) {
-    mill.cut(outside, 0.0, height, how.depthFeed);
-    mill.ring(halfU + offset, halfV + offset, cornerMm + offset, height, how.feed);
-    mill.cut(outside, 0.0, height, how.feed);
-  }
+  clearAround(mill, spigot, how);
   mill.retract(outside, 0.0);
   return mill.take();
 }
@@ -270,8 +137,8 @@ Steps around(Milling mill, double halfU, double halfV, double cornerMm, const Cl
 /// CYCLE76(_RTP, _RFP, _SDIS, _DP, _DPR, _LENG, _WID, _CRAD, _PA, _PO, _STA, _MID, _FAL, _FALD,
 /// _FFP1, _FFD, _CDIR, _VARI, ...).
 Steps rectangularSpigot(Milling mill) {
-  Clearing how{.infeedMm = mill.lengthMm(11),
-               .allowanceMm = mill.lengthMm(12),
+  Clearing how{.infeed = mill.lengthMm(11),
+               .allowance = mill.lengthMm(12),
                .feed = mill.feed(14),
                .depthFeed = mill.feed(15)};
   readKind(mill.value(17), how);
@@ -286,8 +153,8 @@ Steps rectangularSpigot(Milling mill) {
 /// CYCLE77(_RTP, _RFP, _SDIS, _DP, _DPR, _PRAD, _PA, _PO, _MID, _FAL, _FALD, _FFP1, _FFD, _CDIR,
 /// _VARI, ...).
 Steps circularSpigot(Milling mill) {
-  Clearing how{.infeedMm = mill.lengthMm(8),
-               .allowanceMm = mill.lengthMm(9),
+  Clearing how{.infeed = mill.lengthMm(8),
+               .allowance = mill.lengthMm(9),
                .feed = mill.feed(11),
                .depthFeed = mill.feed(12)};
   readKind(mill.value(14), how);
@@ -307,22 +174,22 @@ Steps threadByMilling(Milling mill) {
   }
   const double pitch = std::abs(mill.lengthMm(7));
   const bool isOutside = mill.value(10) == 1.0;
-  const double radius = isOutside ? mill.lengthMm(6) / 2.0 + mill.radiusMm()
-                                  : mill.lengthMm(5) / 2.0 - mill.radiusMm();
+  const double radius =
+      isOutside ? mill.lengthMm(6) / 2.0 + mill.radius() : mill.lengthMm(5) / 2.0 - mill.radius();
   if (!(pitch > 0.0) || !(radius > 0.0)) {
     return pitch > 0.0 ? tooLarge() : Steps(tl::unexpected(CycleFault{kPitchWrong, "PIT"}));
   }
-  const double start = isOutside ? radius + mill.radiusMm() + mill.safetyMm() : 0.0;
+  const double start = isOutside ? radius + mill.radius() + mill.planes().safety : 0.0;
   const double turn = mill.value(9) == 2.0 ? -360.0 : 360.0;
   const double feed = mill.feed(8);
   mill.place(mill.lengthMm(11), mill.lengthMm(12), 0.0);
   mill.approach(start, 0.0);
   const std::vector<double> levels = mill.levels(pitch);
-  double height = mill.reference();
+  double height = mill.planes().reference;
   mill.cut(start, 0.0, height, feed);
   mill.cut(radius, 0.0, height, feed);
   for (const double level : levels) {
-    mill.helix(radius, turn, height, level, feed);
+    mill.spiral(0.0, 0.0, radius, 0.0, turn, height, level, feed);
     height = level;
   }
   mill.cut(start, 0.0, height, feed);
@@ -341,7 +208,7 @@ struct Pattern {
 
   /// @param at  index of CPA, before CPO, RAD, STA1 and INDA
   Pattern(const Milling& mill, std::size_t at)
-      : count(std::clamp(std::floor(mill.value(5)), 0.0, kLinesMax)),
+      : count(std::clamp(std::floor(mill.value(5)), 0.0, kSlotsMax)),
         firstMm(mill.lengthMm(at)),
         secondMm(mill.lengthMm(at + 1)),
         radiusMm(mill.lengthMm(at + 2)),
@@ -382,8 +249,8 @@ Steps radialSlots(Milling mill) {
   const Pattern pattern(mill, 8);
   const double length = std::abs(mill.lengthMm(6));
   const double width = std::abs(mill.lengthMm(7));
-  Clearing how{.infeedMm = mill.lengthMm(15),
-               .allowanceMm = mill.lengthMm(17),
+  Clearing how{.infeed = mill.lengthMm(15),
+               .allowance = mill.lengthMm(17),
                .feed = mill.feed(14),
                .depthFeed = mill.feed(13)};
   readKind(mill.value(18), how);
@@ -407,7 +274,7 @@ Steps circumferentialSlots(Milling mill) {
   }
   const Pattern pattern(mill, 8);
   const double sweep = mill.value(6);
-  const double beside = std::abs(mill.lengthMm(7)) / 2.0 - mill.radiusMm();
+  const double beside = std::abs(mill.lengthMm(7)) / 2.0 - mill.radius();
   if (beside < -1e-9) {
     return tooLarge();
   }
@@ -430,53 +297,6 @@ Steps circumferentialSlots(Milling mill) {
   return mill.take();
 }
 
-struct Face {
-  double lengthMm = 0.0;  ///< with its sign
-  double widthMm = 0.0;
-  double apartMm = 0.0;
-  double infeedMm = 0.0;
-  double feed = 0.0;
-  bool alternates = true;
-  bool alongSecond = false;
-};
-
-/// Lines beside each other, which begin and end outside the face.
-void clearFace(Milling& mill, const Face& face) {
-  const double along = face.alongSecond ? face.widthMm : face.lengthMm;
-  const double across = face.alongSecond ? face.lengthMm : face.widthMm;
-  const double beyond = std::copysign(mill.radiusMm() + mill.safetyMm(), along);
-  const double count = mill.lines(std::abs(across), face.apartMm);
-  const auto u = [&](double a, double c) { return face.alongSecond ? c : a; };
-  const auto v = [&](double a, double c) { return face.alongSecond ? a : c; };
-  const auto lineAt = [&](double line) { return across * (line + 0.5) / count; };
-  double from = -beyond;
-  double to = along + beyond;
-  double lastC = lineAt(0.0);
-  mill.approach(u(from, lastC), v(from, lastC));
-  for (const double height : mill.levels(face.infeedMm)) {
-    for (double line = 0.0; line < count; ++line) {
-      const double c = lineAt(line);
-      if (line == 0.0 || !face.alternates) {
-        mill.rapid(u(from, c), v(from, c), mill.safety());
-      }
-      mill.cut(u(from, c), v(from, c), height, face.feed);
-      mill.cut(u(to, c), v(to, c), height, face.feed);
-      lastC = c;
-      if (face.alternates) {
-        std::swap(from, to);
-      } else {
-        mill.rapid(u(to, c), v(to, c), mill.safety());
-      }
-    }
-    const double end = face.alternates ? from : to;
-    mill.rapid(u(end, lastC), v(end, lastC), mill.safety());
-    from = -beyond;
-    to = along + beyond;
-  }
-  const double end = face.alternates && std::fmod(count, 2.0) == 0.0 ? from : to;
-  mill.retract(u(end, lastC), v(end, lastC));
-}
-
 /// How lines lie, by the tens of _VARI: 1 and 3 along the first axis, 3 and 4 to and fro.
 void readLines(double vari, Face& face) {
   const double kind = std::floor(std::fmod(std::abs(vari), 100.0) / 10.0);
@@ -492,10 +312,11 @@ Steps face71(Milling mill) {
     return tl::unexpected(*std::move(fault));
   }
   mill.place(mill.lengthMm(4), mill.lengthMm(5), mill.value(8));
-  Face face{.lengthMm = mill.lengthMm(6),
-            .widthMm = mill.lengthMm(7),
-            .apartMm = mill.lengthMm(10),
-            .infeedMm = mill.lengthMm(9),
+  Face face{.length = mill.lengthMm(6),
+            .width = mill.lengthMm(7),
+            .beyond = mill.radius() + mill.planes().safety,
+            .apart = mill.lengthMm(10),
+            .infeed = mill.lengthMm(9),
             .feed = mill.feed(13)};
   readLines(mill.value(14), face);
   clearFace(mill, face);
@@ -511,13 +332,14 @@ Steps face61(Milling mill) {
     return tl::unexpected(*std::move(fault));
   }
   const bool isIncrement = std::floor(std::fmod(std::abs(mill.value(15)), 100.0) / 10.0) == 1.0;
-  const double diameter = 2.0 * mill.radiusMm();
+  const double diameter = 2.0 * mill.radius();
   const double apart = mill.lengthMm(9);
   mill.place(mill.lengthMm(4), mill.lengthMm(5), 0.0);
-  Face face{.lengthMm = mill.lengthMm(6) - (isIncrement ? 0.0 : mill.lengthMm(4)),
-            .widthMm = mill.lengthMm(7) - (isIncrement ? 0.0 : mill.lengthMm(5)),
-            .apartMm = apart > diameter && diameter > 0.0 ? apart / 100.0 * diameter : apart,
-            .infeedMm = mill.lengthMm(8),
+  Face face{.length = mill.lengthMm(6) - (isIncrement ? 0.0 : mill.lengthMm(4)),
+            .width = mill.lengthMm(7) - (isIncrement ? 0.0 : mill.lengthMm(5)),
+            .beyond = mill.radius() + mill.planes().safety,
+            .apart = apart > diameter && diameter > 0.0 ? apart / 100.0 * diameter : apart,
+            .infeed = mill.lengthMm(8),
             .feed = mill.feed(11)};
   readLines(mill.value(12), face);
   clearFace(mill, face);

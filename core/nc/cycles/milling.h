@@ -3,10 +3,11 @@
 
 /// @file
 /// The milling cycles of SINUMERIK that clear an area: POCKET3, POCKET4, LONGHOLE, SLOT1, SLOT2,
-/// CYCLE61, CYCLE71, CYCLE76, CYCLE77 and CYCLE90. Parameters as in the Cycles Programming Manual of the 840D (PGZ), chapter
-/// Milling cycles; those of CYCLE61 as newer controls have it. Extent, depths, infeeds, planes and
-/// feeds are those of the parameters. The way in between is not the control's, which no manual
-/// tells in full: lines from the middle outwards, and straight down into the material.
+/// CYCLE61, CYCLE71, CYCLE76, CYCLE77 and CYCLE90. Parameters as in the Cycles Programming Manual
+/// of the 840D (PGZ), chapter Milling cycles; those of CYCLE61 as newer controls have it. Extent,
+/// depths, infeeds, planes and feeds are those of the parameters. The way in between is not the
+/// control's, which no manual tells in full: lines from the middle outwards, and straight down into
+/// the material.
 /// @threadsafety pure.
 #pragma once
 
