@@ -202,6 +202,11 @@ base::Result<void> JobCommand::prepare() {
   if (isVirtual) {
     options.defaultFeedMmPerS = streaming::kFittedFeedMmPerS;
   }
+  if (isVirtual || m_options.namesMachine) {
+    // Files may be for a control that knows the tool better.
+    const bool isFitted = isVirtual && m_options.output.empty();
+    options.toolRadiusMm = streaming::toolRadii(m_machine.tools, isFitted);
+  }
   const auto profile = profileOfMachine();
   if (!profile) {
     return base::fail(profile.error());

@@ -192,7 +192,7 @@ class Interpreter final : private nc::CallObserver {
   /// Subprograms from elsewhere are kept for an observer.
   [[nodiscard]] nc::CursorOptions cursorOptions() {
     nc::CursorOptions made{m_options.blockSkip, m_options.repeatedLinesMax, m_options.subprogram,
-                           this};
+                           m_options.toolRadiusMm, this};
     if (m_observer != nullptr && m_options.subprogram) {
       made.load = [this](std::string_view name) {
         std::optional<nc::LoadedText> loaded = m_options.subprogram(name);

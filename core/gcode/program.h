@@ -76,6 +76,8 @@ struct LoadOptions : TextReading {
   /// The text of a subprogram by its name (upper case, no ending), nothing if there is none.
   /// `loadProgram` looks in the folder of the file if this is empty.
   std::function<std::optional<nc::LoadedText>(std::string_view name)> subprogram;
+  /// The radius of a tool of the machine, see `nc::CursorOptions::toolRadiusMm`. May be empty.
+  nc::heidenhain::ToolRadius toolRadiusMm;
   /// Told now and then how much has been read, 0 to 1. False: give up (GcodeError::Cancelled).
   std::function<bool(double share)> progress;
 

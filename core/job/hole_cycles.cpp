@@ -22,6 +22,7 @@ using base::Vec3;
 // Keys of the G functions.
 constexpr int kChipBreaking = 730;
 constexpr int kLeftTapping = 740;
+constexpr int kFineBoring = 760;
 constexpr int kDrilling = 810;
 constexpr int kCounterboring = 820;
 constexpr int kPecking = 830;
@@ -33,8 +34,9 @@ constexpr int kBoring = 850;
 constexpr int kBoringStop = 860;
 constexpr int kBoringManual = 880;
 constexpr int kBoringDwell = 890;
-constexpr std::array kKnown{kChipBreaking, kLeftTapping, kDrilling,   kCounterboring, kPecking,
-                            kTapping,      kBoring,      kBoringStop, kBoringManual,  kBoringDwell};
+constexpr std::array kKnown{kChipBreaking,  kLeftTapping,  kFineBoring, kDrilling,
+                            kCounterboring, kPecking,      kTapping,    kBoring,
+                            kBoringStop,    kBoringManual, kBoringDwell};
 
 /// How far G73 draws back, and above which depth the feed of G83 begins again: a setting of the
 /// control. That of LinuxCNC is 0.254 mm.
@@ -64,6 +66,7 @@ class HoleCycles::Writer {
   }
   void add(std::string line) { m_lines.push_back(std::move(line)); }
 
+  [[nodiscard]] std::size_t toolAxis() const { return m_toolAxis; }
   [[nodiscard]] Vec3 position() const { return m_executor.start().programmedMm; }
   [[nodiscard]] double height() const { return position()[m_toolAxis]; }
   /// In the workpiece frame.
@@ -122,6 +125,24 @@ void HoleCycles::takeWords(const nc::BlockWords& words, std::optional<double> dw
   }
   m_strokeMm = words.q ? std::abs(*words.q) * state.lengthFactor : m_strokeMm;
   m_dwellS = dwellS.value_or(m_dwellS);
+  // Of the cycles of plain text.
+  const auto named = [&words](std::string_view name) {
+    const nc::NamedWord* const word = words.named(name);
+    return word == nullptr ? std::nullopt : std::optional(word->value);
+  };
+  m_breakBackMm = named("VRT");
+  m_orientation.reset();
+  if (const auto degrees = named("POSS")) {
+    m_orientation =
+        Orientation{{}, *degrees, named("RFF").value_or(0.0) * state.lengthFactor / 60.0};
+    m_orientation->asideMm.set(state.planeFirstAxis,
+                               named("RPA").value_or(0.0) * state.lengthFactor);
+    m_orientation->asideMm.set(state.planeSecondAxis(),
+                               named("RPO").value_or(0.0) * state.lengthFactor);
+  }
+  if (m_breakBackMm) {
+    *m_breakBackMm *= state.lengthFactor;
+  }
 }
 
 /// The word that the program leaves to a setting of the control; empty: none.
@@ -132,6 +153,7 @@ std::string HoleCycles::lacks(double feedMmPerS, double spindlePerMin) const {
          : needsStroke && !(m_strokeMm > 0.0)          ? "Q"
          : !(feedMmPerS > 0.0)                         ? "F"
          : isTapping(*m_key) && !(spindlePerMin > 0.0) ? "S"
+         : m_key == kFineBoring && !m_orientation      ? "Q"  // on which side, a setting says
                                                        : "";
 }
 
@@ -206,10 +228,32 @@ void HoleCycles::writeHole(Writer& to, double retractMm, double depthMm, double 
     const double pitchMm = feedMmPerS * 60.0 / spindlePerMin;
     const std::string speed = nc::ncNumber(spindlePerMin);
     const std::string plane = nc::ncNumber(to.workpieceHeight(retractMm));
-    to.add(fmt::format("CYCLE84({0},{0},0,{1},,{2},{3},,{4},,{5},{5})", plane,
+    std::string strokes;
+    if (m_breakBackMm && m_strokeMm > 0.0) {
+      strokes = fmt::format(",,,,{},{},{}", *m_breakBackMm > 0.0 ? 1 : 2, nc::ncNumber(m_strokeMm),
+                            nc::ncNumber(*m_breakBackMm));
+    }
+    to.add(fmt::format("CYCLE84({0},{0},0,{1},,{2},{3},,{4},,{5},{5}{6})", plane,
                        nc::ncNumber(to.workpieceHeight(depthMm)), nc::ncNumber(m_dwellS),
                        key == kTapping ? 3 : 4, nc::ncNumber(key == kTapping ? pitchMm : -pitchMm),
-                       speed));
+                       speed, strokes));
+    return;
+  }
+  if (key == kFineBoring) {
+    to.feed(depthMm, feedMmPerS);
+    to.dwell(m_dwellS);
+    to.add("SPOS=" + nc::ncNumber(m_orientation->degrees));
+    const Vec3 middle = to.position();
+    to.rapid(middle + m_orientation->asideMm);
+    if (m_orientation->backMmPerS > 0.0) {
+      to.feed(retractMm, m_orientation->backMmPerS);
+    } else {
+      to.rapid(retractMm);
+    }
+    Vec3 above = middle;
+    above.set(to.toolAxis(), retractMm);
+    to.rapid(above);
+    to.add(fmt::format("M{}", m_spindle));
     return;
   }
   to.feed(depthMm, feedMmPerS);

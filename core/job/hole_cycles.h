@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The canned drilling cycles of ISO and RS-274 (G73, G74, G81 to G86, G89) as the moves they
+/// The canned drilling cycles of ISO and RS-274 (G73, G74, G76, G81 to G86, G89) as the moves they
 /// consist of, in the language of a SINUMERIK: what such a cycle does depends on G90 and G91, G98
 /// and G99, and on words that stay in force, for which the cycles of a SINUMERIK have no place.
 /// @threadsafety plain values.
@@ -13,6 +13,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "base/vec3.h"
 #include "nc/exec/executor.h"
 
 namespace rivulet::job {
@@ -60,6 +61,15 @@ class HoleCycles {
   std::optional<Height> m_depth;
   double m_strokeMm = 0.0;  ///< Q
   double m_dwellS = 0.0;    ///< P
+  /// Of tapping with chip breaking: how far back, 0 out of the hole; nothing: Q means something
+  /// else.
+  std::optional<double> m_breakBackMm;
+  struct Orientation {
+    base::Vec3 asideMm;
+    double degrees = 0.0;
+    double backMmPerS = 0.0;  ///< 0: rapid
+  };
+  std::optional<Orientation> m_orientation;  ///< of fine boring: named words, see `takeWords`
 };
 
 }  // namespace rivulet::job

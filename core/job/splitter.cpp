@@ -40,6 +40,9 @@ using nc::TokenKind;
 /// Chords of an arc, where only what it reaches counts.
 constexpr double kReachMm = 0.1;
 
+/// M functions of a TNC that switch off what no job has on: M101, M110, M116, M128, M144, M148.
+constexpr std::array kSwitchOff{102, 111, 117, 129, 145, 149};
+
 /// M functions that the five-axis configurations of LinuxCNC have for its kinematics: X, Y and Z
 /// are those of the tool's tip, or of the axes.
 constexpr int kTipOn = 428;
@@ -338,6 +341,22 @@ class Splitter final : public gcode::BlockObserver,
     m_block->words.push_back(
         {ForeignWord::Kind::Line, 0.0,
          fmt::format("G{} OFFN={}-$P_TOOLR", key / 10, base::formatFixed(radiusMm, 6))});
+    m_hasAllowance = true;
+  }
+
+  /// With DR of plain text the tool is so much larger than the table says.
+  void compensate(int key, std::string word) {
+    const auto& tokens = m_block->tokens;
+    const auto token = std::find_if(tokens.begin(), tokens.end(), [](const Token& each) {
+      return each.kind == TokenKind::NamedValue && each.text == "OFFN";
+    });
+    if (!isForeign() || token == tokens.end()) {
+      m_block->words.push_back({ForeignWord::Kind::G, static_cast<double>(key), std::move(word)});
+      return;
+    }
+    const double mm = token->value * m_executor->state().lengthFactor;
+    m_block->words.push_back({ForeignWord::Kind::Line, 0.0,
+                              fmt::format("G{} OFFN={}", key / 10, base::formatFixed(mm, 6))});
     m_hasAllowance = true;
   }
 
@@ -822,6 +841,12 @@ class Splitter final : public gcode::BlockObserver,
       return;  // followed here
     }
     if (Translator::isOfLanguage(m_language->dialect, number)) {
+      if (m_language->isKlartext &&
+          std::find(kSwitchOff.begin(), kSwitchOff.end(), number) != kSwitchOff.end()) {
+        ++m_functions.try_emplace(number, FunctionUse{number, line, 0, {}, false})
+              .first->second.count;
+        return;
+      }
       add(NativeReason::Other);
       m_block->words.push_back({ForeignWord::Kind::Other, 0.0, name});
       return;
@@ -888,8 +913,7 @@ class Splitter final : public gcode::BlockObserver,
     } else if (isForeign() && *reason == NativeReason::Corner) {
       m_block->corner = std::move(argument);
     } else if (*reason == NativeReason::RadiusCompensation && (key == 410 || key == 420)) {
-      m_block->words.push_back(
-          {ForeignWord::Kind::G, static_cast<double>(*key), std::move(argument)});
+      compensate(*key, std::move(argument));
     } else if (*reason == NativeReason::RadiusCompensation && (key == 411 || key == 421)) {
       compensateBy(*key, std::move(argument));
     } else if (*reason == NativeReason::Retract) {

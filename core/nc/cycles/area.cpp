@@ -16,7 +16,6 @@ namespace {
 using base::Vec3;
 
 constexpr double kAreaRadPerDeg = std::numbers::pi / 180.0;
-constexpr double kLinesMax = 1000.0;
 constexpr double kPiecesMax = 2000.0;
 constexpr double kAreaRounding = 1e-9;
 /// Rings with corners leave nothing between them up to 1/√2 of the diameter.
@@ -46,11 +45,18 @@ void AreaMill::retract(double u, double v) {
 }
 
 void AreaMill::rapid(double u, double v, double height) {
-  m_steps.push_back({.kind = CycleStep::Kind::Rapid, .toMm = at(u, v, height)});
+  add({.kind = CycleStep::Kind::Rapid, .toMm = at(u, v, height)});
 }
 
 void AreaMill::cut(double u, double v, double height, double feed) {
-  m_steps.push_back({.kind = CycleStep::Kind::Feed, .toMm = at(u, v, height), .feedMmPerS = feed});
+  add({.kind = CycleStep::Kind::Feed, .toMm = at(u, v, height), .feedMmPerS = feed});
+}
+
+void AreaMill::add(CycleStep step) {
+  m_isFull = m_isFull || m_steps.size() >= m_stepsMax;
+  if (!m_isFull) {
+    m_steps.push_back(step);
+  }
 }
 
 Vec3 AreaMill::at(double u, double v, double height) const {
@@ -64,7 +70,7 @@ Vec3 AreaMill::at(double u, double v, double height) const {
 
 std::vector<double> AreaMill::levels(double infeed) const {
   const double wanted = infeed > 0.0 ? std::ceil(m_planes.depth / infeed - kAreaRounding) : 1.0;
-  const double count = std::clamp(wanted, 1.0, kLinesMax);
+  const double count = std::clamp(wanted, 1.0, kAreaLinesMax);
   std::vector<double> heights;
   for (double level = 1.0; level <= count; ++level) {
     heights.push_back(m_planes.reference - m_planes.up * m_planes.depth * level / count);
@@ -75,7 +81,7 @@ std::vector<double> AreaMill::levels(double infeed) const {
 double AreaMill::lines(double width, double apart, double widest) const {
   const double most = widest * 2.0 * m_radius;
   const double step = apart > 0.0 && (most == 0.0 || apart < most) ? apart : most;
-  return step > 0.0 ? std::clamp(std::ceil(width / step - kAreaRounding), 1.0, kLinesMax) : 1.0;
+  return step > 0.0 ? std::clamp(std::ceil(width / step - kAreaRounding), 1.0, kAreaLinesMax) : 1.0;
 }
 
 void AreaMill::ring(double halfU, double halfV, double corner, double height, double feed) {

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "base/axes.h"
@@ -18,6 +19,9 @@
 #include "nc/cycles/drilling.h"
 
 namespace rivulet::nc {
+
+/// Infeeds, and lines beside each other: there are never more, so that each is farther than asked.
+inline constexpr double kAreaLinesMax = 1000.0;
 
 /// Heights along the tool.
 struct AreaPlanes {
@@ -67,9 +71,13 @@ class AreaMill {
   /// @param widest  of the diameter of the tool: how far lines may be apart at most
   [[nodiscard]] double lines(double width, double apart, double widest) const;
 
+  /// Steps beyond these are left out: whoever sets a limit asks whether it has been reached.
+  void limitSteps(std::size_t most) { m_stepsMax = most; }
+  [[nodiscard]] bool isFull() const { return m_isFull; }
   [[nodiscard]] std::vector<CycleStep> take();
 
  private:
+  void add(CycleStep step);
   [[nodiscard]] base::Vec3 at(double u, double v, double height) const;
 
   double m_radius;
@@ -81,6 +89,8 @@ class AreaMill {
   double m_cos = 1.0;
   double m_sin = 0.0;
   double m_side = 1.0;
+  std::size_t m_stepsMax = std::numeric_limits<std::size_t>::max();
+  bool m_isFull = false;
   std::vector<CycleStep> m_steps;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "nc/flow/cursor.h"
+#include "nc/dialects/heidenhain/control.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "nc/dialects/heidenhain/control.h"
 #include "nc/unknown.h"
 
 namespace rivulet::nc {
@@ -23,11 +25,13 @@ Cursor::Cursor(std::string_view text, Dialect dialect, Variables& variables,
   m_sources.emplace_back().text = text;
   setReturned(std::nullopt);
   if (m_language.isKlartext) {
-    m_control.emplace();
+    m_control = std::make_unique<heidenhain::Control>(&options.toolRadiusMm);
   } else if (mayHoldSeveral(text, m_language)) {
     grow();
   }
 }
+
+Cursor::~Cursor() = default;
 
 /// The trees are those of the whole file, wherever the present block stands: what comes next is
 /// looked for in the program that the block belongs to.

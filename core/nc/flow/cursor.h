@@ -18,13 +18,17 @@
 #include <variant>
 #include <vector>
 
-#include "nc/dialects/heidenhain/control.h"
+#include "nc/dialects/heidenhain/made.h"
 #include "nc/eval/variables.h"
 #include "nc/flow/flow.h"
 #include "nc/limits.h"
 #include "nc/syntax/programs.h"
 
 namespace rivulet::nc {
+
+namespace heidenhain {
+class Control;
+}
 
 /// A subprogram from elsewhere.
 struct LoadedText {
@@ -40,6 +44,8 @@ struct CursorOptions {
   /// The text of a subprogram that is not in the file: by its name in upper case, "O100" for
   /// numbers. Nothing: there is none. May be empty.
   std::function<std::optional<LoadedText>(std::string_view name)> load;
+  /// Of the machine on which the program is to run. Only plain text asks: its cycles need it.
+  heidenhain::ToolRadius toolRadiusMm;
   /// Outlives the cursor; null: nobody is told of calls.
   CallObserver* calls = nullptr;
 };
@@ -86,6 +92,9 @@ class Cursor {
   /// @param text, variables, options  outlive the cursor
   Cursor(std::string_view text, Dialect dialect, Variables& variables,
          const CursorOptions& options);
+  ~Cursor();
+  Cursor(const Cursor&) = delete;
+  Cursor& operator=(const Cursor&) = delete;
 
   [[nodiscard]] Step next();
   /// Of the block that `next` gave; until it is called again.
@@ -166,7 +175,7 @@ class Cursor {
   const Words* m_words = &m_block;
   std::deque<Source> m_sources;  ///< the program file first
   std::map<std::string, std::size_t, std::less<>> m_loaded;
-  std::optional<heidenhain::Control> m_control;        ///< of Heidenhain
+  std::unique_ptr<heidenhain::Control> m_control;      ///< of Heidenhain; else null
   heidenhain::Made m_made;                             ///< the present block of `m_control`
   Place m_readPlace;                                   ///< of the block read last
   std::map<std::uint32_t, std::uint64_t> m_jumpsBack;  ///< by line: changes when it was made last

@@ -31,8 +31,12 @@ std::string_view labelOf(std::string_view text) {
 }  // namespace
 
 bool klartextContinues(std::string_view line) {
-  line = base::trim(line);
-  return !line.empty() && line.back() == '~';
+  // The mark ends the line, or what stands before its comment.
+  const auto isMarked = [](std::string_view text) {
+    text = base::trim(text);
+    return !text.empty() && text.back() == '~';
+  };
+  return isMarked(line) || isMarked(line.substr(0, line.find(';')));
 }
 
 void readKlartext(std::string_view block, std::vector<Token>& tokens) {

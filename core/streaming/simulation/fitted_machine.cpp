@@ -236,4 +236,17 @@ FittedMachine fitMachine(machine::MachineConfig config, const job::Plan& plan) {
   return made;
 }
 
+nc::heidenhain::ToolRadius toolRadii(const std::optional<machine::ToolTable>& tools,
+                                     bool isFitted) {
+  return [tools, isFitted](int number, std::string_view name) -> std::optional<double> {
+    const std::optional<machine::Tool> tool = !tools         ? std::nullopt
+                                              : name.empty() ? tools->find(number)
+                                                             : tools->find(name);
+    if (tool && tool->hasEdge(1)) {
+      return tool->edges.front().radiusMm;
+    }
+    return isFitted ? std::optional(0.0) : std::nullopt;
+  };
+}
+
 }  // namespace rivulet::streaming

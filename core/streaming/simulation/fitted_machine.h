@@ -28,4 +28,9 @@ struct FittedMachine {
 /// motion before any F has a feed.
 [[nodiscard]] FittedMachine fitMachine(machine::MachineConfig config, const job::Plan& plan);
 
+/// The tools of a machine for `gcode::LoadOptions::toolRadiusMm`.
+/// @param isFitted  the machine will be fitted: a tool that is not in its table has radius 0 there
+[[nodiscard]] nc::heidenhain::ToolRadius toolRadii(const std::optional<machine::ToolTable>& tools,
+                                                   bool isFitted);
+
 }  // namespace rivulet::streaming

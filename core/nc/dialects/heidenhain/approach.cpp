@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // APPR and DEP. TNC 640 User's Manual Conversational Programming, chapter "Programming contours",
-// "Approaching and departing a contour"; iTNC 530 User's Manual, 6.3. The points are those of the
-// contour: the radius compensation is in force from the auxiliary point on and offsets them.
+// "Approaching and departing a contour" (where the third axis goes: "Important positions for
+// approach and departure"); iTNC 530 User's Manual, 6.3. The points are those of the contour: the
+// radius compensation is in force from the auxiliary point on and offsets them.
 
 #include <cmath>
 #include <utility>
@@ -36,6 +37,25 @@ bool areSame(Flat a, Flat b) {
 
 }  // namespace
 
+/// PLT, PCT and PLCT name their place by a pole.
+Expected<void> Control::placeByPole(std::string& kind, MotionWords& words) {
+  if ((kind != "PLT" && kind != "PCT" && kind != "PLCT") || m_poleAxis != firstAxis()) {
+    return {};  // what is not known is refused by its name
+  }
+  const Expected<Flat> place = polarTarget(words);
+  if (!place) {
+    return fail(place.error());
+  }
+  kind.erase(0, 1);
+  words.axes[firstAxis()] = place->x;
+  words.axes[secondAxis()] = place->y;
+  words.isIncrement[firstAxis()] = false;
+  words.isIncrement[secondAxis()] = false;
+  words.polarRadius.reset();
+  words.polarAngle.reset();
+  return {};
+}
+
 Expected<void> Control::approach(Scanner& in) {
   Approach made;
   made.place = m_place;
@@ -45,12 +65,14 @@ Expected<void> Control::approach(Scanner& in) {
   if (!words) {
     return fail(words.error());
   }
+  if (Expected<void> done = placeByPole(made.kind, *words); !done) {
+    return done;
+  }
   const bool isLine = made.kind == "LT";
   const bool isArc = made.kind == "CT";
   const bool isBoth = made.kind == "LCT";
   const int side = words->compensation.value_or(m_compensation);
-  // Others need the radius of the tool, or are in polar coordinates; without a compensation the
-  // side of an arc is not said.
+  // Others need the radius of the tool; without a compensation the side of an arc is not said.
   const bool isKnown = isLine || ((isArc || isBoth) && side != 0);
   if (!isKnown || words->isInMachine() || !words->axes[firstAxis()] || !words->axes[secondAxis()]) {
     return in.fault<void>(FaultCode::UnsupportedGCode, "APPR " + made.kind);
@@ -67,11 +89,6 @@ Expected<void> Control::approach(Scanner& in) {
                        (isBoth && words->radius.value_or(0.0) < 0.0);
   if (lacks || isWrong) {
     return in.fault<void>(FaultCode::UnsupportedGCode, "APPR " + made.kind);
-  }
-  // With a line of its own, the third axis goes along or afterwards, depending on the control.
-  if (words->axes[thirdAxis()] && !isBoth) {
-    return in.fault<void>(FaultCode::UnsupportedGCode,
-                          "APPR " + std::string(1, base::kAxisNames[thirdAxis()]));
   }
   made.before = isBoth ? Feed{} : m_wasRapid ? Feed{FeedKind::Rapid, 0.0} : m_feed;
   made.start = flat(m_at);
@@ -151,7 +168,23 @@ Expected<void> Control::joinApproach(const Item& next) {
   way.element = Element::line(own.start, auxiliary);
   way.feed = own.before;
   way.line = own.line;
+  // The third axis goes along with LCT, else afterwards: with the feed of the block, which the
+  // manual leaves open.
+  const bool goesDown = own.kind != "LCT" && own.item.given[thirdAxis()];
+  way.given[thirdAxis()] = way.given[thirdAxis()] && !goesDown;
   write(std::move(way));
+  if (goesDown) {
+    Item down;
+    down.place = own.item.place;
+    down.line = own.line;
+    down.isSkipped = own.item.isSkipped;
+    down.moves = true;
+    down.given[thirdAxis()] = true;
+    down.target = own.item.target;
+    down.plane = firstAxis();
+    down.feed = own.item.feed;
+    write(std::move(down));
+  }
   if (areSame(auxiliary, own.first)) {
     return {};
   }
@@ -174,10 +207,13 @@ Expected<void> Control::joinApproach(const Item& next) {
 }
 
 Expected<void> Control::departure(Scanner& in) {
-  const std::string kind = in.takeName();
+  std::string kind = in.takeName();
   Expected<MotionWords> words = motionWords(in);
   if (!words) {
     return fail(words.error());
+  }
+  if (Expected<void> done = placeByPole(kind, *words); !done) {
+    return done;
   }
   const bool isLine = kind == "LT";
   const bool isArc = kind == "CT";
@@ -188,7 +224,8 @@ Expected<void> Control::departure(Scanner& in) {
   const bool isKnown = isLine || ((isArc || isBoth) && m_compensation != 0);
   const bool namesPlace = words->axes[firstAxis()] && words->axes[secondAxis()];
   if (!isKnown || words->compensation || words->isInMachine() || isBoth != namesPlace ||
-      (words->moves() && !isBoth) || m_corner || !m_direction) {
+      (!isBoth && (words->axes[firstAxis()] || words->axes[secondAxis()])) || m_corner ||
+      !m_direction) {
     return failed();
   }
   if (Expected<void> done = refuseUnused(*words, isLine  ? "length"
@@ -279,6 +316,22 @@ Expected<void> Control::departure(Scanner& in) {
     // The centre of the tool stays beside the last point.
     m_at.set(firstAxis(), std::nan(""));
     m_at.set(secondAxis(), std::nan(""));
+  }
+  if (words->axes[thirdAxis()]) {  // afterwards
+    MotionWords up;
+    up.column = words->column;
+    up.axes[thirdAxis()] = words->axes[thirdAxis()];
+    up.isIncrement[thirdAxis()] = words->isIncrement[thirdAxis()];
+    up.feed = words->feed;
+    const Expected<base::Vec3> target = targetOf(up);
+    Expected<Item> last = target ? itemOf(up) : fail(target.error());
+    if (!last) {
+      return fail(last.error());
+    }
+    if (Expected<void> done = setTarget(*last, *target, up); !done) {
+      return done;
+    }
+    push(std::move(*last));
   }
   return afterMotion(first);
 }

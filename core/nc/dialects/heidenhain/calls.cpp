@@ -299,10 +299,18 @@ Expected<void> Control::runCycle(const CycleSituation& situation) {
         tell({word('G', 4.0), word('F', each.seconds)});
         break;
       case CycleStep::Kind::Function:
-        tell({word('M', each.function)});
+        if (each.spindlePerMin > 0.0) {
+          m_spindlePerMin = each.spindlePerMin;
+          tell({word('S', each.spindlePerMin), word('M', each.function)});
+        } else {
+          tell({word('M', each.function)});
+        }
         break;
       case CycleStep::Kind::Tap:
         tap(each);
+        break;
+      case CycleStep::Kind::Bore:
+        bore(each);
         break;
     }
   }
@@ -320,13 +328,46 @@ void Control::tap(const CycleStep& tapping) {
   const double depth = m_frame.toWorkpiece(tapping.to)[axis] + m_lengthDelta;
   const double start = m_at[axis] + m_lengthDelta;
   const double feed =
-      tapping.feed * (m_isInch && m_cycle.number != 207 && m_cycle.number != 17 ? 0.1 : 1.0);
+      tapping.feed *
+      (m_isInch && m_cycle.number != 207 && m_cycle.number != 209 && m_cycle.number != 17 ? 0.1
+                                                                                          : 1.0);
   std::vector<Token> tokens{word('G', 99.0),
                             word('G', tapping.isLeftHanded ? kLeftHanded : kRightHanded),
                             word(base::kAxisNames[axis], depth), word('R', start), word('F', feed)};
   if (tapping.seconds > 0.0) {
     tokens.push_back(word('P', tapping.seconds));
   }
+  if (tapping.stroke > 0.0) {
+    tokens.push_back(word('Q', tapping.stroke));
+    tokens.push_back(named("VRT", tapping.back));
+  }
+  tellHole(std::move(tokens));
+}
+
+/// The control's own boring: the spindle is stopped at an angle at the bottom.
+void Control::bore(const CycleStep& boring) {
+  flush();
+  constexpr double kFineBoring = 76.0;
+  const std::size_t axis = thirdAxis();
+  const base::Vec3 aside = m_frame.turned(boring.aside);
+  const double unit = m_isInch ? 0.1 : 1.0;  // see `write`
+  std::vector<Token> tokens{
+      word('G', 99.0),
+      word('G', kFineBoring),
+      word(base::kAxisNames[axis], m_frame.toWorkpiece(boring.to)[axis] + m_lengthDelta),
+      word('R', m_at[axis] + m_lengthDelta),
+      word('F', boring.feed * unit),
+      named("RPA", aside[firstAxis()]),
+      named("RPO", aside[secondAxis()]),
+      named("POSS", boring.degrees),
+      named("RFF", boring.backFeed * unit)};
+  if (boring.seconds > 0.0) {
+    tokens.push_back(word('P', boring.seconds));
+  }
+  tellHole(std::move(tokens));
+}
+
+void Control::tellHole(std::vector<Token> tokens) {
   if (m_told.kind == FeedKind::PerRevolution) {
     tokens.push_back(word('G', 94.0));
   }

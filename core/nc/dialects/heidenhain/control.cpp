@@ -34,7 +34,8 @@ std::string programName(std::string path) {
 
 }  // namespace
 
-Control::Control() : m_at{std::nan(""), std::nan(""), std::nan("")} {
+Control::Control(const ToolRadius* toolRadius)
+    : m_radiusOfMachine(toolRadius), m_at{std::nan(""), std::nan(""), std::nan("")} {
   m_rotary.fill(std::nan(""));
   m_parameters.setOfControl(109, -1.0);
 }
@@ -82,6 +83,7 @@ Expected<Steering> Control::statement(Scanner& in) {
       Row{"CP", &Control::polarArc},
       Row{"C", &Control::arcAboutCentre},
       Row{"CYCL", &Control::cycle},
+      Row{"CYCLE", &Control::cycle},  // as some post-processors write it
       Row{"PLANE", &Control::plane},
       Row{"STOP", &Control::stop},
       Row{"TRANS", &Control::translate},
@@ -365,24 +367,52 @@ void Control::setToolAxis(std::size_t axis) {
   }
 }
 
+/// The program's own data come first (chapter "Tools", "Tool data": those of TOOL DEF).
+void Control::setTool(std::optional<int> number, std::string_view name) {
+  m_toolRadius.reset();
+  if (const auto own = number ? m_tools.find(*number) : m_tools.end();
+      own != m_tools.end() && own->second.radius) {
+    m_toolRadius = own->second.radius;
+  } else if (m_radiusOfMachine != nullptr && *m_radiusOfMachine) {
+    m_toolRadius = (*m_radiusOfMachine)(number.value_or(0), name);
+    constexpr double kInch = 25.4;
+    if (m_toolRadius && m_isInch) {
+      *m_toolRadius /= kInch;
+    }
+  }
+}
+
+/// Q108 is the radius with its allowance (chapter "Programming Q parameters", "Preassigned Q
+/// parameters").
+void Control::tellToolRadius() {
+  m_parameters.setOfControl(
+      108, m_toolRadius ? std::optional(*m_toolRadius + m_toolRadiusDelta) : std::nullopt);
+}
+
 Expected<void> Control::toolCall(Scanner& in) {
   Item item;
   item.place = m_place;
   bool isOther = false;
   std::optional<int> number;
-  if (const std::optional<Expected<std::string>> name = in.takeText()) {
-    if (!*name) {
-      return fail(name->error());
+  std::string name;
+  if (const std::optional<Expected<std::string>> text = in.takeText()) {
+    if (!*text) {
+      return fail(text->error());
     }
+    name = **text;
     Token token = word('T', 0.0);
     token.kind = TokenKind::TextWord;
-    token.text = kept("T=\"" + **name + "\"");
+    token.text = kept("T=\"" + name + "\"");
     item.tokens.push_back(token);
     isOther = true;
   } else if (in.isAtValue()) {
     const Expected<double> tool = in.value();
     if (!tool) {
       return fail(tool.error());
+    }
+    if (*tool != std::floor(*tool)) {
+      // Another edge of a stepped tool: which one it is there, the control knows.
+      return in.fault<void>(FaultCode::UnsupportedGCode, fmt::format("TOOL CALL {}", *tool));
     }
     number = static_cast<int>(*tool);
     item.tokens.push_back(word('T', *tool));
@@ -430,14 +460,12 @@ Expected<void> Control::toolCall(Scanner& in) {
     // Where the tip is along the tool, only the control knows.
     m_at.set(thirdAxis(), std::nan(""));
     m_direction.reset();
-    const auto tool = number ? m_tools.find(*number) : m_tools.end();
-    const bool isKnown = tool != m_tools.end() && tool->second.radius;
-    m_parameters.setOfControl(
-        108, isKnown ? std::optional(*tool->second.radius + radiusDelta) : std::nullopt);
+    setTool(number, name);
   } else if (radiusDelta != 0.0 || lengthDelta != 0.0) {
     m_toolRadiusDelta = radiusDelta;
     m_lengthDelta = lengthDelta;
   }
+  tellToolRadius();
   if (feed.kind == FeedKind::PerMinute || feed.kind == FeedKind::PerRevolution) {
     m_feed = feed;
     m_toolFeed = feed;

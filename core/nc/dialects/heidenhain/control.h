@@ -15,6 +15,7 @@
 
 #include <array>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -27,6 +28,7 @@
 #include "base/vec3.h"
 #include "nc/dialects/heidenhain/contour.h"
 #include "nc/dialects/heidenhain/cycles.h"
+#include "nc/dialects/heidenhain/made.h"
 #include "nc/dialects/heidenhain/scanner.h"
 #include "nc/modal/frame.h"
 #include "nc/modal/vocabulary.h"
@@ -35,29 +37,10 @@
 
 namespace rivulet::nc::heidenhain {
 
-/// A block for the executor, or what is wrong.
-struct Made {
-  Place place;
-  base::LineNumber line;  ///< of the program file; of a file that is called, that of the call
-  Words words;
-  std::optional<Fault> fault;
-  std::string ignored;  ///< a word without effect on the path
-  bool isMade = false;  ///< a move of a cycle or a corner: no word of the program says it
-};
-
-/// CALL LBL without REP.
-struct LabelCall {
-  std::string label;
-};
-struct LabelEnd {};    ///< LBL 0
-struct ProgramEnd {};  ///< END PGM of a called program
-/// What a block does to the order of the blocks.
-using Steering =
-    std::variant<std::monostate, Jump, RepeatLabel, LabelCall, LabelEnd, Call, ProgramEnd>;
-
 class Control {
  public:
-  Control();
+  /// @param toolRadius  outlives the control; null: no tool of the machine is known
+  explicit Control(const ToolRadius* toolRadius = nullptr);
 
   /// Takes one block. What it makes of it is there to be taken, but for a contour element whose end
   /// the next block may still change.
@@ -126,6 +109,7 @@ class Control {
     std::optional<int> compensation;
     int compensationColumn = 1;
     std::optional<Feed> feed;
+    std::optional<double> spindlePerMin;
     std::vector<MFunction> functions;
     std::array<std::optional<double>, base::kAxisCount> normal;
     std::array<std::optional<double>, base::kAxisCount> tool;
@@ -176,6 +160,8 @@ class Control {
   [[nodiscard]] Expected<void> toolDefinition(Scanner& in);
   [[nodiscard]] Expected<void> stop(Scanner& in);
   void setToolAxis(std::size_t axis);
+  void setTool(std::optional<int> number, std::string_view name);
+  void tellToolRadius();
 
   // words.cpp: positioning blocks
   [[nodiscard]] Expected<MotionWords> motionWords(Scanner& in);
@@ -194,6 +180,7 @@ class Control {
   [[nodiscard]] Expected<void> tangentialArc(Scanner& in, bool isPolar);
   [[nodiscard]] Expected<void> corner(Scanner& in, bool isChamfer);
   // approach.cpp
+  [[nodiscard]] Expected<void> placeByPole(std::string& kind, MotionWords& words);
   [[nodiscard]] Expected<void> approach(Scanner& in);
   [[nodiscard]] Expected<void> departure(Scanner& in);
   [[nodiscard]] Expected<base::Vec3> targetOf(const MotionWords& words);
@@ -224,12 +211,16 @@ class Control {
   [[nodiscard]] Expected<void> cycle(Scanner& in);
   [[nodiscard]] Expected<void> cycleDefinition(Scanner& in);
   [[nodiscard]] Expected<void> oldCycleLine(Scanner& in, int number, int line);
+  [[nodiscard]] Expected<void> oldCycleWords(Scanner& in, int line);
   [[nodiscard]] Expected<void> datumShift(Scanner& in, int line);
   [[nodiscard]] Expected<void> mirror(Scanner& in);
   [[nodiscard]] Expected<void> rotation(Scanner& in);
   [[nodiscard]] Expected<void> scale(Scanner& in);
   [[nodiscard]] Expected<void> swivel(Scanner& in);
   [[nodiscard]] Expected<void> plane(Scanner& in);
+  [[nodiscard]] bool rotaryAxesStandAtZero() const;
+  /// @param isKnown  the plane is not tilted
+  void tellPlaneAngles(bool isKnown);
   [[nodiscard]] Expected<void> translate(Scanner& in);
   [[nodiscard]] Expected<void> selectPreset();
   [[nodiscard]] Expected<void> function(Scanner& in);
@@ -246,6 +237,8 @@ class Control {
   [[nodiscard]] Expected<void> step(base::Vec3 programmed, Feed feed);
   [[nodiscard]] CycleSituation situation() const;
   void tap(const CycleStep& tapping);
+  void bore(const CycleStep& boring);
+  void tellHole(std::vector<Token> tokens);
 
   [[nodiscard]] std::size_t thirdAxis() const { return m_toolAxis; }
   [[nodiscard]] std::size_t firstAxis() const { return (m_toolAxis + 1) % base::kAxisCount; }
@@ -276,7 +269,9 @@ class Control {
   int m_depth = 0;  ///< programs within each other
   bool m_isInch = false;
   std::size_t m_toolAxis = 2;
-  std::map<int, Tool> m_tools;  ///< of TOOL DEF
+  const ToolRadius* m_radiusOfMachine;
+  std::map<int, Tool> m_tools;         ///< of TOOL DEF
+  std::optional<double> m_toolRadius;  ///< of the tool in the spindle, without DR
   double m_toolRadiusDelta = 0.0;
   double m_lengthDelta = 0.0;
   double m_spindlePerMin = 0.0;

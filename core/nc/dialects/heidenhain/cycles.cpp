@@ -10,145 +10,23 @@
 #include <cmath>
 
 #include "nc/dialects/heidenhain/contour.h"
+#include "nc/dialects/heidenhain/cycle_values.h"
+#include "nc/dialects/heidenhain/milling_cycles.h"
 
 namespace rivulet::nc::heidenhain {
 
 namespace {
 
 using base::Vec3;
-using Steps = std::vector<CycleStep>;
 
 constexpr int kStrokesMax = 10000;
-constexpr double kRounding = 1e-9;
-
-/// Reads parameters until one is missing.
-class Values {
- public:
-  Values(const CycleDefinition& cycle, const CycleSituation& situation)
-      : m_cycle(cycle), m_situation(situation) {}
-
-  double q(int number) {
-    const Expected<double> value = m_situation.parameters.number(fmt::format("Q{}", number));
-    if (!value) {
-      note(value.error());
-      return 0.0;
-    }
-    return *value;
-  }
-  /// A parameter that older controls do not have.
-  double q(int number, double otherwise) {
-    // Another cycle may have set it before.
-    const std::string name = fmt::format("Q{}", number);
-    const bool isSet =
-        m_cycle.named.empty() ? m_situation.parameters.has(name) : m_cycle.named.contains(name);
-    return isSet ? q(number) : otherwise;
-  }
-  /// Line `number` of an old cycle.
-  double old(int number) {
-    const auto found = m_cycle.values.find(number);
-    if (found == m_cycle.values.end()) {
-      note({FaultCode::ValueMissing, fmt::format("CYCL DEF {}.{}", m_cycle.number, number), {}});
-      return 0.0;
-    }
-    return found->second;
-  }
-  void note(Fault fault) {
-    if (!m_fault) {
-      m_fault = std::move(fault);
-    }
-  }
-  void outOfRange(int number) { note({FaultCode::OutOfDomain, fmt::format("Q{}", number), {}}); }
-  [[nodiscard]] const std::optional<Fault>& fault() const { return m_fault; }
-  [[nodiscard]] bool isFaulty() const { return m_fault.has_value(); }
-  [[nodiscard]] const CycleSituation& situation() const { return m_situation; }
-
- private:
-  const CycleDefinition& m_cycle;
-  const CycleSituation& m_situation;
-  std::optional<Fault> m_fault;
-};
-
-/// What the cycles from 200 on have in common: the planes and the moves between them.
-class Drilling {
- public:
-  explicit Drilling(Values& values) : m_values(values) {
-    const CycleSituation& situation = values.situation();
-    m_setUp = situation.setUp ? *situation.setUp : values.q(200);
-    m_surface = (situation.surface ? *situation.surface : values.q(203)) + situation.surfaceShift;
-    const double second = situation.secondSetUp ? *situation.secondSetUp : values.q(204);
-    m_retract = m_surface + std::max(second, m_setUp);
-    const double depth = values.q(201);
-    // A positive depth: the manual leaves it to a machine parameter (displayDepthErr).
-    if (depth > 0.0) {
-      values.outOfRange(201);
-    }
-    if (m_setUp < 0.0) {
-      values.outOfRange(200);
-    }
-    m_depth = -depth;
-    m_place = situation.at;
-  }
-
-  [[nodiscard]] double whole() const { return m_depth; }
-  [[nodiscard]] double clearance() const { return m_surface + m_setUp; }
-  /// So far below the surface.
-  [[nodiscard]] double below(double depth) const { return m_surface - depth; }
-  [[nodiscard]] double setUp() const { return m_setUp; }
-
-  void rapid(double height) { add({.kind = CycleStep::Kind::Rapid, .to = at(height)}); }
-  void feed(double height, double feed) {
-    if (feed >= kFeedMax) {
-      rapid(height);
-    } else {
-      add({.kind = CycleStep::Kind::Feed, .to = at(height), .feed = feed});
-    }
-  }
-  void dwell(double seconds) {
-    if (seconds > 0.0) {
-      add({.kind = CycleStep::Kind::Dwell, .seconds = seconds});
-    }
-  }
-  void add(CycleStep step) { m_steps.push_back(step); }
-  [[nodiscard]] Vec3 at(double height) const {
-    Vec3 place = m_place;
-    place.set(m_values.situation().toolAxis, height);
-    return place;
-  }
-  /// To the second set-up clearance, if it is farther away than the first.
-  void leave() {
-    if (m_retract > clearance() + kRounding) {
-      rapid(m_retract);
-    }
-  }
-  [[nodiscard]] Steps take() { return std::move(m_steps); }
-
- private:
-  Values& m_values;
-  double m_setUp = 0.0;
-  double m_surface = 0.0;
-  double m_retract = 0.0;
-  double m_depth = 0.0;
-  Vec3 m_place;
-  Steps m_steps;
-};
-
-/// A feed that the manual lets be 0: then another one counts.
-double feedOr(double feed, double otherwise) {
-  return feed == 0.0 ? otherwise : feed;
-}
-
-void checkFeed(Values& values, int number, double feed) {
-  if (!(feed > 0.0)) {
-    values.outOfRange(number);
-  }
-}
 
 /// 200 DRILLING, and 240 CENTERING without pecks.
 Steps drill(Values& values) {
   Drilling hole(values);
   const double feed = values.q(206);
   const double peck = values.q(202);
-  const double dwellAbove = values.q(210);
+  const double dwellAbove = values.q(210, 0.0);
   const double dwellBelow = values.q(211, 0.0);
   checkFeed(values, 206, feed);
   if (!(peck > 0.0) || hole.whole() / peck > kStrokesMax) {
@@ -167,7 +45,7 @@ Steps drill(Values& values) {
       hole.dwell(dwellAbove);
       hole.rapid(hole.below(depth) + hole.setUp());
     }
-    depth = depth + peck < hole.whole() - kRounding ? depth + peck : hole.whole();
+    depth = depth + peck < hole.whole() - kCycleRounding ? depth + peck : hole.whole();
     hole.feed(hole.below(depth), feed);
   }
   hole.dwell(dwellBelow);
@@ -224,7 +102,7 @@ Steps drillUniversally(Values& values) {
   Drilling hole(values);
   const double feed = values.q(206);
   double peck = values.q(202);
-  const double dwellAbove = values.q(210);
+  const double dwellAbove = values.q(210, 0.0);
   const double decrement = values.q(212);
   const double breaks = values.q(213);
   const double smallest = values.q(205);
@@ -262,7 +140,7 @@ Steps drillUniversally(Values& values) {
       }
       peck = nextPeck(peck, decrement, smallest);
     }
-    depth = depth + peck < hole.whole() - kRounding ? depth + peck : hole.whole();
+    depth = depth + peck < hole.whole() - kCycleRounding ? depth + peck : hole.whole();
     hole.feed(hole.below(depth), feed);
   }
   hole.dwell(dwellBelow);
@@ -322,8 +200,8 @@ Steps peckUniversally(Values& values) {
       hole.rapid(hole.below(depth) + stopAbove);
       peck = nextPeck(peck, decrement, smallest);
     }
-    const double to = depth + peck < hole.whole() - kRounding ? depth + peck : hole.whole();
-    while (breakAfter > 0.0 && depth + breakAfter < to - kRounding) {
+    const double to = depth + peck < hole.whole() - kCycleRounding ? depth + peck : hole.whole();
+    while (breakAfter > 0.0 && depth + breakAfter < to - kCycleRounding) {
       depth += breakAfter;
       hole.feed(hole.below(depth), feed);
       hole.rapid(hole.below(depth - breakBy));
@@ -365,35 +243,136 @@ Steps tap(Values& values, bool isRigid) {
   return hole.take();
 }
 
-/// Old cycles begin and end where the tool stands, the set-up clearance above the surface.
-struct OldHole {
-  OldHole(Values& values, const CycleSituation& situation)
-      : place(situation.at),
-        axis(situation.toolAxis),
-        start(situation.at[situation.toolAxis]),
-        setUp(std::abs(values.old(1))),
-        depth(values.old(2)) {
-    if (std::isnan(start)) {
-      values.note(
-          {FaultCode::RelativeFromUnknownPosition, std::string(1, base::kAxisNames[axis]), {}});
-    }
-    if (depth > 0.0) {
-      values.note({FaultCode::OutOfDomain, "DEPTH", {}});
-    }
+/// 202 BORING: the spindle stops at an angle, and the edge leaves the wall by 0.2 mm (chapter
+/// "Drilling").
+Steps bore(Values& values) {
+  constexpr double kAsideMm = 0.2;
+  Drilling hole(values);
+  const double feed = values.q(206);
+  const double dwell = values.q(211);
+  const double back = feedOr(values.q(208), feed);
+  const double direction = values.q(214);
+  const double angle = values.q(336, 0.0);
+  checkFeed(values, 206, feed);
+  checkSpindle(values);
+  if (direction < 0.0 || direction > 4.0 || direction != std::floor(direction)) {
+    values.outOfRange(214);
   }
-  [[nodiscard]] Vec3 at(double height) const {
-    Vec3 to = place;
-    to.set(axis, height);
-    return to;
+  if (values.isFaulty() || hole.whole() == 0.0) {
+    return {};
   }
-  [[nodiscard]] double surface() const { return start - setUp; }
+  // 1 and 3: against and along the first axis; 2 and 4 the second.
+  Vec3 aside;
+  const double way = direction >= 3.0 ? 1.0 : -1.0;
+  const std::size_t first = (values.situation().toolAxis + 1) % base::kAxisCount;
+  const bool isSecond = direction == 2.0 || direction == 4.0;
+  if (direction > 0.0) {
+    aside.set(isSecond ? (first + 1) % base::kAxisCount : first,
+              way * kAsideMm * values.situation().millimetre);
+  }
+  hole.rapid(hole.clearance());
+  hole.add({.kind = CycleStep::Kind::Bore,
+            .to = hole.at(hole.below(hole.whole())),
+            .feed = feed,
+            .seconds = dwell,
+            .aside = aside,
+            .degrees = angle,
+            .backFeed = back >= kFeedMax ? 0.0 : back});
+  hole.leave();
+  return hole.take();
+}
 
-  Vec3 place;
-  std::size_t axis;
-  double start;
-  double setUp;
-  double depth;
-};
+/// 209 TAPPING WITH CHIP BREAKING, with a rigid chuck.
+Steps tapInStrokes(Values& values) {
+  Drilling hole(values);
+  const double spindle = values.situation().spindlePerMin;
+  const double pitch = values.q(239);
+  const double stroke = values.q(257);
+  const double back = values.q(256);
+  checkSpindle(values);
+  checkFeed(values, 239, std::abs(pitch) * spindle);
+  if (stroke < 0.0) {
+    values.outOfRange(257);
+  }
+  if (back < 0.0) {
+    values.outOfRange(256);
+  }
+  if (values.q(403, 1.0) != 1.0) {
+    values.outOfRange(403);  // faster out of the hole
+  }
+  if (values.isFaulty() || hole.whole() == 0.0) {
+    return {};
+  }
+  hole.rapid(hole.clearance());
+  hole.add({.kind = CycleStep::Kind::Tap,
+            .to = hole.at(hole.below(hole.whole())),
+            .feed = std::abs(pitch) * spindle,
+            .isLeftHanded = pitch < 0.0,
+            .stroke = stroke,
+            .back = back * std::abs(pitch)});
+  hole.leave();
+  return hole.take();
+}
+
+/// 241 SINGLE-LIP D.H.D.: slowly into the pilot hole, and out of the hole again.
+Steps drillDeep(Values& values) {
+  Drilling hole(values);
+  const double feed = values.q(206);
+  const double dwell = values.q(211);
+  const double start = values.q(379);
+  const double startFeed = values.q(253);
+  const double back = values.q(208);
+  const double slow = values.q(427);
+  const double speed = values.q(428);
+  const auto function = [&values](int number, double otherwise) {
+    const double value = values.q(number, otherwise);
+    if (value < 0.0 || value > 999.0 || value != std::floor(value)) {
+      values.outOfRange(number);
+      return 0;
+    }
+    return static_cast<int>(value);
+  };
+  const int turns = function(426, 3.0);
+  const int coolant = function(429, 8.0);
+  const int coolantOff = function(430, 9.0);
+  checkFeed(values, 206, feed);
+  checkFeed(values, 253, startFeed);
+  if (turns < 3 || turns > 5) {
+    values.outOfRange(426);
+  }
+  if (!(speed > 0.0) || slow < 0.0) {
+    values.outOfRange(428);
+  }
+  if (start < 0.0 || start > hole.whole()) {
+    values.outOfRange(379);
+  }
+  if (values.q(435, 0.0) != 0.0) {
+    values.outOfRange(435);  // a dwell on the way
+  }
+  if (values.q(202, kFeedMax) < hole.whole()) {
+    values.outOfRange(202);
+  }
+  if (values.isFaulty() || hole.whole() == 0.0) {
+    return {};
+  }
+  const auto spindle = [&hole](int way, double perMin) {
+    hole.add({.kind = CycleStep::Kind::Function, .function = way, .spindlePerMin = perMin});
+  };
+  hole.rapid(hole.clearance());
+  spindle(turns, slow);
+  if (start > 0.0) {
+    hole.feed(hole.below(start) + hole.setUp(), startFeed);
+  }
+  spindle(3, speed);
+  spindle(coolant, 0.0);
+  hole.feed(hole.below(hole.whole()), feed);
+  hole.dwell(dwell);
+  spindle(coolantOff, 0.0);
+  spindle(turns, slow);
+  hole.feed(hole.clearance(), feedOr(back, feed));
+  hole.leave();
+  return hole.take();
+}
 
 /// 1 PECKING (iTNC 530 User's Manual Cycles, chapter "Drilling"): the feed begins again above the
 /// last depth by 0.6 mm, in holes deeper than 30 mm by a 50th of the depth, at most 7 mm.
@@ -404,10 +383,10 @@ Steps peck(Values& values) {
   const double feed = values.old(5);
   const double whole = -hole.depth;
   if (!(infeed > 0.0) || whole / infeed > kStrokesMax) {
-    values.note({FaultCode::OutOfDomain, "PECKG", {}});
+    values.refuse("PECKG");
   }
   if (!(feed > 0.0)) {
-    values.note({FaultCode::OutOfDomain, "F", {}});
+    values.refuse("F");
   }
   if (values.isFaulty() || whole == 0.0) {
     return {};
@@ -422,7 +401,7 @@ Steps peck(Values& values) {
       steps.push_back(
           {.kind = CycleStep::Kind::Rapid, .to = hole.at(hole.surface() - depth + stop)});
     }
-    depth = depth + infeed < whole - kRounding ? depth + infeed : whole;
+    depth = depth + infeed < whole - kCycleRounding ? depth + infeed : whole;
     steps.push_back(
         {.kind = CycleStep::Kind::Feed, .to = hole.at(hole.surface() - depth), .feed = feed});
   }
@@ -441,7 +420,7 @@ Steps tapOld(Values& values, bool isRigid) {
   const double feed = isRigid ? std::abs(third) * spindle : values.old(4);
   checkSpindle(values);
   if (!(feed > 0.0)) {
-    values.note({FaultCode::OutOfDomain, isRigid ? "PITCH" : "F", {}});
+    values.refuse(isRigid ? "PITCH" : "F");
   }
   if (values.isFaulty() || hole.depth == 0.0) {
     return {};
@@ -461,14 +440,28 @@ struct Row {
 constexpr std::array kCycles{
     Row{1, peck},
     Row{2, [](Values& values) { return tapOld(values, false); }},
+    Row{4, pocketOld},
+    Row{5, circularPocketOld},
     Row{17, [](Values& values) { return tapOld(values, true); }},
     Row{200, drill},
     Row{201, ream},
+    Row{202, bore},
     Row{203, drillUniversally},
     Row{205, peckUniversally},
     Row{206, [](Values& values) { return tap(values, false); }},
     Row{207, [](Values& values) { return tap(values, true); }},
+    Row{208, boreByMilling},
+    Row{209, tapInStrokes},
+    Row{232, faceByMilling},
     Row{240, centre},
+    Row{241, drillDeep},
+    Row{251, rectangularPocket},
+    Row{252, circularPocket},
+    Row{253, slot},
+    Row{254, circularSlot},
+    Row{256, rectangularStud},
+    Row{257, circularStud},
+    Row{262, threadByMilling},
 };
 
 const Row* rowOf(int cycle) {
@@ -499,7 +492,7 @@ std::vector<Vec3> circle(Values& values) {
     values.outOfRange(241);
     return {};
   }
-  const bool isFull = std::abs(std::abs(to - from) - 360.0) < kRounding;
+  const bool isFull = std::abs(std::abs(to - from) - 360.0) < kCycleRounding;
   const double own = step != 0.0    ? step
                      : count == 1.0 ? 0.0
                                     : (to - from) / (isFull ? count : count - 1.0);

@@ -26,6 +26,8 @@ inline constexpr double kFeedMax = 99999.0;
 struct CycleDefinition {
   int number = 0;                            ///< 0: none
   std::map<int, double> values;              ///< of the old form: 1.3 PECKG 5 is 3 → 5
+  std::map<int, double> feeds;               ///< of the old form: F of a line
+  std::map<int, double> turns;               ///< of the old form: DR of a line, 1 or -1
   std::set<std::string, std::less<>> named;  ///< parameters in its block
 };
 
@@ -44,13 +46,19 @@ struct CycleSituation {
 };
 
 struct CycleStep {
-  enum class Kind { Rapid, Feed, Dwell, Function, Tap };
+  enum class Kind { Rapid, Feed, Dwell, Function, Tap, Bore };
   Kind kind = Kind::Rapid;
-  base::Vec3 to{};            ///< of Rapid and Feed, and the depth of Tap
-  double feed = 0.0;          ///< per minute
-  double seconds = 0.0;       ///< of Dwell and Tap
-  int function = 0;           ///< of Function: an M function
-  bool isLeftHanded = false;  ///< of Tap
+  base::Vec3 to{};             ///< of Rapid and Feed, and the depth of Tap and Bore
+  double feed = 0.0;           ///< per minute
+  double seconds = 0.0;        ///< of Dwell, Tap and Bore
+  int function = 0;            ///< of Function: an M function; 0: none
+  double spindlePerMin = 0.0;  ///< of Function; 0: as before
+  bool isLeftHanded = false;   ///< of Tap
+  double stroke = 0.0;         ///< of Tap: the chip breaks after so much; 0: never
+  double back = 0.0;           ///< of Tap: so far back then; 0: out of the hole
+  base::Vec3 aside{};          ///< of Bore: how the edge leaves the wall
+  double degrees = 0.0;        ///< of Bore: where the spindle stands then
+  double backFeed = 0.0;       ///< of Bore: out of the hole, per minute
 };
 
 [[nodiscard]] bool isPattern(int cycle);

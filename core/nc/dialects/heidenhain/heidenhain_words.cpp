@@ -33,6 +33,7 @@ constexpr std::array kG{GRow{0, G::Rapid, Changes::Path, {}, kPathContours},
                         GRow{200, G::Inches, Changes::State, {}, kPathContours},
                         GRow{210, G::Millimetres, Changes::State, {}, kPathContours},
                         GRow{740, G::Cycle, Changes::Path, {}, kPathContours},
+                        GRow{760, G::Cycle, Changes::Path, {}, kPathContours},
                         GRow{840, G::Cycle, Changes::Path, {}, kPathContours},
                         GRow{800, G::CycleOff, Changes::State, {}, kPathContours},
                         GRow{980, G::Harmless, Changes::Nothing, {}, kPathContours},
@@ -97,7 +98,8 @@ constexpr std::array kM{MRow{2, MEffect::End, Changes::Path, kMisc},
 
 NameTable names() {
   NameTable table;
-  table.add(NameEffect::Address, kPathContours, {"A3", "B3", "C3", "TURN"});
+  table.add(NameEffect::Address, kPathContours,
+            {"A3", "B3", "C3", "TURN", "VRT", "RPA", "RPO", "POSS", "RFF", "OFFN"});
   table.add(NameEffect::None, kPathContours, {"BLK", "TOOL"});
   return table;
 }

@@ -435,14 +435,14 @@ Expected<Control::Item> Control::itemOf(const MotionWords& words) {
     if (!mirrors) {
       return fail(mirrors.error());
     }
-    if (*words.compensation != 0 && m_toolRadiusDelta != 0.0) {
-      return fail(FaultCode::UnsupportedGCode, "DR", item.place);
-    }
     m_compensation = *words.compensation;
     const int side = *mirrors ? -m_compensation : m_compensation;
     Token token = word('G', side == 0 ? 40.0 : side > 0 ? 41.0 : 42.0);
     token.column = words.compensationColumn;
     item.tokens.push_back(token);
+    if (side != 0 && m_toolRadiusDelta != 0.0) {
+      item.tokens.push_back(named("OFFN", m_toolRadiusDelta));  // the tool is so much larger
+    }
   }
   const bool hasNormal = words.normal[0] || words.normal[1] || words.normal[2];
   if (hasNormal && (m_toolRadiusDelta != 0.0 || m_lengthDelta != 0.0)) {
@@ -454,6 +454,10 @@ Expected<Control::Item> Control::itemOf(const MotionWords& words) {
     item.tokens.push_back(named("A3", direction.x));
     item.tokens.push_back(named("B3", direction.y));
     item.tokens.push_back(named("C3", direction.z));
+  }
+  if (words.spindlePerMin) {  // as some post-processors write it; a TNC has it in TOOL CALL
+    m_spindlePerMin = *words.spindlePerMin;
+    item.tokens.push_back(word('S', m_spindlePerMin));
   }
   addFunctions(words, item);
   if (item.isInMachine && item.moves) {

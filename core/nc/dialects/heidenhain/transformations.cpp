@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -95,7 +96,9 @@ Expected<void> Control::cycleDefinition(Scanner& in) {
   if (isPattern(*number)) {
     return runPattern(*number);
   }
-  m_cycle = {*number, {}, std::move(named)};
+  m_cycle = {};
+  m_cycle.number = *number;
+  m_cycle.named = std::move(named);
   m_callsAlways = false;
   return {};
 }
@@ -208,7 +211,8 @@ Expected<void> Control::oldCycleLine(Scanner& in, int number, int line) {
   if (line == 0) {
     skipRest();
     ignore(fmt::format("CYCL DEF {}", number));
-    m_cycle = {number, {}, {}};
+    m_cycle = {};
+    m_cycle.number = number;
     m_callsAlways = false;
     return {};
   }
@@ -219,11 +223,41 @@ Expected<void> Control::oldCycleLine(Scanner& in, int number, int line) {
     skipRest();  // refused where it is called
     return {};
   }
-  const Expected<double> value = valueOf();
-  if (!value) {
-    return fail(value.error());
+  return oldCycleWords(in, line);
+}
+
+/// "SET UP 2", "PECKG 5 F100", "F200 DR- RADIUS 16", "X+145".
+Expected<void> Control::oldCycleWords(Scanner& in, int line) {
+  bool hasValue = false;
+  while (!in.isAtEnd()) {
+    const std::size_t at = in.at();
+    if (in.takePrefix("DR") && (in.peek() == '+' || in.peek() == '-')) {
+      m_cycle.turns[line] = in.take('-') ? -1.0 : 1.0;
+      in.take('+');
+      continue;
+    }
+    in.goTo(at);
+    const bool isFeed = in.takePrefix("F") && in.isAtValue();
+    if (!isFeed) {
+      in.goTo(at);
+      const bool isAbbreviated = !in.takeName().empty() && in.take('.');  // V.ZEIT
+      if (isAbbreviated || !in.isAtValue()) {
+        in.goTo(std::max(in.at(), at + 1));
+        continue;
+      }
+    }
+    const Expected<double> value = in.value();
+    if (!value) {
+      return fail(value.error());
+    }
+    if (isFeed) {
+      m_cycle.feeds[line] = *value;
+    }
+    if (!isFeed || !hasValue) {
+      m_cycle.values[line] = *value;
+    }
+    hasValue = hasValue || !isFeed;
   }
-  m_cycle.values[line] = *value;
   return {};
 }
 
@@ -329,25 +363,96 @@ Expected<void> Control::swivel(Scanner& in) {
   }
   if (isTilted || m_isSwivelled) {
     m_isSwivelled = true;
+    tellPlaneAngles(false);
     refuse(FaultCode::UnsupportedGCode, "CYCL DEF 19");
   } else {
+    tellPlaneAngles(true);
     ignore("CYCL DEF 19");
   }
   return {};
 }
 
+namespace {
+
+/// A word of PLANE with its value: the plane is that of the machine with it.
+bool isLevel(std::string_view kind, std::string_view word, double value) {
+  if (kind == "VECTOR") {
+    // The first axis of the plane, and the direction across it.
+    const bool isAxis = word == "BX" || word == "NZ";
+    const bool isOther = word == "BY" || word == "BZ" || word == "NX" || word == "NY";
+    return isAxis ? value > 0.0 : !isOther || value == 0.0;
+  }
+  static constexpr std::array<std::string_view, 12> kAngles{
+      "SPA", "SPB", "SPC", "A", "B", "C", "PROPR", "PROMIN", "ROT", "EULPR", "EULNU", "EULROT"};
+  return value == 0.0 || std::find(kAngles.begin(), kAngles.end(), word) == kAngles.end();
+}
+
+bool isPlaneByAngles(std::string_view kind) {
+  static constexpr std::array<std::string_view, 6> kKinds{"SPATIAL", "AXIAL",   "PROJECTED",
+                                                          "EULER",   "RELATIV", "VECTOR"};
+  return std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end();
+}
+
+}  // namespace
+
+/// PLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN MB MAX FMAX, PLANE RESET STAY. Chapter "The PLANE function:
+/// tilting the working plane". Only a plane that is not tilted is followed: nothing turns, if the
+/// rotary axes stand at zero.
 Expected<void> Control::plane(Scanner& in) {
   const std::string kind = in.takeName();
   const bool isReset = kind == "RESET";
-  const bool stays = in.takeWord("STAY");
+  bool isTilted = !isReset && !isPlaneByAngles(kind);
+  bool stays = false;
+  bool retracts = false;
+  while (!isTilted && !in.isAtEnd()) {
+    const std::string word = in.takeName();
+    stays = stays || word == "STAY";
+    retracts = retracts || word == "MB";
+    if (word == "SEQ" || word == "SYM") {
+      (void)(in.take('+') || in.take('-'));
+      continue;
+    }
+    if (in.isAtValue()) {
+      const Expected<double> value = in.value();
+      if (!value) {
+        return fail(value.error());
+      }
+      isTilted = !isReset && !isLevel(kind, word, *value);
+    } else if (word.empty()) {
+      return in.fault<void>(FaultCode::UnknownWord, in.nextText());
+    }
+  }
   in.skipRest();
-  if (isReset && stays && !m_isSwivelled) {
-    ignore("PLANE RESET");
+  const bool turns = !stays && !rotaryAxesStandAtZero();
+  if (isTilted || m_isSwivelled || turns) {
+    m_isSwivelled = !isReset;
+    tellPlaneAngles(false);
+    refuse(FaultCode::UnsupportedGCode, "PLANE " + kind);
     return {};
   }
-  m_isSwivelled = !isReset;
-  refuse(FaultCode::UnsupportedGCode, "PLANE " + kind);
+  tellPlaneAngles(true);
+  if (!stays && retracts) {
+    constexpr double kRetract = 140.0;
+    tell({word('M', kRetract)});
+    m_at.set(thirdAxis(), std::nan(""));
+    m_direction.reset();
+  } else {
+    ignore("PLANE " + kind);
+  }
   return {};
+}
+
+/// They are taken to stand there until the program names them.
+bool Control::rotaryAxesStandAtZero() const {
+  return std::none_of(m_rotary.begin() + kFirstRotary, m_rotary.begin() + kFirstFurther,
+                      [](double degrees) { return std::abs(degrees) > 0.0; });
+}
+
+/// Q120 to Q122 are the angles of the rotary axes that a tilted plane needs.
+void Control::tellPlaneAngles(bool isKnown) {
+  for (const int angle : {120, 121, 122}) {
+    m_parameters.setOfControl(angle, isKnown ? std::optional(0.0) : std::nullopt);
+  }
 }
 
 bool Control::isActive(Shift shift) const {

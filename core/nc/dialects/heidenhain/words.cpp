@@ -121,6 +121,9 @@ Expected<bool> Control::wordOf(Scanner& in, MotionWords& words) {
   if (in.takePrefix("R")) {
     return into(words.radius);
   }
+  if (in.takePrefix("S")) {
+    return into(words.spindlePerMin);
+  }
   if (in.takePrefix("M")) {
     const Expected<void> done = functionWord(in, words);
     return done ? Expected<bool>(true) : fail(done.error());
