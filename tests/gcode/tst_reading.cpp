@@ -220,6 +220,14 @@ class TestReading : public QObject {
         load("G0 X1\nCYCLE82(5,0,2,-10)\nO<part> call\n#<a>=1\nO100 ENDSUB\nTRAORI\n");
     QVERIFY(find(program, DiagnosticCode::TwoDialects));
     QVERIFY(!program.isStreamable());
+    // Headings of plain text are free text, like comments.
+    for (const char* heading : {"* - D10 CR=0", "12 *   - TRAORI", "N3 * - T5 CR=0.5"}) {
+      const std::string plain =
+          "0 BEGIN PGM A MM\n" + std::string(heading) + "\n2 L X+0 Y+0 Z+5 FMAX\n3 END PGM A MM\n";
+      QVERIFY2(load(plain).isStreamable(), heading);
+    }
+    QVERIFY(find(load("0 BEGIN PGM A MM\n1 L X+0 FMAX\nG2 X1 Y1 CR=5\n2 END PGM A MM\n"),
+                 DiagnosticCode::TwoDialects));
   }
 };
 

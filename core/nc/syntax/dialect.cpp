@@ -166,7 +166,8 @@ std::string relevantPart(std::string_view line) {
     }
     text.erase(0, at);
   }
-  return text;
+  // A heading of plain text, "* - MILL D10 CR=0", is free text.
+  return text.empty() || text.front() != '*' ? text : std::string();
 }
 
 bool isLetter(char c) {
