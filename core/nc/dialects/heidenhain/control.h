@@ -110,6 +110,8 @@ class Control {
     int compensationColumn = 1;
     std::optional<Feed> feed;
     std::optional<double> spindlePerMin;
+    std::optional<double> retractBy;  ///< M140 MB50
+    std::optional<Feed> retractFeed;
     std::vector<MFunction> functions;
     std::array<std::optional<double>, base::kAxisCount> normal;
     std::array<std::optional<double>, base::kAxisCount> tool;
@@ -191,6 +193,7 @@ class Control {
   [[nodiscard]] Expected<void> moveOn(const MotionWords& words, Item item);
   [[nodiscard]] Expected<void> setArc(Item& item, Flat centre, bool clockwise, std::size_t plane);
   [[nodiscard]] Expected<void> afterMotion(const MotionWords& words);
+  [[nodiscard]] Expected<void> retract(const MotionWords& words);
   void addFunctions(const MotionWords& words, Item& item);
 
   // queue.cpp

@@ -575,8 +575,30 @@ Expected<void> Control::moveOn(const MotionWords& words, Item item) {
   return afterMotion(words);
 }
 
+/// M140 MB50 F750: along the tool axis by a distance, rapid without a feed (chapter "Miscellaneous
+/// functions", M140). Whether the axes of its block move before or afterwards is not clear.
+Expected<void> Control::retract(const MotionWords& words) {
+  const Place place{m_place.line, m_place.file, words.column};
+  const double from = programmed()[thirdAxis()];
+  if (words.moves() || *words.retractBy < 0.0) {
+    return fail(FaultCode::UnsupportedGCode, "M140", place);
+  }
+  if (std::isnan(from)) {
+    return fail(FaultCode::RelativeFromUnknownPosition,
+                std::string(1, base::kAxisNames[thirdAxis()]), place);
+  }
+  base::Vec3 above = programmed();
+  above.set(thirdAxis(), from + *words.retractBy);
+  return step(above, words.retractFeed.value_or(Feed{FeedKind::Rapid, 0.0}));
+}
+
 Expected<void> Control::afterMotion(const MotionWords& words) {
   constexpr int kRetract = 140;
+  if (words.retractBy) {
+    if (Expected<void> done = retract(words); !done) {
+      return done;
+    }
+  }
   if (words.has(kRetract)) {
     m_at.set(thirdAxis(), std::nan(""));
     m_direction.reset();

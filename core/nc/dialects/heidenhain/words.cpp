@@ -149,7 +149,17 @@ Expected<void> Control::functionWord(Scanner& in, MotionWords& words) {
       if (!distance) {
         return fail(distance.error());
       }
+      words.functions.pop_back();  // no retraction to the limit: a move
+      words.retractBy = *distance;
     }
+    if (in.isAtEnd() || in.peek() != 'F') {
+      return {};
+    }
+    const Expected<Feed> feed = feedWord(in);
+    if (!feed) {
+      return fail(feed.error());
+    }
+    words.retractFeed = *feed;
   } else if (*number == kLookAhead) {
     if (in.takePrefix("LA")) {
       (void)in.takeInteger();
