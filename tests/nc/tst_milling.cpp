@@ -71,6 +71,22 @@ class TestMilling : public QObject {
     QVERIFY(std::any_of(steps->begin(), steps->end(), feedOf(400.0 / 60.0)));
     QVERIFY(std::any_of(steps->begin(), steps->end(), feedOf(150.0 / 60.0)));
   }
+  /// A wall is finished from a tangent, and left on one.
+  void tangentAtTheWall() {
+    const Arguments arguments{20, 0, 2, -6, 60, 40, 8, 70, 50, 0, 6, 0.2, 0, 400, 150, 0, 2, 5};
+    const auto steps = nc::expandMilling("POCKET3", arguments, kStart);
+    QVERIFY(steps.has_value());
+    // The outermost place of the path is reached along the wall, and not across it.
+    const auto wall = std::find_if(steps->begin(), steps->end(), [](const CycleStep& step) {
+      return std::abs(step.toMm.x - 96.0) < 1e-9;
+    });
+    QVERIFY(wall != steps->end() && wall != steps->begin());
+    const base::Vec3 way = wall->toMm - std::prev(wall)->toMm;
+    QVERIFY(way.y > 5.0 * std::abs(way.x));
+    const Extent extent = extentOf(*steps);
+    QVERIFY(isNear(extent.minMm.x, 44) && isNear(extent.maxMm.x, 96));
+    QVERIFY(isNear(extent.minMm.y, 34) && isNear(extent.maxMm.y, 66));
+  }
   void toolThatDoesNotFit() {
     const Arguments narrow{20, 0, 2, -6, 60, 7, 3, 70, 50, 0, 3, 0, 0, 400, 150, 0, 1};
     const auto steps = nc::expandMilling("POCKET3", narrow, kStart);

@@ -174,6 +174,12 @@ bool clearRectangle(AreaMill& mill, double halfU, double halfV, double corner,
     if (!enter(mill, outerU, outerV, above, height, how)) {
       return false;
     }
+    // To a wall that is finished, and away from it, on quarter circles.
+    const double arrival = how.roughs ? 0.0 : std::min(least, mill.radius());
+    if (arrival > 0.0) {
+      mill.cut(outerU - arrival, -arrival, height, how.feed);
+      mill.arc(outerU - arrival, 0.0, arrival, -90.0, 90.0, height, how.feed);
+    }
     // The innermost ring is closed as far as the tool reaches, or has a line within it.
     const bool isOpen = how.roughs && least / count > mill.radius() && mill.radius() > 0.0;
     for (double line = isOpen ? count : count - 1.0; line >= 0.0; --line) {
@@ -183,6 +189,9 @@ bool clearRectangle(AreaMill& mill, double halfU, double halfV, double corner,
     if (how.roughs && how.finishes && how.allowance > 0.0) {
       mill.ring(halfU - mill.radius(), halfV - mill.radius(), std::max(corner - mill.radius(), 0.0),
                 height, how.feed);
+    }
+    if (arrival > 0.0) {
+      mill.arc(outerU - arrival, 0.0, arrival, 0.0, 90.0, height, how.feed);
     }
     mill.cut(0.0, 0.0, height, how.feed);
     above = height;
