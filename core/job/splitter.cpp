@@ -40,7 +40,9 @@ using nc::TokenKind;
 /// Chords of an arc, where only what it reaches counts.
 constexpr double kReachMm = 0.1;
 
-/// M functions of a TNC that switch off what no job has on: M101, M110, M116, M128, M144, M148.
+constexpr int kTipOffOfTnc = 129;
+/// M functions of a TNC that switch off what no job has on: M101, M110, M116, M144, M148, and M128
+/// in most.
 constexpr std::array kSwitchOff{102, 111, 117, 129, 145, 149};
 
 /// M functions that the five-axis configurations of LinuxCNC have for its kinematics: X, Y and Z
@@ -830,6 +832,20 @@ class Splitter final : public gcode::BlockObserver,
         break;
     }
   }
+  /// M128 and M129 of a TNC.
+  void switchTip(bool isOn) {
+    m_tipIsOn = isOn;
+    add(NativeReason::Transformation);
+    m_block->words.push_back({ForeignWord::Kind::Line, 0.0, isOn ? "TRAORI" : "TRAFOOF"});
+  }
+  [[nodiscard]] bool movesHere() const {
+    return std::any_of(m_block->tokens.begin(), m_block->tokens.end(), [](const Token& token) {
+      return token.kind == TokenKind::Word &&
+             std::find(nc::kProgrammedAxes.begin(), nc::kProgrammedAxes.end(), token.address) !=
+                 nc::kProgrammedAxes.end();
+    });
+  }
+
   /// An M function of the source's own machine. What is left out moves nothing; what takes its
   /// place may.
   void addMachineFunction(int number, base::LineNumber line) {
@@ -841,6 +857,10 @@ class Splitter final : public gcode::BlockObserver,
       return;  // followed here
     }
     if (Translator::isOfLanguage(m_language->dialect, number)) {
+      if (m_tipIsOn && number == kTipOffOfTnc) {
+        switchTip(false);
+        return;
+      }
       if (m_language->isKlartext &&
           std::find(kSwitchOff.begin(), kSwitchOff.end(), number) != kSwitchOff.end()) {
         ++m_functions.try_emplace(number, FunctionUse{number, line, 0, {}, false})
@@ -884,6 +904,10 @@ class Splitter final : public gcode::BlockObserver,
     }
     const bool isLeftOut =
         isAccepted(gcode::acceptableName({severity, {}, column, code, argument}));
+    if (m_language->isKlartext && argument == "M128" && !isLeftOut && !movesHere()) {
+      switchTip(true);
+      return;
+    }
     const std::optional<NativeReason> reason =
         severity == Severity::Error && !isLeftOut
             ? reasonOfFault(m_language->dialect, code, argument)
@@ -1170,6 +1194,10 @@ class Splitter final : public gcode::BlockObserver,
     BlockNotes& block = *m_block;
     forward();
     const Translation translation = m_translator.translate(block.words, block.home, *m_language);
+    if (m_tipIsOn && block.home) {
+      // SUPA is in the coordinates of the tip there, and not in those of the machine.
+      refuse(RefusalCode::NotTranslated, "M91");
+    }
     for (const std::string& word : translation.missing) {
       if (!isAccepted(word)) {
         refuse(RefusalCode::NotTranslated, word);
@@ -1248,6 +1276,7 @@ class Splitter final : public gcode::BlockObserver,
   std::array<bool, base::kAxisCount> m_isSetUnknown{};  ///< by G92, from where is not known
   std::vector<std::string> m_frame;
   bool m_curveIsStreamed = false;
+  bool m_tipIsOn = false;       ///< M128 of a TNC
   bool m_hasAllowance = false;  ///< OFFN, until G40
   std::size_t m_points = 0;
 

@@ -183,6 +183,28 @@ class TestSplitter : public QObject {
     QVERIFY(refusals(iso).contains(QStringLiteral("G43.4")));
     QVERIFY(!planOf("M428\nG0 X1\nM30\n", gcode::Dialect::Fanuc).isWhole());
   }
+  /// M128 and M129 of a TNC; where another block moves, and in machine coordinates, not.
+  void tipOfTheToolOfTnc() {
+    const auto plain = [](const std::string& body) {
+      const std::string whole =
+          "BEGIN PGM A MM\nL X+0 Y+0 Z+50 A+0 FMAX\n" + body + "END PGM A MM\n";
+      return planOf(whole.c_str(), gcode::Dialect::Heidenhain);
+    };
+    const job::Plan plan =
+        plain("M129\nL M128 F2000\nL X+1 Y+0 Z+50 A+5 F100\nM129\nL X+0 Y+0 Z+60 FMAX\n");
+    QCOMPARE(refusals(plan), QString());
+    QVERIFY(plan.isWhole());
+    QCOMPARE(text(test::printParts(plan)),
+             QStringLiteral("stretch 1 1-3: 1 point from ? | native 4 transformation "
+                            "TRAORI | stretch 2 5: 1 point from ? | native 6 transformation "
+                            "TRAFOOF | stretch 3 7: 1 point from ? | native 8 end M30"));
+    QCOMPARE(plan.program.trajectory.points[1].feedMmPerS * 60.0, 100.0);
+    QVERIFY(!plain("L X+5 A+5 F100 M128\nM129\n").isWhole());
+    QVERIFY(!plain("M128\nL Z+0 FMAX M91\nM129\n").isWhole());
+    QVERIFY(plain("M128\nM129\nL Z+0 FMAX M91\n").isWhole());
+    // Where the tool stands in the new coordinates is not known.
+    QVERIFY(!plain("M128\nL IX+5 F100\nM129\n").isWhole());
+  }
 
   void compensationRegion() {
     const job::Plan plan = planOf(

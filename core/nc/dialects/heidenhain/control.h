@@ -300,6 +300,7 @@ class Control {
   std::size_t m_turnAxis = 2;
   double m_scale = 1.0;
   bool m_isSwivelled = false;
+  bool m_tipIsOn = false;  ///< M128
   bool m_hasMoved = false;
   std::optional<double> m_preset;  ///< of Cycle 247
 

@@ -599,6 +599,14 @@ Expected<void> Control::afterMotion(const MotionWords& words) {
       return done;
     }
   }
+  // X, Y and Z mean something else from here on.
+  constexpr int kTipOn = 128;
+  constexpr int kTipOff = 129;
+  m_tipIsOn = m_tipIsOn || words.has(kTipOn);
+  if (m_tipIsOn && (words.has(kTipOn) || words.has(kTipOff))) {
+    m_tipIsOn = !words.has(kTipOff);
+    forgetPosition();
+  }
   if (words.has(kRetract)) {
     m_at.set(thirdAxis(), std::nan(""));
     m_direction.reset();

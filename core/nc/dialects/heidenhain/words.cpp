@@ -141,6 +141,7 @@ Expected<void> Control::functionWord(Scanner& in, MotionWords& words) {
   words.functions.push_back({*number, column});
   constexpr int kRetract = 140;
   constexpr int kLookAhead = 120;
+  constexpr int kTipOn = 128;
   // They change the feed or the path by what follows them.
   static constexpr std::array kWithWords{103, 118, 124};
   if (*number == kRetract) {
@@ -160,6 +161,14 @@ Expected<void> Control::functionWord(Scanner& in, MotionWords& words) {
       return fail(feed.error());
     }
     words.retractFeed = *feed;
+  } else if (*number == kTipOn) {
+    // M128 F1000: how fast the control may follow the rotary axes, no feed of the path.
+    if (!in.isAtEnd() && in.peek() == 'F') {
+      const Expected<Feed> feed = feedWord(in);
+      if (!feed) {
+        return fail(feed.error());
+      }
+    }
   } else if (*number == kLookAhead) {
     if (in.takePrefix("LA")) {
       (void)in.takeInteger();
