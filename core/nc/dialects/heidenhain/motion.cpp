@@ -576,13 +576,10 @@ Expected<void> Control::moveOn(const MotionWords& words, Item item) {
 }
 
 /// M140 MB50 F750: along the tool axis by a distance, rapid without a feed (chapter "Miscellaneous
-/// functions", M140). Whether the axes of its block move before or afterwards is not clear.
+/// functions", M140).
 Expected<void> Control::retract(const MotionWords& words) {
   const Place place{m_place.line, m_place.file, words.column};
   const double from = programmed()[thirdAxis()];
-  if (words.moves() || *words.retractBy < 0.0) {
-    return fail(FaultCode::UnsupportedGCode, "M140", place);
-  }
   if (std::isnan(from)) {
     return fail(FaultCode::RelativeFromUnknownPosition,
                 std::string(1, base::kAxisNames[thirdAxis()]), place);

@@ -40,6 +40,14 @@ Expected<Control::MotionWords> Control::motionWords(Scanner& in) {
       return in.fault<MotionWords>(FaultCode::UnknownWord, in.nextText());
     }
   }
+  // With a distance and alone, M140 is a move; whether the axes of its block move before it or
+  // afterwards is not clear.
+  constexpr int kRetract = 140;
+  if (words.retractBy && (words.moves() || *words.retractBy < 0.0)) {
+    words.retractBy.reset();
+  } else if (words.retractBy) {
+    std::erase_if(words.functions, [](const MFunction& each) { return each.number == kRetract; });
+  }
   return words;
 }
 
@@ -150,7 +158,6 @@ Expected<void> Control::functionWord(Scanner& in, MotionWords& words) {
       if (!distance) {
         return fail(distance.error());
       }
-      words.functions.pop_back();  // no retraction to the limit: a move
       words.retractBy = *distance;
     }
     if (in.isAtEnd() || in.peek() != 'F') {
