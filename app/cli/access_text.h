@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "streaming/access_forms.h"
+#include "streaming/control/access_forms.h"
 
 namespace rivulet::cli {
 

@@ -19,7 +19,7 @@
 #include "report/stream_quality.h"
 #include "report/trace_json.h"
 #include "report/trace_source.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 #include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
 #include "trace/analysis/trace_analysis.h"

@@ -13,7 +13,7 @@
 #include "cli/connection.h"
 #include "feasibility/access_model.h"
 #include "feasibility/verdict.h"
-#include "streaming/calibration_record.h"
+#include "streaming/setup/calibration_record.h"
 
 namespace rivulet::cli {
 

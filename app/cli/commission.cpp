@@ -12,7 +12,7 @@
 #include "platform/interrupt.h"
 #include "report/credit_test_json.h"
 #include "report/machine_store.h"
-#include "streaming/commissioning.h"
+#include "streaming/setup/commissioning.h"
 
 namespace rivulet::cli {
 

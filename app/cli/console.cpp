@@ -9,7 +9,7 @@
 #include "opcua/error.h"
 #include "platform/log.h"
 #include "report/report_json.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 
 namespace rivulet::cli {
 

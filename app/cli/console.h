@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/method_kind.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 #include "templates/cells.h"
 
 namespace rivulet::cli {

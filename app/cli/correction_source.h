@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "streaming/correction_lines.h"
+#include "streaming/run/correction_lines.h"
 
 namespace rivulet::cli {
 

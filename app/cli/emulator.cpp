@@ -19,9 +19,9 @@
 #include "emulator/emulator_error.h"
 #include "emulator/limits.h"
 #include "emulator/monitor.h"
-#include "experiments/design_study.h"
 #include "learning/learning.h"
 #include "machine/config.h"
+#include "papers/design_study.h"
 #include "platform/interrupt.h"
 
 namespace rivulet::cli {
@@ -318,7 +318,7 @@ Exit designProgram(const EmulatorOptions& options) {
     design.noiseMm = std::max(design.noiseMm, axis.fitRmsMm);
   }
   const auto proposed =
-      emulator::proposeProgram(*known, box, experiments::planMovesOn(*machine), design);
+      emulator::proposeProgram(*known, box, papers::planMovesOn(*machine), design);
   if (isTerminal()) {
     std::fputs("\r\x1b[K", stderr);
   }

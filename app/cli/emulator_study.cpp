@@ -14,7 +14,7 @@
 #include "cli/connection.h"
 #include "cli/emulator_runs.h"
 #include "emulator/paper/study.h"
-#include "experiments/sparse_learning.h"
+#include "papers/sparse_learning.h"
 #include "platform/interrupt.h"
 #include "platform/thread_executor.h"
 
@@ -61,13 +61,13 @@ base::Result<std::vector<Course>> loadCourses(const EmulatorOptions& options) {
     runs.push_back(std::move(one.run));
   }
   if (!options.programs.empty()) {
-    const auto known = experiments::learnWithClocks(runs);
+    const auto known = papers::learnWithClocks(runs);
     if (!known) {
       return base::fail(known.error());
     }
     for (TrainingRun& run : runs) {
-      experiments::alignClock(run, *known);
-      if (auto fits = experiments::requireSteadyClock(run, *known); !fits) {
+      papers::alignClock(run, *known);
+      if (auto fits = papers::requireSteadyClock(run, *known); !fits) {
         return base::fail(fits.error());
       }
       std::erase_if(run.axes, [](const emulator::AxisTrack& track) { return track.axis == 'Z'; });

@@ -20,12 +20,12 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
-#include "experiments/catalogue.h"
-#include "experiments/design_study.h"
-#include "experiments/emulation.h"
-#include "experiments/lookahead.h"
-#include "experiments/published_emulator.h"
-#include "experiments/tampering.h"
+#include "papers/catalogue.h"
+#include "papers/design_study.h"
+#include "papers/emulation.h"
+#include "papers/lookahead.h"
+#include "papers/published_emulator.h"
+#include "papers/tampering.h"
 #include "platform/interrupt.h"
 #include "platform/thread_executor.h"
 #include "report/experiment_report.h"
@@ -96,18 +96,17 @@ constexpr const char* kEmulatorHeading =
 
 /// Results as one page with pictures in images/NAME.
 base::Result<void> writePage(const fs::path& folder, const std::string& name, std::string text,
-                             const std::vector<experiments::Experiment>& results) {
+                             const std::vector<papers::Experiment>& results) {
   std::error_code error;
   fs::create_directories(folder / "images" / name, error);
   text = kPageLicense + text;
-  for (const experiments::Experiment& result : results) {
-    const auto passed =
-        std::count_if(result.checks.begin(), result.checks.end(),
-                      [](const experiments::Check& check) { return check.passed(); });
+  for (const papers::Experiment& result : results) {
+    const auto passed = std::count_if(result.checks.begin(), result.checks.end(),
+                                      [](const papers::Check& check) { return check.passed(); });
     text += fmt::format("| [`{0}`](#{0}) | {1} | {2} of {3} |\n", result.name, result.title, passed,
                         result.checks.size());
   }
-  for (const experiments::Experiment& result : results) {
+  for (const papers::Experiment& result : results) {
     std::vector<std::string> images;
     for (std::size_t i = 0; i < result.plots.size(); ++i) {
       const fs::path image = fs::path("images") / name / numbered(result.name + ".svg", i).string();
@@ -127,12 +126,11 @@ base::Result<void> writePage(const fs::path& folder, const std::string& name, st
 }
 
 /// The emulator of [P2] has a page of its own: it says nothing of the virtual machine.
-base::Result<void> writeReport(const fs::path& folder,
-                               std::vector<experiments::Experiment> results) {
-  const auto emulator = std::stable_partition(
-      results.begin(), results.end(),
-      [](const experiments::Experiment& result) { return result.name != "p2"; });
-  const std::vector<experiments::Experiment> ofEmulator(emulator, results.end());
+base::Result<void> writeReport(const fs::path& folder, std::vector<papers::Experiment> results) {
+  const auto emulator =
+      std::stable_partition(results.begin(), results.end(),
+                            [](const papers::Experiment& result) { return result.name != "p2"; });
+  const std::vector<papers::Experiment> ofEmulator(emulator, results.end());
   results.erase(emulator, results.end());
   if (!results.empty()) {
     if (auto done = writePage(folder, "fidelity", kFidelityHeading, results); !done) {
@@ -143,62 +141,62 @@ base::Result<void> writeReport(const fs::path& folder,
                             : writePage(folder, "emulator-p2", kEmulatorHeading, ofEmulator);
 }
 
-base::Result<experiments::Experiment> run(const std::string& name,
-                                          const ExperimentCommandOptions& options,
-                                          const machine::MachineConfig& machine,
-                                          Connection* connection) {
+base::Result<papers::Experiment> run(const std::string& name,
+                                     const ExperimentCommandOptions& options,
+                                     const machine::MachineConfig& machine,
+                                     Connection* connection) {
   if (name == "lookahead") {
-    return experiments::runLookahead(options.recordings);
+    return papers::runLookahead(options.recordings);
   }
   if (name == "emulator") {
-    return experiments::runEmulation(
-        options.recordings, [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; });
+    return papers::runEmulation(options.recordings,
+                                [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; });
   }
   parallel::ThreadExecutor executor(options.threads);
   ProgressLine progress(name);
   if (name == "p2") {
-    return experiments::runPublishedEmulator(
+    return papers::runPublishedEmulator(
         options.recordings, executor,
         {.progress = [&progress](double share) { return progress(share); }});
   }
   if (name == "monitor") {
-    experiments::TamperingOptions tampering{
+    papers::TamperingOptions tampering{
         .progress = [&progress](double share) { return progress(share); }};
     tampering.draws = options.seeds > 0 ? options.seeds : tampering.draws;
-    return experiments::runTampering(tampering);
+    return papers::runTampering(tampering);
   }
   if (name == "design") {
-    experiments::DesignStudyOptions design{
+    papers::DesignStudyOptions design{
         .progress = [&progress](double share) { return progress(share); }};
     design.draws = options.seeds > 0 ? options.seeds : design.draws;
-    return experiments::runDesignStudy(design);
+    return papers::runDesignStudy(design);
   }
-  experiments::ExperimentOptions experiment{machine, options.seeds, executor,
-                                            [&progress](double share) { return progress(share); }};
+  papers::ExperimentOptions experiment{machine, options.seeds, executor,
+                                       [&progress](double share) { return progress(share); }};
   if (connection == nullptr) {
-    return experiments::runExperiment(name, experiment);
+    return papers::runExperiment(name, experiment);
   }
-  return experiments::runExperimentOn(
-      name, {*connection->link, *connection->control, connection->name}, experiment);
+  return papers::runExperimentOn(name, {*connection->link, *connection->control, connection->name},
+                                 experiment);
 }
 
-void print(const experiments::Experiment& result, bool isFirst) {
+void print(const papers::Experiment& result, bool isFirst) {
   fmt::print("{}{}", isFirst ? "" : "\n", report::experimentText(result));
   std::fflush(stdout);
 }
 
 /// Writes the files that were asked for, and says whether all is well.
-Exit finish(const std::vector<experiments::Experiment>& results,
+Exit finish(const std::vector<papers::Experiment>& results,
             const ExperimentCommandOptions& options) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   std::string csv;
   std::size_t plots = 0;
   bool passed = true;
-  for (const experiments::Experiment& result : results) {
+  for (const papers::Experiment& result : results) {
     passed = passed && result.passed();
     json.push_back(report::experimentJson(result));
     csv += (csv.empty() ? "" : "\n") + report::experimentCsv(result);
-    for (const experiments::Plot& plot : result.plots) {
+    for (const papers::Plot& plot : result.plots) {
       if (!options.plot.empty()) {
         if (auto done = base::writeFile(numbered(options.plot, plots++), report::svgPlot(plot));
             !done) {
@@ -248,7 +246,7 @@ Exit experimentPart(const ExperimentCommandOptions& options,
   if (!share) {
     return reportError(share.error(), false);
   }
-  const std::vector<std::string> shareable = experiments::shareableExperiments();
+  const std::vector<std::string> shareable = papers::shareableExperiments();
   if (options.names.size() != 1 || !options.endpoint.empty() ||
       std::ranges::find(shareable, options.names.front()) == shareable.end()) {
     return reportError(
@@ -266,12 +264,12 @@ Exit experimentPart(const ExperimentCommandOptions& options,
   parallel::ThreadExecutor threads(options.threads);
   base::ShareExecutor executor(threads, *share);
   ProgressLine progress(name);
-  const auto result = experiments::runExperiment(
+  const auto result = papers::runExperiment(
       name, {machine, options.seeds, executor, [&](double done) {
                return progress(std::min(1.0, done * static_cast<double>(share->of)));
              }});
   RIVULET_ASSERT(!result);  // a share has no result
-  if (result.error().code != experiments::ExperimentError::OnlyShare) {
+  if (result.error().code != papers::ExperimentError::OnlyShare) {
     return reportError(result.error(), false);
   }
   if (const auto done = base::writeFile(
@@ -317,7 +315,7 @@ base::Result<std::vector<report::SweepPart>> readParts(const std::vector<std::st
   return wholes;
 }
 
-base::Result<experiments::Experiment> runMerged(report::SweepPart part, unsigned threadCount) {
+base::Result<papers::Experiment> runMerged(report::SweepPart part, unsigned threadCount) {
   const report::SweepOrigin origin = part.origin;
   const auto unlike = [&origin](const std::string& what) {
     return base::fail(report::SweepPartError::Unlike,
@@ -341,11 +339,10 @@ base::Result<experiments::Experiment> runMerged(report::SweepPart part, unsigned
   parallel::ThreadExecutor threads(threadCount);
   base::MergedExecutor executor(threads, std::move(part.numbers));
   ProgressLine progress(origin.experiment);
-  auto result = experiments::runExperiment(
+  auto result = papers::runExperiment(
       origin.experiment,
       {*machine, origin.seeds, executor, [&progress](double done) { return progress(done); }});
-  if (!executor.didFit() &&
-      (result || result.error().code == experiments::ExperimentError::OnlyShare)) {
+  if (!executor.didFit() && (result || result.error().code == papers::ExperimentError::OnlyShare)) {
     return unlike("another number of runs");
   }
   return result;
@@ -356,7 +353,7 @@ base::Result<experiments::Experiment> runMerged(report::SweepPart part, unsigned
 Exit experiment(const ExperimentCommandOptions& options) {
   std::vector<std::string> names = options.names;
   if (names == std::vector<std::string>{"all"}) {
-    names = experiments::experimentNames();
+    names = papers::experimentNames();
     if (!options.recordings.empty()) {
       names.emplace_back("lookahead");
     }
@@ -377,7 +374,7 @@ Exit experiment(const ExperimentCommandOptions& options) {
   if (!options.shard.empty()) {
     return experimentPart(options, *machine);
   }
-  std::vector<experiments::Experiment> results;
+  std::vector<papers::Experiment> results;
   for (const std::string& name : names) {
     auto result = run(name, options, *machine, connection ? &*connection : nullptr);
     if (!result) {
@@ -396,7 +393,7 @@ Exit mergeExperiments(const std::vector<std::string>& parts,
     return reportError(wholes.error(), false);
   }
   interrupt::watch();
-  std::vector<experiments::Experiment> results;
+  std::vector<papers::Experiment> results;
   for (report::SweepPart& whole : *wholes) {
     auto result = runMerged(std::move(whole), options.threads);
     if (!result) {

@@ -11,16 +11,16 @@
 #include "base/units.h"
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
-#include "experiments/path_time.h"
+#include "forecast/path_time.h"
 #include "gcode/program.h"
 #include "machine/config.h"
 #include "report/calibration_json.h"
 #include "report/operating_point.h"
 #include "report/report_json.h"
-#include "streaming/access_policy.h"
-#include "streaming/control_axes.h"
-#include "streaming/feed_plan.h"
-#include "streaming/pause_placement.h"
+#include "streaming/control/access_policy.h"
+#include "streaming/control/control_axes.h"
+#include "streaming/methods/feed_plan.h"
+#include "streaming/methods/pause_placement.h"
 
 namespace rivulet::cli {
 
@@ -72,7 +72,7 @@ class PausePrice {
 
  private:
   [[nodiscard]] double totalS(const std::vector<streaming::PlannedPause>& pauses) const {
-    experiments::PathTimeOptions options;
+    forecast::PathTimeOptions options;
     options.feedMmPerS = m_settings.feedMmPerS;
     options.programFeeds = m_settings.programFeeds;
     options.pauseS = base::toSeconds(m_machine.standstillMean);
@@ -80,7 +80,7 @@ class PausePrice {
       options.pausesBehind.push_back(pause.point);
     }
     // Nothing cancels here.
-    return experiments::pathTime(m_trajectory, kOriginMm, m_machine, options).value().totalS;
+    return forecast::pathTime(m_trajectory, kOriginMm, m_machine, options).value().totalS;
   }
 
   const gcode::Trajectory& m_trajectory;

@@ -18,9 +18,9 @@
 #include "cli/connection.h"
 #include "cli/found_run.h"
 #include "cli/record_file.h"
-#include "experiments/job_forecast.h"
-#include "experiments/job_restart.h"
-#include "experiments/large_machine.h"
+#include "forecast/job_forecast.h"
+#include "forecast/job_restart.h"
+#include "forecast/large_machine.h"
 #include "gcode/block_observer.h"
 #include "job/dry_plan.h"
 #include "job/functions.h"
@@ -36,13 +36,13 @@
 #include "report/plan_json.h"
 #include "report/report_json.h"
 #include "report/run_store.h"
-#include "streaming/access_policy.h"
-#include "streaming/control_axes.h"
-#include "streaming/feed_plan.h"
-#include "streaming/job_resume.h"
+#include "streaming/control/access_policy.h"
+#include "streaming/control/control_axes.h"
+#include "streaming/methods/feed_plan.h"
+#include "streaming/recovery/job_resume.h"
+#include "streaming/run/whole_job.h"
 #include "streaming/simulation/fitted_machine.h"
 #include "streaming/simulation/job_proof.h"
-#include "streaming/whole_job.h"
 #include "trace/analysis/tool_use.h"
 #include "trace/recording.h"
 
@@ -155,7 +155,7 @@ class JobCommand {
   base::Result<void> openRecording();
   [[nodiscard]] Exit run();
   [[nodiscard]] Exit verify();
-  [[nodiscard]] const std::vector<experiments::Hazard>& hazards() const { return m_hazards; }
+  [[nodiscard]] const std::vector<forecast::Hazard>& hazards() const { return m_hazards; }
   /// Before the job goes on; empty: it begins at the beginning.
   [[nodiscard]] std::vector<std::string> steps() const {
     return m_restart ? m_restart->steps : std::vector<std::string>();
@@ -165,7 +165,7 @@ class JobCommand {
   base::Result<void> planFeeds();
   [[nodiscard]] base::Result<job::Profile> profileOfMachine() const;
   base::Result<std::optional<machine::MachineConfig>> machine();
-  base::Result<experiments::Restart> findRestart(const machine::MachineConfig& machine);
+  base::Result<forecast::Restart> findRestart(const machine::MachineConfig& machine);
   base::Result<void> confirm() const;
   [[nodiscard]] report::SavedRun savedRun() const;
   void print(const streaming::WholeJobReport& done) const;
@@ -178,12 +178,12 @@ class JobCommand {
   streaming::RunSettings m_settings;
   job::JobPrograms m_programs;
   Connection m_connection;
-  std::optional<experiments::Restart> m_restart;
+  std::optional<forecast::Restart> m_restart;
   streaming::WholeJobOptions m_start;
   std::unique_ptr<recorder::RecordingFile> m_file;
   std::unique_ptr<trace::RecordingWriter> m_writer;
-  std::vector<experiments::Hazard> m_hazards;
-  std::optional<experiments::JobForecast> m_forecast;
+  std::vector<forecast::Hazard> m_hazards;
+  std::optional<forecast::JobForecast> m_forecast;
 };
 
 base::Result<void> JobCommand::prepare() {
@@ -248,7 +248,7 @@ base::Result<void> JobCommand::prepare() {
   }
   m_programs = std::move(*programs);
   if (isVirtual && !m_options.namesMachine) {
-    const std::vector<std::string> notes = experiments::enlarge(m_machine, m_plan);
+    const std::vector<std::string> notes = forecast::enlarge(m_machine, m_plan);
     m_notes.insert(m_notes.end(), notes.begin(), notes.end());
   }
   return {};
@@ -381,7 +381,7 @@ base::Result<void> JobCommand::restart() {
                       "the job goes on cannot be computed. Start from the beginning.",
                       m_connection.name);
   }
-  base::Result<experiments::Restart> found = findRestart(**machine);
+  base::Result<forecast::Restart> found = findRestart(**machine);
   if (!found) {
     return base::fail(found.error());
   }
@@ -395,9 +395,9 @@ base::Result<void> JobCommand::restart() {
   return confirm();
 }
 
-base::Result<experiments::Restart> JobCommand::findRestart(const machine::MachineConfig& machine) {
+base::Result<forecast::Restart> JobCommand::findRestart(const machine::MachineConfig& machine) {
   if (m_options.fromStretch > 0) {
-    return experiments::restartAtStretch(m_plan, machine, m_options.fromStretch);
+    return forecast::restartAtStretch(m_plan, machine, m_options.fromStretch);
   }
   const auto run = report::readSavedRun(m_options.resume);
   if (!run) {
@@ -408,12 +408,12 @@ base::Result<experiments::Restart> JobCommand::findRestart(const machine::Machin
   m_settings.feedMmPerS = run->settings.feedMmPerS;
   const auto rest = streaming::whereJobWasLeft(
       *m_connection.link, m_plan, m_settings, run->checkpoint,
-      [&](std::size_t part) { return experiments::zeroAt(m_plan, machine, part); });
+      [&](std::size_t part) { return forecast::zeroAt(m_plan, machine, part); });
   if (!rest) {
     return base::fail(rest.error());
   }
   m_start.resume = rest->resume;
-  return experiments::restartAt(m_plan, machine, *rest);
+  return forecast::restartAt(m_plan, machine, *rest);
 }
 
 base::Result<void> JobCommand::confirm() const {
@@ -456,20 +456,20 @@ base::Result<void> JobCommand::look() {
         "known.");
     return {};
   }
-  const experiments::HazardOptions options{(*machine)->start()};
-  m_hazards = experiments::hazardsOf(m_plan, **machine, options);
+  const forecast::HazardOptions options{(*machine)->start()};
+  m_hazards = forecast::hazardsOf(m_plan, **machine, options);
   if (!m_options.json) {
-    for (const experiments::Hazard& hazard : m_hazards) {
-      log::logger().warn(experiments::describe(hazard));
+    for (const forecast::Hazard& hazard : m_hazards) {
+      log::logger().warn(forecast::describe(hazard));
     }
   }
-  if (base::Result<void> none = experiments::requireNoHazard(m_plan, m_hazards); !none) {
+  if (base::Result<void> none = forecast::requireNoHazard(m_plan, m_hazards); !none) {
     return none;
   }
   // What this machine does not know, nobody does who simulates it.
   const auto unknown =
-      std::find_if(m_hazards.begin(), m_hazards.end(), [](const experiments::Hazard& hazard) {
-        return hazard.kind == experiments::HazardKind::NotChecked && hazard.alarm > 0;
+      std::find_if(m_hazards.begin(), m_hazards.end(), [](const forecast::Hazard& hazard) {
+        return hazard.kind == forecast::HazardKind::NotChecked && hazard.alarm > 0;
       });
   if (m_options.simulate && unknown != m_hazards.end()) {
     return base::fail(job::JobError::BeyondMachine,
@@ -478,7 +478,7 @@ base::Result<void> JobCommand::look() {
                                   unknown->alarm, unknown->text),
                       fmt::format("{}:{}", m_plan.program.name, unknown->line.value));
   }
-  m_forecast = experiments::forecast(m_plan, **machine, m_settings, options);
+  m_forecast = forecast::forecast(m_plan, **machine, m_settings, options);
   if (!m_options.json) {
     fmt::print("estimated: {}\n", report::describe(m_forecast->times));
   }

@@ -21,7 +21,7 @@
 #include "report/report_json.h"
 #include "report/run_store.h"
 #include "sources/open_source.h"
-#include "streaming/job.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/template_proof.h"
 #include "templates/generator.h"
 #include "trace/recording.h"

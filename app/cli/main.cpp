@@ -8,9 +8,9 @@
 
 #include "cli/commands.h"
 #include "cli/connection.h"
-#include "experiments/catalogue.h"
 #include "gcode/feeds.h"
 #include "opcua/security.h"
+#include "papers/catalogue.h"
 #include "platform/log.h"
 #include "templates/cells.h"
 #include "trace/signal_file.h"
@@ -794,7 +794,7 @@ void addExperimentCommand(CLI::App& app, Exit& exit) {
   const auto options = std::make_shared<rivulet::cli::ExperimentCommandOptions>();
   CLI::App* command = app.add_subcommand(
       "experiment", "Repeat the experiments of the paper and compare the figures");
-  std::vector<std::string> experiments = rivulet::experiments::experimentNames();
+  std::vector<std::string> experiments = rivulet::papers::experimentNames();
   experiments.insert(experiments.end(),
                      {"lookahead", "emulator", "monitor", "design", "p2", "all"});
   command->add_option("NAME", options->names, "Experiments, or all")

@@ -10,7 +10,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "cli/commands.h"
-#include "experiments/parallel_cnc.h"
+#include "papers/parallel_cnc.h"
 #include "petri/export.h"
 #include "petri/net_file.h"
 #include "petri/simulator.h"
@@ -66,7 +66,7 @@ std::string recordLine(const petri::Net& net, const petri::Recorded& recorded) {
                      net.textOf(net.places[recorded.place].colour, recorded.value->data()));
 }
 
-base::Result<void> writePlots(const fs::path& folder, const experiments::Experiment& result,
+base::Result<void> writePlots(const fs::path& folder, const papers::Experiment& result,
                               std::vector<std::string>& images) {
   std::error_code ignored;  // what cannot be made is said by the first picture
   fs::create_directories(folder / "images" / "parallel", ignored);
@@ -84,7 +84,7 @@ base::Result<void> writePlots(const fs::path& folder, const experiments::Experim
 }
 
 /// Replaces what is below the mark in parallel.md.
-base::Result<void> writeParallel(const fs::path& folder, const experiments::Experiment& result) {
+base::Result<void> writeParallel(const fs::path& folder, const papers::Experiment& result) {
   auto text = base::readFile(folder / "parallel.md");
   if (!text) {
     return base::fail(text.error());
@@ -223,7 +223,7 @@ Exit petriExport(const PetriOptions& options) {
 }
 
 Exit petriFigure13(const PetriOptions& options) {
-  const auto result = experiments::parallelCncExperiment();
+  const auto result = papers::parallelCncExperiment();
   if (!result) {
     return reportError(result.error(), false);
   }

@@ -9,7 +9,7 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "gcode/trajectory.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 
 namespace rivulet::cli {
 

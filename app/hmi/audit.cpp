@@ -50,7 +50,7 @@ void Audit::record(Act act, Details details) {
   write({m_clock(), m_who, m_role, std::string(permission::actName(act)), std::move(details)});
 }
 
-void Audit::follow(const widgets::StreamSettings& settings) {
+void Audit::follow(const streaming::StreamSettings& settings) {
   m_settings = preparation::settingsFacts(settings);
   m_settings.emplace_back(kCorrection, m_correction);
   compare();

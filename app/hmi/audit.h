@@ -21,7 +21,7 @@
 #include "journal/audit.h"
 #include "journal/writer.h"
 #include "permission/permission.h"
-#include "widgets/streaming/stream_settings.h"
+#include "streaming/start/stream_settings.h"
 
 namespace rivulet::hmi {
 
@@ -42,7 +42,7 @@ class Audit final : public QObject {
   void record(permission::Act act, Details details = {});
   /// The settings as they are now. A change is recorded once nobody has changed them for a moment,
   /// or before the next act.
-  void follow(const widgets::StreamSettings& settings);
+  void follow(const streaming::StreamSettings& settings);
   /// The online correction, X Y Z, as the settings.
   void followCorrection(const base::Vec3& valueMm);
   void take(const alarm::Transition& transition);

@@ -17,7 +17,7 @@
 #include "report/calibration_json.h"
 #include "report/machine_profile.h"
 #include "report/operating_point.h"
-#include "streaming/access_policy.h"
+#include "streaming/control/access_policy.h"
 #include "templates/generator.h"
 
 namespace rivulet::hmi {
@@ -34,7 +34,7 @@ constexpr const char* kMachineWithTools = "dmu75-mill";
 
 }  // namespace
 
-Document::Document(const widgets::StreamSettings& settings)
+Document::Document(const streaming::StreamSettings& settings)
     : m_machineFeeds(report::programFeedsOf(report::configOf(nullptr), 1.0)), m_settings(settings) {
   m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
   connect(&m_loader, &session::ProgramLoader::progressed, this,
@@ -51,7 +51,7 @@ Document::Document(const widgets::StreamSettings& settings)
     Q_EMIT readingCancelled();
   });
   connect(&m_livePath, &session::LivePath::grown, this,
-          [this](const std::shared_ptr<const widgets::ProgramView>& view) {
+          [this](const std::shared_ptr<const overview::ProgramView>& view) {
             if (m_live) {
               m_view = view;
               Q_EMIT programPlaced();
@@ -59,8 +59,8 @@ Document::Document(const widgets::StreamSettings& settings)
           });
   connect(&m_watch, &session::FileWatch::stateChanged, this, &Document::fileStateChanged);
   connect(&m_timer, &session::ProgramTimer::estimated, this,
-          [this](const std::shared_ptr<const widgets::ProgramTimes>& times,
-                 const std::shared_ptr<const widgets::ProgramView>& view) {
+          [this](const std::shared_ptr<const overview::ProgramTimes>& times,
+                 const std::shared_ptr<const overview::ProgramView>& view) {
             if (m_view && view->program == program() && times->atS.size() == points().size()) {
               m_times = times;
               Q_EMIT timesEstimated(times);
@@ -68,8 +68,8 @@ Document::Document(const widgets::StreamSettings& settings)
             }
           });
   connect(&m_timer, &session::ProgramTimer::planned, this,
-          [this](const std::shared_ptr<const widgets::PauseMap>& pauses,
-                 const std::shared_ptr<const widgets::ProgramView>& view) {
+          [this](const std::shared_ptr<const overview::PauseMap>& pauses,
+                 const std::shared_ptr<const overview::ProgramView>& view) {
             if (m_view == view) {
               m_pauses = pauses;
               m_pausesFor = m_estimatedFor;
@@ -128,7 +128,7 @@ void Document::showNoPoints() {
   // What is agreed stands for the program: a release is for it.
   const std::string hash = fmt::format("{:016x}", base::hashOf(live::textOf(m_live->setup)));
   m_livePath.begin(m_live->name, hash);
-  m_view = widgets::makeProgramView(session::liveProgram(m_live->name, hash), {}, 2);
+  m_view = overview::makeProgramView(session::liveProgram(m_live->name, hash), {}, 2);
 }
 
 void Document::setLiveObstacle(std::optional<base::Error> obstacle) {
@@ -143,7 +143,7 @@ void Document::beginLivePath() {
   Q_EMIT programPlaced();
 }
 
-const widgets::JobOutline* Document::outline() const {
+const overview::JobOutline* Document::outline() const {
   return m_view && !m_view->outline.needed().empty() ? &m_view->outline : nullptr;
 }
 
@@ -255,8 +255,8 @@ void Document::take(const session::LoadedProgram& loaded) {
   followJob();  // the settings may have changed meanwhile
 }
 
-void Document::takePlaced(const std::shared_ptr<const widgets::ProgramView>& view,
-                          const std::shared_ptr<const widgets::ProgramView>& of) {
+void Document::takePlaced(const std::shared_ptr<const overview::ProgramView>& view,
+                          const std::shared_ptr<const overview::ProgramView>& of) {
   if (of != m_view) {
     return;
   }
@@ -288,7 +288,7 @@ const std::vector<gcode::StreamPoint>& Document::points() const {
   return m_view ? m_view->points.points : none;
 }
 
-void Document::setSettings(const widgets::StreamSettings& settings) {
+void Document::setSettings(const streaming::StreamSettings& settings) {
   m_settings = settings;
   m_isMotionAlone = m_isMotionAlone && settings.dryRunMm == 0.0;
   m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
@@ -297,7 +297,7 @@ void Document::setSettings(const widgets::StreamSettings& settings) {
   followJob();
 }
 
-void Document::editSettings(const widgets::StreamSettings& settings) {
+void Document::editSettings(const streaming::StreamSettings& settings) {
   m_settings = settings;
   m_isMotionAlone = m_isMotionAlone && settings.dryRunMm == 0.0;
   m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
@@ -557,7 +557,7 @@ void Document::takeRehearsal(const std::shared_ptr<const session::RehearsalOutco
   }
 }
 
-std::shared_ptr<const widgets::PauseMap> Document::pauses() const {
+std::shared_ptr<const overview::PauseMap> Document::pauses() const {
   // Pauses of other settings would mislead.
   const session::TimeSettings settings = timeSettings();
   return m_pausesFor && m_pausesFor->method == settings.method &&
@@ -576,14 +576,14 @@ std::optional<widgets::PauseSummary> Document::pauseSummary() const {
   widgets::PauseSummary summary;
   summary.count = map->count();
   summary.inCut = map->inCut.size();
-  if (const widgets::RunTime* time = runTime()) {
+  if (const overview::RunTime* time = runTime()) {
     summary.costS = time->pausesCostS();
     summary.totalS = time->totalS;
   }
   return summary;
 }
 
-const widgets::RunTime* Document::runTime() const {
+const overview::RunTime* Document::runTime() const {
   const bool isOfPauses = m_times && m_times->run && m_pauses &&
                           m_times->run->pauses == m_pauses->count() &&
                           m_pausesFor == timeSettings();
@@ -591,7 +591,7 @@ const widgets::RunTime* Document::runTime() const {
 }
 
 std::optional<widgets::TimeLeft> Document::timeLeft(std::size_t executed) const {
-  const widgets::RunTime* time = runTime();
+  const overview::RunTime* time = runTime();
   if (time == nullptr || executed > time->atS.size()) {
     return std::nullopt;
   }

@@ -25,13 +25,13 @@
 #include "session/program_timer.h"
 #include "session/rehearsal.h"
 #include "session/session_event.h"
-#include "streaming/feed_plan.h"
-#include "streaming/run.h"
-#include "streaming/start_policy.h"
+#include "streaming/methods/feed_plan.h"
+#include "streaming/run/run.h"
+#include "streaming/start/start_policy.h"
+#include "streaming/start/stream_settings.h"
 #include "widgets/calibration/access_source.h"
 #include "widgets/streaming/method_panel.h"
 #include "widgets/streaming/run_progress.h"
-#include "widgets/streaming/stream_settings.h"
 
 namespace rivulet::hmi {
 
@@ -52,7 +52,7 @@ class Document final : public QObject {
   Q_OBJECT
 
  public:
-  explicit Document(const widgets::StreamSettings& settings);
+  explicit Document(const streaming::StreamSettings& settings);
 
   /// Reads a program in the background; the present one stays until the new one is there.
   void open(const QString& path, const session::Reading& reading = {});
@@ -79,7 +79,7 @@ class Document final : public QObject {
   void cancelReading() { m_loader.cancel(); }
 
   /// Null: no program is loaded.
-  [[nodiscard]] const std::shared_ptr<const widgets::ProgramView>& view() const { return m_view; }
+  [[nodiscard]] const std::shared_ptr<const overview::ProgramView>& view() const { return m_view; }
   [[nodiscard]] std::shared_ptr<const gcode::Program> program() const;
   /// The file has another content on disk by now. A file that is gone has not changed.
   [[nodiscard]] bool hasFileChanged() const {
@@ -92,7 +92,7 @@ class Document final : public QObject {
   /// > 0: the job runs dry, so much higher.
   [[nodiscard]] double dryRunMm() const { return isJob() ? m_reading.dryRunMm : 0.0; }
   /// Null: there are no blocks that the machine needs beside the motion.
-  [[nodiscard]] const widgets::JobOutline* outline() const;
+  [[nodiscard]] const overview::JobOutline* outline() const;
   /// M functions of another machine that the program calls, and what this one gets for them.
   [[nodiscard]] const std::vector<job::FunctionUse>& foreignFunctions() const;
   /// Why the program cannot be run as a whole job with the present settings; nothing: it can, or it
@@ -106,10 +106,10 @@ class Document final : public QObject {
   /// Where the program came from.
   [[nodiscard]] session::ProgramSource source() const;
 
-  [[nodiscard]] const widgets::StreamSettings& settings() const { return m_settings; }
-  void setSettings(const widgets::StreamSettings& settings);
+  [[nodiscard]] const streaming::StreamSettings& settings() const { return m_settings; }
+  void setSettings(const streaming::StreamSettings& settings);
   /// As `setSettings`, without `settingsChanged`: for the page on which they were changed.
-  void editSettings(const widgets::StreamSettings& settings);
+  void editSettings(const streaming::StreamSettings& settings);
   /// The whole job is to be run, or its motion alone.
   void chooseJob(bool isWhole);
   /// The settings with the rotary axes the program turns.
@@ -137,7 +137,7 @@ class Document final : public QObject {
   [[nodiscard]] const Findings& findings() const { return m_findings; }
 
   /// Null: not known for the present settings (yet).
-  [[nodiscard]] std::shared_ptr<const widgets::PauseMap> pauses() const;
+  [[nodiscard]] std::shared_ptr<const overview::PauseMap> pauses() const;
   [[nodiscard]] std::optional<widgets::PauseSummary> pauseSummary() const;
   /// What is left of the run with the present settings. @param executed  points so far
   [[nodiscard]] std::optional<widgets::TimeLeft> timeLeft(std::size_t executed) const;
@@ -170,7 +170,7 @@ class Document final : public QObject {
   void settingsChanged();
   /// `findings` are new.
   void judged();
-  void timesEstimated(const std::shared_ptr<const rivulet::widgets::ProgramTimes>& times);
+  void timesEstimated(const std::shared_ptr<const rivulet::overview::ProgramTimes>& times);
   /// `pauses` or `pauseSummary` is new.
   void pausesChanged();
 
@@ -184,8 +184,8 @@ class Document final : public QObject {
   [[nodiscard]] std::optional<base::Error> dryRunProblem() const;
   /// Reads the program again if it is to be a job and is not, or the other way round.
   void followJob();
-  void takePlaced(const std::shared_ptr<const widgets::ProgramView>& view,
-                  const std::shared_ptr<const widgets::ProgramView>& of);
+  void takePlaced(const std::shared_ptr<const overview::ProgramView>& view,
+                  const std::shared_ptr<const overview::ProgramView>& of);
   /// What access costs with the present settings. @param source  its form is set
   [[nodiscard]] feasibility::AccessModel accessModel(widgets::AccessSource& source) const;
   void chooseFeedCells(const feasibility::AccessModel& access);
@@ -200,7 +200,7 @@ class Document final : public QObject {
   void forgetTimes();
   [[nodiscard]] session::TimeSettings timeSettings() const;
   /// Null: not known for the present settings (yet).
-  [[nodiscard]] const widgets::RunTime* runTime() const;
+  [[nodiscard]] const overview::RunTime* runTime() const;
 
   std::optional<LiveInput> m_live;
   session::LivePath m_livePath;
@@ -217,16 +217,16 @@ class Document final : public QObject {
   std::shared_ptr<const job::Plan> m_checkedPlan;     ///< of `m_hazards`, or in progress
   std::shared_ptr<const session::Hazards> m_hazards;  ///< null: not known (yet)
   gcode::ProgramFeeds m_machineFeeds;                 ///< limits, at 100 %
-  widgets::StreamSettings m_settings;
+  streaming::StreamSettings m_settings;
   /// What `parameters` was last completed for, and the result: it takes a pass over the program.
   struct FeedCells {
-    std::shared_ptr<const widgets::ProgramView> view;
+    std::shared_ptr<const overview::ProgramView> view;
     templates::TemplateParameters parameters;
     base::Duration accessTime{};
     bool feedPerPoint = false;
   };
   FeedCells m_feedCells;
-  std::shared_ptr<const widgets::ProgramView> m_view;
+  std::shared_ptr<const overview::ProgramView> m_view;
   QString m_path;
   QString m_requestedPath;
   session::Reading m_reading;
@@ -241,8 +241,8 @@ class Document final : public QObject {
   bool m_isHeld = false;
 
   std::optional<session::TimeSettings> m_estimatedFor;
-  std::shared_ptr<const widgets::ProgramTimes> m_times;  ///< null: not known
-  std::shared_ptr<const widgets::PauseMap> m_pauses;     ///< null: not known
+  std::shared_ptr<const overview::ProgramTimes> m_times;  ///< null: not known
+  std::shared_ptr<const overview::PauseMap> m_pauses;     ///< null: not known
   std::optional<session::TimeSettings> m_pausesFor;
   std::string m_rehearsedFor;  ///< key of the simulation that was made last or is in progress
   std::shared_ptr<const session::RehearsalOutcome> m_rehearsed;  ///< of that key; null: not done

@@ -219,7 +219,7 @@ void FoundRuns::resume() {
   }
   m_isWatched = false;
   m_resuming = *run;
-  widgets::StreamSettings settings =
+  streaming::StreamSettings settings =
       preparation::settingsOfRun(run->settings, m_document.settings());
   settings.wholeJob = settings.wholeJob || m_seen.isJob;
   m_document.setSettings(settings);

@@ -11,8 +11,8 @@
 
 namespace rivulet::hmi {
 
-using experiments::Hazard;
-using experiments::HazardKind;
+using forecast::Hazard;
+using forecast::HazardKind;
 
 namespace {
 

@@ -13,7 +13,7 @@
 namespace rivulet::hmi {
 
 /// One sentence: what, where and by how much, and what to do.
-[[nodiscard]] QString hazardText(const experiments::Hazard& hazard);
+[[nodiscard]] QString hazardText(const forecast::Hazard& hazard);
 /// Those that keep the job from starting, or those that do not; a line for each.
 /// @return empty: there are none
 [[nodiscard]] QString hazardsText(const session::Hazards& hazards, bool stop);

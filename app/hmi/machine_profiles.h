@@ -15,7 +15,7 @@
 #include "hmi/run_controller.h"
 #include "job/functions.h"
 #include "report/machine_store.h"
-#include "streaming/machine_profile.h"
+#include "streaming/control/machine_profile.h"
 
 namespace rivulet::hmi {
 

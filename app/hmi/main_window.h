@@ -78,7 +78,7 @@ class MainWindow final : public QMainWindow {
   }
   /// Shown where the operator connects; nothing is connected.
   void setEndpoint(const QString& endpoint) { m_machine.setEndpoint(endpoint); }
-  void setStreamSettings(const widgets::StreamSettings& settings) {
+  void setStreamSettings(const streaming::StreamSettings& settings) {
     m_document.setSettings(settings);
   }
   /// Stops a run in progress, if there is one, and closes the window when it has ended. The run can

@@ -12,7 +12,7 @@
 #include <memory>
 #include <optional>
 
-#include "experiments/parallel_cnc.h"
+#include "papers/parallel_cnc.h"
 #include "petri/simulator.h"
 #include "widgets/pipeline/net_state.h"
 
@@ -51,7 +51,7 @@ class NetPlayer final : public QObject {
   widgets::NetChoice m_choice;
   std::shared_ptr<const petri::Net> m_net;
   std::unique_ptr<petri::Simulator> m_simulator;  ///< of `m_net`
-  std::optional<experiments::LevelReader> m_reader;
+  std::optional<papers::LevelReader> m_reader;
   widgets::NetState m_state;
   QTimer m_timer;
   QElapsedTimer m_sinceTurn;

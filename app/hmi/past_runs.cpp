@@ -157,7 +157,7 @@ void PastRuns::applyRepeat() {
   const report::FinishedRun& run = *wanted;
   const auto program = m_document.program();
   const QString was = QString::fromStdString(run.summary.programHash);
-  widgets::StreamSettings settings = m_document.settings();
+  streaming::StreamSettings settings = m_document.settings();
   settings.parameters = run.report.settings.parameters;
   settings.deltaMm = run.report.settings.deltaMm;
   settings.feedMmPerS = run.report.settings.feedMmPerS;

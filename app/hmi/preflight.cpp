@@ -32,7 +32,7 @@ QString positionText(const base::Vec3& positionMm) {
 }
 
 /// Least and largest feed of the program's cutting moves, mm/s; nothing: it names none.
-std::optional<std::pair<double, double>> programFeeds(const widgets::ProgramView& view) {
+std::optional<std::pair<double, double>> programFeeds(const overview::ProgramView& view) {
   std::optional<std::pair<double, double>> range;
   for (std::size_t i = 0; i < view.feedsMmPerS.size(); ++i) {
     const double feed = view.feedsMmPerS[i];
@@ -340,7 +340,7 @@ PreflightItem Preflight::machineItem() const {
 }
 
 PreflightItem Preflight::jobItem() const {
-  const widgets::JobOutline& outline = *m_document.outline();
+  const overview::JobOutline& outline = *m_document.outline();
   const auto& blocks = outline.needed();
   if (m_document.dryRunMm() > 0.0) {
     return {
@@ -562,7 +562,7 @@ PreflightItem Preflight::chosenItem(const QString& point) const {
 PreflightItem Preflight::stateItem() const {
   const widgets::ResumePlace& place = *m_runs.place();
   std::vector<const job::NativeBlock*> before;  // the last first: it is what holds
-  if (const widgets::JobOutline* outline = m_document.outline()) {
+  if (const overview::JobOutline* outline = m_document.outline()) {
     for (const job::NativeBlock* block : outline->needed()) {
       if (block->place.line.value < place.line.value) {
         before.insert(before.begin(), block);
@@ -738,7 +738,7 @@ void Preflight::remedy(int remedyId) {
   if (remedyId == ReloadProgram) {
     m_document.readAgain(m_document.reading());
   } else if (const auto feeds = programFeeds(*m_document.view()); feeds) {
-    widgets::StreamSettings settings = m_document.settings();
+    streaming::StreamSettings settings = m_document.settings();
     if (settings.usesProgramFeeds()) {
       settings.overrideFactor = 1.0;
     } else if (base::isPublished(settings.parameters.method)) {

@@ -99,7 +99,7 @@ void Releases::takeSettings() {
   const auto present = job();
   if (present && m_users.standing().role == permission::Role::Operator && !isReleased()) {
     if (const Release* last = permission::lastReleaseOf(m_releases, present->programHash)) {
-      widgets::StreamSettings settings = m_document.settings();
+      streaming::StreamSettings settings = m_document.settings();
       const preparation::SettingsFacts facts = preparation::factsOfText(last->job.settings);
       preparation::applySettings(settings, facts);
       m_document.setSettings(settings);

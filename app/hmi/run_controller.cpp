@@ -506,7 +506,7 @@ void RunController::announceStart(const streaming::RunSettings& settings,
           .arg(widgets::countText(point));
     });
   } else if (m_document.isJob()) {
-    const widgets::JobOutline& outline = m_document.view()->outline;
+    const overview::JobOutline& outline = m_document.view()->outline;
     m_messages.log(Severity::Note, Source::Run,
                    [stretches = outline.stretches(), blocks = outline.needed().size()] {
                      return tr("Start of a whole job: %1, %Ln blocks for the control.", nullptr,
@@ -623,7 +623,7 @@ void RunController::showExecuted() {
     return;
   }
   if (m_firstMotion && number <= points.size()) {
-    const widgets::StreamSettings& settings = m_document.settings();
+    const streaming::StreamSettings& settings = m_document.settings();
     m_machine.showExecuted(number, number > 0 ? points[number - 1].positionMm : base::Vec3{},
                            m_document.commandedMmPerS(std::min(number, points.size() - 1)),
                            settings.usesProgramFeeds() && !m_document.live()

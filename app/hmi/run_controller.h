@@ -3,7 +3,7 @@
 
 /// @file
 /// What may be done with the control now and why not, and the run that is in progress or was the
-/// last. The rules are those of `streaming/start_policy`, as on the command line.
+/// last. The rules are those of `streaming/start/start_policy`, as on the command line.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -16,7 +16,7 @@
 #include "hmi/machine_model.h"
 #include "hmi/messages.h"
 #include "session/stream_session.h"
-#include "streaming/start_policy.h"
+#include "streaming/start/start_policy.h"
 #include "widgets/streaming/resume_bar.h"
 #include "widgets/trace/trace_page.h"
 

@@ -113,7 +113,7 @@ Settings loadSettings() {
   settings.language = store.value(QStringLiteral("language")).toString();
   settings.theme = widgets::themeFromName(store.value(QStringLiteral("theme")).toString());
   settings.geometry = store.value(QStringLiteral("geometry")).toByteArray();
-  widgets::StreamSettings& stream = settings.stream;
+  streaming::StreamSettings& stream = settings.stream;
   stream.feedMmPerS = base::mmPerSFromMmPerMin(2000.0);
   stream.parameters.method =
       base::methodFromName(store.value(QStringLiteral("stream/method")).toString().toStdString())
@@ -161,7 +161,7 @@ void saveSettings(const Settings& settings) {
   store.setValue(QStringLiteral("language"), settings.language);
   store.setValue(QStringLiteral("theme"), widgets::themeName(settings.theme));
   store.setValue(QStringLiteral("geometry"), settings.geometry);
-  const widgets::StreamSettings& stream = settings.stream;
+  const streaming::StreamSettings& stream = settings.stream;
   store.setValue(QStringLiteral("stream/method"), text(base::methodName(stream.parameters.method)));
   store.setValue(QStringLiteral("stream/layout"),
                  text(templates::layoutName(stream.parameters.layout)));

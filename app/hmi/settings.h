@@ -12,8 +12,8 @@
 
 #include "live/setup.h"
 #include "opcua/node_map.h"
+#include "streaming/start/stream_settings.h"
 #include "widgets/common/theme.h"
-#include "widgets/streaming/stream_settings.h"
 
 namespace rivulet::hmi {
 
@@ -21,9 +21,9 @@ struct Settings {
   QString endpoint = QString::fromUtf8(opcua::kLocalEndpoint);
   QStringList recentFiles;
   QStringList services;  ///< addresses of those on the board of machines
-  QString language;  ///< one of `languages()`; empty: the system's
+  QString language;      ///< one of `languages()`; empty: the system's
   widgets::Theme theme = widgets::Theme::System;
-  widgets::StreamSettings stream;
+  streaming::StreamSettings stream;
   live::Setup live;  ///< agreed last
   QByteArray geometry;
   /// Where alarms, audit trail and releases are kept; empty: nowhere.

@@ -15,7 +15,7 @@
 #include "emulator/emulator.h"
 #include "emulator/emulator_error.h"
 #include "emulator/identification.h"
-#include "experiments/sparse_learning.h"
+#include "papers/sparse_learning.h"
 #include "report/trace_source.h"
 #include "trace/analysis/trace_analysis.h"
 #include "trace/import/import.h"
@@ -102,11 +102,11 @@ base::Result<Recording> readRecording(const RecordingFile& file,
   if (!program) {
     return base::fail(program.error());
   }
-  experiments::TrapezoidRules rules;
+  papers::TrapezoidRules rules;
   for (std::size_t axis = 0; axis < rules.accelerationMmPerS2.size(); ++axis) {
     rules.accelerationMmPerS2[axis] = machine.axes[axis].accelerationMmPerS2Max;
   }
-  auto run = experiments::runOfProgram(motion, *program, runName(file.trace), rules);
+  auto run = papers::runOfProgram(motion, *program, runName(file.trace), rules);
   if (!run) {
     return base::fail(run.error());
   }

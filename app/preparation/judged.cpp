@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "report/operating_point.h"
-#include "streaming/access_policy.h"
+#include "streaming/control/access_policy.h"
 #include "templates/generator.h"
 
 namespace rivulet::preparation {
@@ -18,7 +18,7 @@ namespace {
 /// A single point has no distances.
 constexpr std::size_t kPointsMin = 2;
 
-std::optional<feasibility::ProgramDistances> distancesOf(const widgets::ProgramView& view,
+std::optional<feasibility::ProgramDistances> distancesOf(const overview::ProgramView& view,
                                                          int perLoop, bool isTimed) {
   if (view.points.points.size() < kPointsMin) {
     return std::nullopt;
@@ -34,8 +34,8 @@ std::optional<feasibility::ProgramDistances> distancesOf(const widgets::ProgramV
 }  // namespace
 
 streaming::RunSettings runSettings(
-    const widgets::StreamSettings& wanted, const templates::TemplateParameters& parameters,
-    const widgets::ProgramView* view, const gcode::ProgramFeeds& machineFeeds,
+    const streaming::StreamSettings& wanted, const templates::TemplateParameters& parameters,
+    const overview::ProgramView* view, const gcode::ProgramFeeds& machineFeeds,
     std::shared_ptr<const streaming::CalibrationRecord> calibration) {
   const streaming::AccessPlan plan = streaming::accessPlan(wanted.access, wanted.parameters.method);
   streaming::RunSettings settings;
@@ -61,8 +61,8 @@ streaming::RunSettings runSettings(
   return settings;
 }
 
-widgets::StreamSettings settingsOfRun(const streaming::RunSettings& run,
-                                      widgets::StreamSettings settings) {
+streaming::StreamSettings settingsOfRun(const streaming::RunSettings& run,
+                                        streaming::StreamSettings settings) {
   settings.parameters = run.parameters;
   settings.programFeeds = run.programFeeds.has_value();
   if (run.programFeeds) {
@@ -73,7 +73,7 @@ widgets::StreamSettings settingsOfRun(const streaming::RunSettings& run,
   return settings;
 }
 
-Judged judge(const widgets::ProgramView* view, const streaming::RunSettings& settings,
+Judged judge(const overview::ProgramView* view, const streaming::RunSettings& settings,
              const feasibility::AccessModel& access, std::optional<base::Error> problem) {
   Judged found;
   const feasibility::OperatingPoint point = report::operatingPointOf(settings);

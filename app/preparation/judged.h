@@ -11,11 +11,11 @@
 
 #include "feasibility/verdict.h"
 #include "gcode/feeds.h"
-#include "streaming/calibration_record.h"
-#include "streaming/feed_plan.h"
-#include "streaming/run.h"
-#include "widgets/program/program_view.h"
-#include "widgets/streaming/stream_settings.h"
+#include "overview/program_view.h"
+#include "streaming/methods/feed_plan.h"
+#include "streaming/run/run.h"
+#include "streaming/setup/calibration_record.h"
+#include "streaming/start/stream_settings.h"
 
 namespace rivulet::preparation {
 
@@ -23,14 +23,14 @@ namespace rivulet::preparation {
 /// @param view  null: no program is loaded  @param machineFeeds  limits of the machine, at 100 %
 /// @param calibration  what access costs; null: not measured
 [[nodiscard]] streaming::RunSettings runSettings(
-    const widgets::StreamSettings& settings, const templates::TemplateParameters& parameters,
-    const widgets::ProgramView* view, const gcode::ProgramFeeds& machineFeeds,
+    const streaming::StreamSettings& settings, const templates::TemplateParameters& parameters,
+    const overview::ProgramView* view, const gcode::ProgramFeeds& machineFeeds,
     std::shared_ptr<const streaming::CalibrationRecord> calibration);
 
 /// The settings that a run was started with, as far as they decide what it does; the others stay as
 /// they are.
-[[nodiscard]] widgets::StreamSettings settingsOfRun(const streaming::RunSettings& run,
-                                                    widgets::StreamSettings settings);
+[[nodiscard]] streaming::StreamSettings settingsOfRun(const streaming::RunSettings& run,
+                                                      streaming::StreamSettings settings);
 
 struct Judged {
   std::optional<templates::CellMap> cells;
@@ -43,7 +43,8 @@ struct Judged {
 };
 
 /// @param view  null: only the settings are judged  @param problem  with them that is known already
-[[nodiscard]] Judged judge(const widgets::ProgramView* view, const streaming::RunSettings& settings,
+[[nodiscard]] Judged judge(const overview::ProgramView* view,
+                           const streaming::RunSettings& settings,
                            const feasibility::AccessModel& access,
                            std::optional<base::Error> problem = {});
 

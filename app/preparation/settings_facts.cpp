@@ -22,7 +22,7 @@ constexpr char kBar = '|';
 
 }  // namespace
 
-SettingsFacts settingsFacts(const widgets::StreamSettings& settings) {
+SettingsFacts settingsFacts(const streaming::StreamSettings& settings) {
   const templates::TemplateParameters& parameters = settings.parameters;
   constexpr int kDecimals = 4;
   return {
@@ -45,7 +45,7 @@ SettingsFacts settingsFacts(const widgets::StreamSettings& settings) {
   };
 }
 
-void applySettings(widgets::StreamSettings& settings, const SettingsFacts& facts) {
+void applySettings(streaming::StreamSettings& settings, const SettingsFacts& facts) {
   templates::TemplateParameters& parameters = settings.parameters;
   for (const auto& [name, value] : facts) {
     const auto number = base::parseNumber(value);
@@ -134,7 +134,7 @@ void applyReading(gcode::TextReading& reading, const SettingsFacts& facts) {
   }
 }
 
-SettingsFacts releasedFacts(const widgets::StreamSettings& settings,
+SettingsFacts releasedFacts(const streaming::StreamSettings& settings,
                             const gcode::TextReading& reading) {
   SettingsFacts facts = settingsFacts(settings);
   const SettingsFacts usual = readingFacts({});

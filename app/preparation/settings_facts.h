@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The settings of a run and the reading of its program by name, in a form that does not depend on the language: for the audit
-/// trail, for releases, and for clients of a service. @threadsafety pure.
+/// The settings of a run and the reading of its program by name, in a form that does not depend on
+/// the language: for the audit trail, for releases, and for clients of a service. @threadsafety
+/// pure.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@
 #include <vector>
 
 #include "gcode/program.h"
-#include "widgets/streaming/stream_settings.h"
+#include "streaming/start/stream_settings.h"
 
 namespace rivulet::preparation {
 
@@ -19,16 +20,16 @@ namespace rivulet::preparation {
 using SettingsFacts = std::vector<std::pair<std::string, std::string>>;
 
 /// Every setting of a run.
-[[nodiscard]] SettingsFacts settingsFacts(const widgets::StreamSettings& settings);
+[[nodiscard]] SettingsFacts settingsFacts(const streaming::StreamSettings& settings);
 /// Inverse of `settingsFacts`: what is not named, or is out of range, stays as it is.
-void applySettings(widgets::StreamSettings& settings, const SettingsFacts& facts);
+void applySettings(streaming::StreamSettings& settings, const SettingsFacts& facts);
 
 /// How the text is read. What nobody has said is "auto".
 [[nodiscard]] SettingsFacts readingFacts(const gcode::TextReading& reading);
 /// Inverse of `readingFacts`: what is not named, or is no value, stays as it is.
 void applyReading(gcode::TextReading& reading, const SettingsFacts& facts);
 /// What a release names: every setting of a run, and of the reading what somebody has said.
-[[nodiscard]] SettingsFacts releasedFacts(const widgets::StreamSettings& settings,
+[[nodiscard]] SettingsFacts releasedFacts(const streaming::StreamSettings& settings,
                                           const gcode::TextReading& reading);
 
 /// "method=window;points=7;…".

@@ -7,7 +7,7 @@
 
 #include "gcode/block_observer.h"
 #include "job/dry_plan.h"
-#include "widgets/program/job_outline.h"
+#include "overview/job_outline.h"
 
 namespace rivulet::preparation {
 
@@ -21,7 +21,7 @@ SplitProgram splitProgram(gcode::Program program, gcode::LoadOptions options,
   }
   auto plan = std::make_shared<job::Plan>(*std::move(made));
   bool isJob = asJob && plan->isWhole() && plan->stretchCount() > 0 &&
-               !widgets::JobOutline(plan).needed().empty();
+               !overview::JobOutline(plan).needed().empty();
   std::optional<base::Error> dryRunError;
   if (isJob && dryRunMm > 0.0) {
     if (auto dry = job::dryPlan(*plan, dryRunMm)) {

@@ -8,7 +8,7 @@
 
 #include "base/file.h"
 #include "report/report_json.h"
-#include "streaming/machine_facts.h"
+#include "streaming/control/machine_facts.h"
 
 namespace rivulet::report {
 

@@ -11,7 +11,7 @@
 
 #include "base/result.h"
 #include "feasibility/access_model.h"
-#include "streaming/calibration_record.h"
+#include "streaming/setup/calibration_record.h"
 
 namespace rivulet::report {
 

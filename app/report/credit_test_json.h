@@ -7,7 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "streaming/machine_facts.h"
+#include "streaming/control/machine_facts.h"
 
 namespace rivulet::report {
 

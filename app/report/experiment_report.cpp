@@ -11,12 +11,12 @@
 
 namespace rivulet::report {
 
-using experiments::Check;
-using experiments::Experiment;
-using experiments::Plot;
-using experiments::Series;
-using experiments::Table;
 using nlohmann::ordered_json;
+using papers::Check;
+using papers::Experiment;
+using papers::Plot;
+using papers::Series;
+using papers::Table;
 
 namespace {
 

@@ -13,14 +13,14 @@ namespace rivulet::report {
 using base::toSeconds;
 using nlohmann::ordered_json;
 
-ordered_json hazardsJson(const std::vector<experiments::Hazard>& hazards) {
+ordered_json hazardsJson(const std::vector<forecast::Hazard>& hazards) {
   ordered_json all = ordered_json::array();
-  for (const experiments::Hazard& hazard : hazards) {
-    ordered_json json{{"kind", experiments::hazardName(hazard.kind)},
+  for (const forecast::Hazard& hazard : hazards) {
+    ordered_json json{{"kind", forecast::hazardName(hazard.kind)},
                       {"stops", hazard.stops()},
                       {"line", hazard.line.value},
                       {"stretch", hazard.stretch},
-                      {"message", experiments::describe(hazard)}};
+                      {"message", forecast::describe(hazard)}};
     if (!hazard.file.empty()) {
       json["file"] = hazard.file;
     }

@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "experiments/job_forecast.h"
+#include "forecast/job_forecast.h"
 #include "job/plan.h"
-#include "streaming/job_times.h"
-#include "streaming/whole_job.h"
+#include "streaming/run/job_times.h"
+#include "streaming/run/whole_job.h"
 #include "trace/analysis/tool_use.h"
 
 namespace rivulet::report {
 
-[[nodiscard]] nlohmann::ordered_json hazardsJson(const std::vector<experiments::Hazard>& hazards);
+[[nodiscard]] nlohmann::ordered_json hazardsJson(const std::vector<forecast::Hazard>& hazards);
 /// In seconds.
 [[nodiscard]] nlohmann::ordered_json jobTimesJson(const streaming::JobTimes& times);
 [[nodiscard]] nlohmann::ordered_json toolsJson(const std::vector<trace::ToolUse>& uses);

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 
 namespace rivulet::report {
 

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/json_members.h"
-#include "streaming/machine_facts.h"
+#include "streaming/control/machine_facts.h"
 
 namespace rivulet::report {
 

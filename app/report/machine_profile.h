@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "machine/config.h"
-#include "streaming/machine_profile.h"
+#include "streaming/control/machine_profile.h"
 
 namespace rivulet::report {
 

@@ -18,8 +18,8 @@
 #include "base/result.h"
 #include "base/utc.h"
 #include "job/functions.h"
-#include "streaming/machine_facts.h"
-#include "streaming/machine_profile.h"
+#include "streaming/control/machine_facts.h"
+#include "streaming/control/machine_profile.h"
 
 namespace rivulet::report {
 

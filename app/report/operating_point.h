@@ -9,7 +9,7 @@
 #include "feasibility/verdict.h"
 #include "gcode/feeds.h"
 #include "machine/config.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 
 namespace rivulet::report {
 

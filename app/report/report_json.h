@@ -11,8 +11,8 @@
 #include "feasibility/path_statistics.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
-#include "streaming/feed_plan.h"
-#include "streaming/run.h"
+#include "streaming/methods/feed_plan.h"
+#include "streaming/run/run.h"
 #include "trace/analysis/integrity.h"
 #include "trace/pause.h"
 

@@ -12,7 +12,7 @@
 
 #include "base/result.h"
 #include "gcode/sketch.h"
-#include "streaming/run_summary.h"
+#include "streaming/run/run_summary.h"
 
 namespace rivulet::report {
 

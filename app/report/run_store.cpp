@@ -26,7 +26,7 @@
 #include "journal/line_file.h"
 #include "report/json_members.h"
 #include "report/report_json.h"
-#include "streaming/pause_placement.h"
+#include "streaming/methods/pause_placement.h"
 
 namespace rivulet::report {
 namespace fs = std::filesystem;

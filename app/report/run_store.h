@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "streaming/job.h"
-#include "streaming/run_on_control.h"
+#include "streaming/recovery/run_on_control.h"
+#include "streaming/run/job.h"
 
 namespace rivulet::report {
 

@@ -120,16 +120,16 @@ std::string pictureOf(const std::vector<MachineTrend>& trends, const TrendTexts&
                       const std::string& title, const std::string& label, Figure figure) {
   const bool isDated = isByDay(trends);
   const double firstDay = isDated ? firstDayOf(trends) : 0.0;
-  experiments::Plot plot{
+  papers::Plot plot{
       title, isDated ? filled(texts.dayAxis, dateText(firstDay)) : texts.runAxis, label, {}};
   PlotLook look;
   look.decimalSign = texts.decimalSign;
   double largest = 0.0;
   for (std::size_t machine = 0; machine < trends.size(); ++machine) {
     const MachineTrend& trend = trends[machine];
-    experiments::Series runs;
+    papers::Series runs;
     runs.name = trend.machine;
-    runs.style = experiments::SeriesStyle::Points;
+    runs.style = papers::SeriesStyle::Points;
     double middle = 0.0;
     for (const RunFigures& run : trend.runs) {
       runs.x.push_back(isDated ? *run.atDay - firstDay : static_cast<double>(runs.x.size() + 1));
@@ -138,7 +138,7 @@ std::string pictureOf(const std::vector<MachineTrend>& trends, const TrendTexts&
       largest = std::max(largest, std::abs(run.*figure));
     }
     const Slope slope = slopeOf(trend, figure);
-    experiments::Series line;
+    papers::Series line;
     line.name = filled(texts.line, trend.machine);
     for (const double x : {runs.x.front(), runs.x.back()}) {
       line.x.push_back(x);

@@ -12,7 +12,7 @@
 #include "base/method_kind.h"
 #include "base/units.h"
 #include "feasibility/verdict.h"
-#include "streaming/driver.h"
+#include "streaming/run/driver.h"
 #include "templates/cells.h"
 
 namespace rivulet::report {

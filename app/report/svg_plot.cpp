@@ -17,9 +17,9 @@
 
 namespace rivulet::report {
 
-using experiments::Plot;
-using experiments::Series;
-using experiments::SeriesStyle;
+using papers::Plot;
+using papers::Series;
+using papers::SeriesStyle;
 
 namespace {
 

@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "base/text.h"
-#include "experiments/job_forecast.h"
+#include "forecast/job_forecast.h"
 #include "preparation/split_program.h"
 #include "report/calibration_json.h"
 #include "report/machine_profile.h"
 #include "report/operating_point.h"
 #include "service/machine_lock.h"
-#include "streaming/access_policy.h"
+#include "streaming/control/access_policy.h"
 
 namespace rivulet::service {
 
@@ -37,7 +37,7 @@ const std::string* valueOf(const preparation::SettingsFacts& facts, const std::s
 }
 
 /// Why the blocks of a program that are for the control would be left out.
-std::string whyNoJob(const job::Plan& plan, const widgets::StreamSettings& settings,
+std::string whyNoJob(const job::Plan& plan, const streaming::StreamSettings& settings,
                      const MachineFacts& machine) {
   if (!machine.runsJobs) {
     return "whole jobs run on virtual machines only so far";
@@ -49,7 +49,7 @@ std::string whyNoJob(const job::Plan& plan, const widgets::StreamSettings& setti
                                                       : "a whole job needs method window or credit";
 }
 
-feasibility::AccessModel accessOf(const widgets::StreamSettings& settings,
+feasibility::AccessModel accessOf(const streaming::StreamSettings& settings,
                                   const MachineFacts& machine) {
   if (!machine.calibration) {
     return {};
@@ -138,7 +138,7 @@ bool LoadedJob::hasFileChanged() const {
 
 void LoadedJob::place(base::Vec3 toolMm, const MachineFacts& machine) {
   const int perLoop = std::max(2, settings.parameters.pointsPerLoop);
-  view = widgets::makeProgramView(view->program, toolMm, perLoop, {}, machine.feeds, view->plan);
+  view = overview::makeProgramView(view->program, toolMm, perLoop, {}, machine.feeds, view->plan);
   templates::TemplateParameters parameters = settings.parameters;
   if (base::streamsRotary(parameters.method)) {
     parameters.rotaryAxes = view->turnedAxes;
@@ -193,9 +193,9 @@ base::Result<LoadedJob> loadJob(
   if (split.dryRunError) {
     return base::fail(*split.dryRunError);
   }
-  job.view = widgets::makeProgramView(std::move(split.program), toolMm,
-                                      std::max(2, job.settings.parameters.pointsPerLoop), {},
-                                      machine.feeds, std::move(split.plan));
+  job.view = overview::makeProgramView(std::move(split.program), toolMm,
+                                       std::max(2, job.settings.parameters.pointsPerLoop), {},
+                                       machine.feeds, std::move(split.plan));
   const std::size_t leftOut = job.view->isJob() ? 0 : job.view->outline.needed().size();
   if (leftOut > 0 && job.settings.wholeJob) {
     const job::NativeBlock& first = *job.view->outline.needed().front();
@@ -210,7 +210,7 @@ base::Result<LoadedJob> loadJob(
   job.place(toolMm, machine);
   if (job.view->isJob() && machine.known) {
     job.hazards = std::make_shared<const session::Hazards>(
-        experiments::hazardsOf(*job.view->plan, *machine.known, {machine.known->start()}));
+        forecast::hazardsOf(*job.view->plan, *machine.known, {machine.known->start()}));
   }
   return job;
 }

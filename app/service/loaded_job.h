@@ -16,13 +16,13 @@
 
 #include "base/result.h"
 #include "machine/config.h"
+#include "overview/program_view.h"
 #include "permission/permission.h"
 #include "preparation/judged.h"
 #include "preparation/settings_facts.h"
 #include "report/machine_store.h"
 #include "session/hazards.h"
-#include "streaming/run.h"
-#include "widgets/program/program_view.h"
+#include "streaming/run/run.h"
 
 namespace rivulet::service {
 
@@ -45,7 +45,7 @@ struct MachineFacts {
                                                  bool isVirtual);
 
 struct JobSettings {
-  widgets::StreamSettings run;
+  streaming::StreamSettings run;
   gcode::TextReading reading;
 };
 
@@ -61,8 +61,8 @@ struct LoadedJob {
   gcode::LoadOptions reading;
   std::uintmax_t fileBytes = 0;
   std::filesystem::file_time_type fileTime{};
-  widgets::StreamSettings settings;
-  std::shared_ptr<const widgets::ProgramView> view;
+  streaming::StreamSettings settings;
+  std::shared_ptr<const overview::ProgramView> view;
   streaming::RunSettings runSettings;
   preparation::Judged judged;
   std::shared_ptr<const session::Hazards> hazards;  ///< of a whole job on a machine that is known

@@ -18,8 +18,8 @@
 #include "preparation/release_file.h"
 #include "report/run_history.h"
 #include "service/machine_lock.h"
-#include "streaming/control_alarm.h"
-#include "streaming/run_summary.h"
+#include "streaming/control/control_alarm.h"
+#include "streaming/run/run_summary.h"
 
 namespace rivulet::service {
 
@@ -282,7 +282,7 @@ streaming::StartFacts ServiceSession::facts(const Caller& caller, Act act) const
                                                      : nullptr;
   if (hazards != nullptr) {
     facts.jobCheck = streaming::JobCheck{true, {}};
-    if (const auto none = experiments::requireNoHazard(*m_job->view->plan, *hazards); !none) {
+    if (const auto none = forecast::requireNoHazard(*m_job->view->plan, *hazards); !none) {
       facts.jobCheck->obstacle = none.error();
     }
   }
@@ -365,7 +365,7 @@ Answer ServiceSession::loadJob(const Caller& caller, const std::string& file,
 }
 
 std::string ServiceSession::describeStart() const {
-  const widgets::ProgramView& view = *m_job->view;
+  const overview::ProgramView& view = *m_job->view;
   const auto& points = view.points.points;
   const streaming::RunSettings& settings = m_job->runSettings;
   std::string text = fmt::format(

@@ -4,8 +4,8 @@
 /// @file
 /// One machine without a window: connects, and connects again when the machine was gone; loads a
 /// job, starts it once somebody has confirmed what was shown, streams, records and resumes it. The
-/// rules are those of the window (`permission`, `streaming/start_policy`); the streaming thread is
-/// the window's, too. Clients only ask: that one is gone changes nothing.
+/// rules are those of the window (`permission`, `streaming/start/start_policy`); the streaming
+/// thread is the window's, too. Clients only ask: that one is gone changes nothing.
 /// @threadsafety one thread; the streaming thread is its own.
 #pragma once
 
@@ -23,7 +23,7 @@
 #include "service/loaded_job.h"
 #include "session/session_event.h"
 #include "session/session_worker.h"
-#include "streaming/start_policy.h"
+#include "streaming/start/start_policy.h"
 
 namespace rivulet::service {
 

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "experiments/region.h"
+#include "forecast/region.h"
 #include "report/operating_point.h"
 #include "session/background.h"
-#include "streaming/feed_plan.h"
+#include "streaming/methods/feed_plan.h"
 
 namespace rivulet::session {
 
@@ -76,7 +76,7 @@ std::optional<double> simulatedFeed(const AdviceJob& job, const feasibility::Ope
                                            : distances.windowPlace;
   // Of a large program, only what is simulated is copied.
   rehearsal.points =
-      experiments::stretchOf(job.view->points.points, tightest.point.value, kRehearsedPointsMax);
+      forecast::stretchOf(job.view->points.points, tightest.point.value, kRehearsedPointsMax);
   feasibility::OperatingPoint at = point;
   at.feedMmPerS = feedMmPerSMax;
   rehearsal.settings = settingsAt(job, at);

@@ -15,14 +15,14 @@
 #include <vector>
 
 #include "feasibility/advice.h"
+#include "overview/program_view.h"
 #include "session/rehearsal.h"
-#include "widgets/program/program_view.h"
 
 namespace rivulet::session {
 
 struct AdviceJob {
-  std::shared_ptr<const widgets::ProgramView> view;  ///< at least 2 points
-  feasibility::AdviceQuestion question;              ///< without `complete`
+  std::shared_ptr<const overview::ProgramView> view;  ///< at least 2 points
+  feasibility::AdviceQuestion question;               ///< without `complete`
   /// For the simulation; N, δ, method, F or override are replaced.
   streaming::RunSettings settings;
   std::shared_ptr<const machine::MachineConfig> machine{};  ///< as `RehearsalJob::machine`

@@ -11,7 +11,7 @@
 #include <QTimer>
 
 #include "base/vec3.h"
-#include "streaming/correction_lines.h"
+#include "streaming/run/correction_lines.h"
 
 class QUdpSocket;
 

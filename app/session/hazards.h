@@ -7,10 +7,10 @@
 
 #include <vector>
 
-#include "experiments/job_forecast.h"
+#include "forecast/job_forecast.h"
 
 namespace rivulet::session {
 
-using Hazards = std::vector<experiments::Hazard>;
+using Hazards = std::vector<forecast::Hazard>;
 
 }  // namespace rivulet::session

@@ -24,8 +24,8 @@ void JobCheck::start(std::shared_ptr<const job::Plan> plan,
         if (!wanted->load()) {
           return std::shared_ptr<const Hazards>();
         }
-        const experiments::HazardOptions options{machine->start()};
-        return std::make_shared<const Hazards>(experiments::hazardsOf(*plan, *machine, options));
+        const forecast::HazardOptions options{machine->start()};
+        return std::make_shared<const Hazards>(forecast::hazardsOf(*plan, *machine, options));
       },
       [wanted = m_wanted](JobCheck& self, const std::shared_ptr<const Hazards>& hazards) {
         if (hazards && self.m_wanted == wanted) {

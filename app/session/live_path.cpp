@@ -67,7 +67,7 @@ void LivePath::make() {
   }
   m_isBusy = true;
   struct Made {
-    std::shared_ptr<const widgets::ProgramView> view;
+    std::shared_ptr<const overview::ProgramView> view;
     std::size_t points = 0;
     qint64 ms = 0;
   };
@@ -78,7 +78,7 @@ void LivePath::make() {
         took.start();
         const base::Vec3 startMm = points.empty() ? base::Vec3{} : points.front().positionMm;
         auto view =
-            widgets::makeProgramView(liveProgram(name, hash, points), startMm, kPointsPerLoop);
+            overview::makeProgramView(liveProgram(name, hash, points), startMm, kPointsPerLoop);
         return Made{std::move(view), points.size(), took.elapsed()};
       },
       [path = m_path](LivePath& self, const Made& made) {

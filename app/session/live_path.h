@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "overview/program_view.h"
 #include "session/session_event.h"
-#include "widgets/program/program_view.h"
 
 namespace rivulet::session {
 
@@ -35,7 +35,7 @@ class LivePath final : public QObject {
 
  Q_SIGNALS:
   /// Of the points at some moment after `begin`; there may be more by now.
-  void grown(const std::shared_ptr<const rivulet::widgets::ProgramView>& view);
+  void grown(const std::shared_ptr<const rivulet::overview::ProgramView>& view);
 
  private:
   void make();

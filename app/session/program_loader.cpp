@@ -81,11 +81,10 @@ void ProgramLoader::load(LoadRequest request) {
       return;
     }
     options.progress = [&](double share) { return progress(kReadShare + kSplitShare * share); };
-    preparation::SplitProgram read =
-        preparation::splitProgram(*std::move(program), options, request.path.toStdString(),
-                                  request.reading.asJob, request.reading.dryRunMm,
-                                  request.reading.machine);
-    auto view = widgets::makeProgramView(
+    preparation::SplitProgram read = preparation::splitProgram(
+        *std::move(program), options, request.path.toStdString(), request.reading.asJob,
+        request.reading.dryRunMm, request.reading.machine);
+    auto view = overview::makeProgramView(
         std::move(read.program), request.startMm, request.pointsPerLoop,
         [&](double share) {
           const double before = kReadShare + kSplitShare;
@@ -102,7 +101,7 @@ void ProgramLoader::load(LoadRequest request) {
   });
 }
 
-void ProgramLoader::place(std::shared_ptr<const widgets::ProgramView> view, base::Vec3 startMm,
+void ProgramLoader::place(std::shared_ptr<const overview::ProgramView> view, base::Vec3 startMm,
                           int pointsPerLoop) {
   if (m_placing) {
     return;
@@ -111,11 +110,11 @@ void ProgramLoader::place(std::shared_ptr<const widgets::ProgramView> view, base
   inBackground(
       this,
       [stop = m_placing, view, startMm, pointsPerLoop] {
-        return widgets::makeProgramView(
+        return overview::makeProgramView(
             view->program, startMm, pointsPerLoop, [&stop](double) { return !stop->load(); },
             view->feeds, view->plan);
       },
-      [view](ProgramLoader& self, const std::shared_ptr<const widgets::ProgramView>& placed) {
+      [view](ProgramLoader& self, const std::shared_ptr<const overview::ProgramView>& placed) {
         if (placed) {
           self.m_placing.reset();
           Q_EMIT self.placed(placed, view);

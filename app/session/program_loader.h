@@ -17,8 +17,8 @@
 #include "base/result.h"
 #include "gcode/program.h"
 #include "job/plan.h"
+#include "overview/program_view.h"
 #include "session/file_watch.h"
-#include "widgets/program/program_view.h"
 
 namespace rivulet::session {
 
@@ -43,7 +43,7 @@ struct LoadRequest {
 struct LoadedProgram {
   LoadRequest request;
   FileStamp stamp;  ///< of the file as it was read
-  std::shared_ptr<const widgets::ProgramView> view;
+  std::shared_ptr<const overview::ProgramView> view;
   std::optional<base::Error> dryRunError{};  ///< why the job cannot run dry
 };
 
@@ -62,7 +62,7 @@ class ProgramLoader final : public QObject {
   [[nodiscard]] bool isBusy() const { return m_stop != nullptr; }
   /// Computes the points of a loaded program for another position of the tool; `placed` reports the
   /// result. One at a time: while one is in progress, no other begins.
-  void place(std::shared_ptr<const widgets::ProgramView> view, base::Vec3 startMm,
+  void place(std::shared_ptr<const overview::ProgramView> view, base::Vec3 startMm,
              int pointsPerLoop);
   [[nodiscard]] bool isPlacing() const { return m_placing != nullptr; }
 
@@ -73,8 +73,8 @@ class ProgramLoader final : public QObject {
   void failed(const rivulet::base::Error& error, const QString& path);
   void cancelled();
   /// @param of  the view that it replaces
-  void placed(const std::shared_ptr<const rivulet::widgets::ProgramView>& view,
-              const std::shared_ptr<const rivulet::widgets::ProgramView>& of);
+  void placed(const std::shared_ptr<const rivulet::overview::ProgramView>& view,
+              const std::shared_ptr<const rivulet::overview::ProgramView>& of);
 
  private:
   void forget();

@@ -6,17 +6,17 @@
 #include <algorithm>
 
 #include "base/units.h"
-#include "experiments/path_time.h"
+#include "forecast/path_time.h"
 #include "report/machine_profile.h"
 #include "session/background.h"
-#include "streaming/pause_placement.h"
+#include "streaming/methods/pause_placement.h"
 
 namespace rivulet::session {
 
 namespace {
 
 /// Of the points that are streamed. @param atS  one per point of the trajectory
-std::vector<float> ofStreamed(const widgets::ProgramView& view, const std::vector<float>& atS) {
+std::vector<float> ofStreamed(const overview::ProgramView& view, const std::vector<float>& atS) {
   std::vector<float> streamed;
   streamed.reserve(view.trajectoryIndices.size());
   for (const std::uint32_t index : view.trajectoryIndices) {
@@ -26,11 +26,11 @@ std::vector<float> ofStreamed(const widgets::ProgramView& view, const std::vecto
 }
 
 /// Computes the times that do not depend on the settings. @return false: cancelled
-bool reckonProgrammed(const widgets::ProgramView& view, const machine::MachineConfig& machine,
-                      const std::function<bool(double)>& progress, widgets::ProgramTimes& times) {
-  experiments::PathTimeOptions options;
+bool reckonProgrammed(const overview::ProgramView& view, const machine::MachineConfig& machine,
+                      const std::function<bool(double)>& progress, overview::ProgramTimes& times) {
+  forecast::PathTimeOptions options;
   options.progress = progress;
-  const auto time = experiments::pathTime(view.program->trajectory, view.startMm, machine, options);
+  const auto time = forecast::pathTime(view.program->trajectory, view.startMm, machine, options);
   if (!time) {
     return false;
   }
@@ -41,12 +41,12 @@ bool reckonProgrammed(const widgets::ProgramView& view, const machine::MachineCo
 }
 
 /// The time of a run. @return nothing: cancelled
-std::optional<experiments::PathTime> reckonStreamed(const widgets::ProgramView& view,
-                                                    const machine::MachineConfig& machine,
-                                                    const TimeSettings& settings,
-                                                    const widgets::PauseMap& pauses,
-                                                    const std::function<bool(double)>& progress) {
-  experiments::PathTimeOptions options;
+std::optional<forecast::PathTime> reckonStreamed(const overview::ProgramView& view,
+                                                 const machine::MachineConfig& machine,
+                                                 const TimeSettings& settings,
+                                                 const overview::PauseMap& pauses,
+                                                 const std::function<bool(double)>& progress) {
+  forecast::PathTimeOptions options;
   options.feedMmPerS = settings.feedMmPerS;
   options.programFeeds = settings.programFeeds;
   options.pauseS = base::toSeconds(machine.standstillMean);
@@ -54,12 +54,12 @@ std::optional<experiments::PathTime> reckonStreamed(const widgets::ProgramView& 
   std::merge(pauses.offCut.begin(), pauses.offCut.end(), pauses.inCut.begin(), pauses.inCut.end(),
              options.pausesBehind.begin());
   options.progress = progress;
-  return experiments::pathTime(view.program->trajectory, view.startMm, machine, options);
+  return forecast::pathTime(view.program->trajectory, view.startMm, machine, options);
 }
 
-std::shared_ptr<const widgets::PauseMap> planPauses(const widgets::ProgramView& view,
-                                                    const TimeSettings& settings) {
-  auto map = std::make_shared<widgets::PauseMap>();
+std::shared_ptr<const overview::PauseMap> planPauses(const overview::ProgramView& view,
+                                                     const TimeSettings& settings) {
+  auto map = std::make_shared<overview::PauseMap>();
   const auto perLoop = static_cast<std::size_t>(std::max(1, settings.pointsPerLoop));
   // With one feed for all moves, windows do not end where that of the program changes.
   streaming::WindowCut cut;
@@ -84,7 +84,7 @@ void ProgramTimer::cancel() {
   }
 }
 
-void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
+void ProgramTimer::start(std::shared_ptr<const overview::ProgramView> view,
                          const TimeSettings& settings) {
   cancel();
   // The position of the tool changes the first points of a program, but hardly its time.
@@ -112,7 +112,7 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
     tell([pauses](ProgramTimer& timer, const auto& of) { Q_EMIT timer.planned(pauses, of); });
     auto times = known;
     if (!times) {
-      auto programmed = std::make_shared<widgets::ProgramTimes>();
+      auto programmed = std::make_shared<overview::ProgramTimes>();
       if (!reckonProgrammed(*view, machine, progress, *programmed)) {
         return;
       }
@@ -134,9 +134,9 @@ void ProgramTimer::start(std::shared_ptr<const widgets::ProgramView> view,
     if (!time) {
       return;
     }
-    auto streamed = std::make_shared<widgets::ProgramTimes>(*times);
-    streamed->run = widgets::RunTime{ofStreamed(*view, time->atS), time->totalS, time->standingS,
-                                     time->pauses, unpaused->totalS};
+    auto streamed = std::make_shared<overview::ProgramTimes>(*times);
+    streamed->run = overview::RunTime{ofStreamed(*view, time->atS), time->totalS, time->standingS,
+                                      time->pauses, unpaused->totalS};
     tell([streamed, unpaused](ProgramTimer& timer, const auto& of) {
       timer.m_stop.reset();
       timer.m_times = streamed;

@@ -16,7 +16,7 @@
 #include "base/method_kind.h"
 #include "gcode/feeds.h"
 #include "machine/config.h"
-#include "widgets/program/program_view.h"
+#include "overview/program_view.h"
 
 namespace rivulet::session {
 
@@ -41,23 +41,23 @@ class ProgramTimer final : public QObject {
 
   /// Begins; work in progress is dropped. What does not depend on the settings is computed once per
   /// program.
-  void start(std::shared_ptr<const widgets::ProgramView> view, const TimeSettings& settings);
+  void start(std::shared_ptr<const overview::ProgramView> view, const TimeSettings& settings);
   void cancel();
   [[nodiscard]] bool isBusy() const { return m_stop != nullptr; }
 
  Q_SIGNALS:
   /// Reported first: it takes only a moment.
-  void planned(const std::shared_ptr<const rivulet::widgets::PauseMap>& pauses,
-               const std::shared_ptr<const rivulet::widgets::ProgramView>& view);
+  void planned(const std::shared_ptr<const rivulet::overview::PauseMap>& pauses,
+               const std::shared_ptr<const rivulet::overview::ProgramView>& view);
   /// Reported as soon as the time of the program itself is known, and again with that of the run.
-  void estimated(const std::shared_ptr<const rivulet::widgets::ProgramTimes>& times,
-                 const std::shared_ptr<const rivulet::widgets::ProgramView>& view);
+  void estimated(const std::shared_ptr<const rivulet::overview::ProgramTimes>& times,
+                 const std::shared_ptr<const rivulet::overview::ProgramView>& view);
 
  private:
   std::shared_ptr<std::atomic<bool>> m_stop;  ///< of the work in progress; null: none
   std::shared_ptr<const gcode::Program> m_program;
   std::shared_ptr<const machine::MachineConfig> m_machine;  ///< of `m_times`
-  std::shared_ptr<const widgets::ProgramTimes> m_times;     ///< of that program
+  std::shared_ptr<const overview::ProgramTimes> m_times;    ///< of that program
   /// Time without pauses, at the feed of a run, from a position of the tool.
   struct Unpaused {
     double feedMmPerS = 0.0;

@@ -104,7 +104,7 @@ void RegionWorker::work(const RegionJob& job, int request, const std::stop_token
   auto outcome = std::make_shared<RegionOutcome>();
   outcome->job = job;
   const machine::MachineConfig machine = job.machine ? *job.machine : report::configOf(nullptr);
-  const feasibility::StreamModel model = experiments::streamModelOf(machine);
+  const feasibility::StreamModel model = forecast::streamModelOf(machine);
   std::atomic<int> shown{0};
   const auto show = [&](int percent) {
     if (int before = shown; percent > before && shown.compare_exchange_strong(before, percent)) {
@@ -120,7 +120,7 @@ void RegionWorker::work(const RegionJob& job, int request, const std::stop_token
       show(kBandPercent * ++bands / static_cast<int>(job.abscissas.size()));
     }
   });
-  experiments::RegionRequest wanted;
+  forecast::RegionRequest wanted;
   wanted.points = job.points;
   wanted.settings = job.settings;
   wanted.machine = machine;
@@ -128,8 +128,8 @@ void RegionWorker::work(const RegionJob& job, int request, const std::stop_token
   wanted.abscissas = job.abscissas;
   wanted.feedsMmPerS = job.feedsMmPerS;
   wanted.seedsPerPoint = job.seedsPerPoint;
-  experiments::RegionResult result =
-      experiments::simulateRegion(wanted, executor, [&](std::size_t done, std::size_t total) {
+  forecast::RegionResult result =
+      forecast::simulateRegion(wanted, executor, [&](std::size_t done, std::size_t total) {
         show(kBandPercent + static_cast<int>((100 - kBandPercent) * done / total));
         return !stop.stop_requested();
       });

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/region.h"
+#include "forecast/region.h"
 
 namespace rivulet::session {
 
@@ -22,7 +22,7 @@ struct RegionJob {
   std::vector<gcode::StreamPoint> points;  ///< at least 2: the section to be simulated
   streaming::RunSettings settings;
   feasibility::SweepAxis axis = feasibility::SweepAxis::PointDistance;
-  std::vector<double> abscissas;  ///< see experiments::RegionRequest
+  std::vector<double> abscissas;  ///< see forecast::RegionRequest
   std::vector<double> feedsMmPerS;
   std::size_t seedsPerPoint = 4;
   std::shared_ptr<const machine::MachineConfig> machine{};  ///< null: that of the paper
@@ -37,7 +37,7 @@ struct RegionBandPoint {
 
 struct RegionOutcome {
   RegionJob job;
-  std::vector<experiments::RegionPoint> points;
+  std::vector<forecast::RegionPoint> points;
   std::vector<RegionBandPoint> band;
   base::Error error;  ///< code clear if every run could be executed
 };

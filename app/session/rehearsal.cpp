@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "experiments/region.h"
+#include "forecast/region.h"
 #include "report/machine_profile.h"
 #include "session/background.h"
 
@@ -50,8 +50,8 @@ RehearsalOutcome rehearse(const RehearsalJob& job, const std::atomic<bool>& stop
   if (job.access) {
     charge(machine.access, *job.access);
   }
-  experiments::RegionRequest request;
-  request.points = experiments::stretchOf(job.points, job.tightest, kRehearsedPointsMax);
+  forecast::RegionRequest request;
+  request.points = forecast::stretchOf(job.points, job.tightest, kRehearsedPointsMax);
   request.settings = job.settings;
   request.settings.resume.reset();
   request.machine = machine;
@@ -63,10 +63,10 @@ RehearsalOutcome rehearse(const RehearsalJob& job, const std::atomic<bool>& stop
   const auto at = [&](double feedMmPerS) {
     SameThread executor;
     request.feedsMmPerS = {feedMmPerS};
-    return experiments::simulateRegion(request, executor,
-                                       [&](std::size_t, std::size_t) { return !stop.load(); });
+    return forecast::simulateRegion(request, executor,
+                                    [&](std::size_t, std::size_t) { return !stop.load(); });
   };
-  const experiments::RegionResult wanted = at(job.settings.feedMmPerS);
+  const forecast::RegionResult wanted = at(job.settings.feedMmPerS);
   outcome.error = wanted.error;
   outcome.runs = wanted.points.front().runs;
   outcome.faulty = wanted.points.front().faulty;
@@ -76,8 +76,8 @@ RehearsalOutcome rehearse(const RehearsalJob& job, const std::atomic<bool>& stop
   }
   for (const double share : kSlower) {
     const double feedMmPerS = share * job.settings.feedMmPerS;
-    const experiments::RegionResult slower = at(feedMmPerS);
-    const experiments::RegionPoint& point = slower.points.front();
+    const forecast::RegionResult slower = at(feedMmPerS);
+    const forecast::RegionPoint& point = slower.points.front();
     if (point.runs == kRuns && point.faulty == 0) {
       outcome.safeFeedMmPerS = feedMmPerS;
       break;

@@ -18,7 +18,7 @@
 #include "feasibility/access_model.h"
 #include "gcode/trajectory.h"
 #include "machine/config.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 
 namespace rivulet::session {
 

@@ -14,7 +14,7 @@
 
 #include "base/error.h"
 #include "base/vec3.h"
-#include "experiments/job_restart.h"
+#include "forecast/job_restart.h"
 #include "gcode/program.h"
 #include "job/plan.h"
 #include "live/setup.h"
@@ -23,11 +23,11 @@
 #include "opcua/rights.h"
 #include "report/run_store.h"
 #include "session/hazards.h"
-#include "streaming/calibration_record.h"
-#include "streaming/equipment_watch.h"
-#include "streaming/job_times.h"
-#include "streaming/machine_facts.h"
-#include "streaming/run.h"
+#include "streaming/control/machine_facts.h"
+#include "streaming/run/equipment_watch.h"
+#include "streaming/run/job_times.h"
+#include "streaming/run/run.h"
+#include "streaming/setup/calibration_record.h"
 #include "trace/analysis/tool_use.h"
 #include "trace/recording.h"
 
@@ -85,7 +85,7 @@ struct RunFinished {
 
 /// How a whole job goes on that was left, or begins in the middle.
 struct JobRestart {
-  experiments::Restart restart;
+  forecast::Restart restart;
   std::optional<streaming::Resume> resume;  ///< within its first stretch
   int stretch = 0;                          ///< with which it goes on, or that comes next; 0: none
   std::optional<base::Vec3> toolMm;         ///< to which the tool goes first; nothing: nowhere

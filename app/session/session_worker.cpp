@@ -17,10 +17,10 @@
 #include "opcua/machinery.h"
 #include "platform/recording_file.h"
 #include "sources/open_source.h"
-#include "streaming/job_resume.h"
-#include "streaming/resume.h"
+#include "streaming/recovery/job_resume.h"
+#include "streaming/recovery/resume.h"
+#include "streaming/run/whole_job.h"
 #include "streaming/simulation/template_proof.h"
-#include "streaming/whole_job.h"
 #include "templates/generator.h"
 #include "trace/recording.h"
 
@@ -632,7 +632,7 @@ base::Result<JobRestart> SessionWorker::askJob(const ResumeQuestion& question) {
   const machine::MachineConfig& machine = *question.machine;
   JobRestart found;
   if (question.fromStretch > 0) {
-    auto restart = experiments::restartAtStretch(plan, machine, question.fromStretch);
+    auto restart = forecast::restartAtStretch(plan, machine, question.fromStretch);
     if (!restart) {
       return base::fail(restart.error());
     }
@@ -640,11 +640,11 @@ base::Result<JobRestart> SessionWorker::askJob(const ResumeQuestion& question) {
   } else {
     const auto rest = streaming::whereJobWasLeft(
         *m_connection.link, plan, question.settings, question.checkpoint,
-        [&](std::size_t part) { return experiments::zeroAt(plan, machine, part); });
+        [&](std::size_t part) { return forecast::zeroAt(plan, machine, part); });
     if (!rest) {
       return base::fail(rest.error());
     }
-    auto restart = experiments::restartAt(plan, machine, *rest);
+    auto restart = forecast::restartAt(plan, machine, *rest);
     if (!restart) {
       return base::fail(restart.error());
     }
@@ -658,7 +658,7 @@ base::Result<JobRestart> SessionWorker::askJob(const ResumeQuestion& question) {
       found.stretch = stretch->number;
     }
   }
-  found.hazards = experiments::hazardsOf(found.restart.plan, machine, {machine.start()});
+  found.hazards = forecast::hazardsOf(found.restart.plan, machine, {machine.start()});
   return found;
 }
 

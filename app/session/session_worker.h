@@ -23,9 +23,9 @@
 #include "report/run_history.h"
 #include "report/run_store.h"
 #include "session/session_event.h"
-#include "streaming/control_axes.h"
-#include "streaming/job.h"
-#include "streaming/run_on_control.h"
+#include "streaming/control/control_axes.h"
+#include "streaming/recovery/run_on_control.h"
+#include "streaming/run/job.h"
 
 namespace rivulet::session {
 

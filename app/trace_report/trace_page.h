@@ -10,7 +10,7 @@
 #include <string>
 
 #include "report/stream_quality.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 #include "trace/analysis/trace_analysis.h"
 #include "widgets/paper/page.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Forms of reading or writing several variables. `streaming/access_probe` finds out which of them
-/// a control understands. @threadsafety pure.
+/// Forms of reading or writing several variables. `streaming/control/access_probe` finds out which
+/// of them a control understands. @threadsafety pure.
 #pragma once
 
 #include <cstddef>

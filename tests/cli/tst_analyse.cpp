@@ -13,7 +13,7 @@
 #include "report/rule.h"
 #include "report/run_trend.h"
 #include "report/stream_quality.h"
-#include "streaming/driver.h"
+#include "streaming/run/driver.h"
 #include "support/patience.h"
 #include "support/test_program.h"
 #include "trace/frames.h"

@@ -14,7 +14,7 @@
 #include "report/credit_test_json.h"
 #include "report/machine_profile.h"
 #include "report/machine_store.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

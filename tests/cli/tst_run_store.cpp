@@ -12,7 +12,7 @@
 #include "base/file.h"
 #include "report/report_json.h"
 #include "report/run_store.h"
-#include "streaming/resume.h"
+#include "streaming/recovery/resume.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

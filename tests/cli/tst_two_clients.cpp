@@ -18,7 +18,7 @@
 #include "base/random.h"
 #include "opcua/await.h"
 #include "opcua/open62541/ua_link.h"
-#include "streaming/cell_claim.h"
+#include "streaming/start/cell_claim.h"
 #include "support/machine_process.h"
 #include "support/patience.h"
 #include "support/test_program.h"

@@ -23,7 +23,6 @@
 #include "cnc/event_file.h"
 #include "emulator/emulator.h"
 #include "emulator/paper/learning.h"
-#include "experiments/recorded_run.h"
 #include "fuzz/require.h"
 #include "journal/alarm_history.h"
 #include "journal/audit.h"
@@ -32,6 +31,7 @@
 #include "opcua/control_map.h"
 #include "opcua/revocation.h"
 #include "opcua/user_certificate.h"
+#include "papers/recorded_run.h"
 #include "petri/export.h"
 #include "petri/net_file.h"
 #include "petri/simulator.h"
@@ -43,7 +43,7 @@
 #include "report/rule.h"
 #include "report/sweep_part.h"
 #include "sources/server_map.h"
-#include "streaming/correction_lines.h"
+#include "streaming/run/correction_lines.h"
 #include "trace/control_trace.h"
 #include "trace/formula.h"
 #include "trace/import/columns.h"
@@ -227,9 +227,9 @@ void readEvents(std::string_view text) {
 }
 
 void readRecordedRun(std::string_view text) {
-  checkResult(experiments::parseRecordedSamples(text));
-  checkResult(experiments::parseObservedSamples(text));
-  checkResult(experiments::parseRecordedProgram(text, {}));
+  checkResult(papers::parseRecordedSamples(text));
+  checkResult(papers::parseObservedSamples(text));
+  checkResult(papers::parseRecordedProgram(text, {}));
 }
 
 void readRevocations(std::string_view bytes) {
@@ -326,11 +326,11 @@ void readCorrections(std::string_view text) {
 }
 
 void readSettings(std::string_view text) {
-  widgets::StreamSettings settings;
+  streaming::StreamSettings settings;
   preparation::applySettings(settings, preparation::factsOfText(std::string(text)));
   // What has been taken over is taken again.
   const auto facts = preparation::settingsFacts(settings);
-  widgets::StreamSettings again;
+  streaming::StreamSettings again;
   preparation::applySettings(again, facts);
   require(preparation::settingsFacts(again) == facts);
 }

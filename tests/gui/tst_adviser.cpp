@@ -15,7 +15,7 @@
 #include "gcode/program.h"
 #include "report/operating_point.h"
 #include "session/adviser.h"
-#include "streaming/feed_plan.h"
+#include "streaming/methods/feed_plan.h"
 #include "support/patience.h"
 #include "support/test_program.h"
 
@@ -37,7 +37,7 @@ session::AdviceJob jobWithProgramFeeds(double overrideFactor) {
   const gcode::ProgramFeeds limits{1.0, base::mmPerSFromMmPerMin(40000.0),
                                    base::mmPerSFromMmPerMin(40000.0)};
   session::AdviceJob job;
-  job.view = widgets::makeProgramView(program, {}, 7, {}, limits);
+  job.view = overview::makeProgramView(program, {}, 7, {}, limits);
   job.settings.parameters.method = base::MethodKind::Window;
   job.settings.programFeeds = limits;
   job.settings.programFeeds->overrideFactor = overrideFactor;
@@ -52,7 +52,7 @@ session::AdviceJob adviceJob(base::MethodKind method, double feedMmPerMin, doubl
   const auto program = std::make_shared<gcode::Program>(
       *gcode::loadProgram(RIVULET_SOURCE_DIR "/resources/programs/scorpion.tap"));
   session::AdviceJob job;
-  job.view = widgets::makeProgramView(program, {}, 7);
+  job.view = overview::makeProgramView(program, {}, 7);
   job.settings.parameters.method = method;
   job.question.operatingPoint.method = method;
   job.question.operatingPoint.deltaMm = deltaMm;

@@ -18,7 +18,7 @@
 #include "hmi/main_window.h"
 #include "journal/audit.h"
 #include "report/run_store.h"
-#include "streaming/run_on_control.h"
+#include "streaming/recovery/run_on_control.h"
 #include "support/patience.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
@@ -88,7 +88,7 @@ class TestFoundRuns : public QObject {
   }
 
   void startRun() {
-    widgets::StreamSettings stream;
+    streaming::StreamSettings stream;
     stream.parameters.pointsPerLoop = 5;
     stream.programFeeds = true;
     stream.overrideFactor = 0.9;

@@ -396,7 +396,7 @@ class TestLiveWindow : public QObject {
 
   void onlyMethodsThatWaitTakeLivePoints() {
     open();
-    widgets::StreamSettings stream;
+    streaming::StreamSettings stream;
     stream.parameters.method = base::MethodKind::Signal;
     stream.parameters.pointsPerLoop = 7;
     m_window->setStreamSettings(stream);

@@ -132,7 +132,7 @@ class TestLook : public QObject {
   QStringList m_faults;
 
   void open() {
-    widgets::StreamSettings stream;
+    streaming::StreamSettings stream;
     stream.parameters.method = base::MethodKind::Window;
     stream.parameters.pointsPerLoop = 7;
     stream.feedMmPerS = base::mmPerSFromMmPerMin(3000.0);

@@ -31,7 +31,7 @@
 #include "base/units.h"
 #include "hmi/main_window.h"
 #include "opcua/error.h"
-#include "streaming/pause_placement.h"
+#include "streaming/methods/pause_placement.h"
 #include "support/patience.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
@@ -78,9 +78,9 @@ hmi::Settings settings() {
   return settings;
 }
 
-widgets::StreamSettings streamSettings(base::MethodKind method, int points, double deltaMm,
-                                       double feedMmPerMin) {
-  widgets::StreamSettings stream;
+streaming::StreamSettings streamSettings(base::MethodKind method, int points, double deltaMm,
+                                         double feedMmPerMin) {
+  streaming::StreamSettings stream;
   stream.parameters.method = method;
   stream.parameters.pointsPerLoop = points;
   stream.deltaMm = deltaMm;
@@ -139,7 +139,7 @@ class TestMainWindow : public QObject {
   std::unique_ptr<MainWindow> m_window;
   QTemporaryDir m_folder;
 
-  void open(const widgets::StreamSettings& stream, const QString& path = kScorpion) {
+  void open(const streaming::StreamSettings& stream, const QString& path = kScorpion) {
     m_window->setStreamSettings(stream);
     m_window->openProgram(path);
     connectToMachine();
@@ -600,7 +600,7 @@ class TestMainWindow : public QObject {
 
   /// Each move has the feed of its own block: verdict, preflight and run go by the override.
   void streamsWithTheFeedsOfTheProgram() {
-    widgets::StreamSettings stream = streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0);
+    streaming::StreamSettings stream = streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0);
     stream.programFeeds = true;
     stream.overrideFactor = 0.9;
     open(stream);
@@ -664,7 +664,7 @@ class TestMainWindow : public QObject {
   /// By the slider, then by a datagram: the control confirms it, the axes are displaced by it, and
   /// at the end it is gone.
   void correctsWhileItRuns() {
-    widgets::StreamSettings stream = streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0);
+    streaming::StreamSettings stream = streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0);
     stream.parameters.correctionLimitMm = 0.1;
     open(stream);
     auto* panel = m_window->findChild<widgets::CorrectionPanel*>();

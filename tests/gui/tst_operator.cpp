@@ -47,8 +47,8 @@ bool logIn(Users& users, const char* name, const char* pin) {
          right.count() == 1;
 }
 
-widgets::StreamSettings stream(double feedMmPerMin) {
-  widgets::StreamSettings settings;
+streaming::StreamSettings stream(double feedMmPerMin) {
+  streaming::StreamSettings settings;
   settings.parameters.method = base::MethodKind::Window;
   settings.parameters.pointsPerLoop = 7;
   settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
@@ -287,11 +287,11 @@ class TestOperator : public QObject {
   }
 
   void settingsGoThroughTheirFacts() {
-    widgets::StreamSettings settings = stream(1234.5);
+    streaming::StreamSettings settings = stream(1234.5);
     settings.parameters.pointsPerLoop = 9;
     settings.deltaMm = 0.25;
     settings.access = streaming::AccessPreference::List;
-    widgets::StreamSettings other;
+    streaming::StreamSettings other;
     preparation::applySettings(other, preparation::settingsFacts(settings));
     QCOMPARE(preparation::settingsFacts(other), preparation::settingsFacts(settings));
     preparation::applySettings(other, {{"feed", "-3"}, {"access", "99"}, {"unknown", "1"}});

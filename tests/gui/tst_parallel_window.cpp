@@ -22,9 +22,9 @@
 
 #include "base/file.h"
 #include "cnc/event_file.h"
-#include "experiments/parallel_cnc.h"
 #include "gui/look_check.h"
 #include "hmi/main_window.h"
+#include "papers/parallel_cnc.h"
 #include "petri/net_file.h"
 #include "petri/simulator.h"
 #include "support/patience.h"
@@ -151,7 +151,7 @@ class TestParallelWindow : public QObject {
 
   /// Each step fires what the net fires when nobody looks, and shows the same tokens.
   void stepsAsTheNetDoes() {
-    const auto net = petri::loadNet("p3", experiments::figure13Parameters(10, 0));
+    const auto net = petri::loadNet("p3", papers::figure13Parameters(10, 0));
     QVERIFY(net.has_value());
     petri::Simulator simulator(*net);
     QCOMPARE(part<QComboBox>("netPage")->count(), static_cast<int>(net->pages.size()));
@@ -222,8 +222,8 @@ class TestParallelWindow : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(part<QPushButton>("netPlay")->text() == QStringLiteral("Play"),
                              kRunMs);
     QVERIFY2(note().contains(QStringLiteral("nothing more is played")), qPrintable(note()));
-    const auto run = experiments::runParallelCnc(experiments::figure13Parameters(cycleMs, policy),
-                                                 experiments::kFigure13S);
+    const auto run =
+        papers::runParallelCnc(papers::figure13Parameters(cycleMs, policy), papers::kFigure13S);
     QVERIFY(run.has_value());
     const std::vector<double> levels = lastLevels();
     QCOMPARE(levels.size(), run->levels.size());
@@ -231,7 +231,7 @@ class TestParallelWindow : public QObject {
       QCOMPARE(levels[i], run->levels[i].back().level);
       const auto& points = part<CurveChart>("netLevels")->curves()[i].points;
       QCOMPARE(points.size(), 2 * (run->levels[i].size() - 1));
-      QCOMPARE(points.back().x(), experiments::kFigure13S);
+      QCOMPARE(points.back().x(), papers::kFigure13S);
     }
   }
 

@@ -36,8 +36,8 @@ base::Result<opcua::Connection> connectToCell(const opcua::ConnectRequest& asked
   return opcua::Connection{cell, &cell->link, &cell->link, asked.endpoint};
 }
 
-widgets::StreamSettings settings(base::MethodKind method, int points, double feedMmPerMin) {
-  widgets::StreamSettings stream;
+streaming::StreamSettings settings(base::MethodKind method, int points, double feedMmPerMin) {
+  streaming::StreamSettings stream;
   stream.parameters.method = method;
   stream.parameters.pointsPerLoop = points;
   stream.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
@@ -146,7 +146,7 @@ class TestPastRuns : public QObject {
     QSignalSpy shown(&m_models->messages, &hmi::Messages::shown);
     m_models->past.repeat(*m_run);
     QTRY_VERIFY_WITH_TIMEOUT(!shown.isEmpty(), kSoonMs);
-    const widgets::StreamSettings& now = m_models->document.settings();
+    const streaming::StreamSettings& now = m_models->document.settings();
     QVERIFY(now.parameters.method == base::MethodKind::Window);
     QCOMPARE(now.parameters.pointsPerLoop, 9);
     QCOMPARE(now.feedMmPerS, base::mmPerSFromMmPerMin(1500.0));

@@ -196,10 +196,10 @@ class TestProgramSession : public QObject {
   void timesBelongToTheStreamedPoints() {
     const auto program = std::make_shared<const gcode::Program>(
         gcode::interpretProgram("a", "G0 X0 Y0 Z0\nG1 X10 F600\nX10\nX20\nX30 Y5\n").value());
-    const auto view = widgets::makeProgramView(program, {0.0, 0.0, 0.0}, 2);
+    const auto view = overview::makeProgramView(program, {0.0, 0.0, 0.0}, 2);
     QCOMPARE(view->points.points.size(), std::size_t{4});
     ProgramTimer timer;
-    std::vector<std::shared_ptr<const widgets::ProgramTimes>> times;
+    std::vector<std::shared_ptr<const overview::ProgramTimes>> times;
     connect(&timer, &ProgramTimer::estimated, this, [&](const auto& estimated, const auto& of) {
       QVERIFY(of == view);
       times.push_back(estimated);
@@ -208,7 +208,7 @@ class TestProgramSession : public QObject {
     // First what the program itself takes, then what a run takes.
     QTRY_COMPARE_WITH_TIMEOUT(times.size(), std::size_t{2}, kSoonMs);
     QVERIFY(!times.front()->run);
-    const widgets::ProgramTimes& first = *times.back();
+    const overview::ProgramTimes& first = *times.back();
     QCOMPARE(first.atS, times.front()->atS);
     QCOMPARE(first.atS.size(), std::size_t{4});
     QVERIFY(std::is_sorted(first.atS.begin(), first.atS.end()));
@@ -224,8 +224,8 @@ class TestProgramSession : public QObject {
     QCOMPARE(times.back()->run->pauses, std::size_t{3});
     QVERIFY(times.back()->run->pausesCostS() > 0.0);
     // Another place of the tool is another way to the first point, with pauses and without.
-    const auto moved = widgets::makeProgramView(program, {50.0, 0.0, 0.0}, 2);
-    std::shared_ptr<const widgets::PauseMap> pauses;
+    const auto moved = overview::makeProgramView(program, {50.0, 0.0, 0.0}, 2);
+    std::shared_ptr<const overview::PauseMap> pauses;
     disconnect(&timer, nullptr, this, nullptr);
     connect(&timer, &ProgramTimer::planned, this,
             [&](const auto& planned, const auto&) { pauses = planned; });
@@ -245,11 +245,11 @@ class TestProgramSession : public QObject {
   void pointsFollowTheTool() {
     const auto program = std::make_shared<const gcode::Program>(
         gcode::interpretProgram("a", "G0 Z5\nG1 X10 Y0 F600\nX20\n").value());
-    const auto view = widgets::makeProgramView(program, {1.0, 2.0, 3.0}, 2);
+    const auto view = overview::makeProgramView(program, {1.0, 2.0, 3.0}, 2);
     QVERIFY(view->dependsOnStart);
     QVERIFY((view->points.points.front().positionMm == base::Vec3{1.0, 2.0, 5.0}));
     ProgramLoader loader;
-    std::shared_ptr<const widgets::ProgramView> placed;
+    std::shared_ptr<const overview::ProgramView> placed;
     connect(&loader, &ProgramLoader::placed, this, [&](const auto& made, const auto& of) {
       QVERIFY(of == view);
       placed = made;
@@ -300,20 +300,20 @@ class TestProgramSession : public QObject {
     QCOMPARE(window.program()->statistics.lines, std::size_t{1'000'005});
     widgets::ProgramPage* page = window.programPage();
     QVERIFY(page->path()->canvas()->takeMostAtOnce() <= widgets::PathCanvas::kFrameMoves);
-    for (const auto colouring : {widgets::PathColouring::Feed, widgets::PathColouring::Margin}) {
+    for (const auto colouring : {overview::PathColouring::Feed, overview::PathColouring::Margin}) {
       page->path()->setColouring(colouring);
       QVERIFY(heartbeat.beat());
     }
     page->showLine(777'777);
     QCOMPARE(page->text()->currentLine(), std::size_t{777'777});
-    widgets::StreamSettings stream;
+    streaming::StreamSettings stream;
     stream.parameters.pointsPerLoop = 9;
     window.setStreamSettings(stream);
     QVERIFY(heartbeat.beat());
     qInfo("colours, a jump and another N: longest stall %.0f ms", heartbeat.takeLongestMs());
     clock.restart();
     QTRY_VERIFY_WITH_TIMEOUT(page->hasTimes(), kRunMs);
-    page->path()->setColouring(widgets::PathColouring::Time);
+    page->path()->setColouring(overview::PathColouring::Time);
     QVERIFY(heartbeat.beat());
     qInfo("times after another %lld ms, longest stall %.0f ms",
           static_cast<long long>(clock.elapsed()), heartbeat.takeLongestMs());

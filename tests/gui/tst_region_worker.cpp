@@ -67,7 +67,7 @@ class TestRegionWorker : public QObject {
     }
     QCOMPARE(before, 100);
     // The threads it runs on do not change the result.
-    experiments::RegionRequest same;
+    forecast::RegionRequest same;
     same.points = outcome->job.points;
     same.settings = outcome->job.settings;
     same.machine = *machine::loadPreset("dmu75");
@@ -76,7 +76,7 @@ class TestRegionWorker : public QObject {
     same.feedsMmPerS = outcome->job.feedsMmPerS;
     same.seedsPerPoint = outcome->job.seedsPerPoint;
     base::SerialExecutor serial;
-    const auto expected = experiments::simulateRegion(same, serial);
+    const auto expected = forecast::simulateRegion(same, serial);
     for (std::size_t i = 0; i < expected.points.size(); ++i) {
       QCOMPARE(outcome->points[i].failures(), expected.points[i].failures());
     }

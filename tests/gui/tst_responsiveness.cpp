@@ -241,7 +241,7 @@ class TestResponsiveness : public QObject {
     dog.forget();
 
     visitPages(window, dog, QStringLiteral("empty"));
-    widgets::StreamSettings stream;
+    streaming::StreamSettings stream;
     stream.parameters.method = base::MethodKind::Window;
     stream.parameters.pointsPerLoop = 7;
     stream.programFeeds = true;

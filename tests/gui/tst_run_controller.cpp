@@ -71,8 +71,8 @@ base::Result<opcua::Connection> connectToCell(const opcua::ConnectRequest& asked
   return opcua::Connection{cell, &cell->link, &cell->link, asked.endpoint};
 }
 
-widgets::StreamSettings settings(base::MethodKind method, double feedMmPerMin) {
-  widgets::StreamSettings stream;
+streaming::StreamSettings settings(base::MethodKind method, double feedMmPerMin) {
+  streaming::StreamSettings stream;
   stream.parameters.method = method;
   stream.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
   return stream;
@@ -106,7 +106,7 @@ struct Models {
     QTRY_VERIFY_WITH_TIMEOUT(document.view() && !reason(), kSoonMs);
   }
   void load(const char* text) {
-    widgets::StreamSettings whole = document.settings();
+    streaming::StreamSettings whole = document.settings();
     whole.wholeJob = true;
     whole.parameters.method = base::MethodKind::Window;
     document.setSettings(whole);
@@ -143,7 +143,7 @@ class TestRunController : public QObject {
     QVERIFY(judged.count() >= 1);
     QVERIFY(document.findings().verdict.has_value());
     // Settings of which no program can be made: one reason, no verdict.
-    widgets::StreamSettings tooMany = document.settings();
+    streaming::StreamSettings tooMany = document.settings();
     tooMany.parameters.pointsPerLoop = 40;
     document.setSettings(tooMany);
     QVERIFY(document.findings().settingsError && !document.findings().verdict);
@@ -347,7 +347,7 @@ class TestRunController : public QObject {
     Models models;
     models.openJob();
     hmi::Preflight preflight(models.document, models.machine, models.runs);
-    widgets::StreamSettings dry = models.document.settings();
+    streaming::StreamSettings dry = models.document.settings();
     dry.dryRunMm = 30.0;
     models.document.setSettings(dry);
     QVERIFY(models.reason() == BlockReason::SettingsInvalid);
@@ -428,7 +428,7 @@ class TestRunController : public QObject {
     models.document.chooseJob(true);
     QVERIFY(loaded.wait(kSoonMs));
     QVERIFY(models.document.isJob());
-    widgets::StreamSettings changed = models.document.settings();
+    streaming::StreamSettings changed = models.document.settings();
     changed.parameters.method = base::MethodKind::Position;
     models.document.setSettings(changed);
     QVERIFY(loaded.wait(kSoonMs));

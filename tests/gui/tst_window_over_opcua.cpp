@@ -79,7 +79,7 @@ class TestWindowOverOpcua : public QObject {
     QVERIFY(machine.endpoint().startsWith(QStringLiteral("opc.tcp://127.0.0.1:")));
     MainWindow window(settings(), false);
     window.show();
-    widgets::StreamSettings stream;
+    streaming::StreamSettings stream;
     stream.parameters.method = base::MethodKind::Signal;
     stream.parameters.pointsPerLoop = 7;
     stream.feedMmPerS = base::mmPerSFromMmPerMin(3000.0);
@@ -105,7 +105,7 @@ class TestWindowOverOpcua : public QObject {
                                          QStringLiteral("--preset"), QStringLiteral("dmu75")});
     MainWindow window(settings(), false);
     window.show();
-    widgets::StreamSettings stream;
+    streaming::StreamSettings stream;
     stream.feedMmPerS = base::mmPerSFromMmPerMin(3000.0);
     window.setStreamSettings(stream);
     window.openProgram(beginning(40));
@@ -240,7 +240,7 @@ class TestWindowOverOpcua : public QObject {
     std::optional<MainWindow> first;
     MainWindow& window = first.emplace(settings(), false);
     window.show();
-    widgets::StreamSettings stream;
+    streaming::StreamSettings stream;
     stream.programFeeds = true;
     stream.wholeJob = true;
     window.setStreamSettings(stream);
@@ -302,7 +302,7 @@ class TestWindowOverOpcua : public QObject {
     file.close();
     MainWindow window(settings(), false);
     window.show();
-    widgets::StreamSettings stream;
+    streaming::StreamSettings stream;
     stream.programFeeds = true;
     stream.wholeJob = true;
     window.setStreamSettings(stream);
@@ -350,7 +350,7 @@ class TestWindowOverOpcua : public QObject {
     file.write("G17 G90 G71\nT2 M6 D1\nG0 X0 Y0 Z45\nG1 Z40 F3000\nX500\nM30\n");
     file.close();
     MainWindow window(settings(), false);
-    widgets::StreamSettings stream;
+    streaming::StreamSettings stream;
     stream.programFeeds = true;
     stream.wholeJob = true;
     window.setStreamSettings(stream);

@@ -499,7 +499,7 @@ class TestWindowTrust : public QObject {
     kept.stateFolder = m_folder.filePath(QStringLiteral("audit")).toStdString();
     m_window = std::make_unique<MainWindow>(kept, true);
     m_window->show();
-    widgets::StreamSettings stream;
+    streaming::StreamSettings stream;
     stream.parameters.method = base::MethodKind::Window;
     stream.parameters.pointsPerLoop = 7;
     stream.feedMmPerS = base::mmPerSFromMmPerMin(400.0);

@@ -4,7 +4,8 @@
 /// @file
 /// Runs over a network with a fault drawn from a seed, in real time: the real client, a proxy, the
 /// real server of a virtual machine. Afterwards an operator resumes the run, as often as necessary;
-/// where the method cannot be resumed, he resets the control. The result is evidence; the judge is the machine's own trace.
+/// where the method cannot be resumed, he resets the control. The result is evidence; the judge is
+/// the machine's own trace.
 /// @threadsafety pure; runs on the calling thread, and several may run at the same time.
 #pragma once
 
@@ -12,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 #include "support/fault_proxy.h"
 #include "trace/analysis/integrity.h"
 

@@ -9,8 +9,8 @@
 
 #include "base/units.h"
 #include "opcua/forwarding_link.h"
-#include "streaming/access_probe.h"
-#include "streaming/job.h"
+#include "streaming/control/access_probe.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/chosen_link.h"

@@ -10,8 +10,8 @@
 
 #include "gcode/program.h"
 #include "opcua/await.h"
-#include "streaming/feed_plan.h"
-#include "streaming/job.h"
+#include "streaming/methods/feed_plan.h"
+#include "streaming/run/job.h"
 #include "support/loopback_machine.h"
 #include "support/silent_run.h"
 #include "support/test_program.h"

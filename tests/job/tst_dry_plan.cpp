@@ -5,12 +5,12 @@
 
 #include <QtTest>
 
-#include "experiments/job_forecast.h"
+#include "forecast/job_forecast.h"
 #include "job/dry_plan.h"
 #include "job/main_program.h"
 #include "plan_text.h"
+#include "streaming/run/whole_job.h"
 #include "streaming/simulation/simulated_link.h"
-#include "streaming/whole_job.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -70,8 +70,8 @@ machine::MachineConfig mill(double zMin) {
 double lowestMm(const job::Plan& plan) {
   const auto isBelow = [&plan](double zMin) {
     const machine::MachineConfig config = mill(zMin);
-    const auto hazards = experiments::hazardsOf(plan, config, {config.start()});
-    return std::any_of(hazards.begin(), hazards.end(), [](const experiments::Hazard& hazard) {
+    const auto hazards = forecast::hazardsOf(plan, config, {config.start()});
+    return std::any_of(hazards.begin(), hazards.end(), [](const forecast::Hazard& hazard) {
       return hazard.travel && hazard.travel->axis == 'Z';
     });
   };

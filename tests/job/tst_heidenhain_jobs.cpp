@@ -18,7 +18,7 @@
 #include "gcode/feeds.h"
 #include "gcode/program.h"
 #include "job/plan.h"
-#include "streaming/control_axes.h"
+#include "streaming/control/control_axes.h"
 #include "streaming/simulation/fitted_machine.h"
 #include "streaming/simulation/job_proof.h"
 #include "support/test_program.h"

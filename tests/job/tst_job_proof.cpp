@@ -8,11 +8,11 @@
 #include <QFileInfo>
 #include <QtTest>
 
-#include "experiments/large_machine.h"
+#include "forecast/large_machine.h"
 #include "gcode/block_observer.h"
 #include "gcode/feeds.h"
 #include "job/main_program.h"
-#include "streaming/control_axes.h"
+#include "streaming/control/control_axes.h"
 #include "streaming/simulation/fitted_machine.h"
 #include "streaming/simulation/job_proof.h"
 #include "support/test_program.h"
@@ -138,7 +138,7 @@ class TestJobProof : public QObject {
     QVERIFY2(whole.has_value(), whole ? "" : whole.error().text().c_str());
     machine::MachineConfig machine =
         streaming::fitMachine(*machine::loadPreset("dmu75-mill"), *plan).config;
-    (void)experiments::enlarge(machine, *plan);
+    (void)forecast::enlarge(machine, *plan);
     const Proved done = prove(*std::move(plan), machine);
     QVERIFY2(done.proof.has_value(), done.proof ? "" : done.proof.error().text().c_str());
     QVERIFY2(done.proof->difference.empty(), done.proof->difference.c_str());

@@ -16,11 +16,11 @@
 #include "gcode/feeds.h"
 #include "machine/machine.h"
 #include "nc/evaluated_path.h"
-#include "streaming/control_axes.h"
+#include "streaming/control/control_axes.h"
+#include "streaming/run/whole_job.h"
 #include "streaming/simulation/fitted_machine.h"
 #include "streaming/simulation/job_proof.h"
 #include "streaming/simulation/simulated_link.h"
-#include "streaming/whole_job.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

@@ -3,12 +3,12 @@
 
 #include <QtTest>
 
-#include "experiments/equations.h"
+#include "papers/equations.h"
 #include "support/hard_machine.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
-using namespace rivulet::experiments;
+using namespace rivulet::papers;
 
 namespace {
 

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "experiments/path_time.h"
-#include "experiments/planner_motion.h"
+#include "forecast/path_time.h"
+#include "forecast/planner_motion.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
-using namespace rivulet::experiments;
+using namespace rivulet::forecast;
 
 namespace {
 

@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "experiments/region.h"
+#include "forecast/region.h"
 #include "support/hard_machine.h"
 #include "support/test_program.h"
 
@@ -74,8 +74,8 @@ const machine::MachineConfig& hardMachine() {
   return config;
 }
 
-experiments::RegionRequest request(const Case& one, const std::vector<double>& feedsMmPerMin) {
-  experiments::RegionRequest request;
+forecast::RegionRequest request(const Case& one, const std::vector<double>& feedsMmPerMin) {
+  forecast::RegionRequest request;
   request.points = pointsOf(one);
   request.machine = hardMachine();
   request.settings.parameters.method = one.method;
@@ -94,7 +94,7 @@ feasibility::OperatingPoint operatingPoint(const Case& one, double feedMmPerS) {
   return {one.method, one.pointsPerLoop, one.deltaMm, feedMmPerS};
 }
 
-double frequency(const experiments::RegionPoint& point) {
+double frequency(const forecast::RegionPoint& point) {
   return static_cast<double>(point.failures()) / static_cast<double>(point.runs);
 }
 
@@ -125,7 +125,7 @@ class TestProbability : public QObject {
         const auto list = gcode::streamPoints(scenario.program->trajectory, startMm);
         const feasibility::Prediction prediction = feasibility::predict(
             list.points, {MethodKind::Window, points, 0.3, scenario.settings.feedMmPerS},
-            experiments::streamModelOf(scenario.machine), startMm);
+            forecast::streamModelOf(scenario.machine), startMm);
         QCOMPARE(prediction.failureProbability, 0.0);
         const double predicted = base::toSeconds(prediction.duration);
         const double took = base::toSeconds(report.duration);
@@ -144,7 +144,7 @@ class TestProbability : public QObject {
 
   /// From feeds at which nothing fails to feeds at which everything does.
   void agreesWithTheSimulation() {
-    const feasibility::StreamModel model = experiments::streamModelOf(hardMachine());
+    const feasibility::StreamModel model = forecast::streamModelOf(hardMachine());
     base::SerialExecutor executor;
     double sum = 0.0;
     double worst = 0.0;
@@ -154,9 +154,9 @@ class TestProbability : public QObject {
     std::size_t count = 0;
     for (const Case& one : cases()) {
       const auto wanted = request(one, one.feedsMmPerMin);
-      const auto result = experiments::simulateRegion(wanted, executor);
+      const auto result = forecast::simulateRegion(wanted, executor);
       QVERIFY2(!result.error.code, result.error.text().c_str());
-      for (const experiments::RegionPoint& point : result.points) {
+      for (const forecast::RegionPoint& point : result.points) {
         QCOMPARE(point.runs, kSeeds);
         const double predicted =
             feasibility::predict(wanted.points, operatingPoint(one, point.feedMmPerS), model)
@@ -182,7 +182,7 @@ class TestProbability : public QObject {
   /// The preset itself is slower: there the points between come from method position.
   void agreesOnThePresetItself() {
     const machine::MachineConfig machine = *machine::loadPreset("dmu75");
-    const feasibility::StreamModel model = experiments::streamModelOf(machine);
+    const feasibility::StreamModel model = forecast::streamModelOf(machine);
     base::SerialExecutor executor;
     double sum = 0.0;
     std::size_t between = 0;
@@ -193,7 +193,7 @@ class TestProbability : public QObject {
       }
       auto wanted = request(one, one.feedsMmPerMin);
       wanted.machine = machine;
-      for (const auto& point : experiments::simulateRegion(wanted, executor).points) {
+      for (const auto& point : forecast::simulateRegion(wanted, executor).points) {
         const double predicted =
             feasibility::predict(wanted.points, operatingPoint(one, point.feedMmPerS), model)
                 .failureProbability;
@@ -209,7 +209,7 @@ class TestProbability : public QObject {
 
   /// The feed at which half of the runs fail.
   void crossesOneHalfWhereTheSimulationDoes() {
-    const feasibility::StreamModel model = experiments::streamModelOf(hardMachine());
+    const feasibility::StreamModel model = forecast::streamModelOf(hardMachine());
     base::SerialExecutor executor;
     int crossed = 0;
     for (const Case& one : cases()) {
@@ -222,12 +222,12 @@ class TestProbability : public QObject {
       const double feed = base::mmPerMinFromMmPerS(feedMmPerS);
       if (feedMmPerS >= 200.0) {
         // Windows of one and two points: the standstill alone is nearly always long enough.
-        const auto fastest = experiments::simulateRegion(request(one, {12000.0}), executor);
+        const auto fastest = forecast::simulateRegion(request(one, {12000.0}), executor);
         QVERIFY2(frequency(fastest.points[0]) < 0.6, one.name);
         continue;
       }
       ++crossed;
-      const auto result = experiments::simulateRegion(
+      const auto result = forecast::simulateRegion(
           request(one,
                   {feed / feasibility::kFeedErrorFactor, feed * feasibility::kFeedErrorFactor}),
           executor);
@@ -240,7 +240,7 @@ class TestProbability : public QObject {
   }
 
   void durationsAgree() {
-    const feasibility::StreamModel model = experiments::streamModelOf(hardMachine());
+    const feasibility::StreamModel model = forecast::streamModelOf(hardMachine());
     for (const Case& one : cases()) {
       if (one.feedsMmPerMin.size() < 3) {
         continue;
@@ -248,7 +248,7 @@ class TestProbability : public QObject {
       const auto points = pointsOf(one);
       streaming::Scenario scenario;
       scenario.machine = hardMachine();
-      const base::Vec3 startMm = experiments::regionStartMm(points, one.deltaMm);
+      const base::Vec3 startMm = forecast::regionStartMm(points, one.deltaMm);
       std::vector<base::Vec3> positions;
       for (const gcode::StreamPoint& point : points) {
         positions.push_back(point.positionMm);
@@ -277,7 +277,7 @@ class TestProbability : public QObject {
   void firstPointIsTakenForPassed() {
     const Case& one = cases()[3];
     const auto points = pointsOf(one);
-    const feasibility::StreamModel model = experiments::streamModelOf(hardMachine());
+    const feasibility::StreamModel model = forecast::streamModelOf(hardMachine());
     const auto point = operatingPoint(one, base::mmPerSFromMmPerMin(250.0));
     const base::Vec3 nearMm = points.front().positionMm + base::Vec3{0.0, 0.0, 0.1};
     const double predicted = feasibility::predict(points, point, model, nearMm).failureProbability;
@@ -295,7 +295,7 @@ class TestProbability : public QObject {
       scenario.settings.deltaMm = one.deltaMm;
       scenario.settings.feedMmPerS = point.feedMmPerS;
       scenario.seed = seed;
-      failures += experiments::fateOf(scenario) == experiments::RunFate::Ran ? 0 : 1;
+      failures += forecast::fateOf(scenario) == forecast::RunFate::Ran ? 0 : 1;
     }
     const double seen = static_cast<double>(failures) / static_cast<double>(kSeeds);
     qInfo("predicted %.3f, simulated %.3f", predicted, seen);

@@ -6,12 +6,12 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "experiments/region.h"
+#include "forecast/region.h"
 #include "support/hard_machine.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
-using namespace rivulet::experiments;
+using namespace rivulet::forecast;
 using base::MethodKind;
 using feasibility::SweepAxis;
 

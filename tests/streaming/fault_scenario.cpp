@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "streaming/job.h"
-#include "streaming/resume.h"
+#include "streaming/recovery/resume.h"
+#include "streaming/run/job.h"
 #include "templates/generator.h"
 
 namespace rivulet::streaming {

@@ -8,8 +8,8 @@
 
 #include "machine/machine.h"
 #include "opcua/forwarding_link.h"
-#include "streaming/access_probe.h"
-#include "streaming/run.h"
+#include "streaming/control/access_probe.h"
+#include "streaming/run/run.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
 

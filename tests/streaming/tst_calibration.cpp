@@ -6,7 +6,7 @@
 
 #include "machine/machine.h"
 #include "opcua/error.h"
-#include "streaming/calibration.h"
+#include "streaming/setup/calibration.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"

@@ -12,8 +12,8 @@
 #include "base/file.h"
 #include "machine/machine.h"
 #include "report/calibration_json.h"
-#include "streaming/job.h"
-#include "streaming/machine_facts.h"
+#include "streaming/control/machine_facts.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
 

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "machine/machine.h"
-#include "streaming/commissioning.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
+#include "streaming/setup/commissioning.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
 

@@ -11,9 +11,9 @@
 #include <limits>
 
 #include "base/units.h"
-#include "streaming/correction.h"
-#include "streaming/job.h"
-#include "streaming/resume.h"
+#include "streaming/recovery/resume.h"
+#include "streaming/run/correction.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"

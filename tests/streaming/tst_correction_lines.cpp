@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "streaming/correction_lines.h"
+#include "streaming/run/correction_lines.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

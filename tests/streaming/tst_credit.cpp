@@ -10,8 +10,8 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "streaming/job.h"
-#include "streaming/resume.h"
+#include "streaming/recovery/resume.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"

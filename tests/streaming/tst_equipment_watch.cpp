@@ -11,7 +11,7 @@
 #include "machine/machine.h"
 #include "opcua/await.h"
 #include "opcua/error.h"
-#include "streaming/equipment_watch.h"
+#include "streaming/run/equipment_watch.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
 

@@ -10,7 +10,7 @@
 
 #include "base/units.h"
 #include "feasibility/verdict.h"
-#include "streaming/job.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"

@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "live/error.h"
-#include "streaming/job.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
 #include "support/timed_source.h"

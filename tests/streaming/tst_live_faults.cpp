@@ -14,7 +14,7 @@
 #include "base/random.h"
 #include "live/error.h"
 #include "platform/thread_executor.h"
-#include "streaming/job.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "support/test_program.h"
 #include "support/timed_source.h"

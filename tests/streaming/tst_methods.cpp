@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "streaming/method.h"
+#include "streaming/methods/method.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

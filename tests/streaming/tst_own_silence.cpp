@@ -12,7 +12,7 @@
 
 #include "base/units.h"
 #include "opcua/forwarding_link.h"
-#include "streaming/job.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "support/silent_run.h"
 #include "support/test_program.h"

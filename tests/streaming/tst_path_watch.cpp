@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/units.h"
-#include "streaming/job.h"
-#include "streaming/path_watch.h"
+#include "streaming/run/job.h"
+#include "streaming/run/path_watch.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
 #include "trace/analysis/pauses.h"

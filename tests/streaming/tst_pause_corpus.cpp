@@ -20,7 +20,7 @@
 #include "base/units.h"
 #include "gcode/program.h"
 #include "machine/path_planner.h"
-#include "streaming/pause_placement.h"
+#include "streaming/methods/pause_placement.h"
 #include "support/patience.h"
 #include "support/test_program.h"
 #include "templates/cells.h"

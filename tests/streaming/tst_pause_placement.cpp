@@ -8,7 +8,7 @@
 
 #include "base/random.h"
 #include "gcode/program.h"
-#include "streaming/pause_placement.h"
+#include "streaming/methods/pause_placement.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

@@ -6,8 +6,8 @@
 #include <QtTest>
 #include <map>
 
-#include "streaming/program_transfer.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
+#include "streaming/start/program_transfer.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

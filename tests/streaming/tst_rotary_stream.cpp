@@ -7,9 +7,9 @@
 #include <QtTest>
 #include <cmath>
 
-#include "streaming/control_axes.h"
-#include "streaming/job.h"
-#include "streaming/resume.h"
+#include "streaming/control/control_axes.h"
+#include "streaming/recovery/resume.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"

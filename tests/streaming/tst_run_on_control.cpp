@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/units.h"
-#include "streaming/job.h"
-#include "streaming/resume.h"
-#include "streaming/run_on_control.h"
+#include "streaming/recovery/resume.h"
+#include "streaming/recovery/run_on_control.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
 

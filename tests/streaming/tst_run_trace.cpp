@@ -11,8 +11,8 @@
 #include <string>
 
 #include "base/units.h"
-#include "streaming/job.h"
-#include "streaming/run_trace.h"
+#include "streaming/run/job.h"
+#include "streaming/run/run_trace.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
 #include "support/whole_trace_link.h"

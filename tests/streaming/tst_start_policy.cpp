@@ -7,10 +7,10 @@
 #include <set>
 
 #include "live/error.h"
-#include "streaming/access_policy.h"
-#include "streaming/calibration.h"
-#include "streaming/run.h"
-#include "streaming/start_policy.h"
+#include "streaming/control/access_policy.h"
+#include "streaming/run/run.h"
+#include "streaming/setup/calibration.h"
+#include "streaming/start/start_policy.h"
 #include "support/test_program.h"
 
 using namespace rivulet;

@@ -12,7 +12,7 @@
 
 #include "machine/machine.h"
 #include "random_scenario.h"
-#include "streaming/job.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
 #include "trace/analysis/trace_analysis.h"

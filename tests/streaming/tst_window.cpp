@@ -12,9 +12,9 @@
 
 #include "base/units.h"
 #include "gcode/program.h"
-#include "streaming/job.h"
-#include "streaming/pause_placement.h"
-#include "streaming/resume.h"
+#include "streaming/methods/pause_placement.h"
+#include "streaming/recovery/resume.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"

@@ -5,7 +5,7 @@
 /// A run that nobody watches and nobody stops.
 #pragma once
 
-#include "streaming/driver.h"
+#include "streaming/run/driver.h"
 
 namespace rivulet::tests {
 

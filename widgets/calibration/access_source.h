@@ -9,7 +9,7 @@
 #include <QString>
 #include <memory>
 
-#include "streaming/calibration_record.h"
+#include "streaming/setup/calibration_record.h"
 #include "widgets/common/status_label.h"
 
 namespace rivulet::widgets {

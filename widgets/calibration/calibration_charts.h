@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "streaming/calibration.h"
+#include "streaming/setup/calibration.h"
 #include "widgets/plots/legend_strip.h"
 
 class QValueAxis;

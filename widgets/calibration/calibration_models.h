@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "streaming/calibration.h"
+#include "streaming/setup/calibration.h"
 #include "widgets/common/table_model.h"
 
 namespace rivulet::widgets {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "streaming/calibration_record.h"
+#include "streaming/setup/calibration_record.h"
 #include "widgets/calibration/access_source.h"
 #include "widgets/common/page.h"
 

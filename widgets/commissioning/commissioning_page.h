@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "streaming/machine_facts.h"
+#include "streaming/control/machine_facts.h"
 #include "widgets/common/page.h"
 
 class QCheckBox;

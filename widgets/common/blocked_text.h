@@ -7,7 +7,7 @@
 
 #include <QString>
 
-#include "streaming/start_policy.h"
+#include "streaming/start/start_policy.h"
 
 namespace rivulet::widgets {
 

@@ -14,7 +14,7 @@
 
 #include "base/axes.h"
 #include "base/vec3.h"
-#include "streaming/equipment_watch.h"
+#include "streaming/run/equipment_watch.h"
 
 namespace rivulet::opcua {
 struct DescribedMachine;

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "streaming/run_summary.h"
+#include "streaming/run/run_summary.h"
 #include "widgets/common/page.h"
 #include "widgets/connection/machine_view.h"
 #include "widgets/connection/service_view.h"

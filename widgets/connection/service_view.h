@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "opcua/connection.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 #include "widgets/common/status_label.h"
 
 namespace rivulet::widgets {

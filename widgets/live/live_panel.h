@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "live/setup.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 #include "widgets/common/page.h"
 
 class QGroupBox;

@@ -79,7 +79,7 @@ void PathCanvas::setTexts(const Texts& texts) {
   update();
 }
 
-void PathCanvas::setProgram(std::shared_ptr<const ProgramView> view) {
+void PathCanvas::setProgram(std::shared_ptr<const overview::ProgramView> view) {
   m_executed = 0;
   m_runBegin = 0;
   m_selected.clear();
@@ -88,7 +88,7 @@ void PathCanvas::setProgram(std::shared_ptr<const ProgramView> view) {
   fit();
 }
 
-void PathCanvas::replaceProgram(std::shared_ptr<const ProgramView> view) {
+void PathCanvas::replaceProgram(std::shared_ptr<const overview::ProgramView> view) {
   m_program = std::move(view);
   m_pauses.reset();
   m_style = {};
@@ -171,7 +171,7 @@ void PathCanvas::setMarked(std::optional<std::size_t> point) {
   update();
 }
 
-void PathCanvas::setPauses(std::shared_ptr<const PauseMap> pauses) {
+void PathCanvas::setPauses(std::shared_ptr<const overview::PauseMap> pauses) {
   m_pauses = std::move(pauses);
   const std::size_t count = hasPath() ? m_program->points.points.size() : 0;
   const auto fits = [count](const std::vector<std::uint32_t>& list) {
@@ -209,7 +209,7 @@ void PathCanvas::fit() {
     m_pixelsPerMm = 10.0;
     return;
   }
-  const PlaneBox box = fitted();
+  const overview::PlaneBox box = fitted();
   m_centreMm = {0.5 * (static_cast<double>(box.left) + static_cast<double>(box.right)),
                 0.5 * (static_cast<double>(box.low) + static_cast<double>(box.high))};
   const double widthMm = std::max(static_cast<double>(box.right - box.left), 1e-3);
@@ -219,18 +219,18 @@ void PathCanvas::fit() {
                              kPixelsPerMmMin, kPixelsPerMmMax);
 }
 
-PlaneBox PathCanvas::fitted() const {
+overview::PlaneBox PathCanvas::fitted() const {
   if (!m_box) {
     return m_program->levels.box(m_view);
   }
-  std::optional<PlaneBox> box;
+  std::optional<overview::PlaneBox> box;
   for (unsigned corner = 0; corner < 8; ++corner) {
-    const PlanePoint place = project(cornerOf(*m_box, corner), m_view);
+    const overview::PlanePoint place = project(cornerOf(*m_box, corner), m_view);
     const auto right = static_cast<float>(place.right);
     const auto up = static_cast<float>(place.up);
-    box = box ? PlaneBox{std::min(box->left, right), std::max(box->right, right),
-                         std::min(box->low, up), std::max(box->high, up)}
-              : PlaneBox{right, right, up, up};
+    box = box ? overview::PlaneBox{std::min(box->left, right), std::max(box->right, right),
+                                   std::min(box->low, up), std::max(box->high, up)}
+              : overview::PlaneBox{right, right, up, up};
   }
   return *box;
 }
@@ -245,7 +245,8 @@ std::optional<std::size_t> PathCanvas::pointNear(QPointF place) const {
   if (points.size() == 1) {
     return length(at(0) - place) <= kNearPx ? std::optional<std::size_t>(0) : std::nullopt;
   }
-  const std::vector<PlaneBox>& boxes = levels().front().boxes[static_cast<std::size_t>(m_view)];
+  const std::vector<overview::PlaneBox>& boxes =
+      levels().front().boxes[static_cast<std::size_t>(m_view)];
   double nearest = kNearPx;
   double nearestEnd = 0.0;
   std::optional<std::size_t> found;
@@ -253,9 +254,10 @@ std::optional<std::size_t> PathCanvas::pointNear(QPointF place) const {
     if (!isNear(boxes[chunk], place)) {
       continue;
     }
-    const std::size_t first = chunk * kChunkMoves;
+    const std::size_t first = chunk * overview::kChunkMoves;
     QPointF from = at(first);
-    for (std::size_t i = first + 1; i <= std::min(first + kChunkMoves, points.size() - 1); ++i) {
+    for (std::size_t i = first + 1; i <= std::min(first + overview::kChunkMoves, points.size() - 1);
+         ++i) {
       const QPointF to = at(i);
       const QPointF along = to - from;
       const double square = QPointF::dotProduct(along, along);
@@ -277,7 +279,7 @@ std::optional<std::size_t> PathCanvas::pointNear(QPointF place) const {
   return found;
 }
 
-bool PathCanvas::isNear(const PlaneBox& box, QPointF place) const {
+bool PathCanvas::isNear(const overview::PlaneBox& box, QPointF place) const {
   const QPointF upperLeft = onScreen({box.left, box.high});
   const QPointF lowerRight = onScreen({box.right, box.low});
   return place.x() >= upperLeft.x() - kNearPx && place.x() <= lowerRight.x() + kNearPx &&
@@ -288,7 +290,8 @@ std::optional<PathCanvas::Pause> PathCanvas::pauseNear(QPointF place) const {
   if (!hasPath() || !m_pauses) {
     return std::nullopt;
   }
-  const std::vector<PlaneBox>& boxes = levels().front().boxes[static_cast<std::size_t>(m_view)];
+  const std::vector<overview::PlaneBox>& boxes =
+      levels().front().boxes[static_cast<std::size_t>(m_view)];
   double nearest = kNearPx;
   std::optional<Pause> found;
   for (std::size_t chunk = 0; chunk < boxes.size(); ++chunk) {
@@ -298,8 +301,9 @@ std::optional<PathCanvas::Pause> PathCanvas::pauseNear(QPointF place) const {
     // Of two in one place, the one in the cut is reported: it is the one that is drawn.
     for (const bool inCut : {true, false}) {
       const std::vector<std::uint32_t>& list = inCut ? m_pauses->inCut : m_pauses->offCut;
-      const std::size_t end = std::min((chunk + 1) * kChunkMoves, m_program->points.points.size());
-      for (auto at = std::lower_bound(list.begin(), list.end(), chunk * kChunkMoves);
+      const std::size_t end =
+          std::min((chunk + 1) * overview::kChunkMoves, m_program->points.points.size());
+      for (auto at = std::lower_bound(list.begin(), list.end(), chunk * overview::kChunkMoves);
            at != list.end() && *at <= end; ++at) {
         const QPointF way = placeOf(*at) - place;
         const double distance = std::hypot(way.x(), way.y());
@@ -366,7 +370,7 @@ void PathCanvas::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.drawImage(0, 0, m_picture);
   // Where the density is shown as colour, marks come when each of them has a place.
-  const bool showsDensity = m_style.classes.colouring == PathColouring::Pauses;
+  const bool showsDensity = m_style.classes.colouring == overview::PathColouring::Pauses;
   if (m_pauses && (!showsDensity || m_drawnPauses == m_pausesSeen)) {
     painter.drawImage(0, 0, m_marks);
   }
@@ -477,10 +481,10 @@ void PathCanvas::makePicture() {
   }
   Strokes strokes;
   const std::size_t moves = levels()[level].kept.size() - 1;
-  for (std::size_t chunk = 0; chunk * kChunkMoves < moves; ++chunk) {
+  for (std::size_t chunk = 0; chunk * overview::kChunkMoves < moves; ++chunk) {
     if (isVisible(level, chunk)) {
-      collect(level, chunk * kChunkMoves + 1, std::min((chunk + 1) * kChunkMoves, moves) + 1, false,
-              strokes);
+      collect(level, chunk * overview::kChunkMoves + 1,
+              std::min((chunk + 1) * overview::kChunkMoves, moves) + 1, false, strokes);
     }
   }
   stroke(m_picture, strokes, m_style.pens, false);
@@ -511,17 +515,18 @@ void PathCanvas::refine() {
   Strokes strokes;
   const std::size_t moves = levels()[m_fineLevel].kept.size() - 1;
   std::size_t collected = 0;
-  for (; m_fineChunk * kChunkMoves < moves && collected + kChunkMoves <= kPathMoves;
+  for (; m_fineChunk * overview::kChunkMoves < moves &&
+         collected + overview::kChunkMoves <= kPathMoves;
        ++m_fineChunk) {
     if (isVisible(m_fineLevel, m_fineChunk)) {
-      collect(m_fineLevel, m_fineChunk * kChunkMoves + 1,
-              std::min((m_fineChunk + 1) * kChunkMoves, moves) + 1, false, strokes);
-      collected += kChunkMoves;
+      collect(m_fineLevel, m_fineChunk * overview::kChunkMoves + 1,
+              std::min((m_fineChunk + 1) * overview::kChunkMoves, moves) + 1, false, strokes);
+      collected += overview::kChunkMoves;
     }
   }
   stroke(m_fine, strokes, m_style.pens, true);
   m_fineMoves += strokes.moves;
-  if (m_fineChunk * kChunkMoves < moves) {
+  if (m_fineChunk * overview::kChunkMoves < moves) {
     m_refineTimer.start(0);
     return;
   }
@@ -534,7 +539,7 @@ void PathCanvas::refine() {
 }
 
 bool PathCanvas::isVisible(std::size_t level, std::size_t chunk) const {
-  const PlaneBox& box = levels()[level].boxes[static_cast<std::size_t>(m_view)][chunk];
+  const overview::PlaneBox& box = levels()[level].boxes[static_cast<std::size_t>(m_view)][chunk];
   const QPointF upperLeft = onScreen({box.left, box.high});
   const QPointF lowerRight = onScreen({box.right, box.low});
   constexpr double kEdgePx = 8.0;
@@ -545,9 +550,9 @@ bool PathCanvas::isVisible(std::size_t level, std::size_t chunk) const {
 std::size_t PathCanvas::visibleMoves(std::size_t level) const {
   const std::size_t moves = levels()[level].kept.size() - 1;
   std::size_t visible = 0;
-  for (std::size_t chunk = 0; chunk * kChunkMoves < moves; ++chunk) {
+  for (std::size_t chunk = 0; chunk * overview::kChunkMoves < moves; ++chunk) {
     if (isVisible(level, chunk)) {
-      visible += std::min(kChunkMoves, moves - chunk * kChunkMoves);
+      visible += std::min(overview::kChunkMoves, moves - chunk * overview::kChunkMoves);
     }
   }
   return visible;
@@ -689,10 +694,11 @@ void PathCanvas::drawExecuted(QImage& picture, std::size_t from, std::size_t to)
   const std::size_t first = std::max<std::size_t>(positionOf(from), 1);
   const std::size_t end = std::min(positionOf(to), kept.size());
   Strokes strokes;
-  for (std::size_t chunk = (first - 1) / kChunkMoves; chunk * kChunkMoves + 1 < end; ++chunk) {
+  for (std::size_t chunk = (first - 1) / overview::kChunkMoves;
+       chunk * overview::kChunkMoves + 1 < end; ++chunk) {
     if (isVisible(level, chunk)) {
-      collect(level, std::max(first, chunk * kChunkMoves + 1),
-              std::min(end, (chunk + 1) * kChunkMoves + 1), true, strokes);
+      collect(level, std::max(first, chunk * overview::kChunkMoves + 1),
+              std::min(end, (chunk + 1) * overview::kChunkMoves + 1), true, strokes);
     }
   }
   stroke(picture, strokes, {rapid, cut, Qt::NoPen}, false);
@@ -707,10 +713,10 @@ std::vector<QPointF> PathCanvas::placesOf(const std::vector<std::uint32_t>& paus
     return static_cast<std::size_t>(std::lower_bound(pauses.begin(), pauses.end(), point) -
                                     pauses.begin());
   };
-  for (std::size_t chunk = 0; chunk == 0 || chunk * kChunkMoves < moves; ++chunk) {
+  for (std::size_t chunk = 0; chunk == 0 || chunk * overview::kChunkMoves < moves; ++chunk) {
     if (isVisible(0, chunk)) {
-      const std::size_t from = positionOf(chunk == 0 ? 0 : chunk * kChunkMoves + 1);
-      const std::size_t to = positionOf((chunk + 1) * kChunkMoves + 1);
+      const std::size_t from = positionOf(chunk == 0 ? 0 : chunk * overview::kChunkMoves + 1);
+      const std::size_t to = positionOf((chunk + 1) * overview::kChunkMoves + 1);
       if (!ranges.empty() && ranges.back().second == from) {
         ranges.back().second = to;
       } else if (to > from) {
@@ -854,7 +860,7 @@ void PathCanvas::drawAxes(QPainter& painter) const {
   for (std::size_t axis = 0; axis < (top ? 2U : 3U); ++axis) {
     base::Vec3 unit;
     unit.set(axis, 1.0);
-    const PlanePoint along = project(unit, m_view);
+    const overview::PlanePoint along = project(unit, m_view);
     const QPointF direction(along.right * 34.0, -along.up * 34.0);
     painter.drawLine(origin, origin + direction);
     painter.drawText(QRectF(origin + direction * 1.3 - QPointF(10.0, 10.0), QSizeF(20.0, 20.0)),
@@ -871,7 +877,7 @@ void PathCanvas::drawGaps(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF visible = QRectF(rect()).adjusted(-8.0, -8.0, 8.0, 8.0);
   std::size_t drawn = 0;
-  for (const ProgramView::Gap& gap : m_program->gaps) {
+  for (const overview::ProgramView::Gap& gap : m_program->gaps) {
     if (!gap.isKnown()) {
       continue;
     }
@@ -895,7 +901,7 @@ void PathCanvas::drawToolChanges(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
   QRectF taken;  // a label that would cover the one before it gives way
   std::size_t drawn = 0;
-  for (const ProgramView::ToolChange& change : m_program->toolChanges) {
+  for (const overview::ProgramView::ToolChange& change : m_program->toolChanges) {
     const QPointF place = placeOf(change.point);
     if (!QRectF(rect()).contains(place)) {
       continue;
@@ -993,7 +999,7 @@ void PathCanvas::drawTool(QPainter& painter) const {
   painter.drawText(box, Qt::AlignCenter, label);
 }
 
-QPointF PathCanvas::onScreen(PlanePoint place) const {
+QPointF PathCanvas::onScreen(overview::PlanePoint place) const {
   return {width() / 2.0 + (place.right - m_centreMm.right) * m_pixelsPerMm,
           height() / 2.0 - (place.up - m_centreMm.up) * m_pixelsPerMm};
 }

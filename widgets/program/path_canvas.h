@@ -23,8 +23,8 @@
 #include <utility>
 #include <vector>
 
-#include "widgets/program/path_classes.h"
-#include "widgets/program/program_view.h"
+#include "overview/path_classes.h"
+#include "overview/program_view.h"
 
 namespace rivulet::widgets {
 
@@ -32,7 +32,7 @@ class PathCanvas final : public QWidget {
   Q_OBJECT
 
  public:
-  using View = PathProjection;
+  using View = overview::PathProjection;
 
   /// Largest number of moves of the path drawn in one event, and of its executed part: this bounds
   /// the time of one event of the GUI thread.
@@ -54,7 +54,7 @@ class PathCanvas final : public QWidget {
 
   /// How the moves of each class are drawn.
   struct Style {
-    PathClasses classes;
+    overview::PathClasses classes;
     std::vector<QPen> pens;  ///< one per class
   };
 
@@ -62,9 +62,9 @@ class PathCanvas final : public QWidget {
 
   void setTexts(const Texts& texts);
   /// @param view  null: none. The picture is fitted to it.
-  void setProgram(std::shared_ptr<const ProgramView> view);
+  void setProgram(std::shared_ptr<const overview::ProgramView> view);
   /// The program's points for another position of the tool; the picture stays as it is.
-  void replaceProgram(std::shared_ptr<const ProgramView> view);
+  void replaceProgram(std::shared_ptr<const overview::ProgramView> view);
   void setStyle(Style style);
   /// What the path cannot leave, drawn around it; the picture is then fitted to it, not to the
   /// path.
@@ -85,7 +85,7 @@ class PathCanvas final : public QWidget {
   /// The point at the slider's position.
   void setMarked(std::optional<std::size_t> point);
   /// Marks where a run will pause. @param pauses  null: no marks
-  void setPauses(std::shared_ptr<const PauseMap> pauses);
+  void setPauses(std::shared_ptr<const overview::PauseMap> pauses);
   /// Moves the picture if a point is not in it.
   void reveal(std::size_t point);
   void setView(View view);
@@ -140,7 +140,9 @@ class PathCanvas final : public QWidget {
     double lengthPx = 0.0;
   };
 
-  [[nodiscard]] const std::vector<PathLevel>& levels() const { return m_program->levels.levels(); }
+  [[nodiscard]] const std::vector<overview::PathLevel>& levels() const {
+    return m_program->levels.levels();
+  }
   [[nodiscard]] bool hasPath() const { return m_program && !m_program->points.points.empty(); }
   void dropPicture();
   void makePicture();
@@ -162,7 +164,7 @@ class PathCanvas final : public QWidget {
   void drawGrid(QPainter& painter) const;
   void drawBox(QPainter& painter) const;
   /// What the picture is fitted to.
-  [[nodiscard]] PlaneBox fitted() const;
+  [[nodiscard]] overview::PlaneBox fitted() const;
   void drawScaleBar(QPainter& painter) const;
   void drawAxes(QPainter& painter) const;
   /// What the control moves between the stretches of a job, as far as it is known.
@@ -171,13 +173,13 @@ class PathCanvas final : public QWidget {
   void drawStart(QPainter& painter) const;
   void drawChosen(QPainter& painter) const;
   void drawTool(QPainter& painter) const;
-  [[nodiscard]] QPointF onScreen(PlanePoint place) const;
+  [[nodiscard]] QPointF onScreen(overview::PlanePoint place) const;
   /// Whether something in the box may be within a finger's width.
-  [[nodiscard]] bool isNear(const PlaneBox& box, QPointF place) const;
+  [[nodiscard]] bool isNear(const overview::PlaneBox& box, QPointF place) const;
   [[nodiscard]] double gridStepMm() const;
 
   Texts m_texts;
-  std::shared_ptr<const ProgramView> m_program;
+  std::shared_ptr<const overview::ProgramView> m_program;
   Style m_style;
   std::vector<std::vector<std::uint8_t>> m_levelClasses;  ///< per level, per kept point
   std::size_t m_executed = 0;
@@ -187,10 +189,10 @@ class PathCanvas final : public QWidget {
   std::vector<std::uint32_t> m_selected;
   std::optional<std::size_t> m_marked;
   View m_view = View::Top;
-  std::shared_ptr<const PauseMap> m_pauses;
+  std::shared_ptr<const overview::PauseMap> m_pauses;
 
   bool m_fits = true;  ///< the whole path is shown; stays so when the widget is resized
-  PlanePoint m_centreMm;
+  overview::PlanePoint m_centreMm;
   double m_pixelsPerMm = 10.0;
   std::optional<QPointF> m_dragFrom;
   QPointF m_pressedAt;

@@ -80,7 +80,7 @@ PathView::PathView(QWidget* parent)
   connect(m_isometric, &QPushButton::clicked, this, [this] { setIsometric(true); });
   connect(m_fit, &QPushButton::clicked, this, &PathView::fit);
   connect(m_colour, &QComboBox::activated, this,
-          [this](int index) { setColouring(static_cast<PathColouring>(index)); });
+          [this](int index) { setColouring(static_cast<overview::PathColouring>(index)); });
   connect(m_showPauses, &QPushButton::toggled, this, &PathView::showPauses);
   connect(m_scale, &QComboBox::currentIndexChanged, this, &PathView::setScale);
   connect(m_slider, &QSlider::valueChanged, this, &PathView::scrub);
@@ -96,7 +96,7 @@ PathView::PathView(QWidget* parent)
   restyle();
 }
 
-void PathView::setProgram(std::shared_ptr<const ProgramView> view) {
+void PathView::setProgram(std::shared_ptr<const overview::ProgramView> view) {
   m_program = std::move(view);
   m_times.reset();
   m_pauses.reset();
@@ -106,7 +106,7 @@ void PathView::setProgram(std::shared_ptr<const ProgramView> view) {
   setScale();
 }
 
-void PathView::replaceProgram(std::shared_ptr<const ProgramView> view) {
+void PathView::replaceProgram(std::shared_ptr<const overview::ProgramView> view) {
   m_program = std::move(view);
   if (m_times && m_times->atS.size() != pointCount()) {
     m_times.reset();
@@ -120,20 +120,20 @@ void PathView::replaceProgram(std::shared_ptr<const ProgramView> view) {
   setScale();
 }
 
-void PathView::setTimes(std::shared_ptr<const ProgramTimes> times) {
+void PathView::setTimes(std::shared_ptr<const overview::ProgramTimes> times) {
   m_times = std::move(times);
   if (m_times && m_times->atS.size() != pointCount()) {
     m_times.reset();  // of a program that is gone
   }
-  if (m_colouring == PathColouring::Time) {
+  if (m_colouring == overview::PathColouring::Time) {
     recolour();
   }
   setScale();
 }
 
-void PathView::setPauses(std::shared_ptr<const PauseMap> pauses) {
+void PathView::setPauses(std::shared_ptr<const overview::PauseMap> pauses) {
   m_pauses = std::move(pauses);
-  if (m_colouring == PathColouring::Pauses) {
+  if (m_colouring == overview::PathColouring::Pauses) {
     recolour();
   }
   showPauses();
@@ -157,7 +157,7 @@ void PathView::setOperatingPoint(const feasibility::OperatingPoint& point,
   m_point = point;
   m_access = access;
   m_ownFeeds = ownFeeds;
-  if (!same && m_colouring == PathColouring::Margin) {
+  if (!same && m_colouring == overview::PathColouring::Margin) {
     recolour();
   }
 }
@@ -181,10 +181,11 @@ void PathView::setBox(const std::optional<live::Agreement>& agreed) {
 
 void PathView::setIsometric(bool isometric) {
   (isometric ? m_isometric : m_top)->setChecked(true);
-  m_canvas->setView(isometric ? PathProjection::Isometric : PathProjection::Top);
+  m_canvas->setView(isometric ? overview::PathProjection::Isometric
+                              : overview::PathProjection::Top);
 }
 
-void PathView::setColouring(PathColouring colouring) {
+void PathView::setColouring(overview::PathColouring colouring) {
   m_colouring = colouring;
   m_colour->setCurrentIndex(static_cast<int>(colouring));
   recolour();
@@ -254,24 +255,25 @@ bool PathView::scrubsByTime() const {
 }
 
 void PathView::recolour() {
-  PathClasses classes;
+  overview::PathClasses classes;
   if (m_program) {
     switch (m_colouring) {
-      case PathColouring::Kind:
-        classes = classesByKind(*m_program);
+      case overview::PathColouring::Kind:
+        classes = overview::classesByKind(*m_program);
         break;
-      case PathColouring::Feed:
-        classes = classesByFeed(*m_program);
+      case overview::PathColouring::Feed:
+        classes = overview::classesByFeed(*m_program);
         break;
-      case PathColouring::Margin:
-        classes = classesByMargin(*m_program, m_point, m_access, m_ownFeeds);
+      case overview::PathColouring::Margin:
+        classes = overview::classesByMargin(*m_program, m_point, m_access, m_ownFeeds);
         break;
-      case PathColouring::Time:
+      case overview::PathColouring::Time:
         // Until the times are known the path is shown as one class.
-        classes = classesByTime(m_times ? m_times->atS : std::vector<float>(pointCount()));
+        classes =
+            overview::classesByTime(m_times ? m_times->atS : std::vector<float>(pointCount()));
         break;
-      case PathColouring::Pauses:
-        classes = classesByPauses(*m_program, m_pauses.get());
+      case overview::PathColouring::Pauses:
+        classes = overview::classesByPauses(*m_program, m_pauses.get());
         break;
     }
   }
@@ -311,30 +313,30 @@ QPen PathView::penOf(std::size_t one) const {
     return count < 2 ? 0.0 : static_cast<double>(of) / static_cast<double>(count - 1);
   };
   switch (m_classes.colouring) {
-    case PathColouring::Kind: {
-      switch (static_cast<KindClass>(one)) {
-        case KindClass::Rapid:
+    case overview::PathColouring::Kind: {
+      switch (static_cast<overview::KindClass>(one)) {
+        case overview::KindClass::Rapid:
           return rapid;
-        case KindClass::Line:
+        case overview::KindClass::Line:
           break;
-        case KindClass::Arc:
+        case overview::KindClass::Arc:
           return {colors.equations[2], 1.4};
-        case KindClass::Spline:
+        case overview::KindClass::Spline:
           return {colors.equations[3], 1.4};
       }
       return {colors.path, 1.4};
     }
-    case PathColouring::Feed:
+    case overview::PathColouring::Feed:
       return one == 0 ? rapid : QPen(rampColor(share(one - 1, pathClasses() - 1), colors), 1.6);
-    case PathColouring::Margin: {
-      const std::array<QColor, kMarginClasses> shown{colors.path, colors.equations[2],
-                                                     colors.attention, colors.fault};
+    case overview::PathColouring::Margin: {
+      const std::array<QColor, overview::kMarginClasses> shown{colors.path, colors.equations[2],
+                                                               colors.attention, colors.fault};
       return {shown.at(one), one < 2 ? 1.4 : 2.2};
     }
-    case PathColouring::Pauses:
+    case overview::PathColouring::Pauses:
       return one == 0 ? QPen(colors.path, 1.4)
                       : QPen(rampColor(share(one - 1, pathClasses() - 1), colors), 2.0);
-    case PathColouring::Time:
+    case overview::PathColouring::Time:
       break;
   }
   return m_times ? QPen(rampColor(share(one, pathClasses()), colors), 1.6) : QPen(colors.path, 1.4);
@@ -346,19 +348,19 @@ QString PathView::nameOf(std::size_t one) const {
     return QStringLiteral("%1 \u2026 %2").arg(from, to);
   };
   switch (m_classes.colouring) {
-    case PathColouring::Kind:
-      switch (static_cast<KindClass>(one)) {
-        case KindClass::Rapid:
+    case overview::PathColouring::Kind:
+      switch (static_cast<overview::KindClass>(one)) {
+        case overview::KindClass::Rapid:
           return tr("Rapid");
-        case KindClass::Line:
+        case overview::KindClass::Line:
           return tr("Line");
-        case KindClass::Arc:
+        case overview::KindClass::Arc:
           return tr("Arc");
-        case KindClass::Spline:
+        case overview::KindClass::Spline:
           return tr("Spline");
       }
       return {};
-    case PathColouring::Feed:
+    case overview::PathColouring::Feed:
       if (one == 0) {
         return tr("Rapid");
       }
@@ -366,22 +368,22 @@ QString PathView::nameOf(std::size_t one) const {
         return borders[one - 1] > 0.0 ? feedText(borders[one - 1]) : tr("no feed given");
       }
       return range(feedText(borders[one - 1]).section(QChar(0x00A0), 0, 0), feedText(borders[one]));
-    case PathColouring::Margin: {
-      const std::array<QString, kMarginClasses> names{
-          tr("margin over %1").arg(factorText(kMarginAmple)),
-          range(factorText(kMarginFair), factorText(kMarginAmple)),
-          range(factorText(kMarginNone), factorText(kMarginFair)),
-          tr("not kept (below %1)").arg(factorText(kMarginNone))};
+    case overview::PathColouring::Margin: {
+      const std::array<QString, overview::kMarginClasses> names{
+          tr("margin over %1").arg(factorText(overview::kMarginAmple)),
+          range(factorText(overview::kMarginFair), factorText(overview::kMarginAmple)),
+          range(factorText(overview::kMarginNone), factorText(overview::kMarginFair)),
+          tr("not kept (below %1)").arg(factorText(overview::kMarginNone))};
       return names.at(one);
     }
-    case PathColouring::Pauses:
+    case overview::PathColouring::Pauses:
       if (one == 0 || borders.empty()) {
         return m_pauses ? tr("no pause") : tr("computing …");
       }
       return tr("a pause every %1")
           .arg(range(numberText(borders[one], borders[one] < 10.0 ? 2 : 0),
                      lengthText(borders[one - 1], borders[one - 1] < 10.0 ? 2 : 0)));
-    case PathColouring::Time:
+    case overview::PathColouring::Time:
       return tr("to %1").arg(durationText(borders[one + 1]));
   }
   return {};
@@ -390,7 +392,7 @@ QString PathView::nameOf(std::size_t one) const {
 void PathView::showLegend() {
   std::vector<LegendEntry> entries;
   if (m_program) {
-    if (m_classes.colouring == PathColouring::Time && !m_times) {
+    if (m_classes.colouring == overview::PathColouring::Time && !m_times) {
       entries.push_back({LegendEntry::Symbol::Line, penOf(0), {}, tr("computing …")});
     } else {
       for (std::size_t one = 0; one < pathClasses(); ++one) {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "live/agreement.h"
+#include "overview/path_classes.h"
 #include "widgets/common/page.h"
-#include "widgets/program/path_classes.h"
 
 class QComboBox;
 class QLabel;
@@ -32,13 +32,13 @@ class PathView final : public Page {
   explicit PathView(QWidget* parent = nullptr);
 
   /// @param view  null: none. Forgets progress, selection and times of the previous one.
-  void setProgram(std::shared_ptr<const ProgramView> view);
+  void setProgram(std::shared_ptr<const overview::ProgramView> view);
   /// The same program with points for another position of the tool.
-  void replaceProgram(std::shared_ptr<const ProgramView> view);
+  void replaceProgram(std::shared_ptr<const overview::ProgramView> view);
   /// When each point is passed; null: not known (yet).
-  void setTimes(std::shared_ptr<const ProgramTimes> times);
+  void setTimes(std::shared_ptr<const overview::ProgramTimes> times);
   /// Where a run will pause; null: not known (yet).
-  void setPauses(std::shared_ptr<const PauseMap> pauses);
+  void setPauses(std::shared_ptr<const overview::PauseMap> pauses);
   /// Pauses are marked on the path, if they are known.
   void setPausesShown(bool shown);
   /// The settings for which margins are computed.
@@ -54,8 +54,8 @@ class PathView final : public Page {
   /// See `PathCanvas::setBox`.
   void setBox(const std::optional<live::Agreement>& agreed);
   void setIsometric(bool isometric);
-  void setColouring(PathColouring colouring);
-  [[nodiscard]] PathColouring colouring() const { return m_colouring; }
+  void setColouring(overview::PathColouring colouring);
+  [[nodiscard]] overview::PathColouring colouring() const { return m_colouring; }
   /// Marks a point and, if necessary, moves the picture to it. The slider follows; no signal is
   /// emitted.
   void markPoint(std::size_t point);
@@ -63,7 +63,7 @@ class PathView final : public Page {
   void selectPoints(const std::vector<std::uint32_t>& points);
   void fit();
 
-  [[nodiscard]] const std::shared_ptr<const PauseMap>& pauses() const { return m_pauses; }
+  [[nodiscard]] const std::shared_ptr<const overview::PauseMap>& pauses() const { return m_pauses; }
   /// Of the classes, in their order.
   [[nodiscard]] std::vector<QPen> pens() const;
   [[nodiscard]] PathCanvas* canvas() const { return m_canvas; }
@@ -93,14 +93,14 @@ class PathView final : public Page {
   [[nodiscard]] QPen penOf(std::size_t one) const;
   [[nodiscard]] QString nameOf(std::size_t one) const;
 
-  std::shared_ptr<const ProgramView> m_program;
-  std::shared_ptr<const ProgramTimes> m_times;
-  std::shared_ptr<const PauseMap> m_pauses;
+  std::shared_ptr<const overview::ProgramView> m_program;
+  std::shared_ptr<const overview::ProgramTimes> m_times;
+  std::shared_ptr<const overview::PauseMap> m_pauses;
   feasibility::OperatingPoint m_point;
   feasibility::AccessModel m_access;
   bool m_ownFeeds = false;
-  PathColouring m_colouring = PathColouring::Kind;
-  PathClasses m_classes;  ///< without `ofPoint`
+  overview::PathColouring m_colouring = overview::PathColouring::Kind;
+  overview::PathClasses m_classes;  ///< without `ofPoint`
   std::vector<bool> m_present;
   std::optional<std::size_t> m_marked;
 

@@ -59,7 +59,7 @@ ProgramPage::ProgramPage(QWidget* parent)
   retranslate();
 }
 
-void ProgramPage::setProgram(const std::shared_ptr<const ProgramView>& view) {
+void ProgramPage::setProgram(const std::shared_ptr<const overview::ProgramView>& view) {
   m_program = view;
   m_hasTimes = false;
   m_path->setProgram(view);
@@ -68,7 +68,7 @@ void ProgramPage::setProgram(const std::shared_ptr<const ProgramView>& view) {
   m_reading->setProgram(view ? view->program : nullptr);
 }
 
-void ProgramPage::replaceProgram(const std::shared_ptr<const ProgramView>& view) {
+void ProgramPage::replaceProgram(const std::shared_ptr<const overview::ProgramView>& view) {
   m_program = view;
   m_path->replaceProgram(view);
 }
@@ -78,7 +78,7 @@ void ProgramPage::setLive(const std::optional<live::Agreement>& agreed) {
   m_side->setCurrentWidget(agreed ? static_cast<QWidget*>(m_live) : m_panel);
 }
 
-void ProgramPage::setTimes(const std::shared_ptr<const ProgramTimes>& times) {
+void ProgramPage::setTimes(const std::shared_ptr<const overview::ProgramTimes>& times) {
   m_hasTimes = times && times->run;
   m_path->setTimes(times);
   m_panel->setTimes(times);

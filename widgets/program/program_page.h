@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "live/agreement.h"
+#include "overview/program_view.h"
 #include "widgets/common/page.h"
-#include "widgets/program/program_view.h"
 
 class QSplitter;
 class QStackedWidget;
@@ -32,10 +32,10 @@ class ProgramPage final : public Page {
   explicit ProgramPage(QWidget* parent = nullptr);
 
   /// @param view  null: none
-  void setProgram(const std::shared_ptr<const ProgramView>& view);
+  void setProgram(const std::shared_ptr<const overview::ProgramView>& view);
   /// The same program with points for another position of the tool.
-  void replaceProgram(const std::shared_ptr<const ProgramView>& view);
-  void setTimes(const std::shared_ptr<const ProgramTimes>& times);
+  void replaceProgram(const std::shared_ptr<const overview::ProgramView>& view);
+  void setTimes(const std::shared_ptr<const overview::ProgramTimes>& times);
 
   /// A live source in place of a program. @param agreed  with it; nothing: there is a program
   void setLive(const std::optional<live::Agreement>& agreed);
@@ -68,7 +68,7 @@ class ProgramPage final : public Page {
  private:
   void showPoint(std::size_t point);
 
-  std::shared_ptr<const ProgramView> m_program;
+  std::shared_ptr<const overview::ProgramView> m_program;
   bool m_hasTimes = false;
   PathView* m_path;
   TextPane* m_text;

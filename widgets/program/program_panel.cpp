@@ -221,7 +221,7 @@ void ProgramPanel::placeAboveTabs(QWidget* widget) {
   m_rows->setSizes({180, 260});
 }
 
-void ProgramPanel::setProgram(std::shared_ptr<const ProgramView> view) {
+void ProgramPanel::setProgram(std::shared_ptr<const overview::ProgramView> view) {
   m_program = std::move(view);
   m_times.reset();
   if (m_program) {
@@ -252,7 +252,7 @@ void ProgramPanel::setDistances(const std::optional<feasibility::ProgramDistance
   showDistances();
 }
 
-void ProgramPanel::setTimes(std::shared_ptr<const ProgramTimes> times) {
+void ProgramPanel::setTimes(std::shared_ptr<const overview::ProgramTimes> times) {
   m_times = std::move(times);
   showTimes();
 }

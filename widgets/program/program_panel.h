@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "overview/program_view.h"
 #include "widgets/common/page.h"
-#include "widgets/program/program_view.h"
 
 class QComboBox;
 class QLabel;
@@ -39,7 +39,7 @@ class ProgramPanel final : public Page {
   explicit ProgramPanel(QWidget* parent = nullptr);
 
   /// @param view  null: none is loaded
-  void setProgram(std::shared_ptr<const ProgramView> view);
+  void setProgram(std::shared_ptr<const overview::ProgramView> view);
   /// The settings with which the program was read.
   /// @param dialect   nothing: as detected
   /// @param accepted  names of the words that were accepted without being understood
@@ -49,7 +49,7 @@ class ProgramPanel final : public Page {
   /// d_min and d_min^N of the points that will be streamed; nothing if there are none.
   void setDistances(const std::optional<feasibility::ProgramDistances>& distances);
   /// @param times  null: not known (yet)
-  void setTimes(std::shared_ptr<const ProgramTimes> times);
+  void setTimes(std::shared_ptr<const overview::ProgramTimes> times);
   /// @param paths  newest first
   void setRecentFiles(const QStringList& paths);
   /// During a run no other program can be opened.
@@ -128,8 +128,8 @@ class ProgramPanel final : public Page {
   [[nodiscard]] const gcode::Diagnostic* currentFinding() const;
   void followLink(const QString& link);
 
-  std::shared_ptr<const ProgramView> m_program;
-  std::shared_ptr<const ProgramTimes> m_times;
+  std::shared_ptr<const overview::ProgramView> m_program;
+  std::shared_ptr<const overview::ProgramTimes> m_times;
   std::optional<feasibility::ProgramDistances> m_distances;
   std::optional<gcode::Dialect> m_ordered;
   std::vector<std::string> m_accepted;

@@ -43,7 +43,7 @@ ProgramTextView::ProgramTextView(QWidget* parent) : QAbstractScrollArea(parent) 
   makeIcons();
 }
 
-void ProgramTextView::setProgram(std::shared_ptr<const ProgramView> view) {
+void ProgramTextView::setProgram(std::shared_ptr<const overview::ProgramView> view) {
   m_program = std::move(view);
   m_current = 0;
   m_runLine = 0;
@@ -200,7 +200,7 @@ void ProgramTextView::paintEvent(QPaintEvent* /*event*/) {
 
 void ProgramTextView::paintPart(QPainter& painter, std::size_t line, int y) const {
   const ThemeColors& colors = themeColors(palette());
-  const JobOutline& outline = m_program->outline;
+  const overview::JobOutline& outline = m_program->outline;
   const int margin = marginPx();
   const int height = lineHeightPx();
   if (outline.nativeAt(line) != nullptr) {

@@ -14,7 +14,7 @@
 #include <memory>
 #include <vector>
 
-#include "widgets/program/program_view.h"
+#include "overview/program_view.h"
 
 namespace rivulet::widgets {
 
@@ -25,7 +25,7 @@ class ProgramTextView final : public QAbstractScrollArea {
   explicit ProgramTextView(QWidget* parent = nullptr);
 
   /// @param view  null: none
-  void setProgram(std::shared_ptr<const ProgramView> view);
+  void setProgram(std::shared_ptr<const overview::ProgramView> view);
   /// Highlights a line and scrolls to it if it is not visible. No signal is emitted.
   /// @param line  from 1; beyond the text: nothing happens
   void setCurrentLine(std::size_t line);
@@ -86,7 +86,7 @@ class ProgramTextView final : public QAbstractScrollArea {
 
   [[nodiscard]] const Mark* markOf(std::size_t line) const;
 
-  std::shared_ptr<const ProgramView> m_program;
+  std::shared_ptr<const overview::ProgramView> m_program;
   std::vector<Mark> m_marks;
   std::array<QPixmap, 3> m_icons;
   std::size_t m_current = 0;

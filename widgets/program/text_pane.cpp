@@ -115,7 +115,7 @@ TextPane::TextPane(QWidget* parent)
   restyle();
 }
 
-void TextPane::setProgram(const std::shared_ptr<const ProgramView>& view) {
+void TextPane::setProgram(const std::shared_ptr<const overview::ProgramView>& view) {
   m_program = view;
   m_runLine = 0;
   m_text->setProgram(view);

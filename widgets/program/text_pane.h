@@ -8,8 +8,8 @@
 
 #include <memory>
 
+#include "overview/program_view.h"
 #include "widgets/common/page.h"
-#include "widgets/program/program_view.h"
 
 class QLabel;
 class QLineEdit;
@@ -27,7 +27,7 @@ class TextPane final : public Page {
   explicit TextPane(QWidget* parent = nullptr);
 
   /// @param view  null: none
-  void setProgram(const std::shared_ptr<const ProgramView>& view);
+  void setProgram(const std::shared_ptr<const overview::ProgramView>& view);
   /// The line of the point that was executed last; 0: no run. The text follows it unless the
   /// operator looks elsewhere.
   void setRunLine(std::size_t line);
@@ -72,7 +72,7 @@ class TextPane final : public Page {
   QToolButton* m_follow;
   QToolButton* m_startHere;
   ProgramTextView* m_text;  ///< made last: the focus comes to it from above
-  std::shared_ptr<const ProgramView> m_program;
+  std::shared_ptr<const overview::ProgramView> m_program;
   std::size_t m_runLine = 0;
   bool m_wantsFirst = false;  ///< the first line found is to be shown as soon as it is known
 };

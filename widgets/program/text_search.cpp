@@ -20,7 +20,7 @@ TextSearch::TextSearch(QObject* parent) : QObject(parent) {
   connect(&m_slices, &QTimer::timeout, this, &TextSearch::searchSlice);
 }
 
-void TextSearch::setProgram(std::shared_ptr<const ProgramView> view) {
+void TextSearch::setProgram(std::shared_ptr<const overview::ProgramView> view) {
   m_program = std::move(view);
   m_lines.clear();
   m_nextLine = 0;

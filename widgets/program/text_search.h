@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "widgets/program/program_view.h"
+#include "overview/program_view.h"
 
 namespace rivulet::widgets {
 
@@ -28,7 +28,7 @@ class TextSearch final : public QObject {
   explicit TextSearch(QObject* parent = nullptr);
 
   /// @param view  null: none
-  void setProgram(std::shared_ptr<const ProgramView> view);
+  void setProgram(std::shared_ptr<const overview::ProgramView> view);
   /// Upper and lower case are the same. Empty: finds nothing.
   void start(const QString& wanted);
   [[nodiscard]] bool isBusy() const { return m_slices.isActive(); }
@@ -45,7 +45,7 @@ class TextSearch final : public QObject {
  private:
   void searchSlice();
 
-  std::shared_ptr<const ProgramView> m_program;
+  std::shared_ptr<const overview::ProgramView> m_program;
   std::string m_wanted;  ///< in lower case
   std::vector<std::uint32_t> m_lines;
   std::size_t m_nextLine = 0;  ///< from 0

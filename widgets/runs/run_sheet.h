@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gcode/sketch.h"
-#include "streaming/run_summary.h"
+#include "streaming/run/run_summary.h"
 #include "widgets/paper/page.h"
 
 namespace rivulet::widgets {

@@ -8,8 +8,8 @@
 #include <QDateTime>
 #include <QString>
 
-#include "streaming/run.h"
-#include "streaming/run_summary.h"
+#include "streaming/run/run.h"
+#include "streaming/run/run_summary.h"
 
 namespace rivulet::widgets {
 

@@ -101,19 +101,19 @@ bool PathPane::canEnlarge() const {
 
 void PathPane::setSpatial(bool isSpatial) {
   m_isSpatial = isSpatial;
-  m_turned = isSpatial ? m_turned : Projection::isometric();
-  m_projection = Projection(angles());
+  m_turned = isSpatial ? m_turned : overview::Projection::isometric();
+  m_projection = overview::Projection(angles());
   schedule();
 }
 
-Projection::Angles PathPane::angles() const {
-  return m_isSpatial ? m_turned : Projection::Angles{};
+overview::Projection::Angles PathPane::angles() const {
+  return m_isSpatial ? m_turned : overview::Projection::Angles{};
 }
 
 void PathPane::turn(double byDeg, double tiltByDeg) {
   m_turned.turnDeg = std::remainder(m_turned.turnDeg + byDeg, 360.0);
   m_turned.tiltDeg = std::clamp(m_turned.tiltDeg + tiltByDeg, -90.0, 90.0);
-  m_projection = Projection(angles());
+  m_projection = overview::Projection(angles());
   schedule();
 }
 
@@ -154,7 +154,7 @@ QRectF PathPane::room() const {
 
 QPointF PathPane::pixelOf(base::Vec3 positionMm) const {
   const QPointF middle = room().center();
-  const PlanePoint place = m_projection(positionMm);
+  const overview::PlanePoint place = m_projection(positionMm);
   return {middle.x() + (place.right - m_middle.right) * m_pxPerMm,
           middle.y() - (place.up - m_middle.up) * m_pxPerMm};
 }
@@ -224,12 +224,12 @@ void PathPane::collect(std::size_t trace, std::vector<Place>& path) const {
 
 void PathPane::fit() {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  PlanePoint min{kFar, kFar};
-  PlanePoint max{-kFar, -kFar};
+  overview::PlanePoint min{kFar, kFar};
+  overview::PlanePoint max{-kFar, -kFar};
   m_range = {};
   for (const std::vector<Place>& path : m_paths) {
     for (const Place& one : path) {
-      const PlanePoint place = m_projection(one.shownMm);
+      const overview::PlanePoint place = m_projection(one.shownMm);
       min = {std::min(min.right, place.right), std::min(min.up, place.up)};
       max = {std::max(max.right, place.right), std::max(max.up, place.up)};
       if (std::isfinite(one.value)) {
@@ -355,7 +355,7 @@ void PathPane::drawAxes(QPainter& painter) const {
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     base::Vec3 unit;
     unit.set(axis, 1.0);
-    const PlanePoint along = m_projection(unit);
+    const overview::PlanePoint along = m_projection(unit);
     const QPointF direction(along.right * kAxisPx, -along.up * kAxisPx);
     painter.drawLine(origin, origin + direction);
     painter.drawText(QRectF(origin + direction * 1.35 - QPointF(10.0, 10.0), QSizeF(20.0, 20.0)),
@@ -577,7 +577,7 @@ void PathPane::keyPressEvent(QKeyEvent* event) {
         turn(0.0, kKeyDeg);
         return;
       case Qt::Key_Home:
-        m_turned = Projection::isometric();
+        m_turned = overview::Projection::isometric();
         turn(0.0, 0.0);
         return;
       default:

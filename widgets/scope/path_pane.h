@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "overview/projection.h"
 #include "trace/value_range.h"
 #include "widgets/common/page.h"
-#include "widgets/program/projection.h"
 #include "widgets/scope/scope_pane.h"
 
 namespace rivulet::widgets {
@@ -48,7 +48,7 @@ class PathPane final : public Page {
   void setSpatial(bool isSpatial);
   [[nodiscard]] bool isSpatial() const { return m_isSpatial; }
   /// Where the picture is seen from.
-  [[nodiscard]] Projection::Angles angles() const;
+  [[nodiscard]] overview::Projection::Angles angles() const;
   /// Values of the colours' ends; empty: there are none in sight.
   [[nodiscard]] const trace::ValueRange& colourRange() const { return m_range; }
 
@@ -118,12 +118,12 @@ class PathPane final : public Page {
   QString m_colouring;
   double m_enlargement = 1.0;
   bool m_isSpatial = false;
-  Projection::Angles m_turned = Projection::isometric();
-  Projection m_projection{Projection::Angles{}};
+  overview::Projection::Angles m_turned = overview::Projection::isometric();
+  overview::Projection m_projection{overview::Projection::Angles{}};
   std::vector<std::vector<Place>> m_paths;  ///< one per trace, thinned
   trace::ValueRange m_range;
   double m_pxPerMm = 1.0;
-  PlanePoint m_middle;
+  overview::PlanePoint m_middle;
   QPixmap m_picture;
   QTimer m_redraw;
   QPointF m_pressed;

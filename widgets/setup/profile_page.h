@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "job/functions.h"
-#include "streaming/machine_profile.h"
+#include "streaming/control/machine_profile.h"
 #include "widgets/common/page.h"
 
 class QCheckBox;

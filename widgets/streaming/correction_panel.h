@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "base/axes.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 #include "widgets/common/page.h"
 
 class QComboBox;

@@ -288,7 +288,7 @@ void MethodPanel::connectFields() {
   });
 }
 
-void MethodPanel::setSettings(const StreamSettings& settings) {
+void MethodPanel::setSettings(const streaming::StreamSettings& settings) {
   m_settings = settings;
   showSettings();
 }

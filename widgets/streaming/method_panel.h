@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "feasibility/verdict.h"
-#include "streaming/feed_plan.h"
+#include "streaming/methods/feed_plan.h"
+#include "streaming/start/stream_settings.h"
 #include "widgets/common/page.h"
-#include "widgets/streaming/stream_settings.h"
 
 class QCheckBox;
 class QComboBox;
@@ -65,8 +65,8 @@ class MethodPanel final : public Page {
   explicit MethodPanel(QWidget* parent = nullptr);
 
   /// Shows the settings; does not signal.
-  void setSettings(const StreamSettings& settings);
-  [[nodiscard]] StreamSettings settings() const { return m_settings; }
+  void setSettings(const streaming::StreamSettings& settings);
+  [[nodiscard]] streaming::StreamSettings settings() const { return m_settings; }
   /// @param verdict  nothing: not judged  @param problem  why it could not be judged
   void setVerdict(const std::optional<feasibility::Verdict>& verdict,
                   const std::optional<QString>& problem);
@@ -90,7 +90,7 @@ class MethodPanel final : public Page {
   void setEditable(bool editable);
 
  Q_SIGNALS:
-  void settingsChanged(const rivulet::widgets::StreamSettings& settings);
+  void settingsChanged(const rivulet::streaming::StreamSettings& settings);
   /// @param isWhole  false: the motion alone
   void jobChosen(bool isWhole);
 
@@ -122,7 +122,7 @@ class MethodPanel final : public Page {
   [[nodiscard]] bool usesDelta() const;
   [[nodiscard]] bool isWindow() const;
 
-  StreamSettings m_settings;
+  streaming::StreamSettings m_settings;
   std::optional<feasibility::Verdict> m_verdict;
   std::optional<QString> m_problem;
   std::optional<streaming::OverrideLimit> m_overrideLimit;

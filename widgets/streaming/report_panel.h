@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "streaming/job_times.h"
-#include "streaming/run.h"
+#include "streaming/run/job_times.h"
+#include "streaming/run/run.h"
 #include "trace/analysis/tool_use.h"
 #include "widgets/common/page.h"
 #include "widgets/common/status_label.h"

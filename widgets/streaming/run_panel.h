@@ -13,7 +13,7 @@
 #include <array>
 #include <optional>
 
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 #include "widgets/common/page.h"
 #include "widgets/streaming/found_run_bar.h"
 #include "widgets/streaming/run_progress.h"

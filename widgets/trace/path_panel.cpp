@@ -98,7 +98,7 @@ PathPanel::PathPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors* curs
   restyle();
 }
 
-void PathPanel::setProgram(std::shared_ptr<const ProgramView> view) {
+void PathPanel::setProgram(std::shared_ptr<const overview::ProgramView> view) {
   // Points for another position of the tool come with the same text.
   const bool isSameText = m_program && view && m_program->program == view->program;
   m_program = std::move(view);

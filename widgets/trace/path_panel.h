@@ -13,8 +13,8 @@
 #include <memory>
 #include <vector>
 
+#include "overview/program_view.h"
 #include "widgets/common/page.h"
-#include "widgets/program/program_view.h"
 #include "widgets/scope/scope_pane.h"
 
 class QComboBox;
@@ -36,7 +36,7 @@ class PathPanel final : public Page {
             QWidget* parent = nullptr);
 
   /// The program that the traces are compared with. @param view  null: none
-  void setProgram(std::shared_ptr<const ProgramView> view);
+  void setProgram(std::shared_ptr<const overview::ProgramView> view);
   /// Draws pending changes at once: for pictures and tests.
   void redrawNow();
   [[nodiscard]] PathPane* path() const { return m_path; }
@@ -64,7 +64,7 @@ class PathPanel final : public Page {
   TimeWindow* m_window;
   ScopeCursors* m_cursors;
   ScopeView* m_view;
-  std::shared_ptr<const ProgramView> m_program;
+  std::shared_ptr<const overview::ProgramView> m_program;
   QPushButton* m_top;
   QPushButton* m_spatial;
   QComboBox* m_error;

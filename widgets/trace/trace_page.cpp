@@ -480,7 +480,7 @@ bool TracePage::canShow(const QString& formula) const {
          });
 }
 
-void TracePage::setProgram(std::shared_ptr<const ProgramView> view) {
+void TracePage::setProgram(std::shared_ptr<const overview::ProgramView> view) {
   m_pathPanel->setProgram(std::move(view));
 }
 

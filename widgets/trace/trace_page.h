@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "overview/program_view.h"
 #include "trace/pause.h"
 #include "widgets/common/page.h"
 #include "widgets/scope/scope_curves.h"
@@ -42,7 +43,6 @@ class StatusLabel;
 class StopModel;
 class TimeWindow;
 class TriggerPanel;
-struct ProgramView;
 
 /// One live observation; values that were not read stay empty.
 struct TraceSample {
@@ -83,7 +83,7 @@ class TracePage final : public Page {
   /// What is shown is a run that ended earlier. `clear` ends it.
   void setPastRun(const QString& start, const QString& program);
   /// The program that the traces are compared with. @param view  null: none
-  void setProgram(std::shared_ptr<const ProgramView> view);
+  void setProgram(std::shared_ptr<const overview::ProgramView> view);
   /// Those that are offered by name.
   void setLayouts(ScopeLayouts layouts);
   [[nodiscard]] const ScopeLayouts& layouts() const;

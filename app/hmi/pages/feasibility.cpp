@@ -63,7 +63,7 @@ session::RegionJob jobOf(const Document& document, const widgets::SimulationWant
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].feedMmPerS = settings.programFeeds ? document.commandedMmPerS(i) : 0.0;
   }
-  job.points = experiments::stretchOf(points, tightest.point.value, kSimulatedPoints);
+  job.points = forecast::stretchOf(points, tightest.point.value, kSimulatedPoints);
   job.machine = document.machine();
   job.axis = wanted.axis;
   job.feedsMmPerS = wanted.feedsMmPerS;
@@ -84,7 +84,7 @@ widgets::SimulatedRegion regionOf(const session::RegionOutcome& outcome,
   region.axis = outcome.job.axis;
   region.operatingPoint = report::operatingPointOf(outcome.job.settings);
   region.programPoints = outcome.job.points.size();
-  for (const experiments::RegionPoint& point : outcome.points) {
+  for (const forecast::RegionPoint& point : outcome.points) {
     region.points.push_back(
         {point.abscissa / perShown, point.feedMmPerS, point.runs, point.failures()});
   }
@@ -168,7 +168,7 @@ std::vector<base::MethodKind> otherMethods(const Document& document) {
 
 /// What the advice depends on; the feed as well, because it may be advised.
 struct AdviceKey {
-  std::shared_ptr<const widgets::ProgramView> view;
+  std::shared_ptr<const overview::ProgramView> view;
   feasibility::OperatingPoint point;
   base::Duration accessTime{};
   std::string templateText;
@@ -261,7 +261,7 @@ QWidget* makeFeasibilityPage(const Models& models, QWidget* parent) {
   QObject::connect(
       page, &FeasibilityPage::operatingPointRequested, &models.document,
       [models](const feasibility::OperatingPoint& point) {
-        widgets::StreamSettings settings = models.document.settings();
+        streaming::StreamSettings settings = models.document.settings();
         if (settings.parameters.method != point.method) {
           // What is advised was judged with the feeds as they are now.
           settings.programFeeds = settings.usesProgramFeeds();

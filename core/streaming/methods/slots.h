@@ -14,8 +14,8 @@
 
 #include "base/contract.h"
 #include "base/units.h"
-#include "streaming/method.h"
-#include "streaming/pause_placement.h"
+#include "streaming/methods/method.h"
+#include "streaming/methods/pause_placement.h"
 
 namespace rivulet::streaming {
 

@@ -12,8 +12,8 @@
 
 #include "job/main_program.h"
 #include "machine/machine.h"
+#include "streaming/run/whole_job.h"
 #include "streaming/simulation/simulated_link.h"
-#include "streaming/whole_job.h"
 #include "trace/control_trace.h"
 
 namespace rivulet::streaming {

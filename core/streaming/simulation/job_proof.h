@@ -14,7 +14,7 @@
 #include "base/result.h"
 #include "job/plan.h"
 #include "machine/config.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 
 namespace rivulet::streaming {
 

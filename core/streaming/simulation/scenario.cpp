@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "streaming/job.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/simulated_link.h"
 
 namespace rivulet::streaming {

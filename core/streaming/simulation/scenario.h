@@ -14,7 +14,7 @@
 #include "base/random.h"
 #include "gcode/program.h"
 #include "machine/config.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 #include "streaming/simulation/simulated_link.h"
 
 namespace rivulet::streaming {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-#include "streaming/job.h"
+#include "streaming/run/job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/scenario.h"
 #include "templates/generator.h"

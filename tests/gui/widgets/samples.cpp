@@ -69,9 +69,9 @@ std::vector<gcode::StreamPoint> streamed(const gcode::Program& program) {
   return gcode::streamPoints(program.trajectory, {0.0, 0.0, 0.0}).points;
 }
 
-std::shared_ptr<const widgets::ProgramView> viewOf(
+std::shared_ptr<const overview::ProgramView> viewOf(
     const std::shared_ptr<const gcode::Program>& program) {
-  return widgets::makeProgramView(program, {0.0, 0.0, 0.0}, 7);
+  return overview::makeProgramView(program, {0.0, 0.0, 0.0}, 7);
 }
 
 std::string jobText() {
@@ -102,12 +102,12 @@ std::string jobText() {
          "M30\n";  // 25
 }
 
-std::shared_ptr<const widgets::ProgramView> jobView() {
+std::shared_ptr<const overview::ProgramView> jobView() {
   auto made = job::makePlan("SLOT.MPF", jobText());
   RIVULET_ASSERT(made.has_value() && made->isWhole());
   const auto plan = std::make_shared<const job::Plan>(*std::move(made));
   const std::shared_ptr<const gcode::Program> program(plan, &plan->program);
-  return widgets::makeProgramView(program, {0.0, 0.0, 0.0}, 7, {}, {}, plan);
+  return overview::makeProgramView(program, {0.0, 0.0, 0.0}, 7, {}, {}, plan);
 }
 
 std::shared_ptr<const gcode::Program> programOf(const std::vector<gcode::StreamPoint>& points) {
@@ -126,13 +126,13 @@ std::shared_ptr<const gcode::Program> programOf(const std::vector<gcode::StreamP
   return program;
 }
 
-std::shared_ptr<const widgets::ProgramTimes> timesOf(const widgets::ProgramView& view) {
-  auto times = std::make_shared<widgets::ProgramTimes>();
+std::shared_ptr<const overview::ProgramTimes> timesOf(const overview::ProgramView& view) {
+  auto times = std::make_shared<overview::ProgramTimes>();
   for (std::size_t i = 0; i < view.points.points.size(); ++i) {
     times->atS.push_back(0.1F * static_cast<float>(i));
   }
   times->programmedS = times->atS.back();
-  times->run = widgets::RunTime{{}, 2.0 * times->programmedS, 12.5, 39};
+  times->run = overview::RunTime{{}, 2.0 * times->programmedS, 12.5, 39};
   times->machine = "dmu75";
   return times;
 }

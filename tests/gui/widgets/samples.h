@@ -12,14 +12,14 @@
 #include "feasibility/advice.h"
 #include "feasibility/verdict.h"
 #include "gcode/program.h"
-#include "streaming/calibration_record.h"
-#include "streaming/machine_facts.h"
-#include "streaming/run.h"
+#include "overview/program_view.h"
+#include "streaming/control/machine_facts.h"
+#include "streaming/run/run.h"
+#include "streaming/setup/calibration_record.h"
 #include "trace/control_trace.h"
 #include "trace/signal_set.h"
 #include "widgets/connection/machine_view.h"
 #include "widgets/feasibility/region_chart.h"
-#include "widgets/program/program_view.h"
 #include "widgets/runs/run_sheet.h"
 
 namespace rivulet::test {
@@ -34,18 +34,18 @@ namespace rivulet::test {
 [[nodiscard]] std::shared_ptr<const gcode::Program> brokenProgram();
 [[nodiscard]] std::vector<gcode::StreamPoint> streamed(const gcode::Program& program);
 /// As the page gets it, for a tool at the origin and N = 7.
-[[nodiscard]] std::shared_ptr<const widgets::ProgramView> viewOf(
+[[nodiscard]] std::shared_ptr<const overview::ProgramView> viewOf(
     const std::shared_ptr<const gcode::Program>& program);
 /// Two tools, coolant that is switched on while the tool moves, a retract, and drilling by a cycle.
 [[nodiscard]] std::string jobText();
 /// That program as a job.
-[[nodiscard]] std::shared_ptr<const widgets::ProgramView> jobView();
+[[nodiscard]] std::shared_ptr<const overview::ProgramView> jobView();
 /// A program of points alone, one line each. @param positions >= 1
 [[nodiscard]] std::shared_ptr<const gcode::Program> programOf(
     const std::vector<gcode::StreamPoint>& points);
 /// Times of a machine that runs a point a tenth of a second.
-[[nodiscard]] std::shared_ptr<const widgets::ProgramTimes> timesOf(
-    const widgets::ProgramView& view);
+[[nodiscard]] std::shared_ptr<const overview::ProgramTimes> timesOf(
+    const overview::ProgramView& view);
 /// A path of many points, built without a text. @param points >= 2
 [[nodiscard]] std::vector<gcode::StreamPoint> manyPoints(std::size_t points);
 [[nodiscard]] widgets::MachineView runningMachine();

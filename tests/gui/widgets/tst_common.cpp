@@ -19,7 +19,7 @@
 #include "gcode/error.h"
 #include "gui/widgets/page_test.h"
 #include "opcua/error.h"
-#include "streaming/run.h"
+#include "streaming/run/run.h"
 #include "support/test_program.h"
 #include "templates/cells.h"
 #include "widgets/alarms/alarm_line.h"

@@ -21,7 +21,7 @@ using namespace rivulet::widgets;
 
 namespace {
 
-feasibility::Verdict verdictOf(const StreamSettings& settings) {
+feasibility::Verdict verdictOf(const streaming::StreamSettings& settings) {
   const auto points = test::streamed(*test::pocket());
   const auto distances = feasibility::programDistances(points, settings.parameters.pointsPerLoop);
   return feasibility::judge({settings.parameters.method, settings.parameters.pointsPerLoop,
@@ -58,17 +58,17 @@ class TestMethodPanel : public QObject {
     test::Language language;
     MethodPanel panel;
     QSignalSpy changes(&panel, &MethodPanel::settingsChanged);
-    StreamSettings settings;
+    streaming::StreamSettings settings;
     settings.parameters.pointsPerLoop = 9;
     panel.setSettings(settings);
     QCOMPARE(changes.count(), 0);
     panel.findChild<QSpinBox*>()->setValue(11);
     QCOMPARE(changes.count(), 1);
-    auto changed = changes.takeFirst().first().value<StreamSettings>();
+    auto changed = changes.takeFirst().first().value<streaming::StreamSettings>();
     QCOMPARE(changed.parameters.pointsPerLoop, 11);
     panel.findChild<QComboBox*>("method")->setCurrentIndex(1);
     QCOMPARE(changes.count(), 1);
-    changed = changes.takeFirst().first().value<StreamSettings>();
+    changed = changes.takeFirst().first().value<streaming::StreamSettings>();
     QCOMPARE(changed.parameters.method, base::MethodKind::Position);
     // Switching the language shows everything anew and changes nothing.
     language.german();
@@ -77,7 +77,7 @@ class TestMethodPanel : public QObject {
 
   void valuesKeepTheDigitsTheFieldsDoNotShow() {
     MethodPanel panel;
-    StreamSettings settings;
+    streaming::StreamSettings settings;
     settings.feedMmPerS = 1.23456;
     settings.deltaMm = 0.1234567;
     panel.setSettings(settings);
@@ -91,7 +91,7 @@ class TestMethodPanel : public QObject {
   void windowIsSafeAndSaysWhenItWaits() {
     test::Language language;
     MethodPanel panel;
-    StreamSettings settings;
+    streaming::StreamSettings settings;
     QCOMPARE(settings.parameters.method, base::MethodKind::Window);
     settings.feedMmPerS = base::mmPerSFromMmPerMin(50000.0);
     panel.setSettings(settings);
@@ -126,7 +126,7 @@ class TestMethodPanel : public QObject {
   void deltaBelongsToMethodPosition() {
     test::Language language;
     MethodPanel panel;
-    StreamSettings settings;
+    streaming::StreamSettings settings;
     settings.parameters.method = base::MethodKind::Signal;
     panel.setSettings(settings);
     auto* delta = panel.findChildren<QDoubleSpinBox*>().first();
@@ -146,7 +146,7 @@ class TestMethodPanel : public QObject {
     QFETCH(bool, position);
     test::Language language;
     MethodPanel panel;
-    StreamSettings settings;
+    streaming::StreamSettings settings;
     settings.parameters.method = position ? base::MethodKind::Position : base::MethodKind::Signal;
     settings.feedMmPerS = base::mmPerSFromMmPerMin(5000.0);
     panel.setSettings(settings);
@@ -159,7 +159,7 @@ class TestMethodPanel : public QObject {
     QSignalSpy changes(&panel, &MethodPanel::settingsChanged);
     offer->click();
     QCOMPARE(changes.count(), 1);
-    const auto changed = changes.first().first().value<StreamSettings>();
+    const auto changed = changes.first().first().value<streaming::StreamSettings>();
     QVERIFY(changed.feedMmPerS < settings.feedMmPerS);
     QVERIFY(verdictOf(changed).feasible);
     panel.setVerdict(verdictOf(changed), std::nullopt);
@@ -170,7 +170,7 @@ class TestMethodPanel : public QObject {
   void offersALargerDeltaWhereItAloneHelps() {
     test::Language language;
     MethodPanel panel;
-    StreamSettings settings;
+    streaming::StreamSettings settings;
     settings.parameters.method = base::MethodKind::Position;
     settings.feedMmPerS = base::mmPerSFromMmPerMin(60.0);
     settings.deltaMm = 0.005;
@@ -207,7 +207,7 @@ class TestMethodPanel : public QObject {
 
   void nothingCanBeChangedWhileARunLasts() {
     MethodPanel panel;
-    StreamSettings settings;
+    streaming::StreamSettings settings;
     settings.parameters.method = base::MethodKind::Position;
     settings.feedMmPerS = 100.0;
     panel.setSettings(settings);
@@ -253,7 +253,7 @@ class TestMethodPanel : public QObject {
     QFETCH(double, feedMmPerMin);
     const test::Language english;
     MethodPanel panel;
-    StreamSettings settings;
+    streaming::StreamSettings settings;
     settings.feedMmPerS = 10.0;
     panel.setSettings(settings);
     panel.show();
@@ -277,7 +277,7 @@ class TestMethodPanel : public QObject {
     test::Language language;
     MethodPanel panel;
     panel.setFeedMax(base::mmPerSFromMmPerMin(8000.0));
-    StreamSettings settings;
+    streaming::StreamSettings settings;
     settings.feedMmPerS = 10.0;
     panel.setSettings(settings);
     panel.show();
@@ -328,7 +328,7 @@ class TestMethodPanel : public QObject {
     test::Language language;
     MethodPanel panel;
     QSignalSpy changes(&panel, &MethodPanel::settingsChanged);
-    StreamSettings settings;
+    streaming::StreamSettings settings;
     settings.programFeeds = true;
     panel.setSettings(settings);
     panel.show();
@@ -363,7 +363,7 @@ class TestMethodPanel : public QObject {
   void publishedMethodsHaveOneFeed() {
     test::Language language;
     MethodPanel panel;
-    StreamSettings settings;
+    streaming::StreamSettings settings;
     settings.programFeeds = true;
     settings.parameters.method = base::MethodKind::Signal;
     panel.setSettings(settings);
@@ -382,7 +382,7 @@ class TestMethodPanel : public QObject {
   void numbersFollowTheLanguage() {
     test::Language language;
     MethodPanel panel;
-    StreamSettings settings;
+    streaming::StreamSettings settings;
     settings.parameters.method = base::MethodKind::Position;
     panel.setSettings(settings);
     language.german();
@@ -392,6 +392,6 @@ class TestMethodPanel : public QObject {
   }
 };
 
-Q_DECLARE_METATYPE(rivulet::widgets::StreamSettings)
+Q_DECLARE_METATYPE(rivulet::streaming::StreamSettings)
 RIVULET_TEST(TestMethodPanel)
 #include "tst_method_panel.moc"

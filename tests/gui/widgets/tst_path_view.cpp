@@ -35,10 +35,10 @@ int pixelsOf(const QImage& image, const QColor& color) {
   return count;
 }
 
-void show(PathCanvas& canvas, const std::shared_ptr<const ProgramView>& view) {
+void show(PathCanvas& canvas, const std::shared_ptr<const overview::ProgramView>& view) {
   canvas.setProgram(view);
   const ThemeColors& colors = themeColors(canvas.palette());
-  canvas.setStyle({classesByKind(*view),
+  canvas.setStyle({overview::classesByKind(*view),
                    {QPen(colors.rapid), QPen(colors.path), QPen(colors.path), QPen(colors.path)}});
 }
 
@@ -56,7 +56,7 @@ void drag(PathCanvas& canvas, QPoint from, QPoint to) {
   QTest::mouseRelease(&canvas, Qt::LeftButton, {}, to);
 }
 
-std::size_t nearest(const ProgramView& view, base::Vec3 place) {
+std::size_t nearest(const overview::ProgramView& view, base::Vec3 place) {
   const auto& points = view.points.points;
   const auto found =
       std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
@@ -87,7 +87,7 @@ class TestPathView : public QObject {
     QVERIFY(without > 40);
     view.setExecuted(job->points.points.size());
     QVERIFY(pixelsOf(test::picture(view, {700, 600}), native) > without / 2);
-    view.setColouring(PathColouring::Feed);
+    view.setColouring(overview::PathColouring::Feed);
     QVERIFY(pixelsOf(test::picture(view, {700, 600}), native) > without / 2);
     view.setProgram(test::viewOf(test::pocket()));
     QCOMPARE(pixelsOf(test::picture(view, {700, 600}), native), 0);
@@ -137,7 +137,7 @@ class TestPathView : public QObject {
     const auto program = test::viewOf(test::pocket());
     view.setProgram(program);
     const QImage without = test::picture(view, {560, 620});
-    auto pauses = std::make_shared<PauseMap>();
+    auto pauses = std::make_shared<overview::PauseMap>();
     const auto corner = [&](double xMm, double yMm) {
       return static_cast<std::uint32_t>(nearest(*program, {xMm, yMm, -2.0}));
     };
@@ -179,7 +179,7 @@ class TestPathView : public QObject {
     view.setProgram(test::viewOf(test::pocket()));
     QVERIFY(!view.canvas()->pauseNear(place));
     // Points that are not there: the pauses of another program.
-    auto beyond = std::make_shared<PauseMap>();
+    auto beyond = std::make_shared<overview::PauseMap>();
     beyond->inCut = {1'000'000};
     view.setPauses(beyond);
     static_cast<void>(test::picture(view, {560, 620}));
@@ -191,7 +191,7 @@ class TestPathView : public QObject {
     PathCanvas canvas;
     const auto view = test::viewOf(test::programOf(test::manyPoints(1'000'000)));
     show(canvas, view);
-    auto pauses = std::make_shared<PauseMap>();
+    auto pauses = std::make_shared<overview::PauseMap>();
     for (std::uint32_t i = 0; i < 999'999; ++i) {
       (i % 10 == 0 ? pauses->inCut : pauses->offCut).push_back(i);
     }
@@ -356,8 +356,8 @@ class TestPathView : public QObject {
     test::Language language;
     const auto view = test::viewOf(test::pocket());
     // By kind as the trajectory says.
-    const PathClasses kinds = classesByKind(*view);
-    const PathClasses feeds = classesByFeed(*view);
+    const overview::PathClasses kinds = overview::classesByKind(*view);
+    const overview::PathClasses feeds = overview::classesByFeed(*view);
     QVERIFY(feeds.eachFeedItsOwn);
     QCOMPARE(feeds.borders.size(), std::size_t{3});  // F250 F500 F800
     for (std::size_t i = 0; i < view->kinds.size(); ++i) {
@@ -373,7 +373,7 @@ class TestPathView : public QObject {
       feasibility::OperatingPoint point;
       point.method = method;
       point.feedMmPerS = 60.0;
-      const auto margins = localMargins(*view, point);
+      const auto margins = overview::localMargins(*view, point);
       const auto distances =
           feasibility::programDistances(view->points.points, point.pointsPerLoop);
       const auto verdict = feasibility::judge(point, distances).value();
@@ -382,7 +382,7 @@ class TestPathView : public QObject {
       QVERIFY2(std::abs(least - expected) < 1e-5 * expected,
                qPrintable(QString("%1 %2").arg(least).arg(expected)));
       QCOMPARE(margins.size(), view->points.points.size());
-      const PathClasses classes = classesByMargin(*view, point);
+      const overview::PathClasses classes = overview::classesByMargin(*view, point);
       const auto worst = *std::max_element(classes.ofPoint.begin(), classes.ofPoint.end());
       QCOMPARE(worst == 3, expected <= 1.0);
     }
@@ -391,19 +391,19 @@ class TestPathView : public QObject {
     window.method = base::MethodKind::Window;
     window.pointsPerLoop = 3;
     window.feedMmPerS = 60.0;
-    const auto reaches = localMargins(*view, window);
+    const auto reaches = overview::localMargins(*view, window);
     const double shortestMm =
         feasibility::programDistances(view->points.points, 6).windowLengthMmMin;
     const double reach =
         feasibility::reachMargin(60.0, feasibility::AccessModel{}.accessTime, 3, shortestMm, 1.0);
     QVERIFY(std::abs(*std::min_element(reaches.begin(), reaches.end()) - reach) < 1e-5 * reach);
-    const PathClasses times = classesByTime({0.0F, 1.0F, 2.0F, 3.0F, 5.0F});
+    const overview::PathClasses times = overview::classesByTime({0.0F, 1.0F, 2.0F, 3.0F, 5.0F});
     QCOMPARE(times.ofPoint, (std::vector<std::uint8_t>{0, 1, 2, 3, 4}));
     PathView page;
     page.setProgram(view);
     QList<QImage> pictures;
-    for (const auto colouring :
-         {PathColouring::Kind, PathColouring::Feed, PathColouring::Margin, PathColouring::Time}) {
+    for (const auto colouring : {overview::PathColouring::Kind, overview::PathColouring::Feed,
+                                 overview::PathColouring::Margin, overview::PathColouring::Time}) {
       page.setColouring(colouring);
       page.setTimes(test::timesOf(*view));
       pictures.append(test::picture(page, {600, 600}));
@@ -416,25 +416,25 @@ class TestPathView : public QObject {
   /// Where pauses are close to each other, the class is higher; after the last one there is none.
   void pausesAreShownByTheirDensity() {
     const auto view = test::viewOf(test::programOf(test::manyPoints(1000)));
-    PauseMap pauses;
+    overview::PauseMap pauses;
     for (std::uint32_t point = 10; point < 200; point += 10) {
       pauses.inCut.push_back(point);
     }
     for (std::uint32_t point = 300; point < 900; point += 100) {
       pauses.offCut.push_back(point);
     }
-    const PathClasses classes = classesByPauses(*view, &pauses);
+    const overview::PathClasses classes = overview::classesByPauses(*view, &pauses);
     QCOMPARE(classes.ofPoint.size(), view->points.points.size());
-    QCOMPARE(classes.borders.size(), kPauseClasses + 1);
+    QCOMPARE(classes.borders.size(), overview::kPauseClasses + 1);
     QVERIFY(std::is_sorted(classes.borders.rbegin(), classes.borders.rend()));
     QVERIFY(classes.ofPoint[100] > classes.ofPoint[500]);
     QVERIFY(classes.ofPoint[500] >= 1);
     QCOMPARE(classes.ofPoint[950], std::uint8_t{0});
-    QCOMPARE(classesByPauses(*view, nullptr).count, kPauseClasses + 1);
-    const auto shown = std::make_shared<PauseMap>(pauses);
+    QCOMPARE(overview::classesByPauses(*view, nullptr).count, overview::kPauseClasses + 1);
+    const auto shown = std::make_shared<overview::PauseMap>(pauses);
     PathView page;
     page.setProgram(view);
-    page.setColouring(PathColouring::Pauses);
+    page.setColouring(overview::PathColouring::Pauses);
     const QImage without = test::picture(page, {600, 600});
     page.setPauses(shown);
     QVERIFY(test::picture(page, {600, 600}) != without);
@@ -450,7 +450,7 @@ class TestPathView : public QObject {
       applyTheme(theme);
       PathView page;
       page.setProgram(test::viewOf(program));
-      page.setColouring(PathColouring::Feed);
+      page.setColouring(overview::PathColouring::Feed);
       const int executed = themeColors(page.palette()).accent.hue();
       for (const QPen& pen : page.pens()) {
         const int apart = std::abs(pen.color().hue() - executed);
@@ -466,9 +466,9 @@ class TestPathView : public QObject {
     for (std::size_t i = 0; i < 100; ++i) {
       program->trajectory.points[i].feedMmPerS = i == 0 ? 0.0 : static_cast<double>(i);
     }
-    const PathClasses feeds = classesByFeed(*test::viewOf(program));
+    const overview::PathClasses feeds = overview::classesByFeed(*test::viewOf(program));
     QVERIFY(!feeds.eachFeedItsOwn);
-    QCOMPARE(feeds.borders.size(), kFeedClassesMax + 1);
+    QCOMPARE(feeds.borders.size(), overview::kFeedClassesMax + 1);
     QCOMPARE(feeds.borders.front(), 1.0);
     QCOMPARE(feeds.borders.back(), 99.0);
     for (std::size_t i = 2; i < 99; ++i) {

@@ -53,7 +53,7 @@ struct Sample {
 
 std::unique_ptr<QWidget> methodPanel(base::MethodKind method, double feedMmPerMin) {
   auto panel = std::make_unique<MethodPanel>();
-  StreamSettings settings;
+  streaming::StreamSettings settings;
   settings.parameters.method = method;
   settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
   panel->setSettings(settings);
@@ -190,7 +190,7 @@ std::unique_ptr<QWidget> programPanel(const std::shared_ptr<const gcode::Program
 }
 
 std::unique_ptr<QWidget> programPage(const std::shared_ptr<const gcode::Program>& program,
-                                     PathColouring colouring) {
+                                     overview::PathColouring colouring) {
   auto page = std::make_unique<ProgramPage>();
   const auto view = test::viewOf(program);
   page->setProgram(view);
@@ -402,20 +402,20 @@ std::vector<Sample> samples() {
       {"connection_lost", {360, 560}, [] { return connectionPanel(ConnectionState::Lost); }},
       {"program_page_kind",
        {760, 640},
-       [] { return programPage(test::pocket(), PathColouring::Kind); }},
+       [] { return programPage(test::pocket(), overview::PathColouring::Kind); }},
       {"program_page_job", {760, 640}, [] { return jobPage(); }},
       {"program_page_feed",
        {760, 640},
-       [] { return programPage(test::pocket(), PathColouring::Feed); }},
+       [] { return programPage(test::pocket(), overview::PathColouring::Feed); }},
       {"program_page_margin",
        {760, 640},
-       [] { return programPage(test::pocket(), PathColouring::Margin); }},
+       [] { return programPage(test::pocket(), overview::PathColouring::Margin); }},
       {"program_page_time",
        {760, 640},
-       [] { return programPage(test::pocket(), PathColouring::Time); }},
+       [] { return programPage(test::pocket(), overview::PathColouring::Time); }},
       {"program_page_broken",
        {760, 640},
-       [] { return programPage(test::brokenProgram(), PathColouring::Kind); }},
+       [] { return programPage(test::brokenProgram(), overview::PathColouring::Kind); }},
       {"file_changed", {800, 56}, [] { return fileBanner(FileBanner::State::Changed, false); }},
       {"file_changed_running",
        {800, 56},

@@ -29,7 +29,7 @@ using namespace rivulet::widgets;
 
 namespace {
 
-std::shared_ptr<const ProgramView> textOnly(std::string text) {
+std::shared_ptr<const overview::ProgramView> textOnly(std::string text) {
   auto program = std::make_shared<gcode::Program>();
   program->text = std::move(text);
   return test::viewOf(program);

@@ -239,7 +239,7 @@ class TestProgramPanel : public QObject {
     const auto view = test::viewOf(test::pocket());
     panel.setProgram(view);
     QVERIFY(test::visibleText(panel).contains("computing"));
-    auto times = std::make_shared<ProgramTimes>(*test::timesOf(*view));
+    auto times = std::make_shared<overview::ProgramTimes>(*test::timesOf(*view));
     times->programmedS = 125.4;
     times->run->totalS = 3725.0;
     panel.setTimes(times);

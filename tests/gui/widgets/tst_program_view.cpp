@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "gui/widgets/samples.h"
+#include "overview/program_view.h"
 #include "support/test_program.h"
-#include "widgets/program/program_view.h"
 
 using namespace rivulet;
 using namespace rivulet::widgets;
@@ -52,7 +52,7 @@ class TestProgramView : public QObject {
     QFETCH(QByteArray, text);
     QFETCH(QList<QByteArray>, lines);
     const std::string bytes = text.toStdString();
-    const TextIndex index(bytes);
+    const overview::TextIndex index(bytes);
     QCOMPARE(static_cast<qsizetype>(index.lines()), lines.size());
     std::size_t longest = 0;
     for (std::size_t i = 0; i < index.lines(); ++i) {
@@ -67,23 +67,23 @@ class TestProgramView : public QObject {
   /// The index of a real program has the line numbers the interpreter counts.
   void linesAreThoseOfTheInterpreter() {
     for (const auto& program : {test::pocket(), test::brokenProgram()}) {
-      QCOMPARE(TextIndex(program->text).lines(), program->statistics.lines);
+      QCOMPARE(overview::TextIndex(program->text).lines(), program->statistics.lines);
     }
   }
 
   void knowsUtf8FromLatin1() {
-    QVERIFY(isUtf8("plain"));
+    QVERIFY(overview::isUtf8("plain"));
     QVERIFY(
-        isUtf8("gr\xC3\xB6\xC3\x9F"
-               "er \xE2\x82\xAC \xF0\x9F\x94\xA7"));
+        overview::isUtf8("gr\xC3\xB6\xC3\x9F"
+                         "er \xE2\x82\xAC \xF0\x9F\x94\xA7"));
     for (const char* bad : {"gr\xF6\xDF"
                             "er",
                             "\xC3", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80",
                             "\xF5\x80\x80\x80", "\x80", "\xE2\x82"}) {
-      QVERIFY2(!isUtf8(bad), bad);
+      QVERIFY2(!overview::isUtf8(bad), bad);
     }
-    QVERIFY(!TextIndex("(gr\xF6)\n").isUtf8());
-    QVERIFY(TextIndex("(gr\xC3\xB6)\n").isUtf8());
+    QVERIFY(!overview::TextIndex("(gr\xF6)\n").isUtf8());
+    QVERIFY(overview::TextIndex("(gr\xC3\xB6)\n").isUtf8());
   }
 
   /// No point left out lies farther from the line drawn in its place than the level says.
@@ -93,12 +93,12 @@ class TestProgramView : public QObject {
     for (std::size_t i = 9000; i < 9100; ++i) {
       isRapid[i] = true;
     }
-    const PathLevels levels(points, isRapid);
+    const overview::PathLevels levels(points, isRapid);
     QVERIFY(levels.levels().size() >= 4);
     QCOMPARE(levels.levels().front().kept.size(), points.size());
     QVERIFY(levels.levels().back().kept.size() <= 2000);
     for (std::size_t l = 0; l < levels.levels().size(); ++l) {
-      const PathLevel& level = levels.levels()[l];
+      const overview::PathLevel& level = levels.levels()[l];
       QCOMPARE(level.kept.front(), 0U);
       QCOMPARE(level.kept.back(), static_cast<std::uint32_t>(points.size() - 1));
       QVERIFY(l == 0 || level.toleranceMm >= 2.0 * levels.levels()[l - 1].toleranceMm);
@@ -122,16 +122,19 @@ class TestProgramView : public QObject {
 
   void boxesHoldTheirChunks() {
     const auto points = surface(3000);
-    const PathLevels levels(points, std::vector<bool>(points.size(), false));
-    for (const PathLevel& level : levels.levels()) {
-      for (const PathProjection projection : {PathProjection::Top, PathProjection::Isometric}) {
+    const overview::PathLevels levels(points, std::vector<bool>(points.size(), false));
+    for (const overview::PathLevel& level : levels.levels()) {
+      for (const overview::PathProjection projection :
+           {overview::PathProjection::Top, overview::PathProjection::Isometric}) {
         const auto& boxes = level.boxes[static_cast<std::size_t>(projection)];
-        QCOMPARE(boxes.size(), (level.kept.size() - 1 + kChunkMoves - 1) / kChunkMoves);
+        QCOMPARE(boxes.size(),
+                 (level.kept.size() - 1 + overview::kChunkMoves - 1) / overview::kChunkMoves);
         for (std::size_t k = 0; k < level.kept.size(); ++k) {
-          const PlanePoint place = project(points[level.kept[k]].positionMm, projection);
-          const PlaneBox& box = boxes[std::min(k / kChunkMoves, boxes.size() - 1)];
-          const PlaneBox& all = levels.box(projection);
-          for (const PlaneBox& around : {box, all}) {
+          const overview::PlanePoint place = project(points[level.kept[k]].positionMm, projection);
+          const overview::PlaneBox& box =
+              boxes[std::min(k / overview::kChunkMoves, boxes.size() - 1)];
+          const overview::PlaneBox& all = levels.box(projection);
+          for (const overview::PlaneBox& around : {box, all}) {
             QVERIFY(static_cast<float>(place.right) >= around.left &&
                     static_cast<float>(place.right) <= around.right &&
                     static_cast<float>(place.up) >= around.low &&
@@ -149,14 +152,14 @@ class TestProgramView : public QObject {
     for (std::size_t i = 0; i < points.size(); i += 2) {
       isRapid[i] = true;
     }
-    QVERIFY(PathLevels(points, isRapid).levels().back().kept.size() <= 2000);
-    QVERIFY(PathLevels({}, {}).levels().empty());
-    QCOMPARE(PathLevels({points.front()}, {false}).levels().size(), std::size_t{1});
+    QVERIFY(overview::PathLevels(points, isRapid).levels().back().kept.size() <= 2000);
+    QVERIFY(overview::PathLevels({}, {}).levels().empty());
+    QCOMPARE(overview::PathLevels({points.front()}, {false}).levels().size(), std::size_t{1});
   }
 
   void theViewOfAProgramAgreesWithItsTrajectory() {
     const auto program = test::pocket();
-    const auto view = makeProgramView(program, {1.0, 2.0, 3.0}, 7);
+    const auto view = overview::makeProgramView(program, {1.0, 2.0, 3.0}, 7);
     QVERIFY(view->program == program);
     QCOMPARE(view->points.points.size(), test::streamed(*program).size());
     QCOMPARE(view->kinds.size(), view->points.points.size());
@@ -174,18 +177,18 @@ class TestProgramView : public QObject {
       length +=
           base::distance(view->points.points[i - 1].positionMm, view->points.points[i].positionMm);
     }
-    const KindLengths& lengths = view->lengths;
+    const overview::KindLengths& lengths = view->lengths;
     QVERIFY(std::abs(lengths.rapidMm + lengths.lineMm + lengths.arcMm + lengths.splineMm - length) <
             1e-9);
     QVERIFY(lengths.arcMm > 0.0 && lengths.rapidMm > 0.0);
-    QVERIFY(makeProgramView(test::brokenProgram(), {}, 7)->points.points.size() >= 2);
+    QVERIFY(overview::makeProgramView(test::brokenProgram(), {}, 7)->points.points.size() >= 2);
   }
 
   /// What text and path show of a job: who executes which line, where the path is interrupted.
   void aJobKnowsItsParts() {
     const auto view = test::jobView();
     QVERIFY(view->isJob());
-    const JobOutline& outline = view->outline;
+    const overview::JobOutline& outline = view->outline;
     QCOMPARE(outline.stretches(), std::size_t{3});
     QCOMPARE(outline.partLines(), (std::vector<std::size_t>{3, 5, 10, 11, 14, 18, 20}));
     QCOMPARE(outline.nativeAt(10)->reason, job::NativeReason::Coolant);
@@ -223,7 +226,7 @@ class TestProgramView : public QObject {
     QVERIFY(made && made->isWhole());
     const auto plan = std::make_shared<const job::Plan>(*std::move(made));
     const std::shared_ptr<const gcode::Program> program(plan, &plan->program);
-    const auto view = makeProgramView(program, {1.0, 2.0, 3.0}, 7, {}, {}, plan);
+    const auto view = overview::makeProgramView(program, {1.0, 2.0, 3.0}, 7, {}, {}, plan);
     QCOMPARE(view->stretchStarts.size(), std::size_t{2});
     const auto& points = view->points.points;
     QVERIFY(points[0].positionMm == (base::Vec3{60.0, 30.0, 5.0}));
@@ -238,7 +241,7 @@ class TestProgramView : public QObject {
     const auto tool = [](const char* text) {
       job::NativeBlock block;
       block.text = text;
-      return toolOf(block);
+      return overview::toolOf(block);
     };
     QCOMPARE(tool("N10 T5 M6"), std::string("5"));
     QCOMPARE(tool("T=\"MILL_10\""), std::string("MILL_10"));
@@ -258,13 +261,13 @@ class TestProgramView : public QObject {
       program->trajectory.points.push_back(point);
     }
     // A loop runs lines 2 to 4 twice.
-    const auto looped = makeProgramView(program, {}, 2);
+    const auto looped = overview::makeProgramView(program, {}, 2);
     QVERIFY(!looped->byLine.empty());
     QCOMPARE(looped->pointsOfLine({3}), (std::vector<std::uint32_t>{2, 5}));
     QCOMPARE(looped->pointsOfLine({9}), (std::vector<std::uint32_t>{7}));
     QVERIFY(looped->pointsOfLine({5}).empty());
     QVERIFY(looped->pointsOfLine({0}).empty());
-    const auto pocket = makeProgramView(test::pocket(), {}, 7);
+    const auto pocket = overview::makeProgramView(test::pocket(), {}, 7);
     QVERIFY(pocket->byLine.empty());
     for (std::size_t i = 0; i < pocket->points.points.size(); i += 97) {
       const auto found = pocket->pointsOfLine(pocket->points.points[i].line);
@@ -274,10 +277,10 @@ class TestProgramView : public QObject {
 
   void workCanBeGivenUp() {
     int asked = 0;
-    QVERIFY(!makeProgramView(test::pocket(), {}, 7, [&](double) { return ++asked < 2; }));
+    QVERIFY(!overview::makeProgramView(test::pocket(), {}, 7, [&](double) { return ++asked < 2; }));
     QCOMPARE(asked, 2);
     double last = 0.0;
-    QVERIFY(makeProgramView(test::pocket(), {}, 7, [&](double share) {
+    QVERIFY(overview::makeProgramView(test::pocket(), {}, 7, [&](double share) {
       const bool grows = share >= last;
       last = share;
       return grows;

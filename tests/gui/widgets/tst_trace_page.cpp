@@ -420,7 +420,7 @@ class TestTracePage : public QObject {
     QTest::mouseClick(page.findChild<QPushButton*>("tracePath3D"), Qt::LeftButton);
     page.redrawNow();
     path->setFocus();
-    const Projection::Angles first = path->angles();
+    const overview::Projection::Angles first = path->angles();
     QTest::keyClick(path, Qt::Key_Left);
     QCOMPARE(path->angles().turnDeg, first.turnDeg + 5.0);
     QTest::keyClick(path, Qt::Key_Home);
@@ -456,7 +456,7 @@ class TestTracePage : public QObject {
     page.redrawNow();
     QVERIFY(base::distance(*path->shownMm(0.49), {5.0, 0.0, 1.0}) < 1e-3);
     QTest::mouseClick(page.findChild<QPushButton*>("tracePathTop"), Qt::LeftButton);
-    QVERIFY(path->angles() == Projection::Angles{});
+    QVERIFY(path->angles() == overview::Projection::Angles{});
   }
 
   void asksWhatColumnsMean() {

@@ -1,4 +1,0 @@
-// SPDX-FileCopyrightText: 2026 The Rivulet authors
-// SPDX-License-Identifier: GPL-3.0-or-later
-
-#include "experiments/experiment.h"

@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "forecast/job_forecast.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "forecast/path_time.h"
+#include "gcode/trajectory.h"
+#include "job/main_program.h"
+#include "machine/dry_run.h"
+#include "streaming/methods/pause_placement.h"
+#include "streaming/run/whole_job.h"
+
+namespace rivulet::forecast {
+
+namespace {
+
+/// What the client's requests take at both ends of a stretch, on average, with the access times of
+/// [P1]: checks and the first windows before its motion, and the end of the program after it.
+/// Measured on the virtual machine: 11 stretches, methods window and credit.
+constexpr base::Duration kStretchEnds = std::chrono::milliseconds{700};
+/// The same between control and client, until the next native block or stretch begins.
+constexpr base::Duration kHandover = std::chrono::milliseconds{300};
+
+/// Alarms of the language: a name, a program or a value that only the control may know.
+bool isOfLanguage(int alarm) {
+  constexpr int kSubprogramMissing = 14011;
+  return (alarm >= 12000 && alarm < 13000) || alarm == kSubprogramMissing;
+}
+
+/// Without the line of the outline at its beginning.
+std::string withoutLine(const std::string& text) {
+  const std::size_t colon = text.find(": ");
+  return text.starts_with("Line ") && colon != std::string::npos ? text.substr(colon + 2) : text;
+}
+
+std::vector<const job::NativeBlock*> nativesOf(const job::Plan& plan) {
+  std::vector<const job::NativeBlock*> natives;
+  for (const job::Part& part : plan.parts) {
+    if (const auto* const native = std::get_if<job::NativeBlock>(&part)) {
+      natives.push_back(native);
+    }
+  }
+  return natives;
+}
+
+Hazard hazardOf(const machine::DryFinding& found, const machine::MachineConfig& machine) {
+  Hazard hazard;
+  if (found.travel) {
+    hazard.kind = HazardKind::Travel;
+    hazard.travel = found.travel;
+  } else if (found.speedPerMin > 0.0) {
+    hazard.kind = HazardKind::SpindleSpeed;
+    hazard.value = found.speedPerMin;
+    hazard.limit = machine.spindle->speedPerMinMax;
+  } else if (!found.tool.empty()) {
+    hazard.kind = HazardKind::ToolMissing;
+    hazard.text = found.tool;
+  } else {
+    hazard.kind = isOfLanguage(found.alarm.number) ? HazardKind::NotChecked : HazardKind::Refused;
+    hazard.alarm = found.alarm.number;
+    hazard.text = withoutLine(found.alarm.text);
+  }
+  return hazard;
+}
+
+/// Of several points of a stretch beyond the same limit, the farthest counts.
+bool isFarther(const Hazard& hazard, const Hazard& before) {
+  const auto beyond = [](const machine::BeyondTravel& travel) {
+    return std::max(travel.target - travel.max, travel.min - travel.target);
+  };
+  return beyond(*hazard.travel) > beyond(*before.travel);
+}
+
+void add(std::vector<Hazard>& hazards, Hazard hazard) {
+  const auto same = std::find_if(hazards.begin(), hazards.end(), [&](const Hazard& before) {
+    return hazard.travel && hazard.stretch > 0 && before.stretch == hazard.stretch &&
+           before.travel && before.travel->axis == hazard.travel->axis &&
+           (before.travel->target > before.travel->max) ==
+               (hazard.travel->target > hazard.travel->max);
+  });
+  if (same == hazards.end()) {
+    hazards.push_back(std::move(hazard));
+  } else if (isFarther(hazard, *same)) {
+    *same = std::move(hazard);
+  }
+}
+
+std::string travelText(const machine::BeyondTravel& travel) {
+  const char* const unit = travel.isRotary() ? "°" : " mm";
+  const double limit = travel.target > travel.max ? travel.max : travel.min;
+  return fmt::format(
+      "{} would go to {:.3f}{} in machine coordinates, {:.3f}{} beyond its limit of "
+      "{:g}{}. Move the workpiece or change the work offset.",
+      travel.axis, travel.target, unit, std::abs(travel.target - limit), unit, limit, unit);
+}
+
+std::string whatOf(const Hazard& hazard) {
+  switch (hazard.kind) {
+    case HazardKind::Travel:
+      return travelText(*hazard.travel);
+    case HazardKind::SpindleSpeed:
+      return fmt::format(
+          "S{:g} is {:g} 1/min more than the spindle can turn; the control reduces "
+          "it to {:g} 1/min.",
+          hazard.value, hazard.value - hazard.limit, hazard.limit);
+    case HazardKind::ToolMissing:
+      return fmt::format(
+          "tool {} is not in the tool table of the machine. Enter it there, or "
+          "choose another tool.",
+          hazard.text);
+    case HazardKind::Refused:
+      return fmt::format("the machine would stop with alarm {}: {}", hazard.alarm, hazard.text);
+    case HazardKind::NotChecked:
+      return fmt::format(
+          "from here on the job cannot be checked, because only the control knows "
+          "what this block does: {}",
+          hazard.text);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view hazardName(HazardKind kind) {
+  static constexpr std::array<std::string_view, 5> kNames{"travel", "spindle-speed", "tool-missing",
+                                                          "refused", "not-checked"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string describe(const Hazard& hazard) {
+  const std::string place = hazard.file.empty()
+                                ? fmt::format("Line {}", hazard.line.value)
+                                : fmt::format("{}, line {}", hazard.file, hazard.line.value);
+  return fmt::format("{}{}: {}", place,
+                     hazard.stretch > 0 ? fmt::format(" (stretch {})", hazard.stretch) : "",
+                     whatOf(hazard));
+}
+
+std::vector<Hazard> hazardsOf(const job::Plan& plan, const machine::MachineConfig& machine,
+                              const HazardOptions& options) {
+  const job::Outline outline = job::outlineOf(plan);
+  const std::vector<const job::NativeBlock*> natives = nativesOf(plan);
+  std::vector<Hazard> hazards;
+  for (const machine::DryFinding& found :
+       machine::dryRun(machine, outline.text, {options.start, {}}).findings) {
+    const job::OutlineLine& from = outline.lines[found.line.value - 1];
+    Hazard hazard = hazardOf(found, machine);
+    hazard.line = from.line;
+    hazard.stretch = from.stretch;
+    if (from.native > 0) {
+      hazard.file = natives[static_cast<std::size_t>(from.native) - 1]->file;
+    }
+    add(hazards, std::move(hazard));
+  }
+  return hazards;
+}
+
+base::Result<void> requireNoHazard(const job::Plan& plan, const std::vector<Hazard>& hazards) {
+  const auto stops = [](const Hazard& hazard) { return hazard.stops(); };
+  const auto first = std::find_if(hazards.begin(), hazards.end(), stops);
+  if (first == hazards.end()) {
+    return {};
+  }
+  const auto count = std::count_if(hazards.begin(), hazards.end(), stops);
+  return base::fail(
+      job::JobError::BeyondMachine,
+      describe(*first) + (count > 1 ? fmt::format(" ({} more of this kind.)", count - 1) : ""),
+      plan.program.name);
+}
+
+namespace {
+
+/// Times of stretches and native blocks.
+class Forecaster {
+ public:
+  Forecaster(const job::Plan& plan, const machine::MachineConfig& machine,
+             const streaming::RunSettings& settings, const HazardOptions& options)
+      : m_plan(plan), m_machine(machine), m_settings(settings) {
+    const job::Outline outline = job::outlineOf(plan);
+    const auto isNative = [&outline](base::LineNumber line) {
+      return outline.lines[line.value - 1].native > 0;
+    };
+    const machine::DryRun run = machine::dryRun(machine, outline.text, {options.start, isNative});
+    for (const machine::DryMotion& motion : run.motions) {
+      m_starts.try_emplace(outline.lines[motion.line.value - 1].stretch, motion.from);
+    }
+    for (const machine::DryTime& time : run.times) {
+      m_nativeTimes[outline.lines[time.line.value - 1].native] += time.duration;
+    }
+  }
+
+  JobForecast forecast() {
+    int native = 0;
+    for (std::size_t part = 0; part < m_plan.parts.size(); ++part) {
+      streaming::JobTimes times;
+      if (const auto* const block = std::get_if<job::NativeBlock>(&m_plan.parts[part])) {
+        const bool isTool = block->reason == job::NativeReason::Tool;
+        (isTool ? times.toolChange : times.native) = m_nativeTimes[++native];
+      } else if (const auto& stretch = std::get<job::Stretch>(m_plan.parts[part]);
+                 stretch.number > 0) {
+        times = timesOf(stretch);
+      } else {
+        continue;
+      }
+      m_forecast.times += times;
+      m_forecast.parts.push_back({part, times});
+    }
+    return std::move(m_forecast);
+  }
+
+ private:
+  streaming::JobTimes timesOf(const job::Stretch& stretch) {
+    const gcode::Program program = streaming::programOf(m_plan, stretch);
+    const auto start = m_starts.find(stretch.number);
+    const base::AxisPosition from =
+        start != m_starts.end() ? start->second : base::AxisPosition{};  // not checked so far
+    const auto points =
+        gcode::streamPoints(program.trajectory, from.mm, from.deg,
+                            m_settings.programFeeds ? &*m_settings.programFeeds : nullptr)
+            .points;
+    streaming::JobTimes times;
+    times.handover = kHandover;
+    if (points.empty()) {
+      return times;
+    }
+    const std::vector<streaming::PlannedPause> pauses =
+        streaming::plannedPauses(points, m_settings.parameters.method,
+                                 static_cast<std::size_t>(m_settings.parameters.pointsPerLoop),
+                                 streaming::windowCut(m_settings));
+    PathTimeOptions options;
+    options.feedMmPerS = m_settings.programFeeds ? 0.0 : m_settings.feedMmPerS;
+    options.programFeeds = m_settings.programFeeds;
+    options.pauseS = base::toSeconds(m_machine.standstillMean);
+    for (const streaming::PlannedPause& pause : pauses) {
+      options.pausesBehind.push_back(pause.point);
+    }
+    const PathTime path = *pathTime(program.trajectory, from.mm, m_machine, options);
+    times.streamed = kStretchEnds + base::fromSeconds(path.totalS - path.standingS);
+    times.pauses = base::fromSeconds(path.standingS);
+    return times;
+  }
+
+  const job::Plan& m_plan;
+  const machine::MachineConfig& m_machine;
+  const streaming::RunSettings& m_settings;
+  std::map<int, base::Duration> m_nativeTimes;  ///< by number of the block
+  std::map<int, base::AxisPosition> m_starts;   ///< of stretches, workpiece frame, by number
+  JobForecast m_forecast;
+};
+
+}  // namespace
+
+JobForecast forecast(const job::Plan& plan, const machine::MachineConfig& machine,
+                     const streaming::RunSettings& settings, const HazardOptions& options) {
+  return Forecaster(plan, machine, settings, options).forecast();
+}
+
+}  // namespace rivulet::forecast

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// A job that begins in the middle, like a block search with calculation: the state that the
+/// program has there is computed, and re-established before anything else. @threadsafety pure.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "job/plan.h"
+#include "machine/config.h"
+#include "streaming/recovery/job_resume.h"
+
+namespace rivulet::forecast {
+
+struct Restart {
+  job::Plan plan;  ///< re-establishes the state, then goes on with the part
+  /// What is done first, one NC text each, in order: shown to the operator, who confirms.
+  std::vector<std::string> steps;
+  /// Blocks before the part whose effect cannot be computed, as "line 5: M123".
+  std::vector<std::string> notRestored;
+};
+
+/// Zero of the workpiece frame when the part begins, with work offset and tool length.
+/// @return CannotResume: a block before it does what only the control knows
+[[nodiscard]] base::Result<base::Vec3> zeroAt(const job::Plan& plan,
+                                              const machine::MachineConfig& machine,
+                                              std::size_t part);
+
+/// The work offset is set, and the tool rises to the greatest height of the program's points,
+/// unless it is above, and so does the tool of the program when it is in; dynamics, spindle and
+/// coolant are set; the tool goes over the place where the part begins, and down to it.
+/// @return CannotResume, see `zeroAt`  @pre plan.isWhole(); rest.part is a part
+[[nodiscard]] base::Result<Restart> restartAt(const job::Plan& plan,
+                                              const machine::MachineConfig& machine,
+                                              const streaming::JobRest& rest);
+
+/// From the beginning of a stretch.
+/// @return CannotResume if there is no such stretch, or it is not known where the tool stands
+///         before it; or as `zeroAt`
+[[nodiscard]] base::Result<Restart> restartAtStretch(const job::Plan& plan,
+                                                     const machine::MachineConfig& machine,
+                                                     int stretch);
+
+}  // namespace rivulet::forecast

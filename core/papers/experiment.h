@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The result of an experiment on the virtual machine: figures of [P1] and ours, tables and plots.
+/// All experiments have this form, so that one function each writes text, JSON, CSV, SVG and the
+/// report. @threadsafety plain values.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace rivulet::papers {
+
+/// One figure, its reference, and the range in which it must be.
+struct Check {
+  std::string what;    ///< "read, 20 parameters in a list, average"
+  std::string unit;    ///< "ms"; empty for a count or ratio
+  std::string source;  ///< "[P1] Table I"
+  double reference = std::numeric_limits<double>::quiet_NaN();  ///< not a number: none is given
+  double ours = 0.0;
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool passed() const { return ours >= lowest && ours <= highest; }
+  /// ours / reference - 1; not a number without a reference or with reference 0.
+  [[nodiscard]] double deviation() const {
+    return reference == 0.0 ? std::numeric_limits<double>::quiet_NaN() : ours / reference - 1.0;
+  }
+};
+
+/// Cells are text as printed: numbers locale-free, "" for none.
+struct Table {
+  std::string title;
+  std::vector<std::string> columns;  ///< with units: "d_min (mm)"
+  std::vector<std::vector<std::string>> rows;
+};
+
+enum class SeriesStyle {
+  Line,
+  Points,
+  Steps,  ///< holds each value until the next
+  Band,   ///< between `y` and `yUpper`
+};
+
+struct Series {
+  std::string name;
+  SeriesStyle style = SeriesStyle::Line;
+  bool fromPaper = false;  ///< drawn so that it differs from ours even without colour
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<double> yUpper;  ///< Band only
+};
+
+struct Plot {
+  std::string title;
+  std::string xLabel;  ///< with unit
+  std::string yLabel;
+  std::vector<Series> series;
+};
+
+struct Experiment {
+  std::string name;   ///< "table1"
+  std::string title;  ///< one line
+  std::string setup;  ///< what was run: contour, feeds, seeds; sentences
+  std::vector<Check> checks;
+  std::vector<Table> tables;
+  std::vector<Plot> plots;
+  std::vector<std::string> notes;  ///< what a reader must know to judge the figures
+
+  [[nodiscard]] bool passed() const {
+    for (const Check& check : checks) {
+      if (!check.passed()) {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+}  // namespace rivulet::papers

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The emulator of [P2] as published, learned from recordings of the designs G1, G2 and G3: each
+/// figure and table of the paper's section 3 with ours beside it. @threadsafety blocks its caller;
+/// emulator runs go to the caller's executor.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "base/executor.h"
+#include "base/result.h"
+#include "emulator/paper/genetic.h"
+#include "papers/experiment.h"
+
+namespace rivulet::papers {
+
+struct PublishedEmulatorOptions {
+  emulator::paper::GeneticSettings genetic{};
+  /// Generations of the second learning, which varies the ten most important parameters only.
+  int generationsOfTen = 25;
+  /// Share done, 0 to 1; false stops.
+  std::function<bool(double)> progress{};
+};
+
+/// Set points are planned from the programs, as the paper's are; actual positions and speeds are
+/// those that an OPC UA client saw.
+/// @param folder  with `programs`, `data` and `data/opcua` (see recorded_run.h)
+/// @return RecordedRunError, EmulatorError
+[[nodiscard]] base::Result<Experiment> runPublishedEmulator(
+    const std::filesystem::path& folder, base::Executor& executor,
+    const PublishedEmulatorOptions& options);
+
+}  // namespace rivulet::papers

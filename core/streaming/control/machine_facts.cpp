@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/control/machine_facts.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "streaming/run/run.h"
+
+namespace rivulet::streaming {
+
+std::error_code make_error_code(MachineFileError code) {
+  static const base::NamedCategory category("machine file");
+  return {static_cast<int>(code), category};
+}
+
+std::string versionText(const opcua::ServerIdentity& server) {
+  const std::string text =
+      fmt::format("{} {} {}", server.productName, server.softwareVersion, server.buildNumber);
+  const std::size_t last = text.find_last_not_of(' ');
+  return last == std::string::npos ? "a server without a name" : text.substr(0, last + 1);
+}
+
+base::Result<void> requireCreditTest(const std::optional<CreditTest>& test,
+                                     const std::string& endpoint,
+                                     const opcua::ServerIdentity& now) {
+  const auto refuse = [&endpoint](const std::string& why) {
+    return base::fail(
+        StreamError::NotCommissioned,
+        fmt::format("Method credit is experimental and starts only on a control that has passed "
+                    "its test. {} Run rivulet-cli commission --endpoint {}, or choose method "
+                    "window.",
+                    why, endpoint));
+  };
+  if (!test) {
+    return refuse("This control has not been tested.");
+  }
+  if (!(test->server == now)) {
+    return refuse(fmt::format("The test was made with {}; now it is {}.", versionText(test->server),
+                              versionText(now)));
+  }
+  if (!test->result.passed()) {
+    return refuse(fmt::format("This control failed the test on {}.", test->testedAtUtc));
+  }
+  return {};
+}
+
+}  // namespace rivulet::streaming

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/methods/pause_placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numbers>
+#include <utility>
+
+#include "base/contract.h"
+#include "streaming/methods/method.h"
+
+namespace rivulet::streaming {
+
+namespace {
+
+/// A corner of just this angle must not depend on the last digit.
+constexpr double kRounding = 1e-9;
+/// A move counts as straight up along Z if its sideways motion is no more than this.
+constexpr double kAsideMm = 1e-6;
+
+bool turns(base::Vec3 before, base::Vec3 at, base::Vec3 after) {
+  const base::Vec3 in = at - before;
+  const base::Vec3 out = after - at;
+  const double cosine = std::cos(kCornerDegrees * std::numbers::pi / 180.0);
+  return base::dot(in, out) <= (cosine + kRounding) * base::norm(in) * base::norm(out);
+}
+
+bool retracts(const gcode::StreamPoint& before, const gcode::StreamPoint& at) {
+  // Where a rotary axis is turned, up along Z need not be along the tool.
+  const base::RotaryDeg upright{};
+  const base::Vec3 way = at.positionMm - before.positionMm;
+  return way.z > 0.0 && std::hypot(way.x, way.y) <= kAsideMm && before.rotaryDeg == upright &&
+         at.rotaryDeg == upright;
+}
+
+/// Point i has another feed than its predecessor. @param i > 0
+bool changesFeed(std::span<const gcode::StreamPoint> points, std::size_t i) {
+  return points[i].feedMmPerS != points[i - 1].feedMmPerS;
+}
+
+}  // namespace
+
+std::vector<bool> harmlessPauses(std::span<const gcode::StreamPoint> points) {
+  std::vector<bool> harmless(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool isLast = i + 1 == points.size();
+    harmless[i] = isLast || points[i].kind == gcode::MoveKind::Rapid ||
+                  (i > 0 && (retracts(points[i - 1], points[i]) ||
+                             turns(points[i - 1].positionMm, points[i].positionMm,
+                                   points[i + 1].positionMm)));
+  }
+  return harmless;
+}
+
+PausePlacement placePauses(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
+                           bool feedPerPoint) {
+  RIVULET_ASSERT(!points.empty() && pointsPerWindow >= 1);
+  const std::vector<bool> harmless = harmlessPauses(points);
+  struct Best {
+    std::size_t inCut = 0;
+    std::size_t windows = 0;
+    std::size_t begin = 0;  ///< of the last window
+  };
+  // best[n]: of the first n points, cut after the last of them.
+  std::vector<Best> best(points.size() + 1);
+  const auto cost = [&best](std::size_t n) { return std::pair(best[n].inCut, best[n].windows); };
+  // Candidates for the beginning of the next window: the cheapest comes first, then only more
+  // expensive ones, for the time when the first is too far back.
+  std::deque<std::size_t> begins{0};
+  for (std::size_t end = 1; end <= points.size(); ++end) {
+    if (begins.front() + pointsPerWindow < end) {
+      begins.pop_front();
+    }
+    const std::size_t begin = begins.front();
+    best[end] = {best[begin].inCut + (harmless[end - 1] ? 0U : 1U), best[begin].windows + 1, begin};
+    const bool mustEnd = !feedPerPoint && end < points.size() && changesFeed(points, end);
+    while (!begins.empty() && (mustEnd || cost(begins.back()) > cost(end))) {
+      begins.pop_back();
+    }
+    begins.push_back(end);
+  }
+  PausePlacement placement;
+  placement.inCut = best.back().inCut;
+  for (std::size_t end = points.size(); end > 0; end = best[end].begin) {
+    placement.begins.push_back(best[end].begin);
+  }
+  std::reverse(placement.begins.begin(), placement.begins.end());
+  return placement;
+}
+
+PausePlacement evenPauses(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
+                          bool feedPerPoint) {
+  RIVULET_ASSERT(!points.empty() && pointsPerWindow >= 1);
+  const std::vector<bool> harmless = harmlessPauses(points);
+  PausePlacement placement;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool mustEnd = i > 0 && !feedPerPoint && changesFeed(points, i);
+    if (i == 0 || mustEnd || i == begin + pointsPerWindow) {
+      begin = i;
+      placement.begins.push_back(begin);
+      placement.inCut += begin > 0 && !harmless[begin - 1] ? 1U : 0U;
+    }
+  }
+  return placement;
+}
+
+PausePlacement cutWindows(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
+                          WindowCut cut) {
+  return cut.place ? placePauses(points, pointsPerWindow, cut.feedPerPoint)
+                   : evenPauses(points, pointsPerWindow, cut.feedPerPoint);
+}
+
+std::vector<PlannedPause> plannedPauses(std::span<const gcode::StreamPoint> points,
+                                        base::MethodKind method, std::size_t pointsPerLoop,
+                                        WindowCut cut) {
+  RIVULET_ASSERT(!points.empty() && pointsPerLoop >= 1);
+  const std::vector<bool> harmless = harmlessPauses(points);
+  std::vector<PlannedPause> pauses;
+  for (const std::size_t next : methodType(method).pausesBefore(points, pointsPerLoop, cut)) {
+    if (next > 0 && next < points.size()) {
+      pauses.push_back({static_cast<std::uint32_t>(next - 1), !harmless[next - 1]});
+    }
+  }
+  return pauses;
+}
+
+std::size_t pausesInCut(std::span<const PlannedPause> pauses) {
+  return static_cast<std::size_t>(std::count_if(
+      pauses.begin(), pauses.end(), [](const PlannedPause& pause) { return pause.inCut; }));
+}
+
+}  // namespace rivulet::streaming

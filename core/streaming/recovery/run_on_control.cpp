@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/recovery/run_on_control.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "base/text.h"
+#include "opcua/await.h"
+#include "templates/generator.h"
+
+namespace rivulet::streaming {
+
+namespace {
+
+using base::Duration;
+using base::Instant;
+using base::Result;
+using opcua::Variable;
+using opcua::VariableKind;
+using templates::WindowProtocol;
+
+constexpr Duration kDeadline = kSetupDeadline;
+constexpr Duration kRunPoll = std::chrono::milliseconds{100};
+constexpr std::size_t kLabelFieldMax = 60;
+
+Variable cell(int baseCell, WindowProtocol::Header place) {
+  return opcua::rParameter(baseCell + place);
+}
+
+/// Whole numbers only: another program may have left anything in the cells.
+std::size_t countOf(double number) {
+  constexpr double kCountMax = 1e9;
+  return number >= 0.0 && number <= kCountMax ? static_cast<std::size_t>(number) : 0;
+}
+
+/// Letters that cannot end a comment or a block of an NC program.
+std::string labelField(std::string_view text) {
+  std::string field(text.substr(0, kLabelFieldMax));
+  std::replace_if(
+      field.begin(), field.end(), [](char c) { return c < ' ' || c > '~' || c == '@'; }, '_');
+  return field.empty() ? "-" : field;
+}
+
+/// The rest of the line that begins with `begin`.
+std::optional<std::string> lineAfter(std::string_view text, std::string_view begin) {
+  const std::size_t at = text.find(begin);
+  if (at == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const std::string_view rest = text.substr(at + begin.size());
+  return std::string(base::trim(rest.substr(0, rest.find('\n'))));
+}
+
+}  // namespace
+
+std::string runLabelName(int baseCell) {
+  return fmt::format("RIVULET_RUN_{}.SPF", baseCell);
+}
+
+std::string runLabelText(int number, const RunOrigin& origin) {
+  return fmt::format(
+      "; RIVULET RUN {}\n; user: {}\n; computer: {}\n; started: {}\n; Says who started the run. "
+      "It is never called.\nM17\n",
+      number, labelField(origin.user), labelField(origin.computer),
+      labelField(origin.startedAtUtc));
+}
+
+std::optional<RunOrigin> runLabelOf(std::string_view text, int number) {
+  const auto run = lineAfter(text, "; RIVULET RUN ");
+  const auto user = lineAfter(text, "; user: ");
+  const auto computer = lineAfter(text, "; computer: ");
+  const auto started = lineAfter(text, "; started: ");
+  if (!run || *run != std::to_string(number) || !user || !computer || !started) {
+    return std::nullopt;
+  }
+  return RunOrigin{*user, *computer, *started};
+}
+
+std::string describeOrigin(int number, const std::optional<RunOrigin>& origin) {
+  return origin ? fmt::format("{}, {}, {} (run {})", origin->user, origin->computer,
+                              origin->startedAtUtc, number)
+                : fmt::format("(run {})", number);
+}
+
+int runNumberOf(double cell) {
+  return static_cast<int>(countOf(cell));
+}
+
+Result<void> storeRunLabel(opcua::Control& control, int baseCell, int number,
+                           const RunOrigin& origin) {
+  return control.uploadProgram(runLabelName(baseCell), runLabelText(number, origin), true);
+}
+
+Result<std::optional<RunOnControl>> RunWatch::look(opcua::Link& link, opcua::Control& control,
+                                                   int baseCell) {
+  const std::array<Variable, 2> channel{
+      {{VariableKind::ChannelStatus, 0}, {VariableKind::ProgramName, 0}}};
+  const auto shown = opcua::readNow(link, channel, kDeadline);
+  if (!shown) {
+    return base::fail(shown.error());
+  }
+  const std::optional<int> first = (*shown)[1].status
+                                       ? std::optional(baseCell)
+                                       : templates::baseCellOf((*shown)[1].text, baseCell);
+  if ((*shown)[0].status || (*shown)[0].number == opcua::kChannelReset || !first) {
+    *this = {};
+    return std::nullopt;
+  }
+  RunOnControl run;
+  run.programName = (*shown)[1].text;
+  run.baseCell = *first;
+  const std::array<Variable, 6> header{
+      cell(*first, WindowProtocol::Delivered), cell(*first, WindowProtocol::Latched),
+      cell(*first, WindowProtocol::Executed),  cell(*first, WindowProtocol::State),
+      cell(*first, WindowProtocol::Owner),     cell(*first, WindowProtocol::Heartbeat)};
+  const auto numbers = opcua::readNumbers(link, header, kDeadline);
+  if (!numbers) {
+    return base::fail(numbers.error());
+  }
+  run.delivered = countOf((*numbers)[0]);
+  run.latched = countOf((*numbers)[1]);
+  run.executed = countOf((*numbers)[2]);
+  run.state = static_cast<templates::WindowState>(countOf((*numbers)[3]));
+  run.number = runNumberOf((*numbers)[4]);
+  run.heartbeat = (*numbers)[5];
+  const bool isSame = m_last && m_last->number == run.number && m_last->baseCell == run.baseCell;
+  if (isSame) {
+    run.origin = m_last->origin;
+  } else if (run.number != 0) {
+    const Result<std::string> label = control.downloadProgram(runLabelName(*first));
+    run.origin = label ? runLabelOf(*label, run.number) : std::nullopt;
+  }
+  takeHeartbeat(run, link.now());
+  m_last = run;
+  return run;
+}
+
+void RunWatch::takeHeartbeat(RunOnControl& run, Instant now) {
+  const bool isSame = m_last && m_last->number == run.number && m_last->baseCell == run.baseCell;
+  if (!isSame || m_last->heartbeat != run.heartbeat) {
+    m_hasBeaten = isSame;
+    m_since = now;
+  }
+  const bool isSilent = now - m_since >= kHeartbeatWatch;
+  run.hasClient = m_hasBeaten && !isSilent;
+  m_isClientKnown = m_hasBeaten || isSilent;
+}
+
+Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& control,
+                                            int baseCell, Duration watchFor) {
+  RunWatch watch;
+  const Instant until = link.now() + watchFor;
+  for (;;) {
+    Result<std::optional<RunOnControl>> found = watch.look(link, control, baseCell);
+    if (!found || !*found || (*found)->hasClient || link.now() >= until) {
+      return found;
+    }
+    if (Result<void> slept = opcua::sleepUntil(link, std::min(until, link.now() + kRunPoll));
+        !slept) {
+      return base::fail(slept.error());
+    }
+  }
+}
+
+Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunSettings& settings) {
+  std::vector<Variable> watched{{VariableKind::ChannelStatus, 0}};
+  watched.insert(watched.end(), command.identity.begin(), command.identity.end());
+  const Instant until = link.now() + settings.stopDeadline;
+  for (bool told = false;; told = true) {
+    const auto numbers = opcua::readNumbers(link, watched, settings.setupDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
+    }
+    if ((*numbers)[0] == opcua::kChannelReset) {
+      return {};
+    }
+    if (!command.isMeant(std::span(*numbers).subspan(1))) {
+      return base::fail(StreamError::ChannelBusy, std::string(command.isAnother));
+    }
+    if (link.now() >= until) {
+      return base::fail(StreamError::StopNotConfirmed, std::string(command.doesNotEnd));
+    }
+    if (command.goesOn && !command.goesOn()) {
+      return base::fail(StreamError::Cancelled, "The end of the program was not awaited.");
+    }
+    if (!told) {
+      if (Result<void> done = opcua::writeNow(link, {&command.end, 1}, settings.setupDeadline);
+          !done) {
+        return done;
+      }
+    }
+    if (Result<void> slept = opcua::sleepUntil(link, link.now() + kRunPoll); !slept) {
+      return slept;
+    }
+  }
+}
+
+Result<void> endRun(opcua::Link& link, const RunOnControl& run, const RunSettings& settings,
+                    std::function<bool()> goesOn) {
+  return endProgram(
+      link,
+      {{cell(run.baseCell, WindowProtocol::Run), static_cast<double>(WindowProtocol::kEnd)},
+       {cell(run.baseCell, WindowProtocol::Owner)},
+       [&run](std::span<const double> owner) {
+         return owner[0] == static_cast<double>(run.number);
+       },
+       "Another run has begun on the control. Nothing was changed.",
+       "The program on the control did not end. Reset the control.",
+       std::move(goesOn)},
+      settings);
+}
+
+}  // namespace rivulet::streaming

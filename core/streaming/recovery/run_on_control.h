@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Finds a run on a control, whoever started it: what its program reports in its cells, whether its
+/// client is still there, and who started it. The latter is in a small program next to the flexible
+/// program, because R-parameters hold no text.
+/// Methods window, credit and file. @threadsafety runs on the calling thread.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "opcua/link.h"
+#include "streaming/run/run.h"
+#include "templates/window_protocol.h"
+
+namespace rivulet::streaming {
+
+/// A flexible program that is active on the control.
+struct RunOnControl {
+  std::string programName;    ///< e.g. "RIVULET_WINDOW_7X2.MPF"
+  int baseCell = 0;           ///< R number of its first cell
+  int number = 0;             ///< number of the run it obeys; 0: it waits for the first client
+  std::size_t delivered = 0;  ///< windows
+  std::size_t latched = 0;
+  std::size_t executed = 0;
+  templates::WindowState state = templates::WindowState::Runs;
+  double heartbeat = 0.0;           ///< as it was read last
+  bool hasClient = false;           ///< its heartbeat changed while it was watched
+  std::optional<RunOrigin> origin;  ///< nothing: not named, or not readable
+};
+
+/// How long a heartbeat has to be watched to be sure that the client is gone, if the network is
+/// not very slow.
+inline constexpr base::Duration kHeartbeatWatch = std::chrono::milliseconds{2500};
+
+/// Follows the run on a control by looking again and again: only several looks show whether its
+/// client is still there.
+class RunWatch {
+ public:
+  /// Looks once; nothing is changed on the control. @param baseCell  as for `findRun`
+  /// @return as `findRun`
+  [[nodiscard]] base::Result<std::optional<RunOnControl>> look(opcua::Link& link,
+                                                               opcua::Control& control,
+                                                               int baseCell);
+  /// `hasClient` of the last look is certain: its heartbeat has changed, or has not changed for
+  /// `kHeartbeatWatch`.
+  [[nodiscard]] bool isClientKnown() const { return m_isClientKnown; }
+
+ private:
+  /// Compares with the look before.
+  void takeHeartbeat(RunOnControl& run, base::Instant now);
+
+  std::optional<RunOnControl> m_last;
+  base::Instant m_since{};  ///< the heartbeat has the present value
+  bool m_hasBeaten = false;
+  bool m_isClientKnown = false;
+};
+
+/// Looks for a run. Nothing is changed on the control.
+/// @param baseCell  first cell of the program if its name does not say it
+/// @param watchFor  how long the heartbeat is watched; clients change it once a second. 0: not at
+///                  all, `hasClient` is then false
+/// @return nothing if the channel is in reset or executes a program of somebody else; otherwise a
+///         link error
+[[nodiscard]] base::Result<std::optional<RunOnControl>> findRun(opcua::Link& link,
+                                                                opcua::Control& control,
+                                                                int baseCell,
+                                                                base::Duration watchFor);
+
+/// How a program that waits on the control is told to end.
+struct EndCommand {
+  opcua::Assignment end;
+  std::vector<opcua::Variable> identity;  ///< cells that tell the program from others
+  std::function<bool(std::span<const double>)> isMeant;  ///< by the numbers in these cells
+  std::string_view isAnother;                            ///< sentence if it is not
+  std::string_view doesNotEnd;                           ///< sentence if it goes on
+  std::function<bool()> goesOn = {};  ///< asked while waiting; false: give up. Empty: always true
+};
+
+/// Commands the program to end, unless the channel is in reset, and waits for that.
+/// @return ChannelBusy if it is another program; StopNotConfirmed; Cancelled if `goesOn` gives up;
+///         or a link error
+[[nodiscard]] base::Result<void> endProgram(opcua::Link& link, const EndCommand& command,
+                                            const RunSettings& settings);
+
+/// Commands the program of this run to end, and waits for it. It executes only the windows it has
+/// copied. @param goesOn  see `EndCommand`
+/// @return StopNotConfirmed, ChannelBusy if it obeys another run by now, Cancelled, or a link error
+[[nodiscard]] base::Result<void> endRun(opcua::Link& link, const RunOnControl& run,
+                                        const RunSettings& settings,
+                                        std::function<bool()> goesOn = {});
+
+/// Name on the control of the program that says who started the run with this first cell.
+[[nodiscard]] std::string runLabelName(int baseCell);
+/// Its text: comments, and an end.
+[[nodiscard]] std::string runLabelText(int number, const RunOrigin& origin);
+/// Inverse of `runLabelText`; nothing for another run or another text.
+[[nodiscard]] std::optional<RunOrigin> runLabelOf(std::string_view text, int number);
+
+/// "anna, cell-pc-3, 2026-11-22T05:00:00Z (run 123456)", as far as it is known: few words, because
+/// it is not translated.
+[[nodiscard]] std::string describeOrigin(int number, const std::optional<RunOrigin>& origin);
+
+/// Number of a run in a cell; 0: none.
+[[nodiscard]] int runNumberOf(double cell);
+
+/// Stores the label; to be called while the channel is in reset.
+[[nodiscard]] base::Result<void> storeRunLabel(opcua::Control& control, int baseCell, int number,
+                                               const RunOrigin& origin);
+
+}  // namespace rivulet::streaming

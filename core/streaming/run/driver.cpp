@@ -1,0 +1,774 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/run/driver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "feasibility/client_turn.h"
+#include "streaming/setup/calibration.h"
+
+namespace rivulet::streaming {
+
+namespace {
+
+using base::Duration;
+using base::Instant;
+
+/// Orders of the operator are looked at this often while nothing else happens.
+constexpr Duration kOrderInterval = std::chrono::milliseconds{20};
+/// A live source is looked at this often.
+constexpr Duration kSourceInterval = std::chrono::milliseconds{4};
+/// The display gets at most this many samples a second.
+constexpr Duration kDisplayInterval = std::chrono::milliseconds{33};
+constexpr Duration kStatusInterval = std::chrono::milliseconds{200};
+/// Reading the status takes one part in this many of the time at most.
+constexpr int kStatusShare = 4;
+/// Answers that come late make the deadlines up to this many times as long.
+constexpr int kPatienceMax = 4;
+/// Answers with a refused item in a row that are taken for faults of the transmission.
+constexpr int kRefusalsMax = 2;
+/// From this much silence on the network is said to be interrupted.
+constexpr Duration kSilenceNoticed = std::chrono::seconds{3};
+/// Accesses that take this many times their estimate slow the run.
+constexpr double kSlowFactor = 5.0;
+constexpr Duration kSlowAccess = std::chrono::milliseconds{50};
+/// A single one is enough from here on.
+constexpr Duration kHungAccess = std::chrono::milliseconds{500};
+/// Counters without a sample reach the display this often.
+constexpr Duration kPublishInterval = std::chrono::milliseconds{40};
+/// An inferred pause gives way to a measured one that comes within this time.
+constexpr Duration kInferredSettles = std::chrono::milliseconds{200};
+/// A correction that the control confirms is noted this often at most.
+constexpr Duration kNoteInterval = std::chrono::seconds{1};
+/// A display read may take this many times its estimate before the method is due.
+constexpr int kSlackFactor = 2;
+
+/// Where the stream leaves no time, the control's trace is fetched this late: before a piece is
+/// full.
+constexpr Duration kTraceOverdue = std::chrono::seconds{8};
+/// Variables that can be read in the time of a piece of the trace.
+constexpr int kTraceNodes = 3;
+
+/// Files travel more slowly than variables.
+constexpr Duration kStoreDeadline = std::chrono::seconds{10};
+
+}  // namespace
+
+Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
+               RunSink& sink, std::size_t total, const templates::CellMap& cells)
+    : m_link(link),
+      m_method(method),
+      m_settings(settings),
+      m_orders(orders),
+      m_sink(sink),
+      m_correction(cells, settings.parameters) {
+  m_counters.total = total;
+  m_stop = {opcua::rParameter(cells.endCell), static_cast<double>(cells.endValue)};
+  // Where the method reads the axes itself, only the feed is missing on the display.
+  if (!method.readsPosition()) {
+    for (int axis = 0; axis < static_cast<int>(base::kAxisCount); ++axis) {
+      m_display.push_back({opcua::VariableKind::ActualPosition, axis});
+    }
+  }
+  m_display.push_back({opcua::VariableKind::PathFeed, 0});
+  m_status.push_back({opcua::VariableKind::ChannelStatus, 0});
+  m_status.push_back({opcua::VariableKind::Alarm, 0});
+  if (settings.calibration) {
+    const int nodes = templates::longestWrite(settings.parameters);
+    m_calibratedTail = settings.calibration->tail(true, settings.grouping, nodes);
+    if (!m_calibratedTail) {
+      // A form that was not measured: lists always are.
+      m_calibratedTail = settings.calibration->tail(true, opcua::Grouping::List, nodes);
+    }
+  }
+}
+
+void Driver::watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf) {
+  if (m_display.size() <= base::kAxisCount) {
+    return;  // a method that reads the axes itself
+  }
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    if (axisOf[axis] >= 0) {
+      m_displayRotary.push_back(axis);
+      m_display.insert(m_display.end() - 1, {opcua::VariableKind::ActualPosition, axisOf[axis]});
+    }
+  }
+}
+
+StreamEnd Driver::run() {
+  m_turnedAt = m_link.now();
+  m_shownAt = m_link.now();
+  m_nextTrace = m_link.now() + kTraceInterval;
+  while (!m_done) {
+    readSource();
+    checkOrders();
+    if (m_abandonedAt) {
+      submitStop();
+    }
+    submitTrace();
+    submitMonitor();
+    if (!m_abandonedAt) {
+      submitMethod();
+    }
+    const std::optional<opcua::Event> event = m_link.wait(nextWakeUp());
+    noticeOwnSilence();
+    if (event && !m_done) {
+      handle(*event);
+    }
+    noticeSilence();
+    settleInferred(false);
+    checkDeadlines();
+    if (m_link.now() - m_lastPublished >= kPublishInterval) {
+      publish();
+    }
+  }
+  settleInferred(true);
+  noteCorrection(true);
+  noticeSlowness();
+  publish();
+  return m_end;
+}
+
+Instant Driver::nextWakeUp() const {
+  const Instant now = m_link.now();
+  Instant until = now + (m_source != nullptr ? kSourceInterval : kOrderInterval);
+  if (m_methodPending || m_monitorPending) {
+    return until;
+  }
+  for (const std::optional<Instant> due :
+       {std::optional(m_nextStatus), m_method.progress().expected.deadline(Expectation::Poll)}) {
+    if (due && *due > now) {
+      until = std::min(until, *due);
+    }
+  }
+  return until;
+}
+
+/// A turn takes milliseconds, unless this computer did nothing: it was suspended, or too busy. The
+/// control has been waiting meanwhile, and somebody may stand in the machine.
+void Driver::noticeOwnSilence() {
+  const Duration turn = m_link.now() - m_turnedAt;
+  m_turnedAt = m_link.now();
+  if (turn > opcua::kSilenceMax) {
+    loseConnection(base::makeError(
+        opcua::LinkError::ConnectionLost,
+        fmt::format("This computer did nothing for {:.0f} s: it was suspended, or too busy to run "
+                    "Rivulet. Keep it from sleeping while a program runs.",
+                    base::toSeconds(turn))));
+  }
+}
+
+void Driver::loseConnection(base::Error error) {
+  m_end.error = std::move(error);
+  m_end.error.message += " " + std::string(m_method.adviceWhenLost());
+  m_done = true;
+}
+
+void Driver::noticeSilence() {
+  const Duration silence = m_link.silence();
+  if (m_done || m_isSilent == (silence >= kSilenceNoticed)) {
+    return;
+  }
+  m_isSilent = !m_isSilent;
+  m_sink.note({m_link.now(), m_isSilent ? fmt::format("network: nothing has come from the control "
+                                                      "for {:.0f} s",
+                                                      base::toSeconds(kSilenceNoticed))
+                                        : std::string("network: the control answers again")});
+  publish();
+}
+
+/// Every access slow: network or server. Some of them: somebody else is served in between.
+void Driver::noticeSlowness() {
+  if (!m_end.slowedBy.empty() || !m_slowness.isFull()) {
+    return;
+  }
+  const double slowness = m_slowness.quantile(900);
+  const Duration least = m_lastAccesses.quantile(1);
+  const Duration most = m_lastAccesses.quantile(1000);
+  const bool isSlow = slowness >= kSlowFactor && most >= kSlowAccess;
+  const bool hasHung = m_slowness.quantile(1000) >= kSlowFactor && most >= kHungAccess;
+  if (!isSlow && !hasHung) {
+    return;
+  }
+  m_end.slowedBy = fmt::format(
+      "The control answered slowly: accesses took up to {:.2f} s, {:.0f} times as long as "
+      "expected. {}",
+      base::toSeconds(most), m_slowness.quantile(1000),
+      least >= kSlowAccess
+          ? fmt::format("Each took at least {:.2f} s: the network is slow, or the server is busy "
+                        "with another OPC UA client.",
+                        base::toSeconds(least))
+          : "Others were fast: another OPC UA client keeps the server busy at times, or the "
+            "network stalls.");
+  m_sink.note({m_link.now(), "slowed: " + m_end.slowedBy});
+}
+
+RunState Driver::state() const {
+  if (m_stopWantedAt) {
+    return RunState::Stopping;
+  }
+  return m_holding ? RunState::Holding : RunState::Running;
+}
+
+void Driver::readSource() {
+  if (m_source != nullptr && !m_stopWantedAt && !m_abandonedAt) {
+    m_source->turn(m_link.now());
+    m_counters.total = m_source->accepted();
+  }
+}
+
+void Driver::checkOrders() {
+  const bool isOrdered = m_orders.holdRequested(m_link.now());
+  m_sourceHolds = !isOrdered && m_source != nullptr && m_source->wantsHold(m_link.now());
+  const bool hold = isOrdered || m_sourceHolds;
+  if (hold != m_holding && !m_stopWantedAt) {
+    m_holding = hold;
+    m_method.requestHold(hold);
+    m_sink.note({m_link.now(), std::string(hold ? kHoldNote : kContinueNote)});
+    publish();
+  }
+  if (m_correction.exists() && !m_stopWantedAt && !m_abandonedAt) {
+    m_correction.want(m_orders.correctionMm(m_link.now()), m_link.now());
+    noteCorrection(false);
+  }
+  if (m_stopWantedAt || !m_orders.stopRequested(m_link.now())) {
+    return;
+  }
+  m_stopWantedAt = m_link.now();
+  m_end.stopped = true;
+  m_method.requestStop();
+  m_sink.note({m_link.now(), std::string(kStopNote)});
+  publish();
+}
+
+void Driver::noteCorrection(bool now) {
+  const base::Vec3 confirmedMm = m_correction.value().confirmedMm;
+  if (confirmedMm == m_notedMm || (!now && m_link.now() - m_notedAt < kNoteInterval)) {
+    return;
+  }
+  m_notedMm = confirmedMm;
+  m_notedAt = m_link.now();
+  m_sink.note({m_link.now(), fmt::format("online correction in mm: X {:.4f} Y {:.4f} Z {:.4f}",
+                                         confirmedMm.x, confirmedMm.y, confirmedMm.z)});
+}
+
+bool Driver::submitCorrection() {
+  // Behind a stop the program takes back by itself what is laid over the axes.
+  if (m_stopWantedAt || m_abandonedAt || !m_correction.isDue(m_link.now())) {
+    return false;
+  }
+  const int nodes = m_correction.nodeCount();
+  if (!hasSlackFor(nodes) && !m_correction.isOverdue(m_link.now())) {
+    return false;
+  }
+  m_monitor = Monitor::Correction;
+  m_monitorPending =
+      Pending{m_link.write(m_correction.take(m_link.now()), patient(m_settings.requestDeadline),
+                           opcua::Grouping::List),
+              true, nodes, 0};
+  return true;
+}
+
+bool Driver::hasSlackFor(int nodes) const {
+  if (m_holding) {
+    return true;  // the machine waits anyway
+  }
+  const Duration needed = kSlackFactor * expectedRead(nodes + 1);
+  return m_method.progress().expected.isAhead(Expectation::Access, m_link.now() + needed);
+}
+
+Duration Driver::expectedRead(int nodes) const {
+  const AccessFit* fit =
+      m_settings.calibration ? m_settings.calibration->fit(false, opcua::Grouping::List) : nullptr;
+  return fit == nullptr ? m_settings.accessTime * nodes : fit->at(nodes);
+}
+
+std::optional<Duration> Driver::slowAccess() const {
+  std::optional<Duration> slow;
+  if (!m_recentAccess.isEmpty()) {
+    slow = m_recentAccess.quantile(990);
+  }
+  // A hundredth is seen among a hundred; until then what was measured before speaks too.
+  if (!m_recentAccess.isFull() && m_calibratedTail) {
+    slow = std::max(slow.value_or(*m_calibratedTail), *m_calibratedTail);
+  }
+  return slow;
+}
+
+bool Driver::wantsStatus() const {
+  const Instant now = m_link.now();
+  if (now < m_nextStatus) {
+    return false;
+  }
+  if (m_abandonedAt) {
+    return true;
+  }
+  const Progress& progress = m_method.progress();
+  // Once the program has been told to end, or once it is later than it could be, the channel is
+  // asked whether it still runs; before that only where nobody waits.
+  const bool late = !progress.expected.isAhead(Expectation::Progress, now);
+  return late || hasSlackFor(static_cast<int>(m_status.size()));
+}
+
+bool Driver::wantsDisplay() const {
+  const Instant now = m_link.now();
+  if (!m_settings.monitor || m_abandonedAt || now < m_nextDisplay) {
+    return false;
+  }
+  // Where a late client means wrong motion, the display waits.
+  const bool isOverdue =
+      m_method.waitsForClient() && now - m_shownAt >= feasibility::kDisplayIntervalMax;
+  return isOverdue || hasSlackFor(static_cast<int>(m_display.size()));
+}
+
+bool Driver::wantsEquipment() const {
+  const std::size_t count = m_equipment.variables().size();
+  return m_settings.monitor && !m_abandonedAt && count > 0 && m_link.now() >= m_nextEquipment &&
+         hasSlackFor(static_cast<int>(count));
+}
+
+Duration Driver::patient(Duration deadline) const {
+  return m_patience * deadline;
+}
+
+void Driver::submitMonitor() {
+  const bool started = m_method.progress().lastProgress || m_abandonedAt;
+  const bool isMethodsTurn = m_methodsTurn && !m_abandonedAt;
+  if (m_methodPending || m_monitorPending || !started || isMethodsTurn) {
+    return;
+  }
+  if (submitCorrection()) {
+    m_methodsTurn = true;
+  } else if (wantsStatus()) {
+    m_monitor = Monitor::Status;
+    m_nextStatus = m_link.now() + kStatusInterval;
+    submitMonitorRead(m_status);
+  } else if (wantsEquipment()) {
+    m_monitor = Monitor::Equipment;
+    m_nextEquipment = m_link.now() + EquipmentWatch::kInterval;
+    submitMonitorRead(m_equipment.variables());
+  } else if (wantsDisplay()) {
+    m_monitor = Monitor::Display;
+    m_nextDisplay = m_link.now() + kDisplayInterval;
+    submitMonitorRead(m_display);
+  }
+}
+
+void Driver::submitMonitorRead(const std::vector<opcua::Variable>& variables) {
+  m_methodsTurn = true;
+  m_monitorPending =
+      Pending{m_link.read(variables, patient(m_settings.requestDeadline), opcua::Grouping::List),
+              false, static_cast<int>(variables.size()), 0};
+}
+
+void Driver::submitMethod() {
+  if (m_methodPending || m_monitorPending) {
+    return;
+  }
+  const std::optional<Action> action = m_method.poll(m_link.now());
+  m_methodsTurn = false;
+  if (m_source != nullptr && m_path) {
+    m_path->extend(m_source->points());
+  }
+  if (!action) {
+    return;
+  }
+  Pending pending;
+  pending.points = action->points;
+  if (action->kind == Action::Kind::Read) {
+    pending.nodes = static_cast<int>(action->variables.size());
+    pending.id =
+        m_link.read(action->variables, patient(m_settings.requestDeadline), m_settings.grouping);
+  } else if (action->kind == Action::Kind::Store) {
+    pending.write = true;
+    pending.nodes = 0;
+    pending.id = m_link.store(std::string(action->name), std::string(action->text),
+                              patient(m_settings.requestDeadline) + kStoreDeadline);
+    m_counters.sent += action->points;
+  } else {
+    pending.write = true;
+    pending.nodes = static_cast<int>(action->assignments.size());
+    // A large fill at the start takes its time: the deadline grows with the number of nodes.
+    const Duration deadline =
+        m_settings.requestDeadline + 4 * m_settings.accessTime * pending.nodes;
+    pending.id = m_link.write(action->assignments, patient(deadline), m_settings.grouping);
+    m_counters.sent += action->points;
+  }
+  m_methodPending = pending;
+}
+
+void Driver::handle(const opcua::Event& event) {
+  if (event.kind == opcua::EventKind::ConnectionLost) {
+    loseConnection(event.error);
+    return;
+  }
+  if (m_stopPending == event.request) {
+    m_stopPending.reset();
+    // Whether it worked shows in the state of the channel; an order that was lost is given again.
+    m_stopSent = event.kind != opcua::EventKind::RequestFailed;
+    return;
+  }
+  if (m_tracePending == event.request) {
+    handleTrace(event);
+    return;
+  }
+  const bool forMethod = m_methodPending && m_methodPending->id == event.request;
+  const bool forMonitor = m_monitorPending && m_monitorPending->id == event.request;
+  if (!forMethod && !forMonitor) {
+    return;  // the late answer of a request that was given up
+  }
+  const Pending pending = forMethod ? *m_methodPending : *m_monitorPending;
+  (forMethod ? m_methodPending : m_monitorPending).reset();
+  const bool isCorrection = !forMethod && m_monitor == Monitor::Correction;
+  const bool isEquipment = !forMethod && m_monitor == Monitor::Equipment;
+  if (event.kind == opcua::EventKind::RequestFailed) {
+    const bool isFalsified = opcua::mayBeFalsified(event.error.code) && repeats(event, forMethod);
+    if (!isFalsified && !forgives(event, forMethod)) {
+      abandon(event.error);
+    } else if (forMethod) {
+      m_counters.sent -= pending.points;
+    } else if (isCorrection) {
+      m_correction.lost();
+    }
+    return;
+  }
+  noteAccess(event, pending);
+  if (isEquipment) {  // a control need not serve all of it
+    publish(std::nullopt, m_equipment.take(event.readings));
+    return;
+  }
+  if (const std::error_code refused = refusedItem(event)) {
+    if (!repeats(event, forMethod)) {
+      abandon(itemError(refused, event.kind == opcua::EventKind::ReadDone));
+    } else if (forMethod) {
+      m_counters.sent -= pending.points;
+    } else if (isCorrection) {
+      m_correction.lost();
+    }
+    return;
+  }
+  m_refusals = 0;
+  if (forMethod) {
+    m_counters.accepted += pending.points;
+    handleMethod(event);
+  } else if (isCorrection) {
+    m_correction.confirm();
+    publish();
+  } else {
+    handleMonitor(event);
+  }
+}
+
+void Driver::submitTrace() {
+  const Duration late = m_link.now() - m_nextTrace;
+  const bool mayAsk = m_trace != nullptr && !m_tracePending && !m_methodPending &&
+                      !m_monitorPending && !m_abandonedAt;
+  if (!mayAsk || late < Duration{0} || (late < kTraceOverdue && !hasSlackFor(kTraceNodes))) {
+    return;
+  }
+  const base::RequestId id =
+      m_link.readTrace(m_trace->position(), patient(m_settings.requestDeadline));
+  if (id == base::RequestId{}) {
+    m_trace = nullptr;  // as a whole, after the run
+  } else {
+    m_tracePending = id;
+  }
+}
+
+/// What was not answered is fetched later: the run does not depend on it.
+void Driver::handleTrace(const opcua::Event& event) {
+  m_tracePending.reset();
+  m_nextTrace = m_link.now() + kTraceInterval;
+  if (event.kind == opcua::EventKind::TraceDone) {
+    m_trace->take(*event.trace);
+    if (!event.trace->isLast) {
+      m_nextTrace = m_link.now();
+    }
+  }
+}
+
+std::error_code Driver::refusedItem(const opcua::Event& event) {
+  for (const opcua::Reading& reading : event.readings) {
+    if (reading.status) {
+      return reading.status;
+    }
+  }
+  for (const std::error_code& status : event.statuses) {
+    if (status) {
+      return status;
+    }
+  }
+  return {};
+}
+
+base::Error Driver::itemError(const std::error_code& status, bool isRead) const {
+  // In the middle of a run it is hardly the access rights: the same cells were accessible before.
+  return base::makeError(
+      status,
+      fmt::format("{} {}",
+                  isRead ? "A variable that the stream needs cannot be read."
+                         : "A cell that the stream needs cannot be written.",
+                  m_counters.accepted == 0
+                      ? opcua::remedyForItem(status)
+                      : "It was accessible before in this run: the request was falsified on its "
+                        "way, or the control has withdrawn the access. Check network and server."));
+}
+
+bool Driver::repeats(const opcua::Event& event, bool forMethod) {
+  if (m_abandonedAt || ++m_refusals > kRefusalsMax) {
+    return false;
+  }
+  if (forMethod ? !m_method.answerLost(event.at) : !m_method.waitsForClient()) {
+    return false;
+  }
+  m_sink.note({event.at, std::string(kRefusedNote)});
+  return true;
+}
+
+void Driver::noteAccess(const opcua::Event& event, const Pending& pending) {
+  const Duration took = event.at - event.sent;
+  m_sink.access({event.sent, took, pending.write, pending.nodes});
+  // A deadline of one and a half times what an answer takes.
+  m_patience = 1;
+  while (m_patience < kPatienceMax && patient(m_settings.requestDeadline) < took + took / 2) {
+    m_patience *= 2;
+  }
+  if (pending.nodes == 0) {
+    return;
+  }
+  m_recentAccess.add(took);
+  m_lastAccesses.add(took);
+  m_slowness.add(base::toSeconds(took) / base::toSeconds(expectedRead(pending.nodes)));
+  noticeSlowness();
+}
+
+bool Driver::forgives(const opcua::Event& event, bool forMethod) {
+  if (event.error.code != opcua::LinkError::DeadlineExceeded || m_abandonedAt) {
+    return false;
+  }
+  if (forMethod ? !m_method.answerLost(event.at) : !m_method.waitsForClient()) {
+    return false;
+  }
+  m_patience = std::min(2 * m_patience, kPatienceMax);
+  m_sink.note({event.at, std::string(kLostNote)});
+  return true;
+}
+
+void Driver::handleMethod(const opcua::Event& event) {
+  m_method.handle({event.sent, event.at, event.readings}, event.at);
+  if (std::optional<base::Error> failure = m_method.failure()) {
+    m_sink.note({event.at, "stream given up: " + failure->text()});
+    m_end.error = *std::move(failure);
+    m_done = true;
+    return;
+  }
+  const Progress& progress = m_method.progress();
+  if (progress.granted && !m_grantSeen) {
+    m_grantSeen = true;
+    m_sink.granted();
+  }
+  m_counters.executed = progress.executed;
+  if (progress.brokenSignals > m_brokenSeen) {
+    m_brokenSeen = progress.brokenSignals;
+    m_sink.note({event.at, "a signal was out of sequence: a window has been executed again"});
+    noteWrong({WrongMotion::Kind::Repeated, progress.executed, 0.0});
+  }
+  inferPauses();
+  if (const std::optional<base::Vec3> position = m_method.positionMm();
+      position && !event.readings.empty()) {
+    checkPlace(*position);
+    publishPosition(*position, event.at);
+  }
+}
+
+void Driver::publishPosition(base::Vec3 positionMm, Instant at) {
+  // A stop is shorter than the time between two samples of the display: it is shown at once.
+  const auto standstill = m_standstill.add(at, positionMm, m_settings.feedMmPerS);
+  if (standstill || at >= m_nextSample) {
+    m_nextSample = at + kDisplayInterval;
+    publish(trace::LiveSample{at, positionMm, standstill, {}});
+  }
+}
+
+void Driver::checkPlace(base::Vec3 positionMm) {
+  if (!m_path || m_end.wrong) {
+    return;
+  }
+  const std::size_t executed = m_method.progress().executed;
+  if (const auto offMm = m_path->add(positionMm, executed, m_counters.sent)) {
+    noteWrong({WrongMotion::Kind::OffPath, executed, *offMm});
+  }
+}
+
+void Driver::noteWrong(WrongMotion wrong) {
+  if (m_end.wrong) {
+    return;  // the first is the one to look at
+  }
+  m_end.wrong = wrong;
+  m_sink.note({m_link.now(), "wrong motion: " + describe(wrong)});
+  publish();
+}
+
+void Driver::handleMonitor(const opcua::Event& event) {
+  if (m_monitor == Monitor::Status) {
+    m_nextStatus = std::max(m_nextStatus, event.at + (kStatusShare - 1) * (event.at - event.sent));
+    if (event.readings[0].number == opcua::kChannelReset) {
+      m_end.programEnded = true;
+      if (m_stopWantedAt) {
+        m_end.stopConfirmedAfter = event.at - *m_stopWantedAt;
+      }
+      m_done = true;
+    } else if (const int alarm = static_cast<int>(event.readings[1].number); alarm != 0) {
+      m_end.error = base::makeError(
+          StreamError::ControlAlarm,
+          fmt::format("The control stopped with alarm {}. Clear it at the control.", alarm));
+      m_done = true;
+    }
+    return;
+  }
+  m_shownAt = event.at;
+  trace::LiveSample sample{event.at, std::nullopt, event.readings.back().number / 60.0, {}};
+  if (event.readings.size() > base::kAxisCount) {
+    sample.positionMm =
+        base::Vec3{event.readings[0].number, event.readings[1].number, event.readings[2].number};
+    if (!m_displayRotary.empty()) {
+      sample.rotaryDeg.emplace();
+      for (std::size_t i = 0; i < m_displayRotary.size(); ++i) {
+        (*sample.rotaryDeg)[m_displayRotary[i]] = event.readings[base::kAxisCount + i].number;
+      }
+    }
+  }
+  if (sample.positionMm) {
+    checkPlace(*sample.positionMm);
+  }
+  if (const auto measured = m_detector.add(event.at, *sample.feedMmPerS)) {
+    // The same stand-still may have been inferred from the handshake already.
+    if (!m_inferred.empty()) {
+      m_inferred.pop_front();
+    }
+    publishPause(measured->pause);
+  }
+  publish(sample);
+}
+
+void Driver::inferPauses() {
+  const std::size_t passed = m_method.progress().stopsPassed;
+  for (; m_stopsSeen < passed; ++m_stopsSeen) {
+    m_inferred.push_back({m_link.now() - m_settings.nominalPause / 2, m_settings.nominalPause,
+                          trace::PauseOrigin::Inferred});
+  }
+}
+
+void Driver::settleInferred(bool all) {
+  while (!m_inferred.empty() &&
+         (all || m_link.now() - m_inferred.front().start >= kInferredSettles)) {
+    publishPause(m_inferred.front());
+    m_inferred.pop_front();
+  }
+}
+
+void Driver::publishPause(const trace::Pause& pause) {
+  m_pauses.push_back(pause);
+  LiveUpdate update;
+  update.state = state();
+  update.at = m_link.now();
+  update.counters = m_counters;
+  update.wrong = m_end.wrong;
+  if (m_correction.exists()) {
+    update.correction = m_correction.value();
+  }
+  update.pause = pause;
+  m_sink.update(update);
+}
+
+void Driver::checkDeadlines() {
+  if (m_done) {
+    return;
+  }
+  const Instant now = m_link.now();
+  const Progress& progress = m_method.progress();
+  const std::optional<Instant> endingSince = m_abandonedAt ? m_abandonedAt : m_stopWantedAt;
+  if (endingSince && now - *endingSince > m_settings.stopDeadline) {
+    const std::string unconfirmed =
+        fmt::format("The control did not confirm the stop within {:.0f} s. Stop it at the control.",
+                    base::toSeconds(m_settings.stopDeadline));
+    if (m_end.error.code) {
+      m_end.error.message += " " + unconfirmed;
+    } else {
+      m_end.error = base::makeError(StreamError::StopNotConfirmed, unconfirmed);
+    }
+    m_done = true;
+    return;
+  }
+  const std::optional<Instant> expected = progress.expected.deadline(Expectation::Progress);
+  // A window takes several accesses, however slow these are.
+  const Duration patience = m_settings.stallDeadline + 10 * slowAccess().value_or(Duration{});
+  if (!m_abandonedAt && progress.lastProgress && expected && now > *expected + patience) {
+    abandon(base::makeError(StreamError::StreamStalled,
+                            m_end.slowedBy.empty()
+                                ? std::string(m_method.adviceWhenStalled())
+                                : "The stream made no progress. " + m_end.slowedBy));
+  }
+}
+
+void Driver::abandon(base::Error error) {
+  m_sink.note({m_link.now(), "stream abandoned: " + error.text()});
+  // What comes later is no new cause, and must not put off the end of the wait for the stop.
+  if (!m_abandonedAt) {
+    m_end.error = std::move(error);
+    m_abandonedAt = m_link.now();
+  }
+  m_methodPending.reset();
+  m_nextStatus = m_link.now();
+}
+
+void Driver::submitStop() {
+  if (m_stopSent) {
+    return;
+  }
+  m_stopSent = true;
+  m_stopPending =
+      m_link.write({&m_stop, 1}, patient(m_settings.requestDeadline), opcua::Grouping::List);
+}
+
+void Driver::publish(std::optional<trace::LiveSample> sample,
+                     std::optional<EquipmentSeen> equipment) {
+  LiveUpdate update;
+  update.state = state();
+  update.at = m_link.now();
+  update.counters = m_counters;
+  update.wrong = m_end.wrong;
+  if (m_correction.exists()) {
+    update.correction = m_correction.value();
+  }
+  update.sample = std::move(sample);
+  update.equipment = std::move(equipment);
+  if (m_source != nullptr) {
+    update.source = m_source->level();
+    update.source->holdsRun = m_holding && m_sourceHolds;
+    update.waitingFor = update.source->waiting == 0 ? "source" : "";
+  }
+  if (m_isSilent) {
+    update.waitingFor = "network";
+  }
+  const Progress& progress = m_method.progress();
+  const std::optional<Duration> slow = slowAccess();
+  // The axes need points, or the method an access. A control that waits for its client needs
+  // nothing before it has taken the first window: nothing moves yet, so nothing is too late.
+  const std::optional<Instant> needed = progress.expected.deadline(
+      m_method.waitsForClient() ? Expectation::Points : Expectation::Access);
+  if (slow && needed && progress.lastProgress && !progress.allSent) {
+    const Duration margin = *needed - update.at - *slow;
+    // Windows that are all there wait for a machine slower than planned: that is not too late.
+    if (margin >= Duration{0} || !progress.hasNothingToBring) {
+      update.margin = margin;
+    }
+  }
+  m_lastPublished = update.at;
+  m_sink.update(update);
+}
+
+}  // namespace rivulet::streaming

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The only loop that performs a method's accesses on a link. It adds what a method does not know:
+/// the operator's stop, the online correction, reads for the display when the stream has slack, and
+/// the end of the program on the control. The same driver is used for real and simulated runs.
+/// @threadsafety runs on the thread that calls `run`; the sink is called on that thread.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "base/recent_values.h"
+#include "streaming/methods/method.h"
+#include "streaming/run/correction.h"
+#include "streaming/run/equipment_watch.h"
+#include "streaming/run/path_watch.h"
+#include "streaming/run/run_trace.h"
+#include "trace/analysis/pauses.h"
+#include "trace/recording.h"
+
+namespace rivulet::streaming {
+
+/// Notes that repeat what the operator has requested: a display that has said so leaves them out.
+inline constexpr std::string_view kStopNote = "stop requested";
+inline constexpr std::string_view kHoldNote = "hold requested";
+/// A request was refused, or not answered, and is made again.
+inline constexpr std::string_view kRefusedNote = "refused: asked again";
+inline constexpr std::string_view kLostNote = "no answer in time: asked again";
+inline constexpr std::string_view kContinueNote = "continue requested";
+
+/// Receives the reports of a run in progress. @threadsafety called on the streaming thread only
+class RunSink {
+ public:
+  virtual ~RunSink() = default;
+  virtual void update(const LiveUpdate& update) = 0;
+  virtual void access(const trace::Access& access) = 0;
+  virtual void note(const trace::Note& note) = 0;
+  /// Methods with windows: the control obeys the run from now on. No window has been delivered yet,
+  /// and none is before this returns.
+  virtual void granted() {}
+};
+
+/// Source of the operator's requests to a run. @threadsafety asked on the streaming thread only
+class RunOrders {
+ public:
+  virtual ~RunOrders() = default;
+  /// True from the moment the operator wants the run to stop. @param now the link's time
+  [[nodiscard]] virtual bool stopRequested(base::Instant now) = 0;
+  /// True while the machine is to wait before its next window (method window only).
+  [[nodiscard]] virtual bool holdRequested(base::Instant /*now*/) { return false; }
+  /// Online correction requested now, mm, X Y Z. It is clamped to the limit of the template; a
+  /// value that is not a number leaves the axis unchanged. Called only if the template has a
+  /// correction.
+  [[nodiscard]] virtual base::Vec3 correctionMm(base::Instant /*now*/) { return {}; }
+};
+
+/// How the stream ended, as far as the client can know.
+struct StreamEnd {
+  bool programEnded = false;  ///< the control's channel is in reset again
+  bool stopped = false;       ///< because the operator wanted it
+  std::optional<base::Duration> stopConfirmedAfter;
+  base::Error error;     ///< code clear: none
+  std::string slowedBy;  ///< see `RunReport`
+  std::optional<WrongMotion> wrong;
+};
+
+class Driver {
+ public:
+  /// @param total  points of the program, for the counters
+  /// @param cells  for the online correction, and to end the program when the stream has to be
+  ///               abandoned
+  Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
+         RunSink& sink, std::size_t total, const templates::CellMap& cells);
+
+  /// The path, so that a tool that leaves it is noticed. Without it only the method's own signs of
+  /// wrong motion are.
+  void watchPath(PathWatch path) { m_path = std::move(path); }
+  /// Fetches the control's own trace while the stream has slack, if the control gives it in pieces.
+  void watchTrace(TraceTaker& trace) { m_trace = &trace; }
+  /// The points arrive during the run; the method takes them from here, too.
+  void watchSource(live::PointStream& source) { m_source = &source; }
+  /// Rotary axes to be shown beside X, Y and Z. @param axisOf  see `ControlAxes`
+  void watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf);
+
+  /// Streams until the program on the control has ended, or until nothing more can be done.
+  [[nodiscard]] StreamEnd run();
+
+  [[nodiscard]] const Counters& counters() const { return m_counters; }
+  /// Pauses seen during the run: measured from feed samples or inferred from handshake edges.
+  [[nodiscard]] const std::vector<trace::Pause>& pauses() const { return m_pauses; }
+
+ private:
+  struct Pending {
+    base::RequestId id;
+    bool write = false;
+    int nodes = 0;
+    std::size_t points = 0;
+  };
+  /// Request durations the live margin is computed from.
+  static constexpr std::size_t kRecentMax = 100;
+  /// The same to see whether accesses are slow.
+  static constexpr std::size_t kSlownessCount = 10;
+
+  void submitMethod();
+  /// Reads status, tool and spindle, or display. Between two such reads the method has its turn,
+  /// however slow the control is.
+  void submitMonitor();
+  void submitMonitorRead(const std::vector<opcua::Variable>& variables);
+  /// Of a request, from its usual one: longer while answers come late.
+  [[nodiscard]] base::Duration patient(base::Duration deadline) const;
+  void noticeSilence();
+  void noticeOwnSilence();
+  void loseConnection(base::Error error);
+  void noticeSlowness();
+  [[nodiscard]] base::Instant nextWakeUp() const;
+  /// @return true if a correction has been sent
+  bool submitCorrection();
+  void noteCorrection(bool now);
+  void handle(const opcua::Event& event);
+  void noteAccess(const opcua::Event& event, const Pending& pending);
+  void handleMethod(const opcua::Event& event);
+  void handleMonitor(const opcua::Event& event);
+  void checkOrders();
+  /// Reads what a live source has sent.
+  void readSource();
+  [[nodiscard]] RunState state() const;
+  /// No answer in time does no harm where the machine waits for its client: it is asked again.
+  [[nodiscard]] bool forgives(const opcua::Event& event, bool forMethod);
+  /// The first item of an answer that could not be read or written; clear: none.
+  [[nodiscard]] static std::error_code refusedItem(const opcua::Event& event);
+  /// One variable of a request could not be accessed: the remedy depends on the reason.
+  [[nodiscard]] base::Error itemError(const std::error_code& status, bool isRead) const;
+  /// Asks again for an item that has been refused. @return false if that makes no sense
+  [[nodiscard]] bool repeats(const opcua::Event& event, bool forMethod);
+  void checkDeadlines();
+  [[nodiscard]] bool hasSlackFor(int nodes) const;
+  /// Of one read of this many variables.
+  [[nodiscard]] base::Duration expectedRead(int nodes) const;
+  /// The 99th percentile of recent accesses.
+  [[nodiscard]] std::optional<base::Duration> slowAccess() const;
+  [[nodiscard]] bool wantsStatus() const;
+  [[nodiscard]] bool wantsDisplay() const;
+  /// Tool, spindle and coolant: only where the stream has time, whatever their age.
+  [[nodiscard]] bool wantsEquipment() const;
+  void publish(std::optional<trace::LiveSample> sample = std::nullopt,
+               std::optional<EquipmentSeen> equipment = std::nullopt);
+  void publishPause(const trace::Pause& pause);
+  /// Looks whether the tool has left the path.
+  void checkPlace(base::Vec3 positionMm);
+  void noteWrong(WrongMotion wrong);
+  /// A position that the method has read, with the feed as far as the position shows it.
+  void publishPosition(base::Vec3 positionMm, base::Instant at);
+  void inferPauses();
+  void settleInferred(bool all);
+  /// The stream cannot continue: command the control to end its program, and wait for that.
+  void abandon(base::Error error);
+  void submitStop();
+  void submitTrace();
+  void handleTrace(const opcua::Event& event);
+
+  opcua::Link& m_link;
+  Method& m_method;
+  const RunSettings& m_settings;
+  RunOrders& m_orders;
+  RunSink& m_sink;
+  Counters m_counters;
+  opcua::Assignment m_stop;
+  std::optional<Pending> m_methodPending;
+  std::optional<Pending> m_monitorPending;
+  enum class Monitor { Display, Status, Equipment, Correction };
+  Monitor m_monitor = Monitor::Display;
+  CorrectionCells m_correction;
+  base::Vec3 m_notedMm;
+  base::Instant m_notedAt{};
+  std::vector<opcua::Variable> m_display;    // what a display read asks for; the feed last
+  std::vector<std::size_t> m_displayRotary;  // axes it asks for behind X, Y and Z
+  std::vector<opcua::Variable> m_status;
+  EquipmentWatch m_equipment;
+  base::Instant m_nextDisplay{};
+  base::Instant m_nextSample{};  ///< of the positions that the method reads
+  base::Instant m_turnedAt{};    ///< when this program last had its turn
+  base::Instant m_shownAt{};     ///< when the axes' position was last read
+  base::Instant m_nextStatus{};
+  base::Instant m_nextEquipment{};
+  bool m_methodsTurn = false;  ///< the last access was not the method's
+  int m_patience = 1;          ///< factor of the deadlines
+  int m_refusals = 0;          ///< answers in a row with a refused item
+  bool m_isSilent = false;     ///< nothing comes from the control
+  base::Instant m_lastPublished{};
+  std::optional<base::Instant> m_stopWantedAt;
+  std::optional<base::Instant> m_abandonedAt;
+  std::optional<base::RequestId> m_stopPending;
+  bool m_stopSent = false;
+  bool m_holding = false;
+  bool m_sourceHolds = false;  ///< the source has asked for it, or is silent
+  trace::LivePauseDetector m_detector;
+  trace::StandstillByPosition m_standstill;
+  std::optional<PathWatch> m_path;
+  live::PointStream* m_source = nullptr;
+  TraceTaker* m_trace = nullptr;
+  std::optional<base::RequestId> m_tracePending;
+  base::Instant m_nextTrace{};
+  std::deque<trace::Pause> m_inferred;  // waiting for a measurement to take their place
+  std::vector<trace::Pause> m_pauses;
+  std::size_t m_stopsSeen = 0;
+  bool m_grantSeen = false;
+  std::size_t m_brokenSeen = 0;
+  base::RecentValues<base::Duration> m_recentAccess{kRecentMax};
+  base::RecentValues<base::Duration> m_lastAccesses{kSlownessCount};
+  base::RecentValues<double> m_slowness{kSlownessCount};  // each access: times its estimate
+  std::optional<base::Duration> m_calibratedTail;         // of the longest request of the method
+  StreamEnd m_end;
+  bool m_done = false;
+};
+
+}  // namespace rivulet::streaming

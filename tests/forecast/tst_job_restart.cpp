@@ -1,0 +1,646 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Jobs that were interrupted go on where they were left: each motion of the source is made once.
+
+#include <QtTest>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/random.h"
+#include "forecast/job_forecast.h"
+#include "forecast/job_restart.h"
+#include "job/dry_plan.h"
+#include "machine/machine.h"
+#include "streaming/run/whole_job.h"
+#include "streaming/simulation/faulty_link.h"
+#include "streaming/simulation/simulated_link.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+using streaming::Outcome;
+
+namespace {
+
+machine::MachineConfig mill() {
+  return *machine::loadPreset("dmu75-mill");
+}
+
+job::Plan planOf(const std::string& text) {
+  gcode::LoadOptions options;
+  options.dialect = gcode::Dialect::Sinumerik;
+  const auto plan = job::makePlan("PART.MPF", text, options);
+  if (!plan || !plan->isWhole()) {
+    qFatal("the test's program is no job");
+  }
+  return *plan;
+}
+
+const char* const kPart =
+    "G54\n"
+    "T1 D1 M6\n"
+    "S3000 M3\n"
+    "G0 X5 Y5 Z20\n"
+    "G1 Z-1 F2000\n"
+    "X20\nY20\nX6\nY7\nX18\nY18\nX8\nY9\nX16\nY16\n"
+    "G0 Z20\n"
+    "M8\n"
+    "G0 X60 Y5\n"
+    "G1 Z-2\n"
+    "X80\nY25\nX62\nY8\nX78\n"
+    "G0 Z20\n"
+    "SUPA G0 Z200 D0\n"
+    "T2 D1 M6\n"
+    "G55\n"
+    "S5000 M4\n"
+    "G0 X-5 Y-5\n"
+    "Z25\n"
+    "G1 Z-3 F1500\n"
+    "X-25\nY-25\nX-8\nY-9\nX-21\n"
+    "G4 F2\n"
+    "Y-11\nX-12\n"
+    "G0 Z25\n"
+    "M5 M9\n"
+    "M30\n";
+
+/// Interrupts a job at a moment.
+class Watcher final : public streaming::WholeJobSink, public streaming::RunOrders {
+ public:
+  void update(const streaming::LiveUpdate&) override {}
+  void access(const trace::Access&) override {}
+  void note(const trace::Note&) override {}
+  void nativeBlocks(int next) override {
+    if (next == resetBefore) {
+      at = reset->now() + delay;
+    }
+  }
+  void stretchBegins(const job::Stretch&, base::Vec3) override {}
+  bool waitsForCycleStart() override { return true; }
+  bool stopRequested(base::Instant now) override {
+    if (!at || now < *at) {
+      return false;
+    }
+    if (reset != nullptr) {
+      reset->reset();
+      reset = nullptr;
+    }
+    return stops;
+  }
+
+  std::optional<base::Instant> at;
+  bool stops = false;
+  machine::Machine* reset = nullptr;
+  int resetBefore = 0;  ///< stretch; `delay` after the client knows of the blocks before it
+  base::Duration delay{};
+};
+
+class Keeper final : public streaming::CheckpointKeeper {
+ public:
+  base::Result<void> keep(const streaming::Checkpoint& checkpoint, const streaming::RunSettings&,
+                          std::span<const gcode::StreamPoint>) override {
+    last = checkpoint;
+    return {};
+  }
+  std::optional<streaming::Checkpoint> last;
+};
+
+streaming::RunSettings settings() {
+  streaming::RunSettings all;
+  all.parameters.pointsPerLoop = 4;
+  all.feedMmPerS = 50.0;
+  all.isCommissioned = true;
+  return all;
+}
+
+std::string rounded(base::Vec3 mm) {
+  std::string text;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    text += std::to_string(std::lround(mm[axis] * 100.0)) + ' ';
+  }
+  return text;
+}
+
+/// Where blocks that moved have ended, in 0.01 mm.
+std::vector<std::string> motions(const trace::ControlTrace& trace) {
+  std::vector<std::string> ends;
+  for (const trace::ExecutedBlock& block : trace.blocks) {
+    if (block.lengthMm > 0.01) {
+      ends.push_back(rounded(block.targetMm));
+    }
+  }
+  return ends;
+}
+
+/// The tool stands at the end of the source's next motion. The machine lists a block when its set
+/// point is at the end: a reset on the last hundredths of a millimetre of a block keeps it out of
+/// the list, and nobody needs to make such a rest again.
+bool isAtNextEnd(const trace::ControlTrace& source, std::size_t motionsBefore,
+                 const streaming::JobRest& rest,
+                 const std::function<base::Result<base::Vec3>(std::size_t part)>& zeroAt) {
+  constexpr double kNoMotionMm = 0.01;
+  for (const trace::ExecutedBlock& block : source.blocks) {
+    if (block.lengthMm <= kNoMotionMm || motionsBefore-- > 0) {
+      continue;
+    }
+    // In the frame of its own part, which is the one that is left or one beside it.
+    for (std::size_t part = rest.part > 0 ? rest.part - 1 : 0; part <= rest.part + 1; ++part) {
+      const auto zero = zeroAt(part);
+      const auto zeroOfRest = zeroAt(rest.part);
+      if (zero && zeroOfRest && rest.toolMm &&
+          base::distance(block.targetMm + *zero, *rest.toolMm + *zeroOfRest) <= kNoMotionMm) {
+        return true;
+      }
+    }
+    return false;
+  }
+  return false;
+}
+
+/// Tools in the order in which they were changed.
+std::vector<std::string> toolChanges(const trace::ControlTrace& trace) {
+  std::vector<std::string> tools;
+  for (const trace::ControlEvent& event : trace.events) {
+    if (event.kind == trace::ControlEvent::Kind::ToolChange) {
+      tools.push_back(std::to_string(std::lround(event.value)));
+    }
+  }
+  return tools;
+}
+
+trace::ControlTrace traceOfSource(const std::string& text) {
+  machine::Machine machine(mill(), 1);
+  streaming::SimulatedLink link(machine);
+  if (!link.uploadProgram("PART.MPF", text, true) || !link.selectProgram("PART.MPF") ||
+      !link.cycleStart()) {
+    qFatal("the source does not start");
+  }
+  while (machine.state().channel != machine::ChannelStatus::Reset) {
+    (void)link.wait(link.now() + std::chrono::milliseconds{100});
+  }
+  return *link.fetchTrace();
+}
+
+QString stepsText(const forecast::Restart& restart) {
+  QStringList steps;
+  for (const std::string& step : restart.steps) {
+    steps << QString::fromStdString(step);
+  }
+  return steps.join(QStringLiteral("; "));
+}
+
+std::string joined(const std::vector<std::string>& ends) {
+  std::string text;
+  for (const std::string& end : ends) {
+    text += end + "\n";
+  }
+  return text;
+}
+
+/// Things done before and after the interruption of a job.
+/// @param extraMax  of the approach
+/// @param isComplete  the first of the source that is not among those before was interrupted when
+///                    nothing was left of it
+/// @return what is wrong with both together; empty: each thing of the source was done once
+std::string judge(const std::vector<std::string>& source, std::vector<std::string> before,
+                  const std::vector<std::string>& after, std::size_t extraMax,
+                  bool isComplete = false) {
+  if (isComplete) {
+    before.push_back(source[before.size()]);
+  }
+  const std::string all =
+      "before:\n" + joined(before) + "after:\n" + joined(after) + "source:\n" + joined(source);
+  if (before.size() > source.size() || !std::equal(before.begin(), before.end(), source.begin())) {
+    return "what was done before is not the beginning of the source\n" + all;
+  }
+  // What was interrupted is in both.
+  for (const std::size_t interrupted : {std::size_t{0}, std::size_t{1}}) {
+    const std::size_t left = source.size() - before.size() + interrupted;
+    if (before.size() >= interrupted && after.size() >= left && after.size() <= left + extraMax &&
+        std::equal(source.end() - static_cast<std::ptrdiff_t>(left), source.end(),
+                   after.end() - static_cast<std::ptrdiff_t>(left))) {
+      return {};
+    }
+  }
+  return "what was done after it is not the rest\n" + all;
+}
+
+/// A part with several tools, stretches and drilled holes.
+std::string drawPart(std::uint64_t seed) {
+  base::Random random(seed);
+  const auto below = [&random](int n) {
+    return static_cast<int>(random.uniform() * static_cast<double>(n));
+  };
+  std::string text = "G54\nT1 D1 M6\nS3000 M3\nG0 X0 Y0\nZ30\n";
+  const int sections = 2 + below(6);
+  for (int section = 0; section < sections; ++section) {
+    switch (below(6)) {
+      case 0:
+        text += "SUPA G0 Z200 D0\nT" + std::to_string(1 + below(6)) + " M6\nD1\nS" +
+                std::to_string(1000 + below(5000)) + " M3\nG0 X0 Y0\nZ30\n";
+        break;
+      case 1:
+        text += "G5" + std::to_string(4 + below(3)) + "\nG0 X1 Y1\nZ30\n";
+        break;
+      case 2:
+        text += "F300\nMCALL CYCLE81(20,0,2,-5)\nX10 Y10\nX30\nMCALL\nG0 X0 Y0\nZ30\n";
+        break;
+      case 3:
+        text += "M8\nG4 F0.5\n";
+        break;
+      case 4:
+        text += "M9\nS" + std::to_string(1000 + below(5000)) + " M4\n";
+        break;
+      default:
+        text += "G4 F1\n";
+    }
+    text += "G0 X0.1 Y0.2\nG1 Z-1 F3000\n";
+    // Steps of a few mm on a drawn zigzag.
+    const int points = 5 + below(120);
+    double x = 0.0;
+    double y = 0.0;
+    for (int point = 0; point < points; ++point) {
+      x += 0.5 + 3.0 * random.uniform();
+      y += 6.0 * random.uniform() - 3.0;
+      if (x > 60.0) {
+        x -= 60.0;
+      }
+      text += "X" + std::to_string(x) + " Y" + std::to_string(y) + "\n";
+    }
+    text += "G0 Z30\n";
+  }
+  return text + "M5 M9\nM30\n";
+}
+
+int setting(const char* name, int otherwise) {
+  return qEnvironmentVariableIsSet(name) ? qEnvironmentVariableIntValue(name) : otherwise;
+}
+
+void awaitReset(machine::Machine& machine) {
+  streaming::SimulatedLink link(machine);
+  while (machine.state().channel != machine::ChannelStatus::Reset) {
+    (void)link.wait(link.now() + std::chrono::milliseconds{100});
+  }
+}
+
+}  // namespace
+
+class TestJobRestart : public QObject {
+  Q_OBJECT
+
+  std::vector<std::string> m_source;
+  job::Plan m_plan;
+
+  [[nodiscard]] auto zeroAt() const {
+    return [this](std::size_t part) { return forecast::zeroAt(m_plan, mill(), part); };
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    m_source = motions(traceOfSource(kPart));
+    m_plan = planOf(kPart);
+    QVERIFY(m_source.size() > 30);
+    QVERIFY(m_plan.stretchCount() >= 4);
+  }
+
+  void everywhere_data() {
+    QTest::addColumn<QString>("how");
+    QTest::newRow("stop") << QStringLiteral("stop");
+    QTest::newRow("reset at the control") << QStringLiteral("reset");
+    QTest::newRow("client killed") << QStringLiteral("kill");
+  }
+
+  /// Interrupted at every half second of the job.
+  void everywhere() {
+    QFETCH(const QString, how);
+    int resumed = 0;
+    int refused = 0;
+    for (int half = 1; half < 200; ++half) {
+      machine::Machine machine(mill(), 1);
+      streaming::FaultyLink link(machine, {}, 1);
+      Watcher watcher;
+      Keeper keeper;
+      watcher.at = link.now() + std::chrono::milliseconds{500 * half + 7 * half};
+      watcher.stops = how == QStringLiteral("stop");
+      watcher.reset = how == QStringLiteral("reset") ? &machine : nullptr;
+      if (how == QStringLiteral("kill")) {
+        link.onTime = [&] {
+          if (link.now() >= *watcher.at) {
+            link.setFaults({.disconnectProbability = 1.0});
+          }
+        };
+      }
+      const streaming::WholeJobReport first = streaming::runWholeJob(
+          link, link, m_plan, settings(), watcher, watcher, {.keeper = &keeper});
+      if (first.outcome == Outcome::Completed) {
+        break;
+      }
+      awaitReset(machine);
+      streaming::SimulatedLink again(machine);
+      const std::vector<std::string> before = motions(*again.fetchTrace());
+      if (!keeper.last) {
+        QVERIFY(before.size() <= 1);  // before the first stretch
+        continue;
+      }
+      const auto rest =
+          streaming::whereJobWasLeft(again, m_plan, settings(), *keeper.last, zeroAt());
+      if (!rest) {
+        QVERIFY2(rest.error().code == streaming::StreamError::CannotResume,
+                 rest.error().text().c_str());
+        ++refused;
+        qInfo("%d: %s", half, rest.error().text().c_str());
+        continue;
+      }
+      const auto restart = forecast::restartAt(m_plan, mill(), *rest);
+      QVERIFY2(restart, restart ? "" : restart.error().text().c_str());
+      Watcher onwards;
+      const streaming::WholeJobReport second = streaming::runWholeJob(
+          again, again, restart->plan, settings(), onwards, onwards, {.resume = rest->resume});
+      QVERIFY2(second.outcome == Outcome::Completed,
+               (std::to_string(half) + ": " + second.error.text()).c_str());
+      const std::string wrong = judge(m_source, before, motions(*second.controlTrace), 4);
+      QVERIFY2(wrong.empty(), (std::to_string(half) + ": " + wrong).c_str());
+      ++resumed;
+    }
+    qInfo("%d resumed, %d refused", resumed, refused);
+    QVERIFY(resumed > 20);
+    QVERIFY(refused <= resumed / 10);
+  }
+
+  /// Interrupted after a stretch and before the next block for the control has begun, at every
+  /// cycle of that time: nothing is in doubt.
+  void betweenStretchAndBlock() {
+    constexpr int kCycles = 40;
+    const base::Duration cycle = mill().interpolationCycle;
+    for (int cycles = 0; cycles < kCycles; ++cycles) {
+      machine::Machine machine(mill(), 1);
+      streaming::SimulatedLink link(machine);
+      Watcher watcher;
+      Keeper keeper;
+      watcher.reset = &machine;
+      watcher.resetBefore = 2;
+      watcher.delay = cycles * cycle;
+      const auto first = streaming::runWholeJob(link, link, m_plan, settings(), watcher, watcher,
+                                                {.keeper = &keeper});
+      QVERIFY(first.outcome != Outcome::Completed && keeper.last);
+      awaitReset(machine);
+      const std::vector<std::string> before = motions(*link.fetchTrace());
+      const auto rest =
+          streaming::whereJobWasLeft(link, m_plan, settings(), *keeper.last, zeroAt());
+      QVERIFY2(rest, rest ? "" : (std::to_string(cycles) + ": " + rest.error().text()).c_str());
+      const auto restart = forecast::restartAt(m_plan, mill(), *rest);
+      QVERIFY2(restart, restart ? "" : restart.error().text().c_str());
+      Watcher onwards;
+      const streaming::WholeJobReport second = streaming::runWholeJob(
+          link, link, restart->plan, settings(), onwards, onwards, {.resume = rest->resume});
+      QVERIFY2(second.outcome == Outcome::Completed, second.error.text().c_str());
+      const std::string wrong = judge(m_source, before, motions(*second.controlTrace), 4);
+      QVERIFY2(wrong.empty(), (std::to_string(cycles) + ": " + wrong).c_str());
+    }
+  }
+
+  /// Drawn parts, late and lost requests, broken connections, stops and resets at any time. A
+  /// number of scenarios and the first seed from the environment: RIVULET_SCENARIOS, RIVULET_FIRST.
+  void drawnJobs() {
+    const int scenarios = setting("RIVULET_SCENARIOS", 40);
+    const int first = setting("RIVULET_FIRST", 1);
+    std::size_t points = 0;
+    std::size_t natives = 0;
+    int completed = 0;
+    int resumed = 0;
+    int refused = 0;
+    int unused = 0;
+    for (int seed = first; seed < first + scenarios; ++seed) {
+      base::Random random = base::Random(static_cast<std::uint64_t>(seed)).fork(1);
+      const std::string text = drawPart(static_cast<std::uint64_t>(seed));
+      const job::Plan plan = planOf(text);
+      const trace::ControlTrace source = traceOfSource(text);
+      const base::Duration sourceTime = source.samples.back().at - source.samples.front().at;
+      machine::Machine machine(mill(), static_cast<std::uint64_t>(seed));
+      streaming::LinkFaults faults;
+      faults.delayProbability = 0.05;
+      faults.delayMax = std::chrono::milliseconds{500};
+      faults.lostRequestProbability = seed % 3 == 0 ? 0.0 : 0.0002;
+      faults.lostAnswerProbability = seed % 3 == 0 ? 0.0 : 0.0002;
+      faults.stallProbability = 0.003;
+      faults.stallMax = std::chrono::seconds{2};
+      faults.strayMax = std::chrono::seconds{5};
+      streaming::FaultyLink link(machine, faults, static_cast<std::uint64_t>(seed));
+      Watcher watcher;
+      Keeper keeper;
+      watcher.at =
+          link.now() + base::fromSeconds(base::toSeconds(sourceTime) * 1.5 * random.uniform());
+      watcher.stops = seed % 4 == 1;
+      watcher.reset = seed % 4 == 2 ? &machine : nullptr;
+      if (seed % 4 == 3) {
+        link.onTime = [&] {
+          if (link.now() >= *watcher.at) {
+            link.setFaults({.disconnectProbability = 1.0});
+          }
+        };
+      }
+      streaming::RunSettings run = settings();
+      run.parameters.pointsPerLoop = 3 + seed % 6;
+      if (seed % 5 == 0) {
+        run.parameters.method = base::MethodKind::Credit;
+      }
+      const auto done =
+          streaming::runWholeJob(link, link, plan, run, watcher, watcher, {.keeper = &keeper});
+      awaitReset(machine);
+      streaming::SimulatedLink again(machine);
+      const trace::ControlTrace before = *again.fetchTrace();
+      const std::string name = "seed " + std::to_string(seed) + ": ";
+      points += before.blocks.size();
+      natives += plan.nativeCount();
+      if (done.outcome == Outcome::Completed) {
+        QVERIFY2(motions(before) == motions(source), name.c_str());
+        QVERIFY2(toolChanges(before) == toolChanges(source), name.c_str());
+        ++completed;
+        continue;
+      }
+      if (!keeper.last) {
+        ++unused;
+        continue;
+      }
+      const auto zeroOf = [&](std::size_t part) { return forecast::zeroAt(plan, mill(), part); };
+      const auto rest = streaming::whereJobWasLeft(again, plan, run, *keeper.last, zeroOf);
+      if (!rest) {
+        QVERIFY2(rest.error().code == streaming::StreamError::CannotResume,
+                 (name + rest.error().text()).c_str());
+        ++refused;
+        continue;
+      }
+      const auto restart = forecast::restartAt(plan, mill(), *rest);
+      QVERIFY2(restart, (name + (restart ? "" : restart.error().text())).c_str());
+      Watcher onwards;
+      const streaming::WholeJobReport second = streaming::runWholeJob(
+          again, again, restart->plan, run, onwards, onwards, {.resume = rest->resume});
+      QVERIFY2(second.outcome == Outcome::Completed, (name + second.error.text()).c_str());
+      points += second.controlTrace->blocks.size();
+      std::string wrong = judge(motions(source), motions(before), motions(*second.controlTrace), 4);
+      if (!wrong.empty() && isAtNextEnd(source, motions(before).size(), *rest, zeroOf)) {
+        wrong = judge(motions(source), motions(before), motions(*second.controlTrace), 4, true);
+      }
+      wrong +=
+          judge(toolChanges(source), toolChanges(before), toolChanges(*second.controlTrace), 1);
+      QVERIFY2(wrong.empty(), (name + wrong).c_str());
+      ++resumed;
+    }
+    qInfo(
+        "%zu blocks moved, %zu native blocks; %d jobs completed, %d resumed, %d refused, %d "
+        "interrupted before their first stretch",
+        points, natives, completed, resumed, refused, unused);
+    QVERIFY(resumed > 0 && completed > 0);
+  }
+
+  /// The state is that of the source: what the machine turns, holds and cools with.
+  void stateIsThatOfTheSource() {
+    const auto restart = forecast::restartAtStretch(m_plan, mill(), 4);
+    QVERIFY2(restart, restart ? "" : restart.error().text().c_str());
+    QCOMPARE(stepsText(*restart),
+             QStringLiteral("G55; D1; G0 G90 Z=MAXVAL($AA_IW[Z],25); T2 M6; D1; "
+                            "G0 G90 Z=MAXVAL($AA_IW[Z],25); S5000 M4; G0 G90 X-21 Y-9; M8; "
+                            "G1 G90 G94 Z-3 F500"));
+    QVERIFY(restart->notRestored.empty());
+    QVERIFY(!forecast::restartAtStretch(m_plan, mill(), 99));
+  }
+
+  /// The tool in the spindle stands low and is shorter than the one that follows: neither goes
+  /// aside before it is above the path.
+  void noToolGoesAsideBelowThePath() {
+    machine::Machine machine(mill(), 1);
+    streaming::SimulatedLink link(machine);
+    QVERIFY(link.uploadProgram("LOW.MPF", "G54\nT1 D1 M6\nG0 X5 Y5 Z-1\nM30\n", true));
+    QVERIFY(link.selectProgram("LOW.MPF") && link.cycleStart());
+    awaitReset(machine);
+    const auto restart = forecast::restartAtStretch(m_plan, mill(), 4);
+    QVERIFY2(restart, restart ? "" : restart.error().text().c_str());
+    Watcher watcher;
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, restart->plan, settings(), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+    constexpr double kPathTopMm = 25.0;
+    std::vector<double> risenMm;
+    for (const trace::ExecutedBlock& block : report.controlTrace->blocks) {
+      if (std::abs(block.targetMm.x - -21.0) < 1e-6) {
+        // From 1 mm below the workpiece, then by what the second tool is longer.
+        QCOMPARE(risenMm, (std::vector<double>{26.0, 15.0}));
+        return;
+      }
+      QCOMPARE(block.targetMm.z, kPathTopMm);
+      risenMm.push_back(block.lengthMm);
+    }
+    QFAIL("the tool never went to the path");
+  }
+
+  /// A dry run that begins in the middle is dry from its first block.
+  void aDryRunStaysDry() {
+    constexpr double kRaiseMm = 50.0;
+    auto dry = job::dryPlan(m_plan, kRaiseMm);
+    QVERIFY(dry);
+    for (int stretch = 1; stretch <= static_cast<int>(m_plan.stretchCount()); ++stretch) {
+      const auto wet = forecast::restartAtStretch(m_plan, mill(), stretch);
+      const auto restart = forecast::restartAtStretch(*dry, mill(), stretch);
+      QVERIFY2(restart && wet, restart ? "" : restart.error().text().c_str());
+      const QString steps = stepsText(*restart);
+      QVERIFY2(!steps.contains(QLatin1Char('S')) && !steps.contains(QStringLiteral("M8")),
+               qPrintable(steps));
+      const auto run = [](const job::Plan& plan) {
+        machine::Machine machine(mill(), 1);
+        streaming::SimulatedLink link(machine);
+        Watcher watcher;
+        return streaming::runWholeJob(link, link, plan, settings(), watcher, watcher);
+      };
+      const streaming::WholeJobReport made = run(restart->plan);
+      const streaming::WholeJobReport other = run(wet->plan);
+      QVERIFY2(made.outcome == Outcome::Completed, made.error.text().c_str());
+      const auto lowest = [](const streaming::WholeJobReport& report) {
+        double lowestMm = 1e9;
+        for (const trace::ExecutedBlock& block : report.controlTrace->blocks) {
+          lowestMm = std::min(lowestMm, block.targetMm.z);
+        }
+        return lowestMm;
+      };
+      QCOMPARE(std::lround(1000.0 * (lowest(made) - lowest(other))),
+               std::lround(1000.0 * kRaiseMm));
+    }
+  }
+
+  /// Where a stretch begins after blocks that hide it from the reader of the program: the tool goes
+  /// there first, or the stretch is refused.
+  void aStretchBeginsAtItsPlace() {
+    const job::Plan plan = planOf(
+        "G54\nT1 D1 M6\nG0 X5 Y5 Z20\nG1 Z-1 F500\nX20\nG0 Z20\nG0 X40 Y30 M8 M81\nZ30 M82\n"
+        "Z2\nG1 Z-3 F500\nX50\nM30\n");
+    const auto last = static_cast<int>(plan.stretchCount());
+    const auto restart = forecast::restartAtStretch(plan, mill(), last);
+    QVERIFY2(restart, restart ? "" : restart.error().text().c_str());
+    const QString steps = stepsText(*restart);
+    QVERIFY2(steps.contains(QStringLiteral("G0 G90 X40 Y30")), qPrintable(steps));
+    QCOMPARE(restart->notRestored.size(), std::size_t{2});
+    // What is left can be checked against the machine, and can be restarted itself.
+    machine::MachineConfig machine = mill();
+    QVERIFY(forecast::hazardsOf(restart->plan, machine, {machine.start()}).empty());
+    QVERIFY(forecast::zeroAt(restart->plan, machine, restart->plan.parts.size() - 1));
+    const job::Plan unknown =
+        planOf("G54\nT1 D1 M6\nG0 X5 Y5\nG1 X20 F500\nG0 X40 Y30 M81\nZ2\nG1 Z-3\nX50\nM30\n");
+    const auto refused =
+        forecast::restartAtStretch(unknown, mill(), static_cast<int>(unknown.stretchCount()));
+    QVERIFY(!refused && refused.error().code == streaming::StreamError::CannotResume);
+  }
+
+  /// The gear of a spindle and its orientation are not established again, so the operator is told.
+  void aGearIsNotRestored() {
+    const job::Plan plan = planOf(
+        "G54\nT1 D1 M6\nM41\nS800 M3\nM8\nG0 X5 Y5 Z20\nG1 Z-1 F500\nX20\nM19\nG4 F1\nS800 M3\n"
+        "G1 X30\nM30\n");
+    const auto last = static_cast<int>(plan.stretchCount());
+    const auto restart = forecast::restartAtStretch(plan, mill(), last);
+    QVERIFY2(restart, restart ? "" : restart.error().text().c_str());
+    QCOMPARE(restart->notRestored.size(), std::size_t{2});
+    QCOMPARE(restart->notRestored.front(), std::string("line 3: M41"));
+    QCOMPARE(restart->notRestored.back(), std::string("line 9: M19"));
+  }
+
+  /// Interrupted after the last stretch: only blocks of the control are left.
+  void onlyBlocksAreLeft() {
+    streaming::JobRest rest;
+    rest.part = m_plan.parts.size() - 1;
+    while (std::holds_alternative<job::NativeBlock>(m_plan.parts[rest.part - 1])) {
+      --rest.part;
+    }
+    QVERIFY(rest.part < m_plan.parts.size() - 1);
+    const auto restart = forecast::restartAt(m_plan, mill(), rest);
+    QVERIFY2(restart, restart ? "" : restart.error().text().c_str());
+    machine::Machine machine(mill(), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, restart->plan, settings(), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+    QVERIFY(report.stretches.empty());
+  }
+
+  /// After a loss of power the control knows nothing: only a stretch can be chosen.
+  void lossOfPower() {
+    machine::Machine machine(mill(), 1);
+    streaming::SimulatedLink link(machine);
+    streaming::Checkpoint last;
+    last.runNumber = 123;
+    const auto rest = streaming::whereJobWasLeft(link, m_plan, settings(), last, zeroAt());
+    QVERIFY(!rest);
+    QVERIFY(rest.error().text().find("--from-stretch") != std::string::npos);
+    const auto restart = forecast::restartAtStretch(m_plan, mill(), 3);
+    QVERIFY(restart);
+    Watcher watcher;
+    const streaming::WholeJobReport report =
+        streaming::runWholeJob(link, link, restart->plan, settings(), watcher, watcher);
+    QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+    QCOMPARE(report.stretches.front().number, 3);
+    QCOMPARE(motions(*report.controlTrace).back(), m_source.back());
+  }
+};
+
+RIVULET_TEST(TestJobRestart)
+#include "tst_job_restart.moc"

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+#include <filesystem>
+
+#include "papers/lookahead.h"
+#include "papers/recorded_run.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+
+class TestLookahead : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void readsPrograms() {
+    const auto blocks = papers::parseRecordedProgram(
+        "(comment)\nG21 G17 G90\nG64 P0.01\nG1 X15 Y0 F600\nG3 X20 Y5 I0 J5\nG4 "
+        "P0.5\nG61\nX0\nM2\n",
+        {});
+    QVERIFY(blocks);
+    QCOMPARE(blocks->size(), std::size_t{3});
+    QCOMPARE((*blocks)[0].roundingMm, 0.01);
+    QCOMPARE((*blocks)[0].feedMmPerS, 10.0);
+    QVERIFY((*blocks)[1].arc.has_value());
+    QVERIFY(std::abs((*blocks)[1].arc->sweepRad - std::acos(0.0)) < 1e-12);
+    QVERIFY((*blocks)[2].end == machine::BlockEnd::ExactStop);
+    QVERIFY(!papers::parseRecordedProgram("G1 X1.2.3\n", {}));
+    // A comment that nobody ends goes to the end of the line.
+    const auto open = papers::parseRecordedProgram("G1 X1 (as far as here\nX2\n", {});
+    QVERIFY(open);
+    QCOMPARE(open->size(), std::size_t{2});
+  }
+
+  void readsTables() {
+    const auto samples =
+        papers::parseRecordedSamples("t_s,x_cmd,y_cmd,z_cmd,other,v_path\n0.001,1,2,3,9,4.5\n");
+    QVERIFY(samples);
+    QCOMPARE(samples->size(), std::size_t{1});
+    QCOMPARE(samples->front().pathMmPerS, 4.5);
+    QVERIFY(!papers::parseRecordedSamples("t_s,x_cmd\n0,1\n"));
+    QVERIFY(!papers::parseRecordedSamples("t_s,x_cmd,y_cmd,z_cmd,v_path\n0,1,2,3\n"));
+  }
+
+  /// Cycle times with exact stops within 3 % of the recorded planner; no axis limit exceeded.
+  void agreesWithTheRecordings() {
+    const std::filesystem::path folder = RIVULET_SOURCE_DIR "/../shared/groundtruth";
+    std::error_code missing;
+    if (!std::filesystem::exists(folder, missing)) {
+      QSKIP("The recordings of the other motion planner are not here.");
+    }
+    const auto result = papers::runLookahead(folder);
+    QVERIFY2(result, result ? "" : result.error().text().c_str());
+    QVERIFY(result->checks.size() >= 16);
+    for (const papers::Check& check : result->checks) {
+      qInfo("%s: %g, accepted %g to %g", check.what.c_str(), check.ours, check.lowest,
+            check.highest);
+      QVERIFY2(check.passed(), check.what.c_str());
+    }
+    for (const auto& row : result->tables.back().rows) {
+      qInfo("%s %s %s", row[0].c_str(), row[1].c_str(), row[2].c_str());
+    }
+    QCOMPARE(result->plots.size(), std::size_t{1});
+  }
+};
+
+RIVULET_TEST(TestLookahead)
+#include "tst_lookahead.moc"

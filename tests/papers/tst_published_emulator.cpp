@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QtTest>
+#include <filesystem>
+
+#include "emulator/emulator_error.h"
+#include "papers/published_emulator.h"
+#include "papers/recorded_run.h"
+#include "platform/thread_executor.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+
+namespace {
+
+const std::filesystem::path kRecordings = RIVULET_SOURCE_DIR "/../shared/groundtruth";
+
+bool haveRecordings() {
+  std::error_code missing;
+  return std::filesystem::exists(kRecordings / "data" / "opcua", missing);
+}
+
+}  // namespace
+
+class TestPublishedEmulator : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void readsWhatAClientSaw() {
+    const auto samples =
+        papers::parseObservedSamples("t_s,x,y,vx,vy,keep\n0.1,1,2,3,4,1\n0.2,5,6,7,8,0\n");
+    QVERIFY(samples);
+    QCOMPARE(samples->size(), std::size_t{2});
+    QCOMPARE(samples->back().yMm, 6.0);
+    QCOMPARE(samples->back().xMmPerS, 7.0);
+    QVERIFY(!papers::parseObservedSamples("t_s,x,y,vx\n0.1,1,2,3\n"));
+  }
+
+  void saysWhichFileIsMissing() {
+    parallel::ThreadExecutor executor;
+    const auto result = papers::runPublishedEmulator("/no/such/folder", executor, {});
+    QVERIFY(!result);
+    QVERIFY(result.error().code == papers::RecordedRunError::FileUnreadable);
+    QVERIFY(result.error().text().find("G1_g61") != std::string::npos);
+  }
+
+  /// A small population for a few generations: already better than the paper's.
+  void isBetterThanThePaper() {
+    if (!haveRecordings()) {
+      QSKIP("The recordings of the other motion controller are not here.");
+    }
+    parallel::ThreadExecutor executor;
+    papers::PublishedEmulatorOptions options;
+    options.genetic.populationSize = 12;
+    options.genetic.generations = 3;
+    options.generationsOfTen = 1;
+    const auto result = papers::runPublishedEmulator(kRecordings, executor, options);
+    QVERIFY2(result, result ? "" : result.error().text().c_str());
+    for (const papers::Check& check : result->checks) {
+      qInfo("%s: %g %s ([P2] %g)", check.what.c_str(), check.ours, check.unit.c_str(),
+            check.reference);
+      QVERIFY2(check.passed(), check.what.c_str());
+    }
+    QCOMPARE(result->tables.size(), std::size_t{6});
+    QCOMPARE(result->plots.size(), std::size_t{6});
+    for (const papers::Plot& plot : result->plots) {
+      for (const papers::Series& series : plot.series) {
+        QVERIFY2(!series.x.empty() && series.x.size() == series.y.size(), plot.title.c_str());
+      }
+    }
+  }
+
+  void stopsWhenToldTo() {
+    if (!haveRecordings()) {
+      QSKIP("The recordings of the other motion controller are not here.");
+    }
+    parallel::ThreadExecutor executor;
+    papers::PublishedEmulatorOptions options;
+    options.genetic.populationSize = 4;
+    options.progress = [](double) { return false; };
+    const auto result = papers::runPublishedEmulator(kRecordings, executor, options);
+    QVERIFY(!result);
+    QVERIFY(result.error().code == emulator::EmulatorError::Cancelled);
+  }
+};
+
+RIVULET_TEST(TestPublishedEmulator)
+#include "tst_published_emulator.moc"
