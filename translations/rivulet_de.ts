@@ -4489,6 +4489,10 @@ GPL-3.0-or-later</translation>
         <source>Start. The points come from %1.</source>
         <translation>Start. Die Punkte kommen von %1.</translation>
     </message>
+    <message>
+        <source>Rivulet cannot stop what the control executes now. Press NC STOP at the machine.</source>
+        <translation>Rivulet kann nicht anhalten, was die Steuerung jetzt ausführt. An der Maschine NC-STOP drücken.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AdvicePanel</name>

@@ -4489,6 +4489,10 @@ GPL-3.0-or-later</translation>
         <source>Start. The points come from %1.</source>
         <translation>Inicio. Los puntos llegan de %1.</translation>
     </message>
+    <message>
+        <source>Rivulet cannot stop what the control executes now. Press NC STOP at the machine.</source>
+        <translation>Rivulet no puede parar lo que el control ejecuta ahora. Pulse NC STOP en la máquina.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AdvicePanel</name>

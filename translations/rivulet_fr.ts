@@ -4489,6 +4489,10 @@ GPL-3.0-or-later</translation>
         <source>Start. The points come from %1.</source>
         <translation>Démarrage. Les points viennent de %1.</translation>
     </message>
+    <message>
+        <source>Rivulet cannot stop what the control executes now. Press NC STOP at the machine.</source>
+        <translation>Rivulet ne peut pas arrêter ce que la commande exécute maintenant. Appuyer sur NC STOP à la machine.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AdvicePanel</name>

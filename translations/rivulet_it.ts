@@ -4489,6 +4489,10 @@ GPL-3.0-or-later</translation>
         <source>Start. The points come from %1.</source>
         <translation>Avvio. I punti arrivano da %1.</translation>
     </message>
+    <message>
+        <source>Rivulet cannot stop what the control executes now. Press NC STOP at the machine.</source>
+        <translation>Rivulet non può fermare ciò che il controllo esegue ora. Premere NC STOP sulla macchina.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AdvicePanel</name>

@@ -94,8 +94,9 @@ void Logins::remember(const QString& endpoint, const Login& login,
   if (controlOf(endpoint) != control) {
     const bool isDefault = control.link == opcua::LinkKind::Open62541;
     // Without it the map is chosen again, no more.
-    (void)m_store.setControl(endpoint.trimmed().toStdString(), control.mapFile.toStdString(),
-                             isDefault ? std::string() : std::string(qtopcua::linkName(control.link)));
+    (void)m_store.setControl(
+        endpoint.trimmed().toStdString(), control.mapFile.toStdString(),
+        isDefault ? std::string() : std::string(qtopcua::linkName(control.link)));
   }
   const LoginName& name = login.name;
   if (nameOf(endpoint) != name) {

@@ -313,6 +313,7 @@ void MachineModel::sayLink() {
 
 void MachineModel::takeSeen(const session::MachineSeen& seen) {
   m_view.channelStatus = seen.channelStatus;
+  m_mayMove = seen.channelStatus != opcua::kChannelReset;
   m_view.programStatus = seen.programStatus;
   m_view.alarmNumber = seen.alarm;
   if (seen.alarm != 0) {
@@ -346,6 +347,7 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
 
 void MachineModel::showRunning(const QString& programName) {
   m_view.channelStatus = kChannelActive;
+  m_mayMove = true;
   m_view.programStatus = kProgramRunning;
   m_view.programName = programName;
   m_stateAtS = m_clock();

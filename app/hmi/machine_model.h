@@ -59,6 +59,9 @@ class MachineModel final : public QObject {
   [[nodiscard]] widgets::ConnectionState connectionState() const;
   [[nodiscard]] bool isConnected() const { return m_link.state == session::LinkState::Connected; }
   [[nodiscard]] const widgets::MachineView& view() const { return m_view; }
+  /// The channel was not in reset when it was seen last: whoever started it, and also after the
+  /// connection was lost, something may move.
+  [[nodiscard]] bool mayMove() const { return m_mayMove; }
   /// The position, if it was read just now.
   [[nodiscard]] std::optional<base::Vec3> positionNowMm() const;
 
@@ -124,6 +127,7 @@ class MachineModel final : public QObject {
   widgets::ControlChoice m_control;  ///< of `m_request`
   opcua::ConnectRequest m_request;  ///< of the attempt in progress, or that is asked about
   session::LinkChanged m_link;
+  bool m_mayMove = false;
   widgets::MachineView m_view;
   std::shared_ptr<const streaming::CalibrationRecord> m_calibration;
   bool m_isOutdated = false;

@@ -93,6 +93,8 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
           m_runs.stop();
         } else if (!isRunning() && m_found.isStoppedByKey()) {
           m_found.stop();
+        } else if (!isRunning() && !m_found.isOnControl() && m_machine.mayMove()) {
+          m_runs.stop();
         }
       },
       [this] { m_users.noticeInput(); }, this);

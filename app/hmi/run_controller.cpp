@@ -185,6 +185,13 @@ bool RunController::start() {
 }
 
 void RunController::stop() {
+  if (!m_session.isRunning()) {
+    m_messages.didAct(Act::Stop, {{"machine", m_machine.endpoint().toStdString()}});
+    m_messages.show(Severity::Error, [] {
+      return tr("Rivulet cannot stop what the control executes now. Press NC STOP at the machine.");
+    });
+    return;
+  }
   m_session.stop();
   m_messages.didAct(Act::Stop, {{"point", std::to_string(m_update.counters.executed)}});
   m_messages.log(Severity::Note, Source::Run, [] { return tr("Stop requested."); });

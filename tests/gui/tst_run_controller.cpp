@@ -179,6 +179,29 @@ class TestRunController : public QObject {
     QVERIFY(machine.view().feedFreshness() == Freshness::Old && !machine.positionNowMm());
   }
 
+  /// What was seen to move may move until it is seen to stand, also after the connection was lost.
+  void whatWasSeenToMoveMayMove() {
+    Models models;
+    hmi::MachineModel& machine = models.machine;
+    QVERIFY(!machine.mayMove());
+    Q_EMIT models.session.linkChanged({session::LinkState::Connected, {}, true, {}});
+    session::MachineSeen seen;
+    seen.channelStatus = 1;
+    Q_EMIT models.session.machineSeen(seen);
+    QVERIFY(machine.mayMove());
+    Q_EMIT models.session.linkChanged({session::LinkState::Lost, {}, true, {}});
+    QVERIFY(machine.mayMove());
+    // No run of this window: it says what stops the machine.
+    QString said;
+    connect(&models.messages, &hmi::Messages::shown, this,
+            [&said](gcode::Severity, const std::function<QString()>& text) { said = text(); });
+    models.runs.stop();
+    QVERIFY2(said.contains(QStringLiteral("NC STOP")), qPrintable(said));
+    seen.channelStatus = opcua::kChannelReset;
+    Q_EMIT models.session.machineSeen(seen);
+    QVERIFY(!machine.mayMove());
+  }
+
   /// A stream without slack reads the axes every 0.9 s: that is said once, not with each read.
   void readsThatComeRarelyAreSaidToBeRare() {
     using widgets::Freshness;

@@ -289,6 +289,11 @@ void RunPanel::setJob(const std::optional<JobProgress>& job) {
   showAll();
 }
 
+void RunPanel::setMayMove(bool mayMove) {
+  m_mayMove = mayMove;
+  showButtons();
+}
+
 void RunPanel::setTitle(const QString& title) {
   m_title->setText(title);
 }
@@ -447,7 +452,7 @@ void RunPanel::showButtons() {
                            ? tr("Asks the control where the run was left. Nothing moves yet.")
                            : m_resumeBlocked);
   m_start->setNeedsHold(m_preflightPassed);
-  m_stop->setEnabled(active || (hasFound() && !m_found->isStopping));
+  m_stop->setEnabled(active || hasFound() || m_mayMove);
   const bool canStart = !active && m_startBlocked.isEmpty();
   if (!canStart && m_start->hasFocus()) {
     setFocus(Qt::OtherFocusReason);  // else it would go to any other button of the window

@@ -70,6 +70,8 @@ class RunPanel final : public Page {
   /// A run that this window does not stream: Stop is for it, and while it is watched, its state and
   /// progress are shown. Nothing: there is none.
   void setFound(const std::optional<FoundRunView>& found);
+  /// The control may move something, whoever has started it: Stop can be pressed.
+  void setMayMove(bool mayMove);
   /// The run in progress or the last one has executed wrong points, which nobody has acknowledged.
   void setWrongMotion(bool hasWrongMotion);
 
@@ -143,6 +145,7 @@ class RunPanel final : public Page {
   bool m_hasWrongMotion = false;
   QString m_startBlocked;
   StopState m_stopState = StopState::None;
+  bool m_mayMove = false;
   std::size_t m_runBegin = 0;
   bool m_canHold = false;
   bool m_preflightPassed = false;

@@ -314,6 +314,10 @@ QWidget* makeRunPanel(const Models& models, QWidget* parent) {
   });
   QObject::connect(found, &FoundRuns::changed, panel,
                    [panel, found] { panel->setFound(found->view()); });
+  const MachineModel* machine = &models.machine;
+  const auto showMotion = [panel, machine] { panel->setMayMove(machine->mayMove()); };
+  QObject::connect(machine, &MachineModel::seen, panel, showMotion);
+  QObject::connect(machine, &MachineModel::viewChanged, panel, showMotion);
   QObject::connect(panel, &RunPanel::holdRequested, runs, &RunController::hold);
   QObject::connect(panel, &RunPanel::resumeRequested, runs, &RunController::askResume);
   QObject::connect(runs, &RunController::updated, panel, &RunPanel::setUpdate);

@@ -183,6 +183,20 @@ class TestRunPanel : public QObject {
     QCOMPARE(buttons.start->isEnabled(), !canStop);
   }
 
+  /// Whoever has started what the control executes, and after a stop that was not confirmed.
+  void stopIsThereWhileTheControlMayMove() {
+    RunPanel panel;
+    const Buttons buttons(panel);
+    QSignalSpy stops(&panel, &RunPanel::stopRequested);
+    panel.setUpdate(updateOf(RunState::Aborted));
+    panel.setMayMove(true);
+    QVERIFY(buttons.stop->isEnabled());
+    buttons.stop->click();
+    QCOMPARE(stops.count(), 1);
+    panel.setMayMove(false);
+    QVERIFY(!buttons.stop->isEnabled());
+  }
+
   void stopSaysWhenItIsConfirmed() {
     test::Language language;
     RunPanel panel;
