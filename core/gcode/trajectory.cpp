@@ -42,8 +42,9 @@ PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
     const TrajectoryPoint& point = trajectory.points[i];
     base::Vec3 positionMm = point.positionMm;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (std::isnan(positionMm[axis])) {
-        positionMm.set(axis, startMm[axis]);
+      if (std::isnan(positionMm[axis])) {  // it stays where it is
+        positionMm.set(axis,
+                       list.points.empty() ? startMm[axis] : list.points.back().positionMm[axis]);
       }
     }
     base::RotaryDeg rotaryDeg = startDeg;

@@ -129,6 +129,10 @@ class TestInterpreter : public QObject {
         "3 R X10 Y? Z0 | 4 R X11 Y? Z0 | 6 R X5 Y? Z0");
     add("variables", "DEF REAL D=2\nR1=3\nG0 X=R1*D Y=D+1\nX=R1", "3 R X6 Y3 Z? | 4 R X3 Y3 Z?");
     // ISO and RS-274/NGC.
+    // Where Z is with another tool length, only the control knows.
+    add("tool length", "G0 X1 Y2 Z3\nG43 H1 X4\nG2 X6 I1 F100\nG1 Z5\nG49\nG91 G1 X1",
+        "1 R X1 Y2 Z3 | 2 R X4 Y2 Z? | 3 A X5 Y3 Z? F100 | 3 A X6 Y2 Z? F100 | 4 L X6 Y2 Z5 F100 | "
+        "6 L X7 Y2 Z? F100");
     add("G92", "G0 X10 Y0 Z0\nG92 X0\nG0 X5\nG92.1\nX5",
         "1 R X10 Y0 Z0 | 3 R X15 Y0 Z0 | 5 R X5 Y0 Z0");
     add("G52", "G0 X10 Y0 Z0\nG52 X100\nG0 X5\nG52 X0\nX5",

@@ -105,6 +105,7 @@ struct BlockWords {
   bool takesParameter = false;  ///< P and Q belong to an M function
   bool taken = false;           ///< a statement takes the axis words: no motion
   bool exactStop = false;       ///< G9
+  bool changesLength = false;   ///< G43, G49: where Z is afterwards, the control alone knows
   bool foreignMotion = false;   ///< a cycle or thread begins: what was in progress ends
   bool ends = false;
   bool hasRotary = false;  ///< an axis beyond X, Y, Z

@@ -75,6 +75,11 @@ void Executor::execute(BlockWords& words) {
   if (words.rare) {
     executeRare(words);
   }
+  if (words.changesLength && !m_options.knowsMachineCoordinates) {
+    constexpr std::size_t kToolAxis = 2;  // of RS-274, in each plane
+    m_position.programmedMm.set(kToolAxis, kUnknown);
+    m_state.incrementFrom[kToolAxis].reset();
+  }
   if (hasUnusedParameter(words)) {
     m_to.faults.error(*words.parameter, FaultCode::UnknownWord);
   }

@@ -157,6 +157,7 @@ void BlockReader::readG(const GRow& row, const Token& token, BlockWords& words) 
       break;
     case GEffect::ToolLength:
       m_state.tipWord.clear();
+      words.changesLength = true;
       m_to.words.forget(2);
       break;
     case GEffect::CycleOff:
