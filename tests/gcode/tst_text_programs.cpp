@@ -161,6 +161,10 @@ class TestTextPrograms : public QObject {
         "5:1 warning never-called O2 (lines 5 to 6)");
     add("one of two called", iso, "O1\nG0 X1\nM98 P3\nM30\nO2\nX2\nM99\nO3\nX3\nM99\n", "1 3",
         "6:1 warning never-called O2 (lines 6 to 7)");
+    // Fanuc: what stands before the first % is no part of the program.
+    add("text before the tape begins", iso, "(A (PART) )\n%\nO1\nG0 X1\nM30\n%\n", "1", "");
+    add("blocks before %", iso, "G0 X1\n%\nO1\nG0 X2\nM30\n", "1",
+        "4:1 error another-main-program O1 (lines 4 to 5)");
     add("two main programs", iso, "%\nO1\nG0 X1\nM30\n%\nO2\nG0 X2\nM30\n%\n", "1",
         "7:1 error another-main-program O2 (lines 7 to 8)");
     add("two main programs without %", iso, "O1\nG0 X1\nM30\nO2\nG0 X2\nM30", "1",

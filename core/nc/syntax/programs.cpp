@@ -28,6 +28,12 @@ std::string firstName(std::string_view text) {
   return base::toUpper(text.substr(0, end));
 }
 
+/// A comment, and what is left of one that holds brackets: "(A (B) )".
+bool isComment(const Token& token) {
+  return token.kind == TokenKind::Comment || token.kind == TokenKind::CommentNested ||
+         (token.kind == TokenKind::UnexpectedCharacter && token.text == ")");
+}
+
 /// N=5 sets a variable N.
 bool isBlockNumber(const Token& token) {
   return token.kind == TokenKind::Word && token.address == 'N' &&
@@ -241,7 +247,7 @@ class Splitter {
       } else if (isBlockNumber(token)) {
         labels.push_back({numberLabel(token), next});
       } else {
-        hasWords = hasWords || token.kind != TokenKind::Comment || m_detail == Detail::Statements;
+        hasWords = hasWords || !isComment(token) || m_detail == Detail::Statements;
         note(token);
       }
     }
@@ -374,8 +380,8 @@ Heading headingOf(const Words& block, const Language& language) {
 
 bool hasWords(const Words& block, const Language& language) {
   const auto isSilent = [](const Token& token) {
-    return token.kind == TokenKind::Tape || token.kind == TokenKind::Label ||
-           token.kind == TokenKind::Comment || isBlockNumber(token);
+    return token.kind == TokenKind::Tape || token.kind == TokenKind::Label || isComment(token) ||
+           isBlockNumber(token);
   };
   const bool hasNumber = !block.tokens.empty() && headingOf(block, language) == Heading::Number;
   return !std::all_of(block.tokens.begin() + (hasNumber ? 1 : 0), block.tokens.end(), isSilent);
