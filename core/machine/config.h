@@ -121,6 +121,7 @@ struct ToolTable {
   base::Duration changeTime{};
   bool acceptsMissing = false;  ///< a tool that is not in the table has length and radius 0
   std::vector<Tool> tools;
+  Tool inSpindle;  ///< when the machine is switched on, with D1
 
   [[nodiscard]] std::optional<Tool> find(int number) const;
   /// @param name  in any case of letters

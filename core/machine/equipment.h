@@ -35,7 +35,8 @@ class Spindle {
 class Equipment {
  public:
   /// @param config  outlives it
-  explicit Equipment(const MachineConfig& config) : m_config(config) {}
+  explicit Equipment(const MachineConfig& config)
+      : m_config(config), m_tool(config.tools ? config.tools->inSpindle : Tool{}) {}
 
   /// @return s until the next block may begin; infinity: until the next cycle start
   [[nodiscard]] double carryOut(const PreparedActions& actions, base::Instant at,

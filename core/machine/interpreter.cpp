@@ -98,6 +98,10 @@ nc::Expected<nc::Value> Interpreter::Values::system(std::string_view name,
   if (base::toUpper(name) == "$P_TOOLR") {
     return nc::Value(m_toolRadiusMm);
   }
+  const auto* const number = indices.empty() ? nullptr : std::get_if<double>(&indices.front());
+  if (base::toUpper(name) == "$P_TOOLL" && number != nullptr && *number == 1.0) {
+    return nc::Value(m_toolLengthMm);
+  }
   return m_mainRun == nullptr ? ValueSource::system(name, indices)
                               : systemValue(*m_mainRun, name, indices);
 }
@@ -165,6 +169,9 @@ InterpreterOptions interpreterOptions(const MachineConfig& config,
   options.roundingMm = config.roundingMm;
   options.dynamics = config.resetDynamics;
   options.machine = &config;
+  if (config.tools) {
+    options.tool = config.tools->inSpindle;
+  }
   return options;
 }
 
@@ -265,6 +272,8 @@ Prepared Interpreter::nextBlock() {
 
 Prepared Interpreter::execute(const nc::Statement& statement) {
   m_line = statement.place.line;
+  m_values.setTool(m_machineWords.hasEdge() ? m_machineWords.radiusMm() : 0.0,
+                   m_executor.state().toolLengthMm);
   return std::visit(
       Overload{
           [&](const nc::Words& s) { return executeWords(s, statement.place.line); },
@@ -482,7 +491,7 @@ Prepared Interpreter::executeWords(const nc::Words& words, base::LineNumber line
   block.line = line;
   m_corner.reset();
   for (const nc::Token& token : words.tokens) {
-    if (!readCorner(token)) {
+    if (!readValue(token)) {
       m_executor.read(token, block);
     }
   }
@@ -559,17 +568,17 @@ Prepared Interpreter::inOrder(Prepared prepared, base::LineNumber line) {
   return first;
 }
 
-/// RND, RNDM, CHF, CHR, and OFFN. @return false: another word
-bool Interpreter::readCorner(const nc::Token& token) {
+/// RND, RNDM, CHF, CHR, OFFN and TOFFL. @return false: another word
+bool Interpreter::readValue(const nc::Token& token) {
   const bool isNamed =
       token.kind == nc::TokenKind::NamedValue || token.kind == nc::TokenKind::Assignment;
   const std::string name = isNamed ? base::toUpper(nc::tokenName(token)) : std::string();
   const bool isModal = name == "RNDM";
-  const bool isAllowance = name == "OFFN";
+  const bool isOffset = name == "TOFFL";
+  const bool isAllowance = name == "OFFN" || isOffset;
   if (!isModal && !isAllowance && name != "RND" && name != "CHF" && name != "CHR") {
     return false;
   }
-  m_values.setToolRadius(m_machineWords.hasEdge() ? m_machineWords.radiusMm() : 0.0);
   const nc::Expression* const calculated = token.calculated();
   const nc::Expected<double> value =
       calculated != nullptr ? m_values.number(*calculated) : nc::Expected<double>(token.value);
@@ -579,7 +588,9 @@ bool Interpreter::readCorner(const nc::Token& token) {
     return true;
   }
   const double mm = *value * m_executor.state().lengthFactor;
-  if (isAllowance) {
+  if (isOffset) {
+    m_machineWords.setLengthOffset(mm);
+  } else if (isAllowance) {
     m_allowanceMm = mm;
   } else if (isModal) {
     m_roundingMm = mm;

@@ -80,8 +80,11 @@ class Interpreter {
                                                  std::span<const nc::Value> indices) const override;
     /// Where the control is said to read R only after a STOPRE: reads them.
     void refresh();
-    /// $P_TOOLR, mm.
-    void setToolRadius(double mm) { m_toolRadiusMm = mm; }
+    /// $P_TOOLR and $P_TOOLL[1], mm.
+    void setTool(double radiusMm, double lengthMm) {
+      m_toolRadiusMm = radiusMm;
+      m_toolLengthMm = lengthMm;
+    }
     /// Work offsets that $P_UIFR has changed; nothing: none since they were taken.
     [[nodiscard]] std::optional<std::map<int, base::Vec3>> takeOffsets();
 
@@ -93,6 +96,7 @@ class Interpreter {
     std::map<int, base::Vec3> m_offsetsMm;  ///< by key of the G function
     bool m_hasNewOffsets = false;
     double m_toolRadiusMm = 0.0;
+    double m_toolLengthMm = 0.0;
     RParameters& m_parameters;
     const MainRun* m_mainRun;
     std::vector<double> m_cache;  // empty: read live
@@ -112,7 +116,7 @@ class Interpreter {
   void append(Prepared prepared);
   void compensate(Prepared prepared);
   void finishPath();
-  [[nodiscard]] bool readCorner(const nc::Token& token);
+  [[nodiscard]] bool readValue(const nc::Token& token);
   [[nodiscard]] base::Vec3 planeNormal();
   [[nodiscard]] Prepared leave();
   [[nodiscard]] Prepared swivel(const nc::Call& call, base::LineNumber line) const;

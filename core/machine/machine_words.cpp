@@ -32,9 +32,10 @@ void MachineWords::apply(const BlockMachineWords& words, bool isDwell, nc::Modal
     if (words.edge) {
       applyEdge(words);
     }
-    state.toolLengthMm = m_inSpindle.hasEdge(m_edge)
-                             ? m_inSpindle.edges[static_cast<std::size_t>(m_edge) - 1].lengthMm
-                             : 0.0;
+    state.toolLengthMm =
+        m_inSpindle.hasEdge(m_edge)
+            ? m_inSpindle.edges[static_cast<std::size_t>(m_edge) - 1].lengthMm + m_lengthOffsetMm
+            : 0.0;
   }
   if (m_machine != nullptr && m_machine->spindle && !isDwell) {
     applySpindle(words, state);

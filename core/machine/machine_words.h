@@ -32,12 +32,16 @@ class MachineWords {
  public:
   /// @param machine  null: such words do nothing @param tool  in the spindle
   MachineWords(const MachineConfig* machine, Tool tool, AlarmSink& alarms)
-      : m_machine(machine), m_inSpindle(tool), m_next(std::move(tool)), m_alarms(alarms) {}
+      : m_machine(machine), m_inSpindle(tool), m_next(std::move(tool)), m_alarms(alarms) {
+    m_edge = machine != nullptr && machine->tools && machine->tools->inSpindle.exists() ? 1 : 0;
+  }
 
   /// Before the block is executed: the length of its tool counts for its motion.
   /// Alarms as on the control: 17190 no such tool, 17180 no such edge.
   void apply(const BlockMachineWords& words, bool isDwell, nc::ModalState& state);
 
+  /// TOFFL: of the next block on, until another one.
+  void setLengthOffset(double mm) { m_lengthOffsetMm = mm; }
   /// The next block tells the machine which one holds.
   void workOffsetsChanged() { m_workOffset = -1; }
   [[nodiscard]] bool hasEdge() const { return m_inSpindle.exists() && m_edge > 0; }
@@ -63,6 +67,7 @@ class MachineWords {
   Tool m_inSpindle;
   Tool m_next;  ///< selected by T
   int m_edge = 0;
+  double m_lengthOffsetMm = 0.0;
   int m_workOffset = kNoWorkOffset;
   std::size_t m_planeFirstAxis = 0;
   Actions m_actions;

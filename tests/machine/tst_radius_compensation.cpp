@@ -63,6 +63,15 @@ class TestRadiusCompensation : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// TOFFL is added to the length of the tool; with its negative length there is none.
+  void offsetOfTheLength() {
+    // The way is longer than from one programmed place to the next.
+    QCOMPARE(QString::fromStdString(runProgram("TOFFL=5\nZ10").path), QStringLiteral("~0,0,10"));
+    QCOMPARE(QString::fromStdString(runProgram("TOFFL=5\nR1=$P_TOOLL[1]\nTOFFL=R1-5\nZ10").path),
+             QStringLiteral("0,0,10"));
+    QCOMPARE(runProgram("TOFFL=OF_NOTHING").alarm, 12550);
+  }
+
   void paths_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("path");

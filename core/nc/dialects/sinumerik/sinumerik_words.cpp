@@ -20,6 +20,7 @@ constexpr std::string_view kSpindle = "Fundamentals, Spindle motion";
 constexpr std::string_view kGeometry = "Fundamentals, Geometry settings";
 constexpr std::string_view kPath = "Fundamentals, Path action";
 constexpr std::string_view kRadius = "Fundamentals, Tool radius compensation";
+constexpr std::string_view kTool = "Fundamentals, Tool offsets";
 constexpr std::string_view kAuxiliary = "Fundamentals, Auxiliary function outputs, M functions";
 constexpr std::string_view kFrames = "Fundamentals, Coordinate transformations (frames)";
 constexpr std::string_view kJob = "Programming Manual Job Planning, List of statements";
@@ -263,6 +264,8 @@ void addIgnored(NameTable& table) {
              "ORIEULER", "ORIRPY", "ORIRPY2",  "ORIVIRT1", "ORIVIRT2", "ORIC",     "ORID",
              "ORISON",   "ORISOF", "ORIRESET", "ORIPLANE", "LEAD",     "TILT",     "TCARR",
              "TCOABS",   "TCOFR",  "TOFFOF",   "TOWSTD",   "TOWMCS",   "TOWWCS"});
+  // An offset of the tool's length, which the control alone knows.
+  table.add(NameEffect::Mode, kTool, {"TOFFL"});
   // Spindle, tool, display, and what a program says of itself.
   table.add(
       NameEffect::None, kAuxiliary,
