@@ -23,6 +23,8 @@ class HoleCycles {
   /// A G function with this key begins. @return false: it is no cycle that is known here
   bool begin(int key);
   void end() { m_key.reset(); }
+  /// Boring from behind: lifts the tool off the wall, in a direction that a setting gives.
+  [[nodiscard]] static bool lifts(int key) { return key == 870; }
   [[nodiscard]] bool isOn() const { return m_key.has_value(); }
   /// G98, G99.
   void retractToStart(bool isToStart) { m_toStart = isToStart; }

@@ -154,7 +154,7 @@ class PlanWriter {
     writeDue(native, m_natives);
     const bool isForeign = m_plan.program.dialect != nc::Dialect::Sinumerik;
     if (isForeign) {
-      line("G90 G94 G710 DIAMOF");
+      line("G17 G90 G94 G710 DIAMOF");  // a tool length of the others acts along Z in each plane
     } else if (!isAfterNative) {
       line("G710 DIAMOF");
       cancelFrame();

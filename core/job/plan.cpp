@@ -18,7 +18,7 @@ struct RefusalText {
 };
 
 const RefusalText& textOf(RefusalCode code) {
-  static constexpr std::array<RefusalText, 5> kTexts{{
+  static constexpr std::array<RefusalText, 9> kTexts{{
       {"not-translated",
        "There is no translation of %1 for the control: leave it out (--accept %1)."},
       {"curve-interrupted",
@@ -32,6 +32,20 @@ const RefusalText& textOf(RefusalCode code) {
       {"function-unknown",
        "%1 is a function of another machine: say what the control does for it, nothing (--m "
        "%1=ignore), the same function (--m %1=pass), or a line (--m %1=\"M50\")."},
+      {"length-of-other-tool",
+       "%1 is no length of the tool in the spindle: the control has that of its own tool alone. "
+       "Write the number of the tool after H, or take the length of the tool in the spindle, edge "
+       "D1, for it (--accept with the H word)."},
+      {"tool-not-called",
+       "%1 is the length of a tool, but the program has not called one: write its tool change "
+       "before. If that tool will be in the spindle when the job starts, --accept %1 takes the "
+       "length of the tool in the spindle, edge D1."},
+      {"length-kept",
+       "The tool axis moves with the length of the tool before the change, %1: write G43 with H of "
+       "the new tool before that move, or G49."},
+      {"cycle-shift",
+       "%1 stops the spindle at an angle and lifts the tool off in a direction that a setting of "
+       "the control gives: write its moves instead of it."},
   }};
   return kTexts[static_cast<std::size_t>(code)];
 }

@@ -49,6 +49,9 @@ constexpr std::array kSwitchOff{102, 111, 117, 129, 145, 149};
 /// are those of the tool's tip, or of the axes.
 constexpr int kTipOn = 428;
 constexpr int kTipOff = 429;
+/// G41.1, G42.1
+constexpr int kLeftByDiameter = 411;
+constexpr int kRightByDiameter = 421;
 
 /// The motion of a block can be streamed without such a word.
 bool isSeparable(NativeReason reason) {
@@ -128,6 +131,7 @@ struct BlockNotes {
   bool isMissing = false;  ///< the subprogram it calls is not at hand
   bool calls = false;
   bool moves = false;
+  bool movesAlongTool = false;  ///< in coordinates of the workpiece
   bool setsFrame = false;
   std::array<bool, base::kAxisCount> increments{};
   std::array<bool, nc::kProgrammedAxisCount> given{};
@@ -152,7 +156,10 @@ class Splitter final : public gcode::BlockObserver,
  public:
   Splitter(const gcode::LoadOptions& options, const Profile& profile,
            std::function<void(const Part&)> each)
-      : m_options(options), m_profile(profile), m_translator(profile), m_each(std::move(each)) {}
+      : m_options(options),
+        m_profile(profile),
+        m_translator(profile, options.accepted),
+        m_each(std::move(each)) {}
 
   [[nodiscard]] std::size_t nativeBlocks() const override { return m_parts.size(); }
 
@@ -226,6 +233,8 @@ class Splitter final : public gcode::BlockObserver,
     }
     block.region = regionReason();
     m_regions.blockExecuted(words, executor.state());
+    constexpr std::size_t kToolAxis = 2;
+    block.movesAlongTool = words.axes.has(kToolAxis) && !words.taken && !words.dwell && !block.home;
   }
 
   void modalCall(std::string_view name) override {
@@ -247,6 +256,11 @@ class Splitter final : public gcode::BlockObserver,
       pushNative(*reason, verbatim(), block.before);
       noteInterruption();
     }
+    if (block.movesAlongTool && !m_translator.foreignLength().empty() &&
+        m_keptLength != m_translator.foreignLength()) {
+      m_keptLength = m_translator.foreignLength();  // once for each change
+      refuse(RefusalCode::LengthKept, m_keptLength);
+    }
     if (reason) {
       forgetPosition(*reason);
     }
@@ -267,6 +281,7 @@ class Splitter final : public gcode::BlockObserver,
       plan.functions.push_back(std::move(use));
     }
     plan.lastEdge = m_lastEdge;
+    plan.assumedTool = m_assumedTool;
     plan.minMm = m_minMm;
     plan.maxMm = m_maxMm;
   }
@@ -301,6 +316,8 @@ class Splitter final : public gcode::BlockObserver,
     }
     if (lines.error().empty()) {
       refuse(RefusalCode::StartUnknown, std::string(base::trim(block.text)));
+    } else if (lines.error() == "Q" && m_cycleWord == "G76") {
+      refuse(RefusalCode::CycleShift, m_cycleWord);
     } else {
       refuse(RefusalCode::CycleIncomplete, fmt::format("{} ({})", m_cycleWord, lines.error()));
     }
@@ -334,15 +351,17 @@ class Splitter final : public gcode::BlockObserver,
     const auto& tokens = m_block->tokens;
     const auto token = std::find_if(tokens.begin(), tokens.end(),
                                     [](const Token& each) { return each.address == 'D'; });
-    const double diameter = token == tokens.end() ? 0.0 : numberOf(*token).value_or(0.0);
-    if (!(diameter > 0.0)) {
+    const std::optional<double> diameter = token == tokens.end() ? std::nullopt : numberOf(*token);
+    if (!diameter || !std::isfinite(*diameter)) {
       m_block->words.push_back({ForeignWord::Kind::Other, 0.0, std::move(word)});
       return;
     }
-    const double radiusMm = diameter * m_executor->state().lengthFactor / 2.0;
+    // LinuxCNC: a negative D is that of the other side.
+    const bool isLeft = (key == kLeftByDiameter) == (*diameter >= 0.0);
+    const double radiusMm = std::abs(*diameter) * m_executor->state().lengthFactor / 2.0;
     m_block->words.push_back(
-        {ForeignWord::Kind::Line, 0.0,
-         fmt::format("G{} OFFN={}-$P_TOOLR", key / 10, base::formatFixed(radiusMm, 6))});
+        {ForeignWord::Kind::Compensation, 0.0,
+         fmt::format("G{} OFFN={}-$P_TOOLR", isLeft ? 41 : 42, base::formatFixed(radiusMm, 6))});
     m_hasAllowance = true;
   }
 
@@ -671,7 +690,9 @@ class Splitter final : public gcode::BlockObserver,
     BlockNotes& block = *m_block;
     constexpr std::size_t kAxisOfIso = 2;
     block.forgetsLength[isForeign() ? kAxisOfIso : block.before.planeThirdAxis()] = true;
-    block.forgetsLength[m_executor->state().planeThirdAxis()] = true;
+    if (!isForeign()) {
+      block.forgetsLength[m_executor->state().planeThirdAxis()] = true;
+    }
     addReason(NativeReason::Tool);
     if (isForeign()) {
       forgetLength();  // the motion of the block begins there
@@ -923,6 +944,10 @@ class Splitter final : public gcode::BlockObserver,
     const std::optional<int> key = keyOfG(argument);
     if (isForeign() && code == FaultCode::CycleNotRun && key && m_holes.begin(*key)) {
       m_cycleWord = std::move(argument);
+    } else if (isForeign() && code == FaultCode::CycleNotRun && key && HoleCycles::lifts(*key)) {
+      if (!isAccepted(argument)) {
+        refuse(RefusalCode::CycleShift, std::move(argument));
+      }
     } else if (isForeign() && code == FaultCode::RelativeFromUnknownPosition && isStraight() &&
                argument.size() == 1 && argument.front() >= 'X' && argument.front() <= 'Z') {
       m_block->isUnknown[static_cast<std::size_t>(argument.front() - 'X')] = true;
@@ -938,7 +963,8 @@ class Splitter final : public gcode::BlockObserver,
       m_block->corner = std::move(argument);
     } else if (*reason == NativeReason::RadiusCompensation && (key == 410 || key == 420)) {
       compensate(*key, std::move(argument));
-    } else if (*reason == NativeReason::RadiusCompensation && (key == 411 || key == 421)) {
+    } else if (*reason == NativeReason::RadiusCompensation &&
+               (key == kLeftByDiameter || key == kRightByDiameter)) {
       compensateBy(*key, std::move(argument));
     } else if (*reason == NativeReason::Retract) {
       m_block->toFixedPoint = code != FaultCode::MachineCoordinates;
@@ -1203,6 +1229,12 @@ class Splitter final : public gcode::BlockObserver,
         refuse(RefusalCode::NotTranslated, word);
       }
     }
+    for (const auto& [code, argument] : translation.refused) {
+      refuse(code, argument);
+    }
+    if (m_assumedTool.word.empty()) {
+      m_assumedTool = {block.place.line, m_translator.assumedTool()};
+    }
     const auto lines = [](const std::vector<std::string>& of) {
       return fmt::format("{}", fmt::join(of, "\n"));
     };
@@ -1288,6 +1320,8 @@ class Splitter final : public gcode::BlockObserver,
   std::vector<Refusal> m_refusals;
   std::map<int, FunctionUse> m_functions;
   int m_lastEdge = 0;
+  std::string m_keptLength;  ///< refused last
+  AssumedTool m_assumedTool;
   base::Vec3 m_minMm{kNowhere, kNowhere, kNowhere};
   base::Vec3 m_maxMm{kNowhere, kNowhere, kNowhere};
 };

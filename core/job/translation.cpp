@@ -126,14 +126,56 @@ void Translator::goHome(const HomeMove& home, Translation& out) const {
   }
   if (home.targetMm[kZ]) {
     // The source keeps its length offset, and the line above has cancelled it.
-    out.before.push_back(fmt::format("D{}", m_length));
+    const std::vector<std::string> again = offsetLines();
+    out.before.insert(out.before.end(), again.begin(), again.end());
   }
 }
 
+bool Translator::isAccepted(const std::string& word) const {
+  return std::find(m_accepted.begin(), m_accepted.end(), word) != m_accepted.end();
+}
+
+/// The offset of the tool before stays in force on the source (H does not follow the tool, and
+/// LinuxCNC sets a length with G43 alone), which a SINUMERIK cannot have: D is of its own tool.
+void Translator::changeTool(const nc::Language& language) {
+  const bool fits = m_lengthNumber == m_tool;
+  m_inSpindle = m_tool;
+  m_foreignLength.clear();
+  if (language.lengthComesWithTool) {
+    m_offset = Offset::Tool;
+  } else if (m_hasLength && fits) {
+    m_offset = Offset::Tool;
+  } else {
+    m_offset = Offset::None;
+    if (m_hasLength) {
+      m_foreignLength = fmt::format("{} (T{})", m_lengthNumber ? "H" + *m_lengthNumber : "G43",
+                                    m_tool.value_or("?"));
+    }
+  }
+}
+
+/// Offset n is that of tool n. @param word  as written, "H12"
+bool Translator::isOwnLength(const std::string& number, const std::string& word, Translation& out) {
+  const std::optional<std::string>& tool = m_inSpindle ? m_inSpindle : m_tool;
+  if (tool == number || isAccepted(word)) {
+    return true;
+  }
+  if (!tool && m_profile.assumesTool) {
+    m_assumedTool = word;
+    return true;
+  }
+  if (tool) {
+    out.refused.emplace_back(RefusalCode::LengthOfOtherTool, fmt::format("{} (T{})", word, *tool));
+  } else {
+    out.refused.emplace_back(RefusalCode::ToolNotCalled, word);
+  }
+  return false;
+}
+
 /// A control of another make knows no length until G43 asks for one, and H names its offset; the
-/// SINUMERIK has D1 of a tool from the change on, which is offset n of tool n alone.
-void Translator::setLength(const std::vector<ForeignWord>& words, const nc::Language& language,
-                           std::string& line, Translation& out) {
+/// SINUMERIK has D1 of a tool from the change on. @return the control has to be told
+bool Translator::setLength(const std::vector<ForeignWord>& words, const nc::Language& language,
+                           Translation& out) {
   using Kind = ForeignWord::Kind;
   const auto find = [&words](Kind kind, double value, bool anyValue) {
     const auto found = std::find_if(words.begin(), words.end(), [&](const ForeignWord& word) {
@@ -143,36 +185,57 @@ void Translator::setLength(const std::vector<ForeignWord>& words, const nc::Lang
   };
   constexpr double kLengthOn = 430.0;
   constexpr double kLengthOff = 490.0;
-  const int before = m_length;
-  const bool changes = find(Kind::M, 6.0, false) != nullptr;
-  if (changes) {
-    m_inSpindle = m_tool;
-    m_length = language.lengthComesWithTool ? 1 : 0;
-  }
   const ForeignWord* const cell = find(Kind::LengthCell, 0.0, true);
   const ForeignWord* const on = find(Kind::G, kLengthOn, false);
   if (find(Kind::G, kLengthOff, false) != nullptr || (cell != nullptr && cell->value == 0.0)) {
-    m_length = 0;
+    m_hasLength = false;
+    m_offset = Offset::None;
   } else if (cell != nullptr) {
-    const bool isOwn = !m_inSpindle || *m_inSpindle == nc::ncNumber(cell->value);
-    if (!isOwn) {
-      out.missing.push_back(cell->text);
-      return;
-    }
-    m_length = 1;
+    m_lengthNumber = nc::ncNumber(cell->value);
+    m_hasLength = isOwnLength(*m_lengthNumber, cell->text, out);
+    m_offset = m_hasLength ? Offset::Tool : m_offset;
   } else if (on != nullptr && language.lengthIsOfTool) {
-    m_length = 1;
+    m_lengthNumber = m_inSpindle ? m_inSpindle : m_tool;
+    m_hasLength = true;
+    m_offset = Offset::Tool;
+  } else if (on != nullptr && m_lengthNumber) {  // H stays until another one is named
+    m_hasLength = isOwnLength(*m_lengthNumber, "H" + *m_lengthNumber, out);
+    m_offset = m_hasLength ? Offset::Tool : m_offset;
   } else if (on != nullptr) {
     out.missing.push_back(on->text);
-    return;
-  } else if (!changes || language.lengthComesWithTool) {
-    return;
+    return false;
+  } else {
+    return false;
   }
-  const std::string length = fmt::format("D{}", m_length);
+  m_foreignLength.clear();
+  return cell != nullptr;
+}
+
+std::vector<std::string> Translator::offsetLines() const {
+  switch (m_offset) {
+    case Offset::None:
+      return {"D0"};
+    case Offset::Tool:
+      return {"D1"};
+    case Offset::Radius:  // an offset of the length before would be part of $P_TOOLL
+      return {"TOFFL=0", "D1", "TOFFL=-$P_TOOLL[1]"};
+  }
+  return {};
+}
+
+/// Behind a tool change, which may be a call, else before the other words of the block.
+void Translator::writeOffset(Offset before, bool changes, std::string& line,
+                             std::vector<std::string>& first, Translation& out) const {
+  std::vector<std::string> lines = offsetLines();
+  if (before == Offset::Radius && m_offset != Offset::Radius) {
+    lines.insert(lines.begin(), "TOFFL=0");
+  }
   if (changes) {
-    out.before.insert(out.before.begin(), length);  // behind the change, which may be a call
-  } else if (cell != nullptr || before != m_length) {
-    addWord(line, length);
+    out.before.insert(out.before.begin(), lines.begin(), lines.end());
+  } else if (lines.size() > 1) {
+    first = std::move(lines);
+  } else {
+    addWord(line, lines.front());
   }
 }
 
@@ -195,7 +258,26 @@ Translation Translator::translate(const std::vector<ForeignWord>& words,
   }
   const bool changes = has(Kind::M, 6.0);
   std::string line;
-  setLength(words, language, line, out);
+  const Offset before = m_offset;
+  if (changes) {
+    changeTool(language);
+  }
+  const bool isNamed = setLength(words, language, out);
+  const bool compensates = std::any_of(words.begin(), words.end(), [](const ForeignWord& word) {
+    return word.kind == Kind::Compensation ||
+           (word.kind == Kind::G && (word.value == 410.0 || word.value == 420.0));
+  });
+  if (compensates && m_offset == Offset::None) {
+    m_offset = Offset::Radius;  // D0 has no radius either
+  }
+  if (compensates && !m_inSpindle && m_assumedTool.empty()) {
+    m_assumedTool = "G41";
+  }
+  std::vector<std::string> first;
+  const bool isControls = changes && language.lengthComesWithTool;
+  if (isNamed || (changes && !isControls) || before != m_offset) {
+    writeOffset(before, changes, line, first, out);
+  }
   for (const ForeignWord& word : words) {
     switch (word.kind) {
       case Kind::Tool:
@@ -223,9 +305,7 @@ Translation Translator::translate(const std::vector<ForeignWord>& words,
         const int key = static_cast<int>(word.value);
         constexpr int kLengthOn = 430;
         constexpr int kLengthOff = 490;
-        if ((key == 410 || key == 420) && m_length == 0) {
-          out.missing.push_back(word.text);  // D0 has no radius either
-        } else if (key == 970 || key == 400 || key == 410 || key == 420) {
+        if (key == 970 || key == 400 || key == 410 || key == 420) {
           addWord(line, fmt::format("G{}", key / 10));
         } else if (const auto offset = workOffsetOf(key)) {
           addWord(line, *offset);
@@ -234,6 +314,7 @@ Translation Translator::translate(const std::vector<ForeignWord>& words,
         }
         break;
       }
+      case Kind::Compensation:
       case Kind::Line:
         out.before.push_back(word.text);
         break;
@@ -245,6 +326,7 @@ Translation Translator::translate(const std::vector<ForeignWord>& words,
   if (!line.empty()) {
     out.before.insert(out.before.begin(), line);
   }
+  out.before.insert(out.before.begin(), first.begin(), first.end());
   if (home) {
     goHome(*home, out);
   }

@@ -9,6 +9,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/axes.h"
@@ -25,11 +26,12 @@ struct ForeignWord {
     NamedTool,
     M,
     Spindle,
-    Dwell,       ///< seconds
-    G,           ///< key as in `nc::gTable`
-    LengthCell,  ///< H, and D of the dialects that have no H
-    Line,        ///< `text` is a line for the control
-    Other,       ///< see `text`
+    Dwell,         ///< seconds
+    G,             ///< key as in `nc::gTable`
+    LengthCell,    ///< H, and D of the dialects that have no H
+    Line,          ///< `text` is a line for the control
+    Compensation,  ///< the same, which compensates the radius
+    Other,         ///< see `text`
   };
   Kind kind = Kind::Other;
   double value = 0.0;
@@ -47,6 +49,8 @@ struct Translation {
   std::vector<std::string> before;  ///< lines that precede the motion of the block
   std::vector<std::string> after;
   std::vector<std::string> missing;  ///< words without a translation
+  /// Why a tool length cannot be set, and which.
+  std::vector<std::pair<RefusalCode, std::string>> refused;
 };
 
 /// The settable frame for a G function of the other dialects. @param key  as in `nc::gTable`
@@ -54,7 +58,9 @@ struct Translation {
 
 class Translator {
  public:
-  explicit Translator(const Profile& profile) : m_profile(profile) {}
+  /// @param accepted  words that the user has accepted, as `LoadOptions::accepted`
+  Translator(const Profile& profile, const std::vector<std::string>& accepted)
+      : m_profile(profile), m_accepted(accepted) {}
 
   /// An M function that means the same on both controls; others are the profile's.
   [[nodiscard]] static bool knowsM(nc::Dialect dialect, int number);
@@ -67,18 +73,42 @@ class Translator {
   [[nodiscard]] Translation translate(const std::vector<ForeignWord>& words,
                                       const std::optional<HomeMove>& home,
                                       const nc::Language& language);
+  /// The offset of an earlier tool that the source still has in force, and the tool it has changed
+  /// to: "H1 (T2)". The control cannot have it. Empty: there is none.
+  [[nodiscard]] const std::string& foreignLength() const { return m_foreignLength; }
+  /// The word that needs a tool before any tool change: the one in the spindle is taken, because
+  /// nobody has said otherwise. Empty: there is none.
+  [[nodiscard]] const std::string& assumedTool() const { return m_assumedTool; }
 
  private:
+  /// What the control has of the length and the radius of its tool.
+  enum class Offset : unsigned char {
+    None,    ///< D0
+    Tool,    ///< D1
+    Radius,  ///< D1, with a length of 0
+  };
   void translateM(int number, const ForeignWord& word, std::string& before, Translation& out);
   [[nodiscard]] std::string toolChange() const;
-  void setLength(const std::vector<ForeignWord>& words, const nc::Language& language,
-                 std::string& line, Translation& out);
+  void changeTool(const nc::Language& language);
+  [[nodiscard]] bool setLength(const std::vector<ForeignWord>& words, const nc::Language& language,
+                               Translation& out);
+  [[nodiscard]] bool isOwnLength(const std::string& number, const std::string& word,
+                                 Translation& out);
+  void writeOffset(Offset before, bool changes, std::string& line, std::vector<std::string>& first,
+                   Translation& out) const;
+  [[nodiscard]] std::vector<std::string> offsetLines() const;
   void goHome(const HomeMove& home, Translation& out) const;
+  [[nodiscard]] bool isAccepted(const std::string& word) const;
 
   const Profile& m_profile;
-  std::optional<std::string> m_tool;       ///< the last one named
-  std::optional<std::string> m_inSpindle;  ///< the tool that M6 has changed to
-  int m_length = 1;                        ///< D in force, 0: none; as the operator has left it
+  const std::vector<std::string>& m_accepted;
+  std::optional<std::string> m_tool;          ///< the last one named
+  std::optional<std::string> m_inSpindle;     ///< the tool that M6 has changed to
+  std::optional<std::string> m_lengthNumber;  ///< H of the source, the last one named but 0
+  bool m_hasLength = false;                   ///< the source has asked for one
+  Offset m_offset = Offset::Tool;             ///< as the operator has left it
+  std::string m_foreignLength;
+  std::string m_assumedTool;
 };
 
 }  // namespace rivulet::job

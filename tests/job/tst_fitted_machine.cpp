@@ -44,6 +44,30 @@ class TestFittedMachine : public QObject {
     QCOMPARE(made.config.tools->find(3)->edges[3].lengthMm, 102.5);
   }
 
+  /// G92 says where the operator has brought the tool.
+  void bringsTheToolToItsStart() {
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::LinuxCnc;
+    const auto plan = job::makePlan("A.NGC", "G92 Y8\nS500 M3\nG0 X1 Z2\nM2\n", options);
+    QVERIFY(plan.has_value());
+    const auto made = streaming::fitMachine(*machine::loadPreset("dmu75-mill"), *plan);
+    QCOMPARE(made.config.axes[1].startMm,
+             8.0 + made.config.workOffsetMm(machine::kNoWorkOffsetKey).y);
+  }
+
+  /// H of a tool that the program does not call: it is in the spindle.
+  void hasTheAssumedTool() {
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Fanuc;
+    job::Profile profile;
+    profile.assumesTool = true;
+    const auto plan = job::makePlan("A.NC", "G43 H3 Z5.\nM30\n", options, profile);
+    QVERIFY(plan.has_value());
+    const auto made = streaming::fitMachine(*machine::loadPreset("dmu75-mill"), *plan);
+    QCOMPARE(made.config.tools->inSpindle.number, 3);
+    QVERIFY(made.notes.front().find("H3") != std::string::npos);
+  }
+
   /// Where the program does not fit, the workpiece lies in the middle; the rest stays.
   void placesTheWorkpiece() {
     const auto made = fitted("G54\nG0 X900 Y1 Z10\nG1 X1000 F100\nM30\n");

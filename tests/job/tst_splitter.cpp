@@ -352,6 +352,13 @@ class TestSplitter : public QObject {
                         QStringLiteral("MSG(\"T\"<<$P_TOOLNO)"), QStringLiteral("OWN(R1)")}));
   }
 
+  /// Of other controls along Z in each plane.
+  void lengthActsAlongZ() {
+    const job::Plan plan = planOf(
+        "T1 M6\nG18 G0 X0. Y50.\nG43 H1 Z50.\nG19 G2 Y0. Z0. J-50. F100.\n", gcode::Dialect::Fanuc);
+    QCOMPARE(refusals(plan), QString());
+  }
+
   /// A tool length acts along Z: an arc after it begins where the program says.
   void lengthForgetsItsAxisAlone() {
     const job::Plan plan =
@@ -488,6 +495,38 @@ class TestSplitter : public QObject {
         << "T2 M6\nG43 H2\nG49\nG0 X0 Y0 Z10\nM30\n"
         << "native 1 tool T2 M6\nD0 | native 2 tool D1 | native 3 tool D0"
         << "";
+    // Fanuc: H stays in force until another one, H0 or G49.
+    QTest::newRow("the length before, kept over a tool change")
+        << "T1 M6\nG43 H1 Z50\nG91 G28 Z0\nT2 M6\nG90 G0 X1 Y1\nZ10\nM30\n"
+        << ""
+        << "6 length-kept H1 (T2)";
+    QTest::newRow("kept, and moved in the plane alone")
+        << "T1 M6\nG43 H1 Z50\nG91 G28 Z0\nT2 M6\nG90 G0 X1 Y1\nG43 H2 Z10\nM30\n"
+        << "native 1 tool T1 M6\nD0 | native 2 tool D1 | stretch 1 2: 1 point from ? | native 3 "
+           "retract SUPA G0 Z0 D0\nD1 | native 4 tool T2 M6\nD0 | stretch 2 5: 1 point from ? | "
+           "native 6 tool D1"
+        << "";
+    QTest::newRow("kept, and cancelled")
+        << "T1 M6\nG43 H1 Z50\nT2 M6\nG49\nG0 X1 Y1 Z10\nM30\n"
+        << "native 1 tool T1 M6\nD0 | native 2 tool D1 | stretch 1 2: 1 point from ? | native 3 "
+           "tool T2 M6\nD0 | native 4 tool  | stretch 2 5"
+        << "";
+    QTest::newRow("the same tool again")
+        << "T1 M6\nG43 H1 Z50\nT1 M6\nG0 X1 Y1 Z10\nM30\n"
+        << "native 1 tool T1 M6\nD0 | native 2 tool D1 | stretch 1 2: 1 point from ? | native 3 "
+           "tool T1 M6\nD1"
+        << "";
+    QTest::newRow("G43 alone: H stays") << "T2 M6\nG43 H2 Z5\nG49\nG43 Z6\nM30\n"
+                                        << "native 1 tool T2 M6\nD0 | native 2 tool D1 | stretch "
+                                           "1 2: 1 point from ? | native 3 tool D0 | native 4 "
+                                           "tool D1"
+                                        << "";
+    QTest::newRow("no tool has been called") << "G43 H5 Z50\nM30\n"
+                                             << ""
+                                             << "1 tool-not-called H5";
+    QTest::newRow("T alone names it") << "T5\nG43 H5 Z50\nM30\n"
+                                      << "native 1 tool T5 | native 2 tool D1"
+                                      << "";
     QTest::newRow("H0") << "T2 M6\nG43 H0\nG0 X0 Y0 Z10\nM30\n"
                         << "native 1 tool T2 M6\nD0 | native 2 tool D0"
                         << "";
@@ -547,11 +586,12 @@ class TestSplitter : public QObject {
                gcode::Dialect::Fanuc);
     QVERIFY(!plan.isWhole());
     QCOMPARE(refusals(plan),  // a cycle without R
-             QStringLiteral("2 not-translated G87 | 4 function-unknown M60 | 5 cycle-incomplete "
+             QStringLiteral("2 cycle-shift G87 | 4 function-unknown M60 | 5 cycle-incomplete "
                             "G81 (R)"));
-    QCOMPARE(QString::fromStdString(job::describe(plan.refusals.front())),
-             QStringLiteral("There is no translation of G87 for the control: leave it out "
-                            "(--accept G87)."));
+    QCOMPARE(
+        QString::fromStdString(job::describe(plan.refusals.front())),
+        QStringLiteral("G87 stops the spindle at an angle and lifts the tool off in a direction "
+                       "that a setting of the control gives: write its moves instead of it."));
   }
 
   void cannedCycles_data() {
@@ -595,6 +635,37 @@ class TestSplitter : public QObject {
     // What follows begins above the last hole.
     const auto& last = std::get<job::Stretch>(plan.parts.back());
     QVERIFY(last.startIsKnown());
+  }
+
+  /// The user has said which length it is.
+  void acceptedLength() {
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Fanuc;
+    options.accepted = {"H5", "H12"};
+    const auto plan = job::makePlan("A.NC", "G43 H5 Z50\nT2 M6\nG43 H12 Z5\n", options);
+    QVERIFY(plan.has_value());
+    QCOMPARE(refusals(*plan), QString());
+    QCOMPARE(text(test::printParts(*plan)),
+             QStringLiteral("native 1 tool D1 | stretch 1 1: 1 point from ? | native 2 tool T2 "
+                            "M6\nD0 | native 3 tool D1 | stretch 2 3: 1 point from ?"));
+    job::Profile virtualMachine;
+    virtualMachine.assumesTool = true;
+    const job::Plan assumed = planOf("G43 H5 Z50\n", gcode::Dialect::Fanuc, virtualMachine);
+    QCOMPARE(refusals(assumed), QString());
+    QCOMPARE(assumed.assumedTool.word, std::string("H5"));
+  }
+
+  /// D0 has no radius: the tool gets its own, and a length of 0, until there is one.
+  void compensationWithoutLength() {
+    const job::Plan plan = planOf("T3 M6\nG0 X0 Y0 Z2\nG41 D3 X10 F100\nG40 X0\nG43 H3 Z5\n",
+                                  gcode::Dialect::LinuxCnc);
+    QCOMPARE(refusals(plan), QString());
+    QCOMPARE(text(test::printParts(plan)),
+             QStringLiteral(
+                 "native 1 tool T3 M6\nD0 | stretch 1 2: 1 point from ? | native 3 "
+                 "radius-compensation TOFFL=0\nD1\nTOFFL=-$P_TOOLL[1]\nG41\nG0 X10 | native 4 "
+                 "radius-compensation G40\nG0 X0 | native 5 tool TOFFL=0\nD1 | stretch 2 5: "
+                 "1 point from ?"));
   }
 
   /// Between G41 and G40 the control moves, with arcs to their centres.

@@ -151,6 +151,7 @@ double lengthMmMax(const MachineConfig& config, const job::Plan& plan) {
     for (const std::string& name : plan.program.trajectory.toolNames) {
       take(config.tools->find(name));
     }
+    take(config.tools->inSpindle);
   }
   return longest;
 }
@@ -195,6 +196,35 @@ void placeWorkpiece(FittedMachine& made, const job::Plan& plan) {
   }
 }
 
+/// Where the program has the tool before its first move (G92): the operator has brought it there.
+void placeTool(FittedMachine& made, const job::Plan& plan) {
+  const job::Stretch* first = nullptr;
+  for (const job::Part& part : plan.parts) {
+    const auto* const stretch = std::get_if<job::Stretch>(&part);
+    const auto* const native = std::get_if<job::NativeBlock>(&part);
+    if (native != nullptr && native->moves && !native->isHalf) {
+      break;
+    }
+    if (stretch != nullptr && stretch->number > 0) {
+      first = stretch;
+      break;
+    }
+  }
+  std::string place;
+  for (std::size_t axis = 0; first != nullptr && axis < base::kAxisCount; ++axis) {
+    if (!std::isnan(first->startMm[axis])) {
+      made.config.axes[axis].startMm =
+          first->startMm[axis] + made.config.workOffsetMm(machine::kNoWorkOffsetKey)[axis];
+      place +=
+          fmt::format(" {}{}", base::kAxisNames[axis], base::formatNumber(first->startMm[axis]));
+    }
+  }
+  if (!place.empty()) {
+    made.notes.push_back(
+        fmt::format("The tool stands at{} at the start, as the program says.", place));
+  }
+}
+
 /// The first line that moves before any F. A block of the control may be a rapid all the same.
 std::optional<base::LineNumber> lineBeforeFeed(const job::Plan& plan) {
   const auto& found = plan.program.diagnostics;
@@ -225,13 +255,35 @@ void setFeed(FittedMachine& made, const job::Plan& plan) {
   }
 }
 
+/// A length or a radius before any tool change.
+void loadSpindle(FittedMachine& made, const job::Plan& plan) {
+  const job::AssumedTool& assumed = plan.assumedTool;
+  if (assumed.word.empty() || !made.config.tools) {
+    return;
+  }
+  machine::Tool tool{1, "", {{}}, false};
+  std::string wanted = "a tool";
+  if (const auto number = base::parseInteger(std::string_view(assumed.word).substr(1));
+      assumed.word.front() == 'H' && number) {
+    tool.number = *number;
+    tool = made.config.tools->find(*number).value_or(tool);
+    wanted = fmt::format("tool {}", *number);
+  }
+  made.config.tools->inSpindle = std::move(tool);
+  made.notes.push_back(
+      fmt::format("Line {} has {} before any tool change: {} is in the spindle at the start.",
+                  assumed.line.value, assumed.word, wanted));
+}
+
 }  // namespace
 
 FittedMachine fitMachine(machine::MachineConfig config, const job::Plan& plan) {
   FittedMachine made{std::move(config), {}};
   loadTools(made, plan);
+  loadSpindle(made, plan);
   addAxes(made, plan);
   placeWorkpiece(made, plan);
+  placeTool(made, plan);
   setFeed(made, plan);
   return made;
 }
