@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -109,8 +110,28 @@ struct Heard {
   Token token;
 };
 
+/// What stands for a calculation in a block of the control: written only if the control gets it.
+struct Stand {
+  const Token* token = nullptr;
+  std::optional<double> number;  ///< that the address gets; nothing: see `text`
+  std::string text;
+};
+
+std::string textOf(const Stand& stand) {
+  if (!stand.number) {
+    return stand.text;
+  }
+  const std::string_view address = stand.token->text.substr(0, stand.token->text.find('='));
+  const std::string_view from = nc::referenceWord((*stand.token->calculation)->reference);
+  const std::string text = nc::ncNumber(*stand.number);
+  return from.empty() ? fmt::format("{}={}", address, text)
+                      : fmt::format("{}={}({})", address, from, text);
+}
+
 /// What one block says.
 struct BlockNotes {
+  explicit BlockNotes(const nc::ModalState& state) : before(state) {}
+
   nc::Place place;
   std::string_view text;
   std::span<const Token> tokens;
@@ -134,7 +155,7 @@ struct BlockNotes {
   bool movesAlongTool = false;  ///< in coordinates of the workpiece
   bool setsFrame = false;
   std::array<bool, base::kAxisCount> increments{};
-  std::array<bool, nc::kProgrammedAxisCount> given{};
+  std::bitset<nc::kProgrammedAxisCount> given;  ///< axes that it names
   std::vector<ForeignWord> words;
   std::optional<HomeMove> home;
   bool toFixedPoint = false;
@@ -146,7 +167,13 @@ struct BlockNotes {
   /// It moves the axis by an increment from where only the control knows it to stand.
   std::array<bool, base::kAxisCount> isUnknown{};
   std::vector<Heard> heard;
-  std::map<const Token*, std::string> values;  ///< what stands for a calculation
+  std::vector<Stand> values;
+
+  [[nodiscard]] const Stand* valueOf(const Token& token) const {
+    const auto found = std::find_if(values.begin(), values.end(),
+                                    [&token](const Stand& each) { return each.token == &token; });
+    return found == values.end() ? nullptr : &*found;
+  }
 };
 
 class Splitter final : public gcode::BlockObserver,
@@ -172,13 +199,12 @@ class Splitter final : public gcode::BlockObserver,
   void begin(const gcode::SourceBlock& block, nc::Executor& executor) override {
     m_executor = &executor;
     m_fileName = &block.fileName;
-    m_block.emplace();
+    m_block.emplace(executor.state());
     m_block->place = block.place;
     m_block->text = block.text;
     m_block->tokens = block.tokens;
     m_block->isInSubprogram = block.isInSubprogram;
     m_block->variables = &block.variables;
-    m_block->before = executor.state();
     m_block->frame = m_frame;
     const nc::Position& position = executor.start();
     m_block->startMm = position.frame.toWorkpiece(position.programmedMm);
@@ -197,9 +223,7 @@ class Splitter final : public gcode::BlockObserver,
     block.calls = words.rare && (words.rare->call || words.rare->call98 || words.rare->macroCall);
     block.moves = words.moves() || words.hasAnyCentre();
     block.setsFrame = words.rare && !words.rare->frame.empty();
-    for (std::size_t axis = 0; axis < nc::kProgrammedAxisCount; ++axis) {
-      block.given[axis] = words.axes.has(axis);
-    }
+    block.given = words.axes.named;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       block.increments[axis] = isForeign() ? block.isUnknown[axis]
                                            : words.axes.has(axis) && words.axes.isIncrement(axis);
@@ -590,16 +614,11 @@ class Splitter final : public gcode::BlockObserver,
                               nc::nameEffect(m_language->dialect, name) == nc::NameEffect::Unknown;
       const nc::Expression* const value = token.calculated();
       if (isVariable) {
-        m_block->values[&token] = "";
+        m_block->values.push_back({&token, {}, {}});
       } else if (const nc::Expected<double> number =
                      value != nullptr ? block.variables.number(*value)
                                       : nc::Expected<double>(nc::fail(FaultCode::ListMalformed))) {
-        const std::string_view address = token.text.substr(0, token.text.find('='));
-        const nc::Reference reference = (*token.calculation)->reference;
-        const std::string text = nc::ncNumber(*number);
-        const std::string_view from = nc::referenceWord(reference);
-        m_block->values[&token] = from.empty() ? fmt::format("{}={}", address, text)
-                                               : fmt::format("{}={}({})", address, from, text);
+        m_block->values.push_back({&token, *number, {}});
       }
     }
   }
@@ -631,7 +650,7 @@ class Splitter final : public gcode::BlockObserver,
       const auto* const number = std::get_if<double>(&*value);
       text += number != nullptr ? nc::ncNumber(*number) : '"' + nc::textOf(*value) + '"';
     }
-    m_block->values[&token] = text + ')';
+    m_block->values.push_back({&token, {}, text + ')'});
   }
 
   // --- whose the block is -----------------------------------------------------------------------
@@ -1144,7 +1163,7 @@ class Splitter final : public gcode::BlockObserver,
     native.calculates =
         !isForeign() &&
         std::any_of(block.tokens.begin(), block.tokens.end(), [&block](const Token& token) {
-          return block.values.count(&token) == 0 && readsVariables(token);
+          return block.valueOf(token) == nullptr && readsVariables(token);
         });
     keep(std::move(native));
   }
@@ -1163,13 +1182,13 @@ class Splitter final : public gcode::BlockObserver,
     const BlockNotes& block = *m_block;
     std::string text(block.text);
     for (auto token = block.tokens.rbegin(); token != block.tokens.rend(); ++token) {
-      const auto value = block.values.find(&*token);
-      if (value == block.values.end() && !isFollowed(*token)) {
+      const Stand* const value = block.valueOf(*token);
+      if (value == nullptr && !isFollowed(*token)) {
         continue;
       }
       const auto at = static_cast<std::size_t>(token->column - 1);
       RIVULET_ASSERT(block.text.substr(at, token->text.size()) == token->text);
-      text.replace(at, token->text.size(), value == block.values.end() ? "" : value->second);
+      text.replace(at, token->text.size(), value == nullptr ? "" : textOf(*value));
     }
     return std::string(base::trim(text));
   }

@@ -75,6 +75,13 @@ constexpr std::array kHashFunctions{
 constexpr std::array<std::string_view, 7> kTypeNames{"INT",    "REAL", "BOOL", "CHAR",
                                                      "STRING", "AXIS", "FRAME"};
 
+/// @param upper  in upper case; the text in any
+bool beginsWithWord(std::string_view text, std::string_view upper) {
+  return text.size() >= upper.size() &&
+         std::equal(upper.begin(), upper.end(), text.begin(),
+                    [](char a, char b) { return a == base::toUpper(b); });
+}
+
 bool isNameOfR(std::string_view name) {
   return !name.empty() && name[0] == 'R' &&
          std::all_of(name.begin() + 1, name.end(), [](char c) { return isDigit(c); });
@@ -136,32 +143,55 @@ std::string Reader::name() {
 }
 
 bool Reader::takeWord(std::string_view upper) {
-  const std::size_t before = m_at;
-  if (name() == upper) {
-    return true;
-  }
-  m_at = before;
-  return false;
-}
-
-bool Reader::takeOperator(std::string_view word) {
-  std::size_t begin = m_at;
-  while (begin < m_text.size() && isBlank(m_text[begin])) {
-    ++begin;
-  }
-  const std::size_t end = begin + word.size();
-  if (end > m_text.size() || base::toUpper(m_text.substr(begin, word.size())) != word) {
-    return false;
-  }
+  skipBlanks();
+  const std::size_t end = m_at + upper.size();
   const char next = end < m_text.size() ? m_text[end] : '\0';
-  // "MODE" is not MOD, "*" of "**" is no product and "<" of "<<" no comparison. In the notation
-  // with # words need no boundary: "EQ2" is EQ and 2.
-  if ((m_notation.hasNames && isNameLetter(word.back()) && (isNameLetter(next) || isDigit(next))) ||
-      (word == "*" && next == '*') || (word == "<" && next == '<')) {
+  if (!beginsWithWord(m_text.substr(m_at), upper) || isNameLetter(next) || isDigit(next)) {
     return false;
   }
   m_at = end;
   return true;
+}
+
+std::size_t Reader::endOf(const OperatorWord& sign, std::size_t at) const {
+  const std::string_view word = sign.word;
+  if (!beginsWithWord(m_text.substr(at), word)) {
+    return at;
+  }
+  const std::size_t end = at + word.size();
+  const char next = end < m_text.size() ? m_text[end] : '\0';
+  // "MODE" is not MOD, "*" of "**" is no product and "<" of "<<" no comparison. In the notation
+  // with # words need no boundary: "EQ2" is EQ and 2.
+  const bool goesOn =
+      m_notation.hasNames && isNameLetter(word.back()) && (isNameLetter(next) || isDigit(next));
+  return goesOn || (word == "*" && next == '*') || (word == "<" && next == '<') ? at : end;
+}
+
+std::size_t Reader::behindBlanks() const {
+  std::size_t at = m_at;
+  while (at < m_text.size() && isBlank(m_text[at])) {
+    ++at;
+  }
+  return at;
+}
+
+bool Reader::takeOperator(const OperatorWord& sign) {
+  const std::size_t begin = behindBlanks();
+  const std::size_t end = endOf(sign, begin);
+  m_at = end == begin ? m_at : end;
+  return end != begin;
+}
+
+Reader::Ahead Reader::operatorAhead() const {
+  const std::size_t begin = behindBlanks();
+  for (std::size_t level = 0; begin < m_text.size() && level < m_notation.levels.size(); ++level) {
+    for (const OperatorWord& sign : m_notation.levels[level]) {
+      if (const std::size_t end = endOf(sign, begin); end != begin) {
+        return {sign.op, level, end};
+      }
+    }
+  }
+  return {};
 }
 
 bool Reader::isAtEnd() {
@@ -202,31 +232,28 @@ Expected<Expression> Reader::expression() {
   return outcome(level(0));
 }
 
-Reader::Result Reader::level(std::size_t index) {
-  if (index == m_notation.levels.size()) {
-    return unary();
-  }
-  Result left = level(index + 1);
+/// No two operators of a notation fit at one place but within a level, where the longer one comes
+/// first. So what follows an operand is looked up once, not by each level again.
+Reader::Result Reader::level(std::size_t weakest) {
+  Result left = unary();
   for (int chain = 0; left; ++chain) {
-    const Level words = m_notation.levels[index];
-    const auto found = std::find_if(words.begin(), words.end(), [this](const OperatorWord& word) {
-      return takeOperator(word.word);
-    });
-    if (found == words.end()) {
+    const Ahead found = operatorAhead();
+    if (found.end == 0 || found.level < weakest) {
       return left;
     }
     if (chain == kChainMax) {
       return fault(FaultCode::NestedTooDeeply);
     }
-    Result right = level(index + 1);
+    m_at = found.end;
+    Result right = level(found.level + 1);
     if (!right) {
       return fault(FaultCode::OperandMissing);
     }
-    Expression made = node(found->op, left->place);
+    Expression made = node(found.op, left->place);
     made.operands.reserve(2);
     made.operands.push_back(std::move(*left));
     made.operands.push_back(std::move(*right));
-    left = std::move(made);
+    *left = std::move(made);
   }
   return left;
 }
@@ -250,7 +277,7 @@ Reader::Result Reader::unaryInner() {
     return unary();
   }
   for (const OperatorWord& sign : kSigns) {
-    if ((sign.op == Op::Negate || m_notation.hasNames) && takeOperator(sign.word)) {
+    if ((sign.op == Op::Negate || m_notation.hasNames) && takeOperator(sign)) {
       Result value = unary();
       if (value && value->op == Op::Number && sign.op == Op::Negate) {
         value->number = -value->number;

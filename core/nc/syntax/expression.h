@@ -219,7 +219,8 @@ class Reader {
   std::nullopt_t fault(FaultCode code, std::string argument = {});
   template <class T>
   Expected<T> outcome(std::optional<T> value);
-  Result level(std::size_t index);
+  /// An expression of operators that bind as strongly as that level of the notation, or more.
+  Result level(std::size_t weakest);
   Result unary();
   Result unaryInner();
   Result primary();
@@ -241,7 +242,16 @@ class Reader {
   std::optional<Initial> initial();
   std::optional<Type> type();
   std::optional<Definition> definition(Type type, bool isParameter);
-  bool takeOperator(std::string_view word);
+  struct Ahead {
+    Op op = Op::Number;
+    std::size_t level = 0;
+    std::size_t end = 0;  ///< behind it; 0: none comes next
+  };
+  [[nodiscard]] Ahead operatorAhead() const;
+  bool takeOperator(const OperatorWord& sign);
+  /// @return where the operator that stands there ends; `at`: another one or none does
+  [[nodiscard]] std::size_t endOf(const OperatorWord& sign, std::size_t at) const;
+  [[nodiscard]] std::size_t behindBlanks() const;
   Expression node(Op op, Place place, std::vector<Expression> operands = {}) const;
 
   std::string_view m_text;

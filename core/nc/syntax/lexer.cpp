@@ -47,16 +47,23 @@ std::uint8_t classOf(char c) {
   return kClasses[static_cast<unsigned char>(c)];
 }
 
-bool isOneOf(char c, std::string_view set) {
-  return set.find(c) != std::string_view::npos;
+/// Comparisons instead of a search in a text: it is asked for each word of a program.
+template <char... kSet>
+bool isOneOf(char c) {
+  return ((c == kSet) || ...);
 }
 
 /// What may not stand directly after a number: the word would mean something else than what was
 /// read, "X1,5" and "X10-R1" above all.
-constexpr std::string_view kSpoilsNumber = ".,+-*/^#[";
+bool spoilsNumber(char c) {
+  return isOneOf<'.', ',', '+', '-', '*', '/', '^', '#', '['>(c);
+}
 
 /// Addresses whose number may be one that a computer printed: "1e-05" is one word, not two.
-constexpr std::string_view kMeasures = "ABCFIJKQRSUVWXYZ";
+bool isMeasure(char address) {
+  return isOneOf<'A', 'B', 'C', 'F', 'I', 'J', 'K', 'Q', 'R', 'S', 'U', 'V', 'W', 'X', 'Y', 'Z'>(
+      address);
+}
 
 /// Names that start a statement of the control's language; the rest of the line belongs to it.
 constexpr std::array<std::string_view, 42> kStatements{
@@ -168,7 +175,9 @@ class LineReader {
     while (at != m_end && classOf(*at) == kBlank) {
       ++at;
     }
-    return at != m_end && (classOf(*at) == kDigit || isOneOf(*at, "+-*/<>=^,.\"'"));
+    return at != m_end &&
+           (classOf(*at) == kDigit ||
+            isOneOf<'+', '-', '*', '/', '<', '>', '=', '^', ',', '.', '"', '\''>(*at));
   }
 
   /// The end of what cannot be read: a blank outside of brackets and quotes, before a word.
@@ -178,7 +187,7 @@ class LineReader {
     for (; at != m_end && (quoted || *at != ';'); ++at) {
       quoted ^= *at == '"';
       if (!quoted) {
-        depth += isOneOf(*at, "([") ? 1 : (isOneOf(*at, ")]") ? -1 : 0);
+        depth += isOneOf<'(', '['>(*at) ? 1 : (isOneOf<')', ']'>(*at) ? -1 : 0);
         if (depth <= 0 && classOf(*at) == kBlank && !isInCalculation(at)) {
           break;
         }
@@ -198,8 +207,8 @@ class LineReader {
     while (m_at != from && classOf(m_at[-1]) == kBlank) {
       --m_at;
     }
-    const bool ends = m_at == m_end || isOneOf(*m_at, " \t\v\f;(") ||
-                      (m_at != from && isOneOf(m_at[-1], ")]")) || isAtNextWord();
+    const bool ends = m_at == m_end || isOneOf<' ', '\t', '\v', '\f', ';', '('>(*m_at) ||
+                      (m_at != from && isOneOf<')', ']'>(m_at[-1])) || isAtNextWord();
     const bool goesOn = !ends || isInCalculation(m_at);
     if (!read) {
       m_at = endOfUnreadable(valueFrom);
@@ -225,7 +234,7 @@ class LineReader {
   /// Blanks are not needed in RS-274/NGC: #1=2G0X3.
   [[nodiscard]] bool isAtNextWord() const {
     return m_language.hasPolarSigns &&
-           (isOneOf(*m_at, "#@^") ||
+           (isOneOf<'#', '@', '^'>(*m_at) ||
             (classOf(*m_at) == kLetter && m_at + 1 != m_end && classOf(m_at[1]) != kLetter));
   }
 
@@ -253,6 +262,17 @@ class LineReader {
 
   enum class NumberStatus { Read, Missing, Malformed };
 
+  /// @return behind them
+  const char* readDigits(const char* at, std::uint64_t& number) const {
+    const char* const end = m_end;
+    std::uint64_t read = number;
+    for (; at != end && *at >= '0' && *at <= '9'; ++at) {
+      read = read * 10 + static_cast<std::uint64_t>(*at - '0');
+    }
+    number = read;
+    return at;
+  }
+
   NumberStatus readNumber(double& value) {
     bool negative = false;
     while (m_at != m_end && (*m_at == '-' || *m_at == '+')) {
@@ -264,23 +284,16 @@ class LineReader {
       }
     }
     const char* const from = m_at;
-    m_hasPoint = false;
     std::uint64_t mantissa = 0;
-    while (m_at != m_end && classOf(*m_at) == kDigit) {
-      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*m_at - '0');
-      ++m_at;
-    }
+    m_at = readDigits(from, mantissa);
     auto digits = m_at - from;
     std::ptrdiff_t decimals = 0;
-    if (m_at != m_end && *m_at == '.') {
-      const char* const point = ++m_at;
-      while (m_at != m_end && classOf(*m_at) == kDigit) {
-        mantissa = mantissa * 10 + static_cast<std::uint64_t>(*m_at - '0');
-        ++m_at;
-      }
+    m_hasPoint = m_at != m_end && *m_at == '.';
+    if (m_hasPoint) {
+      const char* const point = m_at + 1;
+      m_at = readDigits(point, mantissa);
       decimals = m_at - point;
       digits += decimals;
-      m_hasPoint = true;
     }
     if (m_at != from && m_at != m_end && classOf(*m_at) == kBlank && goesOnBehindBlanks()) {
       return readSpacedNumber(from, negative, value);
@@ -311,8 +324,8 @@ class LineReader {
   /// True if what follows directly leaves the number what it is. In RS-274/NGC "^" begins a word,
   /// @5^30, and "#" an assignment, X1#2=3; on a Fanuc "," begins one, X10.,R2.
   [[nodiscard]] bool endsNumber() const {
-    return m_at == m_end || !isOneOf(*m_at, kSpoilsNumber) ||
-           (isOneOf(*m_at, "^#") && m_language.hasPolarSigns) ||
+    return m_at == m_end || !spoilsNumber(*m_at) ||
+           (isOneOf<'^', '#'>(*m_at) && m_language.hasPolarSigns) ||
            (*m_at == ',' && m_language.hasCommaWords && m_at + 1 != m_end &&
             classOf(m_at[1]) == kLetter);
   }
@@ -327,7 +340,7 @@ class LineReader {
   }
 
   /// A number with blanks in it, in one piece.
-  NumberStatus readSpacedNumber(const char* from, bool negative, double& value) {
+  [[gnu::noinline]] NumberStatus readSpacedNumber(const char* from, bool negative, double& value) {
     std::string digits;
     const char* end = from;
     for (m_at = from; m_at != m_end; ++m_at) {
@@ -390,7 +403,7 @@ class LineReader {
 
   void addMalformed(const char* from, char address) {
     while (m_at != m_end && classOf(*m_at) != kBlank && classOf(*m_at) != kLetter &&
-           !isOneOf(*m_at, ";()")) {
+           !isOneOf<';', '(', ')'>(*m_at)) {
       ++m_at;
     }
     add(TokenKind::NumberMalformed, from, m_at, address);
@@ -403,6 +416,10 @@ class LineReader {
       return;
     }
     const char address = toUpper(*from);
+    if (m_at != m_end && address != 'O' && (*m_at == '-' || classOf(*m_at) == kDigit)) {
+      readValueOf(from, address);  // as nearly all are
+      return;
+    }
     skipBlanks();
     const char c = peek();
     if (c == '=') {
@@ -414,9 +431,9 @@ class LineReader {
       addStatement(from, address);
       return;
     }
-    if (isOneOf(c, "[#$<") && m_at != m_end) {
+    if (isOneOf<'[', '#', '$', '<'>(c) && m_at != m_end) {
       // An index or, of any other letter, an array of that name.
-      const bool isIndex = isOneOf(address, "GMSTHD");
+      const bool isIndex = isOneOf<'G', 'M', 'S', 'T', 'H', 'D'>(address);
       addCalculation(!m_language.hasIndexedWords || c != '[' ? TokenKind::Expression
                      : isIndex                               ? TokenKind::IndexedWord
                                                              : TokenKind::Assignment,
@@ -432,7 +449,7 @@ class LineReader {
     double value = 0.0;
     NumberStatus status = readNumber(value);
     if (status == NumberStatus::Read && m_at != m_end && classOf(*m_at) == kLetter &&
-        isOneOf(address, kMeasures)) {
+        isMeasure(address)) {
       status = readExponent(numberFrom, value);
     }
     switch (status) {
@@ -440,7 +457,7 @@ class LineReader {
         add(TokenKind::Word, from, m_at, address, value);
         break;
       case NumberStatus::Missing:
-        if (m_at != m_end && isOneOf(*m_at, "[#$")) {
+        if (m_at != m_end && isOneOf<'[', '#', '$'>(*m_at)) {
           m_at = numberFrom;
           addCalculation(TokenKind::Expression, from, address);
         } else {
@@ -481,7 +498,7 @@ class LineReader {
     while (at != m_end && classOf(*at) == kBlank) {
       ++at;
     }
-    return at == m_end || isOneOf(*at, ";(") ||
+    return at == m_end || isOneOf<';', '('>(*at) ||
            (classOf(*at) == kLetter && (at + 1 == m_end || classOf(at[1]) != kLetter));
   }
 
@@ -497,7 +514,7 @@ class LineReader {
       return;
     }
     const bool isMalformed =
-        status != NumberStatus::Read && (m_isSpaced || (m_at != m_end && isOneOf(*m_at, ",.")));
+        status != NumberStatus::Read && (m_isSpaced || (m_at != m_end && isOneOf<',', '.'>(*m_at)));
     if (isMalformed) {
       m_at = m_isSpaced ? m_at : valueFrom;
       addMalformed(valueFrom, address);
@@ -597,7 +614,7 @@ class LineReader {
           const Token previous = m_tokens.back();
           m_tokens.pop_back();
           ++m_at;
-          const bool indexed = isOneOf(previous.address, "MSTHD");
+          const bool indexed = isOneOf<'M', 'S', 'T', 'H', 'D'>(previous.address);
           if (indexed) {
             readAssignedValue(previous.text.data(), previous.address, TokenKind::IndexedWord);
           } else if (previous.address == 'R') {
@@ -612,7 +629,7 @@ class LineReader {
         break;
       case ',':
         // ,R and ,C: how a corner ends.
-        if (m_language.hasCommaWords && m_end - m_at > 2 && isOneOf(toUpper(m_at[1]), "RC")) {
+        if (m_language.hasCommaWords && m_end - m_at > 2 && isOneOf<'R', 'C'>(toUpper(m_at[1]))) {
           m_at += 2;
           skipBlanks();
           double value = 0.0;
@@ -791,6 +808,7 @@ Lexer::Lexer(std::string_view text, Dialect dialect, std::uint16_t file)
   m_position = text.data();
   m_end = text.data() + text.size();
   m_lineFeed = nullptr;
+  m_return = nullptr;
 }
 
 bool Lexer::next(Block& block) {
@@ -849,14 +867,16 @@ std::optional<std::string_view> Lexer::nextLine() {
   }
   ++m_line;
   const char* const begin = m_position;
-  const auto find = [begin](char c, const char* end) {
-    const void* const found = std::memchr(begin, c, static_cast<std::size_t>(end - begin));
-    return found == nullptr ? end : static_cast<const char*>(found);
+  const auto find = [begin, this](char c, const char* known) {
+    if (known != nullptr && known >= begin) {
+      return known;
+    }
+    const void* const found = std::memchr(begin, c, static_cast<std::size_t>(m_end - begin));
+    return found == nullptr ? m_end : static_cast<const char*>(found);
   };
-  if (m_lineFeed == nullptr || m_lineFeed < begin) {
-    m_lineFeed = find('\n', m_end);
-  }
-  const char* const end = find('\r', m_lineFeed);
+  m_lineFeed = find('\n', m_lineFeed);
+  m_return = find('\r', m_return);
+  const char* const end = std::min(m_lineFeed, m_return);
   m_position = end;
   if (m_position != m_end && *m_position == '\r') {
     ++m_position;

@@ -116,6 +116,7 @@ class Lexer {
   const char* m_position;
   const char* m_end;
   const char* m_lineFeed;  ///< the next one at or after m_position, searched once
+  const char* m_return;    ///< the next carriage return, likewise
   std::uint32_t m_line = 0;
   const Language& m_language;
   std::uint16_t m_file;

@@ -366,6 +366,9 @@ std::shared_ptr<const Tree> parseSinumerik(std::string text) {
 
 Heading headingOf(const Words& block, const Language& language) {
   const Token& front = block.tokens.front();
+  if (front.kind == TokenKind::Word && front.address != 'O' && front.address != 'N') {
+    return Heading::None;
+  }
   if (front.kind == TokenKind::Tape) {
     return front.text.starts_with("%_N_") ? Heading::Archive : Heading::Tape;
   }
