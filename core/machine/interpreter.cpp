@@ -180,7 +180,7 @@ InterpreterOptions interpreterOptions(const MachineConfig& config,
 Interpreter::Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& parameters,
                          const InterpreterOptions& options)
     : m_values(parameters, options),
-      m_flow(std::move(program), m_values, options.library),
+      m_flow(std::move(program), m_values, options.library, this),
       m_motions({options.startMm, options.rapidMmPerS, options.roundingMm}, m_alarms),
       m_executorOptions(executorOptions(options)),
       m_executor(nc::languageOf(nc::Dialect::Sinumerik), m_executorOptions, m_values,

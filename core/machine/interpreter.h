@@ -52,7 +52,7 @@ struct InterpreterOptions {
 [[nodiscard]] InterpreterOptions interpreterOptions(const MachineConfig& config,
                                                     const base::AxisPosition& start);
 
-class Interpreter {
+class Interpreter final : private nc::CallObserver {
  public:
   /// @param parameters  must outlive the interpreter, as must the main run
   Interpreter(std::shared_ptr<const nc::Tree> program, RParameters& parameters,
@@ -108,6 +108,9 @@ class Interpreter {
     std::vector<std::optional<double>> arguments;
   };
 
+  // What a call saves, and its end brings back, is the executor's.
+  void entered(const nc::Tree& program) override { m_executor.enterCall(program.saves); }
+  void left() override { m_executor.leaveCall(); }
   [[nodiscard]] Prepared execute(const nc::Statement& statement);
   [[nodiscard]] Prepared executeWords(const nc::Words& words, base::LineNumber line);
   void selectWorkOffset(const nc::Words& words);

@@ -146,6 +146,14 @@ class TestSameLanguage : public QObject {
     row("variables of its own", "DEF REAL AB=1\nSUBA\nX=AB", "0,3,0 1,3,0",
         "DEF REAL AB=3\nY=AB\nM17");
     row("several times", "SUBA P3", "1,0,0 2,0,0 3,0,0", "X=IC(1)\nM17");
+    row("save brings back G functions and frames", "X10\nSUBA\nX20\nG91 X1",
+        "10,0,0 111,0,0 20,0,0 21,0,0", "PROC SUBA SAVE\nG91 G19\nTRANS X100\nX1\nM17");
+    row("without save they stay", "X10\nSUBA\nX20", "10,0,0 111,0,0 131,0,0",
+        "PROC SUBA\nG91\nTRANS X100\nX1\nM17");
+    row("save at each of several levels", "SUBA\nX1", "5,0,0 1,0,0",
+        "PROC SUBA SAVE\nTRANS X5\nX0\nM17");
+    row("a subprogram behind each move", "MCALL SUBA\nX5\nX10\nMCALL\nX15",
+        "5,0,0 5,1,0 10,1,0 10,2,0 15,2,0", "Y=IC(1)\nM17");
     row("call by a text", "CALL \"SUBA\"\nX1", "0,2,0 1,2,0", "Y2\nRET");
     // Words.
     row("ac and ic", "X10 Y10\nX=IC(5) Y=AC(3)\nG91 X=AC(1) Y2\nG90", "10,10,0 15,3,0 1,5,0");
