@@ -6,7 +6,10 @@
 // wrong. A reader that takes AC() for an increment, and one that keeps the frame of a subprogram
 // with SAVE, pass the proof of the job and are found here.
 
+#include <toml++/toml.h>
+
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <QtTest>
@@ -90,6 +93,28 @@ std::optional<std::vector<base::Vec3>> executed(const job::Plan& plan) {
   return places;
 }
 
+struct Sent {
+  std::vector<base::Vec3> places;
+  double endMm = 1e-6;  ///< a move ends there within
+};
+
+/// What the control is told: the points, and where it moves by itself what it makes of its blocks.
+/// @return nothing: the job does not run to its end
+std::optional<Sent> sent(const job::Plan& plan) {
+  for (const job::Part& part : plan.parts) {
+    const auto* const native = std::get_if<job::NativeBlock>(&part);
+    if (native != nullptr && native->moves && !native->isHalf) {
+      auto places = executed(plan);
+      return places ? std::optional(Sent{*std::move(places), kPathMm}) : std::nullopt;
+    }
+  }
+  Sent made;
+  for (const gcode::TrajectoryPoint& point : plan.program.trajectory.points) {
+    made.places.push_back(point.positionMm);
+  }
+  return made;
+}
+
 double distanceTo(const EvaluatedMove& move, base::Vec3 start, base::Vec3 place) {
   if (move.kind != EvaluatedMove::Kind::Arc) {
     return base::distanceToSegment(place, start, tests::placeOf(move));
@@ -112,30 +137,42 @@ double distanceTo(const EvaluatedMove& move, base::Vec3 start, base::Vec3 place)
 
 /// The job reaches each end, in order, and leaves the path nowhere. @return the first fault, "";
 /// none
-std::string strays(const std::vector<EvaluatedMove>& path, const std::vector<base::Vec3>& places) {
+std::string strays(const std::vector<EvaluatedMove>& path, const std::vector<base::Vec3>& places,
+                   double endMm = kPathMm) {
   const std::vector<EvaluatedMove> moves = tests::withoutRests(path);
   std::size_t next = 0;
+  bool isUnderWay = false;  // it has left the start of the move
   base::Vec3 start{std::nan(""), std::nan(""), std::nan("")};
-  const auto isEnd = [&](base::Vec3 place) {
-    bool same = next < moves.size();
-    for (std::size_t axis = 0; same && axis < base::kAxisCount; ++axis) {
-      same = !(std::abs(moves[next].end[axis] - place[axis]) > kPathMm);  // or it is not known
+  const auto areNear = [endMm](base::Vec3 a, base::Vec3 b) {
+    bool same = true;
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      same = same && !(std::abs(a[axis] - b[axis]) > endMm);  // or one is not known
     }
     return same;
   };
+  const auto isEnd = [&](base::Vec3 place) {
+    // A full circle ends where it begins.
+    const bool isCircle = next < moves.size() && moves[next].sweepDeg > 180.0 &&
+                          areNear(tests::placeOf(moves[next]), start);
+    return next < moves.size() && areNear(tests::placeOf(moves[next]), place) &&
+           (isUnderWay || !isCircle);
+  };
   for (const base::Vec3 place : places) {
-    if (next == moves.size() && base::distance(place, start) <= kPathMm) {
+    if (next == moves.size() && areNear(place, start)) {
       continue;
     }
     const bool isKnown =
         base::isFinite(start) && next < moves.size() && base::isFinite(tests::placeOf(moves[next]));
-    if (next == moves.size() || (isKnown && distanceTo(moves[next], start, place) > kPathMm)) {
+    if (next == moves.size() ||
+        (isKnown && distanceTo(moves[next], start, place) > kPathMm + moves[next].mismatch)) {
       return "executed X" + base::formatFixed(place.x, 3) + " Y" + base::formatFixed(place.y, 3) +
              " Z" + base::formatFixed(place.z, 3) + ", which is not on the way" +
              (next == moves.size() ? " any more" : " of line " + std::to_string(moves[next].line));
     }
+    isUnderWay = isUnderWay || !areNear(place, start);
     while (isEnd(place)) {
       start = place;
+      isUnderWay = false;
       ++next;
     }
   }
@@ -233,40 +270,122 @@ class TestSecondJudge : public QObject {
     QVERIFY(!strays(evaluation.moves, *places).empty());
   }
 
-  void programsOfOthers_data() {
-    QTest::addColumn<QString>("path");
-    for (const char* const path :
-         {"cead-nc-interpreter/trans.mpf", "cead-nc-interpreter/goto.mpf",
-          "cead-nc-interpreter/arc.mpf", "cead-nc-interpreter/for_loop.mpf",
-          "cead-nc-interpreter/basic_math.mpf", "linuxcnc/butterfly-xy.ngc",
-          "grbl-plotter/gcode_relative.nc", "linuxcnc/01-basics__test.ngc"}) {
-      QTest::newRow(path) << QString::fromLatin1(path);
+  /// Every case of tests/nc/meaning that gives a path.
+  void meaningCases() {
+    Tally tally;
+    QDirIterator files(QStringLiteral(RIVULET_SOURCE_DIR "/tests/nc/meaning"),
+                       {QStringLiteral("*.toml")}, QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+      const QFileInfo file(files.next());
+      const std::string control = file.dir().dirName().toStdString();
+      const toml::table table = toml::parse_file(file.filePath().toStdString());
+      for (const toml::node& each : *table["case"].as_array()) {
+        const toml::table& one = *each.as_table();
+        const bool isPath = (one.contains("path") || one.contains("end")) &&
+                            !one.contains("refused") && !one.contains("pending");
+        if (!isPath || one.contains("accept") || one.contains("block_skip")) {
+          continue;
+        }
+        const auto beside = [&one](std::string_view name) -> std::optional<std::string> {
+          const toml::table* const texts = one["files"].as_table();
+          for (auto it = texts != nullptr ? texts->begin() : toml::table::const_iterator();
+               texts != nullptr && it != texts->end(); ++it) {
+            if (tests::isFileOf(it->first.str(), name)) {
+              return it->second.value_or(std::string());
+            }
+          }
+          return std::nullopt;
+        };
+        judge(tally, control + ": " + one["name"].value_or(std::string()), control,
+              one["program"].value_or(std::string()), beside);
+      }
     }
+    report(tally);
+    QVERIFY(tally.compared >= 150);
   }
+
+  /// Programs of others, as far as they are whole jobs that it follows.
   void programsOfOthers() {
-    QFETCH(const QString, path);
-    QFile file(kCorpus + path);
-    if (!file.open(QIODevice::ReadOnly)) {
+    if (!QDir(kCorpus).exists()) {
       QSKIP("the collection of foreign NC programs is not beside this checkout");
     }
-    const std::string text = file.readAll().toStdString();
-    gcode::LoadOptions options;
-    options.subprogram = gcode::subprogramsBeside((kCorpus + path).toStdString());
-    const nc::DialectGuess guess = nc::detectDialect(text, path.toStdString());
-    const std::string dialect(nc::dialectName(guess.dialect));
-    const tests::Evaluation evaluation =
-        tests::evaluate(dialect == "iso" ? "fanuc" : dialect, text);
+    Tally tally;
+    QDirIterator files(kCorpus, QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+      const QString path = files.next();
+      QFile file(path);
+      if (!tests::isProgram(path.toStdString()) || !file.open(QIODevice::ReadOnly)) {
+        continue;
+      }
+      const std::string text = file.readAll().toStdString();
+      const std::string dialect(
+          nc::dialectName(nc::detectDialect(text, path.toStdString()).dialect));
+      judge(tally, path.mid(kCorpus.size()).toStdString(), dialect, text,
+            [&path](std::string_view name) -> std::optional<std::string> {
+              const auto found = gcode::subprogramsBeside(path.toStdString())(name);
+              return found ? std::optional(found->text) : std::nullopt;
+            });
+    }
+    report(tally);
+    QVERIFY(tally.compared >= 30);
+  }
+
+ private:
+  struct Tally {
+    int compared = 0;
+    int noJob = 0;   ///< the program is no whole job
+    int notRun = 0;  ///< the virtual machine does not run it to its end
+    std::map<std::string, int> notFollowed;
+    std::string differing;
+  };
+
+  static void judge(Tally& tally, const std::string& name, const std::string& control,
+                    const std::string& text,
+                    const std::function<std::optional<std::string>(std::string_view)>& beside) {
+    const tests::Evaluation evaluation = tests::evaluate(control, text, beside);
     if (!evaluation.cannotFollow.empty()) {
-      QSKIP(("not followed: " + evaluation.cannotFollow).c_str());
+      ++tally.notFollowed[evaluation.cannotFollow];
+      return;
     }
-    const auto plan = planOf(dialect, text, options);
+    gcode::LoadOptions options;
+    options.repeatedLinesMax = 5000;
+    options.subprogram = [&beside](std::string_view called) -> std::optional<nc::LoadedText> {
+      auto found = beside(called);
+      if (!found && called.starts_with('O')) {  // O100, O<NAME>
+        const std::string_view bare = called.substr(called.starts_with("O<") ? 2 : 1);
+        found = beside(bare.substr(0, bare.find('>')));
+      }
+      return found ? std::optional(nc::LoadedText{*std::move(found), std::string(called)})
+                   : std::nullopt;
+    };
+    const auto plan = planOf(control, text, options);
     if (!plan || !plan->isWhole()) {
-      QSKIP("it is no whole job");
+      ++tally.noJob;
+      return;
     }
-    const auto places = executed(*plan);
-    QVERIFY(places.has_value());
-    const std::string fault = strays(evaluation.moves, *places);
-    QVERIFY2(fault.empty(), fault.c_str());
+    const auto told = sent(*plan);
+    if (!told) {
+      ++tally.notRun;
+      return;
+    }
+    ++tally.compared;
+    if (const std::string fault = strays(evaluation.moves, told->places, told->endMm);
+        !fault.empty()) {
+      tally.differing += name + ": " + fault + "\n";
+    }
+  }
+
+  static void report(const Tally& tally) {
+    QString words;
+    int stopped = 0;
+    for (const auto& [word, times] : tally.notFollowed) {
+      stopped += times;
+      words += QStringLiteral(" %1: %2;").arg(QString::fromStdString(word)).arg(times);
+    }
+    qInfo().noquote() << tally.compared << "compared," << tally.noJob << "no whole job,"
+                      << tally.notRun << "not run to the end," << stopped
+                      << "not followed:" << words;
+    QVERIFY2(tally.differing.empty(), tally.differing.c_str());
   }
 };
 

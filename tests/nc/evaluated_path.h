@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/text.h"
@@ -16,6 +17,18 @@
 #include "nc/second_evaluator.h"
 
 namespace rivulet::tests {
+
+/// True if a subprogram of that name, in upper case, "100" for O100, is looked for in the file.
+inline bool isFileOf(std::string_view file, std::string_view name) {
+  const std::string stem = base::toUpper(file.substr(0, file.find('.')));
+  return stem == name || stem == "O" + std::string(name) || stem == "O<" + std::string(name) + ">";
+}
+
+/// Of the files in the collection of programs of others.
+inline bool isProgram(std::string_view path) {
+  return path.find("/oracle/") == path.npos && path.find("LICENSE") == path.npos &&
+         !path.ends_with(".md") && !path.ends_with(".tsv") && !path.ends_with(".gz");
+}
 
 inline base::Vec3 placeOf(const EvaluatedMove& move) {
   return {move.end[0], move.end[1], move.end[2]};

@@ -95,11 +95,7 @@ class TestSecondEvaluator : public QObject {
       const QString path = files.next();
       const QString shown = path.mid(kCorpus.size());
       QFile file(path);
-      const bool isData =
-          path.contains(QStringLiteral("/oracle/")) || path.contains(QStringLiteral("LICENSE")) ||
-          path.endsWith(QStringLiteral(".md")) || path.endsWith(QStringLiteral(".tsv")) ||
-          path.endsWith(QStringLiteral(".gz"));
-      if (isData || !file.open(QIODevice::ReadOnly)) {
+      if (!isProgram(path.toStdString()) || !file.open(QIODevice::ReadOnly)) {
         continue;
       }
       const std::string text = file.readAll().toStdString();
