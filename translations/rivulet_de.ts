@@ -811,6 +811,14 @@
         <source>The program ends here with its own error (%1): check the values it has been given.</source>
         <translation>Das Programm endet hier mit seinem eigenen Fehler (%1): die Werte prüfen, die es bekommen hat.</translation>
     </message>
+    <message>
+        <source>The block lacks a word that the control needs (%1): add it.</source>
+        <translation>Dem Satz fehlt ein Wort, das die Steuerung braucht (%1): ergänzen.</translation>
+    </message>
+    <message>
+        <source>%1 is not the number of the tool in the spindle: check which length it stands for.</source>
+        <translation>%1 ist nicht die Nummer des Werkzeugs in der Spindel: prüfen, für welche Länge sie steht.</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>

@@ -811,6 +811,14 @@
         <source>The program ends here with its own error (%1): check the values it has been given.</source>
         <translation>El programa termina aquí con su propio error (%1): compruebe los valores que ha recibido.</translation>
     </message>
+    <message>
+        <source>The block lacks a word that the control needs (%1): add it.</source>
+        <translation>Al bloque le falta una palabra que el control necesita (%1): añádala.</translation>
+    </message>
+    <message>
+        <source>%1 is not the number of the tool in the spindle: check which length it stands for.</source>
+        <translation>%1 no es el número de la herramienta del husillo: compruebe a qué longitud corresponde.</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>

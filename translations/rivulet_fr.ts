@@ -811,6 +811,14 @@
         <source>The program ends here with its own error (%1): check the values it has been given.</source>
         <translation>Le programme se termine ici avec sa propre erreur (%1)&#xa0;: vérifiez les valeurs qu’il a reçues.</translation>
     </message>
+    <message>
+        <source>The block lacks a word that the control needs (%1): add it.</source>
+        <translation>Il manque au bloc un mot dont la commande a besoin (%1)&#xa0;: ajoutez-le.</translation>
+    </message>
+    <message>
+        <source>%1 is not the number of the tool in the spindle: check which length it stands for.</source>
+        <translation>%1 n’est pas le numéro de l’outil dans la broche&#xa0;: vérifiez à quelle longueur il correspond.</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>

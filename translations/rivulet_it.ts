@@ -811,6 +811,14 @@
         <source>The program ends here with its own error (%1): check the values it has been given.</source>
         <translation>Il programma termina qui con un proprio errore (%1): controllare i valori che ha ricevuto.</translation>
     </message>
+    <message>
+        <source>The block lacks a word that the control needs (%1): add it.</source>
+        <translation>Al blocco manca una parola di cui il controllo ha bisogno (%1): aggiungerla.</translation>
+    </message>
+    <message>
+        <source>%1 is not the number of the tool in the spindle: check which length it stands for.</source>
+        <translation>%1 non è il numero dell’utensile nel mandrino: verificare a quale lunghezza corrisponde.</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>

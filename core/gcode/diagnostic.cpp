@@ -97,6 +97,9 @@ constexpr std::array kTexts{
         RIVULET_SENTENCE(
             "DiagnosticTexts",
             "The increment of %1 starts at an unknown position: program %1 with G90 before it.")},
+    CodeText{DiagnosticCode::WordMissing, "word-missing",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "The block lacks a word that the control needs (%1): add it.")},
     CodeText{DiagnosticCode::FeedMissing, "feed-missing",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "A block moves with G1, G2 or G3 before a feed F is programmed: only "
@@ -183,6 +186,10 @@ constexpr std::array kTexts{
              RIVULET_SENTENCE("DiagnosticTexts",
                               "The program moves no axis: there is nothing to stream. Choose a "
                               "program with G0, G1, G2 or G3 and X, Y or Z.")},
+    CodeText{DiagnosticCode::OtherToolLength, "other-tool-length",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "%1 is not the number of the tool in the spindle: check which length "
+                              "it stands for.")},
     CodeText{DiagnosticCode::LatheAssumed, "lathe-assumed",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "The program is for a lathe (%1): X is read as a diameter, U and W "

@@ -39,9 +39,17 @@ using nc::TokenKind;
 /// Blocks between two calls of `LoadOptions::progress`.
 constexpr std::size_t kProgressBlocks = 16384;
 
-bool hasBlockSkip(const nc::Words& block) {
-  return std::any_of(block.tokens.begin(), block.tokens.end(),
-                     [](const Token& token) { return token.kind == TokenKind::BlockSkip; });
+/// What is left of a block where blocks with "/" are left out: the words before it, if any.
+std::span<const Token> beforeBlockSkip(std::span<const Token> block) {
+  const auto skip = std::find_if(block.begin(), block.end(), [](const Token& token) {
+    return token.kind == TokenKind::BlockSkip;
+  });
+  const auto isNumber = [](const Token& token) {
+    return token.kind == TokenKind::Word && token.address == 'N';
+  };
+  return skip == block.end() || !std::all_of(block.begin(), skip, isNumber)
+             ? std::span(block.begin(), skip)
+             : std::span<const Token>();
 }
 
 /// The lines of a text by their number.
@@ -155,15 +163,17 @@ class Interpreter final : private nc::CallObserver {
         continue;
       }
       const nc::Words& block = m_flow.words();
-      if (m_options.blockSkip && hasBlockSkip(block)) {
-        continue;
+      std::span<const Token> used = block.tokens;
+      if (m_options.blockSkip) {
+        used = beforeBlockSkip(used);
+        if (used.empty()) {
+          continue;
+        }
       }
-      std::optional<nc::Words> counted;
       if (m_options.noPoint == NoPoint::Increments && m_language.mayCountIncrements) {
-        counted = inUnits(block);
+        used = inUnits(used);
       }
-      const nc::Words& used = counted ? *counted : block;
-      begin(used.tokens);
+      begin(used);
       m_facts.leaveOut(m_flow.isMade());
       interpretBlock(used);
       end();
@@ -267,15 +277,15 @@ class Interpreter final : private nc::CallObserver {
 
   /// The block with its lengths and angles counted in least increments (IS-B): 0.001 mm or degree,
   /// 0.0001 inch.
-  [[nodiscard]] nc::Words inUnits(const nc::Words& block) {
+  [[nodiscard]] std::span<const Token> inUnits(std::span<const Token> block) {
     bool inches = m_executor.state().lengthFactor != 1.0;
-    for (const Token& token : block.tokens) {
+    for (const Token& token : block) {
       if (token.kind == TokenKind::Word && token.address == 'G') {
         inches = token.value == 20.0 || (inches && token.value != 21.0);
       }
     }
-    nc::Words counted = block;
-    for (Token& token : counted.tokens) {
+    m_counted.assign(block.begin(), block.end());
+    for (Token& token : m_counted) {
       const bool isAngle = token.address >= 'A' && token.address <= 'C';
       if (token.kind == TokenKind::Word && !token.hasPoint &&
           (isAngle || token.address == 'Q' || isLength(token.address))) {
@@ -283,7 +293,7 @@ class Interpreter final : private nc::CallObserver {
         token.hasPoint = true;
       }
     }
-    return counted;
+    return m_counted;
   }
 
   /// What loops and calls repeat has a lower limit than what the file holds.
@@ -304,11 +314,11 @@ class Interpreter final : private nc::CallObserver {
     return false;
   }
 
-  void interpretBlock(const nc::Words& block) {
+  void interpretBlock(std::span<const Token> block) {
     BlockWords words;
     words.line = m_flow.line();
     bool counts = false;
-    for (const Token& token : block.tokens) {
+    for (const Token& token : block) {
       const bool isNumber =
           token.kind == TokenKind::Word && (token.address == 'N' || token.address == 'O');
       counts |= !isNumber && token.kind != TokenKind::Tape && token.kind != TokenKind::BlockSkip &&
@@ -321,7 +331,7 @@ class Interpreter final : private nc::CallObserver {
     if (counts) {
       ++m_out.blocks;
     }
-    if (block.tokens.front().kind == TokenKind::Tape) {
+    if (block.front().kind == TokenKind::Tape) {
       return;
     }
     m_executor.execute(words);
@@ -429,13 +439,17 @@ class Interpreter final : private nc::CallObserver {
     settle(m_flow.leaveTo(block, stays), token);
   }
 
-  /// G66: behind each block that moves, but not behind those of the macro itself.
+  /// G66 and MCALL: behind each block that moves, but not behind those of the macro itself.
   void callModally(const BlockWords& words) {
-    const bool runs = m_modalCallDepth && m_flow.depth() > *m_modalCallDepth;
-    if (!m_modalMacro || !words.moves() || words.taken || words.ends || runs) {
+    if (!(m_modalMacro || m_modalCall) || !words.moves() || words.taken || words.ends ||
+        (m_modalCallDepth && m_flow.depth() > *m_modalCallDepth)) {
       return;
     }
     m_modalCallDepth = m_flow.depth();
+    if (m_modalCall) {
+      settle(m_flow.callAgain(*m_modalCall), Token());
+      return;
+    }
     settle(m_flow.callNumber(m_modalMacro->number, m_modalMacro->times, m_modalMacro->arguments),
            Token());
   }
@@ -471,6 +485,10 @@ class Interpreter final : private nc::CallObserver {
         m_to.faults.ignore(token, ignored->word);
       }
     } else if (const auto* const modal = std::get_if<nc::ModalCall>(&outcome)) {
+      m_modalCall = modal->call;
+      if (m_modalCall) {
+        return;
+      }
       if (m_observer != nullptr) {
         m_observer->modalCall(modal->name);
       }
@@ -618,7 +636,9 @@ class Interpreter final : private nc::CallObserver {
   nc::ExecutorOptions m_executorOptions;
   nc::Sinks m_to;
   nc::Executor m_executor;
+  std::vector<Token> m_counted;                 ///< a block that counts in increments
   std::optional<MacroCall> m_modalMacro;        ///< G66
+  std::optional<nc::Call> m_modalCall;          ///< MCALL of a program
   std::optional<std::size_t> m_modalCallDepth;  ///< of the program that it was called in last
   bool m_ended = false;
   bool m_isPartial = false;       ///< given up before the end

@@ -45,6 +45,7 @@ enum class FaultCode : std::uint8_t {
   ArcRadiusTooSmall,            ///< argument: CR= and the half chord
   ArcFromUnknownPosition,       ///< the start of the arc was never programmed
   RelativeFromUnknownPosition,  ///< argument: the axis
+  WordMissing,                  ///< argument: a word, and the words it needs: "G4 P"
   FeedMissing,                  ///< G1/G2/G3 before any F
   FeedNotPositive,              ///< argument: the value
   ValueOutOfRange,              ///< argument: the word
@@ -64,14 +65,15 @@ enum class FaultCode : std::uint8_t {
   MachineCoordinates,           ///< argument: the word (SUPA, G53); the move is left out
   RotaryAxes,                   ///< argument: an axis that turns on the path
   ToolTip,                      ///< argument: the word; X Y Z stay the tool's tip while axes turn
-  ToolDirections,  ///< argument: the words; the points carry them, no method sends them
-  NotAnyDialect,   ///< argument: what was found; the text is of no known dialect
-  CentreReading,   ///< argument: the reading under which all arcs fit
-  NoMotion,        ///< no argument: no axis moves
-  LatheAssumed,    ///< argument: the words that show it; X is read as a diameter, the plane is Z X
-  UnitsNotSaid,    ///< argument: the size in mm and, read as inch, in mm
-  NoDecimalPoint,  ///< argument: the size in mm and, read as counts, in mm
-  SizeUnlikely,    ///< argument: the size in mm, beyond what machines have
+  ToolDirections,   ///< argument: the words; the points carry them, no method sends them
+  NotAnyDialect,    ///< argument: what was found; the text is of no known dialect
+  CentreReading,    ///< argument: the reading under which all arcs fit
+  NoMotion,         ///< no argument: no axis moves
+  OtherToolLength,  ///< argument: H of a tool that is not in the spindle
+  LatheAssumed,     ///< argument: the words that show it; X is read as a diameter, the plane is Z X
+  UnitsNotSaid,     ///< argument: the size in mm and, read as inch, in mm
+  NoDecimalPoint,   ///< argument: the size in mm and, read as counts, in mm
+  SizeUnlikely,     ///< argument: the size in mm, beyond what machines have
   SemicolonEndsBlock,  ///< no argument: words follow ";"
   DialectUnclear,      ///< argument: where the tool goes in each dialect; the load asks
   TwoDialects,         ///< argument: a word of each

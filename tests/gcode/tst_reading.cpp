@@ -177,9 +177,12 @@ class TestReading : public QObject {
     QCOMPARE(points(program),
              std::string("3 R X25 Y? Z2 | 4 L X25 Y? Z-20 F125 | 5 L X30 Y? Z-20 F125 | "
                          "6 R X50 Y? Z50"));
-    // The speed of G96 depends on X: refused by name.
-    QVERIFY(
-        !load("O3\nG21 G99\nG50 S2000\nG96 S180 M4\nG0 X60. Z2.\nG1 Z-20. F0.2\n").isStreamable());
+    // 180 m/min at 60 mm, 2000/min at the most; where X changes, one feed does not describe it.
+    const std::string constant = "O3\nG21 G99\nG50 S2000\nG96 S180 M4\nG0 X60. Z2.\nG1 ";
+    const double feedMmPerS = load(constant + "Z-20. F0.2\n").trajectory.points.back().feedMmPerS;
+    QVERIFY(std::abs(feedMmPerS - 180'000.0 / (std::acos(-1.0) * 60.0) * 0.2 / 60.0) < 1e-9);
+    QVERIFY(load(constant + "Z-20. F0.2\n").isStreamable());
+    QVERIFY(!load(constant + "X80. Z-20. F0.2\n").isStreamable());
     QVERIFY(find(load("O3\nG21\nG50 S2000\nG96 S180 M4\nT0101\nG0 X60. Z2.\nG1 Z-20. F0.2\nM30\n"),
                  DiagnosticCode::LatheAssumed));
     QVERIFY(find(load("O3\nG21 T0202\nG97 S800 M3\nG0 X60. Z2.\nG1 W-20. F0.2\nU10.\nM30\n"),

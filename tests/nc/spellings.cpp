@@ -647,7 +647,9 @@ void Writer::addEnd(std::vector<Word>& words, const PlacedMove& placed, bool isA
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double moved = to[axis] - from[axis];
     const bool again = takes(Feature::Repeated, 0.15) && !isArc;
-    if (std::abs(moved) < 1e-10 && !m_fresh && !again) {
+    // Grbl wants an axis of the plane in each arc, in a full circle too.
+    const bool isWanted = isArc && is(Control::Grbl) && axis == at(firstOf(m_modal.plane));
+    if (std::abs(moved) < 1e-10 && !m_fresh && !again && !isWanted) {
       continue;
     }
     const std::string address(1, kAxes[axis]);
@@ -825,7 +827,7 @@ void Writer::writeArc(const PlacedMove& placed) {
   const bool angleAndCentre = byAngle && !m_fresh && !rises && below(Feature::ArcAngle, 2) == 0;
   if (!isFull && !angleAndCentre) {
     addEnd(words, placed, true);
-  } else if (rises || m_fresh) {
+  } else if (rises || m_fresh || is(Control::Grbl)) {
     addEnd(words, placed, true);
   }
   if (byRadius) {

@@ -433,9 +433,7 @@ tests::Evaluation evaluationOf(const Case& which, const std::string& folder) {
   return tests::evaluate(folder, which.program,
                          [&which](std::string_view name) -> std::optional<std::string> {
                            for (const auto& [file, text] : which.files) {
-                             const std::string stem = base::toUpper(file.substr(0, file.find('.')));
-                             if (stem == name || stem == "O" + std::string(name) ||
-                                 stem == "O<" + std::string(name) + ">") {
+                             if (tests::isFileOf(file, name)) {
                                return text;
                              }
                            }
@@ -648,7 +646,8 @@ class TestMeaning : public QObject {
       m_differences.push_back(name + "\n      is right now: take \"pending\" out of the case");
     } else {
       ++count.pending;
-      m_pending.push_back(fmt::format("{} ({})", name, made.pending));
+      m_pending.push_back(
+          fmt::format("{} ({})\n      {}", name, made.pending, differences.front()));
     }
   }
 };

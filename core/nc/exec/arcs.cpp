@@ -51,6 +51,12 @@ std::optional<Arc> Executor::arcOf(const BlockWords& words, Vec3 target) {
     return std::nullopt;
   }
   ArcWords given = arcWordsOf(words);
+  if (m_language.arcsNameEnd && !given.endIsGiven) {
+    error(words, FaultCode::WordMissing,
+          fmt::format("G{} {} {}", arc.clockwise ? 2 : 3, base::kAxisNames[arc.firstAxis],
+                      base::kAxisNames[m_state.planeSecondAxis()]));
+    return std::nullopt;
+  }
   tellArc(words, arc, given);
   if (!toMillimetres(words, given)) {
     return std::nullopt;

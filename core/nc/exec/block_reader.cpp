@@ -48,6 +48,10 @@ BlockReader::BlockReader(const Language& language, bool runsCannedCycles, ModalS
 }
 
 void BlockReader::read(const Token& token, BlockWords& words) {
+  if (token.calculation != nullptr && !m_language.hasCalculations) {
+    m_to.faults.error(token, FaultCode::UnknownWord, std::string(token.text));
+    return;
+  }
   switch (token.kind) {
     case TokenKind::Word:
       if (isVariable(token)) {
@@ -170,6 +174,21 @@ void BlockReader::assignPending() {
     }
   }
   m_pending.clear();
+}
+
+/// H12 with T2 in the spindle is no fault, but rarely meant.
+void BlockReader::compareLength() {
+  ToolWords& tool = m_tool;
+  if (tool.changes) {
+    tool.inSpindle = tool.next;
+  }
+  if (tool.takesLength && tool.length && *tool.length != 0.0 &&
+      tool.inSpindle.value_or(*tool.length) != *tool.length) {
+    m_to.faults.report(Severity::Warning, tool.lengthColumn, FaultCode::OtherToolLength,
+                       fmt::format("H{}", *tool.length));
+  }
+  tool.isNamed = tool.changes = tool.takesLength = false;
+  tool.length.reset();
 }
 
 /// X#24 and X-#24 of a variable without a value: the control leaves the address out.
@@ -455,6 +474,10 @@ void BlockReader::readCentre(const Token& token, BlockWords& words) {
 }
 
 void BlockReader::readRadius(const Token& token, BlockWords& words) {
+  if (m_language.notation.hasNames) {
+    m_to.faults.error(token, FaultCode::UnknownWord, std::string(token.text));  // a parameter
+    return;
+  }
   setRadius(token, words);
   words.radiusIsWord = true;
 }
@@ -480,9 +503,14 @@ void BlockReader::readMachineWord(const Token& token, BlockWords& words) {
     m_to.path.machineWord(MachineWord::Spindle, token.value, words.line);
   } else if (token.address == 'T') {
     m_to.path.machineWord(MachineWord::Tool, token.value, words.line);
+    m_tool.next = token.value;
     if (m_language.toolChangesZ) {
       m_to.words.forget(2);
     }
+  } else if (token.address == 'H') {
+    m_tool.length = token.value;
+    m_tool.lengthColumn = token.column;
+    m_tool.isNamed = true;
   } else if (token.address == 'D') {
     words.edge = &token;
     m_to.path.machineWord(MachineWord::Edge, token.value, words.line);

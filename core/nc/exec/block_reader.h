@@ -41,6 +41,9 @@ class BlockReader {
     if (!m_pending.empty()) {
       assignPending();
     }
+    if (m_tool.isNamed) {
+      compareLength();
+    }
   }
   /// The tool has moved: another work offset would send it to a wrong place.
   void setMoved() { m_moved = true; }
@@ -59,6 +62,7 @@ class BlockReader {
   void assign(const Token& token, BlockWords& words);
   void assignLater(const Token& token);
   void assignPending();
+  void compareLength();
   void readArgument(const Token& token, RareWords& call) const;
   [[nodiscard]] bool isVariable(const Token& token) const;
   [[nodiscard]] std::optional<double> numberOf(const Token& token);
@@ -106,6 +110,18 @@ class BlockReader {
   void readUnknownName(const Token& token, BlockWords& words);
   void readCycle(const Token& token, const std::string& name, BlockWords& words);
   void forgetArguments(const Token& token);
+
+  /// Which length G43 takes, beside the tool that M6 has put into the spindle.
+  struct ToolWords {
+    bool isNamed = false;  ///< the block has one of them
+    bool changes = false;  ///< M6
+    bool takesLength = false;
+    std::optional<double> length;  ///< H
+    int lengthColumn = 1;
+    std::optional<double> next;  ///< T
+    std::optional<double> inSpindle;
+  };
+  ToolWords m_tool;
 
   const Language& m_language;
   const bool m_runsCannedCycles;

@@ -157,6 +157,7 @@ void Executor::setModes(const BlockWords& words) {
     m_state.cycle = {};
     finishCurve();
     m_state.motion = motionOf(words.motion->function);
+    m_state.motionIsOff = false;
   }
   if (words.blockEnd != nullptr) {
     setBlockEnd(words.blockEnd->function);
@@ -297,12 +298,12 @@ void Executor::executeRare(BlockWords& words) {
 
 /// X, F, P and U of a dwell are times, S turns of the spindle; what else it names would be lost.
 void Executor::executeDwell(const BlockWords& words) {
+  if (m_language.dwellNeedsP && (!words.p || !(*words.p >= 0.0))) {
+    m_to.faults.report(Severity::Error, 1, FaultCode::WordMissing, "G4 P");
+    return;
+  }
   if (m_language.dwellsBesideMove) {
-    if (!words.p || !(*words.p >= 0.0)) {
-      m_to.faults.report(Severity::Error, 1, FaultCode::NumberMissing, "P");
-    } else {
-      m_to.path.machineWord(MachineWord::Dwell, *words.p, words.line);
-    }
+    m_to.path.machineWord(MachineWord::Dwell, *words.p, words.line);
     return;
   }
   for (std::size_t axis = 1; axis < base::kAxisCount; ++axis) {
@@ -347,6 +348,7 @@ void Executor::setFeed(const BlockWords& words) {
     m_to.faults.error(*words.feed, FaultCode::FeedNotPositive, base::formatNumber(feed));
     return;
   }
+  m_feedIsNamed = true;
   double mmPerMin = feed * m_state.feedFactor;
   if (m_state.feedMode == FeedMode::PerRevolution) {
     m_state.feedMmPerRev = feed * m_state.feedFactor;
@@ -398,6 +400,7 @@ void Executor::restore(const SavedState& saved) {
     m_state.motionBeforeUnsupported = now.motionBeforeUnsupported;
     m_state.motionAssumed = now.motionAssumed;
     m_state.motionNamed = now.motionNamed;
+    m_state.motionIsOff = now.motionIsOff;
     m_state.baseFrame = now.baseFrame;
     m_state.rotaryOffset = now.rotaryOffset;
     if (m_state.workOffset != now.workOffset) {

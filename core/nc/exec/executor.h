@@ -245,6 +245,7 @@ class Executor {
 
   // Findings made once.
   bool m_feedMissingReported = false;
+  bool m_feedIsNamed = false;  ///< by an F of the program
   bool m_directionReported = false;
   bool m_tipReported = false;
   std::array<std::optional<double>, base::kRotaryAxisCount> m_rotaryFirst;

@@ -134,7 +134,7 @@ int Executor::motionNumber() const {
 }
 
 void Executor::move(BlockWords& words) {
-  if (m_state.motion == Motion::None && m_language.needsMotion) {
+  if (m_state.motion == Motion::None && (m_language.needsMotion || m_state.motionIsOff)) {
     const auto axis = static_cast<std::size_t>(std::countr_zero(words.axes.named));
     error(words, FaultCode::UnknownWord,
           axis < kProgrammedAxisCount ? std::string(words.axisTokens[axis]->text) : "@ ^");
@@ -194,7 +194,10 @@ void Executor::noteMissingFeed(const BlockWords& words) {
       m_to.faults.report(Severity::Error, column, FaultCode::FeedMissing, {});
     }
   } else if (!m_feedMissingReported) {
-    m_to.faults.report(Severity::Warning, column, FaultCode::FeedMissing, {});
+    // A number whose meaning G94 has taken is no feed, and not one that a stream may choose.
+    const bool isLost = m_feedIsNamed && m_state.feedMode == FeedMode::PerMinute;
+    m_to.faults.report(isLost ? Severity::Error : Severity::Warning, column, FaultCode::FeedMissing,
+                       {});
     m_feedMissingReported = true;
   }
 }

@@ -158,12 +158,14 @@ void BlockReader::readG(const GRow& row, const Token& token, BlockWords& words) 
     case GEffect::ToolLength:
       m_state.tipWord.clear();
       words.changesLength = true;
+      m_tool.takesLength = m_tool.isNamed = true;
       m_to.words.forget(2);
       break;
     case GEffect::CycleOff:
       m_state.cycle = {};
-      if (m_language.needsMotion) {
+      if (m_language.cycleOffEndsMotion) {
         m_state.motion = Motion::None;
+        m_state.motionIsOff = true;
       } else if (m_state.motion == Motion::Unsupported) {
         m_state.motion = m_state.motionBeforeUnsupported;
       }
@@ -400,6 +402,9 @@ void BlockReader::readM(const Token& token, BlockWords& words) {
       break;
   }
   m_to.path.machineWord(MachineWord::M, value, words.line);
+  if (number == 6) {
+    m_tool.changes = m_tool.isNamed = true;
+  }
   // If the program makes the machine wait for a person or a tool, a stream does not wait.
   const bool waits = number == 0 || number == 1 || (number == 6 && m_moved);
   m_to.faults.ignoreM(row == nullptr ? Severity::Error

@@ -486,15 +486,36 @@ Outcome Cursor::execute(const Token& statement) {
       std::find_if(m_language.otherStatements.begin(), m_language.otherStatements.end(),
                    [&word](const OtherStatement& each) { return each.word == word; });
   if (found == m_language.otherStatements.end()) {
-    return Unsupported{word};
+    // "O10 IF" of another control.
+    const std::string_view front = statement.text.substr(0, statement.text.find('['));
+    return Unsupported{statement.address == 'O' ? std::string(base::trim(front)) : word};
   }
   switch (found->meaning) {
     case OtherStatement::Meaning::ModalCall:
-      return ModalCall{reader.name()};
+      return modalCall(reader, statement.column);
     case OtherStatement::Meaning::Ignored:
       return Ignored{word};
   }
   return Unsupported{word};
+}
+
+Outcome Cursor::modalCall(Reader& reader, int column) {
+  reader.skipBlanks();
+  Token called;
+  called.text = reader.rest();
+  called.column = column;
+  called.kind = called.text.find('(') == std::string_view::npos ? TokenKind::Name : TokenKind::Call;
+  ModalCall made{reader.name(), std::nullopt};
+  if (!made.name.empty() && nameEffect(m_language.dialect, made.name) == NameEffect::Unknown &&
+      find(made.name) != nullptr) {
+    grow();
+    Expected<Call> call = callOf(called, m_language.notation, m_place);
+    if (!call) {
+      return std::move(call.error());
+    }
+    made.call = std::move(*call);
+  }
+  return made;
 }
 
 // --- calls --------------------------------------------------------------------------------------

@@ -70,7 +70,8 @@ struct SubprogramMissing {
   std::string name;
 };
 struct ModalCall {
-  std::string name;  ///< MCALL: called after each motion from now on; "": no more
+  std::string name;          ///< MCALL: called after each motion from now on; "": no more
+  std::optional<Call> call;  ///< of a program that is at hand
 };
 struct Ignored {
   std::string word;  ///< no effect on the path
@@ -110,6 +111,8 @@ class Cursor {
   /// M98 shares the # variables of the caller; G65 has `numbers` as its own.
   [[nodiscard]] Outcome callNumber(int number, int times,
                                    const std::optional<std::map<int, double>>& numbers);
+  /// What MCALL has named.
+  [[nodiscard]] Outcome callAgain(const Call& call) { return this->call(Call(call)); }
   /// M97 of Haas: the blocks from N on, up to M99.
   [[nodiscard]] Outcome callBlock(int number, int times);
   /// M17, RET, M99. @return false in the main program
@@ -165,6 +168,7 @@ class Cursor {
   [[nodiscard]] Outcome leave(const Return& with);
   void setReturned(std::optional<double> value);
   [[nodiscard]] Outcome call(Call call);
+  [[nodiscard]] Outcome modalCall(Reader& reader, int column);
   [[nodiscard]] static Outcome outcomeOf(Fault fault);
 
   const Language& m_language;

@@ -75,6 +75,7 @@ struct ModalState {
   Motion motionBeforeUnsupported = Motion::None;
   bool motionAssumed = false;  ///< G1 by default, not by a word
   bool motionNamed = false;
+  bool motionIsOff = false;  ///< G80, where none may be assumed afterwards
 
   std::size_t planeFirstAxis = 0;  ///< 0: G17, 2: G18, 1: G19
   double lengthFactor = 1.0;       ///< mm per unit of the program

@@ -64,7 +64,7 @@ class HashParser final : public BlockParser {
     void (HashParser::*read)();
   };
 
-  static const std::array<Word, 5> kWords;
+  static const std::array<Word, 6> kWords;
   static const std::array<Word, 14> kOWords;
 
   template <std::size_t Count>
@@ -358,10 +358,11 @@ class HashParser final : public BlockParser {
   std::string m_digits;  ///< after the word: DO1, GOTO100
 };
 
-const std::array<HashParser::Word, 5> HashParser::kWords{{
+const std::array<HashParser::Word, 6> HashParser::kWords{{
     {"GOTO", &HashParser::goTo},
     {"IF", &HashParser::ifWord},
     {"WHILE", &HashParser::whileDo},
+    {"WH", &HashParser::whileDo},
     {"DO", &HashParser::doAlone},
     {"END", &HashParser::end},
 }};

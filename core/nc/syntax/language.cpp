@@ -10,12 +10,11 @@
 namespace rivulet::nc {
 
 Language rs274Language(Dialect dialect, const Notation& notation, const Semantics& comparison) {
-  static constexpr std::array<std::string_view, 5> kSteering{"IF", "WHILE", "DO", "END", "GOTO"};
   return {.dialect = dialect,
           .notation = notation,
           .comparison = comparison,
           .blockParser = hashParser,
-          .steering = kSteering,
+          .steering = {},
           .otherStatements = {},
           .ignoresBlanksInNumbers = true,
           .spiralShare = 1e-3};

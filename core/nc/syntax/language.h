@@ -51,7 +51,8 @@ struct Language {
   bool isKlartext = false;
   bool hasBracketComments = true;
   bool hasIndexedWords = false;        ///< M[1]=3, G[6]=2, AX[1]=5
-  bool hasOWords = true;               ///< O100 begins a program, O100 IF is a statement
+  bool hasOWords = true;               ///< O100 begins a program
+  bool hasOStatements = false;         ///< O100 IF, O100 CALL
   bool comparesNumbersAsText = false;  ///< N010 and N10 are two labels
   /// Blanks mean nothing, within a number too: X1 0 is X10. Else such a number is refused.
   bool ignoresBlanksInNumbers = false;
@@ -59,10 +60,12 @@ struct Language {
   /// ";" is the end of a block, so that words after it are the next one: see `semicolonOf`. Else it
   /// begins a comment.
   bool semicolonEndsBlock = false;
-  bool hasPolarSigns = false;  ///< @ and ^: radius and angle about the origin
-  bool hasCommaWords = false;  ///< ,R and ,C: a rounded or chamfered corner
+  bool hasPolarSigns = false;      ///< @ and ^: radius and angle about the origin
+  bool hasCommaWords = false;      ///< ,R and ,C: a rounded or chamfered corner
+  bool skipsWithinBlocks = false;  ///< X5 /Y6: what stands behind "/" may be left out
 
   // Macros and calls.
+  bool hasCalculations = true;      ///< #1=5, X[1+2]
   bool assignsBehindBlock = false;  ///< #3=6 G1 X#3: X has the #3 from before the block
   bool hasArgumentSets = false;     ///< G65 with several I J K: #4 #5 #6, #7 #8 #9 and on
   bool returnsValues = false;       ///< O100 ENDSUB [1] sets #<_value>
@@ -84,6 +87,9 @@ struct Language {
   bool dwellsBesideMove = false;       ///< G4 takes P alone, the other words of its block move
   bool hasCannedCycles = false;        ///< of RS-274, with its clearance
   bool needsMotion = false;            ///< no motion is assumed where a program names none
+  bool cycleOffEndsMotion = false;     ///< G80: axes may not move before the next G0 to G3
+  bool arcsNameEnd = false;            ///< a full circle too names an axis of its plane
+  bool dwellNeedsP = false;            ///< G4 alone is an error
   bool hasParameterE = false;          ///< E of M66 to M68
   bool leavesSplines = false;          ///< G5 and G5.1 are of their block, G5.2 ends with G5.3
   bool ignoresCentreAcross = false;    ///< of a helix, with a warning

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include "base/text.h"
@@ -74,20 +75,19 @@ constexpr std::array<std::string_view, 42> kStatements{
     "END",    "UNTIL",  "WHEN",    "WHENEVER", "WHILE",  "SAVE"};
 
 /// True if the name, whatever its case, is one of the words.
-template <std::size_t Count>
-bool isOneOfWords(std::string_view name, const std::array<std::string_view, Count>& words) {
+bool isOneOfWords(std::string_view name, std::span<const std::string_view> words) {
   return std::any_of(words.begin(), words.end(), [name](std::string_view word) {
     return std::equal(name.begin(), name.end(), word.begin(), word.end(),
                       [](char a, char b) { return toUpper(a) == b; });
   });
 }
 
-bool isStatement(std::string_view name) {
+bool isStatement(std::string_view name, const Language& language) {
   // DO1, END1 and GOTO100 of the ISO dialects.
   while (!name.empty() && classOf(name.back()) == kDigit) {
     name.remove_suffix(1);
   }
-  return isOneOfWords(name, kStatements);
+  return isOneOfWords(name, kStatements) || isOneOfWords(name, language.steering);
 }
 
 /// Reads one line. Pointers instead of indices: this loop decides how fast a program loads.
@@ -539,7 +539,7 @@ class LineReader {
       add(TokenKind::Label, from, m_at);
       return;
     }
-    if (isStatement(name)) {
+    if (isStatement(name, m_language)) {
       addStatement(from);
       return;
     }
@@ -588,7 +588,8 @@ class LineReader {
       case '(':
         return readComment();
       case '/':
-        if (m_tokens.empty() || (m_tokens.size() == 1 && m_tokens.front().address == 'N')) {
+        if (m_tokens.empty() || m_language.skipsWithinBlocks ||
+            (m_tokens.size() == 1 && m_tokens.front().address == 'N')) {
           ++m_at;
           if (m_at != m_end && classOf(*m_at) == kDigit) {
             ++m_at;

@@ -422,7 +422,7 @@ bool mayHoldSeveral(std::string_view text, const Language& language) {
 bool isSteering(std::string_view statement, const Language& language) {
   const auto& words = language.steering;
   return std::find(words.begin(), words.end(), firstName(statement)) != words.end() ||
-         (language.hasOWords && !statement.empty() &&
+         (language.hasOStatements && !statement.empty() &&
           (statement.front() == 'O' || statement.front() == 'o'));
 }
 

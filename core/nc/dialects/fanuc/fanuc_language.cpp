@@ -3,10 +3,15 @@
 
 #include "nc/dialects/fanuc/fanuc.h"
 
+#include <array>
+#include <string_view>
+
 namespace rivulet::nc::fanuc {
 
 Language languageLike(Dialect dialect, const Notation& notation, const Semantics& semantics) {
+  static constexpr std::array<std::string_view, 5> kSteering{"IF", "WHILE", "DO", "END", "GOTO"};
   Language made = rs274Language(dialect, notation, semantics);
+  made.steering = kSteering;
   // The operator's manuals write ";" for the end-of-block code, keep the unit of the last program
   // ("Inch/metric conversion"), and leave numbers without a point to a parameter ("Decimal point
   // programming").
@@ -19,6 +24,8 @@ Language languageLike(Dialect dialect, const Notation& notation, const Semantics
   made.dwellInMilliseconds = true;
   made.setsListedOffsets = true;
   made.hasCommaWords = true;
+  // "Optional block skip": a slash within a block leaves out what stands behind it.
+  made.skipsWithinBlocks = true;
   return made;
 }
 

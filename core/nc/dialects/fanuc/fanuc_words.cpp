@@ -152,7 +152,8 @@ constexpr std::array kG{
     GRow{680, G::Turn, Changes::State, "R", "B-63944EN-1, Coordinate system rotation (G68, G69)"},
     GRow{682, G::TakesBlock, Changes::Path, {}, kPreparatory}};
 
-constexpr std::array kLatheG{GRow{700, G::TurningCycle, Changes::Path, "PQUWRDFST", kLathe},
+constexpr std::array kLatheG{GRow{500, G::SetPosition, Changes::State, "S", kLathe},
+                             GRow{700, G::TurningCycle, Changes::Path, "PQUWRDFST", kLathe},
                              GRow{710, G::TurningCycle, Changes::Path, "PQUWRDFST", kLathe},
                              GRow{720, G::TurningCycle, Changes::Path, "PQUWRDFST", kLathe},
                              GRow{730, G::TurningCycle, Changes::Path, "PQUWRDFST", kLathe},

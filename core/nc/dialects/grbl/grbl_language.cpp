@@ -3,14 +3,15 @@
 
 #include "nc/dialects/grbl/grbl.h"
 
-#include "nc/dialects/linuxcnc/linuxcnc.h"
-
 namespace rivulet::nc::grbl {
 
 Language language() {
   Language made = rs274Language(Dialect::Grbl);
-  made.assignsBehindBlock = true;
-  made.knownNumber = linuxcnc::knownNumber;
+  // gcode.c of Grbl 1.1: a line is letters with numbers; errors 26, 28, 31 and 32.
+  made.hasCalculations = false;
+  made.cycleOffEndsMotion = true;
+  made.arcsNameEnd = true;
+  made.dwellNeedsP = true;
   return made;
 }
 

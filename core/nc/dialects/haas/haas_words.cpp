@@ -130,7 +130,8 @@ constexpr std::array kG{GRow{0, G::Rapid, Changes::Path, {}, kGCodes},
                         GRow{1870, G::Accuracy, Changes::Nothing, "EP", kGCodes},
                         GRow{1030, G::Harmless, Changes::Nothing, "P", kGCodes}};
 
-constexpr std::array kLatheG{GRow{700, G::TurningCycle, Changes::Path, "PQUWRDFST", kLathe},
+constexpr std::array kLatheG{GRow{500, G::SetPosition, Changes::State, "S", kLathe},
+                             GRow{700, G::TurningCycle, Changes::Path, "PQUWRDFST", kLathe},
                              GRow{710, G::TurningCycle, Changes::Path, "PQUWRDFST", kLathe},
                              GRow{720, G::TurningCycle, Changes::Path, "PQUWRDFST", kLathe},
                              GRow{730, G::TurningCycle, Changes::Path, "PQUWRDFST", kLathe},

@@ -20,6 +20,7 @@ Language language() {
   Language made = rs274Language(Dialect::LinuxCnc);
   made.unitIsOfMachine = true;  // [TRAJ] LINEAR_UNITS
   made.hasRepeatedSigns = true;
+  made.hasOStatements = true;
   made.assignsBehindBlock = true;
   made.returnsValues = true;
   made.knownNumber = knownNumber;
@@ -28,8 +29,10 @@ Language language() {
   made.hasTurnsInP = true;
   made.sharesOffset = true;
   made.dwellsBesideMove = true;
+  made.dwellNeedsP = true;
   made.hasCannedCycles = true;
   made.needsMotion = true;
+  made.cycleOffEndsMotion = true;
   made.hasParameterE = true;
   made.leavesSplines = true;
   made.speedLimitIsD = true;
