@@ -562,9 +562,16 @@ class Evaluator {
   void restore() {
     check(!m_saved.empty(), "nothing saved");
     const Frame frame = isSinumerik() ? m_saved.back().frame : m_modal.frame;
-    const Frame before = m_modal.frame;
+    const Modal now = m_modal;
     m_modal = m_saved.back();
-    m_modal.frame = before;
+    m_modal.frame = now.frame;
+    // rs274 writes what has changed into a block: F with one decimal, S with none.
+    const auto written = [this](double value, double before, double digits) {
+      return isLinux() && value != before ? std::nearbyint(value * digits) / digits : value;
+    };
+    m_modal.feed = written(m_modal.feed / m_modal.feedUnit, now.feed / m_modal.feedUnit, 10.0) *
+                   m_modal.feedUnit;
+    m_modal.speed = written(m_modal.speed, now.speed, 1.0);
     setFrame(frame);
     m_saved.pop_back();
   }

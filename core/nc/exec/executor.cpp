@@ -403,6 +403,7 @@ void Executor::restore(const SavedState& saved) {
     m_state.motionIsOff = now.motionIsOff;
     m_state.baseFrame = now.baseFrame;
     m_state.rotaryOffset = now.rotaryOffset;
+    restoreFeedAndSpeed(now);
     if (m_state.workOffset != now.workOffset) {
       m_frameOffset = m_state.workOffset;
       makeBaseFrame();
@@ -425,6 +426,27 @@ void Executor::restore(const SavedState& saved) {
   }
   m_to.words.forget(std::nullopt);
   m_to.words.units(m_state.lengthFactor != 1.0);
+}
+
+/// LinuxCNC gives back what has changed as words of a block, F with one decimal and S with none:
+/// its `rs274 -g` goes on with F0.3 where F0.28 was saved.
+void Executor::restoreFeedAndSpeed(const ModalState& now) {
+  const auto written = [](double number, int decimals) {
+    return base::parseNumber(base::formatFixed(number, decimals)).value_or(number);
+  };
+  if (m_state.feedMmPerS != now.feedMmPerS && m_state.feedMode == FeedMode::PerMinute) {
+    const double feed =
+        written(base::mmPerMinFromMmPerS(m_state.feedMmPerS) / m_state.feedFactor, 1);
+    m_state.feedMmPerS = base::mmPerSFromMmPerMin(feed * m_state.feedFactor);
+    m_state.feedDegPerS = feed / 60.0;
+  } else if (m_state.feedMmPerRev != now.feedMmPerRev &&
+             m_state.feedMode == FeedMode::PerRevolution) {
+    m_state.feedDegPerRev = written(m_state.feedMmPerRev / m_state.feedFactor, 1);
+    m_state.feedMmPerRev = m_state.feedDegPerRev * m_state.feedFactor;
+  }
+  if (m_state.spindlePerMin != now.spindlePerMin) {
+    m_state.spindlePerMin = written(m_state.spindlePerMin, 0);
+  }
 }
 
 void Executor::enterCall(bool saves) {

@@ -104,6 +104,7 @@ class Executor {
   void setSpindle(const BlockWords& words);
   [[nodiscard]] double spindlePerMin(const BlockWords& words, base::Vec3 target);
   void changeSavedState(const BlockWords& words);
+  void restoreFeedAndSpeed(const ModalState& now);
   void setCompensation(const BlockWords& words);
   void executeRare(BlockWords& words);
   void executeTurningCycle(BlockWords& words);
