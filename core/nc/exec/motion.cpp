@@ -271,10 +271,6 @@ Vec3 Executor::targetOf(const BlockWords& words) {
   }
   const std::size_t first = m_state.planeFirstAxis;
   const std::size_t second = m_state.planeSecondAxis();
-  if (words.rare && (words.named("AP") != nullptr || words.named("RP") != nullptr)) {
-    m_state.incrementFrom[first].reset();
-    m_state.incrementFrom[second].reset();
-  }
   if (m_state.polar && (words.axes.has(first) || words.axes.has(second))) {
     takePolarPlane(words, from, target);
   } else if (words.rare) {
@@ -309,9 +305,7 @@ double Executor::coordinate(const BlockWords& words, std::size_t axis, Vec3 from
     }
     return kUnknown;
   }
-  const Reference reference = words.axes.reference[axis];
-  if (reference == Reference::Nearest || reference == Reference::Positive ||
-      reference == Reference::Negative) {
+  if (isOfTurns(words.axes.reference[axis])) {
     m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);  // of rotary axes only
     return kUnknown;
   }
@@ -346,6 +340,8 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
   }
   const std::size_t first = m_state.planeFirstAxis;
   const std::size_t second = m_state.planeSecondAxis();
+  m_state.incrementFrom[first].reset();
+  m_state.incrementFrom[second].reset();
   if (m_language.hasPolarSigns && first != 0) {
     error(words, FaultCode::UnsupportedGCode, "@ ^");  // in the plane of G17 alone
     return;
@@ -474,8 +470,7 @@ std::optional<double> Executor::rotaryTarget(const BlockWords& words, std::size_
   const double from = m_position.rotaryDeg[axis];
   const Reference reference = words.axes.reference[word];
   const bool isIncrement = words.axes.isIncrement(word);
-  const bool isDirected = reference == Reference::Nearest || reference == Reference::Positive ||
-                          reference == Reference::Negative;
+  const bool isDirected = isOfTurns(reference);
   const bool turnsShortest = m_state.turnsShortest && !isIncrement;
   if (isDirected) {
     m_state.isModulo[axis] = true;

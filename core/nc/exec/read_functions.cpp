@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "nc/exec/block_reader.h"
 
@@ -15,9 +16,18 @@ namespace rivulet::nc {
 
 namespace {
 
+/// One bit each: it is asked for each G function of a program.
 template <std::size_t Count>
-bool isOneOf(GEffect effect, const std::array<GEffect, Count>& effects) {
-  return std::find(effects.begin(), effects.end(), effect) != effects.end();
+constexpr std::uint64_t setOf(const std::array<GEffect, Count>& effects) {
+  std::uint64_t bits = 0;
+  for (const GEffect effect : effects) {
+    bits |= std::uint64_t{1} << static_cast<unsigned>(effect);
+  }
+  return bits;
+}
+
+constexpr bool isOneOf(GEffect effect, std::uint64_t set) {
+  return (set >> static_cast<unsigned>(effect) & 1U) != 0;
 }
 
 /// Without effect on the path by itself.
@@ -26,7 +36,8 @@ bool isNoted(GEffect effect) {
                                      GEffect::Diameter,   GEffect::Dwell,    GEffect::Polar,
                                      GEffect::None,       GEffect::BlockEnd, GEffect::Tolerance,
                                      GEffect::ToolLength, GEffect::CycleOff};
-  return isOneOf(effect, kNoted);
+  constexpr std::uint64_t kSet = setOf(kNoted);
+  return isOneOf(effect, kSet);
 }
 
 /// The axis words of the block are its own.
@@ -47,7 +58,8 @@ bool takesBlock(GEffect effect) {
                                       GEffect::MirrorOff,
                                       GEffect::FixedPoint,
                                       GEffect::TakesBlock};
-  return isOneOf(effect, kTaking);
+  constexpr std::uint64_t kSet = setOf(kTaking);
+  return isOneOf(effect, kSet);
 }
 
 FeedMode feedModeOf(G function) {

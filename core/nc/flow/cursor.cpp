@@ -384,7 +384,8 @@ Cursor::Step Cursor::next() {
     m_line = m_block.line;
     m_place = {m_block.line, 0, 1};
     if (!m_block.tokens.empty()) {
-      m_isAtHeading = m_hasWords && headingOf(m_block, m_language) != Heading::None;
+      m_isAtHeading = m_hasWords && mayBeHeading(m_block.tokens.front()) &&
+                      headingOf(m_block, m_language) != Heading::None;
       if (m_isAtHeading) {
         return Step::End;
       }

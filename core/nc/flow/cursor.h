@@ -130,7 +130,7 @@ class Cursor {
   [[nodiscard]] Place place() const { return m_place; }
   /// Name of a file of `place`; empty for the program file itself.
   [[nodiscard]] const std::string& fileName(std::uint16_t file) const {
-    return m_sources[file].fileName;
+    return file == 0 ? m_sources.front().fileName : m_sources[file].fileName;
   }
   /// The line of the program file in progress; in a subprogram of another file, the line that
   /// called it.

@@ -148,6 +148,11 @@ enum class Reference : std::uint8_t {
   Negative,     ///< ACN(): absolute, it turns in the negative direction
 };
 
+/// DC(), ACP(), ACN(): of rotary axes only.
+[[nodiscard]] constexpr bool isOfTurns(Reference reference) {
+  return reference >= Reference::Nearest;
+}
+
 /// AC, IC, DC, ACP, ACN; empty: it is written without a word.
 [[nodiscard]] std::string_view referenceWord(Reference reference);
 

@@ -366,7 +366,7 @@ std::shared_ptr<const Tree> parseSinumerik(std::string text) {
 
 Heading headingOf(const Words& block, const Language& language) {
   const Token& front = block.tokens.front();
-  if (front.kind == TokenKind::Word && front.address != 'O' && front.address != 'N') {
+  if (!mayBeHeading(front)) {
     return Heading::None;
   }
   if (front.kind == TokenKind::Tape) {

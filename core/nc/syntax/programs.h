@@ -71,6 +71,10 @@ struct Programs {
 /// What the lexer has not read yet, with the numbers of its lines; without the statements.
 [[nodiscard]] Programs outlineOf(const Lexer& rest, Dialect dialect);
 
+/// False for nearly all blocks, which begin with another word.
+[[nodiscard]] inline bool mayBeHeading(const Token& front) {
+  return front.kind != TokenKind::Word || front.address == 'O' || front.address == 'N';
+}
 [[nodiscard]] Heading headingOf(const Words& block, const Language& language);
 /// True if the block has more than its number, labels and what begins a program.
 [[nodiscard]] bool hasWords(const Words& block, const Language& language);
