@@ -25,7 +25,7 @@ const QString kCorpus = QStringLiteral(RIVULET_SOURCE_DIR "/../shared/corpus/");
 /// Share of the valid milling programs that must split without a refusal. Refused by name, although
 /// they ran before: G41 without a length (D0 has no radius either), $AA_IM, an O word behind whose
 /// number a comment stands.
-constexpr double kShare = 0.89;
+constexpr double kShare = 0.91;
 
 /// Files that are no valid milling program of a dialect Rivulet reads, and why.
 const QMap<QString, QString>& noMillingPrograms() {
