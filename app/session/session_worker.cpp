@@ -328,11 +328,11 @@ void SessionWorker::holdRun(bool hold) {
 }
 
 std::optional<SessionEvent> SessionWorker::take() {
-  return m_events.tryPop();
+  return m_events->tryPop();
 }
 
 void SessionWorker::tell(SessionEvent event) {
-  while (!m_events.tryPush(event)) {
+  while (!m_events->tryPush(event)) {
     if (m_quit.load()) {
       return;
     }
@@ -341,7 +341,7 @@ void SessionWorker::tell(SessionEvent event) {
 }
 
 bool SessionWorker::tellIfRoom(SessionEvent event) {
-  const bool hasRoom = m_events.tryPush(std::move(event));
+  const bool hasRoom = m_events->tryPush(std::move(event));
   if (!hasRoom) {
     m_lost.fetch_add(1);
   }

@@ -112,7 +112,9 @@ class SessionWorker {
   bool tellIfRoom(SessionEvent event);
 
   base::SpscRing<SessionCommand, 16> m_commands;
-  base::SpscRing<SessionEvent, 4096> m_events;
+  /// Too large for the stack of a thread, on which the worker may stand.
+  using Events = base::SpscRing<SessionEvent, 4096>;
+  std::unique_ptr<Events> m_events = std::make_unique<Events>();
   std::counting_semaphore<> m_commandCount{0};
   std::atomic<bool> m_quit{false};
   std::atomic<bool> m_stopRun{false};
@@ -139,5 +141,7 @@ class SessionWorker {
   opcua::ServerIdentity m_server;
   std::thread m_thread;
 };
+
+static_assert(sizeof(SessionWorker) < 256 * 1024);
 
 }  // namespace rivulet::session
