@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/contract.h"
+#include "gcode/named_start.h"
 #include "machine/path_planner.h"
 
 namespace rivulet::forecast {
@@ -25,10 +27,16 @@ class Feeder {
   Feeder(const gcode::Trajectory& trajectory, base::Vec3 startMm,
          const machine::MachineConfig& config, const PathTimeOptions& options)
       : m_trajectory(trajectory),
-        m_startMm(startMm),
         m_config(config),
         m_options(options),
         m_nextPause(options.pausesBehind.begin()) {
+    const bool isOpen = std::any_of(
+        trajectory.points.begin(), trajectory.points.end(),
+        [](const gcode::TrajectoryPoint& point) { return !base::isFinite(point.positionMm); });
+    for (std::size_t i = 0; isOpen && i < trajectory.points.size(); ++i) {
+      startMm = gcode::placeOf(trajectory.points[i], startMm);
+      m_places.push_back(startMm);
+    }
     const std::size_t count = trajectory.points.size();
     m_lastStreamed = count == 0 ? 0 : count - 1;
     while (m_lastStreamed > 0 && !isStreamed(m_lastStreamed)) {
@@ -60,13 +68,7 @@ class Feeder {
 
  private:
   [[nodiscard]] base::Vec3 targetMm(std::size_t index) const {
-    base::Vec3 positionMm = m_trajectory.points[index].positionMm;
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (std::isnan(positionMm[axis])) {
-        positionMm.set(axis, m_startMm[axis]);
-      }
-    }
-    return positionMm;
+    return m_places.empty() ? m_trajectory.points[index].positionMm : m_places[index];
   }
 
   [[nodiscard]] double feedMmPerS(const gcode::TrajectoryPoint& point) const {
@@ -120,7 +122,7 @@ class Feeder {
   }
 
   const gcode::Trajectory& m_trajectory;
-  base::Vec3 m_startMm;
+  std::vector<base::Vec3> m_places;  ///< of all points, if one leaves an axis open
   const machine::MachineConfig& m_config;
   const PathTimeOptions& m_options;
   std::vector<std::uint32_t>::const_iterator m_nextPause;

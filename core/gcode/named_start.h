@@ -14,4 +14,8 @@ namespace rivulet::gcode {
 /// be streamed. @param startMm  mm, workpiece frame
 [[nodiscard]] base::Vec3 namedStart(const Trajectory& trajectory, base::Vec3 startMm);
 
+/// Where a point is: axes that it leaves open stay where they are. @param beforeMm  of the point
+/// before it, or the named start
+[[nodiscard]] base::Vec3 placeOf(const TrajectoryPoint& point, base::Vec3 beforeMm);
+
 }  // namespace rivulet::gcode

@@ -32,6 +32,15 @@ base::Vec3 namedStart(const Trajectory& trajectory, base::Vec3 startMm) {
   return startMm;
 }
 
+base::Vec3 placeOf(const TrajectoryPoint& point, base::Vec3 beforeMm) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (!std::isnan(point.positionMm[axis])) {
+      beforeMm.set(axis, point.positionMm[axis]);
+    }
+  }
+  return beforeMm;
+}
+
 PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
                        const base::RotaryDeg& startDeg, const ProgramFeeds* feeds) {
   RIVULET_ASSERT(base::isFinite(startMm));
@@ -40,13 +49,8 @@ PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
   list.points.reserve(trajectory.points.size());
   for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
     const TrajectoryPoint& point = trajectory.points[i];
-    base::Vec3 positionMm = point.positionMm;
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (std::isnan(positionMm[axis])) {  // it stays where it is
-        positionMm.set(axis,
-                       list.points.empty() ? startMm[axis] : list.points.back().positionMm[axis]);
-      }
-    }
+    const base::Vec3 positionMm =
+        placeOf(point, list.points.empty() ? startMm : list.points.back().positionMm);
     base::RotaryDeg rotaryDeg = startDeg;
     for (std::size_t axis = 0; !trajectory.rotary.empty() && axis < base::kRotaryAxisCount;
          ++axis) {

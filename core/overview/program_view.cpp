@@ -31,17 +31,11 @@ void takeMoves(ProgramView& view, const gcode::Trajectory& path) {
   view.feedsMmPerS.reserve(count);
   view.trajectoryIndices.reserve(count);
   const std::vector<gcode::RotaryPosition>& rotary = path.rotary;
-  const base::Vec3 startMm = gcode::namedStart(path, view.startMm);
-  base::Vec3 beforeMm{};
+  base::Vec3 beforeMm = gcode::namedStart(path, view.startMm);
   base::RotaryDeg beforeDeg{};
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
-    base::Vec3 positionMm = trajectory[i].positionMm;
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (std::isnan(positionMm[axis])) {
-        view.dependsOnStart = true;
-        positionMm.set(axis, startMm[axis]);
-      }
-    }
+    const base::Vec3 positionMm = gcode::placeOf(trajectory[i], beforeMm);
+    view.dependsOnStart = view.dependsOnStart || !base::isFinite(trajectory[i].positionMm);
     // As `gcode::streamPoints` does: a move that only turns is one, too.
     base::RotaryDeg rotaryDeg{};
     if (!rotary.empty()) {

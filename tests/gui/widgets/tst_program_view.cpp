@@ -231,10 +231,30 @@ class TestProgramView : public QObject {
     const auto& points = view->points.points;
     QVERIFY(points[0].positionMm == (base::Vec3{60.0, 30.0, 5.0}));
     QVERIFY(points[1].positionMm == (base::Vec3{70.0, 30.0, 5.0}));
-    // Of the increment only the control knows where it leads.
-    QVERIFY(points[2].positionMm == (base::Vec3{-20.0, 2.0, -2.0}));
+    // Of the increment only the control knows where it leads: it is drawn as no move.
+    QCOMPARE(points[2].positionMm.x, -20.0);
+    QCOMPARE(points[2].positionMm.y, 30.0);
+    QCOMPARE(points[2].positionMm.z, -2.0);
     QVERIFY(view->dependsOnStart);
     QVERIFY(!view->gaps[0].isKnown());
+  }
+
+  /// Behind G43 the control alone knows Z until it is named: the stream leaves the axis where it
+  /// is, and the view has the same moves.
+  void anAxisThatIsForgottenStays() {
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Fanuc;
+    options.units = gcode::FileUnits::Millimetres;
+    auto read = gcode::interpretProgram(
+        "O1.nc", "O1\nG90 G0 X0. Y0. Z10.\nG43 H1\nX0.\nX20.\nG1 Z5. F100\nM30\n", options);
+    QVERIFY(read);
+    const auto view = overview::makeProgramView(
+        std::make_shared<const gcode::Program>(*std::move(read)), {1.0, 2.0, 3.0}, 7);
+    const auto& points = view->points.points;
+    QCOMPARE(points.size(), std::size_t{3});
+    QVERIFY(points[1].positionMm == (base::Vec3{20.0, 0.0, 10.0}));
+    QVERIFY(points[2].positionMm == (base::Vec3{20.0, 0.0, 5.0}));
+    QVERIFY(view->dependsOnStart);
   }
 
   void toolsAreNamedAsTheProgramDoes() {
