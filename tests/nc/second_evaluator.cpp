@@ -4,8 +4,8 @@
 #include "second_evaluator.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <map>
 #include <memory>
@@ -19,6 +19,14 @@ using base::isDigit;
 using base::Vec3;
 
 namespace {
+
+/// The number that a text begins with, with a point in every language of the user; 0: none.
+double numberAt(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" +"), text.size()));
+  double value = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
@@ -345,7 +353,7 @@ class Evaluator {
     check(digits.find_first_of("0123456789") != std::string::npos, "number in " + m_rest);
     const bool scales = isSinumerik() && peek() == 'E' && peek(1) == 'X';
     m_i += scales ? 2 : 0;
-    return std::strtod(digits.c_str(), nullptr) * (scales ? std::pow(10.0, number()) : 1.0);
+    return numberAt(digits) * (scales ? std::pow(10.0, number()) : 1.0);
   }
 
   Value& variable(const std::string& name) {
@@ -822,7 +830,7 @@ class Evaluator {
       const std::size_t rep = line.find("REP");
       const std::string label = trimmed(line.substr(m_i, std::min(rep, line.size()) - m_i));
       if (rep != std::string::npos) {
-        repeat(label, std::atof(line.c_str() + rep + 3));
+        repeat(label, numberAt(line.substr(rep + 3)));
       } else {
         call(level().text, {}, 1, level().at);
         jump(label, 0);
@@ -1436,7 +1444,7 @@ class Evaluator {
       const std::size_t axis = line.find_first_of(kAxes, 10);
       m_modal.across = axis == std::string::npos ? m_modal.across : kAxes.find(line[axis]);
       const std::size_t feed = line.find(" F");
-      m_modal.feed = feed == std::string::npos ? m_modal.feed : std::atof(line.c_str() + feed + 2);
+      m_modal.feed = feed == std::string::npos ? m_modal.feed : numberAt(line.substr(feed + 2));
     } else if (startsWith(line, "CYCL DEF")) {
       plainFrame(trimmed(line.substr(8)));
     } else if (head == "CC") {

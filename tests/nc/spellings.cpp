@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "base/random.h"
+#include "base/text.h"
 
 namespace rivulet::tests {
 
@@ -187,14 +187,7 @@ constexpr std::array<char, 3> kCentres{'I', 'J', 'K'};
 constexpr std::array<const char*, 3> kPlaneWords{"G19", "G18", "G17"};
 
 std::string plain(double value, int decimals = 12) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  std::string made(text.data());
-  made.erase(made.find_last_not_of('0') + 1);
-  if (made.back() == '.') {
-    made.pop_back();
-  }
-  return made == "-0" ? "0" : made;
+  return base::formatFixed(value, decimals);
 }
 
 }  // namespace
