@@ -973,7 +973,8 @@ class Splitter final : public gcode::BlockObserver,
     } else if (isForeign() && *reason == NativeReason::UnknownPosition && isArc() &&
                !m_regions.reason()) {
       m_block->beginsUnknown = true;
-      if (code == FaultCode::RelativeFromUnknownPosition && argument.front() <= 'Z') {
+      if (code == FaultCode::RelativeFromUnknownPosition && argument.front() >= 'X' &&
+          argument.front() <= 'Z') {
         m_block->isUnknown[static_cast<std::size_t>(argument.front() - 'X')] = true;
       }
     } else if (isForeign() && *reason == NativeReason::UnknownPosition) {
