@@ -124,8 +124,7 @@ class Document final : public QObject {
   /// The machine that whole jobs are compared with before they start. @param machine  null: it is
   /// not known
   void setJobMachine(std::shared_ptr<const machine::MachineConfig> machine);
-  /// What the machine does for words of other machines. Until it is told, nothing moves, and what
-  /// nobody has spoken of is left out.
+  /// What the machine that jobs are for does for words of other machines.
   void setJobProfile(const job::Profile& profile);
   [[nodiscard]] const std::shared_ptr<const machine::MachineConfig>& jobMachine() const {
     return m_jobMachine;

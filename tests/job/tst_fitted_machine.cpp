@@ -89,10 +89,9 @@ class TestFittedMachine : public QObject {
   void rotaryAxesStandWhereTheyArePlaced() {
     const auto made = fitted("G0 X0 Y0 Z10 C4\nG1 X5 F100\nC4\nM30\n");
     const auto axis = made.config.rotaryAxes[2];
-    if (axis) {
-      QCOMPARE(axis->startDeg, 4.0);
-      QVERIFY(made.notes.front().find("C stands at 4 degrees") != std::string::npos);
-    }
+    QVERIFY(axis.has_value());
+    QCOMPARE(axis->startDeg, 4.0);
+    QVERIFY(made.notes.front().find("C stands at 4 degrees") != std::string::npos);
     const auto turned = fitted("G0 X0 Y0 Z10 C4\nG1 X5 F100\nC5\nM30\n");
     QVERIFY(turned.config.rotaryAxes[2].has_value());
     QCOMPARE(turned.config.rotaryAxes[2]->startDeg, 0.0);
