@@ -164,6 +164,11 @@ class JobCommand {
  private:
   base::Result<void> planFeeds();
   [[nodiscard]] base::Result<job::Profile> profileOfMachine() const;
+  /// The job is made for a virtual machine that is set up for it. Files are for a control, which
+  /// knows tools and functions better.
+  [[nodiscard]] bool isVirtualAlone() const {
+    return (m_options.simulate || m_options.verify) && m_options.output.empty();
+  }
   base::Result<std::optional<machine::MachineConfig>> machine();
   base::Result<forecast::Restart> findRestart(const machine::MachineConfig& machine);
   base::Result<void> confirm() const;
@@ -199,13 +204,11 @@ base::Result<void> JobCommand::prepare() {
   gcode::LoadOptions options = m_options.loading.loadOptions();
   options.subprogram = gcode::subprogramsBeside(m_options.file);
   const bool isVirtual = m_options.simulate || m_options.verify;
-  if (isVirtual) {
+  if (isVirtualAlone()) {
     options.defaultFeedMmPerS = streaming::kFittedFeedMmPerS;
   }
   if (isVirtual || m_options.namesMachine) {
-    // Files may be for a control that knows the tool better.
-    const bool isFitted = isVirtual && m_options.output.empty();
-    options.toolRadiusMm = streaming::toolRadii(m_machine.tools, isFitted);
+    options.toolRadiusMm = streaming::toolRadii(m_machine.tools, isVirtualAlone());
   }
   const auto profile = profileOfMachine();
   if (!profile) {
@@ -222,7 +225,8 @@ base::Result<void> JobCommand::prepare() {
     }
   }
   m_plan = std::move(*plan);
-  if (base::Result<void> meant = requireMeaning(m_plan.program, m_options.output.empty()); !meant) {
+  if (base::Result<void> meant = requireMeaning(m_plan.program, !m_options.output.empty());
+      !meant) {
     return meant;
   }
   if (isVirtual) {
@@ -260,8 +264,8 @@ base::Result<job::Profile> JobCommand::profileOfMachine() const {
   if (!given) {
     return base::fail(given.error());
   }
-  job::Profile profile =
-      report::MachineStore().jobProfile(m_options.endpoint, m_options.simulate || m_options.verify);
+  job::Profile profile = report::MachineStore().jobProfile(m_options.endpoint, isVirtualAlone());
+  profile.assumesTool = isVirtualAlone();
   given->merge(profile.functions);  // what is said now comes before what was said once
   profile.functions = *std::move(given);
   return profile;

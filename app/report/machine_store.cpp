@@ -220,7 +220,6 @@ job::Functions MachineStore::functions(const std::string& endpoint) const {
 job::Profile MachineStore::jobProfile(const std::string& endpoint, bool isSimulated) const {
   job::Profile profile;
   profile.leavesOutFunctions = isSimulated;
-  profile.assumesTool = isSimulated;
   if (!endpoint.empty()) {
     profile.functions = functions(endpoint);
   }

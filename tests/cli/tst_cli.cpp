@@ -122,6 +122,28 @@ class TestCli : public QObject {
     QVERIFY(refused.errors.contains(QStringLiteral("--units")));
     QCOMPARE(run(write + words("--units mm")).exit, 0);
     QCOMPARE(run({QStringLiteral("job"), silent, QStringLiteral("--simulate")}).exit, 0);
+    // Files are for a control, also if the same job is tried on a virtual machine first.
+    const struct {
+      const char* name;      ///< word of the message
+      const char* folder;
+      QByteArray beginning;  ///< what a virtual machine has, and a control may not have
+      QByteArray feed;
+    } assumptions[] = {{"M163", "M163", "T1 M6\nG0 G43 H1 Z50.\nM163\n", " F500."},
+                       {"H5", "H5", "G0 G43 H5 Z50.\n", " F500."},
+                       {"F", "feed", "T1 M6\nG0 G43 H1 Z50.\n", ""}};
+    for (const auto& [assumed, name, beginning, feed] : assumptions) {
+      const QString part = file("assumed.nc", "O7\nG21 G90 G94 G17\nG54\n" + beginning +
+                                                  "G0 X0. Y0.\nG1 X5." + feed + "\nM30\n");
+      const QString folder = m_folder.filePath(QLatin1String(name));
+      const Outcome alone =
+          run({QStringLiteral("job"), part, QStringLiteral("--verify"), QStringLiteral("--json")});
+      QVERIFY2(alone.exit == 0, qPrintable(alone.errors + alone.output));
+      const Outcome written = run(
+          {QStringLiteral("job"), part, QStringLiteral("--verify"), QStringLiteral("-o"), folder});
+      QVERIFY(written.exit != 0);
+      QVERIFY2(written.errors.contains(QLatin1String(assumed)), qPrintable(written.errors));
+      QVERIFY(!QDir(folder).exists());
+    }
     const QString points =
         run({QStringLiteral("points"), silent, QStringLiteral("--units"), QStringLiteral("inch")})
             .output;
