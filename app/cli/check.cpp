@@ -251,9 +251,7 @@ gcode::LoadOptions LoadingOptions::loadOptions() const {
   options.blockSkip = blockSkip;
   options.dialect = gcode::dialectOfName(dialect);
   options.accepted = accepted;
-  for (const gcode::CentreReading reading : gcode::kCentreReadings) {
-    options.centres = gcode::centreReadingName(reading) == centres ? reading : options.centres;
-  }
+  options.centres = gcode::centreReadingOfName(centres).value_or(options.centres);
   if (units != "auto") {
     options.units = units == "inch" ? gcode::FileUnits::Inches : gcode::FileUnits::Millimetres;
   }
@@ -264,19 +262,14 @@ gcode::LoadOptions LoadingOptions::loadOptions() const {
   return options;
 }
 
-base::Result<void> requireMeaning(const gcode::Program& program, bool isVirtual) {
-  const auto asks = [&program](const gcode::Diagnostic& found) {
-    return base::fail(gcode::GcodeError::Ambiguous, gcode::describe(found), program.name);
-  };
-  for (const gcode::Diagnostic& found : program.diagnostics) {
-    if (found.code == gcode::DiagnosticCode::DialectUnclear) {
-      return asks(found);
-    }
+base::Result<void> requireMeaning(const gcode::Program& program, bool isForControl) {
+  const gcode::Diagnostic* open = gcode::findingOf(program, gcode::DiagnosticCode::DialectUnclear);
+  if (open == nullptr && isForControl) {
+    open = gcode::openSetting(program);
   }
-  if (const gcode::Diagnostic* const open = gcode::openSetting(program); open && !isVirtual) {
-    return asks(*open);
-  }
-  return {};
+  return open == nullptr
+             ? base::Result<void>()
+             : base::fail(gcode::GcodeError::Ambiguous, gcode::describe(*open), program.name);
 }
 
 Exit check(const CheckOptions& options) {

@@ -35,9 +35,9 @@ struct LoadingOptions {
 };
 
 /// What a command that moves a machine has to be told before it reads the program.
-/// @param isVirtual  a machine of Rivulet's, which is metric and reads whole units
+/// @param isForControl  the result is for a real control, whose settings decide what is left open
 /// @return error Ambiguous, with the options that answer it
-[[nodiscard]] base::Result<void> requireMeaning(const gcode::Program& program, bool isVirtual);
+[[nodiscard]] base::Result<void> requireMeaning(const gcode::Program& program, bool isForControl);
 
 /// Fewer or more points on the same path.
 struct ResamplingOptions {

@@ -345,7 +345,7 @@ base::Result<void> StreamCommand::load() {
     return base::fail(program.error());
   }
   m_program = std::move(*program);
-  if (base::Result<void> meant = requireMeaning(m_program, true); !meant) {
+  if (base::Result<void> meant = requireMeaning(m_program, false); !meant) {
     return meant;
   }
   if (const auto blocked = streaming::programBlocked(m_program)) {
@@ -459,7 +459,7 @@ base::Result<void> StreamCommand::judge() {
   facts.turnedAxes = gcode::turnedAxes(m_program.trajectory);
   facts.method = m_settings.parameters.method;
   // Wrong motion of a virtual machine does no harm.
-  facts.acceptsInfeasible = m_options.acceptInfeasible || *facts.isVirtualMachine;
+  facts.acceptsInfeasible = m_options.acceptInfeasible || facts.isVirtualMachine;
   const feasibility::OperatingPoint point = report::operatingPointOf(m_settings);
   const std::vector<gcode::StreamPoint> points = this->points();
   m_judged.feasible = true;  // a single point needs no refill; method file waits
@@ -746,7 +746,7 @@ base::Result<bool> isWholeJob(const StreamOptions& options) {
   if (!runs) {
     return base::fail(runs.error());
   }
-  if (base::Result<void> meant = requireMeaning(plan->program, true); !meant) {
+  if (base::Result<void> meant = requireMeaning(plan->program, false); !meant) {
     return base::fail(meant.error());
   }
   if (!*runs) {

@@ -262,15 +262,12 @@ PreflightItem Preflight::readingItem() const {
     parts.append(tr("a program for %1").arg(widgets::controlName(*reading.dialect)));
   }
   const auto open = [&](DiagnosticCode code) {
-    const auto found =
-        std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
-                     [code](const gcode::Diagnostic& each) { return each.code == code; });
-    if (found != program.diagnostics.end()) {
-      item.status = Status::Attention;
+    const gcode::Diagnostic* const found = gcode::findingOf(program, code);
+    if (found == nullptr) {
+      return std::optional<QString>();
     }
-    return found == program.diagnostics.end()
-               ? std::nullopt
-               : std::optional(QString::fromStdString(found->argument));
+    item.status = Status::Attention;
+    return std::optional(QString::fromStdString(found->argument));
   };
   if (const auto sizes = open(DiagnosticCode::UnitsNotSaid)) {
     parts.append(

@@ -108,22 +108,17 @@ void applyReading(gcode::TextReading& reading, const SettingsFacts& facts) {
   for (const auto& [name, value] : facts) {
     if (name == "dialect" && (value == kAuto || gcode::dialectOfName(value))) {
       reading.dialect = gcode::dialectOfName(value);
-    } else if (name == "units") {
-      for (const gcode::FileUnits units :
-           {gcode::FileUnits::Millimetres, gcode::FileUnits::Inches}) {
-        reading.units = value == gcode::fileUnitsName(units) ? std::optional(units) : reading.units;
-      }
-      reading.units = value == kAuto ? std::nullopt : reading.units;
+    } else if (name == "units" && (value == kAuto || gcode::saidUnitsOfName(value))) {
+      reading.units = gcode::saidUnitsOfName(value);
     } else if (name == "no_point" && (value == kAuto || gcode::noPointOfName(value))) {
       reading.noPoint = gcode::noPointOfName(value);
     } else if (name == "centres") {
-      for (const gcode::CentreReading centres : gcode::kCentreReadings) {
-        reading.centres = value == gcode::centreReadingName(centres) ? centres : reading.centres;
-      }
+      reading.centres = gcode::centreReadingOfName(value).value_or(reading.centres);
     } else if (name == "chord_tolerance") {
       const auto number = base::parseNumber(value);
-      reading.chordToleranceMm =
-          number && *number > 0.0 && *number <= 10.0 ? *number : reading.chordToleranceMm;
+      const bool isTolerance =
+          number && *number > 0.0 && *number <= gcode::TextReading::kChordToleranceMmMax;
+      reading.chordToleranceMm = isTolerance ? *number : reading.chordToleranceMm;
     } else if (name == "accept") {
       reading.accepted.clear();
       std::stringstream words(value);

@@ -52,20 +52,17 @@ gcode::LoadOptions readingOf(Members& members) {
   reading.dialect = gcode::dialectOfName(dialect);
   std::string centres;
   members.ifThere("/reading/centres", centres, text);
-  for (const gcode::CentreReading known : gcode::kCentreReadings) {
-    reading.centres = gcode::centreReadingName(known) == centres ? known : reading.centres;
-  }
+  reading.centres = gcode::centreReadingOfName(centres).value_or(reading.centres);
   std::string units;
   members.ifThere("/reading/units", units, text);
-  for (const gcode::FileUnits known : {gcode::FileUnits::Millimetres, gcode::FileUnits::Inches}) {
-    reading.units = gcode::fileUnitsName(known) == units ? std::optional(known) : reading.units;
-  }
+  reading.units = gcode::saidUnitsOfName(units);
   std::string noPoint;
   members.ifThere("/reading/no_point", noPoint, text);
   reading.noPoint = gcode::noPointOfName(noPoint);
-  constexpr double kToleranceMmMax = 10.0;
   members.ifThere("/reading/chord_tolerance_mm", reading.chordToleranceMm,
-                  [&members](const char* at) { return members.number(at, 1e-6, kToleranceMmMax); });
+                  [&members](const char* at) {
+                    return members.number(at, 1e-6, gcode::TextReading::kChordToleranceMmMax);
+                  });
   reading.accepted = members.words("/reading/accepted");
   return reading;
 }

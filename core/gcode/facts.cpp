@@ -3,6 +3,8 @@
 
 #include "gcode/facts.h"
 
+#include <algorithm>
+
 #include "base/contract.h"
 
 namespace rivulet::gcode {
@@ -21,6 +23,15 @@ std::string_view fileUnitsName(FileUnits units) {
   base::contractViolated("every unit has a name", __FILE__, __LINE__);
 }
 
+std::optional<FileUnits> saidUnitsOfName(std::string_view name) {
+  for (const FileUnits units : {FileUnits::Millimetres, FileUnits::Inches}) {
+    if (fileUnitsName(units) == name) {
+      return units;
+    }
+  }
+  return std::nullopt;
+}
+
 std::string_view centreReadingName(CentreReading reading) {
   switch (reading) {
     case CentreReading::AsProgrammed:
@@ -31,6 +42,13 @@ std::string_view centreReadingName(CentreReading reading) {
       return "start-minus-centre";
   }
   base::contractViolated("every reading has a name", __FILE__, __LINE__);
+}
+
+std::optional<CentreReading> centreReadingOfName(std::string_view name) {
+  const auto found =
+      std::find_if(kCentreReadings.begin(), kCentreReadings.end(),
+                   [name](CentreReading reading) { return centreReadingName(reading) == name; });
+  return found == kCentreReadings.end() ? std::nullopt : std::optional(*found);
 }
 
 }  // namespace rivulet::gcode

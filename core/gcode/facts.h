@@ -22,6 +22,8 @@ enum class FileUnits : unsigned char { Unspecified, Millimetres, Inches, Mixed }
 
 /// "unspecified", "mm", "in", "mixed".
 [[nodiscard]] std::string_view fileUnitsName(FileUnits units);
+/// Inverse, of what a program can be said to be in: "mm", "in".
+[[nodiscard]] std::optional<FileUnits> saidUnitsOfName(std::string_view name);
 
 using nc::kProgrammedAxes;
 using nc::kProgrammedAxisCount;
@@ -31,6 +33,7 @@ inline constexpr std::array kCentreReadings{CentreReading::AsProgrammed, CentreR
                                             CentreReading::StartMinusCentre};
 /// "as-programmed", "absolute", "start-minus-centre".
 [[nodiscard]] std::string_view centreReadingName(CentreReading reading);
+[[nodiscard]] std::optional<CentreReading> centreReadingOfName(std::string_view name);
 
 struct ProgrammedRange {
   double smallest = 0.0;

@@ -229,13 +229,15 @@ std::string describe(const Ambiguity& ambiguity) {
   return text;
 }
 
-const Diagnostic* openSetting(const Program& program) {
+const Diagnostic* findingOf(const Program& program, DiagnosticCode code) {
   const auto found = std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
-                                  [](const Diagnostic& each) {
-                                    return each.code == DiagnosticCode::UnitsNotSaid ||
-                                           each.code == DiagnosticCode::NoDecimalPoint;
-                                  });
+                                  [code](const Diagnostic& each) { return each.code == code; });
   return found == program.diagnostics.end() ? nullptr : &*found;
+}
+
+const Diagnostic* openSetting(const Program& program) {
+  const Diagnostic* const unit = findingOf(program, DiagnosticCode::UnitsNotSaid);
+  return unit != nullptr ? unit : findingOf(program, DiagnosticCode::NoDecimalPoint);
 }
 
 base::Result<Program> interpretProgram(std::string name, std::string text,

@@ -51,6 +51,9 @@ enum class NoPoint : unsigned char {
 /// How a person wants a text to be read: what it leaves open, and how finely its curves are
 /// divided. Belongs to a run, so that the same points come out when it is resumed.
 struct TextReading {
+  /// Coarser chords are no picture of an arc.
+  static constexpr double kChordToleranceMmMax = 10.0;
+
   double chordToleranceMm = 0.005;  ///< greatest distance of chords from their arc or spline, > 0
   CentreReading centres = CentreReading::AsProgrammed;  ///< what I, J and K of arcs are
   std::optional<Dialect> dialect;                       ///< nothing: as detected from the text
@@ -146,6 +149,8 @@ struct Program {
   [[nodiscard]] bool isStreamable() const { return readiness() == Readiness::Streamable; }
 };
 
+/// The first finding with this code; null: there is none.
+[[nodiscard]] const Diagnostic* findingOf(const Program& program, DiagnosticCode code);
 /// The finding that leaves the size of the path to a setting of the control: its unit, or what
 /// numbers without a decimal point are. Null: there is none.
 [[nodiscard]] const Diagnostic* openSetting(const Program& program);

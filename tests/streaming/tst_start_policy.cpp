@@ -25,7 +25,9 @@ using streaming::StartFacts;
 namespace {
 
 gcode::Program programOf(const char* text) {
-  return gcode::interpretProgram("a.nc", text).value();
+  gcode::LoadOptions options;
+  options.units = gcode::FileUnits::Millimetres;
+  return gcode::interpretProgram("a.nc", text, options).value();
 }
 
 /// Everything in order; the tests take one thing away at a time.
@@ -98,10 +100,9 @@ class TestStartPolicy : public QObject {
     gcode::Program program =
         gcode::interpretProgram("O1.nc", "O1\nG90 G0 X10. Y20.\nX5.\nM30\n", options).value();
     StartFacts facts = ready(program);
-    QVERIFY(!streaming::startBlocked(facts));  // whose machine it is is not known
     facts.isVirtualMachine = true;
     QVERIFY(!streaming::startBlocked(facts));
-    facts.isVirtualMachine = false;
+    facts.isVirtualMachine = StartFacts{}.isVirtualMachine;  // nobody has said so: it is a real one
     const auto blocked = streaming::startBlocked(facts);
     QVERIFY(reasonOf(blocked) == BlockReason::SettingOpen);
     const base::Error error = streaming::blockedError(*blocked);

@@ -22,12 +22,8 @@ using gcode::DiagnosticCode;
 
 /// The argument of the finding with this code; nothing: there is none.
 std::optional<QString> argumentOf(const gcode::Program& program, DiagnosticCode code) {
-  const auto found =
-      std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
-                   [code](const gcode::Diagnostic& finding) { return finding.code == code; });
-  return found == program.diagnostics.end()
-             ? std::nullopt
-             : std::optional(QString::fromStdString(found->argument));
+  const gcode::Diagnostic* const found = gcode::findingOf(program, code);
+  return found == nullptr ? std::nullopt : std::optional(QString::fromStdString(found->argument));
 }
 
 /// "X 10.000, Y 2.000"

@@ -125,7 +125,7 @@ Reason pathBlocked(const StartFacts& facts) {
     return reason;
   }
   const gcode::Diagnostic* const open = gcode::openSetting(*facts.program);
-  if (open == nullptr || facts.isVirtualMachine.value_or(true)) {
+  if (open == nullptr || facts.isVirtualMachine) {
     return std::nullopt;
   }
   return Blocked{

@@ -95,10 +95,9 @@ struct StartFacts {
   bool isConnected = false;
   const gcode::Program* program = nullptr;  ///< null: none is loaded
   std::optional<LiveFacts> live;            ///< in place of `program`; nothing: there is none
-  /// One of Rivulet's machines, which are metric and read whole units; nothing: not known.
-  std::optional<bool> isVirtualMachine;
-  bool hasFileChanged = false;   ///< since the program was read from it
-  base::RotarySet turnedAxes{};  ///< rotary axes the program turns
+  bool isVirtualMachine = false;  ///< one of Rivulet's, which are metric and read whole units
+  bool hasFileChanged = false;    ///< since the program was read from it
+  base::RotarySet turnedAxes{};   ///< rotary axes the program turns
   base::MethodKind method = base::MethodKind::Window;
   std::optional<base::Error> settingsError;     ///< no program can be made of the settings
   std::optional<feasibility::Verdict> verdict;  ///< nothing: there is none to be had
