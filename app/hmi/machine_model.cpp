@@ -316,17 +316,17 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
   m_mayMove = seen.channelStatus != opcua::kChannelReset;
   m_view.programStatus = seen.programStatus;
   m_view.alarmNumber = seen.alarm;
-  if (seen.alarm != 0) {
-    m_messages.raise(alarm::Code::ControlAlarm, {std::to_string(seen.alarm)});
-  } else {
+  if (seen.alarm.value_or(0) != 0) {
+    m_messages.raise(alarm::Code::ControlAlarm, {std::to_string(*seen.alarm)});
+  } else if (seen.alarm) {
     m_messages.settle(alarm::Code::ControlAlarm);
   }
-  m_view.programName = QString::fromStdString(seen.programName);
-  m_view.message = QString::fromStdString(seen.message);
-  m_view.positionMm = seen.positionMm;
-  m_view.feedMmPerS = seen.feedMmPerS;
+  const auto shown = [](const std::optional<std::string>& text) {
+    return text ? std::optional(QString::fromStdString(*text)) : std::nullopt;
+  };
+  m_view.programName = shown(seen.programName);
+  m_view.message = shown(seen.message);
   m_view.rotaryAxes = seen.rotaryAxes;
-  m_view.rotaryDeg = seen.rotaryDeg;
   m_view.toGo.reset();
   if (seen.toGoMm) {
     m_view.toGo = widgets::MachineView::ToGo{*seen.toGoMm, seen.toGoDeg};
@@ -338,9 +338,22 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
     m_view.described = seen.described;
     m_describedAtS = m_clock();
   }
-  m_stateAtS = m_clock();
-  m_positionRead.take(*m_stateAtS, false);
-  m_feedRead.take(*m_stateAtS, false);
+  // What could not be read stays as it was, and gets old.
+  const double nowS = m_clock();
+  if (seen.channelStatus && seen.programStatus && seen.alarm) {
+    m_stateAtS = nowS;
+  }
+  if (seen.positionMm) {
+    m_view.positionMm = seen.positionMm;
+    m_positionRead.take(nowS, false);
+  }
+  if (seen.rotaryDeg) {
+    m_view.rotaryDeg = seen.rotaryDeg;
+  }
+  if (seen.feedMmPerS) {
+    m_view.feedMmPerS = seen.feedMmPerS;
+    m_feedRead.take(nowS, false);
+  }
   showAges();
   Q_EMIT this->seen();
 }

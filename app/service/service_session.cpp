@@ -320,7 +320,7 @@ base::Result<LoadedJob> ServiceSession::load(const Caller& caller, const std::st
         releases ? permission::lastReleaseOf(*releases, hash) : nullptr;
     return settingsWith(defaultSettings(), last != nullptr ? last->job.settings : std::string());
   };
-  return service::loadJob(*path, {}, settingsOf, m_seen ? m_seen->positionMm : base::Vec3{},
+  return service::loadJob(*path, {}, settingsOf, toolMm().value_or(base::Vec3{}),
                           *m_machine);
 }
 
@@ -397,13 +397,12 @@ std::string ServiceSession::describeStart() const {
         "{} blocks for the control are left out: set tool, spindle and coolant at the control. ",
         leftOut);
   }
-  if (m_seen && !points.empty()) {
+  if (const auto at = toolMm(); at && !points.empty()) {
     const base::Vec3 to = points.front().positionMm;
     text += fmt::format(
         "The tool is at X {:.3f} Y {:.3f} Z {:.3f} and first moves {:.1f} mm in a straight line to "
         "X {:.3f} Y {:.3f} Z {:.3f}.",
-        m_seen->positionMm.x, m_seen->positionMm.y, m_seen->positionMm.z,
-        base::distance(m_seen->positionMm, to), to.x, to.y, to.z);
+        at->x, at->y, at->z, base::distance(*at, to), to.x, to.y, to.z);
   }
   return text;
 }
@@ -414,7 +413,12 @@ std::string ServiceSession::newConfirmation(const std::string& text) {
 }
 
 bool ServiceSession::hasToolMoved(const Shown& shown) const {
-  return !m_seen || base::distance(m_seen->positionMm, shown.toolMm) > kStandsMm;
+  const auto at = toolMm();
+  return !at || base::distance(*at, shown.toolMm) > kStandsMm;
+}
+
+std::optional<base::Vec3> ServiceSession::toolMm() const {
+  return m_seen ? m_seen->positionMm : std::nullopt;
 }
 
 Answer ServiceSession::preflight(const Caller& caller) {
@@ -422,17 +426,18 @@ Answer ServiceSession::preflight(const Caller& caller) {
     return *answer;  // what somebody else was shown stays
   }
   m_shown.reset();
-  if (m_job && m_seen && m_machine && !m_isRunning) {
-    m_job->place(m_seen->positionMm, *m_machine);
+  const auto at = toolMm();
+  if (m_job && at && m_machine && !m_isRunning) {
+    m_job->place(*at, *m_machine);
   }
   if (const auto blocked = streaming::startBlocked(facts(caller, Act::Start))) {
     return no(blockedText(*blocked));
   }
-  if (!m_seen) {
+  if (!at) {
     return no("The control has not been read yet. Call Preflight again in a second.");
   }
   const std::string text = describeStart();
-  m_shown = Shown{newConfirmation(text), m_seen->positionMm};
+  m_shown = Shown{newConfirmation(text), *at};
   return yes(text, m_shown->confirmation);
 }
 
@@ -553,7 +558,7 @@ Answer ServiceSession::preflightResume(const Caller& caller) {
   if (auto answer = refused(caller, Act::OpenProgram)) {
     return *answer;
   }
-  if (m_link.state != session::LinkState::Connected || !m_machine || !m_seen) {
+  if (m_link.state != session::LinkState::Connected || !m_machine || !toolMm()) {
     return no("The machine cannot be reached. " + m_alarm);
   }
   if (m_runs.onControl && !m_runs.isClientKnown) {
@@ -616,7 +621,7 @@ Answer ServiceSession::preflightResume(const Caller& caller) {
       text += step + " ";
     }
   }
-  m_shownResume = Shown{newConfirmation(text), m_seen->positionMm};
+  m_shownResume = Shown{newConfirmation(text), *toolMm()};
   return yes(text, m_shownResume->confirmation);
 }
 
@@ -761,16 +766,16 @@ Snapshot ServiceSession::snapshot() const {
   if (m_update.sample && m_update.sample->positionMm && m_isRunning) {
     const base::Vec3 at = *m_update.sample->positionMm;
     seen.positionMm = {at.x, at.y, at.z};
-  } else if (m_seen) {
-    seen.positionMm = {m_seen->positionMm.x, m_seen->positionMm.y, m_seen->positionMm.z};
+  } else if (const auto at = toolMm()) {
+    seen.positionMm = {at->x, at->y, at->z};
   }
   if (const report::SavedRun* left = leftRun()) {
     seen.canResume = true;
     seen.leftRun = left->name();
   }
   seen.alarm = m_alarm;
-  if (seen.alarm.empty() && m_seen && m_seen->alarm != 0) {
-    seen.alarm = streaming::describeControlAlarm(std::to_string(m_seen->alarm));
+  if (seen.alarm.empty() && m_seen && m_seen->alarm.value_or(0) != 0) {
+    seen.alarm = streaming::describeControlAlarm(std::to_string(*m_seen->alarm));
   }
   seen.message = m_message;
   if (m_report) {

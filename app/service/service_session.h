@@ -142,6 +142,7 @@ class ServiceSession {
   [[nodiscard]] std::string newConfirmation(const std::string& text);
   /// Since somebody was shown what a start would do; also if its place is not known.
   [[nodiscard]] bool hasToolMoved(const Shown& shown) const;
+  [[nodiscard]] std::optional<base::Vec3> toolMm() const;  ///< nothing: not known
   Answer begin(const Caller& caller, permission::Act act, session::StartCommand command);
   void record(const Caller& caller, permission::Act act,
               std::vector<std::pair<std::string, std::string>> details);

@@ -46,17 +46,17 @@ struct LinkChanged {
   std::shared_ptr<const opcua::TrustQuestion> question{};
 };
 
-/// The control as read between runs.
+/// The control as read between runs. Nothing: it could not be read.
 struct MachineSeen {
-  int channelStatus = 0;
-  int programStatus = 0;
-  int alarm = 0;
-  std::string programName;
-  std::string message;
-  base::Vec3 positionMm;
-  double feedMmPerS = 0.0;
+  std::optional<int> channelStatus;
+  std::optional<int> programStatus;
+  std::optional<int> alarm;
+  std::optional<std::string> programName;
+  std::optional<std::string> message;
+  std::optional<base::Vec3> positionMm;
+  std::optional<double> feedMmPerS;
   base::RotarySet rotaryAxes{};  ///< those the control has
-  base::RotaryDeg rotaryDeg{};
+  std::optional<base::RotaryDeg> rotaryDeg;
   /// Distance to go of each axis; nothing: the control does not report it.
   std::optional<base::Vec3> toGoMm;
   base::RotaryDeg toGoDeg{};                          ///< with `toGoMm`

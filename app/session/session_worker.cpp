@@ -51,6 +51,20 @@ bool isSame(const JobRestart& a, const JobRestart& b) {
          (!a.toolMm || base::distance(*a.toolMm, *b.toolMm) <= kStandsMm);
 }
 
+std::optional<int> wholeNumber(const opcua::Reading& reading) {
+  const auto value = reading.value();
+  return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
+}
+
+std::optional<std::string> textOf(const opcua::Reading& reading) {
+  return reading.status ? std::nullopt : std::optional(reading.text);
+}
+
+bool areRead(std::span<const opcua::Reading> readings) {
+  return std::all_of(readings.begin(), readings.end(),
+                     [](const opcua::Reading& one) { return one.value().has_value(); });
+}
+
 base::Error notConnected() {
   return base::makeError(opcua::LinkError::NotReachable,
                          "There is no connection to a control. Connect first.");
@@ -467,26 +481,33 @@ base::Result<void> SessionWorker::lookAtControl() {
     return base::fail(readings.error());
   }
   MachineSeen seen;
-  seen.channelStatus = static_cast<int>((*readings)[0].number);
-  seen.programStatus = static_cast<int>((*readings)[1].number);
-  seen.alarm = static_cast<int>((*readings)[2].number);
-  seen.programName = (*readings)[3].text;
-  seen.message = (*readings)[4].text;
-  seen.positionMm = {(*readings)[5].number, (*readings)[6].number, (*readings)[7].number};
-  seen.feedMmPerS = base::mmPerSFromMmPerMin((*readings)[8].number);
+  seen.channelStatus = wholeNumber((*readings)[0]);
+  seen.programStatus = wholeNumber((*readings)[1]);
+  seen.alarm = wholeNumber((*readings)[2]);
+  seen.programName = textOf((*readings)[3]);
+  seen.message = textOf((*readings)[4]);
+  if (areRead(std::span(*readings).subspan(5, base::kAxisCount))) {
+    seen.positionMm = {(*readings)[5].number, (*readings)[6].number, (*readings)[7].number};
+  }
+  if (const auto feed = (*readings)[8].value()) {
+    seen.feedMmPerS = base::mmPerSFromMmPerMin(*feed);
+  }
   seen.rotaryAxes = m_axes.set();
   const std::span toGo = std::span(*readings).subspan(firstToGo, firstEquipment - firstToGo);
-  if (std::none_of(toGo.begin(), toGo.end(),
-                   [](const opcua::Reading& one) { return one.status.operator bool(); })) {
+  if (areRead(toGo)) {
     seen.toGoMm = {toGo[0].number, toGo[1].number, toGo[2].number};
   }
   std::size_t next = 0;
+  base::RotaryDeg rotaryDeg{};
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
     if (seen.rotaryAxes[axis]) {
-      seen.rotaryDeg[axis] = (*readings)[firstRotary + next].number;
+      rotaryDeg[axis] = (*readings)[firstRotary + next].number;
       seen.toGoDeg[axis] = toGo[base::kAxisCount + next].number;
       ++next;
     }
+  }
+  if (areRead(std::span(*readings).subspan(firstRotary, rotary.size()))) {
+    seen.rotaryDeg = rotaryDeg;
   }
   if (readsEquipment) {
     seen.equipment = m_equipment.take(std::span(*readings).subspan(firstEquipment));

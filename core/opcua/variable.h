@@ -7,6 +7,7 @@
 #pragma once
 
 #include <compare>
+#include <optional>
 #include <string>
 
 #include "base/error.h"
@@ -87,6 +88,11 @@ struct Reading {
   std::error_code status;  ///< clear: the value is good
   double number = 0.0;
   std::string text;
+
+  /// Nothing: it could not be read, which is not zero.
+  [[nodiscard]] std::optional<double> value() const {
+    return status ? std::nullopt : std::optional(number);
+  }
 };
 
 struct Assignment {

@@ -200,6 +200,29 @@ class TestRunController : public QObject {
     seen.channelStatus = opcua::kChannelReset;
     Q_EMIT models.session.machineSeen(seen);
     QVERIFY(!machine.mayMove());
+    // A channel that cannot be read is not one that stands.
+    seen.channelStatus.reset();
+    Q_EMIT models.session.machineSeen(seen);
+    QVERIFY(machine.mayMove());
+  }
+
+  /// What cannot be read is not zero: the axes stay where they were seen, and get old.
+  void whatCannotBeReadIsNotZero() {
+    Models models;
+    double nowS = 100.0;
+    hmi::MachineModel machine{models.session, models.store, models.messages,
+                              [&nowS] { return nowS; }};
+    Q_EMIT models.session.linkChanged({session::LinkState::Connected, {}, true, {}});
+    session::MachineSeen seen;
+    seen.positionMm = base::Vec3{10.0, 20.0, 30.0};
+    seen.feedMmPerS = 5.0;
+    Q_EMIT models.session.machineSeen(seen);
+    QVERIFY(machine.positionNowMm() == seen.positionMm);
+    nowS += 2.0;
+    Q_EMIT models.session.machineSeen({});
+    QVERIFY(machine.view().positionMm == seen.positionMm);
+    QVERIFY(machine.view().feedMmPerS == seen.feedMmPerS);
+    QVERIFY(machine.view().positionFreshness() == widgets::Freshness::Old);
   }
 
   /// A stream without slack reads the axes every 0.9 s: that is said once, not with each read.
