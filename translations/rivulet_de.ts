@@ -125,8 +125,8 @@
         <translation>Der Lauf wird nicht aufgezeichnet.</translation>
     </message>
     <message>
-        <source>The folder %1 cannot be created.</source>
-        <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
+        <source>Nothing can be written to the folder %1.</source>
+        <translation>In den Ordner %1 kann nichts geschrieben werden.</translation>
     </message>
     <message>
         <source>Check the folder, its permissions and the free space.</source>

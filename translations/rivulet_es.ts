@@ -125,8 +125,8 @@
         <translation>La ejecución no se graba.</translation>
     </message>
     <message>
-        <source>The folder %1 cannot be created.</source>
-        <translation>No se puede crear la carpeta %1.</translation>
+        <source>Nothing can be written to the folder %1.</source>
+        <translation>No se puede escribir nada en la carpeta %1.</translation>
     </message>
     <message>
         <source>Check the folder, its permissions and the free space.</source>

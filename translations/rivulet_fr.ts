@@ -125,8 +125,8 @@
         <translation>L’exécution n’est pas enregistrée.</translation>
     </message>
     <message>
-        <source>The folder %1 cannot be created.</source>
-        <translation>Le dossier %1 ne peut pas être créé.</translation>
+        <source>Nothing can be written to the folder %1.</source>
+        <translation>Rien ne peut être écrit dans le dossier %1.</translation>
     </message>
     <message>
         <source>Check the folder, its permissions and the free space.</source>

@@ -125,8 +125,8 @@
         <translation>L’esecuzione non viene registrata.</translation>
     </message>
     <message>
-        <source>The folder %1 cannot be created.</source>
-        <translation>Impossibile creare la cartella %1.</translation>
+        <source>Nothing can be written to the folder %1.</source>
+        <translation>Nella cartella %1 non si può scrivere nulla.</translation>
     </message>
     <message>
         <source>Check the folder, its permissions and the free space.</source>

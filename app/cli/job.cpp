@@ -17,18 +17,17 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/found_run.h"
-#include "cli/record_file.h"
+#include "cli/run_files.h"
 #include "forecast/job_forecast.h"
-#include "forecast/job_restart.h"
 #include "forecast/large_machine.h"
 #include "gcode/block_observer.h"
 #include "job/dry_plan.h"
 #include "job/functions.h"
 #include "job/main_program.h"
 #include "machine/config.h"
+#include "overview/program_view.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
-#include "platform/recording_file.h"
 #include "report/job_json.h"
 #include "report/machine_profile.h"
 #include "report/machine_store.h"
@@ -36,15 +35,15 @@
 #include "report/plan_json.h"
 #include "report/report_json.h"
 #include "report/run_store.h"
+#include "run/resume.h"
 #include "streaming/control/access_policy.h"
 #include "streaming/control/control_axes.h"
 #include "streaming/methods/feed_plan.h"
-#include "streaming/recovery/job_resume.h"
+#include "streaming/run/job_count.h"
 #include "streaming/run/whole_job.h"
 #include "streaming/simulation/fitted_machine.h"
 #include "streaming/simulation/job_proof.h"
 #include "trace/analysis/tool_use.h"
-#include "trace/recording.h"
 
 namespace rivulet::cli {
 
@@ -152,13 +151,12 @@ class JobCommand {
   base::Result<void> restart();
   /// Compares the job with the machine, and estimates its time.
   base::Result<void> look();
-  base::Result<void> openRecording();
   [[nodiscard]] Exit run();
   [[nodiscard]] Exit verify();
   [[nodiscard]] const std::vector<forecast::Hazard>& hazards() const { return m_hazards; }
   /// Before the job goes on; empty: it begins at the beginning.
   [[nodiscard]] std::vector<std::string> steps() const {
-    return m_restart ? m_restart->steps : std::vector<std::string>();
+    return m_restart ? m_restart->restart.steps : std::vector<std::string>();
   }
 
  private:
@@ -170,9 +168,10 @@ class JobCommand {
     return (m_options.simulate || m_options.verify) && m_options.output.empty();
   }
   base::Result<std::optional<machine::MachineConfig>> machine();
-  base::Result<forecast::Restart> findRestart(const machine::MachineConfig& machine);
+  base::Result<run::JobRestart> findRestart(const machine::MachineConfig& machine);
   base::Result<void> confirm() const;
-  [[nodiscard]] report::SavedRun savedRun() const;
+  [[nodiscard]] run::RunFacts facts() const;
+  void archive(const streaming::WholeJobReport& done, run::RunRecord& record) const;
   void print(const streaming::WholeJobReport& done) const;
   void printNotes() const;
 
@@ -183,10 +182,9 @@ class JobCommand {
   streaming::RunSettings m_settings;
   job::JobPrograms m_programs;
   Connection m_connection;
-  std::optional<forecast::Restart> m_restart;
-  streaming::WholeJobOptions m_start;
-  std::unique_ptr<recorder::RecordingFile> m_file;
-  std::unique_ptr<trace::RecordingWriter> m_writer;
+  std::optional<run::JobRestart> m_restart;
+  /// All of the job; null: `m_plan` is all of it.
+  std::shared_ptr<const job::Plan> m_whole;
   std::vector<forecast::Hazard> m_hazards;
   std::optional<forecast::JobForecast> m_forecast;
 };
@@ -380,17 +378,15 @@ base::Result<void> JobCommand::restart() {
     return base::fail(machine.error());
   }
   if (!*machine) {
-    return base::fail(streaming::StreamError::CannotResume,
-                      "The tools and offsets of this machine are not known, so the state in which "
-                      "the job goes on cannot be computed. Start from the beginning.",
-                      m_connection.name);
+    return base::fail(run::machineNotKnown());
   }
-  base::Result<forecast::Restart> found = findRestart(**machine);
+  base::Result<run::JobRestart> found = findRestart(**machine);
   if (!found) {
     return base::fail(found.error());
   }
   m_restart = std::move(*found);
-  m_plan = m_restart->plan;
+  m_whole = std::make_shared<const job::Plan>(std::move(m_plan));
+  m_plan = m_restart->restart.plan;
   auto programs = job::makePrograms(m_plan, m_settings.parameters);
   if (!programs) {
     return base::fail(programs.error());
@@ -399,9 +395,9 @@ base::Result<void> JobCommand::restart() {
   return confirm();
 }
 
-base::Result<forecast::Restart> JobCommand::findRestart(const machine::MachineConfig& machine) {
+base::Result<run::JobRestart> JobCommand::findRestart(const machine::MachineConfig& machine) {
   if (m_options.fromStretch > 0) {
-    return forecast::restartAtStretch(m_plan, machine, m_options.fromStretch);
+    return run::beginWith(m_options.fromStretch, m_plan, machine);
   }
   const auto run = report::readSavedRun(m_options.resume);
   if (!run) {
@@ -410,23 +406,16 @@ base::Result<forecast::Restart> JobCommand::findRestart(const machine::MachineCo
   m_settings.parameters = run->settings.parameters;
   m_settings.programFeeds = run->settings.programFeeds;
   m_settings.feedMmPerS = run->settings.feedMmPerS;
-  const auto rest = streaming::whereJobWasLeft(
-      *m_connection.link, m_plan, m_settings, run->checkpoint,
-      [&](std::size_t part) { return forecast::zeroAt(m_plan, machine, part); });
-  if (!rest) {
-    return base::fail(rest.error());
-  }
-  m_start.resume = rest->resume;
-  return forecast::restartAt(m_plan, machine, *rest);
+  return run::askJob(*m_connection.link, m_plan, machine, m_settings, run->checkpoint);
 }
 
 base::Result<void> JobCommand::confirm() const {
   if (!m_options.json) {
     fmt::print("before the job goes on, the control does:\n");
-    for (const std::string& step : m_restart->steps) {
+    for (const std::string& step : m_restart->restart.steps) {
       fmt::print("  {}\n", step);
     }
-    for (const std::string& block : m_restart->notRestored) {
+    for (const std::string& block : m_restart->restart.notRestored) {
       fmt::print("not done again, because only the control knows its effect: {}\n", block);
     }
   }
@@ -438,15 +427,21 @@ base::Result<void> JobCommand::confirm() const {
 }
 
 /// All that is known of the job before it starts.
-report::SavedRun JobCommand::savedRun() const {
-  report::SavedRun run;
-  std::error_code ignored;
-  run.programName = m_plan.program.name;
-  run.programFile = std::filesystem::absolute(m_options.file, ignored).string();
-  run.endpoint = m_connection.name;
-  run.toolVersion = RIVULET_VERSION;
-  run.command = m_options.command;
-  return run;
+run::RunFacts JobCommand::facts() const {
+  run::RunFacts facts;
+  facts.kind = run::RunKind::WholeJob;
+  facts.programName = m_plan.program.name;
+  facts.programHash = m_plan.program.hash;
+  facts.programFile = absolutePath(m_options.file);
+  facts.reading = m_options.loading.loadOptions();
+  facts.endpoint = m_connection.name;
+  facts.startedAtUtc = utcNow();
+  facts.command = m_options.command;
+  facts.recording = m_options.record;
+  facts.isFromStart = !m_restart;
+  facts.dryRunMm = m_options.dryRunMm;
+  facts.isSimulated = m_options.simulate;
+  return facts;
 }
 
 base::Result<void> JobCommand::look() {
@@ -486,20 +481,6 @@ base::Result<void> JobCommand::look() {
   if (!m_options.json) {
     fmt::print("estimated: {}\n", report::describe(m_forecast->times));
   }
-  return {};
-}
-
-base::Result<void> JobCommand::openRecording() {
-  if (m_options.record.empty()) {
-    return {};
-  }
-  if (base::Result<void> opened = openRecordingFile(m_options.record, m_file, m_writer); !opened) {
-    return opened;
-  }
-  m_start.writer = m_writer.get();
-  m_start.start.toolVersion = RIVULET_VERSION;
-  m_start.start.endpoint = m_connection.name;
-  m_start.start.startedAtUtc = utcNow();
   return {};
 }
 
@@ -566,6 +547,24 @@ Exit JobCommand::verify() {
   return proof->difference.empty() ? Exit::Done : Exit::Wrong;
 }
 
+/// The job as the window keeps it, too: counted in all its points.
+void JobCommand::archive(const streaming::WholeJobReport& done, run::RunRecord& record) const {
+  if (m_options.simulate) {
+    record.finish({}, {});
+    return;
+  }
+  const auto plan = m_whole ? m_whole : std::make_shared<const job::Plan>(m_plan);
+  const auto view =
+      overview::makeProgramView(std::shared_ptr<const gcode::Program>(plan, &plan->program), {},
+                                m_settings.parameters.pointsPerLoop, {}, {}, plan);
+  const bool goesOn = m_restart && m_restart->resume;
+  const streaming::JobCount count(view->stretchStarts, view->points.points.size(),
+                                  goesOn ? m_restart->stretch : 0,
+                                  goesOn ? m_restart->resume->point : 0);
+  record.finish(count.reportOf(done, m_settings, plan->program.name),
+                {view->points.points, done.times, done.tools});
+}
+
 Exit JobCommand::run() {
   if (!m_options.json) {
     printNotes();
@@ -573,23 +572,16 @@ Exit JobCommand::run() {
   if (m_options.dryRunMm > 0.0 && !m_options.json) {
     fmt::print("dry run: {:g} mm higher, without spindle and coolant\n", m_options.dryRunMm);
   }
+  run::RunRecord record(facts());
+  if (const base::Result<void> opened = record.open(); !opened) {
+    return reportError(opened.error(), m_options.json);
+  }
   JobConsole console(m_options.stopAfterS, m_options.json, m_options.simulate);
-  // A job that goes on, and a dry run, have other programs: they cannot be found again by those of
-  // the source.
-  std::optional<report::RunKeeper> keeper;
-  if (!m_options.simulate && !m_restart && m_options.dryRunMm == 0.0) {
-    keeper.emplace(report::RunStore(report::RunStore::folderOfJobs()), savedRun());
-    m_start.keeper = &*keeper;
-  }
   const streaming::WholeJobReport done = streaming::runWholeJob(
-      *m_connection.link, *m_connection.control, m_plan, m_settings, console, console, m_start);
-  if (keeper && done.outcome == streaming::Outcome::Completed) {
-    streaming::RunReport completed;
-    completed.outcome = streaming::Outcome::Completed;
-    keeper->finish(completed);
-  }
-  const auto left = keeper ? keeper->file() : std::nullopt;
-  const base::Result<void> recorded = m_file ? m_file->finish() : base::Result<void>();
+      *m_connection.link, *m_connection.control, m_plan, m_settings, console, console,
+      {m_restart ? m_restart->resume : std::nullopt, record.keeper(), record.writer(),
+       record.start()});
+  archive(done, record);
   if (m_options.json) {
     nlohmann::ordered_json json = report::wholeJobJson(m_plan, done);
     json["job"] = m_programs.number;
@@ -597,15 +589,9 @@ Exit JobCommand::run() {
       json["dry_run_mm"] = m_options.dryRunMm;
     }
     json["hazards"] = report::hazardsJson(m_hazards);
-    if (left) {
-      json["saved_job"] = left->string();
-    }
-    if (m_file) {
-      json["recording"] = m_options.record;
-      json["recording_complete"] = recorded.has_value();
-    }
+    json.update(filesJson(record, "saved_job"));
     if (m_restart) {
-      json["restart"] = m_restart->steps;
+      json["restart"] = m_restart->restart.steps;
     }
     if (m_forecast) {
       json["estimated"] = report::jobTimesJson(m_forecast->times);
@@ -616,18 +602,15 @@ Exit JobCommand::run() {
   } else {
     print(done);
   }
-  if (done.outcome != streaming::Outcome::Completed && done.reached.stretch > 0) {
-    fmt::print(stderr, "The job is not complete. To go on:\n  {}\n",
-               left ? resumeCommand(savedRun(), *left)
-                    : fmt::format("rivulet-cli job {} ... --from-stretch {}",
-                                  shellWord(m_options.file), done.reached.stretch));
-  }
-  if (!recorded) {
-    log::logger().error(recorded.error().text());
+  const bool isComplete = tellFiles(record);
+  if (done.outcome != streaming::Outcome::Completed && done.reached.stretch > 0 && !record.left()) {
+    fmt::print(stderr,
+               "The job is not complete. To go on:\n  rivulet-cli job {} ... --from-stretch {}\n",
+               shellWord(m_options.file), done.reached.stretch);
   }
   if (!done.error.code) {
-    return recorded && (!done.integrity.judged || done.integrity.isFaultless()) ? Exit::Done
-                                                                                : Exit::Wrong;
+    return isComplete && (!done.integrity.judged || done.integrity.isFaultless()) ? Exit::Done
+                                                                                  : Exit::Wrong;
   }
   if (!m_options.json) {
     log::logger().error(done.error.text());
@@ -664,8 +647,7 @@ Exit job(const JobOptions& options) {
   const bool runs = options.simulate || !options.endpoint.empty();
   if (done && runs) {
     done = command.connect();
-    for (const auto step : {&JobCommand::keepFunctions, &JobCommand::restart, &JobCommand::look,
-                            &JobCommand::openRecording}) {
+    for (const auto step : {&JobCommand::keepFunctions, &JobCommand::restart, &JobCommand::look}) {
       done = done ? (command.*step)() : done;
     }
   }

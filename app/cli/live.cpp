@@ -12,19 +12,17 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/paced_link.h"
-#include "cli/record_file.h"
+#include "cli/run_files.h"
 #include "cli/stream_settings.h"
 #include "live/point_stream.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
-#include "platform/recording_file.h"
 #include "report/report_json.h"
 #include "report/run_store.h"
 #include "sources/open_source.h"
 #include "streaming/run/job.h"
 #include "streaming/simulation/template_proof.h"
 #include "templates/generator.h"
-#include "trace/recording.h"
 
 namespace rivulet::cli {
 
@@ -97,20 +95,18 @@ class LiveCommand {
  private:
   Result<void> plan();
   Result<void> connect();
-  Result<void> openRecording();
-  [[nodiscard]] Exit show(const streaming::RunReport& done, const Result<void>& recorded) const;
+  [[nodiscard]] run::RunFacts facts() const;
+  [[nodiscard]] Exit show(const streaming::RunReport& done, const run::RunRecord& record) const;
 
   const StreamOptions& m_options;
   live::Setup m_setup;
   streaming::RunSettings m_settings;
   std::unique_ptr<live::Source> m_source;
   Connection m_connection;
-  std::unique_ptr<recorder::RecordingFile> m_file;
-  std::unique_ptr<trace::RecordingWriter> m_writer;
 };
 
 Result<void> LiveCommand::prepare() {
-  for (const auto step : {&LiveCommand::plan, &LiveCommand::connect, &LiveCommand::openRecording}) {
+  for (const auto step : {&LiveCommand::plan, &LiveCommand::connect}) {
     if (Result<void> done = (this->*step)(); !done) {
       return done;
     }
@@ -160,22 +156,22 @@ Result<void> LiveCommand::connect() {
   return streaming::requireProven(m_settings.parameters);
 }
 
-Result<void> LiveCommand::openRecording() {
-  if (m_options.record.empty()) {
-    return {};
-  }
-  if (base::Result<void> opened = openRecordingFile(m_options.record, m_file, m_writer); !opened) {
-    return opened;
-  }
-  return {};
+run::RunFacts LiveCommand::facts() const {
+  run::RunFacts facts;
+  facts.kind = run::RunKind::Live;
+  facts.programName = m_source->name();
+  facts.endpoint = m_connection.name;
+  facts.startedAtUtc = utcNow();
+  facts.recording = m_options.record;
+  facts.isSimulated = m_options.simulate;
+  return facts;
 }
 
 Exit LiveCommand::run() {
-  streaming::JobRecorder recorder;
-  recorder.writer = m_writer.get();
-  recorder.start.toolVersion = RIVULET_VERSION;
-  recorder.start.endpoint = m_connection.name;
-  recorder.start.startedAtUtc = m_settings.origin.startedAtUtc;
+  run::RunRecord record(facts());
+  if (const Result<void> opened = record.open(); !opened) {
+    return reportError(opened.error(), m_options.json);
+  }
   live::PointStream points(*m_source, m_setup.agreement, m_setup.limits);
   PacedLink paced(*m_connection.link);
   opcua::Link& link = m_options.simulate ? static_cast<opcua::Link&>(paced) : *m_connection.link;
@@ -183,10 +179,11 @@ Exit LiveCommand::run() {
   {
     LiveConsole console(m_options.stopAfterS);
     done = streaming::runLive(link, *m_connection.control, m_source->name(), points, m_settings,
-                              console, console, std::move(recorder));
+                              console, console, {record.writer(), record.start(), nullptr});
   }
   m_source.reset();  // the sender hears the end
-  return show(done, m_file ? m_file->finish() : Result<void>());
+  record.finish(done, {points.points()});
+  return show(done, record);
 }
 
 void printLive(const live::Summary& live) {
@@ -211,14 +208,11 @@ void printLive(const live::Summary& live) {
   }
 }
 
-Exit LiveCommand::show(const streaming::RunReport& done, const Result<void>& recorded) const {
+Exit LiveCommand::show(const streaming::RunReport& done, const run::RunRecord& record) const {
   if (m_options.json) {
     nlohmann::ordered_json json = report::runJson(done);
     json["endpoint"] = m_connection.name;
-    if (!m_options.record.empty()) {
-      json["recording"] = m_options.record;
-      json["recording_complete"] = recorded.has_value();
-    }
+    json.update(filesJson(record, "saved_run"));
     printJson(json);
   } else {
     fmt::print("{}: {} of {} points executed, {}\n", streaming::outcomeName(done.outcome),
@@ -236,13 +230,7 @@ Exit LiveCommand::show(const streaming::RunReport& done, const Result<void>& rec
       log::logger().error(done.error.text());
     }
   }
-  if (!recorded) {
-    log::logger().error(recorded.error().text());
-  }
-  if (done.error.code && exitForRun(done.error) != Exit::Wrong) {
-    return exitForRun(done.error);
-  }
-  return done.finding() != streaming::RunFinding::Faulty && recorded ? Exit::Done : Exit::Wrong;
+  return exitAfter(done, record);
 }
 
 }  // namespace

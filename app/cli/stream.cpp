@@ -17,7 +17,7 @@
 #include "cli/connection.h"
 #include "cli/correction_source.h"
 #include "cli/found_run.h"
-#include "cli/record_file.h"
+#include "cli/run_files.h"
 #include "cli/stream_settings.h"
 #include "feasibility/verdict.h"
 #include "gcode/block_observer.h"
@@ -27,23 +27,20 @@
 #include "machine/config.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
-#include "platform/recording_file.h"
 #include "report/calibration_json.h"
 #include "report/machine_store.h"
 #include "report/operating_point.h"
 #include "report/report_json.h"
-#include "report/run_history.h"
 #include "report/run_store.h"
+#include "run/resume.h"
 #include "streaming/control/access_policy.h"
 #include "streaming/control/control_axes.h"
 #include "streaming/methods/feed_plan.h"
-#include "streaming/recovery/resume.h"
 #include "streaming/run/job.h"
 #include "streaming/setup/commissioning.h"
 #include "streaming/simulation/template_proof.h"
 #include "streaming/start/start_policy.h"
 #include "templates/generator.h"
-#include "trace/recording.h"
 
 namespace rivulet::cli {
 
@@ -292,13 +289,8 @@ class StreamCommand {
   base::Result<void> lookForRun();
   base::Result<void> judge();
   base::Result<void> findResume();
-  base::Result<void> openRecording();
-  void openOwnRecording();
-  [[nodiscard]] base::Result<streaming::Resume> askResume(const report::SavedRun& run);
-  [[nodiscard]] report::SavedRun savedRun() const;
-  void archive(const streaming::RunReport& done, bool isRecorded) const;
-  [[nodiscard]] Exit show(const streaming::RunReport& done, const base::Result<void>& recorded,
-                          const report::RunKeeper* keeper) const;
+  [[nodiscard]] run::RunFacts facts() const;
+  [[nodiscard]] Exit show(const streaming::RunReport& done, const run::RunRecord& record) const;
 
   const StreamOptions& m_options;
   gcode::Program m_program;
@@ -308,16 +300,12 @@ class StreamCommand {
   CalibrationChoice m_calibrated;
   Judgement m_judged;
   report::RunStore m_runs;
-  report::RunHistory m_history;
-  std::string m_ownRecording;  ///< for the history; empty: none, or the user named a file
-  std::unique_ptr<recorder::RecordingFile> m_file;
-  std::unique_ptr<trace::RecordingWriter> m_writer;
 };
 
 base::Result<void> StreamCommand::prepare() {
-  for (const auto step : {&StreamCommand::load, &StreamCommand::openSource, &StreamCommand::connect,
-                          &StreamCommand::lookForRun, &StreamCommand::judge,
-                          &StreamCommand::findResume, &StreamCommand::openRecording}) {
+  for (const auto step :
+       {&StreamCommand::load, &StreamCommand::openSource, &StreamCommand::connect,
+        &StreamCommand::lookForRun, &StreamCommand::judge, &StreamCommand::findResume}) {
     if (base::Result<void> done = (this->*step)(); !done) {
       return done;
     }
@@ -516,7 +504,10 @@ base::Result<void> StreamCommand::findResume() {
   if (!run) {
     return base::fail(run.error());
   }
-  const auto resume = askResume(*run);
+  streaming::RunSettings earlier = m_settings;
+  earlier.parameters = run->settings.parameters;
+  earlier.programFeeds = run->settings.programFeeds;
+  const auto resume = run::askResume(*m_connection.link, m_program, earlier, run->checkpoint);
   if (!resume) {
     return base::fail(resume.error());
   }
@@ -536,115 +527,40 @@ base::Result<void> StreamCommand::findResume() {
   return {};
 }
 
-/// Asks the control where the run is to be resumed.
-base::Result<streaming::Resume> StreamCommand::askResume(const report::SavedRun& run) {
-  streaming::RunSettings earlier = m_settings;
-  earlier.parameters = run.settings.parameters;
-  earlier.programFeeds = run.settings.programFeeds;
-  const std::optional<report::SavedRun> kept = m_runs.find(run.checkpoint.runNumber);
-  const std::vector<gcode::StreamPoint> points =
-      kept ? m_runs.points(*kept) : std::vector<gcode::StreamPoint>();
-  return streaming::resumeFrom(*m_connection.link, m_program, earlier, run.checkpoint, points);
-}
-
-base::Result<void> StreamCommand::openRecording() {
-  if (m_options.record.empty()) {
-    if (!m_options.simulate) {
-      openOwnRecording();
-    }
-    return {};
-  }
-  if (base::Result<void> opened = openRecordingFile(m_options.record, m_file, m_writer); !opened) {
-    return opened;
-  }
-  return {};
-}
-
-/// A recording for the history. A run does not depend on it.
-void StreamCommand::openOwnRecording() {
-  const auto path = m_history.newRecording(m_program.name, m_settings.origin.startedAtUtc);
-  auto file =
-      path ? recorder::RecordingFile::open(*path)
-           : base::Result<std::unique_ptr<recorder::RecordingFile>>(base::fail(path.error()));
-  if (!file) {
-    log::logger().warn("The run is not recorded: {}", file.error().text());
-    return;
-  }
-  m_ownRecording = path->string();
-  m_file = std::move(*file);
-  m_writer = std::make_unique<trace::RecordingWriter>(m_file->sink());
-}
-
 /// All that is known of the run before it starts.
-report::SavedRun StreamCommand::savedRun() const {
-  report::SavedRun run;
-  std::error_code ignored;
-  run.programName = m_program.name;
-  run.programFile = std::filesystem::absolute(m_options.file, ignored).string();
-  run.endpoint = m_connection.name;
-  run.toolVersion = RIVULET_VERSION;
-  run.recording = m_options.record.empty() ? m_ownRecording : m_options.record;
-  run.command = m_options.command;
-  return run;
+run::RunFacts StreamCommand::facts() const {
+  run::RunFacts facts;
+  facts.programName = m_program.name;
+  facts.programHash = m_program.hash;
+  facts.programFile = absolutePath(m_options.file);
+  facts.reading = m_options.loading.loadOptions();
+  facts.endpoint = m_connection.name;
+  facts.startedAtUtc = utcNow();
+  facts.command = m_options.command;
+  facts.recording = m_options.record;
+  facts.isSimulated = m_options.simulate;
+  return facts;
 }
 
 Exit StreamCommand::run() {
-  streaming::JobRecorder recorder;
-  recorder.writer = m_writer.get();
-  recorder.start.toolVersion = RIVULET_VERSION;
-  recorder.start.endpoint = m_connection.name;
-  recorder.start.startedAtUtc = utcNow();
-  std::optional<report::RunKeeper> keeper;
-  if (!m_options.simulate) {
-    keeper.emplace(m_runs, savedRun());
-    recorder.keeper = &*keeper;
+  run::RunRecord record(facts());
+  if (const base::Result<void> opened = record.open(); !opened) {
+    return reportError(opened.error(), m_options.json);
   }
   ConsoleOrders orders(m_options.stopAfterS, m_source ? &*m_source : nullptr);
   streaming::RunReport done;
   {
     ConsoleSink sink;  // takes its line away at the end
     done = streaming::runJob(*m_connection.link, *m_connection.control, m_program, m_settings,
-                             orders, sink, recorder);
-  }
-  if (keeper) {
-    keeper->finish(done);
-  }
-  base::Result<void> recorded = m_file ? m_file->finish() : base::Result<void>();
-  if (!m_options.simulate) {
-    archive(done, recorded.has_value());
-  }
-  if (!recorded && m_options.record.empty()) {
-    log::logger().warn("The recording for the history is not complete: {}",
-                       recorded.error().text());
-    recorded = {};
-  }
-  return show(done, recorded, keeper ? &*keeper : nullptr);
-}
-
-/// Puts the run into the history, where the window shows it too.
-void StreamCommand::archive(const streaming::RunReport& done, bool isRecorded) const {
-  const report::SavedRun run = savedRun();
-  streaming::RunSummary known;
-  known.programFile = run.programFile;
-  known.programHash = m_program.hash;
-  known.endpoint = run.endpoint;
-  known.toolVersion = run.toolVersion;
-  known.ownsRecording = m_options.record.empty();
-  if (isRecorded && !run.recording.empty()) {
-    std::error_code ignored;
-    known.recording = std::filesystem::absolute(run.recording, ignored).string();
+                             orders, sink, {record.writer(), record.start(), record.keeper()});
   }
   const base::Vec3 startMm = done.checkpoint ? done.checkpoint->startMm : base::Vec3{};
-  if (const auto kept = m_history.add(done, std::move(known),
-                                      gcode::streamPoints(m_program.trajectory, startMm).points);
-      !kept) {
-    log::logger().warn("The run is not in the history: {}", kept.error().text());
-  }
+  const auto path = gcode::streamPoints(m_program.trajectory, startMm).points;
+  record.finish(done, {path});
+  return show(done, record);
 }
 
-Exit StreamCommand::show(const streaming::RunReport& done, const base::Result<void>& recorded,
-                         const report::RunKeeper* keeper) const {
-  const auto left = keeper != nullptr ? keeper->file() : std::nullopt;
+Exit StreamCommand::show(const streaming::RunReport& done, const run::RunRecord& record) const {
   if (m_options.json) {
     nlohmann::ordered_json json = report::runJson(done);
     json["feasible"] = m_judged.feasible;
@@ -655,28 +571,12 @@ Exit StreamCommand::show(const streaming::RunReport& done, const base::Result<vo
       json["override_limit"] = report::overrideLimitJson(*m_judged.limit);
     }
     json["endpoint"] = m_connection.name;
-    if (!m_options.record.empty()) {
-      json["recording"] = m_options.record;
-      json["recording_complete"] = recorded.has_value();
-    }
-    if (left) {
-      json["saved_run"] = left->string();
-    }
+    json.update(filesJson(record, "saved_run"));
     printJson(json);
   } else {
     print(done, m_calibrated, m_judged);
   }
-  if (!recorded) {
-    log::logger().error(recorded.error().text());
-  }
-  if (left) {
-    fmt::print(stderr, "The run is not complete. To go on:\n  {}\n",
-               resumeCommand(savedRun(), *left));
-  }
-  if (done.error.code && exitForRun(done.error) != Exit::Wrong) {
-    return exitForRun(done.error);
-  }
-  return done.finding() != streaming::RunFinding::Faulty && recorded ? Exit::Done : Exit::Wrong;
+  return exitAfter(done, record);
 }
 
 /// The same as a whole job.

@@ -399,7 +399,7 @@ PreflightItem Preflight::firstMoveItem() const {
 PreflightItem Preflight::hazardItem() const {
   PreflightItem item{Status::Plain, tr("Travel, spindle and tools"), {}, {}, 0};
   const Findings& findings = m_document.findings();
-  const session::JobRestart* restart = m_runs.restart();
+  const run::JobRestart* restart = m_runs.restart();
   const session::Hazards* hazards = restart != nullptr ? &restart->hazards : findings.hazards.get();
   if (restart == nullptr && !findings.isJobChecked) {
     item.status = Status::Unknown;

@@ -12,6 +12,7 @@
 #include "hmi/hazard_text.h"
 #include "job/main_program.h"
 #include "live/setup.h"
+#include "report/run_history.h"
 #include "templates/generator.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
@@ -256,7 +257,7 @@ bool RunController::askFromStretch(int stretch) {
   return true;
 }
 
-widgets::ResumePlace RunController::placeOf(const session::JobRestart& restart) const {
+widgets::ResumePlace RunController::placeOf(const run::JobRestart& restart) const {
   widgets::ResumePlace place;
   place.isJob = true;
   place.stretch = restart.stretch;
@@ -437,7 +438,7 @@ bool RunController::resume() {
 }
 
 bool RunController::startRun(std::optional<streaming::Resume> resume,
-                             std::shared_ptr<const session::JobRestart> restart) {
+                             std::shared_ptr<const run::JobRestart> restart) {
   streaming::RunSettings settings = m_document.runSettings();
   settings.resume = resume;
   m_firstPoint = resume ? resume->point : 0;
@@ -485,7 +486,6 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
     command.stretchStarts = m_document.view()->stretchStarts;
     command.points = m_document.points().size();
   }
-  command.recordingPath = newRecordingPath().toStdString();
   if ((resume && !isChosen) || restart) {
     command.resumes = question;
   }
@@ -498,7 +498,7 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
 }
 
 void RunController::announceStart(const streaming::RunSettings& settings,
-                                  const session::JobRestart* restart, bool isChosen) {
+                                  const run::JobRestart* restart, bool isChosen) {
   const std::optional<base::Vec3>& toolMm = m_machine.view().positionMm;
   if (restart != nullptr) {
     m_messages.log(Severity::Note, Source::Run,
@@ -733,6 +733,10 @@ void RunController::logOutcome(const session::RunFinished& finished) {
       return tr("The run is not in the history: %1").arg(widgets::errorText(error));
     });
   }
+  if (finished.notRecorded.code) {
+    m_messages.raise(alarm::Code::NotRecorded, {report::RunHistory::folderOfUser().string()},
+                     finished.notRecorded);
+  }
   if (!finished.recordingPath.empty()) {
     m_messages.log(Severity::Note, Source::Run,
                    [path = QString::fromStdString(finished.recordingPath)] {
@@ -764,18 +768,6 @@ void RunController::raiseOutcome() {
     // Most controls keep no trace: there it is no news, and the report says it.
     m_messages.raise(alarm::Code::NotJudged, {name});
   }
-}
-
-QString RunController::newRecordingPath() {
-  const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
-                    QStringLiteral("/runs"));
-  if (!folder.mkpath(QStringLiteral("."))) {
-    m_messages.raise(alarm::Code::NotRecorded, {folder.path().toStdString()});
-    return {};
-  }
-  return folder.filePath(
-      QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz")) +
-      QStringLiteral(".rivulet"));
 }
 
 }  // namespace rivulet::hmi

@@ -67,7 +67,7 @@ class RunController final : public QObject {
   /// Why a run may not begin at `place`.
   [[nodiscard]] std::optional<streaming::Blocked> placeBlocked() const;
   /// How the job goes on at that place; null: it is no whole job.
-  [[nodiscard]] const session::JobRestart* restart() const { return m_restart.get(); }
+  [[nodiscard]] const run::JobRestart* restart() const { return m_restart.get(); }
   /// Says why the run that was left is not resumed. @param why  a sentence
   void refuseResume(const Messages::Text& why);
   /// The place found is no longer offered.
@@ -127,19 +127,19 @@ class RunController final : public QObject {
   bool refuses(const std::optional<streaming::Blocked>& blocked);
   /// @param resume, restart  by value: the start forgets the place that was found
   bool startRun(std::optional<streaming::Resume> resume,
-                std::shared_ptr<const session::JobRestart> restart = nullptr);
+                std::shared_ptr<const run::JobRestart> restart = nullptr);
   void ask(session::ResumeQuestion question);
   /// Why a job does not go on. @param isChosen  with a stretch that was chosen
   [[nodiscard]] static QString jobRefusal(bool isMachineKnown, bool isChosen);
   /// The place at which a job goes on, as it is shown.
-  [[nodiscard]] widgets::ResumePlace placeOf(const session::JobRestart& restart) const;
+  [[nodiscard]] widgets::ResumePlace placeOf(const run::JobRestart& restart) const;
   [[nodiscard]] std::optional<streaming::JobCheck> jobCheck(permission::Act act) const;
   /// The points of a run that was left are those of its list; a job's do not depend on where the
   /// tool stands.
   void holdPoints();
   /// @param restart   of a whole job that goes on; null: it is none
   /// @param isChosen  it begins at a point that the operator has chosen
-  void announceStart(const streaming::RunSettings& settings, const session::JobRestart* restart,
+  void announceStart(const streaming::RunSettings& settings, const run::JobRestart* restart,
                      bool isChosen);
   void takeUpdate(const streaming::LiveUpdate& update);
   /// Where the run is, for when the axes cannot be read.
@@ -155,7 +155,6 @@ class RunController final : public QObject {
   void logOutcome(const session::RunFinished& finished);
   /// The alarms of the run that has just ended.
   void raiseOutcome();
-  [[nodiscard]] QString newRecordingPath();
 
   session::StreamSession& m_session;
   Document& m_document;
@@ -170,12 +169,12 @@ class RunController final : public QObject {
   std::size_t m_firstPoint = 0;
   std::size_t m_runBegin = 0;
   std::shared_ptr<const streaming::RunReport> m_report;
-  std::optional<session::ResumeQuestion> m_left;         ///< the run that could be resumed
-  std::optional<session::ResumeQuestion> m_question;     ///< asked last, until something starts
-  std::shared_ptr<const job::Plan> m_plan;               ///< of the job in progress; null: none
-  std::optional<streaming::Resume> m_resume;             ///< the place found
-  std::shared_ptr<const session::JobRestart> m_restart;  ///< the same of a whole job
-  std::optional<widgets::ResumePlace> m_place;           ///< the same, as it is shown
+  std::optional<session::ResumeQuestion> m_left;      ///< the run that could be resumed
+  std::optional<session::ResumeQuestion> m_question;  ///< asked last, until something starts
+  std::shared_ptr<const job::Plan> m_plan;            ///< of the job in progress; null: none
+  std::optional<streaming::Resume> m_resume;          ///< the place found
+  std::shared_ptr<const run::JobRestart> m_restart;   ///< the same of a whole job
+  std::optional<widgets::ResumePlace> m_place;        ///< the same, as it is shown
 };
 
 }  // namespace rivulet::hmi

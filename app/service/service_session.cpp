@@ -220,6 +220,9 @@ void ServiceSession::takeFinished(const session::RunFinished& finished) {
                   m_update.counters.executed, m_update.counters.total);
   log::logger().info("{} {}", m_message, m_alarm);
   m_reportFile.clear();
+  if (finished.notRecorded.code) {
+    log::logger().warn("The run is not recorded: {}", finished.notRecorded.text());
+  }
   if (finished.notKept.code) {
     log::logger().warn("The run is not in the history: {}", finished.notKept.text());
   } else if (const report::HistoryList list = m_history.list(); !list.runs.empty()) {
@@ -320,8 +323,7 @@ base::Result<LoadedJob> ServiceSession::load(const Caller& caller, const std::st
         releases ? permission::lastReleaseOf(*releases, hash) : nullptr;
     return settingsWith(defaultSettings(), last != nullptr ? last->job.settings : std::string());
   };
-  return service::loadJob(*path, {}, settingsOf, toolMm().value_or(base::Vec3{}),
-                          *m_machine);
+  return service::loadJob(*path, {}, settingsOf, toolMm().value_or(base::Vec3{}), *m_machine);
 }
 
 Answer ServiceSession::loadJob(const Caller& caller, const std::string& file,
@@ -474,11 +476,6 @@ Answer ServiceSession::begin(const Caller& caller, Act act, session::StartComman
     command.points = m_job->view->points.points.size();
   }
   command.startedAtUtc = base::utcText(utc::now());
-  if (const auto path = m_history.newRecording(m_job->view->program->name, command.startedAtUtc)) {
-    command.recordingPath = path->string();
-  } else {
-    log::logger().warn("The run is not recorded: {}", path.error().text());
-  }
   record(caller, act,
          {{"program", m_job->view->program->name},
           {"hash", m_job->view->program->hash},

@@ -14,7 +14,6 @@
 
 #include "base/error.h"
 #include "base/vec3.h"
-#include "forecast/job_restart.h"
 #include "gcode/program.h"
 #include "job/plan.h"
 #include "live/setup.h"
@@ -22,6 +21,7 @@
 #include "opcua/machinery.h"
 #include "opcua/rights.h"
 #include "report/run_store.h"
+#include "run/resume.h"
 #include "session/hazards.h"
 #include "streaming/control/machine_facts.h"
 #include "streaming/run/equipment_watch.h"
@@ -77,25 +77,17 @@ struct JobUpdate {
 
 struct RunFinished {
   std::shared_ptr<const streaming::RunReport> report;
-  std::string recordingPath;  ///< empty: none could be written
+  std::string recordingPath;  ///< empty: none could be written completely
+  base::Error notRecorded{};  ///< why
   base::Error notKept{};      ///< why the history does not have the run; code clear: it has it
   std::optional<streaming::JobTimes> jobTimes{};  ///< of a whole job
   std::vector<trace::ToolUse> tools{};            ///< of a whole job
 };
 
-/// How a whole job goes on that was left, or begins in the middle.
-struct JobRestart {
-  forecast::Restart restart;
-  std::optional<streaming::Resume> resume;  ///< within its first stretch
-  int stretch = 0;                          ///< with which it goes on, or that comes next; 0: none
-  std::optional<base::Vec3> toolMm;         ///< to which the tool goes first; nothing: nowhere
-  Hazards hazards;                          ///< of what is left
-};
-
 /// The answer to a `ResumeQuestion`.
 struct ResumeFound {
-  std::optional<streaming::Resume> resume;  ///< of the motion alone
-  std::shared_ptr<const JobRestart> job;    ///< null and no `resume`: see `error`
+  std::optional<streaming::Resume> resume;     ///< of the motion alone
+  std::shared_ptr<const run::JobRestart> job;  ///< null and no `resume`: see `error`
   base::Error error;
 };
 
@@ -191,11 +183,10 @@ struct StartCommand {
   std::size_t points = 0;
   ProgramSource source;
   streaming::RunSettings settings;
-  std::string recordingPath;  ///< empty: no recording
   std::string startedAtUtc;
   double dryRunMm = 0.0;  ///< > 0: `plan` is a dry run
   /// A job that goes on: `plan` is that of its restart. Null: from the beginning.
-  std::shared_ptr<const JobRestart> restart{};
+  std::shared_ptr<const run::JobRestart> restart{};
   /// A run that is resumed: asked once more right before it starts. If the answer differs, the run
   /// does not start.
   std::optional<ResumeQuestion> resumes;

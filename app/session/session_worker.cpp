@@ -19,6 +19,7 @@
 #include "sources/open_source.h"
 #include "streaming/recovery/job_resume.h"
 #include "streaming/recovery/resume.h"
+#include "streaming/run/job_count.h"
 #include "streaming/run/whole_job.h"
 #include "streaming/simulation/template_proof.h"
 #include "templates/generator.h"
@@ -41,14 +42,20 @@ constexpr std::chrono::milliseconds kRoomInterval{2};
 constexpr double kStandsMm = 0.05;
 
 /// The same is done first, at the same place.
-bool isSame(const JobRestart& a, const JobRestart& b) {
-  const auto pointOf = [](const JobRestart& restart) {
+bool isSame(const run::JobRestart& a, const run::JobRestart& b) {
+  const auto pointOf = [](const run::JobRestart& restart) {
     return restart.resume ? std::optional(restart.resume->point) : std::nullopt;
   };
   return a.stretch == b.stretch && pointOf(a) == pointOf(b) &&
          a.restart.plan.parts.size() == b.restart.plan.parts.size() &&
          a.toolMm.has_value() == b.toolMm.has_value() &&
          (!a.toolMm || base::distance(*a.toolMm, *b.toolMm) <= kStandsMm);
+}
+
+std::vector<gcode::StreamPoint> pathOf(const gcode::Program& program,
+                                       const streaming::RunReport& report) {
+  const base::Vec3 startMm = report.checkpoint ? report.checkpoint->startMm : base::Vec3{};
+  return gcode::streamPoints(program.trajectory, startMm).points;
 }
 
 std::optional<int> wholeNumber(const opcua::Reading& reading) {
@@ -69,32 +76,6 @@ base::Error notConnected() {
   return base::makeError(opcua::LinkError::NotReachable,
                          "There is no connection to a control. Connect first.");
 }
-
-}  // namespace
-
-namespace {
-
-/// The recording of a run, if it is to have one and its file can be written.
-class RunFile {
- public:
-  explicit RunFile(const std::string& path) {
-    if (path.empty()) {
-      return;
-    }
-    if (auto opened = recorder::RecordingFile::open(path)) {
-      m_file = std::move(*opened);
-      m_writer.emplace(m_file->sink());
-    }
-  }
-  /// Null: nothing is recorded.
-  [[nodiscard]] trace::RecordingWriter* writer() { return m_writer ? &*m_writer : nullptr; }
-  /// @return everything has been written
-  bool finish() { return m_file && m_file->finish(); }
-
- private:
-  std::unique_ptr<recorder::RecordingFile> m_file;
-  std::optional<trace::RecordingWriter> m_writer;
-};
 
 }  // namespace
 
@@ -123,16 +104,16 @@ class SessionWorker::Sink final : public streaming::RunSink {
 class SessionWorker::JobSink final : public streaming::WholeJobSink {
  public:
   /// @param program  main program of the job on the control
-  JobSink(SessionWorker& worker, const StartCommand& command, std::string program)
-      : m_worker(worker), m_command(command), m_out(worker) {
+  JobSink(SessionWorker& worker, const streaming::JobCount& count, std::string program)
+      : m_worker(worker), m_count(count), m_out(worker) {
     m_now.program = std::move(program);
   }
 
   void update(const streaming::LiveUpdate& update) override {
     using streaming::RunState;
     streaming::LiveUpdate shown = update;
-    shown.counters = inJob(update.counters);
     if (m_isInStretch) {
+      shown.counters = m_count.inJob(m_now.stretch, update.counters);
       // Each stretch is a run to itself: its beginning and its end are not those of the job.
       shown.state = update.state == RunState::Armed || update.state == RunState::Done
                         ? RunState::Running
@@ -141,13 +122,12 @@ class SessionWorker::JobSink final : public streaming::WholeJobSink {
                         : update.state;
       shown.waitingFor = update.state == RunState::Armed ? std::string() : update.waitingFor;
       if (shown.wrong) {
-        shown.wrong->point += m_begin;
+        shown.wrong->point += m_count.before(m_now.stretch);
       }
+    } else {
+      const std::size_t before = m_count.before(m_now.stretch);
+      shown.counters = {before, before, before, m_count.total()};
     }
-    if (shown.state == RunState::Running && !m_first) {
-      m_first = update.at;
-    }
-    m_last = update.at;
     m_out.update(shown);
   }
   void access(const trace::Access& access) override { m_out.access(access); }
@@ -156,7 +136,6 @@ class SessionWorker::JobSink final : public streaming::WholeJobSink {
   void nativeBlocks(int next) override {
     m_isInStretch = false;
     m_now = {next, true, {}, {}, false, m_now.program};
-    m_begin = m_end = pointsBefore(next);
     m_worker.tell(m_now);
   }
   void nativeBlock(const job::NativeBlock& block) override {
@@ -168,8 +147,6 @@ class SessionWorker::JobSink final : public streaming::WholeJobSink {
   void stretchBegins(const job::Stretch& stretch, base::Vec3 /*startMm*/) override {
     m_isInStretch = true;
     m_now = {stretch.number, false, {}, {}, false, m_now.program};
-    m_begin = pointsBefore(stretch.number) + executedBefore(stretch.number);
-    m_end = std::max(m_begin, pointsBefore(stretch.number + 1));
     m_worker.tell(m_now);
   }
   bool waitsForCycleStart() override {
@@ -178,72 +155,12 @@ class SessionWorker::JobSink final : public streaming::WholeJobSink {
     return false;  // somebody presses it at the control
   }
 
-  /// The job as one run.
-  [[nodiscard]] streaming::RunReport reportOf(const streaming::WholeJobReport& job,
-                                              const streaming::RunSettings& settings) const {
-    streaming::RunReport report;
-    report.outcome = job.outcome;
-    report.error = job.error;
-    report.programName = m_command.program->name;
-    report.settings = settings;
-    report.settings.runNumber = job.runNumber;
-    report.counters.total = m_command.points;
-    report.duration = m_first ? m_last - *m_first : base::Duration{};
-    for (const streaming::StretchReport& stretch : job.stretches) {
-      const streaming::RunReport& run = stretch.run;
-      const std::size_t before = pointsBefore(stretch.number) + executedBefore(stretch.number);
-      const std::size_t size = std::max(before, pointsBefore(stretch.number + 1)) - before;
-      report.counters.sent = before + std::min(run.counters.sent, size);
-      report.counters.accepted = before + std::min(run.counters.accepted, size);
-      report.counters.executed = before + std::min(run.counters.executed, size);
-      report.settings.grouping = run.settings.grouping;
-      report.stopConfirmedAfter = run.stopConfirmedAfter;
-      report.wrong = report.wrong ? report.wrong : run.wrong;
-      report.checkpoint = run.checkpoint;
-    }
-    report.pauses = job.pauses;
-    report.access = job.access;
-    report.integrity = job.integrity;
-    if (job.outcome == streaming::Outcome::Completed) {
-      // What the stretches have streamed: a point may repeat the last one before native blocks.
-      std::size_t total = 0;
-      for (const streaming::StretchReport& stretch : job.stretches) {
-        total += stretch.points.size();
-      }
-      report.counters = {total, total, job.integrity.judged ? job.integrity.executed : total,
-                         total};
-    }
-    report.controlTrace = job.controlTrace;
-    return report;
-  }
-
  private:
-  /// @param stretch  from 1; one more than there are: all points
-  [[nodiscard]] std::size_t pointsBefore(int stretch) const {
-    const auto index = static_cast<std::size_t>(std::max(stretch, 1)) - 1;
-    return index < m_command.stretchStarts.size() ? m_command.stretchStarts[index]
-                                                  : m_command.points;
-  }
-  /// Points of a stretch that were executed before the job went on in it.
-  [[nodiscard]] std::size_t executedBefore(int stretch) const {
-    const auto& restart = m_command.restart;
-    return restart && restart->resume && stretch == restart->stretch ? restart->resume->point : 0;
-  }
-  [[nodiscard]] streaming::Counters inJob(const streaming::Counters& counters) const {
-    const std::size_t size = m_end - m_begin;
-    return {m_begin + std::min(counters.sent, size), m_begin + std::min(counters.accepted, size),
-            m_begin + std::min(counters.executed, size), m_command.points};
-  }
-
   SessionWorker& m_worker;
-  const StartCommand& m_command;
+  const streaming::JobCount& m_count;
   Sink m_out;
   JobUpdate m_now;
   bool m_isInStretch = false;
-  std::size_t m_begin = 0;  ///< points before the stretch in progress
-  std::size_t m_end = 0;
-  std::optional<base::Instant> m_first;  ///< when the first block was executed
-  base::Instant m_last{};
 };
 
 /// Passes the reports of a run with a live source to the ring, and the points as they are taken.
@@ -634,53 +551,26 @@ void SessionWorker::answer(const ResumeQuestion& question) {
   }
   if (question.plan) {
     auto job = askJob(question);
-    tell(job ? ResumeFound{std::nullopt, std::make_shared<const JobRestart>(*std::move(job)), {}}
+    tell(job ? ResumeFound{std::nullopt,
+                           std::make_shared<const run::JobRestart>(*std::move(job)),
+                           {}}
              : ResumeFound{std::nullopt, nullptr, job.error()});
     return;
   }
-  const auto resume = askResume(question);
+  const auto resume =
+      run::askResume(*m_connection.link, *question.program, question.settings, question.checkpoint);
   tell(resume ? ResumeFound{*resume, nullptr, {}}
               : ResumeFound{std::nullopt, nullptr, resume.error()});
 }
 
-base::Result<JobRestart> SessionWorker::askJob(const ResumeQuestion& question) {
+base::Result<run::JobRestart> SessionWorker::askJob(const ResumeQuestion& question) {
   if (!question.machine) {
-    return base::fail(streaming::StreamError::CannotResume,
-                      "The tools and offsets of this machine are not known, so the state in which "
-                      "the job goes on cannot be computed. Start from the beginning.");
+    return base::fail(run::machineNotKnown());
   }
-  const job::Plan& plan = *question.plan;
-  const machine::MachineConfig& machine = *question.machine;
-  JobRestart found;
-  if (question.fromStretch > 0) {
-    auto restart = forecast::restartAtStretch(plan, machine, question.fromStretch);
-    if (!restart) {
-      return base::fail(restart.error());
-    }
-    found.restart = *std::move(restart);
-  } else {
-    const auto rest = streaming::whereJobWasLeft(
-        *m_connection.link, plan, question.settings, question.checkpoint,
-        [&](std::size_t part) { return forecast::zeroAt(plan, machine, part); });
-    if (!rest) {
-      return base::fail(rest.error());
-    }
-    auto restart = forecast::restartAt(plan, machine, *rest);
-    if (!restart) {
-      return base::fail(restart.error());
-    }
-    found.restart = *std::move(restart);
-    found.resume = rest->resume;
-    found.toolMm = rest->toolMm;
-  }
-  for (const job::Part& part : found.restart.plan.parts) {
-    const auto* const stretch = std::get_if<job::Stretch>(&part);
-    if (stretch != nullptr && stretch->number > 0 && found.stretch == 0) {
-      found.stretch = stretch->number;
-    }
-  }
-  found.hazards = forecast::hazardsOf(found.restart.plan, machine, {machine.start()});
-  return found;
+  return question.fromStretch > 0
+             ? run::beginWith(question.fromStretch, *question.plan, *question.machine)
+             : run::askJob(*m_connection.link, *question.plan, *question.machine, question.settings,
+                           question.checkpoint);
 }
 
 base::Result<void> SessionWorker::askAgain(const StartCommand& command) {
@@ -696,21 +586,14 @@ base::Result<void> SessionWorker::askAgain(const StartCommand& command) {
     }
     return isSame(*job, *command.restart) ? base::Result<void>() : changed();
   }
-  const auto resume = askResume(*command.resumes);
+  const auto resume = run::askResume(*m_connection.link, *command.resumes->program,
+                                     command.resumes->settings, command.resumes->checkpoint);
   if (!resume) {
     return base::fail(resume.error());
   }
   const bool isSame = command.settings.resume && resume->point == command.settings.resume->point &&
                       resume->changedFrom == command.settings.resume->changedFrom;
   return isSame ? base::Result<void>() : changed();
-}
-
-base::Result<streaming::Resume> SessionWorker::askResume(const ResumeQuestion& question) {
-  // With its points at hand, a program that differs where nothing was executed can be confirmed.
-  const auto kept = m_runs.find(question.checkpoint.runNumber);
-  const auto points = kept ? m_runs.points(*kept) : std::vector<gcode::StreamPoint>();
-  return streaming::resumeFrom(*m_connection.link, *question.program, question.settings,
-                               question.checkpoint, points);
 }
 
 base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
@@ -735,49 +618,31 @@ base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
 
 SessionWorker::Done SessionWorker::runMotion(const StartCommand& command,
                                              const streaming::RunSettings& settings,
-                                             Requests& requests) {
+                                             Requests& requests, run::RunRecord& record) {
   Sink sink(*this);
-  RunFile file(command.recordingPath);
-  streaming::JobRecorder recorder{file.writer(), runStart(command), nullptr};
-  report::RunKeeper keeper(m_runs, savedRun(command));
-  recorder.keeper = &keeper;
   Done done;
-  done.report = streaming::runJob(*m_connection.link, *m_connection.control, *command.program,
-                                  settings, requests, sink, std::move(recorder));
-  keeper.finish(done.report);
-  done.isRecorded = file.finish();
+  done.report =
+      streaming::runJob(*m_connection.link, *m_connection.control, *command.program, settings,
+                        requests, sink, {record.writer(), record.start(), record.keeper()});
+  done.points = pathOf(*command.program, done.report);
   return done;
 }
 
 SessionWorker::Done SessionWorker::runWholeJob(const StartCommand& command,
                                                const streaming::RunSettings& settings,
-                                               Requests& requests) {
+                                               Requests& requests, run::RunRecord& record) {
   const auto programs = job::makePrograms(*command.plan, settings.parameters);
-  JobSink sink(*this, command, programs ? programs->mainName : std::string());
-  RunFile file(command.recordingPath);
-  streaming::WholeJobOptions options;
-  options.writer = file.writer();
-  options.start = runStart(command);
-  // A job that goes on, and a dry run, have other programs: they cannot be found again by those of
-  // the source, and the control forgets what it has run before.
-  std::optional<report::RunKeeper> keeper;
-  if (!command.restart && command.dryRunMm == 0.0) {
-    keeper.emplace(m_jobs, savedRun(command));
-    options.keeper = &*keeper;
-  } else if (const auto kept = m_jobs.leftOn(m_request.endpoint)) {
-    m_jobs.remove(*kept);
-  }
-  if (command.restart) {
-    options.resume = command.restart->resume;
-  }
+  const auto resume = command.restart ? command.restart->resume : std::nullopt;
+  const streaming::JobCount count(command.stretchStarts, command.points,
+                                  resume ? command.restart->stretch : 0,
+                                  resume ? resume->point : 0);
+  JobSink sink(*this, count, programs ? programs->mainName : std::string());
   const streaming::WholeJobReport job = streaming::runWholeJob(
-      *m_connection.link, *m_connection.control, *command.plan, settings, requests, sink, options);
-  if (keeper && job.outcome == streaming::Outcome::Completed) {
-    streaming::RunReport completed;
-    completed.outcome = streaming::Outcome::Completed;
-    keeper->finish(completed);
-  }
-  return {sink.reportOf(job, settings), job.times, job.tools, file.finish()};
+      *m_connection.link, *m_connection.control, *command.plan, settings, requests, sink,
+      {resume, record.keeper(), record.writer(), record.start()});
+  Done done{count.reportOf(job, settings, command.program->name), {}, job.times, job.tools};
+  done.points = pathOf(*command.program, done.report);
+  return done;
 }
 
 void SessionWorker::listen(const std::string& address) {
@@ -796,37 +661,32 @@ void SessionWorker::listen(const std::string& address) {
 
 SessionWorker::Done SessionWorker::runLive(const StartCommand& command,
                                            const streaming::RunSettings& settings,
-                                           Requests& requests) {
+                                           Requests& requests, run::RunRecord& record) {
   live::PointStream points(*m_source, command.live->agreement, command.live->limits);
   LiveSink sink(*this, points);
-  RunFile file(command.recordingPath);
   Done done;
   done.report =
       streaming::runLive(*m_connection.link, *m_connection.control, command.program->name, points,
-                         settings, requests, sink, {file.writer(), runStart(command), nullptr});
+                         settings, requests, sink, {record.writer(), record.start(), nullptr});
   sink.finish();
-  done.isRecorded = file.finish();
-  done.livePoints = points.points();
+  done.points = points.points();
   return done;
 }
 
-trace::RunStart SessionWorker::runStart(const StartCommand& command) const {
-  trace::RunStart start;
-  start.toolVersion = RIVULET_VERSION;
-  start.endpoint = m_request.endpoint;
-  start.startedAtUtc = command.startedAtUtc;
-  return start;
-}
-
-report::SavedRun SessionWorker::savedRun(const StartCommand& command) const {
-  report::SavedRun saved;
-  saved.programName = command.program->name;
-  saved.programFile = command.source.file;
-  saved.reading = command.source.reading;
-  saved.endpoint = m_request.endpoint;
-  saved.toolVersion = RIVULET_VERSION;
-  saved.recording = command.recordingPath;
-  return saved;
+run::RunFacts SessionWorker::factsOf(const StartCommand& command) const {
+  run::RunFacts facts;
+  facts.kind = command.live   ? run::RunKind::Live
+               : command.plan ? run::RunKind::WholeJob
+                              : run::RunKind::Motion;
+  facts.programName = command.program->name;
+  facts.programHash = command.program->hash;
+  facts.programFile = command.source.file;
+  facts.reading = command.source.reading;
+  facts.endpoint = m_request.endpoint;
+  facts.startedAtUtc = command.startedAtUtc;
+  facts.isFromStart = command.restart == nullptr;
+  facts.dryRunMm = command.dryRunMm;
+  return facts;
 }
 
 void SessionWorker::start(const StartCommand& command) {
@@ -847,6 +707,8 @@ void SessionWorker::start(const StartCommand& command) {
   if (clear && command.live) {
     clear = m_source->prepare();
   }
+  run::RunRecord record(factsOf(command));
+  clear = clear ? record.open() : clear;
   if (!clear) {
     auto report = std::make_shared<streaming::RunReport>();
     report->error = clear.error();
@@ -857,9 +719,10 @@ void SessionWorker::start(const StartCommand& command) {
   streaming::RunSettings settings = command.settings;
   settings.isCommissioned = hasPassedCreditTest(settings);
   settings.origin = report::thisUser();
-  Done done = command.live   ? runLive(command, settings, requests)
-              : command.plan ? runWholeJob(command, settings, requests)
-                             : runMotion(command, settings, requests);
+  Done done = command.live   ? runLive(command, settings, requests, record)
+              : command.plan ? runWholeJob(command, settings, requests, record)
+                             : runMotion(command, settings, requests, record);
+  record.finish(done.report, {done.points, done.jobTimes, done.tools});
   m_seen = {};
   m_looksForLeft = true;
   if (done.report.error.code == opcua::LinkError::ConnectionLost) {
@@ -867,35 +730,14 @@ void SessionWorker::start(const StartCommand& command) {
     tell(LinkChanged{LinkState::Lost, done.report.error, false, {}});
     m_connection = {};
   }
-  const base::Error notKept = archive(command, done);
   tell(RunFinished{std::make_shared<const streaming::RunReport>(std::move(done.report)),
-                   done.isRecorded ? command.recordingPath : std::string(), notKept, done.jobTimes,
-                   done.tools});
+                   record.isRecorded() ? record.recording() : std::string(), record.notRecorded(),
+                   record.notKept(), done.jobTimes, done.tools});
   if (command.live) {
     // For the next run, at the port that was taken.
     const bool isInput = command.live->address == "-";
     listen(isInput ? command.live->address : m_source->name());
   }
-}
-
-base::Error SessionWorker::archive(const StartCommand& command, const Done& done) const {
-  const streaming::RunReport& report = done.report;
-  streaming::RunSummary known;
-  known.programFile = command.source.file;
-  known.programHash = command.program->hash;
-  known.endpoint = m_request.endpoint;
-  known.toolVersion = RIVULET_VERSION;
-  known.recording = done.isRecorded ? command.recordingPath : std::string();
-  known.ownsRecording = true;
-  known.jobTimes = done.jobTimes;
-  known.tools = done.tools;
-  known.dryRunMm = command.dryRunMm;
-  const base::Vec3 startMm = report.checkpoint ? report.checkpoint->startMm : base::Vec3{};
-  const auto kept = m_history.add(
-      report, std::move(known),
-      command.live ? done.livePoints
-                   : gcode::streamPoints(command.program->trajectory, startMm).points);
-  return kept ? base::Error{} : kept.error();
 }
 
 void SessionWorker::commission(const CommissionCommand& command) {

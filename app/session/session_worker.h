@@ -20,8 +20,8 @@
 #include "live/source.h"
 #include "opcua/connection.h"
 #include "report/machine_store.h"
-#include "report/run_history.h"
 #include "report/run_store.h"
+#include "run/run_record.h"
 #include "session/session_event.h"
 #include "streaming/control/control_axes.h"
 #include "streaming/recovery/run_on_control.h"
@@ -65,31 +65,25 @@ class SessionWorker {
   /// What a run has left behind.
   struct Done {
     streaming::RunReport report;
+    std::vector<gcode::StreamPoint> points{};       ///< its path
     std::optional<streaming::JobTimes> jobTimes{};  ///< of a whole job
     std::vector<trace::ToolUse> tools{};            ///< of a whole job
-    bool isRecorded = false;
-    std::vector<gcode::StreamPoint> livePoints{};  ///< of a live source
   };
   [[nodiscard]] Done runMotion(const StartCommand& command, const streaming::RunSettings& settings,
-                               Requests& requests);
+                               Requests& requests, run::RunRecord& record);
   [[nodiscard]] Done runWholeJob(const StartCommand& command,
-                                 const streaming::RunSettings& settings, Requests& requests);
+                                 const streaming::RunSettings& settings, Requests& requests,
+                                 run::RunRecord& record);
   [[nodiscard]] Done runLive(const StartCommand& command, const streaming::RunSettings& settings,
-                             Requests& requests);
+                             Requests& requests, run::RunRecord& record);
   void listen(const std::string& address);
-  /// What is known of a run before it starts, for its recording and for the store.
-  [[nodiscard]] trace::RunStart runStart(const StartCommand& command) const;
-  [[nodiscard]] report::SavedRun savedRun(const StartCommand& command) const;
+  [[nodiscard]] run::RunFacts factsOf(const StartCommand& command) const;
   void answer(const ResumeQuestion& question);
-  [[nodiscard]] base::Result<streaming::Resume> askResume(const ResumeQuestion& question);
-  [[nodiscard]] base::Result<JobRestart> askJob(const ResumeQuestion& question);
+  [[nodiscard]] base::Result<run::JobRestart> askJob(const ResumeQuestion& question);
   [[nodiscard]] base::Result<void> askAgain(const StartCommand& command);
   /// Checks that are possible only now, right before a start. The template is proved once per kind.
   [[nodiscard]] base::Result<void> checkBefore(const StartCommand& command,
                                                streaming::RunSink& sink);
-  /// Puts a run that has ended into the history. @return why it could not be; code clear: it is
-  /// there
-  [[nodiscard]] base::Error archive(const StartCommand& command, const Done& done) const;
   void calibrate(const CalibrateCommand& command);
   void commission(const CommissionCommand& command);
   /// According to the file of the machine.
@@ -126,7 +120,6 @@ class SessionWorker {
   report::MachineStore m_machines;
   report::RunStore m_runs;
   report::RunStore m_jobs{report::RunStore::folderOfJobs()};
-  report::RunHistory m_history;
   opcua::Connection m_connection;         // streaming thread only
   streaming::ControlAxes m_axes;          // of the control at the other end
   streaming::EquipmentWatch m_equipment;  // of the control at the other end

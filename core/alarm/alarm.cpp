@@ -61,7 +61,7 @@ constexpr std::array<Facts, 16> kFacts{{
      RIVULET_SENTENCE("AlarmTexts", "Check the workpiece.")},
     {Code::NotRecorded, "not-recorded", Priority::Low, Source::Computer,
      RIVULET_SENTENCE("AlarmTexts", "The run is not recorded."),
-     RIVULET_SENTENCE("AlarmTexts", "The folder %1 cannot be created."),
+     RIVULET_SENTENCE("AlarmTexts", "Nothing can be written to the folder %1."),
      RIVULET_SENTENCE("AlarmTexts", "Check the folder, its permissions and the free space.")},
     {Code::FileChanged, "file-changed", Priority::Medium, Source::Program,
      RIVULET_SENTENCE("AlarmTexts", "The program file %1 has changed since it was read."),

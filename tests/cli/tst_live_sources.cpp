@@ -18,6 +18,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "report/report_reader.h"
+#include "report/run_history.h"
 #include "support/live_run.h"
 #include "support/machine_process.h"
 #include "support/patience.h"
@@ -132,6 +134,8 @@ class TestLiveSources : public QObject {
   }
 
   void aSenderIsToldHowFarTheRunIs() {
+    const report::RunHistory history(m_folder.path().toStdString() + "/rivulet/history");
+    const std::size_t before = history.list().runs.size();
     Run overOpcUa = start(unixSource(), onMachine());
     Run simulated = start("tcp:0");
     for (Run* run : {&overOpcUa, &simulated}) {
@@ -153,6 +157,14 @@ class TestLiveSources : public QObject {
       QCOMPARE(run->number("executed"), 40U);
       QCOMPARE(run->report["live"]["delay_ms"].size(), 6U);
     }
+    // A live run is a run: with its path and a recording, although none was asked for. A simulation
+    // leaves nothing.
+    const auto runs = history.list().runs;
+    QCOMPARE(runs.size(), before + 1);
+    QCOMPARE(runs.front().total, std::size_t{40});
+    QVERIFY(runs.front().ownsRecording && !runs.front().recording.empty());
+    const auto kept = report::readFinishedRun(history.reportFile(runs.front().id));
+    QVERIFY(kept && kept->sketch.size() == 40);
   }
 
   /// One sentence each, all good points are executed, and nothing else.

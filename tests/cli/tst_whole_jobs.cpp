@@ -10,6 +10,7 @@
 #include <QtTest>
 #include <nlohmann/json.hpp>
 
+#include "report/run_history.h"
 #include "support/kill_scene.h"
 #include "support/machine_process.h"
 #include "support/patience.h"
@@ -240,6 +241,8 @@ class TestWholeJobs : public QObject {
   void overOpcUa() {
     const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE));
     QVERIFY(!machine.endpoint().isEmpty());
+    const report::RunHistory history;
+    const std::size_t before = history.list().runs.size();
     for (int round = 0; round < 2; ++round) {
       const Outcome outcome =
           run({part(), QStringLiteral("--endpoint"), machine.endpoint(), QStringLiteral("--json")});
@@ -249,6 +252,14 @@ class TestWholeJobs : public QObject {
       QCOMPARE(result["executed_points"].get<int>(), 6);
       QCOMPARE(result["runs"][1]["start_mm"].size(), std::size_t{3});
     }
+    // Each of them is in the history, as if the window had run it.
+    const auto runs = history.list().runs;
+    QCOMPARE(runs.size(), before + 2);
+    QCOMPARE(runs.front().programName, std::string("part.mpf"));
+    QCOMPARE(runs.front().total, std::size_t{6});
+    QVERIFY(runs.front().outcome == streaming::Outcome::Completed);
+    QVERIFY(runs.front().jobTimes && runs.front().ownsRecording);
+    QVERIFY(!runs.front().recording.empty());
   }
 
   /// A client that is killed in a stretch: the next one finds where the job was left, says what is

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cli/run_files.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/found_run.h"
+#include "platform/log.h"
+
+namespace rivulet::cli {
+
+std::string absolutePath(const std::string& file) {
+  std::error_code ignored;
+  return std::filesystem::absolute(file, ignored).string();
+}
+
+nlohmann::ordered_json filesJson(const run::RunRecord& record, const char* savedKey) {
+  auto json = nlohmann::ordered_json::object();
+  if (!record.ownsRecording()) {
+    json["recording"] = record.recording();
+    json["recording_complete"] = record.isRecorded();
+  }
+  if (const auto left = record.left()) {
+    json[savedKey] = left->file.string();
+  }
+  return json;
+}
+
+bool tellFiles(const run::RunRecord& record) {
+  const base::Error& notRecorded = record.notRecorded();
+  if (notRecorded.code && record.ownsRecording()) {
+    log::logger().warn("The run is not recorded, or not completely: {}", notRecorded.text());
+  } else if (notRecorded.code) {
+    log::logger().error(notRecorded.text());
+  }
+  if (record.notKept().code) {
+    log::logger().warn("The run is not in the history: {}", record.notKept().text());
+  }
+  if (const auto left = record.left()) {
+    fmt::print(stderr, "The run is not complete. To go on:\n  {}\n",
+               resumeCommand(*left, left->file));
+  }
+  return !notRecorded.code || record.ownsRecording();
+}
+
+Exit exitAfter(const streaming::RunReport& done, const run::RunRecord& record) {
+  const bool isComplete = tellFiles(record);
+  if (done.error.code && exitForRun(done.error) != Exit::Wrong) {
+    return exitForRun(done.error);
+  }
+  return done.finding() != streaming::RunFinding::Faulty && isComplete ? Exit::Done : Exit::Wrong;
+}
+
+}  // namespace rivulet::cli

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// Where a run goes on that was left, as the control and the files of this computer have it.
+/// @threadsafety plain values; the link belongs to the calling thread.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "forecast/job_forecast.h"
+#include "forecast/job_restart.h"
+#include "streaming/recovery/resume.h"
+
+namespace rivulet::run {
+
+/// How a whole job goes on that was left, or begins in the middle.
+struct JobRestart {
+  forecast::Restart restart;
+  std::optional<streaming::Resume> resume;  ///< within its first stretch
+  int stretch = 0;                          ///< with which it goes on, or that comes next; 0: none
+  std::optional<base::Vec3> toolMm;         ///< to which the tool goes first; nothing: nowhere
+  std::vector<forecast::Hazard> hazards;    ///< of what is left
+};
+
+/// Of a motion. With its points at hand, a program that differs where nothing was executed can be
+/// confirmed. @return as `streaming::resumeFrom`
+[[nodiscard]] base::Result<streaming::Resume> askResume(opcua::Link& link,
+                                                        const gcode::Program& program,
+                                                        const streaming::RunSettings& settings,
+                                                        const streaming::Checkpoint& checkpoint);
+
+/// Of a whole job. @return CannotResume
+[[nodiscard]] base::Result<JobRestart> askJob(opcua::Link& link, const job::Plan& plan,
+                                              const machine::MachineConfig& machine,
+                                              const streaming::RunSettings& settings,
+                                              const streaming::Checkpoint& checkpoint);
+
+/// A job that begins with a stretch of the operator's choice. @return CannotResume
+[[nodiscard]] base::Result<JobRestart> beginWith(int stretch, const job::Plan& plan,
+                                                 const machine::MachineConfig& machine);
+
+/// The machine of a job is not known here. Code: CannotResume.
+[[nodiscard]] base::Error machineNotKnown();
+
+}  // namespace rivulet::run

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "run/run_record.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "platform/recording_file.h"
+
+namespace rivulet::run {
+
+namespace {
+
+report::SavedRun savedRun(const RunFacts& facts) {
+  report::SavedRun saved;
+  saved.programName = facts.programName;
+  saved.programFile = facts.programFile;
+  saved.reading = facts.reading;
+  saved.endpoint = facts.endpoint;
+  saved.toolVersion = RIVULET_VERSION;
+  saved.recording = facts.recording;
+  saved.command = facts.command;
+  return saved;
+}
+
+report::RunStore storeOf(RunKind kind) {
+  return report::RunStore(kind == RunKind::WholeJob ? report::RunStore::folderOfJobs()
+                                                    : report::RunStore::folderOfUser());
+}
+
+/// A live run ends with its source. A job that goes on, and a dry run, have other programs than
+/// those that the source is found again by.
+bool canBeResumed(const RunFacts& facts) {
+  return !facts.isSimulated && facts.kind != RunKind::Live && facts.isFromStart &&
+         facts.dryRunMm == 0.0;
+}
+
+}  // namespace
+
+RunRecord::RunRecord(RunFacts facts)
+    : m_facts(std::move(facts)), m_ownsRecording(m_facts.recording.empty()) {
+}
+RunRecord::~RunRecord() = default;
+RunRecord::RunRecord(RunRecord&&) noexcept = default;
+RunRecord& RunRecord::operator=(RunRecord&&) noexcept = default;
+
+base::Result<void> RunRecord::open() {
+  if (base::Result<void> opened = openRecording(); !opened) {
+    return opened;
+  }
+  if (canBeResumed(m_facts)) {
+    m_keeper.emplace(storeOf(m_facts.kind), savedRun(m_facts));
+  } else if (m_facts.kind == RunKind::WholeJob && !m_facts.isSimulated) {
+    // The control forgets what it has run before.
+    const report::RunStore store = storeOf(m_facts.kind);
+    if (const auto left = store.leftOn(m_facts.endpoint)) {
+      store.remove(*left);
+    }
+  }
+  return {};
+}
+
+base::Result<void> RunRecord::openRecording() {
+  base::Result<std::filesystem::path> path = std::filesystem::path(m_facts.recording);
+  if (m_ownsRecording) {
+    if (m_facts.isSimulated) {
+      return {};
+    }
+    path = report::RunHistory().newRecording(m_facts.programName, m_facts.startedAtUtc);
+  }
+  auto file =
+      path ? recorder::RecordingFile::open(*path)
+           : base::Result<std::unique_ptr<recorder::RecordingFile>>(base::fail(path.error()));
+  if (!file) {
+    m_notRecorded = file.error();
+    return m_ownsRecording ? base::Result<void>() : base::fail(file.error());
+  }
+  m_facts.recording = path->string();
+  m_file = std::move(*file);
+  m_writer.emplace(m_file->sink());
+  return {};
+}
+
+trace::RunStart RunRecord::start() const {
+  trace::RunStart start;
+  start.toolVersion = RIVULET_VERSION;
+  start.endpoint = m_facts.endpoint;
+  start.startedAtUtc = m_facts.startedAtUtc;
+  return start;
+}
+
+void RunRecord::finish(const streaming::RunReport& report, const RunResult& result) {
+  // Of a job that has not ended, what was kept last is where it goes on.
+  const bool isOver = report.outcome == streaming::Outcome::Completed;
+  if (m_keeper && (isOver || m_facts.kind != RunKind::WholeJob)) {
+    m_keeper->finish(report);
+  }
+  if (m_file) {
+    const base::Result<void> recorded = m_file->finish();
+    m_isRecorded = recorded.has_value();
+    m_notRecorded = recorded ? base::Error{} : recorded.error();
+  }
+  if (m_facts.isSimulated) {
+    return;
+  }
+  streaming::RunSummary known;
+  known.programFile = m_facts.programFile;
+  known.programHash = m_facts.programHash;
+  known.endpoint = m_facts.endpoint;
+  known.toolVersion = RIVULET_VERSION;
+  known.ownsRecording = m_ownsRecording;
+  known.jobTimes = result.jobTimes;
+  known.tools = result.tools;
+  known.dryRunMm = m_facts.dryRunMm;
+  if (m_isRecorded) {
+    std::error_code ignored;
+    known.recording = std::filesystem::absolute(m_facts.recording, ignored).string();
+  }
+  const auto kept = report::RunHistory().add(report, std::move(known), result.points);
+  m_notKept = kept ? base::Error{} : kept.error();
+}
+
+std::optional<report::SavedRun> RunRecord::left() const {
+  if (!m_keeper) {
+    return std::nullopt;
+  }
+  const auto file = m_keeper->file();
+  if (!file) {
+    return std::nullopt;
+  }
+  report::SavedRun saved = savedRun(m_facts);
+  saved.file = *file;
+  return saved;
+}
+
+}  // namespace rivulet::run

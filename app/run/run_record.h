@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What stays of a run: its recording, the file to resume it from, and its place in the history.
+/// The same for every kind of run, whoever starts it. @threadsafety one object, one thread.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "report/run_history.h"
+#include "report/run_store.h"
+#include "streaming/run/job_times.h"
+#include "trace/analysis/tool_use.h"
+#include "trace/recording.h"
+
+namespace rivulet::recorder {
+class RecordingFile;
+}
+
+namespace rivulet::run {
+
+enum class RunKind : unsigned char { Motion, Live, WholeJob };
+
+/// What is known of a run before it starts.
+struct RunFacts {
+  RunKind kind = RunKind::Motion;
+  std::string programName;
+  std::string programHash;
+  std::string programFile;       ///< absolute; may be empty
+  gcode::LoadOptions reading{};  ///< see `report::SavedRun`
+  std::string endpoint;
+  std::string startedAtUtc;
+  std::vector<std::string> command{};  ///< see `report::SavedRun`
+  /// File to record to. Empty: one of the history's own, which a run does not depend on.
+  std::string recording{};
+  bool isFromStart = true;  ///< false: a whole job that goes on; its program is not the source's
+  double dryRunMm = 0.0;    ///< > 0: a dry run of a whole job
+  /// A simulation in virtual time leaves nothing but a recording that was asked for.
+  bool isSimulated = false;
+};
+
+/// What is known of a run only after it.
+struct RunResult {
+  std::span<const gcode::StreamPoint> points;  ///< its path, for the sketch
+  std::optional<streaming::JobTimes> jobTimes{};
+  std::vector<trace::ToolUse> tools{};
+};
+
+class RunRecord {
+ public:
+  explicit RunRecord(RunFacts facts);
+  ~RunRecord();
+  RunRecord(RunRecord&&) noexcept;
+  RunRecord& operator=(RunRecord&&) noexcept;
+
+  /// Right before the start. @return why the recording that was asked for cannot be made; without
+  /// one of the history's own a run starts all the same: see `notRecorded`
+  [[nodiscard]] base::Result<void> open();
+
+  /// Null: nothing is recorded.
+  [[nodiscard]] trace::RecordingWriter* writer() { return m_writer ? &*m_writer : nullptr; }
+  [[nodiscard]] trace::RunStart start() const;
+  /// Null: the run cannot be resumed from a file.
+  [[nodiscard]] streaming::CheckpointKeeper* keeper() { return m_keeper ? &*m_keeper : nullptr; }
+
+  /// After the run, once: its files are finished, and the history has it.
+  void finish(const streaming::RunReport& report, const RunResult& result);
+
+  /// Of the recording, complete or not; empty: there is none.
+  [[nodiscard]] const std::string& recording() const { return m_facts.recording; }
+  [[nodiscard]] bool isRecorded() const { return m_isRecorded; }  ///< completely
+  /// Why there is no recording, or it is not complete; code clear: there is one, or none was
+  /// wanted.
+  [[nodiscard]] const base::Error& notRecorded() const { return m_notRecorded; }
+  /// Why the history does not have the run; code clear: it has, or none was wanted.
+  [[nodiscard]] const base::Error& notKept() const { return m_notKept; }
+  [[nodiscard]] bool ownsRecording() const { return m_ownsRecording; }
+  /// The run as it can be resumed; nothing: it cannot.
+  [[nodiscard]] std::optional<report::SavedRun> left() const;
+
+ private:
+  [[nodiscard]] base::Result<void> openRecording();
+
+  RunFacts m_facts;
+  bool m_ownsRecording = false;
+  std::unique_ptr<recorder::RecordingFile> m_file;
+  std::optional<trace::RecordingWriter> m_writer;
+  std::optional<report::RunKeeper> m_keeper;
+  bool m_isRecorded = false;
+  base::Error m_notRecorded{};
+  base::Error m_notKept{};
+};
+
+}  // namespace rivulet::run
