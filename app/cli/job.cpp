@@ -29,7 +29,7 @@
 #include "platform/interrupt.h"
 #include "platform/log.h"
 #include "report/job_json.h"
-#include "report/machine_profile.h"
+#include "report/known_machine.h"
 #include "report/machine_store.h"
 #include "report/operating_point.h"
 #include "report/plan_json.h"

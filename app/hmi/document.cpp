@@ -15,7 +15,7 @@
 #include "job/main_program.h"
 #include "preparation/judged.h"
 #include "report/calibration_json.h"
-#include "report/machine_profile.h"
+#include "report/known_machine.h"
 #include "report/operating_point.h"
 #include "streaming/control/access_policy.h"
 #include "templates/generator.h"

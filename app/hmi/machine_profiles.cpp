@@ -9,7 +9,7 @@
 
 #include "base/utc.h"
 #include "platform/utc_now.h"
-#include "report/machine_profile.h"
+#include "report/known_machine.h"
 #include "report/run_store.h"
 #include "widgets/common/error_text.h"
 

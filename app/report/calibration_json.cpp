@@ -4,10 +4,13 @@
 #include "report/calibration_json.h"
 
 #include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/file.h"
 #include "report/report_json.h"
+#include "report/run_fields.h"
 #include "streaming/control/machine_facts.h"
 
 namespace rivulet::report {
@@ -27,166 +30,91 @@ std::string percentText(int perMille) {
                             : fmt::format("{}.{}", perMille / 10, perMille % 10);
 }
 
-ordered_json seriesJson(const streaming::AccessSeries& series) {
-  ordered_json one{{"write", series.write},
-                   {"form", opcua::groupingName(series.grouping)},
-                   {"nodes", series.nodes},
-                   {"shots", series.shotsMade}};
-  if (series.refused) {
-    one["refused"] = true;
-  }
-  if (series.shotsMade == 0) {
-    return one;
-  }
-  one["min_ms"] = base::toMilliseconds(series.min);
-  one["mean_ms"] = base::toMilliseconds(series.mean);
-  one["deviation_ms"] = series.deviationMs;
-  for (const trace::Percentile& percentile : series.percentiles) {
-    one["percentiles_ms"][percentText(percentile.perMille)] =
-        base::toMilliseconds(percentile.value);
-  }
-  one["max_ms"] = base::toMilliseconds(series.max);
-  one["histogram"] = {{"from_ms", base::toMilliseconds(series.histogram.from)},
-                      {"width_ms", base::toMilliseconds(series.histogram.width)},
-                      {"counts", series.histogram.counts},
-                      {"above", series.histogram.above}};
-  return one;
-}
-
-/// Reads members and remembers whether one was missing or of another type.
-class Reader {
- public:
-  template <class T>
-  T get(const nlohmann::json& from, const char* key) {
-    if (from.is_object() && from.contains(key)) {
-      const nlohmann::json& value = from[key];
-      if constexpr (std::is_same_v<T, std::string>) {
-        if (value.is_string()) {
-          return value.get<T>();
-        }
-      } else if constexpr (std::is_same_v<T, bool>) {
-        if (value.is_boolean()) {
-          return value.get<T>();
-        }
-      } else if (value.is_number()) {
-        return value.get<T>();
-      }
-    }
-    m_bad = m_bad.empty() ? key : m_bad;
-    return T{};
-  }
-  Duration milliseconds(const nlohmann::json& from, const char* key) {
-    const double value = get<double>(from, key);
-    // Longer than any request: no such number is converted.
-    constexpr double kMostMs = 1e9;
-    if (!(value >= 0.0) || value > kMostMs) {
-      m_bad = m_bad.empty() ? key : m_bad;
-      return {};
-    }
-    return base::fromMilliseconds(value);
-  }
-  opcua::Grouping form(const nlohmann::json& from) {
-    const auto form = opcua::groupingFromName(get<std::string>(from, "form"));
-    if (!form) {
-      m_bad = m_bad.empty() ? "form" : m_bad;
-    }
-    return form.value_or(opcua::Grouping::List);
-  }
-  const nlohmann::json& list(const nlohmann::json& from, const char* key) {
-    static const nlohmann::json none = nlohmann::json::array();
-    if (from.is_object() && from.contains(key) && from[key].is_array()) {
-      return from[key];
-    }
-    m_bad = m_bad.empty() ? key : m_bad;
-    return none;
-  }
-  [[nodiscard]] const std::string& bad() const { return m_bad; }
-
- private:
-  std::string m_bad;
+constexpr auto measuredServerFields = [](auto& io, auto& server) {
+  io.text("application_uri", server.applicationUri);
+  io.text("product_name", server.productName);
+  io.text("software_version", server.softwareVersion);
+  io.text("build_number", server.buildNumber);
 };
 
-streaming::AccessSeries seriesOf(Reader& reader, const nlohmann::json& one) {
-  streaming::AccessSeries series;
-  series.write = reader.get<bool>(one, "write");
-  series.grouping = reader.form(one);
-  series.nodes = reader.get<int>(one, "nodes");
-  series.shotsMade = reader.get<int>(one, "shots");
-  series.refused = one.contains("refused");
-  if (series.shotsMade == 0) {
-    return series;
+constexpr auto fitFields = [](auto& io, auto& fit) {
+  io.flag("write", fit.write);
+  io.named("form", fit.grouping, opcua::groupingName, opcua::groupingFromName);
+  for (const auto& [key, value] :
+       {std::pair{"overhead_ms", &fit.overheadMs}, std::pair{"node_ms", &fit.nodeMs},
+        std::pair{"residual_ms", &fit.residualMs}, std::pair{"residual_share", &fit.residualShare},
+        std::pair{"node_deviation_ms", &fit.nodeDeviationMs}}) {
+    io.number(key, *value, -kJsonPlaceMax, kJsonPlaceMax);
   }
-  series.min = reader.milliseconds(one, "min_ms");
-  series.mean = reader.milliseconds(one, "mean_ms");
-  series.deviationMs = reader.get<double>(one, "deviation_ms");
-  series.max = reader.milliseconds(one, "max_ms");
-  if (one.contains("percentiles_ms") && one["percentiles_ms"].is_object()) {
+};
+
+constexpr auto percentileFields = []<class Io>(Io& io, auto& percentiles) {
+  if constexpr (Io::kReads) {
     for (const int perMille : {500, 900, 950, 990, 999}) {
       const std::string key = percentText(perMille);
-      if (one["percentiles_ms"].contains(key)) {
-        series.percentiles.push_back(
-            {perMille, reader.milliseconds(one["percentiles_ms"], key.c_str())});
+      std::optional<Duration> value;
+      if (io.has(key.c_str(), value)) {
+        io.milliseconds(key.c_str(), *value);
+        percentiles.push_back({perMille, *value});
       }
     }
+  } else {
+    for (const trace::Percentile& percentile : percentiles) {
+      io.milliseconds(percentText(percentile.perMille).c_str(), percentile.value);
+    }
   }
-  const nlohmann::json bins = one.value("histogram", nlohmann::json::object());
-  series.histogram.from = reader.milliseconds(bins, "from_ms");
-  series.histogram.width = reader.milliseconds(bins, "width_ms");
-  series.histogram.above = reader.get<std::size_t>(bins, "above");
-  for (const nlohmann::json& count : reader.list(bins, "counts")) {
-    series.histogram.counts.push_back(count.is_number_unsigned() ? count.get<std::size_t>() : 0);
-  }
-  return series;
-}
+};
 
-streaming::AccessForms formsOf(Reader& reader, const nlohmann::json& list) {
-  streaming::AccessForms forms;
-  for (const nlohmann::json& one : list) {
-    forms.proofs.push_back(
-        {reader.form(one), reader.get<bool>(one, "writes"), reader.get<bool>(one, "reads"),
-         one.contains("why_not") ? reader.get<std::string>(one, "why_not") : std::string()});
+constexpr auto seriesFields = [](auto& io, auto& series) {
+  io.flag("write", series.write);
+  io.named("form", series.grouping, opcua::groupingName, opcua::groupingFromName);
+  io.count("nodes", series.nodes);
+  io.count("shots", series.shotsMade);
+  io.ifSet().flag("refused", series.refused);
+  if (series.shotsMade == 0) {
+    return;
   }
-  return forms;
+  io.milliseconds("min_ms", series.min);
+  io.milliseconds("mean_ms", series.mean);
+  io.number("deviation_ms", series.deviationMs, 0.0, kJsonPlaceMax);
+  io.ifThere().object("percentiles_ms", series.percentiles, percentileFields);
+  io.milliseconds("max_ms", series.max);
+  io.object("histogram", series.histogram, [](auto& inner, auto& histogram) {
+    inner.milliseconds("from_ms", histogram.from);
+    inner.milliseconds("width_ms", histogram.width);
+    inner.counts("counts", histogram.counts);
+    inner.count("above", histogram.above);
+  });
+};
+
+template <class Io, class Record>
+void recordFields(Io& io, Record& record) {
+  auto& calibration = record.calibration;
+  io.text("measured_at_utc", record.measuredAtUtc);
+  io.text("tool_version", record.toolVersion);
+  io.text("endpoint", record.endpoint);
+  io.object("server", record.server, measuredServerFields);
+  io.count("first_cell", calibration.plan.firstCell);
+  io.count("last_cell", calibration.plan.lastCell);
+  io.count("shots_ordered", calibration.plan.shots);
+  io.seconds("budget_s", calibration.plan.budget);
+  io.seconds("took_s", calibration.took);
+  if (io.has("access_forms", calibration.forms)) {
+    io.list("access_forms", calibration.forms->proofs, formFields);
+  }
+  io.list("fits", calibration.fits, fitFields);
+  io.list("series", calibration.series, seriesFields);
 }
 
 }  // namespace
 
 ordered_json calibrationJson(const streaming::CalibrationRecord& record) {
-  const streaming::Calibration& calibration = record.calibration;
-  ordered_json result{{"rivulet_calibration", kCalibrationFormat},
-                      {"measured_at_utc", record.measuredAtUtc},
-                      {"tool_version", record.toolVersion},
-                      {"endpoint", record.endpoint},
-                      {"server",
-                       {{"application_uri", record.server.applicationUri},
-                        {"product_name", record.server.productName},
-                        {"software_version", record.server.softwareVersion},
-                        {"build_number", record.server.buildNumber}}},
-                      {"first_cell", calibration.plan.firstCell},
-                      {"last_cell", calibration.plan.lastCell},
-                      {"shots_ordered", calibration.plan.shots},
-                      {"budget_s", base::toSeconds(calibration.plan.budget)},
-                      {"took_s", base::toSeconds(calibration.took)},
-                      {"cut", calibration.isCut()},
-                      {"best_form", opcua::groupingName(calibration.best())}};
-  if (calibration.forms) {
-    result["access_forms"] = accessFormsJson(*calibration.forms);
-  }
-  result["fits"] = ordered_json::array();
-  for (const streaming::AccessFit& fit : calibration.fits) {
-    result["fits"].push_back({{"write", fit.write},
-                              {"form", opcua::groupingName(fit.grouping)},
-                              {"overhead_ms", fit.overheadMs},
-                              {"node_ms", fit.nodeMs},
-                              {"residual_ms", fit.residualMs},
-                              {"residual_share", fit.residualShare},
-                              {"node_deviation_ms", fit.nodeDeviationMs}});
-  }
-  result["series"] = ordered_json::array();
-  for (const streaming::AccessSeries& series : calibration.series) {
-    result["series"].push_back(seriesJson(series));
-  }
-  return result;
+  ordered_json json{{"rivulet_calibration", kCalibrationFormat},
+                    {"cut", record.calibration.isCut()},
+                    {"best_form", opcua::groupingName(record.calibration.best())}};
+  FieldWriter io(json);
+  recordFields(io, record);
+  return json;
 }
 
 base::Result<streaming::CalibrationRecord> calibrationOf(const nlohmann::json& from,
@@ -200,48 +128,20 @@ base::Result<streaming::CalibrationRecord> calibrationOf(const nlohmann::json& f
                       "The calibration was written by another version of Rivulet. Measure again.",
                       origin);
   }
-  Reader reader;
+  Members members(from);
+  FieldReader io(members);
   streaming::CalibrationRecord record;
-  record.measuredAtUtc = reader.get<std::string>(from, "measured_at_utc");
-  record.toolVersion = reader.get<std::string>(from, "tool_version");
-  record.endpoint = reader.get<std::string>(from, "endpoint");
-  const nlohmann::json server = from.value("server", nlohmann::json::object());
-  record.server.applicationUri = reader.get<std::string>(server, "application_uri");
-  record.server.productName = reader.get<std::string>(server, "product_name");
-  record.server.softwareVersion = reader.get<std::string>(server, "software_version");
-  record.server.buildNumber = reader.get<std::string>(server, "build_number");
-  streaming::Calibration& calibration = record.calibration;
-  calibration.plan.firstCell = reader.get<int>(from, "first_cell");
-  calibration.plan.lastCell = reader.get<int>(from, "last_cell");
-  calibration.plan.shots = reader.get<int>(from, "shots_ordered");
-  calibration.plan.budget = base::fromSeconds(reader.get<double>(from, "budget_s"));
-  calibration.plan.arrays = from.contains("access_forms");
-  calibration.took = base::fromSeconds(reader.get<double>(from, "took_s"));
-  if (from.contains("access_forms")) {
-    calibration.forms = formsOf(reader, reader.list(from, "access_forms"));
-  }
-  for (const nlohmann::json& one : reader.list(from, "fits")) {
-    streaming::AccessFit fit;
-    fit.write = reader.get<bool>(one, "write");
-    fit.grouping = reader.form(one);
-    fit.overheadMs = reader.get<double>(one, "overhead_ms");
-    fit.nodeMs = reader.get<double>(one, "node_ms");
-    fit.residualMs = reader.get<double>(one, "residual_ms");
-    fit.residualShare = reader.get<double>(one, "residual_share");
-    fit.nodeDeviationMs = reader.get<double>(one, "node_deviation_ms");
-    calibration.fits.push_back(fit);
-  }
-  for (const nlohmann::json& one : reader.list(from, "series")) {
-    calibration.series.push_back(seriesOf(reader, one));
-  }
+  recordFields(io, record);
+  const streaming::Calibration& calibration = record.calibration;
+  record.calibration.plan.arrays = calibration.forms.has_value();
   const auto usable = [&calibration](bool write) {
     const streaming::AccessFit* fit = calibration.fit(write, opcua::Grouping::List);
     return fit != nullptr && fit->at(1.0) > Duration{};
   };
-  if (!reader.bad().empty() || !usable(false) || !usable(true)) {
+  if (!members.bad().empty() || !usable(false) || !usable(true)) {
     return base::fail(MachineFileError::Damaged,
                       fmt::format("The calibration is damaged ({}). Measure again.",
-                                  reader.bad().empty() ? "no fit of the lists" : reader.bad()),
+                                  members.bad().empty() ? "no fit of the lists" : members.bad()),
                       origin);
   }
   return record;

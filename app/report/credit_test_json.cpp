@@ -4,11 +4,8 @@
 #include "report/credit_test_json.h"
 
 #include <nlohmann/json.hpp>
-#include <string>
-#include <type_traits>
-#include <utility>
 
-#include "report/json_members.h"
+#include "report/run_fields.h"
 
 namespace rivulet::report {
 
@@ -16,63 +13,38 @@ namespace {
 
 using nlohmann::ordered_json;
 
-template <class T>
-T valueOf(const ordered_json& from, const char* key) {
-  if (!from.is_object() || !from.contains(key)) {
-    return {};
-  }
-  const ordered_json& value = from[key];
-  if constexpr (std::is_same_v<T, std::string>) {
-    return value.is_string() ? value.get<T>() : T{};
-  } else if constexpr (std::is_same_v<T, bool>) {
-    return value.is_boolean() && value.get<bool>();
-  } else {
-    const double number = value.is_number() ? value.get<double>() : 0.0;
-    return number >= 0.0 && number <= kJsonCountMax ? static_cast<T>(number) : T{};
-  }
+/// What a file does not say is empty.
+template <class Io, class Test>
+void testFields(Io& io, Test& test) {
+  io.text("endpoint", test.endpoint);
+  io.object("server", test.server, serverFields);
+  io.text("tested_at_utc", test.testedAtUtc);
+  io.text("tool_version", test.toolVersion);
+  io.count("asked", test.result.asked);
+  io.count("answered", test.result.answered);
+  io.milliseconds("slowest_answer_ms", test.result.slowestAnswer);
+  io.list("checks", test.result.checks, [](auto& inner, auto& check) {
+    inner.text("name", check.name);
+    inner.flag("passed", check.passed);
+    inner.text("message", check.message);
+  });
 }
 
 }  // namespace
 
 ordered_json creditTestJson(const streaming::CreditTest& test) {
-  ordered_json checks = ordered_json::array();
-  for (const streaming::CommissioningCheck& check : test.result.checks) {
-    checks.push_back({{"name", check.name}, {"passed", check.passed}, {"message", check.message}});
-  }
-  return {{"passed", test.result.passed()},
-          {"endpoint", test.endpoint},
-          {"server",
-           {{"application_uri", test.server.applicationUri},
-            {"product", test.server.productName},
-            {"version", test.server.softwareVersion},
-            {"build", test.server.buildNumber}}},
-          {"tested_at_utc", test.testedAtUtc},
-          {"tool_version", test.toolVersion},
-          {"asked", test.result.asked},
-          {"answered", test.result.answered},
-          {"slowest_answer_ms", base::toMilliseconds(test.result.slowestAnswer)},
-          {"checks", std::move(checks)}};
+  ordered_json json{{"passed", test.result.passed()}};
+  FieldWriter io(json);
+  testFields(io, test);
+  return json;
 }
 
 streaming::CreditTest creditTestOf(const ordered_json& from) {
+  const nlohmann::json json(from);
+  Members members(json);
+  FieldReader io(members);
   streaming::CreditTest test;
-  test.endpoint = valueOf<std::string>(from, "endpoint");
-  test.testedAtUtc = valueOf<std::string>(from, "tested_at_utc");
-  test.toolVersion = valueOf<std::string>(from, "tool_version");
-  test.result.asked = valueOf<int>(from, "asked");
-  test.result.answered = valueOf<int>(from, "answered");
-  test.result.slowestAnswer = base::fromMilliseconds(valueOf<double>(from, "slowest_answer_ms"));
-  const ordered_json server = from.value("server", ordered_json::object());
-  test.server = {valueOf<std::string>(server, "application_uri"),
-                 valueOf<std::string>(server, "product"), valueOf<std::string>(server, "version"),
-                 valueOf<std::string>(server, "build")};
-  if (const auto checks = from.find("checks"); checks != from.end() && checks->is_array()) {
-    for (const ordered_json& check : *checks) {
-      test.result.checks.push_back({valueOf<std::string>(check, "name"),
-                                    valueOf<bool>(check, "passed"),
-                                    valueOf<std::string>(check, "message")});
-    }
-  }
+  testFields(io, test);
   return test;
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/report_json.h"
+#include "report/run_fields.h"
 
 namespace rivulet::report {
 
@@ -35,9 +36,7 @@ ordered_json hazardsJson(const std::vector<forecast::Hazard>& hazards) {
 }
 
 ordered_json jobTimesJson(const streaming::JobTimes& times) {
-  return {{"streamed_s", toSeconds(times.streamed)}, {"pauses_s", toSeconds(times.pauses)},
-          {"native_s", toSeconds(times.native)},     {"tool_change_s", toSeconds(times.toolChange)},
-          {"handover_s", toSeconds(times.handover)}, {"total_s", toSeconds(times.total())}};
+  return jsonOf(times, jobTimeFields);
 }
 
 ordered_json functionsJson(const std::vector<job::FunctionUse>& uses) {
@@ -80,26 +79,7 @@ ordered_json partJson(const job::Part& part, const streaming::JobTimes& times) {
 }  // namespace
 
 ordered_json toolsJson(const std::vector<trace::ToolUse>& uses) {
-  ordered_json tools = ordered_json::array();
-  for (const trace::ToolUse& use : uses) {
-    ordered_json offsets = ordered_json::array();
-    for (const int offset : use.workOffsets) {
-      offsets.push_back(fmt::format("G{}", offset));
-    }
-    tools.push_back({{"tool", use.number ? ordered_json(*use.number) : ordered_json()},
-                     {"name", use.name},
-                     {"change_s", toSeconds(use.change)},
-                     {"in_spindle_s", toSeconds(use.inSpindle)},
-                     {"turning_s", toSeconds(use.turning)},
-                     {"coolant_s", toSeconds(use.cooling)},
-                     {"per_min", {use.perMinLeast, use.perMinMost}},
-                     {"clockwise", use.clockwise},
-                     {"counterclockwise", use.counterclockwise},
-                     {"flood", use.flood},
-                     {"mist", use.mist},
-                     {"work_offsets", offsets}});
-  }
-  return tools;
+  return listOf(uses, toolFields);
 }
 
 ordered_json wholeJobJson(const job::Plan& plan, const streaming::WholeJobReport& report) {

@@ -3,11 +3,8 @@
 
 #include "report/json_members.h"
 
-#include <fmt/format.h>
-
-#include <charconv>
-
 #include "base/units.h"
+#include "report/run_fields.h"
 
 namespace rivulet::report {
 
@@ -102,36 +99,8 @@ streaming::RunSettings runSettingsOf(Members& members) {
 
 streaming::Checkpoint checkpointOf(Members& members) {
   streaming::Checkpoint checkpoint;
-  const auto flag = [&members](const char* at) { return members.flag(at); };
-  checkpoint.runNumber =
-      members.integer<int>("/checkpoint/run_number", 1, streaming::kRunNumberMax);
-  checkpoint.firstPoint = members.integer<std::size_t>("/checkpoint/first_point", 0, kJsonCountMax);
-  checkpoint.granted = true;
-  members.ifThere("/checkpoint/granted", checkpoint.granted, flag);
-  members.ifThere("/checkpoint/pauses_placed", checkpoint.pausesPlaced, flag);
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    const std::string at = fmt::format("/checkpoint/start_mm/{}", axis);
-    checkpoint.startMm.set(axis, members.number(at.c_str(), -kJsonPlaceMax, kJsonPlaceMax));
-    const std::string turned = fmt::format("/checkpoint/start_deg/{}", axis);
-    members.ifThere(turned.c_str(), checkpoint.startDeg[axis], [&members](const char* place) {
-      return members.number(place, -kJsonPlaceMax, kJsonPlaceMax);
-    });
-  }
-  members.ifThere("/checkpoint/points", checkpoint.pointCount, [&members](const char* at) {
-    return members.integer<std::size_t>(at, 0, kJsonCountMax);
-  });
-  // As text: JSON numbers are doubles in many programs.
-  std::string hash;
-  members.ifThere("/checkpoint/points_hash", hash,
-                  [&members](const char* at) { return members.text(at); });
-  if (!hash.empty()) {
-    constexpr int kHexadecimal = 16;
-    const auto [end, status] = std::from_chars(hash.data(), hash.data() + hash.size(),
-                                               checkpoint.pointsHash, kHexadecimal);
-    if (status != std::errc{} || end != hash.data() + hash.size() || checkpoint.pointsHash == 0) {
-      members.refuse("/checkpoint/points_hash");
-    }
-  }
+  FieldReader io(members, "/checkpoint");
+  checkpointFields(io, checkpoint);
   return checkpoint;
 }
 

@@ -17,7 +17,7 @@
 #include "platform/user_folders.h"
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
-#include "report/machine_profile.h"
+#include "report/known_machine.h"
 
 namespace rivulet::report {
 namespace fs = std::filesystem;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.h"
+#include "report/run_fields.h"
 
 namespace rivulet::report {
 
@@ -21,33 +22,11 @@ ordered_json numberOrNull(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
-ordered_json durationsJson(const trace::DurationStatistics& durations) {
-  return {{"mean", base::toMilliseconds(durations.mean)},
-          {"p50", base::toMilliseconds(durations.p50)},
-          {"p95", base::toMilliseconds(durations.p95)},
-          {"p99", base::toMilliseconds(durations.p99)},
-          {"max", base::toMilliseconds(durations.max)}};
-}
-
-ordered_json liveJson(const live::Summary& live) {
-  ordered_json delay = durationsJson(live.delay);
-  delay["p90"] = base::toMilliseconds(live.delay.p90);
-  ordered_json json{{"source", live.source},
-                    {"lines", live.lines},
-                    {"accepted", live.accepted},
-                    {"merged", live.merged},
-                    {"executed_to_line", live.lastLine},
-                    {"windows", live.windows},
-                    {"short_windows", live.shortWindows},
-                    {"delay_ms", std::move(delay)},
-                    {"window_ms", base::toMilliseconds(live.windowTime)},
-                    {"delay_in_theory_ms",
-                     {{"least", base::toMilliseconds(live.leastDelay)},
-                      {"most", base::toMilliseconds(live.mostDelay)}}}};
-  if (live.refusal.code) {
-    json["refused"] = errorJson(live.refusal);
+std::vector<trace::Pause> since(base::Instant origin, std::vector<trace::Pause> pauses) {
+  for (trace::Pause& pause : pauses) {
+    pause.start = base::Instant{pause.start - origin};
   }
-  return json;
+  return pauses;
 }
 
 }  // namespace
@@ -59,13 +38,7 @@ ordered_json errorJson(const base::Error& error) {
 }
 
 ordered_json pausesJson(const std::vector<trace::Pause>& pauses, base::Instant origin) {
-  ordered_json list = ordered_json::array();
-  for (const trace::Pause& pause : pauses) {
-    list.push_back({{"start_s", base::toSeconds(pause.start - origin)},
-                    {"duration_ms", base::toMilliseconds(pause.duration)},
-                    {"origin", trace::pauseOriginName(pause.origin)}});
-  }
-  return list;
+  return listOf(since(origin, pauses), pauseFields);
 }
 
 ordered_json faultsJson(const std::vector<trace::IntegrityFault>& faults, base::Instant origin) {
@@ -92,17 +65,7 @@ ordered_json faultsJson(const std::vector<trace::IntegrityFault>& faults, base::
 }
 
 ordered_json accessFormsJson(const streaming::AccessForms& forms) {
-  ordered_json list = ordered_json::array();
-  for (const streaming::FormProof& proof : forms.proofs) {
-    ordered_json form{{"form", opcua::groupingName(proof.form)},
-                      {"writes", proof.writes},
-                      {"reads", proof.reads}};
-    if (!proof.why.empty()) {
-      form["why_not"] = proof.why;
-    }
-    list.push_back(std::move(form));
-  }
-  return list;
+  return listOf(forms.proofs, formFields);
 }
 
 ordered_json settingsJson(const streaming::RunSettings& settings) {
@@ -136,14 +99,7 @@ ordered_json settingsJson(const streaming::RunSettings& settings) {
 }
 
 ordered_json checkpointJson(const streaming::Checkpoint& checkpoint) {
-  return {{"run_number", checkpoint.runNumber},
-          {"first_point", checkpoint.firstPoint},
-          {"granted", checkpoint.granted},
-          {"pauses_placed", checkpoint.pausesPlaced},
-          {"start_mm", {checkpoint.startMm.x, checkpoint.startMm.y, checkpoint.startMm.z}},
-          {"start_deg", checkpoint.startDeg},
-          {"points", checkpoint.pointCount},
-          {"points_hash", fmt::format("{:016x}", checkpoint.pointsHash)}};
+  return jsonOf(checkpoint, checkpointFields);
 }
 
 ordered_json runJson(const streaming::RunReport& report) {
@@ -151,56 +107,19 @@ ordered_json runJson(const streaming::RunReport& report) {
   const base::Instant origin =
       traced ? report.controlTrace->samples.front().at
              : (report.pauses.empty() ? base::Instant{} : report.pauses.front().start);
-  ordered_json json{
-      {"outcome", streaming::outcomeName(report.outcome)},
-      {"faultless", report.isFaultless()},
-      {"finding", streaming::runFindingName(report.finding())},
-      {"program", report.programName},
-      {"method", base::methodName(report.settings.parameters.method)},
-      {"points", report.counters.total},
-      {"sent", report.counters.sent},
-      {"accepted", report.counters.accepted},
-      {"executed", report.counters.executed},
-      {"judged", report.integrity.judged},
-      {"repeated", report.integrity.repeated},
-      {"skipped", report.integrity.skipped},
-      {"foreign", report.integrity.foreign},
-      {"out_of_order", report.integrity.outOfOrder},
-      {"duration_s", base::toSeconds(report.duration)},
-      {"pauses", pausesJson(report.pauses, origin)},
-      {"access_ms", durationsJson(report.access.perNode)},
-      {"request_ms", durationsJson(report.access.perRequest)},
-      {"requests", report.access.requests},
-      {"settings", settingsJson(report.settings)},
-  };
-  if (report.live) {
-    json["live"] = liveJson(*report.live);
-  }
+  streaming::RunReport shown = report;
+  shown.pauses = since(origin, std::move(shown.pauses));
+  ordered_json json{{"faultless", report.isFaultless()},
+                    {"finding", streaming::runFindingName(report.finding())},
+                    {"method", base::methodName(report.settings.parameters.method)}};
+  FieldWriter io(json);
+  runFields(io, std::as_const(shown));
+  json["settings"] = settingsJson(report.settings);
   if (report.wrong) {
     json["wrong_motion_seen"] = streaming::describe(*report.wrong);
   }
-  if (report.transfer) {
-    json["transfer"] = {{"written", report.transfer->written},
-                        {"compared", report.transfer->compared},
-                        {"selected", report.transfer->selected}};
-  }
-  if (report.accessForms) {
-    json["access_forms"] = accessFormsJson(*report.accessForms);
-  }
   if (!report.integrity.faults.empty()) {
     json["faults"] = faultsJson(report.integrity.faults, origin);
-  }
-  if (report.checkpoint) {
-    json["checkpoint"] = checkpointJson(*report.checkpoint);
-  }
-  if (report.stopConfirmedAfter) {
-    json["stop_confirmed_ms"] = base::toMilliseconds(*report.stopConfirmedAfter);
-  }
-  if (!report.slowedBy.empty()) {
-    json["slowed_by"] = report.slowedBy;
-  }
-  if (report.error.code) {
-    json["error"] = errorJson(report.error);
   }
   return json;
 }

@@ -13,7 +13,7 @@
 #include "forecast/job_forecast.h"
 #include "preparation/split_program.h"
 #include "report/calibration_json.h"
-#include "report/machine_profile.h"
+#include "report/known_machine.h"
 #include "report/operating_point.h"
 #include "service/machine_lock.h"
 #include "streaming/control/access_policy.h"

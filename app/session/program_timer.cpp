@@ -7,7 +7,7 @@
 
 #include "base/units.h"
 #include "forecast/path_time.h"
-#include "report/machine_profile.h"
+#include "report/known_machine.h"
 #include "session/background.h"
 #include "streaming/methods/pause_placement.h"
 

@@ -6,7 +6,7 @@
 #include <QMetaObject>
 #include <algorithm>
 
-#include "report/machine_profile.h"
+#include "report/known_machine.h"
 #include "report/operating_point.h"
 
 namespace rivulet::session {

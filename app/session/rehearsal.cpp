@@ -7,7 +7,7 @@
 #include <array>
 
 #include "forecast/region.h"
-#include "report/machine_profile.h"
+#include "report/known_machine.h"
 #include "session/background.h"
 
 namespace rivulet::session {

@@ -12,7 +12,7 @@
 #include "base/file.h"
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
-#include "report/machine_profile.h"
+#include "report/known_machine.h"
 #include "report/machine_store.h"
 #include "streaming/run/run.h"
 #include "support/test_program.h"

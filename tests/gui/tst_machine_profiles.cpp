@@ -11,7 +11,7 @@
 
 #include "base/file.h"
 #include "hmi/main_window.h"
-#include "report/machine_profile.h"
+#include "report/known_machine.h"
 #include "report/machine_store.h"
 #include "support/patience.h"
 #include "support/simulated_control.h"

@@ -7,7 +7,7 @@
 
 #include "hmi/pages/pages.h"
 #include "machine/config.h"
-#include "report/machine_profile.h"
+#include "report/known_machine.h"
 #include "widgets/setup/profile_page.h"
 #include "widgets/setup/set_up_page.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "report/machine_profile.h"
+#include "report/known_machine.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "report/json_members.h"
+#include "report/run_fields.h"
 #include "streaming/control/machine_facts.h"
 
 namespace rivulet::report {
@@ -23,92 +23,62 @@ using streaming::MachineProfile;
 constexpr double kMost = 1e9;
 constexpr int kToolsMax = 1000;
 
-ordered_json axisJson(const AxisProfile& axis) {
-  return {{"position_min", axis.positionMin},
-          {"position_max", axis.positionMax},
-          {"speed_per_s_max", axis.speedPerSMax},
-          {"acceleration_per_s2_max", axis.accelerationPerS2Max},
-          {"jerk_per_s3_max", axis.jerkPerS3Max}};
-}
+constexpr auto axisFields = [](auto& io, auto& axis) {
+  io.number("position_min", axis.positionMin, -kMost, kMost);
+  io.number("position_max", axis.positionMax, -kMost, kMost);
+  io.number("speed_per_s_max", axis.speedPerSMax, 0.0, kMost);
+  io.number("acceleration_per_s2_max", axis.accelerationPerS2Max, 0.0, kMost);
+  io.number("jerk_per_s3_max", axis.jerkPerS3Max, 0.0, kMost);
+};
 
-AxisProfile axisOf(Members& members, const std::string& at) {
-  const auto number = [&](const char* name, double min) {
-    return members.number((at + "/" + name).c_str(), min, kMost);
-  };
-  return {number("position_min", -kMost), number("position_max", -kMost),
-          number("speed_per_s_max", 0.0), number("acceleration_per_s2_max", 0.0),
-          number("jerk_per_s3_max", 0.0)};
+constexpr auto profileToolFields = [](auto& io, auto& tool) {
+  io.number("number", tool.number, 0.0, std::numeric_limits<int>::max());
+  io.text("name", tool.name);
+  io.number("length_mm", tool.lengthMm, -kMost, kMost);
+  io.number("radius_mm", tool.radiusMm, -kMost, kMost);
+};
+
+template <class Io, class Profile>
+void profileFields(Io& io, Profile& profile) {
+  io.text("endpoint", profile.endpoint);
+  io.object("server", profile.server, serverFields);
+  io.text("entered_at_utc", profile.enteredAtUtc);
+  io.text("entered_by", profile.enteredBy);
+  io.text("name", profile.name);
+  io.text("preset", profile.preset);
+  io.object("axes", profile, [](auto& inner, auto& of) {
+    for (std::size_t axis = 0; axis < of.axes.size(); ++axis) {
+      inner.object(std::string(1, base::kAxisNames[axis]).c_str(), of.axes[axis], axisFields);
+    }
+    for (std::size_t axis = 0; axis < of.rotaryAxes.size(); ++axis) {
+      maybe(inner, std::string(1, base::kRotaryAxisNames[axis]).c_str(), of.rotaryAxes[axis],
+            axisFields);
+    }
+  });
+  io.number("rapid_mm_per_s", profile.rapidMmPerS, 0.0, kMost);
+  io.number("spindle_per_min_max", profile.spindlePerMinMax, 0.0, kMost);
+  io.list("tools", profile.tools, profileToolFields);
 }
 
 }  // namespace
 
 ordered_json profileJson(const MachineProfile& profile) {
-  ordered_json axes = ordered_json::object();
-  for (std::size_t axis = 0; axis < profile.axes.size(); ++axis) {
-    axes[std::string(1, base::kAxisNames[axis])] = axisJson(profile.axes[axis]);
-  }
-  for (std::size_t axis = 0; axis < profile.rotaryAxes.size(); ++axis) {
-    if (profile.rotaryAxes[axis]) {
-      axes[std::string(1, base::kRotaryAxisNames[axis])] = axisJson(*profile.rotaryAxes[axis]);
-    }
-  }
-  ordered_json tools = ordered_json::array();
-  for (const streaming::ToolProfile& tool : profile.tools) {
-    tools.push_back({{"number", tool.number},
-                     {"name", tool.name},
-                     {"length_mm", tool.lengthMm},
-                     {"radius_mm", tool.radiusMm}});
-  }
-  return {{"endpoint", profile.endpoint},
-          {"server",
-           {{"application_uri", profile.server.applicationUri},
-            {"product", profile.server.productName},
-            {"version", profile.server.softwareVersion},
-            {"build", profile.server.buildNumber}}},
-          {"entered_at_utc", profile.enteredAtUtc},
-          {"entered_by", profile.enteredBy},
-          {"name", profile.name},
-          {"preset", profile.preset},
-          {"axes", std::move(axes)},
-          {"rapid_mm_per_s", profile.rapidMmPerS},
-          {"spindle_per_min_max", profile.spindlePerMinMax},
-          {"tools", std::move(tools)}};
+  auto json = ordered_json::object();
+  FieldWriter io(json);
+  profileFields(io, profile);
+  return json;
 }
 
 base::Result<MachineProfile> profileOf(const ordered_json& from, const std::string& origin) {
   const nlohmann::json json = from;
   Members members(json);
+  FieldReader io(members);
   MachineProfile profile;
-  profile.endpoint = members.text("/endpoint");
-  profile.server = {members.text("/server/application_uri"), members.text("/server/product"),
-                    members.text("/server/version"), members.text("/server/build")};
-  profile.enteredAtUtc = members.text("/entered_at_utc");
-  profile.enteredBy = members.text("/entered_by");
-  profile.name = members.text("/name");
-  profile.preset = members.text("/preset");
-  for (std::size_t axis = 0; axis < profile.axes.size(); ++axis) {
-    profile.axes[axis] = axisOf(members, fmt::format("/axes/{}", base::kAxisNames[axis]));
-  }
-  for (std::size_t axis = 0; axis < profile.rotaryAxes.size(); ++axis) {
-    const std::string at = fmt::format("/axes/{}", base::kRotaryAxisNames[axis]);
-    if (members.has(at.c_str())) {
-      profile.rotaryAxes[axis] = axisOf(members, at);
-    }
-  }
-  profile.rapidMmPerS = members.number("/rapid_mm_per_s", 0.0, kMost);
-  profile.spindlePerMinMax = members.number("/spindle_per_min_max", 0.0, kMost);
   const nlohmann::json* tools = members.find("/tools");
   if (tools == nullptr || !tools->is_array() || tools->size() > kToolsMax) {
     members.refuse("/tools");
   } else {
-    for (std::size_t i = 0; i < tools->size(); ++i) {
-      const std::string at = fmt::format("/tools/{}", i);
-      profile.tools.push_back(
-          {members.integer<int>((at + "/number").c_str(), 0.0, std::numeric_limits<int>::max()),
-           members.text((at + "/name").c_str()),
-           members.number((at + "/length_mm").c_str(), -kMost, kMost),
-           members.number((at + "/radius_mm").c_str(), -kMost, kMost)});
-    }
+    profileFields(io, profile);
   }
   if (!members.bad().empty() || problemOf(profile)) {
     return base::fail(streaming::MachineFileError::Damaged,
