@@ -125,14 +125,14 @@ gcode::LoadOptions optionsOf(const std::string& file, const LoadingOptions& load
 }
 
 /// The same text again, now block by block. The parts are told as they are found: a program has as
-/// many of them as lines. They are kept only of a program of usual size, to see whether its job
-/// refuses it for their order.
+/// many of them as lines. They are kept only of a program of usual size that is understood, to see
+/// whether its job refuses it for their order.
 base::Result<job::Plan> planOf(const std::string& file, const gcode::Program& program,
                                const LoadingOptions& loading,
                                const std::function<void(const job::Part&)>& each) {
   constexpr std::size_t kPartsKept = 20'000;
   std::vector<job::Part> kept;
-  bool keeps = true;
+  bool keeps = program.isUnderstood();
   auto plan = job::visitPlan(program.name, program.text, optionsOf(file, loading),
                              [&](const job::Part& part) {
                                keeps = keeps && kept.size() < kPartsKept;

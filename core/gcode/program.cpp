@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <map>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <system_error>
@@ -32,39 +34,49 @@ std::string numberOf(std::string_view stem) {
   return number ? fmt::format("O{}", *number) : std::string();
 }
 
-/// NAME.SPF beside the program, whatever the case of its letters; O100 is O0100.NC and 100.NC, too.
-std::optional<nc::LoadedText> subprogramIn(const std::filesystem::path& folder,
-                                           std::string_view name) {
+/// The files of a folder by the names under which programs call them: NAME.SPF is NAME, whatever
+/// the case of its letters; O0100.NC and 100.NC are O100, too.
+using FilesByName = std::multimap<std::string, std::filesystem::path, std::less<>>;
+
+FilesByName filesIn(const std::filesystem::path& folder) {
   static constexpr std::array<std::string_view, 9> kEndings{"",     ".SPF", ".MPF", ".SUB", ".NC",
                                                             ".NGC", ".TAP", ".CNC", ".H"};
-  // O<name> of RS-274/NGC is name.ngc.
-  if (name.size() > 3 && name.substr(0, 2) == "O<") {
-    name = name.substr(2, name.size() - 3);
-  }
-  if (name.empty() || name.find_first_of("/\\") != std::string_view::npos) {
-    return std::nullopt;
-  }
+  FilesByName files;
   std::error_code status;
   for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, status), end;
        !status && entry != end; entry.increment(status)) {
     const std::string file = base::toUpper(entry->path().filename().string());
-    const bool matches =
-        std::any_of(kEndings.begin(), kEndings.end(), [&](std::string_view ending) {
-          const bool ends = file.ends_with(ending);
-          const std::string_view stem =
-              std::string_view(file).substr(0, file.size() - (ends ? ending.size() : 0));
-          return ends && (stem == name || numberOf(stem) == name);
-        });
-    std::error_code ignored;
-    if (!matches || !entry->is_regular_file(ignored) ||
-        entry->file_size(ignored) > nc::kSubprogramBytesMax) {
+    for (const std::string_view ending : kEndings) {
+      if (!file.ends_with(ending)) {
+        continue;
+      }
+      const std::string stem = file.substr(0, file.size() - ending.size());
+      files.emplace(stem, entry->path());
+      if (std::string number = numberOf(stem); !number.empty() && number != stem) {
+        files.emplace(std::move(number), entry->path());
+      }
+    }
+  }
+  return files;
+}
+
+std::optional<nc::LoadedText> subprogramIn(const FilesByName& files, std::string_view name) {
+  // O<name> of RS-274/NGC is name.ngc.
+  if (name.size() > 3 && name.substr(0, 2) == "O<") {
+    name = name.substr(2, name.size() - 3);
+  }
+  const auto [first, last] = files.equal_range(name);
+  for (auto file = first; file != last; ++file) {
+    std::error_code status;
+    if (!std::filesystem::is_regular_file(file->second, status) ||
+        std::filesystem::file_size(file->second, status) > nc::kSubprogramBytesMax) {
       continue;
     }
-    std::ifstream stream(entry->path(), std::ios::binary);
+    std::ifstream stream(file->second, std::ios::binary);
     std::ostringstream text;
     text << stream.rdbuf();
     if (stream) {
-      return nc::LoadedText{base::asUtf8(std::move(text).str()), entry->path().filename().string()};
+      return nc::LoadedText{base::asUtf8(std::move(text).str()), file->second.filename().string()};
     }
   }
   return std::nullopt;
@@ -280,8 +292,14 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
 
 std::function<std::optional<nc::LoadedText>(std::string_view name)> subprogramsBeside(
     const std::filesystem::path& file) {
-  return
-      [folder = file.parent_path()](std::string_view name) { return subprogramIn(folder, name); };
+  // Read once, where a program calls anything: a text may call thousands of other names.
+  return [folder = file.parent_path(),
+          files = std::make_shared<std::optional<FilesByName>>()](std::string_view name) {
+    if (!*files) {
+      *files = filesIn(folder);
+    }
+    return subprogramIn(**files, name);
+  };
 }
 
 base::Result<Program> loadProgram(const std::filesystem::path& path, const LoadOptions& options) {

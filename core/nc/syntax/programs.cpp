@@ -71,8 +71,11 @@ std::shared_ptr<const Tree> treeOf(Fault fault) {
 class Splitter {
  public:
   /// @param detail  nothing: no statements
-  Splitter(const Lexer& lexer, Dialect dialect, std::uint16_t file, std::optional<Detail> detail)
+  /// @param lineEnds  of the whole text, about
+  Splitter(const Lexer& lexer, Dialect dialect, std::uint16_t file, std::optional<Detail> detail,
+           std::size_t lineEnds)
       : m_lexer(lexer),
+        m_lineEnds(lineEnds),
         m_language(languageOf(dialect)),
         m_file(file),
         m_detail(detail.value_or(Detail::Blocks)),
@@ -198,8 +201,9 @@ class Splitter {
       case Heading::None:
         break;
     }
-    Words words = std::move(static_cast<Words&>(block));
-    std::string_view rest = take(std::move(words), block.line);
+    makeRoom();
+    // A copy is as large as its words; the block keeps its room for the next line.
+    std::string_view rest = take(static_cast<const Words&>(block), block.line);
     while (!rest.empty()) {
       const Place at{block.line, m_file, m_column};
       Words more = readWords(rest, m_language, at);
@@ -214,6 +218,16 @@ class Splitter {
         return;
       }
       rest = take(std::move(more), block.line);
+    }
+  }
+
+  /// A long list is not moved to a larger place again and again: both would be there at once.
+  void makeRoom() {
+    constexpr std::size_t kLong = 4096;
+    std::vector<Statement>& statements = m_parts.back().tree->statements;
+    if (statements.size() >= kLong && statements.size() == statements.capacity()) {
+      statements.reserve(statements.size() + kLong + m_lineEnds -
+                         std::min(m_lineEnds, m_lexer.lines()));
     }
   }
 
@@ -322,6 +336,7 @@ class Splitter {
   }
 
   Lexer m_lexer;
+  std::size_t m_lineEnds;
   const Language& m_language;
   std::uint16_t m_file;
   Detail m_detail;
@@ -349,11 +364,15 @@ const TextProgram& Programs::at(base::LineNumber line) const {
 }
 
 Programs readPrograms(std::string_view text, Dialect dialect, std::uint16_t file, Detail detail) {
-  return Splitter(Lexer(text, dialect, file), dialect, file, detail).split();
+  const auto lineEnds = std::max(std::count(text.begin(), text.end(), '\n'),
+                                 std::count(text.begin(), text.end(), '\r'));
+  return Splitter(Lexer(text, dialect, file), dialect, file, detail,
+                  static_cast<std::size_t>(lineEnds))
+      .split();
 }
 
 Programs outlineOf(const Lexer& rest, Dialect dialect) {
-  return Splitter(rest, dialect, 0, std::nullopt).split();
+  return Splitter(rest, dialect, 0, std::nullopt, 0).split();
 }
 
 std::shared_ptr<const Tree> parseSinumerik(std::string text) {
