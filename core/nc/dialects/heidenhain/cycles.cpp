@@ -535,6 +535,20 @@ bool isKnownCycle(int cycle) {
   return rowOf(cycle) != nullptr;
 }
 
+/// TNC 640, iTNC 530, User's Manual Cycle Programming: overviews of the cycles, and "Calling a
+/// cycle".
+bool waitsForCall(int cycle) {
+  static constexpr std::array kRefusedAtCall{3,   6,   12,  15,  16,  18,  21,  22,  23,  24,
+                                             25,  27,  28,  29,  39,  204, 210, 211, 212, 213,
+                                             214, 215, 225, 230, 231, 233, 258, 263, 264, 265,
+                                             267, 272, 273, 274, 275, 276, 277, 278};
+  static constexpr std::array kData{14, 20, 270, 271};
+  const auto isIn = [cycle](const auto& all) {
+    return std::find(all.begin(), all.end(), cycle) != all.end();
+  };
+  return isKnownCycle(cycle) || isIn(kRefusedAtCall) || isIn(kData);
+}
+
 Expected<std::vector<CycleStep>> stepsOf(const CycleDefinition& cycle,
                                          const CycleSituation& situation) {
   const Row* const row = rowOf(cycle.number);

@@ -64,6 +64,9 @@ struct CycleStep {
 [[nodiscard]] bool isPattern(int cycle);
 /// Cycles that move where they are called.
 [[nodiscard]] bool isKnownCycle(int cycle);
+/// True if the definition alone does nothing: the cycle acts where it is called, or holds data for
+/// one that is called. Others act at once: they turn axes, probe, or set what is not known here.
+[[nodiscard]] bool waitsForCall(int cycle);
 
 /// @return fault CycleNotRun, ValueMissing and the like: it cannot be executed
 [[nodiscard]] Expected<std::vector<CycleStep>> stepsOf(const CycleDefinition& cycle,

@@ -89,6 +89,10 @@ Expected<void> Control::cycleDefinition(Scanner& in) {
   if (*number == kPreset) {
     return selectPreset();
   }
+  if (*number != kTolerance && !isPattern(*number) && !waitsForCall(*number)) {
+    refuse(FaultCode::CycleNotRun, fmt::format("CYCL DEF {}", *number));
+    return {};
+  }
   ignore(fmt::format("CYCL DEF {}", *number));
   if (*number == kTolerance) {
     return {};
@@ -207,6 +211,13 @@ Expected<void> Control::oldCycleLine(Scanner& in, int number, int line) {
       return {};
     default:
       break;
+  }
+  if (!waitsForCall(number)) {
+    skipRest();
+    if (line == 0) {
+      refuse(FaultCode::CycleNotRun, fmt::format("CYCL DEF {}", number));
+    }
+    return {};
   }
   if (line == 0) {
     skipRest();
