@@ -150,7 +150,11 @@ void Executor::setModes(const BlockWords& words) {
   }
   if (words.plane != nullptr) {
     const G plane = words.plane->function;
-    m_state.planeFirstAxis = plane == G::PlaneXY ? 0 : (plane == G::PlaneZX ? 2 : 1);
+    const std::size_t first = plane == G::PlaneXY ? 0 : (plane == G::PlaneZX ? 2 : 1);
+    if (m_turn && first != m_state.planeFirstAxis) {  // G68 turns in the plane it began in
+      error(words, FaultCode::UnsupportedGCode, fmt::format("G{}", words.plane->key / 10));
+    }
+    m_state.planeFirstAxis = first;
   }
   if (words.motion != nullptr) {
     m_lastTangent = {};

@@ -213,6 +213,11 @@ void Executor::setOffset(const BlockWords& words) {
   if ((isLocal || further) && !knowsAllAxes(words, isLocal ? "G52" : "G92")) {
     return;
   }
+  if ((m_turn || m_scale || m_mirror) && (isLocal || offset == GEffect::SetPosition)) {
+    // Not allowed by the manual of the control, and others count from different places.
+    error(words, FaultCode::UnsupportedGCode, isLocal ? "G52" : "G92");
+    return;
+  }
   Offset& set = m_setOffset;
   switch (offset) {
     case GEffect::LocalOffset:

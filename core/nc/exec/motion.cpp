@@ -3,6 +3,8 @@
 
 // The move of a block: where it goes, how fast, and which kind of path it takes.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -290,8 +292,13 @@ void Executor::takePolarPlane(const BlockWords& words, Vec3 from, Vec3& target) 
     m_state.poleMm = words.axes.isIncrement(first) ? from : Vec3{};
   }
   if (words.axes.has(second)) {
-    const bool adds = words.axes.isIncrement(second);
+    const bool adds = words.axes.isIncrement(second) && !std::isnan(m_state.polarDegrees);
     m_state.polarDegrees = words.axes.value[second] + (adds ? m_state.polarDegrees : 0.0);
+  }
+  if (std::isnan(m_state.polarRadiusMm) || std::isnan(m_state.polarDegrees)) {
+    // Neither stands anywhere since G16: what the control takes then is not known.
+    const std::size_t missing = std::isnan(m_state.polarRadiusMm) ? first : second;
+    error(words, FaultCode::WordMissing, fmt::format("G16 {}", base::kAxisNames[missing]));
   }
   setPolar(target);
 }

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "nc/exec/block_reader.h"
+#include "nc/unknown.h"
 
 namespace rivulet::nc {
 
@@ -146,6 +147,8 @@ void BlockReader::readG(const GRow& row, const Token& token, BlockWords& words) 
     case GEffect::Polar:
       m_state.polar = row.function == G::PolarOn;
       m_state.poleMm = {};
+      m_state.polarRadiusMm = kUnknown;
+      m_state.polarDegrees = kUnknown;
       break;
     case GEffect::None:
       if (row.function == G::TipLength) {
@@ -259,7 +262,8 @@ void BlockReader::readBlockG(const GRow& row, const Token& token, BlockWords& wo
     default:
       m_to.faults.error(
           token, effect == GEffect::Unknown ? FaultCode::UnknownGCode : FaultCode::UnsupportedGCode,
-          wordText(token));
+          m_language.isKlartext && token.text.size() > 1 ? std::string(token.text)
+                                                         : wordText(token));
       break;
   }
 }

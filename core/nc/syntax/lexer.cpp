@@ -83,8 +83,8 @@ bool isOneOfWords(std::string_view name, std::span<const std::string_view> words
 }
 
 bool isStatement(std::string_view name, const Language& language) {
-  // DO1, END1 and GOTO100 of the ISO dialects.
-  while (!name.empty() && classOf(name.back()) == kDigit) {
+  // DO1, END1 and GOTO100 of the ISO dialects; SUB1 and CASE2 are names of SINUMERIK programs.
+  while (!language.namesAreCalls && !name.empty() && classOf(name.back()) == kDigit) {
     name.remove_suffix(1);
   }
   return isOneOfWords(name, kStatements) || isOneOfWords(name, language.steering);
