@@ -819,6 +819,18 @@
         <source>%1 is not the number of the tool in the spindle: check which length it stands for.</source>
         <translation>%1 ist nicht die Nummer des Werkzeugs in der Spindel: prüfen, für welche Länge sie steht.</translation>
     </message>
+    <message>
+        <source>%1 executes a text that is put together while the program runs: what it does is not known here. Write the block itself.</source>
+        <translation>%1 führt einen Text aus, der erst im Lauf des Programms entsteht: Was er bewirkt, ist hier nicht bekannt. Den Satz selbst schreiben.</translation>
+    </message>
+    <message>
+        <source>%1 limits the speed of an axis, and a stream does not keep the limit: program a feed that keeps it, and remove the word.</source>
+        <translation>%1 begrenzt die Geschwindigkeit einer Achse, und ein Strom hält die Grenze nicht ein: einen Vorschub programmieren, der sie einhält, und das Wort entfernen.</translation>
+    </message>
+    <message>
+        <source>%1 calls a subprogram behind each block that moves, and it is neither in this file nor in a file beside it: its motions are missing. Put its file beside the program.</source>
+        <translation>%1 ruft nach jedem Satz mit Bewegung ein Unterprogramm auf, das weder in dieser Datei noch in einer Datei daneben steht: Seine Bewegungen fehlen. Seine Datei neben das Programm legen.</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>

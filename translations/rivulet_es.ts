@@ -819,6 +819,18 @@
         <source>%1 is not the number of the tool in the spindle: check which length it stands for.</source>
         <translation>%1 no es el número de la herramienta del husillo: compruebe a qué longitud corresponde.</translation>
     </message>
+    <message>
+        <source>%1 executes a text that is put together while the program runs: what it does is not known here. Write the block itself.</source>
+        <translation>%1 ejecuta un texto que se compone durante la ejecución del programa: aquí no se sabe qué hace. Escriba el propio bloque.</translation>
+    </message>
+    <message>
+        <source>%1 limits the speed of an axis, and a stream does not keep the limit: program a feed that keeps it, and remove the word.</source>
+        <translation>%1 limita la velocidad de un eje, y un flujo no respeta ese límite: programe un avance que lo respete y quite la palabra.</translation>
+    </message>
+    <message>
+        <source>%1 calls a subprogram behind each block that moves, and it is neither in this file nor in a file beside it: its motions are missing. Put its file beside the program.</source>
+        <translation>%1 llama tras cada bloque con movimiento a un subprograma que no está ni en este archivo ni en otro junto a él: faltan sus movimientos. Ponga su archivo junto al programa.</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>

@@ -819,6 +819,18 @@
         <source>%1 is not the number of the tool in the spindle: check which length it stands for.</source>
         <translation>%1 n’est pas le numéro de l’outil dans la broche&#xa0;: vérifiez à quelle longueur il correspond.</translation>
     </message>
+    <message>
+        <source>%1 executes a text that is put together while the program runs: what it does is not known here. Write the block itself.</source>
+        <translation>%1 exécute un texte qui n’est composé que pendant l’exécution du programme : son effet n’est pas connu ici. Écrivez le bloc lui-même.</translation>
+    </message>
+    <message>
+        <source>%1 limits the speed of an axis, and a stream does not keep the limit: program a feed that keeps it, and remove the word.</source>
+        <translation>%1 limite la vitesse d’un axe, et un flux ne respecte pas cette limite : programmez une avance qui la respecte et supprimez le mot.</translation>
+    </message>
+    <message>
+        <source>%1 calls a subprogram behind each block that moves, and it is neither in this file nor in a file beside it: its motions are missing. Put its file beside the program.</source>
+        <translation>%1 appelle après chaque bloc de déplacement un sous-programme qui n’est ni dans ce fichier ni dans un fichier voisin : ses déplacements manquent. Placez son fichier à côté du programme.</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>

@@ -819,6 +819,18 @@
         <source>%1 is not the number of the tool in the spindle: check which length it stands for.</source>
         <translation>%1 non è il numero dell’utensile nel mandrino: verificare a quale lunghezza corrisponde.</translation>
     </message>
+    <message>
+        <source>%1 executes a text that is put together while the program runs: what it does is not known here. Write the block itself.</source>
+        <translation>%1 esegue un testo che viene composto durante l’esecuzione del programma: qui non si sa che cosa fa. Scrivere il blocco stesso.</translation>
+    </message>
+    <message>
+        <source>%1 limits the speed of an axis, and a stream does not keep the limit: program a feed that keeps it, and remove the word.</source>
+        <translation>%1 limita la velocità di un asse, e un flusso non rispetta il limite: programmare un avanzamento che lo rispetti e togliere la parola.</translation>
+    </message>
+    <message>
+        <source>%1 calls a subprogram behind each block that moves, and it is neither in this file nor in a file beside it: its motions are missing. Put its file beside the program.</source>
+        <translation>%1 chiama dopo ogni blocco con movimento un sottoprogramma che non è né in questo file né in uno accanto: mancano i suoi movimenti. Mettere il suo file accanto al programma.</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>

@@ -276,6 +276,33 @@ const char* ignoredPattern(const Diagnostic& diagnostic) {
                    : textOf(DiagnosticCode::IgnoredCode).sentence;
 }
 
+/// Words for which the sentence of their code says too little.
+struct OwnText {
+  DiagnosticCode code;
+  std::string_view begins;  ///< the argument, or its first word
+  const char* sentence;
+};
+constexpr std::array kOwnTexts{
+    OwnText{DiagnosticCode::UnsupportedGCode, "EXECSTRING",
+            RIVULET_SENTENCE("DiagnosticTexts",
+                             "%1 executes a text that is put together while the program runs: what "
+                             "it does is not known here. Write the block itself.")},
+    OwnText{DiagnosticCode::UnsupportedGCode, "VELOLIM",
+            RIVULET_SENTENCE("DiagnosticTexts",
+                             "%1 limits the speed of an axis, and a stream does not keep the "
+                             "limit: program a feed that keeps it, and remove the word.")},
+    OwnText{
+        DiagnosticCode::CycleNotRun, "MCALL",
+        RIVULET_SENTENCE("DiagnosticTexts",
+                         "%1 calls a subprogram behind each block that moves, and it is neither "
+                         "in this file nor in a file beside it: its motions are missing. Put "
+                         "its file beside the program.")}};
+
+/// Words that say where the path goes or how fast: without them it is another path.
+bool isOfPath(std::string_view word) {
+  return word.size() == 1 && std::string_view("XYZIJKF").find(word[0]) != std::string_view::npos;
+}
+
 }  // namespace
 
 std::string_view diagnosticName(DiagnosticCode code) {
@@ -319,7 +346,7 @@ std::string acceptableName(const Diagnostic& diagnostic) {
            ((name[end] >= 'A' && name[end] <= 'Z') || name[end] == '_' || name[end] == '$')) {
       ++end;
     }
-    name.resize(end);
+    name.resize(isOfPath(std::string_view(name).substr(0, end)) ? 0 : end);
   } else {
     name.resize(std::min(name.find_first_of("(="), name.size()));
   }
@@ -327,6 +354,14 @@ std::string acceptableName(const Diagnostic& diagnostic) {
 }
 
 const char* sentencePattern(const Diagnostic& diagnostic) {
+  const std::string_view argument = diagnostic.argument;
+  const std::string_view word = argument.substr(0, argument.find_first_of(" ([="));
+  const auto* const own = std::find_if(
+      kOwnTexts.begin(), kOwnTexts.end(),
+      [&](const OwnText& each) { return each.code == diagnostic.code && each.begins == word; });
+  if (own != kOwnTexts.end()) {
+    return own->sentence;
+  }
   return diagnostic.code == DiagnosticCode::IgnoredCode ? ignoredPattern(diagnostic)
                                                         : textOf(diagnostic.code).sentence;
 }

@@ -36,6 +36,15 @@ void Findings::report(Severity severity, int column, DiagnosticCode code, std::s
 
 void Findings::add(Diagnostic found) {
   found.file = m_file == nullptr ? std::string() : *m_file;
+  if (found.code == DiagnosticCode::UnknownWord && !m_list.empty()) {
+    // R and Q of a G function that is not known are its own; and one word is one finding.
+    const Diagnostic& last = m_list.back();
+    const bool isOfBlock = last.line == found.line && last.file == found.file;
+    const bool isSame = last.column == found.column && last.code == found.code;
+    if (isOfBlock && (isSame || last.code == DiagnosticCode::UnknownGCode)) {
+      return;
+    }
+  }
   if (found.severity == Severity::Error && !m_accepted.empty()) {
     std::string name = acceptableName(found);
     if (!name.empty() &&

@@ -493,7 +493,11 @@ class Interpreter final : private nc::CallObserver {
         m_observer->modalCall(modal->name);
       }
       if (!modal->name.empty()) {
-        m_to.faults.error(token, DiagnosticCode::CycleNotRun, modal->name);
+        // A cycle of the control, or a subprogram that is not at hand.
+        const bool isCycle =
+            nc::nameEffect(m_language.dialect, modal->name) != nc::NameEffect::Unknown;
+        m_to.faults.error(token, DiagnosticCode::CycleNotRun,
+                          (isCycle ? "" : "MCALL ") + modal->name);
         m_facts.otherMotion();
       }
     }

@@ -119,9 +119,9 @@ constexpr std::array<std::string_view, 7> kSpindle{"SPOS",  "SPOSA", "LIMS", "SE
 constexpr std::array<std::string_view, 12> kTool{"T",       "TCARR",  "TCOABS", "TCOFR",
                                                  "TOFFOF",  "TOWSTD", "TOWMCS", "TOWWCS",
                                                  "GETSELT", "DL",     "TLIFT",  "SETPIECE"};
-constexpr std::array<std::string_view, 15> kCompensation{
-    "CUT2D", "CUT2DF", "CUT3DC", "CUT3DF", "CUTCONON", "CUTCONOF", "CDOF", "CDOF2",
-    "CDON",  "NORM",   "KONT",   "KONTC",  "KONTT",    "DISC",     "OFFN"};
+constexpr std::array<std::string_view, 17> kCompensation{
+    "CUT2D", "CUT2DF", "CUT3DC", "CUT3DF", "CUTCONON", "CUTCONOF", "CDOF", "CDOF2", "CDON",
+    "NORM",  "KONT",   "KONTC",  "KONTT",  "DISC",     "OFFN",     "RL",   "RR"};
 constexpr std::array<std::string_view, 41> kTransformation{
     "CYCLE800", "TRAORI",   "TRAFOOF", "TRANSMIT", "TRACYL",   "TRAANG",   "TRACON",
     "TRAFOON",  "ROTS",     "AROTS",   "TOFRAME",  "TOFRAMEX", "TOFRAMEY", "TOFRAMEZ",

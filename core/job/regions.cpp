@@ -55,7 +55,9 @@ constexpr std::array kWords{Word{"TRAORI", Effect::Transforms},
                             Word{"G41", Effect::Compensates},
                             Word{"G42", Effect::Compensates},
                             Word{"G41.1", Effect::Compensates},
-                            Word{"G42.1", Effect::Compensates}};
+                            Word{"G42.1", Effect::Compensates},
+                            Word{"RL", Effect::Compensates},
+                            Word{"RR", Effect::Compensates}};
 
 }  // namespace
 

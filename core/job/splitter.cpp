@@ -960,7 +960,7 @@ class Splitter final : public gcode::BlockObserver,
     add(*reason);
     m_regions.word(argument, false);
     m_block->isMissing = m_block->isMissing || code == FaultCode::SubprogramMissing;
-    const std::optional<int> key = keyOfG(argument);
+    const std::optional<int> key = keyOfFault(argument);
     if (isForeign() && code == FaultCode::CycleNotRun && key && m_holes.begin(*key)) {
       m_cycleWord = std::move(argument);
     } else if (isForeign() && code == FaultCode::CycleNotRun && key && HoleCycles::lifts(*key)) {
@@ -1307,6 +1307,15 @@ class Splitter final : public gcode::BlockObserver,
     }
   }
 
+  /// RL and RR of plain text are G41 and G42, the other way round in a mirrored plane.
+  [[nodiscard]] std::optional<int> keyOfFault(std::string_view word) const {
+    for (const Token& token : m_block->tokens) {
+      if (m_language->isKlartext && token.address == 'G' && token.text == word) {
+        return static_cast<int>(std::lround(token.value * 10.0));
+      }
+    }
+    return keyOfG(word);
+  }
   [[nodiscard]] static std::optional<int> keyOfG(std::string_view word) {
     const std::optional<double> number =
         word.size() > 1 && word.front() == 'G' ? base::parseNumber(word.substr(1)) : std::nullopt;

@@ -512,6 +512,47 @@ class TestInterpreter : public QObject {
     QVERIFY(std::isnan(statistics.maxMm.z));
   }
 
+  /// Each names the word, its cause, and what to do; none advises to leave out what moves an axis.
+  void sentencesOfTheirOwn_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<int>("dialect");
+    QTest::addColumn<QString>("begins");
+    QTest::addColumn<QString>("accepts");
+    const auto row = [](const char* text, gcode::Dialect dialect, const char* begins,
+                        const char* accepts) {
+      QTest::newRow(text) << QByteArray(text) << static_cast<int>(dialect) << QString(begins)
+                          << QString(accepts);
+    };
+    using gcode::Dialect;
+    row("EXECSTRING(\"G1 X9\")", Dialect::Sinumerik, "EXECSTRING executes a text", "EXECSTRING");
+    row("VELOLIM[X]=50", Dialect::Sinumerik, "VELOLIM limits the speed", "VELOLIM");
+    row("MCALL OWN(1)", Dialect::Sinumerik, "MCALL OWN calls a subprogram behind", "MCALL OWN");
+    row("MCALL CYCLE81(5,0,1,-5)", Dialect::Sinumerik, "CYCLE81 is a cycle", "CYCLE81");
+    row("PRESETON(X,10)", Dialect::Sinumerik, "PRESETON changes the path", "PRESETON");
+    row("G1 X5 F100\nG80\nX7", Dialect::Grbl, "The word X7 is not understood", "");
+    row("G150 P2 R1. Q1.", Dialect::Haas, "Rivulet does not know the G function G150", "G150");
+    row("#1=BIN[10]", Dialect::Fanuc, "The calculation has no result: BIN(10)", "");
+    row("BEGIN PGM A MM\nL X+1 RR F5", Dialect::Heidenhain, "RR changes the path", "RR");
+  }
+  void sentencesOfTheirOwn() {
+    QFETCH(const QByteArray, text);
+    QFETCH(const int, dialect);
+    QFETCH(const QString, begins);
+    QFETCH(const QString, accepts);
+    gcode::LoadOptions options;
+    options.dialect = static_cast<gcode::Dialect>(dialect);
+    const auto program = gcode::interpretProgram("a", text.toStdString(), options);
+    QVERIFY(program.has_value());
+    std::vector<gcode::Diagnostic> errors;
+    std::copy_if(program->diagnostics.begin(), program->diagnostics.end(),
+                 std::back_inserter(errors),
+                 [](const auto& each) { return each.severity == gcode::Severity::Error; });
+    QCOMPARE(errors.size(), std::size_t{1});
+    const QString sentence = QString::fromStdString(gcode::describe(errors.front()));
+    QVERIFY2(sentence.startsWith(begins), qPrintable(sentence));
+    QCOMPARE(QString::fromStdString(gcode::acceptableName(errors.front())), accepts);
+  }
+
   void arcEndsExactlyWhereProgrammed() {
     const auto result = interpret("G0 X0 Y0 Z0\nG2 X9.999 Y0 I5 F60\nG3 X0.1 Y0.2 CR=100");
     COMPARE_TEXT(test::printProblems(result.diagnostics), "");

@@ -241,7 +241,7 @@ std::string called(const Expression& node, double a) {
         }
       }
     }
-    return std::string_view("the power");
+    return std::string_view(op == Op::FromBcd ? "BIN" : op == Op::ToBcd ? "BCD" : "the power");
   };
   return fmt::format("{}({})", kWord(node.op), base::formatNumber(a));
 }

@@ -439,6 +439,7 @@ Expected<Control::Item> Control::itemOf(const MotionWords& words) {
     const int side = *mirrors ? -m_compensation : m_compensation;
     Token token = word('G', side == 0 ? 40.0 : side > 0 ? 41.0 : 42.0);
     token.column = words.compensationColumn;
+    token.text = m_compensation == 0 ? "R0" : m_compensation > 0 ? "RL" : "RR";
     item.tokens.push_back(token);
     if (side != 0 && m_toolRadiusDelta != 0.0) {
       item.tokens.push_back(named("OFFN", m_toolRadiusDelta));  // the tool is so much larger

@@ -288,7 +288,7 @@ NameTable sharedNames() {
   table.add(NameEffect::Override, kFeed, {"OVR"});
   table.add(NameEffect::OtherOverride, kFeed, {"OVRRAP", "OVRA"});
   table.add(NameEffect::SpeedLimit, kSpindle, {"LIMS"});
-  table.add(NameEffect::Feed, kFeed, {"FZ", "FL", "FD", "FA", "FLIN", "FCUB", "FGREF"});
+  table.add(NameEffect::Feed, kFeed, {"FZ", "FL", "FD", "FA", "FLIN", "FCUB", "FGREF", "VELOLIM"});
   table.add(NameEffect::Query, kJob, {"GETT", "GETDNO", "DELETE", "READ", "ISFILE", "GETFREELOC"});
   table.add(NameEffect::End, kJob, {"RET"});
   // Another form of the path in a block that moves.
@@ -296,6 +296,15 @@ NameTable sharedNames() {
             {"RND",   "RNDM",   "FRC",     "FRCM",    "CHF",  "CHR", "ANG",  "ANG1",
              "INVCW", "INVCCW", "ASPLINE", "CSPLINE", "POLY", "PO",  "DISR", "DISCL",
              "DISRP", "OSCILL", "POS",     "POSA",    "POSP", "G290"});
+  // A text that becomes a block while the program runs; axes that follow others, or get another
+  // place; blocks that stand in a text of another control.
+  table.add(NameEffect::TakesBlock, kJob,
+            {"EXECSTRING", "EXECTAB",  "ISOCALL",  "PRESETON", "PRESETONS", "LEADON",
+             "LEADOF",     "TRAILOF",  "COUPDEF",  "COUPOF",   "COUPRES",   "EGDEF",
+             "EGOFS",      "EGOFC",    "TANG",     "TANGON",   "TANGOF",    "CTABDEF",
+             "CTABEND",    "LIFTFAST", "POLFMASK", "POLFMLIN", "CROTS",     "MEAFRAME",
+             "PUTFTOC",    "PUTFTOCF", "FTOCON",   "FTOCOF",   "REPOSL",    "REPOSQ",
+             "REPOSQA",    "REPOSH",   "REPOSHA",  "REPOSA",   "DRFOF",     "AXTOCHAN"});
   // Frames of other kinds, and transformations that change what X, Y, Z mean.
   table.add(
       NameEffect::TakesBlock, kJob,
