@@ -3,9 +3,6 @@
 
 #include "hmi/run_controller.h"
 
-#include <QDateTime>
-#include <QDir>
-#include <QStandardPaths>
 #include <algorithm>
 
 #include "gcode/nearest_move.h"

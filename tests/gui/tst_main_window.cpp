@@ -17,7 +17,6 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
-#include <QStandardPaths>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QUdpSocket>
@@ -31,6 +30,7 @@
 #include "base/units.h"
 #include "hmi/main_window.h"
 #include "opcua/error.h"
+#include "report/run_history.h"
 #include "streaming/methods/pause_placement.h"
 #include "support/patience.h"
 #include "support/simulated_control.h"
@@ -647,11 +647,9 @@ class TestMainWindow : public QObject {
     QVERIFY(report->integrity.executed < kScorpionPoints);
     picturePages(*m_window, QStringLiteral("stopped"));
 
-    const QDir runs(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
-                    QStringLiteral("/runs"));
-    const QStringList files = runs.entryList(QDir::Files, QDir::Name);
-    QVERIFY(!files.isEmpty());
-    const auto text = base::readFile(runs.filePath(files.last()).toStdString());
+    const auto kept = report::RunHistory().list().runs;
+    QVERIFY(!kept.empty() && kept.front().ownsRecording);
+    const auto text = base::readFile(kept.front().recording);
     QVERIFY(text);
     const auto recording = trace::parseRecording(*text);
     QVERIFY(recording);
