@@ -304,11 +304,11 @@ void MainWindow::buildMenu() {
   menu->addSeparator();
   m_languageMenu = menu->addMenu(QString());
   m_languages = new QActionGroup(this);
-  for (const Language& language : languages()) {
-    QAction* action = m_languageMenu->addAction(
-        language.name, this, [this, code = language.code] { setLanguage(code); });
+  for (const language::Language& one : language::languages()) {
+    QAction* action =
+        m_languageMenu->addAction(one.name, this, [this, code = one.code] { setLanguage(code); });
     action->setCheckable(true);
-    action->setChecked(m_translator.language() == language.code);
+    action->setChecked(m_translator.language() == one.code);
     m_languages->addAction(action);
   }
   m_themeMenu = menu->addMenu(QString());

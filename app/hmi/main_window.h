@@ -31,8 +31,8 @@
 #include "hmi/services.h"
 #include "hmi/settings.h"
 #include "hmi/traces.h"
-#include "hmi/translator.h"
 #include "hmi/users.h"
+#include "language/translator.h"
 #include "session/stream_session.h"
 
 class QAction;
@@ -157,7 +157,7 @@ class MainWindow final : public QMainWindow {
 
   Settings m_settings;
   bool m_persistent;
-  Translator m_translator;
+  language::Translator m_translator;
   Messages m_messages;
   Alarms m_alarms;
   Users m_users;

@@ -21,7 +21,7 @@ struct Settings {
   QString endpoint = QString::fromUtf8(opcua::kLocalEndpoint);
   QStringList recentFiles;
   QStringList services;  ///< addresses of those on the board of machines
-  QString language;      ///< one of `languages()`; empty: the system's
+  QString language;      ///< one of `language::languages()`; empty: the system's
   widgets::Theme theme = widgets::Theme::System;
   streaming::StreamSettings stream;
   live::Setup live;  ///< agreed last

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "base/file.h"
-#include "hmi/translator.h"
+#include "language/translator.h"
 
 namespace rivulet::trace_report {
 
@@ -22,7 +22,7 @@ struct PageApplication {
   char name[12] = "rivulet-cli";
   char* arguments[2] = {name, nullptr};
   std::unique_ptr<QGuiApplication> application;
-  hmi::Translator translator;
+  language::Translator translator;
 
   PageApplication() {
     if (QCoreApplication::instance() == nullptr) {

@@ -20,7 +20,7 @@
 #include "base/utc.h"
 #include "gui/look_check.h"
 #include "hmi/main_window.h"
-#include "hmi/translator.h"
+#include "language/translator.h"
 #include "opcua/error.h"
 #include "support/patience.h"
 #include "support/simulated_control.h"
@@ -69,7 +69,7 @@ std::vector<Look> looks() {
             {{1920, 1080}, Theme::Contrast, code("es")}};
   }
   QStringList languages{kPseudo};
-  for (const hmi::Language& language : hmi::languages()) {
+  for (const language::Language& language : language::languages()) {
     languages.append(language.code);
   }
   // The script sets the scale of the screen; at 150 and 200 % only FullHD is asked for.

@@ -6,10 +6,10 @@
 #include <QDir>
 #include <QTest>
 
-#include "hmi/translator.h"
+#include "language/translator.h"
 #include "support/test_program.h"
 
-using namespace rivulet::hmi;
+using namespace rivulet::language;
 
 class TestTranslator : public QObject {
   Q_OBJECT

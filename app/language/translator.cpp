@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "hmi/translator.h"
+#include "language/translator.h"
 
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <algorithm>
 
-namespace rivulet::hmi {
+namespace rivulet::language {
 
 const std::vector<Language>& languages() {
   static const std::vector<Language> all{
@@ -55,4 +55,4 @@ void Translator::setLanguage(const QString& language) {
   }
 }
 
-}  // namespace rivulet::hmi
+}  // namespace rivulet::language

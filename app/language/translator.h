@@ -12,7 +12,7 @@
 #include <QTranslator>
 #include <vector>
 
-namespace rivulet::hmi {
+namespace rivulet::language {
 
 struct Language {
   QString code;  ///< as in the name of its file: "fr" of rivulet_fr.ts
@@ -43,4 +43,4 @@ class Translator {
   QString m_language;
 };
 
-}  // namespace rivulet::hmi
+}  // namespace rivulet::language
