@@ -122,8 +122,8 @@ std::string readMe(const job::Plan& plan, const job::JobPrograms& programs) {
       "The control executes {} blocks itself, and Rivulet streams {} stretches between them.\n"
       "Stop in Rivulet ends the job after the window in motion, or before the next block.\n"
       "Emergency stop, feed override and reset at the control work as always.\n\n",
-      programs.number, plan.program.name, programs.mainName, programs.loopFileName,
-      plan.program.name, programs.mainName, programs.loop.cells.run, programs.loop.cells.run,
+      programs.number, plan.program.name, programs.mainName, programs.loop.name, plan.program.name,
+      programs.mainName, programs.loop.cells.run, programs.loop.cells.run,
       programs.loop.cells.last(), plan.nativeCount(), plan.stretchCount());
   for (const job::FunctionUse& use : plan.functions) {
     text += job::describe(use) + '\n';
@@ -315,7 +315,7 @@ base::Result<void> JobCommand::writeFiles() const {
   std::filesystem::create_directories(folder, status);
   const std::array<std::pair<std::string, std::string>, 4> files{
       {{m_programs.mainName, m_programs.mainText},
-       {m_programs.loopFileName, m_programs.loop.text},
+       {m_programs.loop.name, m_programs.loop.text},
        {"README.txt", readMe(m_plan, m_programs)},
        {"job.json", report::planJson(m_plan).dump(2) + "\n"}}};
   for (const auto& [name, text] : files) {
@@ -578,7 +578,7 @@ Exit JobCommand::run() {
   }
   JobConsole console(m_options.stopAfterS, m_options.json, m_options.simulate);
   const streaming::WholeJobReport done = streaming::runWholeJob(
-      *m_connection.link, *m_connection.control, m_plan, m_settings, console, console,
+      *m_connection.link, *m_connection.control, m_plan, m_programs, m_settings, console, console,
       {m_restart ? m_restart->resume : std::nullopt, record.keeper(), record.writer(),
        record.start()});
   archive(done, record);

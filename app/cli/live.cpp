@@ -22,7 +22,7 @@
 #include "sources/open_source.h"
 #include "streaming/run/job.h"
 #include "streaming/simulation/template_proof.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::cli {
 
@@ -101,6 +101,7 @@ class LiveCommand {
   const StreamOptions& m_options;
   live::Setup m_setup;
   streaming::RunSettings m_settings;
+  templates::FlexibleProgram m_flexible;
   std::unique_ptr<live::Source> m_source;
   Connection m_connection;
 };
@@ -132,8 +133,12 @@ Result<void> LiveCommand::plan() {
   if (m_options.point.feedMmPerMin <= 0.0) {
     m_settings.feedMmPerS = base::mmPerSFromMmPerMin(m_setup.agreement.feedMmPerMinMax);
   }
-  const auto cells = templates::planCells(m_settings.parameters);
-  return cells ? Result<void>() : Result<void>(base::fail(cells.error()));
+  auto flexible = templates::makeProgram(m_settings.parameters);
+  if (!flexible) {
+    return base::fail(flexible.error());
+  }
+  m_flexible = std::move(*flexible);
+  return {};
 }
 
 Result<void> LiveCommand::connect() {
@@ -153,7 +158,7 @@ Result<void> LiveCommand::connect() {
     return {};
   }
   m_settings.origin = report::thisUser();
-  return streaming::requireProven(m_settings.parameters);
+  return streaming::requireProven(m_flexible);
 }
 
 run::RunFacts LiveCommand::facts() const {
@@ -178,8 +183,9 @@ Exit LiveCommand::run() {
   streaming::RunReport done;
   {
     LiveConsole console(m_options.stopAfterS);
-    done = streaming::runLive(link, *m_connection.control, m_source->name(), points, m_settings,
-                              console, console, {record.writer(), record.start(), nullptr});
+    done = streaming::runLive(link, *m_connection.control, m_source->name(), points, m_flexible,
+                              m_settings, console, console,
+                              {record.writer(), record.start(), nullptr});
   }
   m_source.reset();  // the sender hears the end
   record.finish(done, {points.points()});

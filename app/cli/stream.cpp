@@ -40,7 +40,7 @@
 #include "streaming/setup/commissioning.h"
 #include "streaming/simulation/template_proof.h"
 #include "streaming/start/start_policy.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::cli {
 
@@ -250,14 +250,9 @@ void print(const streaming::RunReport& report, const CalibrationChoice& calibrat
 
 /// Writes the flexible program to a file and prints what to do with it.
 base::Result<void> printSteps(const StreamOptions& options,
-                              const templates::TemplateParameters& parameters) {
-  const auto text = templates::generateTemplate(parameters);
-  if (!text) {
-    return base::fail(text.error());
-  }
-  const std::string name = templates::templateFileName(parameters);
-  const std::string path = options.programFile.empty() ? name : options.programFile;
-  if (const auto written = base::writeFile(path, *text); !written) {
+                              const templates::FlexibleProgram& program) {
+  const std::string path = options.programFile.empty() ? program.name : options.programFile;
+  if (const auto written = base::writeFile(path, program.text); !written) {
     return base::fail(written.error());
   }
   fmt::print(stderr,
@@ -265,8 +260,7 @@ base::Result<void> printSteps(const StreamOptions& options,
              "change it.\n2. Select it in channel 1.\n3. Press cycle start. It waits; the axes "
              "move only after Rivulet has found the\n   layout number {} in R{}.\nRivulet waits up "
              "to {:.0f} s from now on.\n",
-             path, name, templates::layoutNumber(parameters),
-             templates::planCells(parameters)->layout,
+             path, program.name, program.layoutNumber, program.cells.layout,
              base::toSeconds(streaming::RunSettings{}.startDeadline));
   return {};
 }
@@ -295,6 +289,7 @@ class StreamCommand {
   const StreamOptions& m_options;
   gcode::Program m_program;
   streaming::RunSettings m_settings;
+  templates::FlexibleProgram m_flexible;  ///< of the settings, once the machine is known
   std::optional<CorrectionSource> m_source;
   Connection m_connection;
   CalibrationChoice m_calibrated;
@@ -314,9 +309,8 @@ base::Result<void> StreamCommand::prepare() {
                         "Stopped before the run was started. Nothing has moved.");
     }
   }
-  return m_settings.transfer == streaming::TransferWay::ByHand
-             ? printSteps(m_options, m_settings.parameters)
-             : base::Result<void>();
+  return m_settings.transfer == streaming::TransferWay::ByHand ? printSteps(m_options, m_flexible)
+                                                               : base::Result<void>();
 }
 
 base::Result<void> StreamCommand::load() {
@@ -346,10 +340,7 @@ base::Result<void> StreamCommand::load() {
   if (base::Result<void> taken = takeFeeds(); !taken) {
     return taken;
   }
-  if (const auto cells = templates::planCells(m_settings.parameters); !cells) {
-    return base::fail(cells.error());
-  }
-  return {};
+  return templates::requireProgram(m_settings.parameters);
 }
 
 /// One feed for all moves, or those of the program within the limits of the machine.
@@ -432,11 +423,12 @@ base::Result<void> StreamCommand::connect() {
     }
   }
   planFeeds();
-  if (const auto cells = templates::planCells(m_settings.parameters); !cells) {
-    return base::fail(cells.error());
+  auto flexible = templates::makeProgram(m_settings.parameters);
+  if (!flexible) {
+    return base::fail(flexible.error());
   }
-  return m_options.simulate ? base::Result<void>()
-                            : streaming::requireProven(m_settings.parameters);
+  m_flexible = std::move(*flexible);
+  return m_options.simulate ? base::Result<void>() : streaming::requireProven(m_flexible);
 }
 
 base::Result<void> StreamCommand::judge() {
@@ -551,8 +543,9 @@ Exit StreamCommand::run() {
   streaming::RunReport done;
   {
     ConsoleSink sink;  // takes its line away at the end
-    done = streaming::runJob(*m_connection.link, *m_connection.control, m_program, m_settings,
-                             orders, sink, {record.writer(), record.start(), record.keeper()});
+    done = streaming::runJob(*m_connection.link, *m_connection.control, m_program, m_flexible,
+                             m_settings, orders, sink,
+                             {record.writer(), record.start(), record.keeper()});
   }
   const base::Vec3 startMm = done.checkpoint ? done.checkpoint->startMm : base::Vec3{};
   const auto path = gcode::streamPoints(m_program.trajectory, startMm).points;

@@ -12,7 +12,7 @@
 #include "machine/config.h"
 #include "platform/log.h"
 #include "streaming/simulation/template_proof.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 #include "templates/lint/lint.h"
 
 namespace rivulet::cli {
@@ -67,17 +67,16 @@ void print(std::FILE* out, const TemplateProof& proof, bool verified, bool sound
 }
 
 /// The lint alone, or together with the runs of the proof.
-base::Result<TemplateProof> lookAt(const std::string& text,
-                                   const templates::TemplateParameters& parameters,
+base::Result<TemplateProof> lookAt(const std::string& text, const templates::FlexibleProgram& meant,
                                    const TemplateOptions& options) {
   if (options.verify) {
     const auto machine = machine::loadPreset(options.preset);
     if (!machine) {
       return base::fail(machine.error());
     }
-    return streaming::proveTemplate(text, parameters, *machine);
+    return streaming::proveTemplate(text, meant, *machine);
   }
-  auto findings = templates::lintProgram(text, parameters);
+  auto findings = templates::lintProgram(text, meant);
   if (!findings) {
     return base::fail(findings.error());
   }
@@ -89,12 +88,12 @@ bool isSound(const TemplateProof& proof, bool verified) {
 }
 
 /// A program from a file, maybe written by hand.
-Exit lintFile(const templates::TemplateParameters& parameters, const TemplateOptions& options) {
+Exit lintFile(const templates::FlexibleProgram& meant, const TemplateOptions& options) {
   const base::Result<std::string> text = base::readFile(options.lint);
   if (!text) {
     return reportError(text.error(), options.json);
   }
-  const base::Result<TemplateProof> proof = lookAt(*text, parameters, options);
+  const base::Result<TemplateProof> proof = lookAt(*text, meant, options);
   if (!proof) {
     return reportError(proof.error(), options.json);
   }
@@ -114,17 +113,17 @@ Exit lintFile(const templates::TemplateParameters& parameters, const TemplateOpt
 Exit makeTemplate(const TemplateOptions& options) {
   templates::TemplateParameters parameters = options.point.parameters();
   parameters.rParameterCount = options.rParameterCount;
+  const auto program = templates::makeProgram(parameters);
+  if (!program) {
+    return reportError(program.error(), options.json);
+  }
   if (!options.lint.empty()) {
-    return lintFile(parameters, options);
+    return lintFile(*program, options);
   }
-  const auto cells = templates::planCells(parameters);
-  const auto text = templates::generateTemplate(parameters);
-  if (!cells || !text) {
-    return reportError(cells ? text.error() : cells.error(), options.json);
-  }
+  const templates::CellMap& cells = program->cells;
   std::optional<TemplateProof> proof;
   if (options.verify) {
-    base::Result<TemplateProof> seen = lookAt(*text, parameters, options);
+    base::Result<TemplateProof> seen = lookAt(program->text, *program, options);
     if (!seen) {
       return reportError(seen.error(), options.json);
     }
@@ -135,56 +134,56 @@ Exit makeTemplate(const TemplateOptions& options) {
     log::logger().warn(templates::requireTried(parameters.target).error().text());
   }
   if (!options.output.empty() && sound) {
-    if (const auto written = base::writeFile(options.output, *text); !written) {
+    if (const auto written = base::writeFile(options.output, program->text); !written) {
       return reportError(written.error(), options.json);
     }
   }
   if (options.json) {
     nlohmann::ordered_json numbers;
     if (base::hasWindows(parameters.method)) {
-      numbers = {{"run", cells->run},
-                 {"delivered", cells->delivered},
-                 {"latched", cells->latched},
-                 {"executed", cells->executed},
-                 {"layout", cells->layout},
-                 {"state", cells->state},
-                 {"client", cells->client},
-                 {"owner", cells->owner},
-                 {"heartbeat", cells->heartbeat},
-                 {"windows", cells->windows}};
-      if (cells->files > 0) {
-        numbers["asked"] = cells->asked;
+      numbers = {{"run", cells.run},
+                 {"delivered", cells.delivered},
+                 {"latched", cells.latched},
+                 {"executed", cells.executed},
+                 {"layout", cells.layout},
+                 {"state", cells.state},
+                 {"client", cells.client},
+                 {"owner", cells.owner},
+                 {"heartbeat", cells.heartbeat},
+                 {"windows", cells.windows}};
+      if (cells.files > 0) {
+        numbers["asked"] = cells.asked;
       } else {
-        numbers["first_window"] = cells->windowCount(0);
-        numbers["window_stride"] = cells->windowStride;
-        numbers["slot_stride"] = cells->slotStride;
+        numbers["first_window"] = cells.windowCount(0);
+        numbers["window_stride"] = cells.windowStride;
+        numbers["slot_stride"] = cells.slotStride;
       }
-      if (cells->corrects()) {
-        numbers["correction"] = cells->correction;
+      if (cells.corrects()) {
+        numbers["correction"] = cells.correction;
       }
     } else {
-      numbers = {{"signal", cells->signal},
-                 {"run", cells->run},
-                 {"stop", cells->stop},
-                 {"feed", cells->feed},
-                 {"layout", cells->layout},
-                 {"first_slot", cells->firstSlot},
-                 {"slot_stride", cells->slotStride}};
+      numbers = {{"signal", cells.signal},
+                 {"run", cells.run},
+                 {"stop", cells.stop},
+                 {"feed", cells.feed},
+                 {"layout", cells.layout},
+                 {"first_slot", cells.firstSlot},
+                 {"slot_stride", cells.slotStride}};
     }
-    nlohmann::ordered_json json{{"name", templates::templateFileName(parameters)},
-                                {"layout_number", templates::layoutNumber(parameters)},
-                                {"r_parameters", cells->last() + 1},
+    nlohmann::ordered_json json{{"name", program->name},
+                                {"layout_number", program->layoutNumber},
+                                {"r_parameters", cells.last() + 1},
                                 {"tried", templates::isTried(parameters.target)},
                                 {"cells", numbers},
                                 {"file", options.output},
-                                {"text", *text}};
+                                {"text", program->text}};
     if (proof) {
       json["sound"] = sound;
       json["verdict"] = jsonOf(*proof, true);
     }
     printJson(json);
   } else if (options.output.empty()) {
-    fmt::print("{}", *text);
+    fmt::print("{}", program->text);
   }
   if (proof && !options.json) {
     print(options.output.empty() ? stderr : stdout, *proof, true, sound);

@@ -18,7 +18,6 @@
 #include "report/known_machine.h"
 #include "report/operating_point.h"
 #include "streaming/control/access_policy.h"
-#include "templates/generator.h"
 
 namespace rivulet::hmi {
 
@@ -506,8 +505,9 @@ std::string Document::rehearsalKey() const {
   const feasibility::OperatingPoint& point = m_findings.operatingPoint;
   return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", program()->hash, points().size(),
                      m_view->startMm.x, m_view->startMm.y, m_view->startMm.z,
-                     m_findings.templateText, point.feedMmPerS, m_settings.usesProgramFeeds(),
-                     point.deltaMm, static_cast<int>(m_settings.access),
+                     m_findings.flexible ? m_findings.flexible->layoutNumber : 0, point.feedMmPerS,
+                     m_settings.usesProgramFeeds(), point.deltaMm,
+                     static_cast<int>(m_settings.access),
                      static_cast<const void*>(m_source.isUsed() ? m_source.record.get() : nullptr));
 }
 

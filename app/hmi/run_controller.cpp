@@ -10,7 +10,6 @@
 #include "job/main_program.h"
 #include "live/setup.h"
 #include "report/run_history.h"
-#include "templates/generator.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/note_text.h"
@@ -529,13 +528,14 @@ void RunController::announceStart(const streaming::RunSettings& settings,
           .arg(widgets::lengthText(lengthMm));
     });
   }
-  if (settings.transfer == streaming::TransferWay::ByHand) {
-    m_messages.show(Severity::Note, [parameters = settings.parameters] {
+  const auto& flexible = m_document.findings().flexible;
+  if (settings.transfer == streaming::TransferWay::ByHand && flexible) {
+    m_messages.show(Severity::Note, [flexible] {
       return tr("Save the template on its page as %1, copy it to the part programs of the control, "
                 "select it in channel 1 and press cycle start. The axes move only after the "
                 "template has shown its layout number %2.")
-          .arg(QString::fromStdString(templates::templateFileName(parameters)))
-          .arg(templates::layoutNumber(parameters));
+          .arg(QString::fromStdString(flexible->name))
+          .arg(flexible->layoutNumber);
     });
   }
 }
@@ -555,8 +555,10 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
   }
   Q_EMIT updated(m_update);
   if (isNewState && isMoving) {
-    m_machine.showRunning(QString::fromStdString(
-        m_job ? m_job->program : templates::templateFileName(m_document.parameters())));
+    const auto& flexible = m_document.findings().flexible;
+    m_machine.showRunning(QString::fromStdString(m_job      ? m_job->program
+                                                 : flexible ? flexible->name
+                                                            : ""));
   }
   if (update.sample) {
     takeSample(*update.sample, origin);

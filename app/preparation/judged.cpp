@@ -9,7 +9,6 @@
 
 #include "report/operating_point.h"
 #include "streaming/control/access_policy.h"
-#include "templates/generator.h"
 
 namespace rivulet::preparation {
 
@@ -77,13 +76,10 @@ Judged judge(const overview::ProgramView* view, const streaming::RunSettings& se
              const feasibility::AccessModel& access, std::optional<base::Error> problem) {
   Judged found;
   const feasibility::OperatingPoint point = report::operatingPointOf(settings);
-  const auto cells = templates::planCells(settings.parameters);
-  const auto text = templates::generateTemplate(settings.parameters);
-  if (cells && text) {
-    found.cells = *cells;
-    found.templateText = *text;
+  if (auto flexible = templates::makeProgram(settings.parameters)) {
+    found.flexible = std::make_shared<const templates::FlexibleProgram>(std::move(*flexible));
   } else {
-    found.settingsError = cells ? text.error() : cells.error();
+    found.settingsError = flexible.error();
   }
   if (problem) {
     found.settingsError = std::move(problem);

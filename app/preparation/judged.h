@@ -16,6 +16,7 @@
 #include "streaming/run/run.h"
 #include "streaming/setup/calibration_record.h"
 #include "streaming/start/stream_settings.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::preparation {
 
@@ -33,8 +34,8 @@ namespace rivulet::preparation {
                                                       streaming::StreamSettings settings);
 
 struct Judged {
-  std::optional<templates::CellMap> cells;
-  std::string templateText;                  ///< empty: see `settingsError`
+  /// What the control would run; null: see `settingsError`.
+  std::shared_ptr<const templates::FlexibleProgram> flexible;
   std::optional<base::Error> settingsError;  ///< why no flexible program or verdict can be had
   std::optional<feasibility::ProgramDistances> distances;
   std::optional<feasibility::Verdict> verdict;

@@ -11,7 +11,7 @@
 #include "live/error.h"
 #include "opcua/error.h"
 #include "report/report_json.h"
-#include "templates/generator.h"
+#include "templates/cells.h"
 
 namespace rivulet::report {
 

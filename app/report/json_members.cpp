@@ -87,7 +87,7 @@ streaming::RunSettings runSettingsOf(Members& members) {
   readNamed(members, "/settings/passed_by", settings.passedBy, streaming::passedByFromName);
   readNamed(members, "/settings/grouping", settings.grouping, opcua::groupingFromName);
   members.ifThere("/settings/monitor", settings.monitor, flag);
-  if (members.bad().empty() && !templates::planCells(parameters)) {
+  if (members.bad().empty() && !templates::requireProgram(parameters)) {
     members.refuse("/settings");
   }
   if (members.has("/started_by")) {

@@ -156,7 +156,8 @@ void findAdvice(StreamQuality& quality, const Question& question,
   for (int count = 2; count <= kPointsMax; ++count) {
     Question other = question;
     other.parameters.pointsPerLoop = other.point.pointsPerLoop = count;
-    const double feed = templates::planCells(other.parameters) ? largestFeed(other, points) : 0.0;
+    const double feed =
+        templates::requireProgram(other.parameters) ? largestFeed(other, points) : 0.0;
     if (feed > bestFeed) {
       bestFeed = feed;
       bestPoints = count;

@@ -22,7 +22,7 @@
 #include "streaming/run/job_count.h"
 #include "streaming/run/whole_job.h"
 #include "streaming/simulation/template_proof.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 #include "trace/recording.h"
 
 namespace rivulet::session {
@@ -597,33 +597,30 @@ base::Result<void> SessionWorker::askAgain(const StartCommand& command) {
 }
 
 base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
+                                              const templates::FlexibleProgram& flexible,
                                               streaming::RunSink& sink) {
-  const auto text = templates::generateTemplate(command.settings.parameters);
-  if (!text) {
-    return base::fail(text.error());
-  }
-  if (m_proven != *text) {
+  if (m_proven != flexible.text) {
     streaming::LiveUpdate update;
     update.state = streaming::RunState::Armed;
     update.waitingFor = "proof";
     sink.update(update);
-    if (base::Result<void> proven = streaming::requireProven(command.settings.parameters);
-        !proven) {
+    if (base::Result<void> proven = streaming::requireProven(flexible); !proven) {
       return proven;
     }
-    m_proven = *text;
+    m_proven = flexible.text;
   }
   return command.resumes ? askAgain(command) : base::Result<void>();
 }
 
 SessionWorker::Done SessionWorker::runMotion(const StartCommand& command,
+                                             const templates::FlexibleProgram& flexible,
                                              const streaming::RunSettings& settings,
                                              Requests& requests, run::RunRecord& record) {
   Sink sink(*this);
   Done done;
-  done.report =
-      streaming::runJob(*m_connection.link, *m_connection.control, *command.program, settings,
-                        requests, sink, {record.writer(), record.start(), record.keeper()});
+  done.report = streaming::runJob(*m_connection.link, *m_connection.control, *command.program,
+                                  flexible, settings, requests, sink,
+                                  {record.writer(), record.start(), record.keeper()});
   done.points = pathOf(*command.program, done.report);
   return done;
 }
@@ -632,13 +629,19 @@ SessionWorker::Done SessionWorker::runWholeJob(const StartCommand& command,
                                                const streaming::RunSettings& settings,
                                                Requests& requests, run::RunRecord& record) {
   const auto programs = job::makePrograms(*command.plan, settings.parameters);
+  if (!programs) {
+    Done done;
+    done.report.error = programs.error();
+    done.report.settings = settings;
+    return done;
+  }
   const auto resume = command.restart ? command.restart->resume : std::nullopt;
   const streaming::JobCount count(command.stretchStarts, command.points,
                                   resume ? command.restart->stretch : 0,
                                   resume ? resume->point : 0);
-  JobSink sink(*this, count, programs ? programs->mainName : std::string());
+  JobSink sink(*this, count, programs->mainName);
   const streaming::WholeJobReport job = streaming::runWholeJob(
-      *m_connection.link, *m_connection.control, *command.plan, settings, requests, sink,
+      *m_connection.link, *m_connection.control, *command.plan, *programs, settings, requests, sink,
       {resume, record.keeper(), record.writer(), record.start()});
   Done done{count.reportOf(job, settings, command.program->name), {}, job.times, job.tools};
   done.points = pathOf(*command.program, done.report);
@@ -660,14 +663,15 @@ void SessionWorker::listen(const std::string& address) {
 }
 
 SessionWorker::Done SessionWorker::runLive(const StartCommand& command,
+                                           const templates::FlexibleProgram& flexible,
                                            const streaming::RunSettings& settings,
                                            Requests& requests, run::RunRecord& record) {
   live::PointStream points(*m_source, command.live->agreement, command.live->limits);
   LiveSink sink(*this, points);
   Done done;
-  done.report =
-      streaming::runLive(*m_connection.link, *m_connection.control, command.program->name, points,
-                         settings, requests, sink, {record.writer(), record.start(), nullptr});
+  done.report = streaming::runLive(*m_connection.link, *m_connection.control, command.program->name,
+                                   points, flexible, settings, requests, sink,
+                                   {record.writer(), record.start(), nullptr});
   sink.finish();
   done.points = points.points();
   return done;
@@ -699,7 +703,9 @@ void SessionWorker::start(const StartCommand& command) {
   }
   Sink sink(*this);
   Requests requests(*this);
-  base::Result<void> clear = checkBefore(command, sink);
+  const auto flexible = templates::makeProgram(command.settings.parameters);
+  base::Result<void> clear =
+      flexible ? checkBefore(command, *flexible, sink) : base::fail(flexible.error());
   if (clear && command.live && !m_source) {
     clear = base::fail(live::LiveError::NotOpened, "The live source is not open. Open it again.",
                        command.live->address);
@@ -719,9 +725,9 @@ void SessionWorker::start(const StartCommand& command) {
   streaming::RunSettings settings = command.settings;
   settings.isCommissioned = hasPassedCreditTest(settings);
   settings.origin = report::thisUser();
-  Done done = command.live   ? runLive(command, settings, requests, record)
+  Done done = command.live   ? runLive(command, *flexible, settings, requests, record)
               : command.plan ? runWholeJob(command, settings, requests, record)
-                             : runMotion(command, settings, requests, record);
+                             : runMotion(command, *flexible, settings, requests, record);
   record.finish(done.report, {done.points, done.jobTimes, done.tools});
   m_seen = {};
   m_looksForLeft = true;

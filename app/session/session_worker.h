@@ -69,13 +69,17 @@ class SessionWorker {
     std::optional<streaming::JobTimes> jobTimes{};  ///< of a whole job
     std::vector<trace::ToolUse> tools{};            ///< of a whole job
   };
-  [[nodiscard]] Done runMotion(const StartCommand& command, const streaming::RunSettings& settings,
-                               Requests& requests, run::RunRecord& record);
+  [[nodiscard]] Done runMotion(const StartCommand& command,
+                               const templates::FlexibleProgram& flexible,
+                               const streaming::RunSettings& settings, Requests& requests,
+                               run::RunRecord& record);
   [[nodiscard]] Done runWholeJob(const StartCommand& command,
                                  const streaming::RunSettings& settings, Requests& requests,
                                  run::RunRecord& record);
-  [[nodiscard]] Done runLive(const StartCommand& command, const streaming::RunSettings& settings,
-                             Requests& requests, run::RunRecord& record);
+  [[nodiscard]] Done runLive(const StartCommand& command,
+                             const templates::FlexibleProgram& flexible,
+                             const streaming::RunSettings& settings, Requests& requests,
+                             run::RunRecord& record);
   void listen(const std::string& address);
   [[nodiscard]] run::RunFacts factsOf(const StartCommand& command) const;
   void answer(const ResumeQuestion& question);
@@ -83,6 +87,7 @@ class SessionWorker {
   [[nodiscard]] base::Result<void> askAgain(const StartCommand& command);
   /// Checks that are possible only now, right before a start. The template is proved once per kind.
   [[nodiscard]] base::Result<void> checkBefore(const StartCommand& command,
+                                               const templates::FlexibleProgram& flexible,
                                                streaming::RunSink& sink);
   void calibrate(const CalibrateCommand& command);
   void commission(const CommissionCommand& command);

@@ -201,11 +201,11 @@ class MainWriter final : public PlanWriter {
     line("; RIVULET JOB {}: {} OF {}", m_number, plan().program.hash, plan().program.name);
     line("; {} stretches are streamed by the client, {} blocks are executed here.",
          plan().stretchCount(), plan().nativeCount());
-    line("; Do not edit: the client relies on every line. Needs {}.SPF.", m_loop.name);
+    line("; Do not edit: the client relies on every line. Needs {}.", m_loop.name);
     line("; Nothing moves before the client has connected.");
-    line("EXTERN {}(REAL,REAL,REAL)", m_loop.name);
+    line("EXTERN {}(REAL,REAL,REAL)", subprogramName(m_loop));
     line("DEF REAL RIV_RUN");
-    line("{}({},0,0)", m_loop.name, m_number);
+    line("{}({},0,0)", subprogramName(m_loop), m_number);
     line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
          static_cast<int>(templates::WindowState::Done));
     line("RIV_RUN=R{}", m_loop.cells.owner);
@@ -218,7 +218,7 @@ class MainWriter final : public PlanWriter {
     cancelOverride();
     line("STOPRE");
     line("R{}={}", blockCell(m_loop), -m_due);
-    line("{}({},{},RIV_RUN+{})", m_loop.name, m_number, stretch.number, stretch.number);
+    line("{}({},{},RIV_RUN+{})", subprogramName(m_loop), m_number, stretch.number, stretch.number);
     line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
          static_cast<int>(templates::WindowState::Done));
     line("R{}=0", blockCell(m_loop));
@@ -508,7 +508,7 @@ base::Result<JobPrograms> makePrograms(const Plan& plan,
   if (base::Result<void> whole = requireWhole(plan); !whole) {
     return base::fail(whole.error());
   }
-  base::Result<templates::JobLoop> loop = templates::generateJobLoop(parameters);
+  base::Result<templates::JobLoop> loop = templates::makeJobLoop(parameters);
   if (!loop) {
     return base::fail(loop.error());
   }
@@ -518,7 +518,6 @@ base::Result<JobPrograms> makePrograms(const Plan& plan,
   programs.number = 1 + static_cast<int>(base::hashOf(unnumbered + loop->text) % kNumbers);
   programs.mainName = fmt::format("RIVJOB_{}.MPF", programs.number);
   programs.mainText = MainWriter(plan, *loop, programs.number).write();
-  programs.loopFileName = loop->name + ".SPF";
   programs.loop = std::move(*loop);
   return programs;
 }

@@ -35,7 +35,6 @@ struct JobPrograms {
   int number = 0;        ///< of the job: a hash of both texts
   std::string mainName;  ///< "RIVJOB_123.MPF"
   std::string mainText;
-  std::string loopFileName;  ///< "RIVLOOP_123.SPF"
   templates::JobLoop loop;
 };
 
@@ -43,9 +42,9 @@ struct JobPrograms {
 /// TooManyStretches
 [[nodiscard]] base::Result<void> requireWhole(const Plan& plan);
 
-/// @param parameters  see `templates::generateJobLoop`
+/// @param parameters  see `templates::makeJobLoop`
 /// @return NotWhole, ReadsVariables, IncrementInFrame, TooManyStretches, or the errors of
-/// `generateJobLoop`
+/// `makeJobLoop`
 [[nodiscard]] base::Result<JobPrograms> makePrograms(
     const Plan& plan, const templates::TemplateParameters& parameters);
 

@@ -139,6 +139,9 @@ int correctionSteps(const WindowSettings& settings) {
   return static_cast<int>(std::lround(steps * kStepsPerMm));
 }
 
+namespace {
+
+/// Whether the cells fit the control or not.
 base::Result<CellMap> planCellsAnywhere(const TemplateParameters& parameters) {
   const MethodTemplate& method = methodTemplate(parameters);
   const int axes = axisCount(parameters);
@@ -185,6 +188,8 @@ base::Result<CellMap> planCellsAnywhere(const TemplateParameters& parameters) {
   }
   return method.cells(parameters);
 }
+
+}  // namespace
 
 base::Result<CellMap> planCells(const TemplateParameters& parameters) {
   base::Result<CellMap> plan = planCellsAnywhere(parameters);

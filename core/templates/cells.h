@@ -206,10 +206,6 @@ struct CellMap : LoopCells, WindowCells, FileCells {
 [[nodiscard]] base::Result<void> chooseAxes(TemplateParameters& parameters,
                                             std::string_view letters);
 
-/// Plans all cells. @return DoesNotFit (the message names the MD28050 value that would be enough),
-/// TooFewPointsPerLoop, NoAxis, TooManyAxes, RotaryNeedsWindow, BadCorrection
-[[nodiscard]] base::Result<CellMap> planCells(const TemplateParameters& parameters);
-
 /// Largest N that fits. 0 if none does.
 [[nodiscard]] int pointsPerLoopMax(const TemplateParameters& parameters);
 

@@ -15,7 +15,7 @@ namespace rivulet::templates {
 
 /// Finds all pairs of motion blocks (G1) of which the second can follow the first without a STOPRE
 /// between them, by lines, jumps and labels. Between all other pairs the axes stop. Ascending.
-/// @param program  as `generateTemplate` writes it  @return empty: it has no STOPRE or no motion
+/// @param program  text of a flexible program  @return empty: it has no STOPRE or no motion
 [[nodiscard]] std::vector<base::Continuation> continuationsOf(std::string_view program);
 
 }  // namespace rivulet::templates

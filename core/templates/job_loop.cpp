@@ -5,74 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "templates/generator.h"
-#include "templates/methods/window.h"
+#include <utility>
+
+#include "templates/method_template.h"
 
 namespace rivulet::templates {
 
 namespace {
-
-/// Passes of 20 ms or more in which the client neither lets the job go on nor gives a sign of life.
-constexpr int kSilentPassesMax = 1000;
-
-int callCellOf(const CellMap& cells) {
-  return cells.layout - WindowProtocol::Layout + WindowProtocol::Asked;
-}
-
-std::string loopName(const TemplateParameters& parameters) {
-  return fmt::format("RIVLOOP_{}", layoutNumber(parameters));
-}
-
-/// A method's program as a subprogram.
-template <class Base>
-class SubprogramTemplate final : public Base {
- public:
-  explicit SubprogramTemplate(std::string name) : m_name(std::move(name)) {}
-
- protected:
-  [[nodiscard]] std::string_view endWord() const override { return "M17"; }
-
-  void writeHead(Listing& out) const override {
-    out.line("PROC {}(REAL RIV_JOB,REAL RIV_STR,REAL RIV_RUN)", m_name);
-    out.line(
-        "; Called by the main program of a whole job: number of the job, of the stretch, and of");
-    out.line("; the run to be obeyed. Stretch 0 waits for the client and moves nothing.");
-  }
-
-  /// The number comes last: who sees it knows that the cells are those of this stretch.
-  void writeReady(Listing& out, const CellMap& cells) const override {
-    out.line("RIV_OWN=RIV_RUN");
-    out.line("R{}=RIV_OWN", cells.owner);
-    out.line("R{}=RIV_JOB*{}+RIV_STR", callCellOf(cells), JobProtocol::kStretchesMax + 1);
-  }
-
-  void writeLeaving(Listing& out, const CellMap& cells) const override {
-    out.line("IF (RIV_STR==0) AND (R{}=={}) AND (RIV_OWN>0) GOTOF RIV_RETURN", cells.run,
-             WindowProtocol::kRun);
-  }
-
-  /// The client has to see that the stretch was executed before the control goes on.
-  void writeDone(Listing& out, const CellMap& cells) const override {
-    out.line("RIV_IDLE=0");
-    out.line("RIV_EXECUTED:");
-    out.line("STOPRE");
-    out.line("IF R{}==RIV_STR+{} GOTOF RIV_RETURN", cells.run, JobProtocol::goOn(0));
-    out.line("IF R{}=={} GOTOF RIV_STOPPED", cells.run, WindowProtocol::kEnd);
-    out.line("IF R{}==RIV_BEAT GOTOF RIV_ASLEEP", cells.heartbeat);
-    out.line("RIV_BEAT=R{} RIV_IDLE=0", cells.heartbeat);
-    out.line("RIV_ASLEEP:");
-    out.line("RIV_IDLE=RIV_IDLE+1");
-    out.line("IF RIV_IDLE>{} GOTOF RIV_LOST", kSilentPassesMax);
-    out.line("G4 F0.02");
-    out.line("GOTOB RIV_EXECUTED");
-    out.line("RIV_RETURN:");
-    out.line("R{}={}", cells.state, static_cast<int>(WindowState::Done));
-    out.line("R{}=-RIV_JOB*{}-RIV_STR", callCellOf(cells), JobProtocol::kStretchesMax + 1);
-  }
-
- private:
-  std::string m_name;
-};
 
 /// Where the loop moves, and where it waits after a stretch.
 void findLines(JobLoop& loop) {
@@ -96,28 +35,36 @@ void findLines(JobLoop& loop) {
 
 }  // namespace
 
-base::Result<JobLoop> generateJobLoop(const TemplateParameters& parameters) {
-  base::Result<CellMap> cells = planCells(parameters);
-  if (!cells) {
-    return base::fail(cells.error());
+std::string_view subprogramName(const JobLoop& loop) {
+  return std::string_view(loop.name).substr(0, loop.name.find('.'));
+}
+
+base::Result<JobLoop> makeJobLoop(const TemplateParameters& parameters) {
+  base::Result<FlexibleProgram> program = makeProgram(parameters);
+  if (!program) {
+    return base::fail(program.error());
   }
-  if (cells->corrects()) {
+  if (program->cells.corrects()) {
     return base::fail(
         TemplateError::BadCorrection,
         "A whole job has no online correction: its native blocks would take it along.");
   }
-  JobLoop loop;
-  loop.name = loopName(parameters);
-  loop.callCell = callCellOf(*cells);
-  const int number = layoutNumber(parameters);
-  if (parameters.method == base::MethodKind::Window) {
-    loop.text = SubprogramTemplate<WindowTemplate>(loop.name).program(parameters, *cells, number);
-  } else if (parameters.method == base::MethodKind::Credit) {
-    loop.text = SubprogramTemplate<CreditTemplate>(loop.name).program(parameters, *cells, number);
-  } else {
+  if (parameters.target != TargetControl::Sinumerik) {
+    return base::fail(
+        TemplateError::NotOnTarget,
+        fmt::format("A whole job runs on a SINUMERIK: there is no loop for {}. Stream "
+                    "the program as a single run.",
+                    targetTitle(parameters.target)));
+  }
+  const std::string name = fmt::format("RIVLOOP_{}", program->layoutNumber);
+  const auto method = methodTemplate(parameters).asSubprogram(name);
+  if (!method) {
     return base::fail(TemplateError::BadCells, "A whole job runs with method window or credit.");
   }
-  loop.cells = std::move(*cells);
+  JobLoop loop{std::move(*program), 0, {}, 0};
+  loop.name = name + ".SPF";
+  loop.callCell = JobProtocol::callCell(loop.cells);
+  loop.text = method->program(parameters, loop.cells, loop.layoutNumber);
   findLines(loop);
   return loop;
 }

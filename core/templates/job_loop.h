@@ -9,10 +9,11 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
-#include "templates/cells.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::templates {
 
@@ -37,14 +38,17 @@ struct JobProtocol {
   [[nodiscard]] static int stretchOf(double callNumber) {
     return static_cast<int>(std::fmod(std::abs(callNumber), kStretchesMax + 1));
   }
+  /// Of the call number.
+  [[nodiscard]] static constexpr int callCell(const CellMap& cells) {
+    return cells.layout - WindowProtocol::Layout + WindowProtocol::Asked;
+  }
   /// Of the run of a stretch. @param first  of the beginning
   [[nodiscard]] static constexpr int runNumber(int first, int stretch) { return first + stretch; }
 };
 
-struct JobLoop {
-  std::string name;  ///< of the subprogram, without ending
-  std::string text;
-  CellMap cells;
+/// The program on the control during each stretch. Its layout number is that of the program of its
+/// method, of which it is a variant.
+struct JobLoop : FlexibleProgram {
   int callCell = 0;  ///< NC: `JobProtocol::callNumber`, negative: executed
   /// Lines of `text` that move to a point, ascending, from 1.
   std::vector<std::uint32_t> motionLines;
@@ -52,8 +56,11 @@ struct JobLoop {
   std::uint32_t handoverLine = 0;
 };
 
-/// @param parameters  method window or credit, without online correction
-/// @return the errors of `planCells`, BadCorrection, BadCells for another method
-[[nodiscard]] base::Result<JobLoop> generateJobLoop(const TemplateParameters& parameters);
+/// The name of a loop as a subprogram: its file name without ending.
+[[nodiscard]] std::string_view subprogramName(const JobLoop& loop);
+
+/// @param parameters  method window or credit on a SINUMERIK, without online correction
+/// @return the errors of `requireProgram`, BadCorrection, NotOnTarget, BadCells for another method
+[[nodiscard]] base::Result<JobLoop> makeJobLoop(const TemplateParameters& parameters);
 
 }  // namespace rivulet::templates

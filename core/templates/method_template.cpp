@@ -21,7 +21,7 @@ const MethodTemplate& methodTemplate(const TemplateParameters& parameters) {
   static const TwinCatWindowTemplate twinCatWindow;
   static const IsgWindowTemplate isgWindow;
   const bool isLinuxCnc = parameters.target == TargetControl::LinuxCnc;
-  // Of other methods there is no program for these, see `planCellsAnywhere`.
+  // Of other methods there is no program for these, see `planCells`.
   if (parameters.target == TargetControl::TwinCat) {
     return twinCatWindow;
   }

@@ -3,10 +3,11 @@
 
 /// @file
 /// The part of a streaming method that runs on the control: its cells and its program. One class
-/// per method, in `methods/`; `methodTemplate` registers them. Other code uses `planCells` and
-/// `generateTemplate`. @threadsafety pure.
+/// per method, in `methods/`; `methodTemplate` registers them. Other code uses `makeProgram`.
+/// @threadsafety pure.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "templates/cells.h"
@@ -41,12 +42,17 @@ class MethodTemplate {
 
   /// Cells of the client's longest request during a run.
   [[nodiscard]] virtual int longestWrite(const TemplateParameters& parameters) const = 0;
+
+  /// The same program as the loop of a whole job; null: whole jobs do not run with this method.
+  [[nodiscard]] virtual std::unique_ptr<MethodTemplate> asSubprogram(std::string /*name*/) const {
+    return nullptr;
+  }
 };
 
 /// Of the parameters' method, for their make of control.
 [[nodiscard]] const MethodTemplate& methodTemplate(const TemplateParameters& parameters);
 
-/// As `planCells`, whether the cells fit the control or not.
-[[nodiscard]] base::Result<CellMap> planCellsAnywhere(const TemplateParameters& parameters);
+/// For `makeProgram`. @return the errors of `requireProgram`
+[[nodiscard]] base::Result<CellMap> planCells(const TemplateParameters& parameters);
 
 }  // namespace rivulet::templates

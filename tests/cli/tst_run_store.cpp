@@ -171,7 +171,7 @@ class TestRunStore : public QObject {
         const auto run = report::savedRunOf(bad, "file");
         // What is accepted can be used.
         if (run) {
-          QVERIFY2(templates::planCells(run->settings.parameters).has_value(),
+          QVERIFY2(templates::requireProgram(run->settings.parameters).has_value(),
                    place.to_string().c_str());
           QVERIFY(run->checkpoint.runNumber >= 1 && run->checkpoint.runNumber <= 999'999);
         } else {

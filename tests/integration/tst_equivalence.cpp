@@ -150,11 +150,11 @@ class TestEquivalence : public QObject {
     }
     QVERIFY(!virtualRun.writes.empty());
     // How often the heart beats is a matter of time, what is streamed is not.
-    const auto cells = templates::planCells(settings.parameters);
+    const templates::CellMap cells = templates::makeProgram(settings.parameters)->cells;
     const auto streamed = [&](const Seen& seen) {
       std::vector<std::pair<int, double>> writes;
       for (std::size_t i = 0; i < seen.writes.size(); ++i) {
-        if (cells->windows > 0 && seen.writes[i].first == cells->heartbeat) {
+        if (cells.windows > 0 && seen.writes[i].first == cells.heartbeat) {
           ++i;  // with the end of its request
         } else {
           writes.push_back(seen.writes[i]);

@@ -271,13 +271,14 @@ class TestWholeJob : public QObject {
     const QString text = QString::fromStdString(programs->mainText);
     const QString number = QString::number(programs->number);
     QVERIFY2(text.contains(QStringLiteral("T1 M6\n")), qPrintable(text));
-    QVERIFY2(text.contains(QStringLiteral("%1(%2,1,RIV_RUN+1)\n")
-                               .arg(QString::fromStdString(programs->loop.name), number)),
-             qPrintable(text));
+    QVERIFY2(
+        text.contains(QStringLiteral("%1(%2,1,RIV_RUN+1)\n")
+                          .arg(QString::fromStdString(programs->loop.name).remove(".SPF"), number)),
+        qPrintable(text));
     QVERIFY2(text.contains(
                  QStringLiteral("G710 DIAMOF\nTRANS X1\nG0 G17 G91 G710 DIAMOF G60 G94\nM8\n")),
              qPrintable(text));
-    const auto findings = templates::lintProgram(programs->loop.text, settingsOf().parameters);
+    const auto findings = templates::lintProgram(programs->loop.text, programs->loop);
     QVERIFY(findings.has_value());
     QVERIFY2(findings->empty(), findings->empty() ? "" : findings->front().message.c_str());
   }

@@ -11,7 +11,7 @@
 #include "base/units.h"
 #include "streaming/recovery/resume.h"
 #include "streaming/run/job.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::streaming {
 
@@ -88,7 +88,7 @@ class Exposure {
         m_machine(scenario.run.scenario.machine, scenario.run.scenario.seed),
         m_link(m_machine, scenario.faults, Random(scenario.run.scenario.seed).fork(31).bits()),
         m_random(Random(scenario.run.scenario.seed).fork(32)),
-        m_cells(*templates::planCells(m_settings.parameters)),
+        m_cells(templates::makeProgram(m_settings.parameters)->cells),
         m_isWindow(base::hasWindows(m_settings.parameters.method)) {}
 
   FaultEvidence run() {
@@ -309,14 +309,15 @@ class Exposure {
   std::string otherProgram() {
     templates::TemplateParameters parameters = m_settings.parameters;
     if (m_random.below(2) == 0) {
-      std::string text = *templates::generateTemplate(parameters);
-      const std::string number = fmt::format("={}\n", templates::layoutNumber(parameters));
+      std::string text = templates::makeProgram(parameters)->text;
+      const std::string number =
+          fmt::format("={}\n", templates::makeProgram(parameters)->layoutNumber);
       const std::size_t at = text.find(number);
       return text.replace(at, number.size(), "=17\n");
     }
     ++parameters.pointsPerLoop;
     parameters.rParameterCount += 100;
-    return *templates::generateTemplate(parameters);
+    return templates::makeProgram(parameters)->text;
   }
 
   const FaultScenario& m_scenario;

@@ -17,7 +17,7 @@
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 
 using namespace rivulet;
 using namespace std::chrono_literals;
@@ -47,10 +47,10 @@ templates::TemplateParameters correctedParameters(int points = 7) {
 struct Bench {
   explicit Bench(machine::MachineConfig config = *machine::loadPreset("dmu75"))
       : parameters(correctedParameters(2)),
-        cells(*templates::planCells(parameters)),
+        cells(templates::makeProgram(parameters)->cells),
         machine(std::move(config), 1) {
-    const std::string name = templates::templateFileName(parameters);
-    if (!machine.storeProgram(name, *templates::generateTemplate(parameters), true) ||
+    const std::string name = templates::makeProgram(parameters)->name;
+    if (!machine.storeProgram(name, templates::makeProgram(parameters)->text, true) ||
         !machine.selectProgram(name) || !machine.cycleStart()) {
       qFatal("the flexible program does not run: %s", machine.state().alarmText.c_str());
     }
@@ -206,7 +206,7 @@ class TestCorrection : public QObject {
   void wantedIsCutOffAndNoNumberChangesNothing() {
     templates::TemplateParameters parameters = correctedParameters();
     parameters.axes = {true, false, true};
-    streaming::CorrectionCells cells(*templates::planCells(parameters), parameters);
+    streaming::CorrectionCells cells(templates::makeProgram(parameters)->cells, parameters);
     QVERIFY(cells.exists());
     QCOMPARE(cells.nodeCount(), 2);
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -224,12 +224,13 @@ class TestCorrection : public QObject {
     cells.confirm();
     QCOMPARE(cells.value().confirmedMm, (Vec3{0.05, 0.0, 0.1}));
     parameters.correctionLimitMm = 0.0;
-    QVERIFY(!streaming::CorrectionCells(*templates::planCells(parameters), parameters).exists());
+    QVERIFY(!streaming::CorrectionCells(templates::makeProgram(parameters)->cells, parameters)
+                 .exists());
   }
 
   void writesAreRareAndNoneIsForgotten() {
     const templates::TemplateParameters parameters = correctedParameters();
-    streaming::CorrectionCells cells(*templates::planCells(parameters), parameters);
+    streaming::CorrectionCells cells(templates::makeProgram(parameters)->cells, parameters);
     const Instant begin{10s};
     QVERIFY(!cells.isDue(begin));
     cells.want({0.01, 0, 0}, begin);
@@ -254,7 +255,7 @@ class TestCorrection : public QObject {
   void overlayFollowsTheCellsWithinTheLimit() {
     Bench bench;
     QCOMPARE(bench.machine.ncRParameter(bench.cells.layout),
-             static_cast<double>(templates::layoutNumber(bench.parameters)));
+             static_cast<double>(templates::makeProgram(bench.parameters)->layoutNumber));
     QVERIFY(bench.isAt({}));
     bench.correct({0.1, -0.1, 0.03});
     QVERIFY(bench.isAt({0.1, -0.1, 0.03}));
@@ -288,12 +289,12 @@ class TestCorrection : public QObject {
     machine::MachineConfig config = *machine::loadPreset("dmu75");
     machine::Machine machine(config, 1);
     const templates::TemplateParameters parameters = correctedParameters(2);
-    const templates::CellMap cells = *templates::planCells(parameters);
+    const templates::CellMap cells = templates::makeProgram(parameters)->cells;
     for (const int cell : cells.correction) {
       machine.writeRParameter(cell, 0.08);
     }
     machine.advance(machine.now() + 100ms);
-    QVERIFY(machine.storeProgram("A.MPF", *templates::generateTemplate(parameters), true));
+    QVERIFY(machine.storeProgram("A.MPF", templates::makeProgram(parameters)->text, true));
     QVERIFY(machine.selectProgram("A.MPF"));
     QVERIFY(machine.cycleStart());
     for (int i = 0; i < 250; ++i) {
@@ -441,7 +442,7 @@ class TestCorrection : public QObject {
         step = static_cast<int>(base::toSeconds(at.time_since_epoch()) / 1.5);
         return Vec3{0.01 * (step % 7), 0.0, -0.01 * (step % 5)};
       };
-      const int cell = templates::planCells(correctedParameters())->correction[0];
+      const int cell = templates::makeProgram(correctedParameters())->cells.correction[0];
       std::vector<Instant> writes;
       world.link.onWrite = [&](base::RequestId, int written, double) {
         if (written == cell) {
@@ -569,7 +570,8 @@ class TestCorrection : public QObject {
     QVERIFY2(isReset && report.outcome == Outcome::Failed, about(report).c_str());
     world.machine.advance(world.machine.now() + 1s);
     if (y > 0.1) {
-      world.machine.writeRParameter(templates::planCells(settings.parameters)->correction[1], y);
+      world.machine.writeRParameter(
+          templates::makeProgram(settings.parameters)->cells.correction[1], y);
       world.machine.advance(world.machine.now() + 1s);
     }
     const auto resume = streaming::resumeFrom(world.link, *program, settings, *report.checkpoint);

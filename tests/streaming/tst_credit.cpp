@@ -207,7 +207,7 @@ class TestCredit : public QObject {
       World world;
       RunSettings run = settings(MethodKind::Credit, 400.0);
       run.monitor = monitor;
-      const auto cells = *templates::planCells(run.parameters);
+      const auto cells = templates::makeProgram(run.parameters)->cells;
       std::size_t looks = 0;
       double mostAhead = 0.0;
       QString wrong;

@@ -22,7 +22,7 @@
 #include "streaming/simulation/scenario.h"
 #include "support/silent_run.h"
 #include "support/test_program.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 #include "templates/lint/lint.h"
 
 using namespace rivulet;
@@ -104,17 +104,17 @@ Commanded run(const gcode::Program& program, const RunSettings& settings,
   machine::Machine machine(*machine::loadPreset(preset), 1);
   streaming::FaultyLink link(machine, {}, 1);
   Commanded seen;
-  const auto cells = templates::planCells(settings.parameters);
+  const templates::CellMap cells = templates::makeProgram(settings.parameters)->cells;
   std::map<int, double> values;
   link.onWrite = [&](int cell, double value, bool) {
     values[cell] = value;
-    if (cells && cell == cells->delivered && cells->files == 0 && value > 0.0) {
-      const int slot = (static_cast<int>(value) - 1) % cells->windows;
-      const int count = static_cast<int>(std::abs(values[cells->windowCount(slot)]));
+    if (cell == cells.delivered && cells.files == 0 && value > 0.0) {
+      const int slot = (static_cast<int>(value) - 1) % cells.windows;
+      const int count = static_cast<int>(std::abs(values[cells.windowCount(slot)]));
       for (int i = 0; i < count; ++i) {
-        const std::vector<int> numbers = cells->slotCells(slot * cells->pointsPerLoop + i);
-        seen.feedsMmPerMin.push_back(cells->feedPerPoint ? values[numbers.back()]
-                                                         : values[cells->windowFeed(slot)]);
+        const std::vector<int> numbers = cells.slotCells(slot * cells.pointsPerLoop + i);
+        seen.feedsMmPerMin.push_back(cells.feedPerPoint ? values[numbers.back()]
+                                                        : values[cells.windowFeed(slot)]);
       }
     }
   };
@@ -431,15 +431,16 @@ class TestFeeds : public QObject {
       templates::TemplateParameters parameters;
       parameters.method = method;
       parameters.feedPerPoint = true;
-      const std::string text = *templates::generateTemplate(parameters);
-      const auto findings = templates::lintProgram(text, parameters);
+      const auto program = templates::makeProgram(parameters);
+      const auto findings = templates::lintProgram(program->text, *program);
       QVERIFY(findings.has_value());
       QVERIFY(templates::firstError(*findings) == nullptr);
       // The same program without the feeds would leave cells unread, which the lint finds.
       templates::TemplateParameters without = parameters;
       without.feedPerPoint = false;
-      QVERIFY(templates::layoutNumber(parameters) != templates::layoutNumber(without));
-      QVERIFY(templates::templateFileName(parameters) != templates::templateFileName(without));
+      const auto other = templates::makeProgram(without);
+      QVERIFY(program->layoutNumber != other->layoutNumber);
+      QVERIFY(program->name != other->name);
     }
   }
 };

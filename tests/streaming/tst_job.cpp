@@ -14,7 +14,7 @@
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 
 using namespace rivulet;
 using base::MethodKind;
@@ -253,8 +253,8 @@ class TestJob : public QObject {
       base::Result<void> selectProgram(const std::string&) override {
         templates::TemplateParameters other;
         other.pointsPerLoop = 8;
-        const std::string name = templates::templateFileName(other);
-        const auto done = m_link.uploadProgram(name, *templates::generateTemplate(other), true);
+        const std::string name = templates::makeProgram(other)->name;
+        const auto done = m_link.uploadProgram(name, templates::makeProgram(other)->text, true);
         return done ? m_link.selectProgram(name) : done;
       }
       bool isVirtualMachine() const override { return true; }

@@ -88,7 +88,9 @@ struct Bench {
   }
   RunReport run() {
     live::PointStream stream(source, agreed, limits);
-    return streaming::runLive(link, link, "script", stream, settings, watcher, watcher);
+    return streaming::runLive(link, link, "script", stream,
+                              *templates::makeProgram(settings.parameters), settings, watcher,
+                              watcher);
   }
   /// A spiral from the tool's place, one point each `interval`. @return time of the last
   Duration spiral(int count, Duration interval, double stepMm = 0.1) {

@@ -168,7 +168,8 @@ Outcome runOnce(std::uint64_t seed) {
   const bool isStopped = random.below(6) == 0;
   orders.stopAt = link.now() + (isStopped ? base::fromSeconds(2.0 + 8.0 * random.uniform()) : 1h);
   const streaming::RunReport report =
-      streaming::runLive(link, link, "drawn", stream, settings, orders, orders);
+      streaming::runLive(link, link, "drawn", stream, *templates::makeProgram(settings.parameters),
+                         settings, orders, orders);
   // Nobody is there any more: what was delivered may still be executed.
   if (!link.isConnected()) {
     link.wait(link.now() + 60s);

@@ -7,6 +7,7 @@
 
 #include "streaming/methods/method.h"
 #include "support/test_program.h"
+#include "templates/flexible_program.h"
 
 using namespace rivulet;
 using base::MethodKind;
@@ -22,7 +23,7 @@ streaming::MethodSetup setup(MethodKind method) {
   }
   setup.settings.parameters.method = method;
   setup.settings.feedMmPerS = 10.0;
-  setup.cells = *templates::planCells(setup.settings.parameters);
+  setup.cells = templates::makeProgram(setup.settings.parameters)->cells;
   return setup;
 }
 

@@ -13,7 +13,7 @@
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 #include "templates/lint/lint.h"
 
 using namespace rivulet;
@@ -138,9 +138,9 @@ class TestRotaryStream : public QObject {
     QVERIFY(templates::chooseAxes(world.settings.parameters, letters));
     QCOMPARE(templates::axisLetters(world.settings.parameters), letters);
     world.settings.parameters.pointsPerLoop = 5;
-    const auto nc = templates::generateTemplate(world.settings.parameters);
+    const auto nc = templates::makeProgram(world.settings.parameters);
     QVERIFY(nc.has_value());
-    QVERIFY(templates::requireSound(*nc, world.settings.parameters).has_value());
+    QVERIFY(templates::requireSound(*nc).has_value());
     const base::AxisPosition start = world.machine.config().start();
     const RunReport report = world.run(program);
     QVERIFY2(report.outcome == Outcome::Completed,

@@ -10,7 +10,7 @@
 #include "machine/config.h"
 #include "streaming/simulation/template_proof.h"
 #include "support/test_program.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 
 using namespace rivulet;
 using base::MethodKind;
@@ -30,7 +30,8 @@ TemplateParameters parametersOf(MethodKind method, int points) {
 }
 
 TemplateProof prove(const std::string& text, const TemplateParameters& parameters) {
-  const auto proof = streaming::proveTemplate(text, parameters, *machine::loadPreset("dmu75"));
+  const auto proof = streaming::proveTemplate(text, *templates::makeProgram(parameters),
+                                              *machine::loadPreset("dmu75"));
   return proof ? *proof : TemplateProof{};
 }
 
@@ -97,7 +98,7 @@ void TestTemplateProof::generatedTemplateHolds_data() {
 
 void TestTemplateProof::generatedTemplateHolds() {
   QFETCH(TemplateParameters, parameters);
-  const TemplateProof proof = prove(*templates::generateTemplate(parameters), parameters);
+  const TemplateProof proof = prove(templates::makeProgram(parameters)->text, parameters);
   QVERIFY2(proof.holds(), listed(proof));
   QVERIFY(proof.findings.empty());
   for (const ProofCase& one : proof.cases) {
@@ -140,7 +141,7 @@ void TestTemplateProof::brokenProgramShows() {
   QFETCH(std::string, replace);
   QFETCH(std::string, failing);
   const TemplateParameters parameters = parametersOf(static_cast<MethodKind>(method), 7);
-  std::string text = *templates::generateTemplate(parameters);
+  std::string text = templates::makeProgram(parameters)->text;
   const std::size_t at = text.find(find);
   QVERIFY(at != std::string::npos);
   text.replace(at, find.size(), replace);
@@ -158,7 +159,7 @@ void TestTemplateProof::brokenProgramShows() {
 void TestTemplateProof::brokenCorrectionShows() {
   TemplateParameters parameters = parametersOf(MethodKind::Window, 7);
   parameters.correctionLimitMm = 1.0;
-  std::string text = *templates::generateTemplate(parameters);
+  std::string text = templates::makeProgram(parameters)->text;
   const std::size_t at = text.find("ID=11 DO $AA_OFF[X]=0\n");
   QVERIFY(at != std::string::npos);
   text.erase(at, std::string("ID=11 DO $AA_OFF[X]=0\n").size());
@@ -169,14 +170,16 @@ void TestTemplateProof::brokenCorrectionShows() {
 
 void TestTemplateProof::programWithErrorsIsNotRun() {
   const TemplateParameters parameters = parametersOf(MethodKind::Position, 7);
-  std::string text = *templates::generateTemplate(parameters);
+  std::string text = templates::makeProgram(parameters)->text;
   const std::size_t at = text.rfind("STOPRE\n");
   text.erase(at, 7);
   const TemplateProof proof = prove(text, parameters);
   QVERIFY(!proof.holds());
   QVERIFY(proof.cases.empty());
-  QVERIFY(!templates::requireSound(text, parameters));
-  QVERIFY(templates::requireSound(*templates::generateTemplate(parameters), parameters));
+  templates::FlexibleProgram program = *templates::makeProgram(parameters);
+  QVERIFY(templates::requireSound(program));
+  program.text = text;
+  QVERIFY(!templates::requireSound(program));
 }
 
 RIVULET_TEST(TestTemplateProof)

@@ -18,7 +18,7 @@
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 
 using namespace rivulet;
 using namespace std::chrono_literals;
@@ -46,13 +46,13 @@ templates::TemplateParameters windowParameters(int points, int windows = 2) {
 struct Bench {
   explicit Bench(int points, machine::MachineConfig config = *machine::loadPreset("ideal"))
       : parameters(windowParameters(points)),
-        cells(*templates::planCells(parameters)),
+        cells(templates::makeProgram(parameters)->cells),
         machine(std::move(config), 1) {
-    const std::string name = templates::templateFileName(parameters);
-    const bool runs = machine.storeProgram(name, *templates::generateTemplate(parameters), true) &&
+    const std::string name = templates::makeProgram(parameters)->name;
+    const bool runs = machine.storeProgram(name, templates::makeProgram(parameters)->text, true) &&
                       machine.selectProgram(name) && machine.cycleStart();
     run(500ms);
-    if (!runs || cell(cells.layout) != templates::layoutNumber(parameters)) {
+    if (!runs || cell(cells.layout) != templates::makeProgram(parameters)->layoutNumber) {
       qFatal("the flexible program does not run: %s", machine.state().alarmText.c_str());
     }
   }
@@ -342,7 +342,7 @@ class TestWindow : public QObject {
     World world("dmu75-arrays");
     RunSettings run = settings(7, 2000.0);
     run.access = streaming::AccessChoice::Best;
-    const templates::CellMap cells = *templates::planCells(run.parameters);
+    const templates::CellMap cells = templates::makeProgram(run.parameters)->cells;
     struct Delivery {
       base::RequestId request;
       double number;
@@ -425,7 +425,7 @@ class TestWindow : public QObject {
           RunSettings run = settings(perWindow, 2000.0, windows);
           run.parameters.slotStride = stride;
           run.access = streaming::AccessChoice::Array;
-          const templates::CellMap cells = *templates::planCells(run.parameters);
+          const templates::CellMap cells = templates::makeProgram(run.parameters)->cells;
           std::set<int> owned{cells.windowCount(0) - 1};
           for (int cell :
                {cells.run, cells.delivered, cells.layout, cells.client, cells.heartbeat}) {

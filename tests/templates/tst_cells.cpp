@@ -7,7 +7,8 @@
 
 #include "support/test_program.h"
 #include "templates/cells.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
+#include "templates/method_template.h"
 
 using namespace rivulet;
 using base::MethodKind;
@@ -93,12 +94,13 @@ class TestCells : public QObject {
     QCOMPARE(cells->slotCells(0), (std::vector<int>{13, 14, 15, 16, 17}));
     QCOMPARE(cells->slotCells(1), (std::vector<int>{18, 19, 20, 21, 22}));
     QCOMPARE(cells->windowStride, 3 + 5 * 3);
-    const auto text = templates::generateTemplate(parameters);
-    QVERIFY(text.has_value());
-    QVERIFY(text->find("G1 X=RIV_C[0] Y=RIV_C[1] Z=RIV_C[2] A=RIV_C[3] C=RIV_C[4] F=RIV_F") !=
-            std::string::npos);
+    const auto program = templates::makeProgram(parameters);
+    QVERIFY(program.has_value());
+    QVERIFY(
+        program->text.find("G1 X=RIV_C[0] Y=RIV_C[1] Z=RIV_C[2] A=RIV_C[3] C=RIV_C[4] F=RIV_F") !=
+        std::string::npos);
     for (int number = 0; number < 15; ++number) {
-      QVERIFY(text->find("*RIV_C[" + std::to_string(number) + "]") != std::string::npos);
+      QVERIFY(program->text.find("*RIV_C[" + std::to_string(number) + "]") != std::string::npos);
     }
     QVERIFY(templates::chooseAxes(parameters, "A"));
     QCOMPARE(templates::planCells(parameters)->slotCells(1), std::vector<int>{14});
@@ -292,7 +294,7 @@ class TestCells : public QObject {
       if (!templates::planCells(parameters)) {
         return;
       }
-      const int number = templates::layoutNumber(parameters);
+      const int number = templates::makeProgram(parameters)->layoutNumber;
       QVERIFY(number > 0 && number < (1 << 24));
       QCOMPARE(number, static_cast<int>(static_cast<float>(number)));  // survives 32-bit cells
       seen.insert(number);
@@ -390,19 +392,19 @@ class TestCells : public QObject {
 
   /// The number is of the text that runs: what does not change the text does not change it.
   void layoutNumberIsOfTheText() {
-    const int number = templates::layoutNumber(signal());
+    const int number = templates::makeProgram(signal())->layoutNumber;
     TemplateParameters other = signal();
     other.rParameterCount = 500;
-    QCOMPARE(templates::layoutNumber(other), number);
+    QCOMPARE(templates::makeProgram(other)->layoutNumber, number);
     other.windows = 5;  // without meaning for method signal
-    QCOMPARE(templates::layoutNumber(other), number);
+    QCOMPARE(templates::makeProgram(other)->layoutNumber, number);
     other.method = MethodKind::Position;
-    const int position = templates::layoutNumber(other);
+    const int position = templates::makeProgram(other)->layoutNumber;
     QVERIFY(position != number);
     other.signalStop = SignalStop::OncePerLoop;  // without meaning for method position
-    QCOMPARE(templates::layoutNumber(other), position);
-    other.pointsPerLoop = 0;  // no program, no number
-    QCOMPARE(templates::layoutNumber(other), 0);
+    QCOMPARE(templates::makeProgram(other)->layoutNumber, position);
+    other.pointsPerLoop = 0;  // no program
+    QVERIFY(!templates::makeProgram(other));
   }
 
   void layoutNames() {

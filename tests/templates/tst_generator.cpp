@@ -10,7 +10,8 @@
 
 #include "support/test_program.h"
 #include "templates/continuation.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
+#include "templates/method_template.h"
 
 using namespace rivulet;
 using base::MethodKind;
@@ -26,8 +27,9 @@ QStringList linesOf(const std::string& text) {
 
 /// The blocks without comments.
 QStringList blocksOf(const TemplateParameters& parameters) {
-  const auto text = templates::generateTemplate(parameters);
-  return text ? linesOf(*text).filter(QRegularExpression(QStringLiteral("^[^;]"))) : QStringList();
+  const auto program = templates::makeProgram(parameters);
+  return program ? linesOf(program->text).filter(QRegularExpression(QStringLiteral("^[^;]")))
+                 : QStringList();
 }
 
 TemplateParameters make(MethodKind method, int pointsPerLoop, Layout layout = Layout::Paper,
@@ -166,16 +168,16 @@ class TestGenerator : public QObject {
   }
   void whatOthersDoNotHave() {
     QFETCH(const TemplateParameters, parameters);
-    const auto text = templates::generateTemplate(parameters);
-    QVERIFY(!text);
-    QVERIFY(text.error().code == templates::TemplateError::NotOnTarget);
+    const auto program = templates::makeProgram(parameters);
+    QVERIFY(!program);
+    QVERIFY(program.error().code == templates::TemplateError::NotOnTarget);
   }
 
   void golden() {
     QFETCH(const TemplateParameters, parameters);
-    const auto text = templates::generateTemplate(parameters);
-    QVERIFY(text.has_value());
-    const QByteArray actual = QByteArray::fromStdString(*text);
+    const auto program = templates::makeProgram(parameters);
+    QVERIFY(program.has_value());
+    const QByteArray actual = QByteArray::fromStdString(program->text);
     QFile file(QStringLiteral(RIVULET_SOURCE_DIR "/tests/data/templates/%1.mpf")
                    .arg(QLatin1String(QTest::currentDataTag())));
     if (qEnvironmentVariableIsSet("RIVULET_UPDATE_GOLDEN")) {
@@ -184,7 +186,7 @@ class TestGenerator : public QObject {
       return;
     }
     QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
-    QCOMPARE(linesOf(*text), linesOf(file.readAll().toStdString()));
+    QCOMPARE(linesOf(program->text), linesOf(file.readAll().toStdString()));
     file.seek(0);
     QCOMPARE(actual, file.readAll());
   }
@@ -196,16 +198,16 @@ class TestGenerator : public QObject {
       TemplateParameters parameters;
       parameters.method = isCredit ? MethodKind::Credit : MethodKind::Window;
       parameters.pointsPerLoop = 3;
-      const auto text = templates::generateTemplate(parameters);
-      QVERIFY(text);
-      const QStringList lines = QString::fromStdString(*text).split(QLatin1Char('\n'));
+      const auto program = templates::makeProgram(parameters);
+      QVERIFY(program);
+      const QStringList lines = QString::fromStdString(program->text).split(QLatin1Char('\n'));
       std::vector<std::uint32_t> motion;
       for (qsizetype i = 0; i < lines.size(); ++i) {
         if (lines[i].startsWith(QStringLiteral("G1 "))) {
           motion.push_back(static_cast<std::uint32_t>(i + 1));
         }
       }
-      const auto continuations = templates::continuationsOf(*text);
+      const auto continuations = templates::continuationsOf(program->text);
       const auto goesOn = [&](std::size_t from, std::size_t to) {
         const base::Continuation wanted{base::LineNumber{motion[from]},
                                         base::LineNumber{motion[to]}};
@@ -229,13 +231,13 @@ class TestGenerator : public QObject {
         for (int n = 2; n <= 300; n += 13) {
           TemplateParameters parameters = make(method, n, layout);
           parameters.rParameterCount = 4000;
-          const auto text = templates::generateTemplate(parameters);
-          QVERIFY(text.has_value());
-          QCOMPARE(text->back(), '\n');
-          for (const char c : *text) {
+          const auto program = templates::makeProgram(parameters);
+          QVERIFY(program.has_value());
+          QCOMPARE(program->text.back(), '\n');
+          for (const char c : program->text) {
             QVERIFY(c == '\n' || (c >= ' ' && c <= '~'));
           }
-          for (const QString& line : linesOf(*text)) {
+          for (const QString& line : linesOf(program->text)) {
             QVERIFY2(line.size() <= 120, qPrintable(line));
           }
         }
@@ -326,7 +328,8 @@ class TestGenerator : public QObject {
       QCOMPARE(blocks.last(), QStringLiteral("M30"));
       QCOMPARE(blocks[blocks.size() - 3], QStringLiteral("IF R2<1 GOTOB RIV_LOOP"));
       // The layout number appears once everything the client may write has been reset.
-      const auto number = QStringLiteral("R4=%1").arg(templates::layoutNumber(parameters));
+      const auto number =
+          QStringLiteral("R4=%1").arg(templates::makeProgram(parameters)->layoutNumber);
       const qsizetype at = blocks.indexOf(number);
       QVERIFY(at > 0);
       for (const char* reset : {"R1=0", "R2=0", "R0=2"}) {
@@ -341,24 +344,27 @@ class TestGenerator : public QObject {
   }
 
   void errorsAreThoseOfThePlan() {
-    const auto refused = templates::generateTemplate(make(MethodKind::Signal, 1));
+    const auto refused = templates::makeProgram(make(MethodKind::Signal, 1));
     QVERIFY(!refused);
     QVERIFY(refused.error().code == templates::TemplateError::TooFewPointsPerLoop);
   }
 
   void fileNames() {
-    QCOMPARE(templates::templateFileName({}), std::string("RIVULET_WINDOW_7X2.MPF"));
-    QCOMPARE(templates::templateFileName(make(MethodKind::Position, 12)),
-             std::string("RIVULET_POSITION_12.MPF"));
+    QCOMPARE(templates::makeProgram({})->name, std::string("RIVULET_WINDOW_7X2.MPF"));
+    QCOMPARE(templates::makeProgram(make(MethodKind::Position, 8))->name,
+             std::string("RIVULET_POSITION_8.MPF"));
+    constexpr int kManyCells = 200'000;
     std::set<std::string> names;
     std::size_t count = 0;
     for (const MethodKind method : base::kPaperMethods) {
       for (const Layout layout : {Layout::Paper, Layout::Contiguous}) {
         for (unsigned axes = 1; axes < 8; ++axes) {
-          for (const int n : {1, 7, 40, 999, 1000, 9999, 16262}) {
-            const std::string name = templates::templateFileName(
+          for (const int n : {2, 7, 40, 999, 1000, 9999, 16262}) {
+            TemplateParameters parameters =
                 make(method, n, layout, SignalStop::EachSignal,
-                     {(axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0}));
+                     {(axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0});
+            parameters.rParameterCount = kManyCells;
+            const std::string name = templates::makeProgram(parameters)->name;
             QVERIFY2(name.size() <= 24 + 4, name.c_str());
             QVERIFY(QString::fromStdString(name).contains(
                 QRegularExpression(QStringLiteral("^[A-Z]{2}[A-Z0-9_]*\\.MPF$"))));
@@ -376,13 +382,14 @@ class TestGenerator : public QObject {
             parameters.windows = windows;
             parameters.baseCell = base;
             parameters.slotStride = stride;
-            names.insert(templates::templateFileName(parameters));
+            parameters.rParameterCount = kManyCells;
+            names.insert(templates::makeProgram(parameters)->name);
             ++count;
           }
         }
       }
     }
-    QCOMPARE(templates::templateFileName(make(MethodKind::Signal, 7)),
+    QCOMPARE(templates::makeProgram(make(MethodKind::Signal, 7))->name,
              std::string("RIVULET_SIGNAL_7.MPF"));
     QCOMPARE(names.size(), count);
   }

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "support/test_program.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 #include "templates/lint/lint.h"
 
 using namespace rivulet;
@@ -33,11 +33,11 @@ TemplateParameters parametersOf(MethodKind method, int points = 7) {
 }
 
 std::string generated(const TemplateParameters& parameters) {
-  return *templates::generateTemplate(parameters);
+  return templates::makeProgram(parameters)->text;
 }
 
 std::vector<LintFinding> lint(const std::string& text, const TemplateParameters& parameters) {
-  auto findings = templates::lintProgram(text, parameters);
+  auto findings = templates::lintProgram(text, *templates::makeProgram(parameters));
   return findings ? *findings : std::vector<LintFinding>{};
 }
 
@@ -77,19 +77,18 @@ class TestLint : public QObject {
   void boundsOfCellsAreFollowed();
   void rulesHaveNames();
   void onlyTheGeneratedProgramForLinuxCnc();
-  void settingsThatDoNotFit();
 };
 
 void TestLint::generatedTemplatesAreClean() {
   int looked = 0;
   const auto isClean = [&looked](const TemplateParameters& parameters) {
-    const auto text = templates::generateTemplate(parameters);
-    if (!text) {
+    const auto program = templates::makeProgram(parameters);
+    if (!program) {
       return;
     }
     ++looked;
-    const auto findings = lint(*text, parameters);
-    QVERIFY2(findings.empty(), listed(findings) + (*text + "\n").c_str());
+    const auto findings = lint(program->text, parameters);
+    QVERIFY2(findings.empty(), listed(findings) + (program->text + "\n").c_str());
   };
   using Axes = std::array<bool, base::kAxisCount>;
   for (const Axes axes :
@@ -341,7 +340,7 @@ void TestLint::studyTemplateIsWarnedOf() {
 
 void TestLint::handWrittenLoopsAreFollowed() {
   TemplateParameters parameters = parametersOf(MethodKind::Position, 3);
-  const std::string number = std::to_string(templates::layoutNumber(parameters));
+  const std::string number = std::to_string(templates::makeProgram(parameters)->layoutNumber);
   // The same contract in other words: WHILE and FOR instead of labels, slots by number.
   const std::string text =
       "DEF INT NR\nR1=0 R2=0\nG90 G94 G64\nSTOPRE\nR4=" + number +
@@ -363,7 +362,7 @@ void TestLint::handWrittenLoopsAreFollowed() {
 
 void TestLint::boundsOfCellsAreFollowed() {
   TemplateParameters parameters = parametersOf(MethodKind::Position, 1);
-  const std::string number = std::to_string(templates::layoutNumber(parameters));
+  const std::string number = std::to_string(templates::makeProgram(parameters)->layoutNumber);
   const std::string head =
       "G90 G94\nSTOPRE\nR4=" + number + "\nWAIT:\nSTOPRE\nIF R2>0 GOTOF ENDE\nIF R1<1 GOTOB WAIT\n";
   const std::string tail = "G1 X=R11 Y=R12 Z=R13 F=R3\nGOTOB WAIT\nENDE:\nM30\n";
@@ -386,38 +385,34 @@ void TestLint::rulesHaveNames() {
   QVERIFY(!names.contains(""));
 }
 
-void TestLint::settingsThatDoNotFit() {
-  QVERIFY(!templates::lintProgram("M30\n", parametersOf(MethodKind::Signal, 1)));
-}
-
 void TestLint::onlyTheGeneratedProgramForLinuxCnc() {
   templates::TemplateParameters parameters;
   parameters.target = templates::TargetControl::LinuxCnc;
-  const auto text = templates::generateTemplate(parameters);
-  QVERIFY(text);
-  const QString program = QString::fromStdString(*text);
+  const auto program = templates::makeProgram(parameters);
+  QVERIFY(program);
+  const QString text = QString::fromStdString(program->text);
   const auto linesAt = [&](const QString& changed) {
     std::vector<unsigned> lines;
-    const auto findings = templates::lintProgram(changed.toStdString(), parameters);
+    const auto findings = templates::lintProgram(changed.toStdString(), *program);
     for (const templates::LintFinding& finding : *findings) {
       lines.push_back(finding.line.value);
     }
     return lines;
   };
-  QVERIFY(linesAt(program).empty());
-  QVERIFY(linesAt(QStringLiteral("; another comment\n") + program).empty());
+  QVERIFY(linesAt(text).empty());
+  QVERIFY(linesAt(QStringLiteral("; another comment\n") + text).empty());
   const auto lineOf = [&](const char* block) {
     return static_cast<unsigned>(
-        program.left(program.indexOf(QLatin1String(block))).count(QLatin1Char('\n')) + 1);
+        text.left(text.indexOf(QLatin1String(block))).count(QLatin1Char('\n')) + 1);
   };
-  QString changed = program;
+  QString changed = text;
   changed.replace(QLatin1String("G64 P0.01"), QLatin1String("G64 P0.02"));
   QCOMPARE(linesAt(changed), std::vector<unsigned>{lineOf("G64 P0.01")});
-  changed = program;
+  changed = text;
   changed.replace(QLatin1String("M66 E0 L0\no111"), QLatin1String("o111"));
   QCOMPARE(linesAt(changed), std::vector<unsigned>{lineOf("M66 E0 L0\no111")});
-  QCOMPARE(linesAt(program.left(program.size() / 2)).size(), std::size_t{1});
-  QVERIFY(!templates::requireSound(changed.toStdString(), parameters));
+  QCOMPARE(linesAt(text.left(text.size() / 2)).size(), std::size_t{1});
+  QVERIFY(templates::requireSound(*program));
 }
 
 RIVULET_TEST(TestLint)

@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "support/test_program.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 #include "templates/lint/lint.h"
+#include "templates/method_template.h"
 #include "templates/window_protocol.h"
 
 using namespace rivulet;
@@ -36,7 +37,7 @@ TemplateParameters parametersFor(TargetControl target) {
 
 /// The program as lines of one notation: that of the ISG kernel.
 QStringList isgLinesOf(const TemplateParameters& parameters) {
-  const QString text = QString::fromStdString(*templates::generateTemplate(parameters));
+  const QString text = QString::fromStdString(templates::makeProgram(parameters)->text);
   QStringList lines;
   for (QString line : text.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
     if (line.startsWith(QLatin1Char('(')) || line.startsWith(QLatin1String("//"))) {
@@ -231,11 +232,12 @@ class TestUntried : public QObject {
   void sayThatTheyAreUntried_data() { targets(); }
   void sayThatTheyAreUntried() {
     QFETCH(const TargetControl, target);
-    const auto text = templates::generateTemplate(parametersFor(target));
-    QVERIFY(text);
-    QVERIFY(QString::fromStdString(*text).section(QLatin1Char('\n'), 0, 0).contains("UNTRIED"));
+    const auto program = templates::makeProgram(parametersFor(target));
+    QVERIFY(program);
+    QVERIFY(
+        QString::fromStdString(program->text).section(QLatin1Char('\n'), 0, 0).contains("UNTRIED"));
     QVERIFY(!templates::isTried(target));
-    const auto sound = templates::requireSound(*text, parametersFor(target));
+    const auto sound = templates::requireSound(*program);
     QVERIFY(!sound && sound.error().code == templates::TemplateError::NotOnTarget);
     QVERIFY(templates::targetFromName(templates::targetName(target)) == target);
     QVERIFY(templates::requireTried(TargetControl::LinuxCnc));
@@ -249,7 +251,8 @@ class TestUntried : public QObject {
     Interpreter control(isgLinesOf(parameters));
     const bool ended = control.run([&](std::map<int, double>& cells, int pass) {
       if (pass == 3) {
-        QCOMPARE(cells[map.layout], static_cast<double>(templates::layoutNumber(parameters)));
+        QCOMPARE(cells[map.layout],
+                 static_cast<double>(templates::makeProgram(parameters)->layoutNumber));
         cells[map.client] = 5.0;
       } else if (pass == 6) {
         QCOMPARE(cells[map.owner], 5.0);

@@ -71,15 +71,14 @@ TemplatePage::TemplatePage(QWidget* parent)
   restyle();
 }
 
-void TemplatePage::setTemplate(const QString& text, const QString& fileName,
-                               const templates::CellMap& cells, int layoutNumber) {
-  m_fileName = fileName;
-  m_layoutNumber = layoutNumber;
+void TemplatePage::setTemplate(const templates::FlexibleProgram& program) {
+  m_fileName = QString::fromStdString(program.name);
+  m_layoutNumber = program.layoutNumber;
   m_problem.clear();
-  if (m_text->toPlainText() != text) {
+  if (const QString text = QString::fromStdString(program.text); m_text->toPlainText() != text) {
     m_text->setPlainText(text);
   }
-  m_cells->setCells(cells);
+  m_cells->setCells(program.cells);
   showState();
 }
 

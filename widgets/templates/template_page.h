@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include "templates/cells.h"
+#include "templates/flexible_program.h"
 #include "widgets/common/page.h"
 
 class QGroupBox;
@@ -30,10 +30,7 @@ class TemplatePage final : public Page {
  public:
   explicit TemplatePage(QWidget* parent = nullptr);
 
-  /// @param fileName  name on the control @param layoutNumber  the number that the program writes
-  /// into its layout cell
-  void setTemplate(const QString& text, const QString& fileName, const templates::CellMap& cells,
-                   int layoutNumber);
+  void setTemplate(const templates::FlexibleProgram& program);
   /// There is no template for these settings; one sentence says why.
   void setProblem(const QString& problem);
   [[nodiscard]] QString text() const;

@@ -171,7 +171,7 @@ struct AdviceKey {
   std::shared_ptr<const overview::ProgramView> view;
   feasibility::OperatingPoint point;
   base::Duration accessTime{};
-  std::string templateText;
+  int layoutNumber = 0;  ///< of the flexible program
   widgets::FeedScale scale;
 };
 
@@ -179,7 +179,7 @@ bool isSame(const AdviceKey& a, const AdviceKey& b) {
   return a.view == b.view && a.point.method == b.point.method &&
          a.point.pointsPerLoop == b.point.pointsPerLoop && a.point.deltaMm == b.point.deltaMm &&
          a.point.feedMmPerS == b.point.feedMmPerS && a.accessTime == b.accessTime &&
-         a.templateText == b.templateText && a.scale == b.scale;
+         a.layoutNumber == b.layoutNumber && a.scale == b.scale;
 }
 
 session::AdviceJob adviceJob(const Document& document) {
@@ -215,7 +215,8 @@ void connectAdvice(FeasibilityPage* page, const Models& models) {
       return;
     }
     const AdviceKey key{document->view(), findings.operatingPoint, findings.verdict->accessTime,
-                        findings.templateText, feedScaleOf(*document)};
+                        findings.flexible ? findings.flexible->layoutNumber : 0,
+                        feedScaleOf(*document)};
     if (!isSame(key, *asked) && !runs->isRunning()) {
       *asked = key;
       adviser->cancel();

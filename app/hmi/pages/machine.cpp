@@ -9,7 +9,6 @@
 #include "hmi/credit_commissioning.h"
 #include "hmi/pages/pages.h"
 #include "qtopcua/open_link.h"
-#include "templates/generator.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/commissioning/commissioning_page.h"
 #include "widgets/common/blocked_text.h"
@@ -200,14 +199,11 @@ QWidget* makeTemplatePage(const Models& models, QWidget* parent) {
   const Document* document = &models.document;
   QObject::connect(document, &Document::judged, page, [page, document] {
     const Findings& findings = document->findings();
-    if (!findings.cells) {
+    if (!findings.flexible) {
       page->setProblem(widgets::errorText(*findings.settingsError));
       return;
     }
-    const templates::TemplateParameters parameters = document->parameters();
-    page->setTemplate(QString::fromStdString(findings.templateText),
-                      QString::fromStdString(templates::templateFileName(parameters)),
-                      *findings.cells, templates::layoutNumber(parameters));
+    page->setTemplate(*findings.flexible);
   });
   QObject::connect(page, &widgets::TemplatePage::saveRequested, page,
                    [page, models](const QString& path) { saveText(models, path, page->text()); });

@@ -192,9 +192,9 @@ QWidget* makeCorrectionPanel(const Models& models) {
   connectFeed(panel, models);
   const Document* document = &models.document;
   QObject::connect(document, &Document::judged, panel, [panel, document] {
-    const auto& cells = document->findings().cells;
+    const auto& flexible = document->findings().flexible;
     const templates::TemplateParameters& parameters = document->settings().parameters;
-    panel->setLimit(cells && cells->corrects() ? parameters.correctionLimitMm : 0.0,
+    panel->setLimit(flexible && flexible->cells.corrects() ? parameters.correctionLimitMm : 0.0,
                     parameters.axes);
   });
   RunController* runs = &models.runs;

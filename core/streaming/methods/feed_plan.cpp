@@ -10,6 +10,7 @@
 #include "base/contract.h"
 #include "base/units.h"
 #include "streaming/methods/pause_placement.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::streaming {
 
@@ -99,7 +100,7 @@ bool prefersFeedPerPoint(std::span<const gcode::StreamPoint> points, const RunSe
   templates::TemplateParameters perPoint = settings.parameters;
   perPoint.feedPerPoint = true;
   if (!base::hasWindows(perPoint.method) || base::sendsBlocks(perPoint.method) ||
-      !templates::planCells(perPoint)) {
+      !templates::requireProgram(perPoint)) {
     return false;
   }
   const auto judged = points.first(std::min(points.size(), kPointsJudgedMax));

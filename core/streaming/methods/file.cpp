@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "streaming/methods/window.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::streaming {
 

@@ -18,7 +18,7 @@
 #include "streaming/methods/method.h"
 #include "streaming/methods/pause_placement.h"
 #include "streaming/recovery/run_on_control.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::streaming {
 
@@ -114,12 +114,12 @@ Result<base::RotaryDeg> anglesOf(opcua::Link& link, const RunSettings& settings)
 
 /// Ends a program that waits for windows of this run; nothing else is changed.
 Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
-                           const templates::CellMap& cells, const Checkpoint& last) {
-  const int layout = templates::layoutNumber(settings.parameters);
+                           const templates::FlexibleProgram& program, const Checkpoint& last) {
+  const templates::CellMap& cells = program.cells;
   const auto isOurs = [&](std::span<const double> numbers) {
     // A program that was started for this run but has not granted it yet obeys nobody.
     const double owner = numbers[1];
-    return numbers[0] == static_cast<double>(layout) &&
+    return numbers[0] == static_cast<double>(program.layoutNumber) &&
            (owner == static_cast<double>(last.runNumber) || (owner == 0.0 && !last.granted));
   };
   return endProgram(
@@ -432,9 +432,9 @@ std::uint64_t hashOfPoints(std::span<const gcode::StreamPoint> points) {
 Result<std::optional<Resume>> leftAt(opcua::Link& link, const gcode::Program& program,
                                      const RunSettings& settings, const Checkpoint& last,
                                      std::span<const gcode::StreamPoint> earlier) {
-  const Result<templates::CellMap> cells = templates::planCells(settings.parameters);
-  if (!cells) {
-    return base::fail(cells.error());
+  const Result<templates::FlexibleProgram> flexible = templates::makeProgram(settings.parameters);
+  if (!flexible) {
+    return base::fail(flexible.error());
   }
   const int takenMax = methodType(settings.parameters.method).windowsTakenMax(settings.parameters);
   if (takenMax == 0) {
@@ -459,10 +459,10 @@ Result<std::optional<Resume>> leftAt(opcua::Link& link, const gcode::Program& pr
             last.pointCount, list->points.size()),
         program.name);
   }
-  if (Result<void> ended = endOurProgram(link, settings, *cells, last); !ended) {
+  if (Result<void> ended = endOurProgram(link, settings, *flexible, last); !ended) {
     return base::fail(ended.error());
   }
-  const Result<Remains> remains = readRemains(link, settings, *cells);
+  const Result<Remains> remains = readRemains(link, settings, flexible->cells);
   if (!remains) {
     return base::fail(remains.error());
   }

@@ -11,7 +11,7 @@
 
 #include "base/text.h"
 #include "opcua/await.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::streaming {
 

@@ -8,26 +8,21 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 
 #include "base/contract.h"
-#include "base/hash.h"
 #include "base/units.h"
 #include "live/error.h"
 #include "opcua/await.h"
-#include "streaming/control/access_probe.h"
 #include "streaming/control/control_alarm.h"
 #include "streaming/methods/feed_plan.h"
 #include "streaming/methods/method.h"
 #include "streaming/methods/pause_placement.h"
 #include "streaming/recovery/resume.h"
-#include "streaming/run/ledger.h"
+#include "streaming/run/hosted_run.h"
 #include "streaming/run/run_trace.h"
-#include "streaming/start/start_claim.h"
 #include "streaming/start/start_policy.h"
 #include "templates/continuation.h"
-#include "templates/generator.h"
 #include "templates/lint/lint.h"
 #include "trace/analysis/statistics.h"
 
@@ -82,35 +77,32 @@ Result<Preflight> readPlace(opcua::Link& link, const RunSettings& settings, bool
 
 /// One run, step by step. Every step returns an error that ends the job. Where its points come from
 /// is its subclass.
-class Job {
+class Job : public HostedRun {
  public:
-  virtual ~Job() = default;
-  Job(const Job&) = delete;
-  Job& operator=(const Job&) = delete;
-
   Job(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
-      const RunSettings& settings, RunOrders& orders, RunSink& sink, JobRecorder recorder)
-      : m_link(link),
-        m_control(control),
+      const templates::FlexibleProgram& flexible, const RunSettings& settings, RunOrders& orders,
+      RunSink& sink, JobRecorder recorder)
+      : HostedRun(link, control, flexible, settings, orders, sink, recorder.writer),
         m_program(program),
-        m_settings(settings),
-        m_orders(orders),
-        m_ledger(sink, recorder.writer),
         m_recorder(std::move(recorder)),
-        m_type(methodType(settings.parameters.method)) {}
+        m_type(methodType(m_settings.parameters.method)) {}
 
   RunReport run() {
     m_report.programName = m_program.name;
-    m_type.complete(m_settings, entropy());
+    m_type.complete(m_settings, entropy(m_program.hash));
     m_report.settings = m_settings;
     Result<void> result;
     for (const auto step :
-         {&Job::mayStart, &Job::prepare, &Job::claim, &Job::chooseAccess, &Job::arm}) {
-      if (result && !m_cancelled) {
+         {&Job::mayStart, &Job::lookFirst, &Job::claimCells, &Job::findAccess, &Job::arm}) {
+      if (result && !m_isCancelled) {
         result = (this->*step)();
       }
     }
-    if (result && !m_cancelled) {
+    if (m_isCancelled) {
+      m_report.outcome = Outcome::Stopped;
+      m_report.stopConfirmedAfter = m_cancelTime;
+    }
+    if (result && !m_isCancelled) {
       stream();
     } else if (!result) {
       m_report.error = result.error();
@@ -146,9 +138,7 @@ class Job {
   void startRecording() {
     if (m_recorder.writer != nullptr) {
       trace::RunStart start = runStartOf(std::move(m_recorder.start), m_settings, m_program);
-      if (const auto text = templates::generateTemplate(m_settings.parameters)) {
-        start.continuations = templates::continuationsOf(*text);
-      }
+      start.continuations = templates::continuationsOf(m_flexible.text);
       m_recorder.writer->start(start);
     }
   }
@@ -163,135 +153,64 @@ class Job {
     m_report.error = std::move(error);
   }
 
-  opcua::Link& m_link;
-  opcua::Control& m_control;
   const gcode::Program& m_program;
-  RunSettings m_settings;
-  RunOrders& m_orders;
-  Ledger m_ledger;
   JobRecorder m_recorder;
   const MethodType& m_type;
-  templates::CellMap m_cells;
-  StartClaim m_claim{m_link, m_control, m_cells, m_settings};
   Preflight m_flight;
   RunReport m_report;
 
  private:
-  /// No two runs have the same by accident: the clock of the link counts nanoseconds, and no two
-  /// clients were switched on in the same one.
-  [[nodiscard]] std::uint64_t entropy() const {
-    const auto now = static_cast<std::uint64_t>(m_link.now().time_since_epoch().count());
-    return base::hashOf(m_program.hash) ^ ((now + 1) * base::kHashPrime);
+  Result<void> lookFirst() {
+    const Result<void> looked = look();
+    return looked ? looked : base::fail(m_claim.withName(looked.error()));
   }
 
-  Result<void> prepare() {
-    Result<templates::CellMap> cells = templates::planCells(m_settings.parameters);
-    if (!cells) {
-      return base::fail(cells.error());
-    }
-    m_cells = *cells;
-    if (Result<void> looked = look(); !looked) {
-      return base::fail(m_claim.withName(looked.error()));
-    }
-    return {};
+  Result<void> claimCells() {
+    return claim(m_settings.runNumber != 0 ? m_settings.runNumber
+                                           : runNumberFrom(entropy(m_program.hash)));
   }
 
-  /// Before anything is written: another client may be about to start, too.
-  Result<void> claim() {
-    const int number = m_settings.runNumber != 0 ? m_settings.runNumber : runNumberFrom(entropy());
-    return unlessCancelled(m_claim.take(number,
-                                        {[this] { return m_orders.stopRequested(m_link.now()); },
-                                         [this] { publish(RunState::Armed, "claim"); }},
-                                        m_ledger));
-  }
-
-  Result<void> renewClaim() { return unlessCancelled(m_claim.renew()); }
-
-  /// A start that was cancelled is no failure.
-  Result<void> unlessCancelled(Result<void> claimed) {
-    m_cancelled = !claimed && claimed.error().code == StreamError::Cancelled;
-    if (!m_cancelled) {
-      return claimed;
-    }
-    m_report.outcome = Outcome::Stopped;
-    return {};
-  }
-
-  /// Tries the forms of access on cells that the run will overwrite anyway.
-  Result<void> chooseAccess() {
-    if (m_settings.access == AccessChoice::Fixed || m_cells.slotCount() == 0) {
-      return {};
-    }
-    if (!m_cells.scratch) {
-      return base::fail(opcua::LinkError::Rejected,
-                        "Arrays need consecutive cells, and Rivulet may not use the cells between "
-                        "the points. Choose the contiguous layout, or lists.");
-    }
-    Result<AccessForms> forms =
-        probeAccess(m_claim.link(), {m_cells.scratch->first, m_cells.scratch->last},
-                    m_settings.requestDeadline);
+  Result<void> findAccess() {
+    Result<std::optional<AccessForms>> forms = chooseAccess();
+    m_report.settings.grouping = m_settings.grouping;
     if (!forms) {
       return base::fail(forms.error());
     }
-    m_settings.grouping = forms->best();
-    const bool isArray = forms->array().has_value();
-    m_report.settings.grouping = m_settings.grouping;
     m_report.accessForms = std::move(*forms);
-    m_ledger.note(
-        {m_link.now(), fmt::format("access form: {}", groupingName(m_settings.grouping))});
-    if (m_settings.access == AccessChoice::Array && !isArray) {
-      return base::fail(opcua::LinkError::Rejected,
-                        "No form of array access works on this control. Use lists.");
-    }
     return {};
   }
 
   /// Transfers the flexible program, has it selected and started, and waits until it waits for the
   /// client.
   Result<void> arm() {
-    const Result<std::string> text = templates::generateTemplate(m_settings.parameters);
-    if (!text) {
-      return base::fail(text.error());
-    }
-    if (Result<void> sound = templates::requireSound(*text, m_settings.parameters); !sound) {
+    if (Result<void> sound = templates::requireSound(m_flexible); !sound) {
       return sound;
     }
-    const std::string name = templates::templateFileName(m_settings.parameters);
     publish(RunState::Armed, "transfer");
-    if (Result<void> done = renewClaim(); !done || m_cancelled) {
+    if (Result<void> done = renewClaim(); !done || m_isCancelled) {
       return done;
     }
     const Result<ProgramTransfer> transfer =
-        transferProgram(m_control, name, *text, m_settings.transfer);
+        transferProgram(m_control, m_flexible.name, m_flexible.text, m_settings.transfer);
     if (!transfer) {
       return base::fail(transfer.error());
     }
     m_report.transfer = *transfer;
-    m_ledger.note({m_link.now(), fmt::format("program {}: {}, {}, {}", name,
+    m_ledger.note({m_link.now(), fmt::format("program {}: {}, {}, {}", m_flexible.name,
                                              transfer->written ? "written" : "already there",
                                              transfer->compared ? "compared" : "not compared",
                                              transfer->selected ? "selected" : "to be selected")});
     keepCheckpoint(false);
     // A program takes a while to be transferred, and nothing can be repeated meanwhile.
-    if (Result<void> done = renewClaim(); !done || m_cancelled) {
+    if (Result<void> done = renewClaim(); !done || m_isCancelled) {
       return done;
     }
-    // A number left from an earlier run must not be mistaken for the program's own.
-    std::vector<opcua::Assignment> clear;
-    for (const int cell : m_cells.cleared) {
-      clear.push_back({opcua::rParameter(cell), 0.0});
-    }
-    if (Result<void> done = opcua::writeNow(m_claim.link(), clear, m_settings.setupDeadline);
+    if (Result<void> done =
+            startProgram(m_cells.cleared, transfer->selected ? "cycle-start" : "select-and-start");
         !done) {
       return done;
     }
-    publish(RunState::Armed, transfer->selected ? "cycle-start" : "select-and-start");
-    if (m_control.abilities().startsOnRequest) {
-      if (Result<void> done = m_control.cycleStart(); !done) {
-        return done;
-      }
-    }
-    return awaitStart();
+    return awaitStart(kStartPollInterval, [this] { return isStarted(); });
   }
 
   /// Stores the checkpoint: before the program is started with all points, and again before the
@@ -321,51 +240,39 @@ class Job {
     }
   }
 
-  /// Until the program on the control has written its layout number: it is the right program,
-  /// and it waits for the run cell.
-  Result<void> awaitStart() {
-    const Instant until = m_link.now() + m_settings.startDeadline;
-    const int expected = templates::layoutNumber(m_settings.parameters);
+  /// @return true: the program has written its layout number. It is the right one, and waits for
+  ///         the run cell.
+  Result<bool> isStarted() {
     std::vector<Variable> watched{{VariableKind::ChannelStatus, 0},
                                   opcua::rParameter(m_cells.layout),
                                   {VariableKind::Alarm, 0}};
     if (m_cells.corrects()) {
       watched.push_back(opcua::rParameter(m_cells.state));
     }
-    while (m_link.now() < until) {
-      if (m_orders.stopRequested(m_link.now())) {
-        return cancel();
-      }
-      const auto numbers = opcua::readNumbers(m_claim.link(), watched, m_settings.setupDeadline);
-      if (!numbers) {
-        return base::fail(numbers.error());
-      }
-      const int layout = static_cast<int>((*numbers)[1]);
-      if (Result<void> fine = requireNoAlarm((*numbers)[2]); !fine) {
-        return fine;
-      }
-      // The layout cell was cleared: the number in it is of the program that was started now.
-      if (m_cells.corrects() && layout == expected) {
-        if (Result<void> fit = mayCorrect((*numbers)[3]); !fit) {
-          return fit;
-        }
-      }
-      if ((*numbers)[0] != opcua::kChannelReset && layout != 0) {
-        if (layout != expected) {
-          return base::fail(
-              StreamError::WrongProgram,
-              fmt::format("The control runs another flexible program (layout {} "
-                          "instead of {}). Nothing was started: reset the control "
-                          "and select {}.",
-                          layout, expected, templates::templateFileName(m_settings.parameters)));
-        }
-        return {};
-      }
-      pause(kStartPollInterval);
+    const auto numbers = opcua::readNumbers(m_claim.link(), watched, m_settings.setupDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
     }
-    return base::fail(
-        StreamError::NotStarted,
-        "Cycle start was not pressed in time. Start again when the machine is ready.");
+    const int layout = static_cast<int>((*numbers)[1]);
+    if (Result<void> fine = requireNoAlarm((*numbers)[2]); !fine) {
+      return base::fail(fine.error());
+    }
+    // The layout cell was cleared: the number in it is of the program that was started now.
+    if (m_cells.corrects() && layout == m_flexible.layoutNumber) {
+      if (Result<void> fit = mayCorrect((*numbers)[3]); !fit) {
+        return base::fail(fit.error());
+      }
+    }
+    if ((*numbers)[0] == opcua::kChannelReset || layout == 0) {
+      return false;
+    }
+    if (layout != m_flexible.layoutNumber) {
+      return base::fail(StreamError::WrongProgram,
+                        fmt::format("The control runs another flexible program (layout {} instead "
+                                    "of {}). Nothing was started: reset the control and select {}.",
+                                    layout, m_flexible.layoutNumber, m_flexible.name));
+    }
+    return true;
   }
 
   /// @param state  the state of a program with correction, right after its start
@@ -380,20 +287,6 @@ class Job {
       return base::fail(StreamError::OverlayIntegrates,
                         "The control adds up overlaid values (MD36750 bit 0): a correction would "
                         "drive the axes away. Set the bit to 0, or do without online correction.");
-    }
-    return {};
-  }
-
-  /// Stop before anything has moved.
-  Result<void> cancel() {
-    m_cancelled = true;
-    m_report.outcome = Outcome::Stopped;
-    const Instant asked = m_link.now();
-    if (m_control.abilities().startsOnRequest) {
-      if (Result<void> done = m_control.reset(); !done) {
-        return done;
-      }
-      m_report.stopConfirmedAfter = m_link.now() - asked;
     }
     return {};
   }
@@ -538,27 +431,12 @@ class Job {
     }
   }
 
-  void pause(Duration duration) {
-    const Instant until = m_link.now() + duration;
-    while (m_link.now() < until) {
-      if (!m_claim.link().wait(until)) {
-        return;
-      }
-    }
-  }
-
-  void publish(RunState state, const char* waitingFor) {
-    LiveUpdate update;
-    update.state = state;
-    update.at = m_link.now();
+  void describeTo(LiveUpdate& update) const override {
     update.counters = m_report.counters;
-    update.waitingFor = waitingFor;
     update.stopConfirmedAfter = m_report.stopConfirmedAfter;
-    m_ledger.update(update);
   }
 
   std::optional<RunTrace> m_trace;
-  bool m_cancelled = false;
   bool m_streamed = false;
 };
 
@@ -591,9 +469,9 @@ class ProgramJob final : public Job {
 class LiveJob final : public Job {
  public:
   LiveJob(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
-          const RunSettings& settings, RunOrders& orders, RunSink& sink, JobRecorder recorder,
-          live::PointStream& source)
-      : Job(link, control, program, settings, orders, sink, std::move(recorder)),
+          const templates::FlexibleProgram& flexible, const RunSettings& settings,
+          RunOrders& orders, RunSink& sink, JobRecorder recorder, live::PointStream& source)
+      : Job(link, control, program, flexible, settings, orders, sink, std::move(recorder)),
         m_source(source) {}
 
  protected:
@@ -736,17 +614,35 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
 }
 
 RunReport runLive(opcua::Link& link, opcua::Control& control, std::string name,
-                  live::PointStream& source, const RunSettings& settings, RunOrders& orders,
-                  RunSink& sink, JobRecorder recorder) {
+                  live::PointStream& source, const templates::FlexibleProgram& flexible,
+                  const RunSettings& settings, RunOrders& orders, RunSink& sink,
+                  JobRecorder recorder) {
   gcode::Program program;
   program.name = std::move(name);
-  return LiveJob(link, control, program, settings, orders, sink, std::move(recorder), source).run();
+  return LiveJob(link, control, program, flexible, settings, orders, sink, std::move(recorder),
+                 source)
+      .run();
+}
+
+RunReport runJob(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
+                 const templates::FlexibleProgram& flexible, const RunSettings& settings,
+                 RunOrders& orders, RunSink& sink, JobRecorder recorder) {
+  return ProgramJob(link, control, program, flexible, settings, orders, sink, std::move(recorder))
+      .run();
 }
 
 RunReport runJob(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
                  const RunSettings& settings, RunOrders& orders, RunSink& sink,
                  JobRecorder recorder) {
-  return ProgramJob(link, control, program, settings, orders, sink, std::move(recorder)).run();
+  const auto flexible = templates::makeProgram(settings.parameters);
+  if (!flexible) {
+    RunReport report;
+    report.error = flexible.error();
+    report.programName = program.name;
+    report.settings = settings;
+    return report;
+  }
+  return runJob(link, control, program, *flexible, settings, orders, sink, std::move(recorder));
 }
 
 }  // namespace rivulet::streaming

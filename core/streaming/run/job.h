@@ -19,6 +19,7 @@
 #include "streaming/control/control_axes.h"
 #include "streaming/run/driver.h"
 #include "streaming/run/run.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::streaming {
 
@@ -63,15 +64,24 @@ struct JobRecorder {
 };
 
 /// Runs the whole job. Always returns a report; its error says why the job failed.
+/// @param flexible  the program on the control: its parameters are those of the run
+[[nodiscard]] RunReport runJob(opcua::Link& link, opcua::Control& control,
+                               const gcode::Program& program,
+                               const templates::FlexibleProgram& flexible,
+                               const RunSettings& settings, RunOrders& orders, RunSink& sink,
+                               JobRecorder recorder = {});
+/// The same with the flexible program of the settings, where nobody else needs it.
 [[nodiscard]] RunReport runJob(opcua::Link& link, opcua::Control& control,
                                const gcode::Program& program, const RunSettings& settings,
                                RunOrders& orders, RunSink& sink, JobRecorder recorder = {});
 
 /// The same for points that arrive while the machine moves. The run cannot be resumed.
-/// @param name  of the run, in reports  @param settings  method window or credit; `feedMmPerS` is
-///        that of points without one of their own
+/// @param name  of the run, in reports  @param settings  `feedMmPerS` is that of points without one
+///        of their own  @param flexible  method window or credit
 [[nodiscard]] RunReport runLive(opcua::Link& link, opcua::Control& control, std::string name,
-                                live::PointStream& source, const RunSettings& settings,
-                                RunOrders& orders, RunSink& sink, JobRecorder recorder = {});
+                                live::PointStream& source,
+                                const templates::FlexibleProgram& flexible,
+                                const RunSettings& settings, RunOrders& orders, RunSink& sink,
+                                JobRecorder recorder = {});
 
 }  // namespace rivulet::streaming

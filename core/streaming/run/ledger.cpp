@@ -5,8 +5,6 @@
 
 #include <utility>
 
-#include "templates/generator.h"
-
 namespace rivulet::streaming {
 
 void Ledger::update(const LiveUpdate& update) {

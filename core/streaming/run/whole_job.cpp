@@ -12,20 +12,16 @@
 #include <optional>
 #include <utility>
 
-#include "base/hash.h"
 #include "base/units.h"
 #include "opcua/await.h"
 #include "opcua/forwarding_link.h"
-#include "streaming/control/access_probe.h"
 #include "streaming/control/control_alarm.h"
 #include "streaming/run/equipment_watch.h"
+#include "streaming/run/hosted_run.h"
 #include "streaming/run/job.h"
 #include "streaming/run/job_trace.h"
-#include "streaming/run/ledger.h"
 #include "streaming/start/program_transfer.h"
-#include "streaming/start/start_claim.h"
 #include "templates/continuation.h"
-#include "templates/generator.h"
 #include "templates/lint/lint.h"
 
 namespace rivulet::streaming {
@@ -162,19 +158,16 @@ class StretchLink final : public opcua::ForwardingLink, public opcua::Control {
   bool m_isStarted = false;
 };
 
-class WholeJob {
+class WholeJob : public HostedRun {
  public:
   WholeJob(opcua::Link& link, opcua::Control& control, const job::Plan& plan,
-           const RunSettings& settings, RunOrders& orders, WholeJobSink& sink,
-           const WholeJobOptions& options)
-      : m_link(link),
-        m_control(control),
+           const job::JobPrograms& programs, const RunSettings& settings, RunOrders& orders,
+           WholeJobSink& sink, const WholeJobOptions& options)
+      : HostedRun(link, control, programs.loop, settings, orders, sink, options.writer),
         m_plan(plan),
-        m_settings(settings),
-        m_orders(orders),
         m_sink(sink),
-        m_ledger(sink, options.writer),
-        m_options(options) {
+        m_options(options),
+        m_programs(programs) {
     for (std::size_t part = 0; part < plan.parts.size(); ++part) {
       const auto* const stretch = std::get_if<job::Stretch>(&plan.parts[part]);
       if (stretch == nullptr) {
@@ -188,11 +181,15 @@ class WholeJob {
 
   WholeJobReport run() {
     Result<void> result;
-    for (const auto step : {&WholeJob::prepare, &WholeJob::claim, &WholeJob::transfer,
+    for (const auto step : {&WholeJob::prepare, &WholeJob::claimCells, &WholeJob::transfer,
                             &WholeJob::start, &WholeJob::greet, &WholeJob::goThrough}) {
-      if (result && !m_isOver) {
+      if (result && !m_isCancelled) {
         result = (this->*step)();
       }
+    }
+    if (m_isCancelled) {
+      m_isOver = true;
+      m_report.outcome = Outcome::Stopped;
     }
     if (!result) {
       m_report.outcome = Outcome::Failed;
@@ -300,7 +297,7 @@ class WholeJob {
       RunSettings settings = m_settings;
       settings.runNumber = m_firstRun;
       trace::RunStart start = runStartOf(m_options.start, settings, m_plan.program);
-      start.continuations = templates::continuationsOf(m_programs.loop.text);
+      start.continuations = templates::continuationsOf(m_flexible.text);
       m_options.writer->start(start);
       m_isRecording = true;
     }
@@ -314,20 +311,11 @@ class WholeJob {
   }
 
   Result<void> prepare() {
-    Result<job::JobPrograms> programs = job::makePrograms(m_plan, m_settings.parameters);
-    if (!programs) {
-      return base::fail(programs.error());
-    }
-    m_programs = std::move(*programs);
-    if (Result<void> sound = templates::requireSound(m_programs.loop.text, m_settings.parameters);
-        !sound) {
+    if (Result<void> sound = templates::requireSound(m_flexible); !sound) {
       return sound;
     }
-    const auto entropy = static_cast<std::uint64_t>(m_link.now().time_since_epoch().count()) + 1;
-    m_firstRun =
-        m_settings.runNumber != 0
-            ? m_settings.runNumber
-            : runNumberFrom(base::hashOf(m_plan.program.hash) ^ (entropy * base::kHashPrime));
+    m_firstRun = m_settings.runNumber != 0 ? m_settings.runNumber
+                                           : runNumberFrom(entropy(m_plan.program.hash));
     m_firstRun = 1 + (m_firstRun - 1) % (kRunNumberMax - JobProtocol::kStretchesMax);
     m_report.runNumber = m_firstRun;
     startRecording();
@@ -343,36 +331,19 @@ class WholeJob {
     return requireNoAlarm((*numbers)[1]);
   }
 
-  /// Before anything is written: another client may be about to start, too.
-  Result<void> claim() {
-    return unlessCancelled(m_claim.take(m_firstRun,
-                                        {[this] { return m_orders.stopRequested(m_link.now()); },
-                                         [this] { publish(RunState::Armed, "claim"); }},
-                                        m_ledger));
-  }
-
-  Result<void> renewClaim() { return unlessCancelled(m_claim.renew()); }
-
-  /// A start that was cancelled is no failure.
-  Result<void> unlessCancelled(Result<void> claimed) {
-    m_isOver = !claimed && claimed.error().code == StreamError::Cancelled;
-    if (!m_isOver) {
-      return claimed;
-    }
-    m_report.outcome = Outcome::Stopped;
-    return {};
-  }
+  Result<void> claimCells() { return claim(m_firstRun); }
 
   Result<void> transfer() {
     publish(RunState::Armed, "transfer");
-    if (Result<void> access = chooseAccess(); !access) {
-      return access;
+    if (const auto access = chooseAccess(); !access) {
+      return base::fail(access.error());
     }
-    if (Result<void> done = renewClaim(); !done || m_isOver) {
+    m_settings.access = AccessChoice::Fixed;  // of the stretches, too
+    if (Result<void> done = renewClaim(); !done || m_isCancelled) {
       return done;
     }
-    if (const auto loop = storeProgram(m_control, m_programs.loopFileName, m_programs.loop.text,
-                                       TransferWay::Link);
+    if (const auto loop =
+            storeProgram(m_control, m_flexible.name, m_flexible.text, TransferWay::Link);
         !loop) {
       return base::fail(loop.error());
     }
@@ -382,81 +353,38 @@ class WholeJob {
     return main ? renewClaim() : base::fail(main.error());
   }
 
-  Result<void> chooseAccess() {
-    if (m_settings.access == AccessChoice::Fixed || !m_programs.loop.cells.scratch) {
-      m_settings.access = AccessChoice::Fixed;
-      return {};
-    }
-    const templates::CellRange cells = *m_programs.loop.cells.scratch;
-    Result<AccessForms> forms =
-        probeAccess(m_claim.link(), {cells.first, cells.last}, m_settings.requestDeadline);
-    if (!forms) {
-      return base::fail(forms.error());
-    }
-    m_settings.grouping = forms->best();
-    m_settings.access = AccessChoice::Fixed;
-    return {};
-  }
-
   Result<void> start() {
-    // A number left from an earlier job must not be mistaken for one of this.
-    const std::array<opcua::Assignment, 3> clear{
-        {{opcua::rParameter(m_programs.loop.callCell), 0.0},
-         {opcua::rParameter(m_programs.loop.cells.layout), 0.0},
-         {opcua::rParameter(m_programs.loop.cells.run), 0.0}}};
-    if (Result<void> done = opcua::writeNow(m_claim.link(), clear, m_settings.setupDeadline);
-        !done) {
-      return done;
-    }
-    publish(RunState::Armed, "cycle-start");
-    if (m_control.abilities().startsOnRequest) {
-      if (Result<void> done = m_control.cycleStart(); !done) {
-        return done;
-      }
+    const Result<void> started =
+        startProgram({m_programs.loop.callCell, m_cells.layout, m_cells.run}, "cycle-start");
+    if (!started) {
+      return started;
     }
     m_isStarted = true;
     if (m_control.abilities().keepsTrace) {
       m_trace.emplace(m_points, m_programs.loop, hasPrograms() ? nullptr : m_options.writer);
     }
-    const Instant until = m_link.now() + m_settings.startDeadline;
-    while (m_link.now() < until) {
-      if (m_orders.stopRequested(m_link.now())) {
-        return cancel();
-      }
+    return awaitStart(kPartPoll, [this]() -> Result<bool> {
       const Result<State> state = look();
       if (!state) {
         return base::fail(state.error());
       }
-      if (state->call == call(0)) {
-        return {};
-      }
-      if (state->call != 0.0) {
+      if (state->call != call(0) && state->call != 0.0) {
         return base::fail(StreamError::WrongProgram,
                           "The control runs another job. Nothing was started: reset the control "
                           "and select the program.",
                           m_programs.mainName);
       }
-      pause();
-    }
-    return base::fail(
-        StreamError::NotStarted,
-        "Cycle start was not pressed in time. Start again when the machine is ready.");
-  }
-
-  /// Before anything has moved.
-  Result<void> cancel() {
-    m_isOver = true;
-    m_report.outcome = Outcome::Stopped;
-    return m_control.abilities().startsOnRequest ? m_control.reset() : Result<void>();
+      return state->call == call(0);
+    });
   }
 
   /// The control obeys this client from here on.
   Result<void> greet() {
-    const templates::CellMap& cells = m_programs.loop.cells;
-    const opcua::Assignment claim{opcua::rParameter(cells.client), static_cast<double>(m_firstRun)};
-    const opcua::Assignment go{opcua::rParameter(cells.run),
+    const opcua::Assignment claim{opcua::rParameter(m_cells.client),
+                                  static_cast<double>(m_firstRun)};
+    const opcua::Assignment go{opcua::rParameter(m_cells.run),
                                static_cast<double>(WindowProtocol::kRun)};
-    const std::array<Variable, 1> owner{opcua::rParameter(cells.owner)};
+    const std::array<Variable, 1> owner{opcua::rParameter(m_cells.owner)};
     const Instant until = m_link.now() + m_settings.stallDeadline;
     if (Result<void> done = opcua::writeNow(m_claim.link(), {&claim, 1}, m_settings.setupDeadline);
         !done) {
@@ -476,7 +404,7 @@ class WholeJob {
                           "nothing more: wait until the other client has finished, or reset the "
                           "control.");
       }
-      pause();
+      pause(kPartPoll);
     }
     m_claim.release();
     m_lastGoOn = JobProtocol::goOn(0);
@@ -510,7 +438,7 @@ class WholeJob {
         if (Result<void> done = followOrders(); !done) {
           return done;
         }
-        pause();
+        pause(kPartPoll);
         continue;
       }
       if (Result<void> done = stream(*m_stretches[next]); !done) {
@@ -683,8 +611,7 @@ class WholeJob {
   }
 
   Result<void> writeRun(int value) {
-    const opcua::Assignment run{opcua::rParameter(m_programs.loop.cells.run),
-                                static_cast<double>(value)};
+    const opcua::Assignment run{opcua::rParameter(m_cells.run), static_cast<double>(value)};
     return opcua::writeNow(m_link, {&run, 1}, m_settings.setupDeadline);
   }
 
@@ -711,7 +638,7 @@ class WholeJob {
     m_sink.stretchBegins(stretch, flight->toolMm);
     m_points.insert(m_points.end(), flight->points.points.begin(), flight->points.points.end());
     StretchReport report{stretch.number, flight->toolMm, flight->points.points, {}};
-    report.run = runJob(link, link, program, settings, m_orders, m_ledger,
+    report.run = runJob(link, link, program, m_flexible, settings, m_orders, m_ledger,
                         {nullptr, {}, m_options.keeper, m_trace ? &*m_trace : nullptr});
     const RunReport& run = m_report.stretches.emplace_back(std::move(report)).run;
     accountStretch(stretch, m_report.stretches.back());
@@ -785,7 +712,7 @@ class WholeJob {
       if (!state || state->isReset) {
         return state ? Result<void>() : base::fail(state.error());
       }
-      pause();
+      pause(kPartPoll);
     }
     return base::fail(StreamError::StopNotConfirmed,
                       "The control did not end the job. Stop it at the control.");
@@ -829,36 +756,13 @@ class WholeJob {
     return JobProtocol::callNumber(m_programs.number, stretch);
   }
 
-  void pause() {
-    const Instant until = m_link.now() + kPartPoll;
-    while (m_link.now() < until) {
-      if (!m_claim.link().wait(until)) {
-        return;
-      }
-    }
-  }
-
-  void publish(RunState state, const char* waitingFor) {
-    LiveUpdate update;
-    update.state = state;
-    update.at = m_link.now();
-    update.waitingFor = waitingFor;
-    m_ledger.update(update);
-  }
-
-  opcua::Link& m_link;
-  opcua::Control& m_control;
   const job::Plan& m_plan;
-  RunSettings m_settings;
-  RunOrders& m_orders;
   WholeJobSink& m_sink;
-  Ledger m_ledger;
   const WholeJobOptions& m_options;
+  const job::JobPrograms& m_programs;
   bool m_isRecording = false;
   std::vector<const job::Stretch*> m_stretches;
   std::vector<std::size_t> m_natives;  ///< parts that are native blocks, by their number less 1
-  job::JobPrograms m_programs;
-  StartClaim m_claim{m_link, m_control, m_programs.loop.cells, m_settings};
   std::vector<gcode::StreamPoint> m_points;  ///< of the stretches that have begun
   std::optional<JobTrace> m_trace;
   bool m_isTraceWhole = false;  ///< the control gives it only after the run
@@ -916,9 +820,22 @@ gcode::Program programOf(const job::Plan& plan, const job::Stretch& stretch) {
 }
 
 WholeJobReport runWholeJob(opcua::Link& link, opcua::Control& control, const job::Plan& plan,
+                           const job::JobPrograms& programs, const RunSettings& settings,
+                           RunOrders& orders, WholeJobSink& sink, const WholeJobOptions& options) {
+  return WholeJob(link, control, plan, programs, settings, orders, sink, options).run();
+}
+
+WholeJobReport runWholeJob(opcua::Link& link, opcua::Control& control, const job::Plan& plan,
                            const RunSettings& settings, RunOrders& orders, WholeJobSink& sink,
                            const WholeJobOptions& options) {
-  return WholeJob(link, control, plan, settings, orders, sink, options).run();
+  const auto programs = job::makePrograms(plan, settings.parameters);
+  if (!programs) {
+    WholeJobReport report;
+    report.error = programs.error();
+    report.partTimes.resize(plan.parts.size());
+    return report;
+  }
+  return runWholeJob(link, control, plan, *programs, settings, orders, sink, options);
 }
 
 }  // namespace rivulet::streaming

@@ -89,7 +89,13 @@ struct WholeJobOptions {
 
 /// Runs a job. Nothing moves before every check has passed. A stop ends it at the next window or
 /// native block; a hold waits there. With an origin in the settings the cells are claimed first.
+/// @param programs  of the plan: the parameters of the loop are those of the run
 /// @param settings  method window or credit; the access is tested before the start
+[[nodiscard]] WholeJobReport runWholeJob(opcua::Link& link, opcua::Control& control,
+                                         const job::Plan& plan, const job::JobPrograms& programs,
+                                         const RunSettings& settings, RunOrders& orders,
+                                         WholeJobSink& sink, const WholeJobOptions& options = {});
+/// The same with the programs of the settings, where nobody else needs them.
 [[nodiscard]] WholeJobReport runWholeJob(opcua::Link& link, opcua::Control& control,
                                          const job::Plan& plan, const RunSettings& settings,
                                          RunOrders& orders, WholeJobSink& sink,

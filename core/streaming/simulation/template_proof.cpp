@@ -13,7 +13,7 @@
 #include "streaming/run/job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/scenario.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 #include "trace/analysis/integrity.h"
 
 namespace rivulet::streaming {
@@ -89,14 +89,15 @@ std::shared_ptr<const gcode::Program> proofProgram(const templates::TemplatePara
 /// One run of the program under proof.
 class Trial {
  public:
-  Trial(std::string_view text, const templates::TemplateParameters& parameters,
+  Trial(std::string_view text, const templates::FlexibleProgram& meant,
         const machine::MachineConfig& config, const LinkFaults& faults, std::uint64_t seed)
-      : m_program(proofProgram(parameters, config)),
+      : m_program(proofProgram(meant.parameters, config)),
+        m_meant(meant),
         m_machine(config, seed),
         m_link(m_machine, faults, seed) {
     m_link.programInstead = std::string(text);
     m_settings.placePauses = false;  // every window is to be full once
-    m_settings.parameters = parameters;
+    m_settings.parameters = meant.parameters;
     m_settings.isCommissioned = true;  // the machine of the proof reads R when it passes a block
     m_settings.deltaMm = kDeltaMm;
     m_settings.feedMmPerS = kFeedMmPerS;
@@ -115,7 +116,7 @@ class Trial {
     Orders orders;
     orders.correctionLimitMm = m_settings.parameters.correctionLimitMm;
     orders.stopAt = m_machine.now() + stopAfter.value_or(kLimit);
-    m_report = runJob(m_link, m_link, *m_program, m_settings, orders, orders);
+    m_report = runJob(m_link, m_link, *m_program, m_meant, m_settings, orders, orders);
     return m_report;
   }
 
@@ -204,6 +205,7 @@ class Trial {
   }
 
   std::shared_ptr<const gcode::Program> m_program;
+  const templates::FlexibleProgram& m_meant;
   machine::Machine m_machine;
   FaultyLink m_link;
   RunSettings m_settings;
@@ -219,11 +221,15 @@ std::string firstOf(std::string a, const std::string& b) {
 /// Collects the cases.
 class Prover {
  public:
-  Prover(std::string_view text, const templates::TemplateParameters& parameters,
+  Prover(std::string_view text, const templates::FlexibleProgram& meant,
          machine::MachineConfig config)
-      : m_text(text), m_parameters(parameters), m_config(std::move(config)) {
-    m_config = withRotaryAxes(std::move(m_config), parameters.rotaryAxes);
-    m_config.rParameterCount = parameters.rParameterCount;
+      : m_text(text),
+        m_meant(meant),
+        m_parameters(meant.parameters),
+        m_cells(meant.cells),
+        m_config(std::move(config)) {
+    m_config = withRotaryAxes(std::move(m_config), m_parameters.rotaryAxes);
+    m_config.rParameterCount = m_parameters.rParameterCount;
     // The program itself has to take corrections back: this control keeps what lies over its axes.
     constexpr int kKeepsOverlay = 2;
     m_config.overlayMode = kKeepsOverlay;
@@ -267,7 +273,7 @@ class Prover {
  private:
   /// A foreign hand on the cells as well: what is beyond the limit.
   void addCorrectionCase() {
-    const templates::CellMap cells = *templates::planCells(m_parameters);
+    const templates::CellMap& cells = m_cells;
     add("correction", true, 3, {}, [&](Trial& trial) {
       std::size_t written = 0;
       trial.link().onTime = [&] {
@@ -311,11 +317,10 @@ class Prover {
       return firstOf(trial.wrongMotion(),
                      trial.hasEnded() ? "" : "the program does not end without its client");
     });
-    const templates::CellMap cells = *templates::planCells(m_parameters);
-    if (cells.files > 0) {
-      addWrongFile(cells);
+    if (m_cells.files > 0) {
+      addWrongFile(m_cells);
     } else {
-      addDamagedWindow(cells);
+      addDamagedWindow(m_cells);
     }
     add("client-gone", true, 2, {}, [this](Trial& trial) {
       const Instant goneAt = trial.machine().now() + trial.motionTime() / 2;
@@ -385,7 +390,7 @@ class Prover {
     result.isRequired = isRequired;
     result.runs = runs;
     for (m_turn = 0; m_turn < runs; ++m_turn) {
-      Trial trial(m_text, m_parameters, m_config, faults, m_turn + 1);
+      Trial trial(m_text, m_meant, m_config, faults, m_turn + 1);
       const std::string failure = attempt(trial);
       if (!failure.empty()) {
         result.message = result.failures == 0 ? failure : result.message;
@@ -396,7 +401,9 @@ class Prover {
   }
 
   std::string_view m_text;
-  templates::TemplateParameters m_parameters;
+  const templates::FlexibleProgram& m_meant;
+  const templates::TemplateParameters& m_parameters;
+  const templates::CellMap& m_cells;
   machine::MachineConfig m_config;
   std::size_t m_turn = 0;
   std::vector<ProofCase> m_cases;
@@ -411,38 +418,38 @@ bool TemplateProof::holds() const {
 }
 
 base::Result<TemplateProof> proveTemplate(std::string_view text,
-                                          const templates::TemplateParameters& parameters,
+                                          const templates::FlexibleProgram& meant,
                                           const machine::MachineConfig& machine) {
-  if (parameters.target != templates::TargetControl::Sinumerik) {
+  if (meant.parameters.target != templates::TargetControl::Sinumerik) {
     return base::fail(templates::TemplateError::NotOnTarget,
                       "The virtual machine executes programs of a SINUMERIK only: this one cannot "
                       "be tried on it.");
   }
-  auto findings = templates::lintProgram(text, parameters);
+  auto findings = templates::lintProgram(text, meant);
   if (!findings) {
     return base::fail(findings.error());
   }
   TemplateProof proof;
   proof.findings = std::move(*findings);
   if (templates::firstError(proof.findings) == nullptr) {
-    proof.cases = Prover(text, parameters, machine).run();
+    proof.cases = Prover(text, meant, machine).run();
   }
   return proof;
 }
 
-base::Result<void> requireProven(const templates::TemplateParameters& parameters) {
-  if (base::Result<void> tried = templates::requireTried(parameters.target); !tried) {
+base::Result<void> requireProven(const templates::FlexibleProgram& program) {
+  const templates::TargetControl target = program.parameters.target;
+  if (base::Result<void> tried = templates::requireTried(target); !tried) {
     return tried;
   }
-  if (parameters.target != templates::TargetControl::Sinumerik) {
+  if (target != templates::TargetControl::Sinumerik) {
     return {};  // the virtual machine does not know the language: tests on LinuxCNC stand for it
   }
-  const auto text = templates::generateTemplate(parameters);
   const auto machine = machine::loadPreset(machine::kDefaultPreset);
-  if (!text || !machine) {
-    return base::fail(text ? machine.error() : text.error());
+  if (!machine) {
+    return base::fail(machine.error());
   }
-  const auto proof = proveTemplate(*text, parameters, *machine);
+  const auto proof = proveTemplate(program.text, program, *machine);
   if (!proof) {
     return base::fail(proof.error());
   }

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "machine/config.h"
-#include "templates/cells.h"
 #include "templates/lint/lint.h"
 
 namespace rivulet::streaming {
@@ -36,17 +35,18 @@ struct TemplateProof {
   [[nodiscard]] bool holds() const;
 };
 
-/// @param text        the program; the client believes it to be that of `parameters`
-/// @param machine     whose number of R-parameters is set to that of `parameters`; rotary axes it
-///                    lacks are added
-/// @return the errors of `planCells`
-[[nodiscard]] base::Result<TemplateProof> proveTemplate(
-    std::string_view text, const templates::TemplateParameters& parameters,
-    const machine::MachineConfig& machine);
+/// @param text     the program
+/// @param meant    the program for which the client takes it
+/// @param machine  whose number of R-parameters is set to that of `meant`; rotary axes it lacks are
+///                 added
+/// @return the errors of `lintProgram`
+[[nodiscard]] base::Result<TemplateProof> proveTemplate(std::string_view text,
+                                                        const templates::FlexibleProgram& meant,
+                                                        const machine::MachineConfig& machine);
 
-/// A program for a real control first runs on the virtual one: the program generated for the
-/// parameters is proved on the machine of the paper.
+/// A program for a real control first runs on the virtual one: it is proved on the machine of the
+/// paper.
 /// @return nothing if it passes; else LintError::Rejected, or the errors of `proveTemplate`
-[[nodiscard]] base::Result<void> requireProven(const templates::TemplateParameters& parameters);
+[[nodiscard]] base::Result<void> requireProven(const templates::FlexibleProgram& program);
 
 }  // namespace rivulet::streaming

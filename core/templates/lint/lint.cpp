@@ -26,7 +26,7 @@
 #include "nc/eval/evaluate.h"
 #include "nc/exec/block_reader.h"
 #include "nc/syntax/programs.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 #include "templates/lint/flow.h"
 
 namespace rivulet::templates {
@@ -159,19 +159,19 @@ struct State {
 
 class Linter {
  public:
-  Linter(const nc::Tree& program, const TemplateParameters& parameters, const CellMap& cells)
+  Linter(const nc::Tree& program, const FlexibleProgram& meant)
       : m_program(program),
         m_statements(program.statements),
-        m_parameters(parameters),
-        m_cells(cells),
-        m_isWindow(base::hasWindows(parameters.method)),
-        m_isCredit(parameters.method == MethodKind::Credit),
-        m_layoutNumber(layoutNumber(parameters)) {
-    for (int slot = 0; slot < cells.slotCount(); ++slot) {
-      const std::vector<int> numbers = cells.slotCells(slot);
+        m_parameters(meant.parameters),
+        m_cells(meant.cells),
+        m_isWindow(base::hasWindows(m_parameters.method)),
+        m_isCredit(m_parameters.method == MethodKind::Credit),
+        m_layoutNumber(meant.layoutNumber) {
+    for (int slot = 0; slot < m_cells.slotCount(); ++slot) {
+      const std::vector<int> numbers = m_cells.slotCells(slot);
       m_slotCells.insert(numbers.begin(), numbers.end());
     }
-    m_stopCell = m_isWindow ? cells.run : cells.stop;
+    m_stopCell = m_isWindow ? m_cells.run : m_cells.stop;
     for (const nc::Definition& parameter : program.parameters) {
       m_defined.insert(parameter.name);
     }
@@ -978,12 +978,8 @@ namespace {
 
 /// The paths of programs for LinuxCNC are not followed: only the generated program, whose behaviour
 /// on LinuxCNC is tested, is accepted, be it with other comments.
-base::Result<std::vector<LintFinding>> compareWithGenerated(std::string_view text,
-                                                            const TemplateParameters& parameters) {
-  const base::Result<std::string> generated = generateTemplate(parameters);
-  if (!generated) {
-    return base::fail(generated.error());
-  }
+std::vector<LintFinding> compareWithGenerated(std::string_view text,
+                                              const FlexibleProgram& generated) {
   const auto blocks = [](std::string_view program) {
     std::vector<std::pair<unsigned, std::string_view>> list;
     unsigned number = 0;
@@ -999,7 +995,7 @@ base::Result<std::vector<LintFinding>> compareWithGenerated(std::string_view tex
     return list;
   };
   const auto is = blocks(text);
-  const auto meant = blocks(*generated);
+  const auto meant = blocks(generated.text);
   const auto [here, there] =
       std::mismatch(is.begin(), is.end(), meant.begin(), meant.end(),
                     [](const auto& a, const auto& b) { return a.second == b.second; });
@@ -1016,19 +1012,15 @@ base::Result<std::vector<LintFinding>> compareWithGenerated(std::string_view tex
 }  // namespace
 
 base::Result<std::vector<LintFinding>> lintProgram(std::string_view text,
-                                                   const TemplateParameters& parameters) {
-  const base::Result<CellMap> cells = planCells(parameters);
-  if (!cells) {
-    return base::fail(cells.error());
-  }
-  if (base::Result<void> tried = requireTried(parameters.target); !tried) {
+                                                   const FlexibleProgram& meant) {
+  if (base::Result<void> tried = requireTried(meant.parameters.target); !tried) {
     return base::fail(tried.error());
   }
-  if (parameters.target == TargetControl::LinuxCnc) {
-    return compareWithGenerated(text, parameters);
+  if (meant.parameters.target == TargetControl::LinuxCnc) {
+    return compareWithGenerated(text, meant);
   }
   const std::shared_ptr<const nc::Tree> program = nc::parseSinumerik(std::string(text));
-  return Linter(*program, parameters, *cells).run();
+  return Linter(*program, meant).run();
 }
 
 const LintFinding* firstError(const std::vector<LintFinding>& findings) {
@@ -1038,8 +1030,8 @@ const LintFinding* firstError(const std::vector<LintFinding>& findings) {
   return found == findings.end() ? nullptr : &*found;
 }
 
-base::Result<void> requireSound(std::string_view text, const TemplateParameters& parameters) {
-  const auto findings = lintProgram(text, parameters);
+base::Result<void> requireSound(const FlexibleProgram& program) {
+  const auto findings = lintProgram(program.text, program);
   if (!findings) {
     return base::fail(findings.error());
   }

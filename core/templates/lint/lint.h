@@ -15,7 +15,7 @@
 
 #include "base/id.h"
 #include "base/result.h"
-#include "templates/cells.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::templates {
 
@@ -44,7 +44,7 @@ enum class LintRule {
   FeedRaised,           ///< method credit: an override above 100 %
   CorrectionUnbounded,  ///< online correction: applied to an axis beyond the limit, or from the
                         ///< wrong cell
-  CorrectionIgnored,  ///< online correction: a cell of the client is not applied to its axis
+  CorrectionIgnored,    ///< online correction: a cell of the client is not applied to its axis
 };
 
 /// "stopre-missing", ...
@@ -63,19 +63,18 @@ struct LintFinding {
   std::string message;  ///< what is wrong, and what to do
 };
 
-/// @param text        the NC program
-/// @param parameters  the client's settings for it
-/// @return findings by line, or the errors of `planCells`
-[[nodiscard]] base::Result<std::vector<LintFinding>> lintProgram(
-    std::string_view text, const TemplateParameters& parameters);
+/// @param text   the NC program
+/// @param meant  the program for which the client takes it
+/// @return findings by line; NotOnTarget
+[[nodiscard]] base::Result<std::vector<LintFinding>> lintProgram(std::string_view text,
+                                                                 const FlexibleProgram& meant);
 
 /// The first finding that is an error; null: none.
 [[nodiscard]] const LintFinding* firstError(const std::vector<LintFinding>& findings);
 
 /// For use before a program is written to a control. @return Rejected with the first error, or the
-/// errors of `planCells`
-[[nodiscard]] base::Result<void> requireSound(std::string_view text,
-                                              const TemplateParameters& parameters);
+/// errors of `lintProgram`
+[[nodiscard]] base::Result<void> requireSound(const FlexibleProgram& program);
 
 }  // namespace rivulet::templates
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "templates/methods/window.h"
+#include "templates/methods/subprogram.h"
 
 namespace rivulet::templates {
 
@@ -15,6 +15,10 @@ constexpr int kAskingPassesMax = 100'000;
 constexpr int kDryPassesMax = 25;
 
 }  // namespace
+
+std::unique_ptr<MethodTemplate> CreditTemplate::asSubprogram(std::string name) const {
+  return std::make_unique<SubprogramTemplate<CreditTemplate>>(std::move(name));
+}
 
 std::string CreditTemplate::nameSuffix(const TemplateParameters& parameters) const {
   return WindowTemplate::nameSuffix(parameters) +

@@ -5,7 +5,7 @@
 
 #include "base/contract.h"
 #include "base/text.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 #include "templates/methods/window.h"
 
 namespace rivulet::templates {

@@ -13,6 +13,9 @@ namespace rivulet::templates {
 /// The axes stop between windows: M66 makes the interpreter wait for them.
 class LinuxCncWindowTemplate : public WindowTemplate {
  public:
+  [[nodiscard]] std::unique_ptr<MethodTemplate> asSubprogram(std::string) const override {
+    return nullptr;
+  }
   [[nodiscard]] base::Result<void> check(const TemplateParameters& parameters) const override;
   [[nodiscard]] std::string program(const TemplateParameters& parameters, const CellMap& cells,
                                     int layoutNumber) const override;

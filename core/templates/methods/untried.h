@@ -20,6 +20,9 @@ class StructuredLanguage;
 
 class UntriedWindowTemplate : public WindowTemplate {
  public:
+  [[nodiscard]] std::unique_ptr<MethodTemplate> asSubprogram(std::string) const override {
+    return nullptr;
+  }
   [[nodiscard]] base::Result<void> check(const TemplateParameters& parameters) const override;
   [[nodiscard]] std::string program(const TemplateParameters& parameters, const CellMap& cells,
                                     int layoutNumber) const override;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "templates/methods/subprogram.h"
+
 namespace rivulet::templates {
 
 namespace {
@@ -321,6 +323,10 @@ std::string WindowTemplate::nameSuffix(const TemplateParameters& parameters) con
 
 int WindowTemplate::longestWrite(const TemplateParameters& parameters) const {
   return cellsPerPoint(parameters) * parameters.pointsPerLoop + WindowProtocol::WindowCells;
+}
+
+std::unique_ptr<MethodTemplate> WindowTemplate::asSubprogram(std::string name) const {
+  return std::make_unique<SubprogramTemplate<WindowTemplate>>(std::move(name));
 }
 
 std::string WindowTemplate::program(const TemplateParameters& parameters, const CellMap& cells,

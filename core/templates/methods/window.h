@@ -6,6 +6,8 @@
 /// delivered. `WindowedTemplate` is common to the three methods.
 #pragma once
 
+#include <memory>
+#include <string>
 #include <string_view>
 
 #include "templates/listing.h"
@@ -58,6 +60,7 @@ class WindowTemplate : public WindowedTemplate {
                                     int layoutNumber) const override;
   [[nodiscard]] std::string nameSuffix(const TemplateParameters& parameters) const override;
   [[nodiscard]] int longestWrite(const TemplateParameters& parameters) const override;
+  [[nodiscard]] std::unique_ptr<MethodTemplate> asSubprogram(std::string name) const override;
 
  protected:
   // What the loop of a whole job does in addition. Nothing here.
@@ -88,6 +91,7 @@ class WindowTemplate : public WindowedTemplate {
 /// As method window, without a stop between windows. Experimental.
 class CreditTemplate : public WindowTemplate {
  public:
+  [[nodiscard]] std::unique_ptr<MethodTemplate> asSubprogram(std::string name) const override;
   [[nodiscard]] std::string nameSuffix(const TemplateParameters& parameters) const override;
 
  private:

@@ -15,7 +15,7 @@
 #include "gui/widgets/page_test.h"
 #include "gui/widgets/samples.h"
 #include "support/test_program.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 #include "widgets/alarms/alarm_line.h"
 #include "widgets/alarms/alarm_page.h"
 #include "widgets/alarms/alarm_text.h"
@@ -260,10 +260,7 @@ std::unique_ptr<QWidget> tracePage(bool control) {
 
 std::unique_ptr<QWidget> templatePage() {
   auto page = std::make_unique<TemplatePage>();
-  const templates::TemplateParameters parameters;
-  page->setTemplate(QString::fromStdString(templates::generateTemplate(parameters).value()),
-                    QString::fromStdString(templates::templateFileName(parameters)),
-                    templates::planCells(parameters).value(), templates::layoutNumber(parameters));
+  page->setTemplate(*templates::makeProgram({}));
   return page;
 }
 

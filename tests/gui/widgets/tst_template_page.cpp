@@ -10,7 +10,7 @@
 
 #include "gui/widgets/page_test.h"
 #include "support/test_program.h"
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 #include "widgets/templates/cell_model.h"
 #include "widgets/templates/template_page.h"
 
@@ -32,9 +32,9 @@ class TestTemplatePage : public QObject {
     }
     templates::TemplateParameters parameters;
     parameters.method = base::MethodKind::Signal;
-    const QString text = QString::fromStdString(templates::generateTemplate(parameters).value());
-    page.setTemplate(text, QString::fromStdString(templates::templateFileName(parameters)),
-                     templates::planCells(parameters).value(), templates::layoutNumber(parameters));
+    const auto program = templates::makeProgram(parameters);
+    const QString text = QString::fromStdString(program->text);
+    page.setTemplate(*program);
     QCOMPARE(page.text(), text);
     QVERIFY(page.findChild<QPlainTextEdit*>()->isReadOnly());
     QVERIFY(test::visibleText(page).contains("RIVULET_SIGNAL_7.MPF"));
@@ -52,7 +52,7 @@ class TestTemplatePage : public QObject {
     templates::TemplateParameters parameters;
     parameters.method = base::MethodKind::Window;
     parameters.pointsPerLoop = 3;
-    const auto cells = templates::planCells(parameters).value();
+    const auto cells = templates::makeProgram(parameters)->cells;
     model.setCells(cells);
     QCOMPARE(model.rowCount(), 9 + 2 * (3 + 3));
     QSet<QString> seen;
@@ -81,7 +81,7 @@ class TestTemplatePage : public QObject {
     templates::TemplateParameters parameters;
     parameters.method = base::MethodKind::Signal;
     parameters.axes = {true, true, false};
-    model.setCells(templates::planCells(parameters).value());
+    model.setCells(templates::makeProgram(parameters)->cells);
     QCOMPARE(model.rowCount(), 5 + 7);
     QCOMPARE(model.index(5, CellModel::Role).data().toString(), QString("Point 1: X Y"));
     QCOMPARE(model.index(5, CellModel::Parameters).data().toString(), QString("R11 R12"));

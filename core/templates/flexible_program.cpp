@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "templates/generator.h"
+#include "templates/flexible_program.h"
 
 #include <fmt/format.h>
 
@@ -19,29 +19,14 @@ constexpr std::string_view kNamePrefix = "RIVULET_";
 /// The number of a program whose own number is not known yet.
 constexpr int kNoNumber = 0;
 
-int numberOf(const TemplateParameters& parameters, const CellMap& cells) {
+int numberOf(std::string_view text) {
   constexpr std::uint64_t kNumbers = (1U << 24U) - 1;
-  const std::string text = methodTemplate(parameters).program(parameters, cells, kNoNumber);
   return 1 + static_cast<int>(base::hashOf(text) % kNumbers);
 }
 
-}  // namespace
-
-base::Result<std::string> generateTemplate(const TemplateParameters& parameters) {
-  const base::Result<CellMap> cells = planCells(parameters);
-  if (!cells) {
-    return base::fail(cells.error());
-  }
-  return methodTemplate(parameters).program(parameters, *cells, numberOf(parameters, *cells));
-}
-
-int layoutNumber(const TemplateParameters& parameters) {
-  const base::Result<CellMap> cells = planCellsAnywhere(parameters);
-  return cells ? numberOf(parameters, *cells) : kNoNumber;
-}
-
-std::string templateFileName(const TemplateParameters& parameters) {
+std::string nameOf(const FlexibleProgram& program) {
   constexpr std::size_t kLongest = 24;
+  const TemplateParameters& parameters = program.parameters;
   std::string name = base::toUpper(fmt::format(
       "{}{}_{}", kNamePrefix, base::methodName(parameters.method), parameters.pointsPerLoop));
   // Letters distinguish variants, so that one never replaces another on the control.
@@ -50,9 +35,29 @@ std::string templateFileName(const TemplateParameters& parameters) {
     name += axisLetters(parameters);
   }
   if (name.size() > kLongest) {
-    name = fmt::format("{}{}", kNamePrefix, layoutNumber(parameters));
+    name = fmt::format("{}{}", kNamePrefix, program.layoutNumber);
   }
   return name + ".MPF";
+}
+
+}  // namespace
+
+base::Result<FlexibleProgram> makeProgram(const TemplateParameters& parameters) {
+  base::Result<CellMap> cells = planCells(parameters);
+  if (!cells) {
+    return base::fail(cells.error());
+  }
+  const MethodTemplate& method = methodTemplate(parameters);
+  FlexibleProgram program{parameters, std::move(*cells), {}, kNoNumber, {}};
+  program.layoutNumber = numberOf(method.program(parameters, program.cells, kNoNumber));
+  program.text = method.program(parameters, program.cells, program.layoutNumber);
+  program.name = nameOf(program);
+  return program;
+}
+
+base::Result<void> requireProgram(const TemplateParameters& parameters) {
+  const base::Result<CellMap> cells = planCells(parameters);
+  return cells ? base::Result<void>() : base::fail(cells.error());
 }
 
 std::optional<int> baseCellOf(std::string_view fileName, int otherwise) {
