@@ -80,7 +80,7 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
     command.insert(command.end(),
                    {"--control", std::string(templates::targetName(parameters.target))});
   }
-  if (parameters.method == base::MethodKind::Credit) {
+  if (base::goesOn(parameters.method)) {
     command.insert(command.end(), {"--windows-ahead", std::to_string(parameters.windowsAhead)});
     if (!parameters.slowDown) {
       command.emplace_back("--no-slow-down");

@@ -443,7 +443,7 @@ base::Result<void> StreamCommand::judge() {
   const feasibility::OperatingPoint point = report::operatingPointOf(m_settings);
   const std::vector<gcode::StreamPoint> points = this->points();
   m_judged.feasible = true;  // a single point needs no refill; method file waits
-  if (points.size() >= 2 && point.method != base::MethodKind::File) {
+  if (points.size() >= 2 && !base::sendsBlocks(point.method)) {
     // Fewer points per loop than two have no distances; the judge refuses them.
     const int perLoop = std::max(2, point.pointsPerLoop);
     const auto verdict = feasibility::judge(

@@ -526,11 +526,8 @@ void Document::rehearse() {
   for (std::size_t i = 0; i < job.points.size(); ++i) {
     job.points[i].feedMmPerS = m_settings.usesProgramFeeds() ? commandedMmPerS(i) : 0.0;
   }
-  const feasibility::ProgramDistances& distances = *m_findings.distances;
   job.tightest =
-      (m_settings.parameters.method == base::MethodKind::Position ? distances.pointDistancePlace
-                                                                  : distances.windowPlace)
-          .point.value;
+      feasibility::tightestPlace(*m_findings.distances, m_settings.parameters.method).point.value;
   job.settings = runSettings();
   job.machine = m_machine;
   job.access = m_findings.access.measured;

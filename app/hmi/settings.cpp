@@ -135,7 +135,7 @@ Settings loadSettings() {
   const double correctionMm =
       positive(store.value(QStringLiteral("stream/correctionLimitMm")), 0.0);
   if (correctionMm <= templates::kCorrectionLimitMmMax &&
-      stream.parameters.method == base::MethodKind::Window) {
+      base::fillsWindows(stream.parameters.method)) {
     stream.parameters.correctionLimitMm = correctionMm;
   }
   stream.deltaMm = positive(store.value(QStringLiteral("stream/deltaMm")), stream.deltaMm);

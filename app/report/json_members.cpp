@@ -68,7 +68,7 @@ streaming::RunSettings runSettingsOf(Members& members) {
   streaming::RunSettings settings;
   templates::TemplateParameters& parameters = settings.parameters;
   const auto flag = [&members](const char* at) { return members.flag(at); };
-  parameters.method = base::MethodKind::Window;
+  parameters.method = base::kDefaultMethod;
   readNamed(members, "/settings/method", parameters.method, base::methodFromName);
   readCells(members, parameters);
   members.ifThere("/settings/slow_down", parameters.slowDown, flag);

@@ -71,9 +71,7 @@ std::optional<double> simulatedFeed(const AdviceJob& job, const feasibility::Ope
                                     double feedMmPerSMax, const std::atomic<bool>& stop) {
   RehearsalJob rehearsal;
   const feasibility::ProgramDistances distances = distancesOf(job, point);
-  const feasibility::Place& tightest = point.method == base::MethodKind::Position
-                                           ? distances.pointDistancePlace
-                                           : distances.windowPlace;
+  const feasibility::Place& tightest = feasibility::tightestPlace(distances, point.method);
   // Of a large program, only what is simulated is copied.
   rehearsal.points =
       forecast::stretchOf(job.view->points.points, tightest.point.value, kRehearsedPointsMax);

@@ -22,7 +22,7 @@ namespace rivulet::session {
 
 /// The settings of a run that determine its time.
 struct TimeSettings {
-  base::MethodKind method = base::MethodKind::Signal;
+  base::MethodKind method = base::kDefaultMethod;
   int pointsPerLoop = 2;
   double feedMmPerS = 0.0;                            ///< > 0
   std::optional<gcode::ProgramFeeds> programFeeds{};  ///< instead of it

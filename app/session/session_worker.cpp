@@ -524,7 +524,7 @@ void SessionWorker::endRun(const EndRunCommand& command) {
 }
 
 bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) const {
-  if (settings.parameters.method != base::MethodKind::Credit) {
+  if (!base::needsCommissioning(settings.parameters.method)) {
     return false;
   }
   const auto identity = m_connection.control->identity();

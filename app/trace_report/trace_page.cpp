@@ -190,7 +190,7 @@ struct TraceTexts {
             {{tr("Method"), method ? methodText(*method) : known(start.method)},
              {QStringLiteral("N"), QString::number(start.pointsPerLoop)},
              {QStringLiteral("δ"),
-              method == base::MethodKind::Position ? lengthText(start.deltaMm) : noValue()},
+              method && base::usesDelta(*method) ? lengthText(start.deltaMm) : noValue()},
              {tr("Feed"), feedsText(run)},
              {tr("Axes"), start.axes.empty() ? QStringLiteral("XYZ") : known(start.axes)},
              {tr("Layout"), known(start.layout)}}};

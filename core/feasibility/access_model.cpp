@@ -24,7 +24,7 @@ Duration AccessModel::timePerNode(const TurnSize& size) const {
     return accessTime;
   }
   TurnSize filled = size;
-  if (size.method == base::MethodKind::Signal) {
+  if (base::methodTraits(size.method).portion == base::Portion::HalfLoop) {
     filled.pointsPerLoop = std::max(size.pointsPerLoop, 2);
   }
   const ClientTurn turn = turnOf(filled);
@@ -32,7 +32,7 @@ Duration AccessModel::timePerNode(const TurnSize& size) const {
   if (turn.number > 0) {
     took += measured->write.of(turn.number);
   }
-  return took / chargedCells(filled);
+  return took / turn.charged;
 }
 
 }  // namespace rivulet::feasibility

@@ -116,7 +116,7 @@ class Adviser {
   /// the tool would be within δ of two points at once.
   void changeDelta() {
     OperatingPoint after = m_question.operatingPoint;
-    if (after.method != base::MethodKind::Position) {
+    if (!base::usesDelta(after.method)) {
       return;
     }
     const double largestMm =

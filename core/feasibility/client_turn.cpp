@@ -8,27 +8,34 @@
 
 namespace rivulet::feasibility {
 
-using base::MethodKind;
-
-ClientTurn turnOf(const TurnSize& size) {
-  switch (size.method) {
-    case MethodKind::Position:
-      return {static_cast<int>(base::kAxisCount), size.cellsPerPoint, 0};
-    case MethodKind::Signal:
-      return {1, size.cellsPerPoint * (size.pointsPerLoop / 2), 0};
-    case MethodKind::Credit:
-    case MethodKind::Window:
-    case MethodKind::File:
-      break;
-  }
-  const int content =
-      size.cellsPerPoint * size.pointsPerLoop + templates::WindowProtocol::WindowCells;
-  return {size.method == MethodKind::Credit ? 2 : 1, content, 1};
+ClientTurn pointTurn(int cellsPerPoint) {
+  constexpr int kRead = static_cast<int>(base::kAxisCount);
+  return {kRead, cellsPerPoint, 0, kRead + cellsPerPoint};
 }
 
-int chargedCells(const TurnSize& size) {
-  const ClientTurn turn = turnOf(size);
-  return (base::hasWindows(size.method) ? 1 : turn.read) + turn.content + turn.number;
+ClientTurn halfLoopTurn(int pointsPerLoop, int cellsPerPoint) {
+  const int content = cellsPerPoint * (pointsPerLoop / 2);
+  return {1, content, 0, 1 + content};
+}
+
+ClientTurn windowTurn(int pointsPerWindow, int cellsPerPoint) {
+  const int content = cellsPerPoint * pointsPerWindow + templates::WindowProtocol::WindowCells;
+  return {1, content, 1, 1 + content + 1};
+}
+
+ClientTurn turnOf(const TurnSize& size) {
+  switch (base::methodTraits(size.method).portion) {
+    case base::Portion::Point:
+      return pointTurn(size.cellsPerPoint);
+    case base::Portion::HalfLoop:
+      return halfLoopTurn(size.pointsPerLoop, size.cellsPerPoint);
+    case base::Portion::Window:
+      break;
+  }
+  ClientTurn turn = windowTurn(size.pointsPerLoop, size.cellsPerPoint);
+  // What has been taken is not yet what has been executed.
+  turn.read = base::goesOn(size.method) ? 2 : turn.read;
+  return turn;
 }
 
 }  // namespace rivulet::feasibility

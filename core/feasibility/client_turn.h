@@ -17,7 +17,7 @@ namespace rivulet::feasibility {
 
 /// What determines the number of cells of a turn.
 struct TurnSize {
-  base::MethodKind method = base::MethodKind::Window;
+  base::MethodKind method = base::kDefaultMethod;
   int pointsPerLoop = 7;           ///< N; methods with windows: points per window
   int cellsPerPoint = kPaperAxes;  ///< axes that are streamed: `templates::cellsPerPoint`
   friend bool operator==(const TurnSize&, const TurnSize&) = default;
@@ -33,16 +33,18 @@ struct ClientTurn {
   int read = 0;     ///< in one request
   int content = 0;  ///< written in one request
   int number = 0;   ///< written in a request of its own, after the content
+  /// Cells that the equations charge for it. Method credit reads two cells and is charged one: the
+  /// equations are those of method window.
+  int charged = 0;
 };
 
 [[nodiscard]] ClientTurn turnOf(const TurnSize& size);
+[[nodiscard]] ClientTurn pointTurn(int cellsPerPoint);
+[[nodiscard]] ClientTurn halfLoopTurn(int pointsPerLoop, int cellsPerPoint);
+[[nodiscard]] ClientTurn windowTurn(int pointsPerWindow, int cellsPerPoint);
 
 /// The axes and the feed are read for the display this often even if the stream leaves no time for
 /// it, by methods in which a late client only makes the machine wait.
 inline constexpr base::Duration kDisplayIntervalMax = std::chrono::milliseconds{900};
-
-/// Cells that the equations charge for a turn. Method credit reads two cells and is charged one:
-/// the equations are those of method window.
-[[nodiscard]] int chargedCells(const TurnSize& size);
 
 }  // namespace rivulet::feasibility

@@ -22,15 +22,15 @@ double marginOf(double lengthMm, double feedMmPerS, double timeS, double safetyF
 }
 
 /// Of one turn of the client.
-double turnTimeS(base::Duration accessTime, const TurnSize& size) {
-  return base::toSeconds(accessTime) * chargedCells(size);
+double turnTimeS(base::Duration accessTime, const ClientTurn& turn) {
+  return base::toSeconds(accessTime) * turn.charged;
 }
 
 }  // namespace
 
 PollTime pollTime(base::Duration accessTime, int cellsPerPoint) {
   RIVULET_ASSERT(accessTime > base::Duration::zero());
-  const ClientTurn turn = turnOf({base::MethodKind::Position, 1, cellsPerPoint});
+  const ClientTurn turn = pointTurn(cellsPerPoint);
   return {accessTime * turn.read, accessTime * (turn.read + turn.content)};
 }
 
@@ -54,15 +54,15 @@ double windowMargin(double feedMmPerS, base::Duration accessTime, int pointsPerL
 double realWindowMargin(double feedMmPerS, base::Duration accessTime, int pointsPerLoop,
                         double windowLengthMmMin, double safetyFactor, int cellsPerPoint) {
   RIVULET_ASSERT(pointsPerLoop >= 2);
-  const TurnSize size{base::MethodKind::Signal, pointsPerLoop, cellsPerPoint};
-  return marginOf(windowLengthMmMin, feedMmPerS, turnTimeS(accessTime, size), safetyFactor);
+  const ClientTurn turn = halfLoopTurn(pointsPerLoop, cellsPerPoint);
+  return marginOf(windowLengthMmMin, feedMmPerS, turnTimeS(accessTime, turn), safetyFactor);
 }
 
 double reachMargin(double feedMmPerS, base::Duration accessTime, int pointsPerWindow,
                    double windowLengthMmMin, double safetyFactor, int cellsPerPoint) {
   RIVULET_ASSERT(pointsPerWindow >= 1);
-  const TurnSize size{base::MethodKind::Window, pointsPerWindow, cellsPerPoint};
-  return marginOf(windowLengthMmMin, feedMmPerS, turnTimeS(accessTime, size), safetyFactor);
+  const ClientTurn turn = windowTurn(pointsPerWindow, cellsPerPoint);
+  return marginOf(windowLengthMmMin, feedMmPerS, turnTimeS(accessTime, turn), safetyFactor);
 }
 
 }  // namespace rivulet::feasibility

@@ -16,14 +16,12 @@ Prediction predict(const std::vector<gcode::StreamPoint>& points,
                    base::Vec3 startMm) {
   RIVULET_ASSERT(!points.empty());
   RIVULET_ASSERT(operatingPoint.feedMmPerS > 0.0);
-  switch (operatingPoint.method) {
-    case base::MethodKind::Position:
+  switch (base::methodTraits(operatingPoint.method).portion) {
+    case base::Portion::Point:
       return predictPosition(points, operatingPoint, model, startMm);
-    case base::MethodKind::Signal:
+    case base::Portion::HalfLoop:
       return predictSignal(points, operatingPoint, model, startMm);
-    case base::MethodKind::Window:
-    case base::MethodKind::Credit:
-    case base::MethodKind::File:
+    case base::Portion::Window:
       break;
   }
   return predictWindows(points, operatingPoint, model, startMm);

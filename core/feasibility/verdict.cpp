@@ -36,6 +36,10 @@ std::optional<Place> placeOf(Equation equation, const ProgramDistances& distance
 
 }  // namespace
 
+const Place& tightestPlace(const ProgramDistances& distances, base::MethodKind method) {
+  return base::usesDelta(method) ? distances.pointDistancePlace : distances.windowPlace;
+}
+
 std::error_code make_error_code(FeasibilityError code) {
   static const base::NamedCategory category("feasibility");
   return {static_cast<int>(code), category};
@@ -59,7 +63,7 @@ std::string_view equationLabel(Equation equation) {
 
 std::vector<MethodEquation> equationsOf(base::MethodKind method,
                                         const ProgramDistances& distances) {
-  if (method == base::MethodKind::Position) {
+  if (base::usesDelta(method)) {
     return {{Equation::PointDistance, true}, {Equation::Delta, true}};
   }
   if (base::hasWindows(method)) {
@@ -109,12 +113,13 @@ double marginOf(Equation equation, const OperatingPoint& operatingPoint,
 
 base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramDistances& distances,
                             const AccessModel& access, const SafetyFactors& safety) {
-  const bool position = operatingPoint.method == base::MethodKind::Position;
-  if (operatingPoint.method == base::MethodKind::File) {
+  const bool position = base::usesDelta(operatingPoint.method);
+  if (base::sendsBlocks(operatingPoint.method)) {
     return base::fail(
         FeasibilityError::NothingKnown,
-        "No source says what it costs to store a program on a control, so no prediction is "
-        "possible for method file. Its axes wait if the client is late.");
+        fmt::format("No source says what it costs to store a program on a control, so no "
+                    "prediction is possible for method {}. Its axes wait if the client is late.",
+                    base::methodName(operatingPoint.method)));
   }
   // Written so that a value which is not a number is refused as well.
   if (!(operatingPoint.feedMmPerS > 0.0) || !std::isfinite(operatingPoint.feedMmPerS)) {

@@ -41,7 +41,7 @@ enum class Equation {
 [[nodiscard]] std::string_view equationLabel(Equation equation);
 
 struct OperatingPoint {
-  base::MethodKind method = base::MethodKind::Window;
+  base::MethodKind method = base::kDefaultMethod;
   int pointsPerLoop = 7;  ///< N, >= 2; method window: points per window
   double deltaMm = 0.3;   ///< δ; used by method position only
   double feedMmPerS = 500.0 / 60.0;
@@ -73,6 +73,10 @@ struct ProgramDistances {
   double windowLengthMmMin = 0.0;  ///< d_min^N
   Place windowPlace;
 };
+
+/// Where the program is closest to the limit of a method.
+[[nodiscard]] const Place& tightestPlace(const ProgramDistances& distances,
+                                         base::MethodKind method);
 
 /// d_min and d_min^N of the streamed points. @param points at least 2
 /// @param pointsPerLoop N >= 2; if the list has fewer than ⌊N/2⌋ steps, its whole length counts

@@ -142,20 +142,18 @@ std::vector<float> localMargins(const ProgramView& view, const feasibility::Oper
   // Both margins are proportional to the length: one evaluation is enough for all.
   double perMm = 0.0;
   const base::Duration accessTime = access.timePerNode(point.turn());
-  switch (point.method) {
-    case base::MethodKind::Position:
+  switch (base::methodTraits(point.method).portion) {
+    case base::Portion::Point:
       perMm = feasibility::pointDistanceMargin(
           point.feedMmPerS, feasibility::pollTime(accessTime, point.cellsPerPoint).max, 1.0,
           safety.pointDistance);
       break;
-    case base::MethodKind::Signal:
+    case base::Portion::HalfLoop:
       perMm = feasibility::realWindowMargin(point.feedMmPerS, accessTime, point.pointsPerLoop, 1.0,
                                             safety.window, point.cellsPerPoint);
       stepsMm = shortestWindowOf(stepsMm, static_cast<std::size_t>(point.pointsPerLoop / 2));
       break;
-    case base::MethodKind::Window:
-    case base::MethodKind::Credit:
-    case base::MethodKind::File:  // is not judged
+    case base::Portion::Window:
       perMm = feasibility::reachMargin(point.feedMmPerS, accessTime, point.pointsPerLoop, 1.0,
                                        safety.window, point.cellsPerPoint);
       stepsMm = shortestWindowOf(stepsMm, static_cast<std::size_t>(point.pointsPerLoop));

@@ -145,11 +145,7 @@ namespace {
 base::Result<CellMap> planCellsAnywhere(const TemplateParameters& parameters) {
   const MethodTemplate& method = methodTemplate(parameters);
   const int axes = axisCount(parameters);
-  const bool hasProgram = parameters.target == TargetControl::Sinumerik ||
-                          parameters.method == base::MethodKind::Window ||
-                          (parameters.target == TargetControl::LinuxCnc &&
-                           parameters.method == base::MethodKind::Credit);
-  if (!hasProgram) {
+  if (!hasTemplate(parameters)) {
     return base::fail(
         TemplateError::NotOnTarget,
         fmt::format("There is no program of method {} for {}: choose method window{}.",
@@ -222,8 +218,7 @@ int axisCount(const TemplateParameters& parameters) {
 }
 
 int cellsPerPoint(const TemplateParameters& parameters) {
-  const bool hasFeed = parameters.feedPerPoint && base::hasWindows(parameters.method) &&
-                       !base::sendsBlocks(parameters.method);
+  const bool hasFeed = parameters.feedPerPoint && base::fillsWindows(parameters.method);
   return axisCount(parameters) + (hasFeed ? 1 : 0);
 }
 

@@ -106,7 +106,7 @@ enum class TargetControl {
 /// The settings of a program. A method reads its own settings and does not change the others, so
 /// that they are kept when the user tries another method.
 struct TemplateParameters : LoopSettings, WindowSettings, CreditSettings {
-  base::MethodKind method = base::MethodKind::Window;
+  base::MethodKind method = base::kDefaultMethod;
   int pointsPerLoop = 7;  ///< N; methods window, credit and file: points per window
   std::array<bool, base::kAxisCount> axes{true, true, true};
   base::RotarySet rotaryAxes{};  ///< methods window and file: A, B, C, in degrees

@@ -48,7 +48,8 @@ base::Result<FlexibleProgram> makeProgram(const TemplateParameters& parameters) 
     return base::fail(cells.error());
   }
   const MethodTemplate& method = methodTemplate(parameters);
-  FlexibleProgram program{parameters, std::move(*cells), {}, kNoNumber, {}};
+  FlexibleProgram program{
+      parameters, std::move(*cells), {}, kNoNumber, {}, method.isForStudy(parameters)};
   program.layoutNumber = numberOf(method.program(parameters, program.cells, kNoNumber));
   program.text = method.program(parameters, program.cells, program.layoutNumber);
   program.name = nameOf(program);

@@ -30,6 +30,8 @@ struct FlexibleProgram {
   int layoutNumber = 0;
   /// File name on the control, e.g. "RIVULET_SIGNAL_7.MPF": at most 24 characters before the dot.
   std::string name;
+  /// For study only: it breaks what its method promises on purpose.
+  bool isForStudy = false;
 };
 
 /// @return why there is none: `requireProgram`

@@ -3,6 +3,10 @@
 
 #include "templates/method_template.h"
 
+#include <algorithm>
+#include <vector>
+
+#include "base/contract.h"
 #include "templates/methods/linuxcnc.h"
 #include "templates/methods/loop.h"
 #include "templates/methods/untried.h"
@@ -10,7 +14,17 @@
 
 namespace rivulet::templates {
 
-const MethodTemplate& methodTemplate(const TemplateParameters& parameters) {
+namespace {
+
+struct Row {
+  base::MethodKind method;
+  TargetControl target;
+  const MethodTemplate* program;
+};
+
+std::vector<Row>& rows() {
+  using enum base::MethodKind;
+  using enum TargetControl;
   static const PositionTemplate position;
   static const SignalTemplate signal;
   static const WindowTemplate window;
@@ -20,27 +34,42 @@ const MethodTemplate& methodTemplate(const TemplateParameters& parameters) {
   static const LinuxCncCreditTemplate linuxCncCredit;
   static const TwinCatWindowTemplate twinCatWindow;
   static const IsgWindowTemplate isgWindow;
-  const bool isLinuxCnc = parameters.target == TargetControl::LinuxCnc;
-  // Of other methods there is no program for these, see `planCells`.
-  if (parameters.target == TargetControl::TwinCat) {
-    return twinCatWindow;
-  }
-  if (parameters.target == TargetControl::Isg) {
-    return isgWindow;
-  }
-  switch (parameters.method) {
-    case base::MethodKind::Position:
-      return position;
-    case base::MethodKind::Signal:
-      return signal;
-    case base::MethodKind::Credit:
-      return isLinuxCnc ? static_cast<const MethodTemplate&>(linuxCncCredit) : credit;
-    case base::MethodKind::File:
-      return file;
-    case base::MethodKind::Window:
-      break;
-  }
-  return isLinuxCnc ? static_cast<const MethodTemplate&>(linuxCncWindow) : window;
+  static std::vector<Row> list{
+      {Position, Sinumerik, &position},
+      {Signal, Sinumerik, &signal},
+      {Window, Sinumerik, &window},
+      {Credit, Sinumerik, &credit},
+      {File, Sinumerik, &file},
+      {Window, LinuxCnc, &linuxCncWindow},
+      {Credit, LinuxCnc, &linuxCncCredit},
+      {Window, TwinCat, &twinCatWindow},
+      {Window, Isg, &isgWindow},
+  };
+  return list;
+}
+
+const MethodTemplate* find(base::MethodKind method, TargetControl target) {
+  const auto found = std::find_if(rows().begin(), rows().end(), [&](const Row& row) {
+    return row.method == method && row.target == target;
+  });
+  return found == rows().end() ? nullptr : found->program;
+}
+
+}  // namespace
+
+const MethodTemplate& methodTemplate(const TemplateParameters& parameters) {
+  const MethodTemplate* const own = find(parameters.method, parameters.target);
+  const MethodTemplate* const other = find(parameters.method, TargetControl::Sinumerik);
+  RIVULET_ASSERT(own != nullptr || other != nullptr);
+  return own != nullptr ? *own : *other;
+}
+
+bool hasTemplate(const TemplateParameters& parameters) {
+  return find(parameters.method, parameters.target) != nullptr;
+}
+
+void addTemplate(base::MethodKind method, TargetControl target, const MethodTemplate& added) {
+  rows().push_back({method, target, &added});
 }
 
 }  // namespace rivulet::templates

@@ -40,6 +40,11 @@ class MethodTemplate {
   /// Letters that distinguish variants in the file name.
   [[nodiscard]] virtual std::string nameSuffix(const TemplateParameters& parameters) const = 0;
 
+  /// It breaks what its method promises on purpose.
+  [[nodiscard]] virtual bool isForStudy(const TemplateParameters& /*parameters*/) const {
+    return false;
+  }
+
   /// Cells of the client's longest request during a run.
   [[nodiscard]] virtual int longestWrite(const TemplateParameters& parameters) const = 0;
 
@@ -49,8 +54,14 @@ class MethodTemplate {
   }
 };
 
-/// Of the parameters' method, for their make of control.
+/// Of the parameters' method, for their make of control; without one for it, that for SINUMERIK.
 [[nodiscard]] const MethodTemplate& methodTemplate(const TemplateParameters& parameters);
+/// Whether there is one for their make of control.
+[[nodiscard]] bool hasTemplate(const TemplateParameters& parameters);
+
+/// One that is not in the table of this folder, see `streaming::registerMethod`. It has to last.
+/// Before anything asks for it, on one thread.
+void addTemplate(base::MethodKind method, TargetControl target, const MethodTemplate& added);
 
 /// For `makeProgram`. @return the errors of `requireProgram`
 [[nodiscard]] base::Result<CellMap> planCells(const TemplateParameters& parameters);

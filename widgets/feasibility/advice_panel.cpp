@@ -242,7 +242,7 @@ QString AdvicePanel::adviceText(const Advice& advice, const FeedScale& scale) {
 }
 
 void AdvicePanel::showKnobs() {
-  const bool usesDelta = m_under.method == base::MethodKind::Position;
+  const bool usesDelta = base::usesDelta(m_under.method);
   m_names[Delta]->setVisible(usesDelta);
   m_knobs[Delta]->setVisible(usesDelta);
   m_values[Delta]->setVisible(usesDelta);

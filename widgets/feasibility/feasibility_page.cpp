@@ -133,7 +133,7 @@ void FeasibilityPage::dropStaleRegions() {
     const SimulatedRegion& region = *chart->region();
     const feasibility::OperatingPoint& now = m_model->operatingPoint;
     const feasibility::OperatingPoint& then = region.operatingPoint;
-    const bool position = now.method == base::MethodKind::Position;
+    const bool position = base::usesDelta(now.method);
     const bool holds =
         now.method == then.method && now.cellsPerPoint == then.cellsPerPoint &&
         m_model->scale == region.scale &&
@@ -228,7 +228,7 @@ void FeasibilityPage::showHint() {
     m_hint->setStatus(Status::Unknown, tr("Load a program to see where it can be streamed."));
     return;
   }
-  const bool position = m_model->operatingPoint.method == base::MethodKind::Position;
+  const bool position = base::usesDelta(m_model->operatingPoint.method);
   const bool isOverride = m_model->scale.isOverride();
   QString text = isOverride
                      ? tr("Drag the ring to change the override on the feeds of the program.")

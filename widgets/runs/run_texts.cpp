@@ -81,9 +81,10 @@ struct RunTexts {
       case base::MethodKind::File:
         return tr("File");
       case base::MethodKind::Window:
-        break;
+        return tr("Window");
     }
-    return tr("Window");
+    const std::string_view name = base::methodName(method);
+    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
   }
   static QString programFeeds(const QString& percent) { return tr("program, %1 %").arg(percent); }
 };

@@ -166,9 +166,9 @@ MethodPanel::MethodPanel(QWidget* parent)
 }
 
 void MethodPanel::buildSettings() {
-  for (const base::MethodKind method : base::kMethodKinds) {
-    if (method != base::MethodKind::File) {  // for comparison, on the command line
-      m_method->addItem(QString(), static_cast<int>(method));
+  for (const base::MethodTraits& method : base::kMethods) {
+    if (!method.sendsBlocks) {  // for comparison, on the command line
+      m_method->addItem(QString(), static_cast<int>(method.kind));
     }
   }
   for (const templates::Layout layout : {templates::Layout::Paper, templates::Layout::Contiguous}) {
@@ -440,7 +440,7 @@ void MethodPanel::restyle() {
 }
 
 bool MethodPanel::usesDelta() const {
-  return m_settings.parameters.method == base::MethodKind::Position;
+  return base::usesDelta(m_settings.parameters.method);
 }
 
 bool MethodPanel::isWindow() const {

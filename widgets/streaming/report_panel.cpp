@@ -179,7 +179,7 @@ void ReportPanel::showOutcome(const streaming::RunReport& report) {
 void ReportPanel::showRun(const streaming::RunReport& report) {
   show(Program,
        report.programName.empty() ? noValue() : QString::fromStdString(report.programName));
-  const bool position = report.settings.parameters.method == base::MethodKind::Position;
+  const bool position = base::usesDelta(report.settings.parameters.method);
   show(Method, QStringLiteral("%1, N = %2")
                    .arg(methodText(report.settings.parameters.method),
                         QString::number(report.settings.parameters.pointsPerLoop)));

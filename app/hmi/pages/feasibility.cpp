@@ -49,16 +49,14 @@ double realPerTimed(const session::RegionJob& job) {
 
 /// The stretch of the program with the tightest distances, at the points of the grid.
 session::RegionJob jobOf(const Document& document, const widgets::SimulationWanted& wanted) {
-  const feasibility::ProgramDistances& distances = *document.findings().distances;
   session::RegionJob job;
   const streaming::RunSettings settings = document.runSettings();
   job.settings.parameters = settings.parameters;
   job.settings.deltaMm = settings.deltaMm;
   job.settings.feedMmPerS = settings.feedMmPerS;
   job.settings.programFeeds = settings.programFeeds;
-  const feasibility::Place& tightest = job.settings.parameters.method == base::MethodKind::Position
-                                           ? distances.pointDistancePlace
-                                           : distances.windowPlace;
+  const feasibility::Place& tightest =
+      feasibility::tightestPlace(*document.findings().distances, job.settings.parameters.method);
   std::vector<gcode::StreamPoint> points = document.points();
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].feedMmPerS = settings.programFeeds ? document.commandedMmPerS(i) : 0.0;
@@ -158,7 +156,7 @@ std::vector<base::MethodKind> otherMethods(const Document& document) {
   const bool isTurned = std::find(turned.begin(), turned.end(), true) != turned.end();
   std::vector<base::MethodKind> methods;
   for (const base::MethodTraits& traits : base::kMethods) {
-    if (!traits.needsCommissioning && traits.kind != base::MethodKind::File &&
+    if (!traits.needsCommissioning && !traits.sendsBlocks &&
         !document.settings().usesProgramFeeds() && (traits.streamsRotary || !isTurned)) {
       methods.push_back(traits.kind);
     }

@@ -36,8 +36,8 @@ double runS(std::span<const gcode::StreamPoint> points, const RunSettings& setti
   const templates::TemplateParameters& parameters = with.parameters;
   const feasibility::TurnSize turn{parameters.method, parameters.pointsPerLoop,
                                    templates::cellsPerPoint(parameters)};
-  const double turnS = base::toSeconds(access.timePerNode(turn)) * chargedCells(turn);
-  const bool stops = parameters.method != base::MethodKind::Credit;
+  const double turnS = base::toSeconds(access.timePerNode(turn)) * turnOf(turn).charged;
+  const bool stops = !base::goesOn(parameters.method);
   const double stopS = stops ? base::toSeconds(settings.nominalPause) : 0.0;
   WindowCut cut = windowCut(with);
   cut.place = cut.place && stops;  // without pauses there is nothing to place
@@ -99,8 +99,7 @@ bool prefersFeedPerPoint(std::span<const gcode::StreamPoint> points, const RunSe
   RIVULET_ASSERT(!points.empty());
   templates::TemplateParameters perPoint = settings.parameters;
   perPoint.feedPerPoint = true;
-  if (!base::hasWindows(perPoint.method) || base::sendsBlocks(perPoint.method) ||
-      !templates::requireProgram(perPoint)) {
+  if (!base::fillsWindows(perPoint.method) || !templates::requireProgram(perPoint)) {
     return false;
   }
   const auto judged = points.first(std::min(points.size(), kPointsJudgedMax));

@@ -24,6 +24,10 @@
 #include "streaming/run/run.h"
 #include "templates/cells.h"
 
+namespace rivulet::templates {
+class MethodTemplate;
+}  // namespace rivulet::templates
+
 namespace rivulet::streaming {
 
 /// One access a method asks for. The spans stay valid until the answer has been handled.
@@ -169,5 +173,10 @@ class MethodType {
 };
 
 [[nodiscard]] const MethodType& methodType(base::MethodKind method);
+
+/// Adds a method: what is known of it, its program on the control, its client. They have to last.
+/// Before the first run, on one thread. @return its kind
+base::MethodKind registerMethod(const base::MethodTraits& traits,
+                                const templates::MethodTemplate& program, const MethodType& type);
 
 }  // namespace rivulet::streaming

@@ -316,11 +316,10 @@ class Job : public HostedRun {
     } else if (m_recorder.trace != nullptr) {
       driver.watchTrace(*m_recorder.trace);
     }
-    const bool isByPosition = m_settings.parameters.method == base::MethodKind::Position;
     driver.watchPath({m_flight.points.points,
                       m_flight.toolMm,
                       {m_settings.feedMmPerS, m_settings.parameters.correctionLimitMm,
-                       isByPosition ? m_settings.deltaMm : 0.0}});
+                       base::usesDelta(m_settings.parameters.method) ? m_settings.deltaMm : 0.0}});
     m_ledger.onGranted = [this] { keepCheckpoint(true); };
     const Instant from = m_link.now();
     const StreamEnd end = driver.run();

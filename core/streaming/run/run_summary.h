@@ -34,7 +34,7 @@ struct RunSummary {
   // Taken from its report.
   std::string programName;
   RunOrigin origin;  ///< who, where and when
-  base::MethodKind method = base::MethodKind::Window;
+  base::MethodKind method = base::kDefaultMethod;
   int pointsPerLoop = 0;
   double feedMmPerS = 0.0;
   /// The feeds of the program scaled by this; nothing: `feedMmPerS` for every move.

@@ -22,7 +22,6 @@ namespace {
 
 using base::Duration;
 using base::Instant;
-using base::MethodKind;
 
 /// Slow, and with much way between the points: far from every border of feasibility.
 constexpr double kStepMm = 2.0;
@@ -237,10 +236,7 @@ class Prover {
 
   std::vector<ProofCase> run() {
     const bool isWindow = base::hasWindows(m_parameters.method);
-    // A template for study only breaks this promise on purpose.
-    const bool isStudy = m_parameters.method == MethodKind::Signal &&
-                         m_parameters.signalStop == templates::SignalStop::OncePerLoop;
-    add("on-time", !isStudy, 2, {}, [](Trial& trial) {
+    add("on-time", !m_meant.isForStudy, 2, {}, [](Trial& trial) {
       trial.run();
       return firstOf(trial.wrongMotion(), trial.notCompleted());
     });

@@ -98,7 +98,7 @@ struct StartFacts {
   bool isVirtualMachine = false;  ///< one of Rivulet's, which are metric and read whole units
   bool hasFileChanged = false;    ///< since the program was read from it
   base::RotarySet turnedAxes{};   ///< rotary axes the program turns
-  base::MethodKind method = base::MethodKind::Window;
+  base::MethodKind method = base::kDefaultMethod;
   std::optional<base::Error> settingsError;     ///< no program can be made of the settings
   std::optional<feasibility::Verdict> verdict;  ///< nothing: there is none to be had
   std::optional<Rehearsed> rehearsed;           ///< nothing: it cannot be simulated

@@ -33,7 +33,6 @@ namespace rivulet::templates {
 
 namespace {
 
-using base::MethodKind;
 using nc::Statement;
 using nc::Words;
 
@@ -165,7 +164,7 @@ class Linter {
         m_parameters(meant.parameters),
         m_cells(meant.cells),
         m_isWindow(base::hasWindows(m_parameters.method)),
-        m_isCredit(m_parameters.method == MethodKind::Credit),
+        m_goesOn(base::goesOn(m_parameters.method)),
         m_layoutNumber(meant.layoutNumber) {
     for (int slot = 0; slot < m_cells.slotCount(); ++slot) {
       const std::vector<int> numbers = m_cells.slotCells(slot);
@@ -329,7 +328,7 @@ class Linter {
       const ValueSet index = isR ? evaluate(target.operands.front(), {}).result : ValueSet{};
       const bool isCertain = !index.isUnknown && index.values.size() == 1;
       const int cell = isCertain ? static_cast<int>(index.values.front()) : -1;
-      if (target.name == "$AC_OVR" && m_isCredit) {
+      if (target.name == "$AC_OVR" && m_goesOn) {
         if (value.isUnknown || value.values.back() > 100.0) {
           error(LintRule::FeedRaised, line,
                 "The override may exceed 100 %: the axes would move faster than the client has "
@@ -340,7 +339,7 @@ class Linter {
               fmt::format(
                   "A synchronized action writes R{}, which belongs to the client. Remove this.",
                   cell));
-      } else if (!isR || !isCertain || !m_isCredit || cell != m_cells.executed) {
+      } else if (!isR || !isCertain || !m_goesOn || cell != m_cells.executed) {
         warn(LintRule::NotChecked, line,
              "The effect of this synchronized action is not checked. Remove it.");
       }
@@ -533,7 +532,7 @@ class Linter {
     for (const int cell : evaluation.reads) {
       checkRange(line, cell);
       if (isWindowCell(cell)) {
-        if (!state.mustStand && !m_isCredit) {
+        if (!state.mustStand && !m_goesOn) {
           errorOnce(LintRule::StopreMissing, line,
                     fmt::format("A window is copied from R{} on a path without STOPRE since the "
                                 "last motion: the control may have read it before the client wrote "
@@ -646,9 +645,10 @@ class Linter {
                           "it is overwritten here. Set it before R{}={}.",
                           cell, m_cells.layout, m_cells.layout, m_layoutNumber));
       } else if (!m_isWindow && cell == m_cells.signal &&
-                 m_parameters.method == MethodKind::Signal && !state.mustStand) {
+                 base::methodTraits(m_parameters.method).portion == base::Portion::HalfLoop &&
+                 !state.mustStand) {
         signalAhead(line);
-      } else if (m_isCredit && (cell == m_cells.executed || cell == m_cells.state) &&
+      } else if (m_goesOn && (cell == m_cells.executed || cell == m_cells.state) &&
                  !state.mustStand) {
         error(
             LintRule::SignalAhead, line,
@@ -750,7 +750,7 @@ class Linter {
       stops[at] = std::holds_alternative<nc::PreprocessingStop>(m_statements[at].what) ||
                   m_statements[at].readsMainRun;
       // A loop with motion in it goes round once per window: only one without waits.
-      stops[at] = stops[at] || (m_isCredit && moves(m_statements[at]));
+      stops[at] = stops[at] || (m_goesOn && moves(m_statements[at]));
     }
     // A question whose answers all lead back to it stops nothing.
     const std::vector<bool> candidates = asksStop;
@@ -777,20 +777,20 @@ class Linter {
                       m_statements[cycle.front()].place.line.value, m_stopCell, m_stopCell));
     });
     findCycles(stops, [this](const std::vector<std::size_t>& cycle) {
-      if (m_isCredit && endsByItself(cycle)) {
+      if (m_goesOn && endsByItself(cycle)) {
         return;
       }
       for (const std::size_t at : cycle) {
         for (const int cell : conditionReads(at)) {
           if (isClients(cell) || (cell == m_cells.signal && !m_isWindow)) {
-            error(LintRule::StopreMissing, m_statements[at].place.line,
-                  fmt::format(
-                      "The loop checks R{} repeatedly without a STOPRE: the control may never see "
-                      "what the client writes. {}",
-                      cell,
-                      m_isCredit
-                          ? "Count its passes, and leave it for a STOPRE if there are too many."
-                          : "Put a STOPRE into the loop, before the check."));
+            error(
+                LintRule::StopreMissing, m_statements[at].place.line,
+                fmt::format(
+                    "The loop checks R{} repeatedly without a STOPRE: the control may never see "
+                    "what the client writes. {}",
+                    cell,
+                    m_goesOn ? "Count its passes, and leave it for a STOPRE if there are too many."
+                             : "Put a STOPRE into the loop, before the check."));
             return;
           }
         }
@@ -923,7 +923,7 @@ class Linter {
   const TemplateParameters& m_parameters;
   const CellMap& m_cells;
   bool m_isWindow;
-  bool m_isCredit;
+  bool m_goesOn;
   int m_layoutNumber;
   int m_stopCell = 0;
   std::set<int> m_slotCells;

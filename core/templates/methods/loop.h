@@ -44,6 +44,9 @@ class PositionTemplate final : public LoopTemplate {
 class SignalTemplate final : public LoopTemplate {
  public:
   [[nodiscard]] int pointsMin() const override { return 2; }
+  [[nodiscard]] bool isForStudy(const TemplateParameters& parameters) const override {
+    return parameters.signalStop == SignalStop::OncePerLoop;
+  }
   [[nodiscard]] std::string nameSuffix(const TemplateParameters& parameters) const override;
   [[nodiscard]] int longestWrite(const TemplateParameters& parameters) const override;
 
