@@ -44,14 +44,14 @@ PointStream::PointStream(Source& source, const Agreement& agreement, const Limit
   m_summary.source = source.name();
 }
 
-void PointStream::begin(Gate gate, const base::AxisPosition& tool, const WindowPlan& plan,
-                        Instant now) {
-  RIVULET_ASSERT(!m_gate && plan.pointsMax >= 1);
-  m_gate.emplace(std::move(gate));
-  m_tool = tool;
-  m_plan = plan;
-  m_limits.queuedMax = m_limits.queuedMax == 0 ? kWindowsQueued * plan.pointsMax
-                                               : std::max(m_limits.queuedMax, plan.pointsMax);
+void PointStream::begin(const SupplyStart& start, Instant now) {
+  RIVULET_ASSERT(!m_gate && start.plan.pointsMax >= 1);
+  m_gate.emplace(m_agreement, start.tool, std::min(start.feedMmPerMin, m_agreement.feedMmPerMinMax),
+                 start.axes, start.rotaryAxes);
+  m_tool = start.tool;
+  m_plan = start.plan;
+  m_limits.queuedMax = m_limits.queuedMax == 0 ? kWindowsQueued * m_plan.pointsMax
+                                               : std::max(m_limits.queuedMax, m_plan.pointsMax);
   m_heardAt = m_now = now;
 }
 
@@ -232,7 +232,7 @@ bool PointStream::wantsHold(Instant now) const {
   return isIdle && m_gate && (m_holdAsked || now - m_heardAt >= m_limits.holdAfter);
 }
 
-void PointStream::windowBegins(Instant now) {
+void PointStream::windowMoves(Instant now) {
   RIVULET_ASSERT(m_begun + 1 < m_begins.size());
   const std::size_t end = m_begins[m_begun + 1];
   Instant begins = now;

@@ -19,6 +19,7 @@
 #include "base/recent_values.h"
 #include "live/agreement.h"
 #include "live/line_reader.h"
+#include "live/point_supplier.h"
 #include "live/rate.h"
 #include "live/source.h"
 #include "live/summary.h"
@@ -35,49 +36,34 @@ struct Limits {
   friend bool operator==(const Limits&, const Limits&) = default;
 };
 
-/// What a method makes windows of.
-struct WindowPlan {
-  std::size_t pointsMax = 1;   ///< >= 1
-  std::size_t windowsMax = 1;  ///< that may wait or move on the control, for the theory
-  bool feedPerPoint = false;   ///< else a window ends where the feed changes
-};
-
-class PointStream {
+class PointStream final : public PointSupplier {
  public:
   /// @param source  outlives this object
   PointStream(Source& source, const Agreement& agreement, const Limits& limits);
 
-  /// From now on the source is read. @param gate  made with the place of the tool
-  void begin(Gate gate, const base::AxisPosition& tool, const WindowPlan& plan, base::Instant now);
-  [[nodiscard]] const Agreement& agreement() const { return m_agreement; }
-
+  /// From now on the source is read.
+  void begin(const SupplyStart& start, base::Instant now) override;
   /// Reads what there is room for, and tells the source how far the run is.
-  void turn(base::Instant now);
+  void turn(base::Instant now) override;
 
-  /// The next window, if it is time for it: its points are at the end of `points` then.
-  /// @return number of points; nothing: not now
-  [[nodiscard]] std::optional<std::size_t> takeWindow(base::Instant now);
-
+  [[nodiscard]] std::optional<std::size_t> takeWindow(base::Instant now) override;
   /// All points of the windows that were taken.
-  [[nodiscard]] const std::vector<gcode::StreamPoint>& points() const { return m_points; }
-  /// First point of each window, and the number of points at the end.
-  [[nodiscard]] const std::vector<std::size_t>& windowBegins() const { return m_begins; }
+  [[nodiscard]] const std::vector<gcode::StreamPoint>& points() const override { return m_points; }
+  [[nodiscard]] const std::vector<std::size_t>& windowBegins() const override { return m_begins; }
   /// The source has ended and every point has been taken.
-  [[nodiscard]] bool isDry() const { return m_summary.hasEnded && m_queue.empty(); }
+  [[nodiscard]] bool isDry() const override { return m_summary.hasEnded && m_queue.empty(); }
   /// Everything has been executed, and the source has asked for a hold or is silent.
-  [[nodiscard]] bool wantsHold(base::Instant now) const;
+  [[nodiscard]] bool wantsHold(base::Instant now) const override;
 
-  /// The window after those that have begun begins to move.
-  void windowBegins(base::Instant now);
-  /// @param points  executed so far
-  void executed(std::size_t points);
-  /// The last reply. @param outcome  of the run, "completed" @param error  may be empty
-  void finish(std::string_view outcome, const std::string& error);
+  void windowMoves(base::Instant now) override;
+  void executed(std::size_t points) override;
+  /// The last reply.
+  void finish(std::string_view outcome, const std::string& error) override;
 
-  [[nodiscard]] Summary summary() const;
+  [[nodiscard]] Summary summary() const override;
   /// Points that have passed, without those that were merged.
-  [[nodiscard]] std::size_t accepted() const { return m_summary.accepted; }
-  [[nodiscard]] Level level() const;
+  [[nodiscard]] std::size_t accepted() const override { return m_summary.accepted; }
+  [[nodiscard]] Level level() const override;
 
  private:
   /// Points whose delays a display shows.

@@ -44,8 +44,7 @@ class TextSource final : public live::Source {
 
 struct Bench {
   explicit Bench(std::size_t pointsPerWindow = 4) : stream(source, agreement(), limits()) {
-    stream.begin({agreement(), {}, 600.0, {true, true, true}, {}}, {}, {pointsPerWindow, 3, false},
-                 at);
+    stream.begin({{}, 600.0, {true, true, true}, {}, {pointsPerWindow, 3, false}}, at);
   }
   static live::Agreement agreement() {
     live::Agreement agreed;
@@ -234,7 +233,7 @@ class TestPointStream : public QObject {
     bench.sendPoints(2);
     QCOMPARE(bench.window(), 4U);
     bench.wait(50ms);
-    bench.stream.windowBegins(bench.at);
+    bench.stream.windowMoves(bench.at);
     // 600 mm/min: each point begins 0.1 s after the one before it.
     const trace::DurationStatistics delay = bench.stream.summary().delay;
     QCOMPARE(delay.count, 4U);
@@ -270,9 +269,9 @@ class TestPointStream : public QObject {
     QCOMPARE(bench.window(), 4U);
     QCOMPARE(bench.window(), 4U);
     bench.wait(50ms);
-    bench.stream.windowBegins(bench.at);
+    bench.stream.windowMoves(bench.at);
     bench.wait(400ms);
-    bench.stream.windowBegins(bench.at);
+    bench.stream.windowMoves(bench.at);
     const live::Level level = bench.stream.level();
     QCOMPARE(level.delays, 8U);
     // 50, 150, 250, 350 ms, then 450 to 750 ms: 600 mm/min, points 1 mm apart.

@@ -18,7 +18,7 @@
 #include "base/instant.h"
 #include "base/timer_table.h"
 #include "gcode/trajectory.h"
-#include "live/point_stream.h"
+#include "live/point_supplier.h"
 #include "opcua/link.h"
 #include "streaming/methods/pause_placement.h"
 #include "streaming/run/run.h"
@@ -114,14 +114,14 @@ class Method {
 
 /// Input of every method.
 struct MethodSetup {
-  std::vector<gcode::StreamPoint> points;  ///< at least one; with a live source none
+  std::vector<gcode::StreamPoint> points;  ///< at least one; with a supplier none
   base::Vec3 startMm;                      ///< the tool's position before the run, workpiece frame
   templates::CellMap cells;
   RunSettings settings;
   base::RotaryDeg startDeg{};  ///< the same of A, B, C
-  /// Methods window and credit: the points arrive while the run is in progress. Null: they are all
-  /// here.
-  live::PointStream* live = nullptr;
+  /// Where a method with windows pulls them from, and whom it tells how far the run is. Null: they
+  /// are made of `points`.
+  live::PointSupplier* supplier = nullptr;
 };
 
 /// How a program ended and how far it came, according to its cells.

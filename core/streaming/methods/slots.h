@@ -15,52 +15,45 @@
 #include "base/contract.h"
 #include "base/units.h"
 #include "streaming/methods/method.h"
-#include "streaming/methods/pause_placement.h"
 
 namespace rivulet::streaming {
 
 class SlotPlan {
  public:
-  explicit SlotPlan(MethodSetup setup) : m_setup(std::move(setup)) {
-    RIVULET_ASSERT(!m_setup.points.empty() || m_setup.live != nullptr);
+  /// All points are there.
+  explicit SlotPlan(MethodSetup setup) : SlotPlan(std::move(setup), nullptr) {
+    RIVULET_ASSERT(!m_points.empty());
+    append(m_points.size());
+  }
+  /// None is there so far. @param points  of which some are appended at a time; null: of the setup
+  SlotPlan(MethodSetup setup, const std::vector<gcode::StreamPoint>* points)
+      : m_setup(std::move(setup)), m_points(points != nullptr ? *points : m_setup.points) {
     const auto slots = static_cast<std::size_t>(m_setup.cells.slotCount());
     for (std::size_t slot = 0; slot < slots; ++slot) {
       m_cells.push_back(m_setup.cells.slotCells(static_cast<int>(slot)));
     }
     m_writes.reserve(slots * (base::kStreamedAxesMax + 1) + 4);
-    m_arcMm.reserve(m_setup.points.size());
-    for (std::size_t i = 0; i < m_setup.points.size(); ++i) {
-      addWayTo(i);
+    m_arcMm.reserve(m_points.size());
+  }
+  SlotPlan(const SlotPlan&) = delete;
+  SlotPlan& operator=(const SlotPlan&) = delete;
+
+  /// As many more points.
+  void append(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      addWayTo(m_arcMm.size());
     }
   }
 
-  /// Where more points come from; null: all are here.
-  [[nodiscard]] live::PointStream* live() const { return m_setup.live; }
-  /// Points that have arrived since.
-  void append(std::span<const gcode::StreamPoint> points) {
-    for (const gcode::StreamPoint& added : points) {
-      m_setup.points.push_back(added);
-      addWayTo(m_setup.points.size() - 1);
-    }
-  }
-
-  [[nodiscard]] std::size_t pointCount() const { return m_setup.points.size(); }
+  [[nodiscard]] std::size_t pointCount() const { return m_arcMm.size(); }
   [[nodiscard]] std::size_t slotCount() const { return m_cells.size(); }
   [[nodiscard]] const templates::CellMap& cells() const { return m_setup.cells; }
   [[nodiscard]] const RunSettings& settings() const { return m_setup.settings; }
   [[nodiscard]] base::Vec3 pointMm(std::size_t index) const {
-    return m_setup.points[std::min(index, pointCount() - 1)].positionMm;
+    return m_points[std::min(index, pointCount() - 1)].positionMm;
   }
   /// Index of the loop that holds the last point; the stop must be written while it runs.
   [[nodiscard]] std::size_t lastLoop() const { return (pointCount() - 1) / slotCount(); }
-
-  /// First point of each window of at most M points, and the number of points at the end.
-  [[nodiscard]] std::vector<std::size_t> windowBegins(std::size_t pointsPerWindow) const {
-    std::vector<std::size_t> begins =
-        cutWindows(m_setup.points, pointsPerWindow, windowCut(m_setup.settings)).begins;
-    begins.push_back(pointCount());
-    return begins;
-  }
 
   /// Shortest time from point `from` to point `to` (clamped to the last one) at the feed.
   [[nodiscard]] base::Duration travelTime(std::size_t from, std::size_t to) const {
@@ -77,11 +70,11 @@ class SlotPlan {
 
   /// Commanded feed of the move to point `index` (or the last one).
   [[nodiscard]] double feedMmPerMin(std::size_t index) const {
-    const double own = m_setup.points[std::min(index, pointCount() - 1)].feedMmPerS;
+    const double own = m_points[std::min(index, pointCount() - 1)].feedMmPerS;
     return base::mmPerMinFromMmPerS(own > 0.0 ? own : m_setup.settings.feedMmPerS);
   }
   [[nodiscard]] const gcode::StreamPoint& point(std::size_t index) const {
-    return m_setup.points[std::min(index, pointCount() - 1)];
+    return m_points[std::min(index, pointCount() - 1)];
   }
 
   /// The last `count` writes are moved before all others.
@@ -131,24 +124,25 @@ class SlotPlan {
   void addWayTo(std::size_t index) {
     const double before = m_arcMm.empty() ? 0.0 : m_arcMm.back();
     m_arcMm.push_back(index == 0 ? 0.0
-                                 : before + wayTo(m_setup.points[index - 1].positionMm,
-                                                  m_setup.points[index - 1].rotaryDeg, index) *
+                                 : before + wayTo(m_points[index - 1].positionMm,
+                                                  m_points[index - 1].rotaryDeg, index) *
                                                 slowerThanRun(index));
   }
 
   [[nodiscard]] double wayTo(base::Vec3 fromMm, const base::RotaryDeg& fromDeg,
                              std::size_t point) const {
-    return base::wayAlongFeed(base::distance(fromMm, m_setup.points[point].positionMm),
-                              base::turnDeg(fromDeg, m_setup.points[point].rotaryDeg));
+    return base::wayAlongFeed(base::distance(fromMm, m_points[point].positionMm),
+                              base::turnDeg(fromDeg, m_points[point].rotaryDeg));
   }
 
   /// Feed of the run over that of the move to a point.
   [[nodiscard]] double slowerThanRun(std::size_t point) const {
-    const double own = m_setup.points[point].feedMmPerS;
+    const double own = m_points[point].feedMmPerS;
     return own > 0.0 ? m_setup.settings.feedMmPerS / own : 1.0;
   }
 
   MethodSetup m_setup;
+  const std::vector<gcode::StreamPoint>& m_points;
   std::vector<std::vector<int>> m_cells;
   /// Path length up to each point, see `base::wayAlongFeed`; moves with their own feed as long as
   /// the feed of the run would go in their time.

@@ -4,6 +4,7 @@
 #include "streaming/methods/window.h"
 
 #include "opcua/await.h"
+#include "streaming/methods/list_supplier.h"
 
 namespace rivulet::streaming {
 
@@ -27,15 +28,20 @@ constexpr Duration kSlowerThanPlanned = std::chrono::milliseconds{400};
 /// The run cell is written again, whatever it is to be.
 constexpr int kRunUnknown = -1;
 
+std::unique_ptr<live::PointSupplier> listOf(MethodSetup& setup) {
+  RIVULET_ASSERT(!setup.points.empty());
+  return std::make_unique<ListSupplier>(std::move(setup.points),
+                                        static_cast<std::size_t>(setup.cells.pointsPerLoop),
+                                        windowCut(setup.settings));
+}
+
 }  // namespace
 
 WindowedMethod::WindowedMethod(MethodSetup&& setup, bool saysExecuted)
-    : m_plan(std::move(setup)),
+    : m_list(setup.supplier == nullptr ? listOf(setup) : nullptr),
+      m_supplier(m_list ? *m_list : *setup.supplier),
+      m_plan(std::move(setup), &m_supplier.points()),
       m_slots(static_cast<std::size_t>(m_plan.cells().windows)),
-      m_begins(m_plan.live() != nullptr
-                   ? std::vector<std::size_t>{0}
-                   : m_plan.windowBegins(static_cast<std::size_t>(m_plan.cells().pointsPerLoop))),
-      m_windowCount(m_begins.size() - 1),
       m_ownerCell{opcua::rParameter(m_plan.cells().owner)},
       m_watched{opcua::rParameter(m_plan.cells().latched)},
       m_header{opcua::rParameter(m_plan.cells().latched),
@@ -50,6 +56,8 @@ WindowedMethod::WindowedMethod(MethodSetup&& setup, bool saysExecuted)
     m_watched.push_back(opcua::rParameter(m_plan.cells().executed));
     m_header.push_back(opcua::rParameter(m_plan.cells().executed));
   }
+  while (m_supplier.isComplete() && takeWindow({})) {
+  }
 }
 
 std::size_t WindowedMethod::windowBegin(std::size_t window) const {
@@ -60,7 +68,7 @@ Duration WindowedMethod::windowTime(std::size_t window) const {
   const std::size_t begin = windowBegin(window);
   const std::size_t end = windowBegin(window + 1);
   if (end == begin) {
-    return {};  // of a live source that has brought none yet
+    return {};  // the supplier has had none yet
   }
   if (begin == 0) {
     return m_plan.approachTime() + m_plan.travelTime(0, std::max<std::size_t>(end, 1) - 1);
@@ -117,39 +125,40 @@ int WindowedMethod::runWanted() const {
   if (m_stopWanted || m_endWanted) {
     return WindowProtocol::kEnd;
   }
-  // The first windows are all there before anything moves: the start has the full margin. Points of
-  // a live source do not wait for others.
-  const bool filled =
-      m_plan.live() != nullptr ? m_delivered > 0 : m_delivered >= std::min(m_slots, m_windowCount);
+  // The first windows are all there before anything moves: the start has the full margin. Points
+  // that arrive meanwhile do not wait for others.
+  const std::size_t first = m_supplier.isComplete() ? std::min(m_slots, m_windowCount) : 1;
+  const bool filled = m_delivered >= first;
   return filled && !m_holdWanted ? WindowProtocol::kRun : WindowProtocol::kHold;
 }
 
-void WindowedMethod::takeLive(Instant now) {
-  live::PointStream* const live = m_plan.live();
+bool WindowedMethod::takeWindow(Instant now) {
+  const std::optional<std::size_t> count = m_supplier.takeWindow(now);
+  if (count) {
+    m_plan.append(*count);
+    m_begins.push_back(m_plan.pointCount());
+    ++m_windowCount;
+    m_isClosed = m_supplier.isDry();
+  }
+  return count.has_value();
+}
+
+void WindowedMethod::pullWindow(Instant now) {
   if (!isOpen() || !m_owned || m_stopWanted || m_filled < m_windowCount ||
       m_filled >= freed() + m_slots) {
     return;
   }
-  if (const std::optional<std::size_t> count = live->takeWindow(now)) {
-    m_plan.append(std::span(live->points()).last(*count));
-    m_begins.push_back(m_plan.pointCount());
-    ++m_windowCount;
-    m_isClosed = live->isDry();
-  } else if (live->isDry() && m_executed == m_windowCount) {
+  if (!takeWindow(now) && m_supplier.isDry() && m_executed == m_windowCount) {
     // Windows that the control has not copied yet would not be executed after this.
     m_isClosed = m_endWanted = true;
   }
 }
 
-void WindowedMethod::tellLive(Instant now) {
-  live::PointStream* const live = m_plan.live();
-  if (live == nullptr) {
-    return;
-  }
+void WindowedMethod::tellSupplier(Instant now) {
   for (; m_begun < m_latched && m_begun <= m_executed; ++m_begun) {
-    live->windowBegins(now);
+    m_supplier.windowMoves(now);
   }
-  live->executed(m_progress.executed);
+  m_supplier.executed(m_progress.executed);
 }
 
 std::optional<Action> WindowedMethod::pollContent() {
@@ -170,7 +179,7 @@ std::optional<Action> WindowedMethod::poll(Instant now) {
     return std::nullopt;
   }
   m_plan.clearWrites();
-  takeLive(now);
+  pullWindow(now);
   const templates::CellMap& cells = m_plan.cells();
   if (!m_owned && !m_stopWanted) {
     if (m_step == Step::Claim) {
@@ -323,13 +332,13 @@ void WindowedMethod::observe(double latched, std::optional<double> executed, con
   m_progress.lastProgress = now;
   m_progress.executed = windowBegin(m_executed);
   m_progress.stopsPassed = stopsPassed();
-  tellLive(now);
+  tellSupplier(now);
   const bool moreToBring = m_filled < m_windowCount && !m_stopWanted;
   const Instant windowEnds = answer.sent + takenTime();
   m_timers.set(Timer::WindowEnds, windowEnds);
   m_progress.expected.set(Expectation::Access, moreToBring ? now : windowEnds);
   if (isOpen() && m_executed == m_delivered) {
-    // The machine waits for the source.
+    // The machine waits for points.
     m_progress.expected.stop(Expectation::Progress);
     m_progress.expected.stop(Expectation::Access);
   } else if (moreToBring && m_delivered == m_latched) {

@@ -18,6 +18,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "streaming/methods/slots.h"
@@ -59,6 +60,11 @@ class WindowedMethod : public Method {
     return end == m_plan.pointCount() && !isOpen();
   }
 
+ private:
+  std::unique_ptr<live::PointSupplier> m_list;  ///< of the points of the setup, if it has no other
+  live::PointSupplier& m_supplier;
+
+ protected:
   SlotPlan m_plan;
   std::size_t m_slots;         ///< k
   std::size_t m_latched = 0;   ///< windows the control has taken
@@ -95,17 +101,19 @@ class WindowedMethod : public Method {
   void expectTaken(base::Instant now);
   /// Until when the axes have points, and whether the client has something to deliver.
   void estimateNeed();
-  /// A live source: makes a window of the points that have arrived, if it is time for it.
-  void takeLive(base::Instant now);
-  /// A live source: more windows may come.
-  [[nodiscard]] bool isOpen() const { return m_plan.live() != nullptr && !m_isClosed; }
-  /// A live source: says which windows have begun and how many points have been executed.
-  void tellLive(base::Instant now);
+  /// @return false: the supplier has none now
+  bool takeWindow(base::Instant now);
+  /// Takes the next window if all that were taken are filled and there is room for it.
+  void pullWindow(base::Instant now);
+  /// More windows may come.
+  [[nodiscard]] bool isOpen() const { return !m_isClosed; }
+  /// Tells the supplier which windows move and how many points have been executed.
+  void tellSupplier(base::Instant now);
   /// The value the run cell should have now.
   [[nodiscard]] int runWanted() const;
 
-  std::vector<std::size_t> m_begins;  ///< first point of each window, and after the last one
-  std::size_t m_windowCount;          ///< windows the points make; of a live source so far
+  std::vector<std::size_t> m_begins{0};  ///< first point of each window, and after the last one
+  std::size_t m_windowCount = 0;         ///< windows that were taken
   std::array<opcua::Variable, 1> m_ownerCell;
   std::vector<opcua::Variable> m_watched;  ///< latched, and executed where the program says it
   std::vector<opcua::Variable> m_header;
@@ -116,8 +124,8 @@ class WindowedMethod : public Method {
   bool m_stopWanted = false;
   bool m_holdWanted = false;
   bool m_isClosed = false;   ///< no more windows come: the last one is marked, or the end is asked
-  std::size_t m_begun = 0;   ///< live source: windows that are in motion or executed
-  bool m_endWanted = false;  ///< the end of a live source came after its last window
+  std::size_t m_begun = 0;   ///< windows that are in motion or executed
+  bool m_endWanted = false;  ///< that there are no more was known only after the last window
   bool m_renumber = false;   ///< the number on the control is not this run's: it is written again
   bool m_owned = false;      ///< the control has granted its cells to this run
   int m_run = templates::WindowProtocol::kHold;       ///< value of the run cell, as confirmed
@@ -133,9 +141,9 @@ class WindowedMethod : public Method {
 /// The control copies each window; when one is copied, everything before it has been executed.
 class WindowMethod : public WindowedMethod {
  public:
-  /// With a live source, what has been executed is read too: the source is told.
+  /// With a supplier, what has been executed is read too: it is told.
   explicit WindowMethod(MethodSetup setup)
-      : WindowMethod(std::move(setup), setup.live != nullptr) {}
+      : WindowMethod(std::move(setup), setup.supplier != nullptr) {}
 
  protected:
   WindowMethod(MethodSetup&& setup, bool saysExecuted)

@@ -103,7 +103,7 @@ StreamEnd Driver::run() {
   m_shownAt = m_link.now();
   m_nextTrace = m_link.now() + kTraceInterval;
   while (!m_done) {
-    readSource();
+    turnSupplier();
     checkOrders();
     if (m_abandonedAt) {
       submitStop();
@@ -134,7 +134,7 @@ StreamEnd Driver::run() {
 
 Instant Driver::nextWakeUp() const {
   const Instant now = m_link.now();
-  Instant until = now + (m_source != nullptr ? kSourceInterval : kOrderInterval);
+  Instant until = now + (m_supplier != nullptr ? kSourceInterval : kOrderInterval);
   if (m_methodPending || m_monitorPending) {
     return until;
   }
@@ -213,17 +213,17 @@ RunState Driver::state() const {
   return m_holding ? RunState::Holding : RunState::Running;
 }
 
-void Driver::readSource() {
-  if (m_source != nullptr && !m_stopWantedAt && !m_abandonedAt) {
-    m_source->turn(m_link.now());
-    m_counters.total = m_source->accepted();
+void Driver::turnSupplier() {
+  if (m_supplier != nullptr && !m_stopWantedAt && !m_abandonedAt) {
+    m_supplier->turn(m_link.now());
+    m_counters.total = m_supplier->accepted();
   }
 }
 
 void Driver::checkOrders() {
   const bool isOrdered = m_orders.holdRequested(m_link.now());
-  m_sourceHolds = !isOrdered && m_source != nullptr && m_source->wantsHold(m_link.now());
-  const bool hold = isOrdered || m_sourceHolds;
+  m_supplierHolds = !isOrdered && m_supplier != nullptr && m_supplier->wantsHold(m_link.now());
+  const bool hold = isOrdered || m_supplierHolds;
   if (hold != m_holding && !m_stopWantedAt) {
     m_holding = hold;
     m_method.requestHold(hold);
@@ -370,8 +370,8 @@ void Driver::submitMethod() {
   }
   const std::optional<Action> action = m_method.poll(m_link.now());
   m_methodsTurn = false;
-  if (m_source != nullptr && m_path) {
-    m_path->extend(m_source->points());
+  if (m_supplier != nullptr && m_path) {
+    m_path->extend(m_supplier->points());
   }
   if (!action) {
     return;
@@ -746,9 +746,9 @@ void Driver::publish(std::optional<trace::LiveSample> sample,
   }
   update.sample = std::move(sample);
   update.equipment = std::move(equipment);
-  if (m_source != nullptr) {
-    update.source = m_source->level();
-    update.source->holdsRun = m_holding && m_sourceHolds;
+  if (m_supplier != nullptr) {
+    update.source = m_supplier->level();
+    update.source->holdsRun = m_holding && m_supplierHolds;
     update.waitingFor = update.source->waiting == 0 ? "source" : "";
   }
   if (m_isSilent) {

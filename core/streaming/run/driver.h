@@ -81,8 +81,8 @@ class Driver {
   void watchPath(PathWatch path) { m_path = std::move(path); }
   /// Fetches the control's own trace while the stream has slack, if the control gives it in pieces.
   void watchTrace(TraceTaker& trace) { m_trace = &trace; }
-  /// The points arrive during the run; the method takes them from here, too.
-  void watchSource(live::PointStream& source) { m_source = &source; }
+  /// Where the method pulls its windows from, if points arrive during the run.
+  void watchSupplier(live::PointSupplier& supplier) { m_supplier = &supplier; }
   /// Rotary axes to be shown beside X, Y and Z. @param axisOf  see `ControlAxes`
   void watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf);
 
@@ -125,8 +125,8 @@ class Driver {
   void handleMethod(const opcua::Event& event);
   void handleMonitor(const opcua::Event& event);
   void checkOrders();
-  /// Reads what a live source has sent.
-  void readSource();
+  /// Gives the supplier of points its turn.
+  void turnSupplier();
   [[nodiscard]] RunState state() const;
   /// No answer in time does no harm where the machine waits for its client: it is asked again.
   [[nodiscard]] bool forgives(const opcua::Event& event, bool forMethod);
@@ -196,11 +196,11 @@ class Driver {
   std::optional<base::RequestId> m_stopPending;
   bool m_stopSent = false;
   bool m_holding = false;
-  bool m_sourceHolds = false;  ///< the source has asked for it, or is silent
+  bool m_supplierHolds = false;  ///< it has asked for it, or is silent
   trace::LivePauseDetector m_detector;
   trace::StandstillByPosition m_standstill;
   std::optional<PathWatch> m_path;
-  live::PointStream* m_source = nullptr;
+  live::PointSupplier* m_supplier = nullptr;
   TraceTaker* m_trace = nullptr;
   std::optional<base::RequestId> m_tracePending;
   base::Instant m_nextTrace{};

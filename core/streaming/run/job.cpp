@@ -115,7 +115,7 @@ class Job : public HostedRun {
   /// Reads what the run begins with, and takes its points if they are known.
   virtual Result<void> look() = 0;
   /// Where points come from while they are streamed; null: all are known.
-  [[nodiscard]] virtual live::PointStream* source() { return nullptr; }
+  [[nodiscard]] virtual live::PointSupplier* supplier() { return nullptr; }
   /// The program on the control waits for the first window.
   virtual void begin() {}
   /// @return the program on the control ended after the last point of the run
@@ -294,7 +294,7 @@ class Job : public HostedRun {
   void stream() {
     begin();
     MethodSetup setup{m_flight.points.points, m_flight.toolMm, m_cells, m_settings,
-                      m_flight.toolDeg,       source()};
+                      m_flight.toolDeg,       supplier()};
     const std::unique_ptr<Method> method = m_type.make(std::move(setup));
     Driver driver(m_link, *method, m_settings, m_orders, m_ledger, m_report.counters.total,
                   m_cells);
@@ -305,13 +305,14 @@ class Job : public HostedRun {
       }
     }
     driver.watchRotary(shown.index);
-    if (live::PointStream* const points = source()) {
-      driver.watchSource(*points);
+    if (live::PointSupplier* const points = supplier()) {
+      driver.watchSupplier(*points);
     }
     if (m_control.abilities().keepsTrace) {
-      m_trace.emplace(pointsOfRun(), m_cells.rotaryAxes,
-                      source() != nullptr ? trace::PointsOfRun::Growing : trace::PointsOfRun::Known,
-                      m_recorder.writer);
+      m_trace.emplace(
+          pointsOfRun(), m_cells.rotaryAxes,
+          supplier() != nullptr ? trace::PointsOfRun::Growing : trace::PointsOfRun::Known,
+          m_recorder.writer);
       driver.watchTrace(*m_trace);
     } else if (m_recorder.trace != nullptr) {
       driver.watchTrace(*m_recorder.trace);
@@ -464,14 +465,14 @@ class ProgramJob final : public Job {
   }
 };
 
-/// The points arrive while the machine moves.
-class LiveJob final : public Job {
+/// The points come from a supplier: they need not be known before the start.
+class SuppliedJob final : public Job {
  public:
-  LiveJob(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
-          const templates::FlexibleProgram& flexible, const RunSettings& settings,
-          RunOrders& orders, RunSink& sink, JobRecorder recorder, live::PointStream& source)
+  SuppliedJob(opcua::Link& link, opcua::Control& control, const gcode::Program& program,
+              const templates::FlexibleProgram& flexible, const RunSettings& settings,
+              RunOrders& orders, RunSink& sink, JobRecorder recorder, live::PointSupplier& supplier)
       : Job(link, control, program, flexible, settings, orders, sink, std::move(recorder)),
-        m_source(source) {}
+        m_supplier(supplier) {}
 
  protected:
   Result<void> mayStart() override {
@@ -499,46 +500,47 @@ class LiveJob final : public Job {
     return {};
   }
 
-  live::PointStream* source() override { return &m_source; }
+  live::PointSupplier* supplier() override { return &m_supplier; }
   [[nodiscard]] const std::vector<gcode::StreamPoint>& pointsOfRun() const override {
-    return m_source.points();
+    return m_supplier.points();
   }
 
-  /// The source is read from now on.
   void begin() override {
-    const base::AxisPosition tool{m_flight.toolMm, m_flight.toolDeg};
     const templates::TemplateParameters& parameters = m_settings.parameters;
-    const live::Agreement& agreed = m_source.agreement();
-    const double feedMmPerMin =
-        std::min(base::mmPerMinFromMmPerS(m_settings.feedMmPerS), agreed.feedMmPerMinMax);
-    m_source.begin({agreed, tool, feedMmPerMin, m_cells.axes, m_cells.rotaryAxes}, tool,
-                   {static_cast<std::size_t>(m_cells.pointsPerLoop),
-                    static_cast<std::size_t>(m_cells.windows + m_type.windowsTakenMax(parameters)),
-                    parameters.feedPerPoint},
-                   m_link.now());
+    const live::WindowPlan plan{
+        static_cast<std::size_t>(m_cells.pointsPerLoop),
+        static_cast<std::size_t>(m_cells.windows + m_type.windowsTakenMax(parameters)),
+        parameters.feedPerPoint};
+    m_supplier.begin({{m_flight.toolMm, m_flight.toolDeg},
+                      base::mmPerMinFromMmPerS(m_settings.feedMmPerS),
+                      m_cells.axes,
+                      m_cells.rotaryAxes,
+                      plan},
+                     m_link.now());
   }
 
   bool isWhole(const ProgramEnd& end) override {
     if (!end.windows) {
       return end.isDone;
     }
-    const std::vector<std::size_t>& begins = m_source.windowBegins();
+    const std::vector<std::size_t>& begins = m_supplier.windowBegins();
     m_report.counters.executed = begins[std::min(*end.windows, begins.size() - 1)];
-    // If the source ended after its last window, the program has been told to end there.
-    return end.isDone || (end.isStopped && m_source.isDry() &&
-                          m_report.counters.executed == m_source.points().size());
+    // If that there are no more was known only after the last window, the program has been told to
+    // end there.
+    return end.isDone || (end.isStopped && m_supplier.isDry() &&
+                          m_report.counters.executed == m_supplier.points().size());
   }
 
   /// Its points are known only now.
   void streamed() override {
-    m_flight.points.points = m_source.points();
+    m_flight.points.points = m_supplier.points();
     recordPoints();
     if (m_report.outcome != Outcome::Completed) {
       return;
     }
-    if (const base::Error refusal = m_source.summary().refusal; refusal.code) {
+    if (const base::Error refusal = m_supplier.summary().refusal; refusal.code) {
       fail(refusal);
-    } else if (m_source.points().empty()) {
+    } else if (m_supplier.points().empty()) {
       fail(base::makeError(live::LiveError::NoPoint,
                            "The source ended before its first point. Nothing has moved.",
                            m_program.name));
@@ -546,14 +548,14 @@ class LiveJob final : public Job {
   }
 
   void finished() override {
-    m_source.executed(m_report.counters.executed);
-    m_report.live = m_source.summary();
-    m_source.finish(outcomeName(m_report.outcome),
-                    m_report.error.code ? m_report.error.text() : std::string());
+    m_supplier.executed(m_report.counters.executed);
+    m_report.live = m_supplier.summary();
+    m_supplier.finish(outcomeName(m_report.outcome),
+                      m_report.error.code ? m_report.error.text() : std::string());
   }
 
  private:
-  live::PointStream& m_source;
+  live::PointSupplier& m_supplier;
 };
 
 }  // namespace
@@ -613,13 +615,13 @@ Result<Preflight> preflight(opcua::Link& link, const gcode::Program& program,
 }
 
 RunReport runLive(opcua::Link& link, opcua::Control& control, std::string name,
-                  live::PointStream& source, const templates::FlexibleProgram& flexible,
+                  live::PointSupplier& supplier, const templates::FlexibleProgram& flexible,
                   const RunSettings& settings, RunOrders& orders, RunSink& sink,
                   JobRecorder recorder) {
   gcode::Program program;
   program.name = std::move(name);
-  return LiveJob(link, control, program, flexible, settings, orders, sink, std::move(recorder),
-                 source)
+  return SuppliedJob(link, control, program, flexible, settings, orders, sink, std::move(recorder),
+                     supplier)
       .run();
 }
 

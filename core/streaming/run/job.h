@@ -15,7 +15,7 @@
 #include <string>
 
 #include "gcode/program.h"
-#include "live/point_stream.h"
+#include "live/point_supplier.h"
 #include "streaming/control/control_axes.h"
 #include "streaming/run/driver.h"
 #include "streaming/run/run.h"
@@ -75,11 +75,11 @@ struct JobRecorder {
                                const gcode::Program& program, const RunSettings& settings,
                                RunOrders& orders, RunSink& sink, JobRecorder recorder = {});
 
-/// The same for points that arrive while the machine moves. The run cannot be resumed.
+/// The same for points that may arrive while the machine moves. The run cannot be resumed.
 /// @param name  of the run, in reports  @param settings  `feedMmPerS` is that of points without one
 ///        of their own  @param flexible  method window or credit
 [[nodiscard]] RunReport runLive(opcua::Link& link, opcua::Control& control, std::string name,
-                                live::PointStream& source,
+                                live::PointSupplier& supplier,
                                 const templates::FlexibleProgram& flexible,
                                 const RunSettings& settings, RunOrders& orders, RunSink& sink,
                                 JobRecorder recorder = {});
