@@ -13,6 +13,7 @@
 #include "base/units.h"
 #include "job/main_program.h"
 #include "live/error.h"
+#include "live/point_stream.h"
 #include "opcua/await.h"
 #include "opcua/machinery.h"
 #include "platform/recording_file.h"

@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "live/error.h"
+#include "live/point_stream.h"
 #include "streaming/run/job.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"

@@ -13,6 +13,7 @@
 
 #include "base/random.h"
 #include "live/error.h"
+#include "live/point_stream.h"
 #include "platform/thread_executor.h"
 #include "streaming/run/job.h"
 #include "streaming/simulation/faulty_link.h"

@@ -28,11 +28,11 @@ class SlotPlan {
   /// None is there so far. @param points  of which some are appended at a time; null: of the setup
   SlotPlan(MethodSetup setup, const std::vector<gcode::StreamPoint>* points)
       : m_setup(std::move(setup)), m_points(points != nullptr ? *points : m_setup.points) {
-    const auto slots = static_cast<std::size_t>(m_setup.cells.slotCount());
-    for (std::size_t slot = 0; slot < slots; ++slot) {
+    const auto count = static_cast<std::size_t>(m_setup.cells.slotCount());
+    for (std::size_t slot = 0; slot < count; ++slot) {
       m_cells.push_back(m_setup.cells.slotCells(static_cast<int>(slot)));
     }
-    m_writes.reserve(slots * (base::kStreamedAxesMax + 1) + 4);
+    m_writes.reserve(count * (base::kStreamedAxesMax + 1) + 4);
     m_arcMm.reserve(m_points.size());
   }
   SlotPlan(const SlotPlan&) = delete;
