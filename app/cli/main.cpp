@@ -132,7 +132,7 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
       ->capture_default_str();
   command
       ->add_option("--control", point.control, "Make of control that the flexible program is for")
-      ->check(CLI::IsMember({"sinumerik", "linuxcnc", "twincat", "isg"}))
+      ->check(CLI::IsMember({"sinumerik", "linuxcnc"}))
       ->capture_default_str();
   command->add_flag("--no-slow-down", point.noSlowDown,
                     "Method credit: full feed until nothing is left, then stop");

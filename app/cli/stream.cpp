@@ -314,9 +314,6 @@ base::Result<void> StreamCommand::prepare() {
 }
 
 base::Result<void> StreamCommand::load() {
-  if (auto tried = templates::requireTried(m_options.point.parameters().target); !tried) {
-    return tried;
-  }
   if (m_options.simulate &&
       m_options.point.parameters().target == templates::TargetControl::LinuxCnc) {
     return base::fail(templates::TemplateError::NotOnTarget,

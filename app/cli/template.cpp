@@ -76,11 +76,7 @@ base::Result<TemplateProof> lookAt(const std::string& text, const templates::Fle
     }
     return streaming::proveTemplate(text, meant, *machine);
   }
-  auto findings = templates::lintProgram(text, meant);
-  if (!findings) {
-    return base::fail(findings.error());
-  }
-  return TemplateProof{std::move(*findings), {}};
+  return TemplateProof{templates::lintProgram(text, meant), {}};
 }
 
 bool isSound(const TemplateProof& proof, bool verified) {
@@ -130,9 +126,6 @@ Exit makeTemplate(const TemplateOptions& options) {
     proof = std::move(*seen);
   }
   const bool sound = !proof || isSound(*proof, true);
-  if (!templates::isTried(parameters.target)) {
-    log::logger().warn(templates::requireTried(parameters.target).error().text());
-  }
   if (!options.output.empty() && sound) {
     if (const auto written = base::writeFile(options.output, program->text); !written) {
       return reportError(written.error(), options.json);
@@ -173,7 +166,6 @@ Exit makeTemplate(const TemplateOptions& options) {
     nlohmann::ordered_json json{{"name", program->name},
                                 {"layout_number", program->layoutNumber},
                                 {"r_parameters", cells.last() + 1},
-                                {"tried", templates::isTried(parameters.target)},
                                 {"cells", numbers},
                                 {"file", options.output},
                                 {"text", program->text}};

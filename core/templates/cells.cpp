@@ -41,51 +41,20 @@ std::optional<Layout> layoutFromName(std::string_view name) {
 }
 
 std::string_view targetName(TargetControl target) {
-  switch (target) {
-    case TargetControl::Sinumerik:
-      return "sinumerik";
-    case TargetControl::LinuxCnc:
-      return "linuxcnc";
-    case TargetControl::TwinCat:
-      return "twincat";
-    case TargetControl::Isg:
-      break;
-  }
-  return "isg";
+  return target == TargetControl::Sinumerik ? "sinumerik" : "linuxcnc";
 }
 
 std::string_view targetTitle(TargetControl target) {
-  switch (target) {
-    case TargetControl::Sinumerik:
-      return "SINUMERIK";
-    case TargetControl::LinuxCnc:
-      return "LinuxCNC";
-    case TargetControl::TwinCat:
-      return "TwinCAT NC I";
-    case TargetControl::Isg:
-      break;
-  }
-  return "ISG kernels";
+  return target == TargetControl::Sinumerik ? "SINUMERIK" : "LinuxCNC";
 }
 
 std::optional<TargetControl> targetFromName(std::string_view name) {
-  for (const TargetControl target : {TargetControl::Sinumerik, TargetControl::LinuxCnc,
-                                     TargetControl::TwinCat, TargetControl::Isg}) {
+  for (const TargetControl target : {TargetControl::Sinumerik, TargetControl::LinuxCnc}) {
     if (targetName(target) == name) {
       return target;
     }
   }
   return std::nullopt;
-}
-
-base::Result<void> requireTried(TargetControl target) {
-  if (isTried(target)) {
-    return {};
-  }
-  return base::fail(TemplateError::NotOnTarget,
-                    fmt::format("The program for {} is untried: it is written from documentation "
-                                "and has never run on a control. Rivulet does not stream to it.",
-                                targetTitle(target)));
 }
 
 std::vector<int> CellMap::slotCells(int slot) const {
@@ -148,9 +117,8 @@ base::Result<CellMap> planCellsAnywhere(const TemplateParameters& parameters) {
   if (!hasTemplate(parameters)) {
     return base::fail(
         TemplateError::NotOnTarget,
-        fmt::format("There is no program of method {} for {}: choose method window{}.",
-                    base::methodName(parameters.method), targetTitle(parameters.target),
-                    parameters.target == TargetControl::LinuxCnc ? " or credit" : ""));
+        fmt::format("There is no program of method {} for {}: choose method window or credit.",
+                    base::methodName(parameters.method), targetTitle(parameters.target)));
   }
   if (axes == 0) {
     return base::fail(TemplateError::NoAxis,

@@ -86,23 +86,13 @@ struct CreditSettings {
 enum class TargetControl {
   Sinumerik,
   LinuxCnc,  ///< methods window and credit; its cells are pins of the HAL
-  TwinCat,   ///< Beckhoff TwinCAT 3 NC I; method window; its cells are its R-parameters; untried
-  Isg,       ///< ISG kernel, TwinCAT CNC; method window; its cells are external variables; untried
 };
 
-/// "sinumerik", "linuxcnc", "twincat", "isg".
+/// "sinumerik", "linuxcnc".
 [[nodiscard]] std::string_view targetName(TargetControl target);
-/// Whether a program for this make has ever run, on a control or its simulation. The others are
-/// written from documentation alone.
-[[nodiscard]] constexpr bool isTried(TargetControl target) {
-  return target == TargetControl::Sinumerik || target == TargetControl::LinuxCnc;
-}
 [[nodiscard]] std::optional<TargetControl> targetFromName(std::string_view name);
 /// As a person calls it: "LinuxCNC".
 [[nodiscard]] std::string_view targetTitle(TargetControl target);
-/// @return NotOnTarget: nothing is streamed to this make, see `isTried`
-[[nodiscard]] base::Result<void> requireTried(TargetControl target);
-
 /// The settings of a program. A method reads its own settings and does not change the others, so
 /// that they are kept when the user tries another method.
 struct TemplateParameters : LoopSettings, WindowSettings, CreditSettings {

@@ -9,7 +9,6 @@
 #include "base/contract.h"
 #include "templates/methods/linuxcnc.h"
 #include "templates/methods/loop.h"
-#include "templates/methods/untried.h"
 #include "templates/methods/window.h"
 
 namespace rivulet::templates {
@@ -32,8 +31,6 @@ std::vector<Row>& rows() {
   static const FileTemplate file;
   static const LinuxCncWindowTemplate linuxCncWindow;
   static const LinuxCncCreditTemplate linuxCncCredit;
-  static const TwinCatWindowTemplate twinCatWindow;
-  static const IsgWindowTemplate isgWindow;
   static std::vector<Row> list{
       {Position, Sinumerik, &position},
       {Signal, Sinumerik, &signal},
@@ -42,8 +39,6 @@ std::vector<Row>& rows() {
       {File, Sinumerik, &file},
       {Window, LinuxCnc, &linuxCncWindow},
       {Credit, LinuxCnc, &linuxCncCredit},
-      {Window, TwinCat, &twinCatWindow},
-      {Window, Isg, &isgWindow},
   };
   return list;
 }

@@ -279,8 +279,7 @@ class TestWholeJob : public QObject {
                  QStringLiteral("G710 DIAMOF\nTRANS X1\nG0 G17 G91 G710 DIAMOF G60 G94\nM8\n")),
              qPrintable(text));
     const auto findings = templates::lintProgram(programs->loop.text, programs->loop);
-    QVERIFY(findings.has_value());
-    QVERIFY2(findings->empty(), findings->empty() ? "" : findings->front().message.c_str());
+    QVERIFY2(findings.empty(), findings.empty() ? "" : findings.front().message.c_str());
   }
 
   void aStopOfTheProgramIsPassed() {

@@ -99,21 +99,6 @@ class TestGenerator : public QObject {
   }
   void goldenLinuxCnc() { golden(); }
 
-  void goldenUntried_data() {
-    QTest::addColumn<TemplateParameters>("parameters");
-    TemplateParameters parameters = make(MethodKind::Window, 2);
-    parameters.target = templates::TargetControl::TwinCat;
-    QTest::newRow("twincat_window_2") << parameters;
-    parameters =
-        make(MethodKind::Window, 2, Layout::Paper, SignalStop::EachSignal, {true, false, true});
-    parameters.target = templates::TargetControl::Isg;
-    parameters.windows = 3;
-    parameters.baseCell = 20;
-    parameters.feedPerPoint = true;
-    QTest::newRow("isg_window_2_xz") << parameters;
-  }
-  void goldenUntried() { golden(); }
-
   /// LinuxCNC refuses a program in which an O-word has two beginnings, and lines of 256 characters.
   void linuxCncTakesTheText() {
     TemplateParameters parameters = make(MethodKind::Credit, 30);
@@ -148,23 +133,6 @@ class TestGenerator : public QObject {
     parameters.slowDown = false;
     parameters.windows = 1;
     QTest::newRow("one window") << parameters;
-    for (const auto target : {templates::TargetControl::TwinCat, templates::TargetControl::Isg}) {
-      const std::string name(templates::targetName(target));
-      const auto row = [&](const char* what) {
-        parameters.target = target;
-        QTest::addRow("%s: %s", name.c_str(), what) << parameters;
-      };
-      parameters = make(MethodKind::Credit, 7);
-      row("method credit");
-      parameters = make(MethodKind::File, 7);
-      row("method file");
-      parameters = make(MethodKind::Window, 7);
-      parameters.correctionLimitMm = 0.1;
-      row("correction");
-      parameters = make(MethodKind::Window, 3);
-      parameters.rotaryAxes = {true, false, false};
-      row("rotary axis");
-    }
   }
   void whatOthersDoNotHave() {
     QFETCH(const TemplateParameters, parameters);

@@ -37,8 +37,7 @@ std::string generated(const TemplateParameters& parameters) {
 }
 
 std::vector<LintFinding> lint(const std::string& text, const TemplateParameters& parameters) {
-  auto findings = templates::lintProgram(text, *templates::makeProgram(parameters));
-  return findings ? *findings : std::vector<LintFinding>{};
+  return templates::lintProgram(text, *templates::makeProgram(parameters));
 }
 
 QByteArray listed(const std::vector<LintFinding>& findings) {
@@ -393,8 +392,8 @@ void TestLint::onlyTheGeneratedProgramForLinuxCnc() {
   const QString text = QString::fromStdString(program->text);
   const auto linesAt = [&](const QString& changed) {
     std::vector<unsigned> lines;
-    const auto findings = templates::lintProgram(changed.toStdString(), *program);
-    for (const templates::LintFinding& finding : *findings) {
+    for (const templates::LintFinding& finding :
+         templates::lintProgram(changed.toStdString(), *program)) {
       lines.push_back(finding.line.value);
     }
     return lines;

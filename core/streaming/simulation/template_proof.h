@@ -39,7 +39,7 @@ struct TemplateProof {
 /// @param meant    the program for which the client takes it
 /// @param machine  whose number of R-parameters is set to that of `meant`; rotary axes it lacks are
 ///                 added
-/// @return the errors of `lintProgram`
+/// @return NotOnTarget
 [[nodiscard]] base::Result<TemplateProof> proveTemplate(std::string_view text,
                                                         const templates::FlexibleProgram& meant,
                                                         const machine::MachineConfig& machine);

@@ -1011,11 +1011,7 @@ std::vector<LintFinding> compareWithGenerated(std::string_view text,
 
 }  // namespace
 
-base::Result<std::vector<LintFinding>> lintProgram(std::string_view text,
-                                                   const FlexibleProgram& meant) {
-  if (base::Result<void> tried = requireTried(meant.parameters.target); !tried) {
-    return base::fail(tried.error());
-  }
+std::vector<LintFinding> lintProgram(std::string_view text, const FlexibleProgram& meant) {
   if (meant.parameters.target == TargetControl::LinuxCnc) {
     return compareWithGenerated(text, meant);
   }
@@ -1031,11 +1027,8 @@ const LintFinding* firstError(const std::vector<LintFinding>& findings) {
 }
 
 base::Result<void> requireSound(const FlexibleProgram& program) {
-  const auto findings = lintProgram(program.text, program);
-  if (!findings) {
-    return base::fail(findings.error());
-  }
-  if (const LintFinding* finding = firstError(*findings)) {
+  const std::vector<LintFinding> findings = lintProgram(program.text, program);
+  if (const LintFinding* finding = firstError(findings)) {
     return base::fail(LintError::Rejected,
                       fmt::format("The flexible program is not written to the control. Line {}: {}",
                                   finding->line.value, finding->message));

@@ -65,15 +65,14 @@ struct LintFinding {
 
 /// @param text   the NC program
 /// @param meant  the program for which the client takes it
-/// @return findings by line; NotOnTarget
-[[nodiscard]] base::Result<std::vector<LintFinding>> lintProgram(std::string_view text,
-                                                                 const FlexibleProgram& meant);
+/// @return findings by line
+[[nodiscard]] std::vector<LintFinding> lintProgram(std::string_view text,
+                                                   const FlexibleProgram& meant);
 
 /// The first finding that is an error; null: none.
 [[nodiscard]] const LintFinding* firstError(const std::vector<LintFinding>& findings);
 
-/// For use before a program is written to a control. @return Rejected with the first error, or the
-/// errors of `lintProgram`
+/// For use before a program is written to a control. @return Rejected with the first error
 [[nodiscard]] base::Result<void> requireSound(const FlexibleProgram& program);
 
 }  // namespace rivulet::templates
