@@ -18,6 +18,8 @@ using base::Instant;
 constexpr Duration kWriteInterval = std::chrono::milliseconds{50};
 /// If the stream leaves no slack, a correction waits at most this long.
 constexpr Duration kAgeMax = std::chrono::milliseconds{500};
+/// A correction that the control confirms is noted this often at most.
+constexpr Duration kNoteInterval = std::chrono::seconds{1};
 
 }  // namespace
 
@@ -65,6 +67,15 @@ std::span<const opcua::Assignment> CorrectionCells::take(Instant now) {
 
 void CorrectionCells::confirm() {
   m_value.confirmedMm = m_sentMm;
+}
+
+std::optional<base::Vec3> CorrectionCells::toNote(Instant now, bool atOnce) {
+  if (m_value.confirmedMm == m_notedMm || (!atOnce && now - m_notedAt < kNoteInterval)) {
+    return std::nullopt;
+  }
+  m_notedMm = m_value.confirmedMm;
+  m_notedAt = now;
+  return m_notedMm;
 }
 
 void CorrectionCells::lost() {

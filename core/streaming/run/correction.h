@@ -7,6 +7,7 @@
 /// @threadsafety one object, one thread.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,9 @@ class CorrectionCells {
   /// afterwards.
   [[nodiscard]] std::span<const opcua::Assignment> take(base::Instant now);
   void confirm();
+  /// The confirmed values, if they have not been noted and the last note was long enough ago.
+  /// @param atOnce  however short ago it was
+  [[nodiscard]] std::optional<base::Vec3> toNote(base::Instant now, bool atOnce);
   /// No answer: whether it was carried out is not known. It is written again.
   void lost();
 
@@ -50,6 +54,8 @@ class CorrectionCells {
   bool m_isUnsure = false;       ///< the control may have another value than `confirmedMm`
   base::Instant m_waitsSince{};  ///< since when the requested value differs from the one sent
   base::Instant m_nextWrite{};
+  base::Vec3 m_notedMm;
+  base::Instant m_notedAt{};
 };
 
 }  // namespace rivulet::streaming

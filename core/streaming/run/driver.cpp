@@ -7,9 +7,6 @@
 
 #include <algorithm>
 
-#include "feasibility/client_turn.h"
-#include "streaming/setup/calibration.h"
-
 namespace rivulet::streaming {
 
 namespace {
@@ -21,28 +18,12 @@ using base::Instant;
 constexpr Duration kOrderInterval = std::chrono::milliseconds{20};
 /// A live source is looked at this often.
 constexpr Duration kSourceInterval = std::chrono::milliseconds{4};
-/// The display gets at most this many samples a second.
-constexpr Duration kDisplayInterval = std::chrono::milliseconds{33};
-constexpr Duration kStatusInterval = std::chrono::milliseconds{200};
-/// Reading the status takes one part in this many of the time at most.
-constexpr int kStatusShare = 4;
-/// Answers that come late make the deadlines up to this many times as long.
-constexpr int kPatienceMax = 4;
 /// Answers with a refused item in a row that are taken for faults of the transmission.
 constexpr int kRefusalsMax = 2;
 /// From this much silence on the network is said to be interrupted.
 constexpr Duration kSilenceNoticed = std::chrono::seconds{3};
-/// Accesses that take this many times their estimate slow the run.
-constexpr double kSlowFactor = 5.0;
-constexpr Duration kSlowAccess = std::chrono::milliseconds{50};
-/// A single one is enough from here on.
-constexpr Duration kHungAccess = std::chrono::milliseconds{500};
 /// Counters without a sample reach the display this often.
 constexpr Duration kPublishInterval = std::chrono::milliseconds{40};
-/// An inferred pause gives way to a measured one that comes within this time.
-constexpr Duration kInferredSettles = std::chrono::milliseconds{200};
-/// A correction that the control confirms is noted this often at most.
-constexpr Duration kNoteInterval = std::chrono::seconds{1};
 /// A display read may take this many times its estimate before the method is due.
 constexpr int kSlackFactor = 2;
 
@@ -64,53 +45,25 @@ Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, R
       m_settings(settings),
       m_orders(orders),
       m_sink(sink),
-      m_correction(cells, settings.parameters) {
+      m_ending{{opcua::rParameter(cells.endCell), static_cast<double>(cells.endValue)}, {}, {}, {}},
+      m_access(settings),
+      m_reads(!method.readsPosition(), link.now()),
+      m_correction(cells, settings.parameters),
+      m_pauses(settings.nominalPause) {
   m_counters.total = total;
-  m_stop = {opcua::rParameter(cells.endCell), static_cast<double>(cells.endValue)};
-  // Where the method reads the axes itself, only the feed is missing on the display.
-  if (!method.readsPosition()) {
-    for (int axis = 0; axis < static_cast<int>(base::kAxisCount); ++axis) {
-      m_display.push_back({opcua::VariableKind::ActualPosition, axis});
-    }
-  }
-  m_display.push_back({opcua::VariableKind::PathFeed, 0});
-  m_status.push_back({opcua::VariableKind::ChannelStatus, 0});
-  m_status.push_back({opcua::VariableKind::Alarm, 0});
-  if (settings.calibration) {
-    const int nodes = templates::longestWrite(settings.parameters);
-    m_calibratedTail = settings.calibration->tail(true, settings.grouping, nodes);
-    if (!m_calibratedTail) {
-      // A form that was not measured: lists always are.
-      m_calibratedTail = settings.calibration->tail(true, opcua::Grouping::List, nodes);
-    }
-  }
-}
-
-void Driver::watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf) {
-  if (m_display.size() <= base::kAxisCount) {
-    return;  // a method that reads the axes itself
-  }
-  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    if (axisOf[axis] >= 0) {
-      m_displayRotary.push_back(axis);
-      m_display.insert(m_display.end() - 1, {opcua::VariableKind::ActualPosition, axisOf[axis]});
-    }
-  }
 }
 
 StreamEnd Driver::run() {
   m_turnedAt = m_link.now();
-  m_shownAt = m_link.now();
-  m_nextTrace = m_link.now() + kTraceInterval;
   while (!m_done) {
     turnSupplier();
     checkOrders();
-    if (m_abandonedAt) {
+    if (m_ending.abandonedAt) {
       submitStop();
     }
     submitTrace();
     submitMonitor();
-    if (!m_abandonedAt) {
+    if (!m_ending.abandonedAt) {
       submitMethod();
     }
     const std::optional<opcua::Event> event = m_link.wait(nextWakeUp());
@@ -119,13 +72,13 @@ StreamEnd Driver::run() {
       handle(*event);
     }
     noticeSilence();
-    settleInferred(false);
+    settlePauses(false);
     checkDeadlines();
     if (m_link.now() - m_lastPublished >= kPublishInterval) {
       publish();
     }
   }
-  settleInferred(true);
+  settlePauses(true);
   noteCorrection(true);
   noticeSlowness();
   publish();
@@ -139,7 +92,8 @@ Instant Driver::nextWakeUp() const {
     return until;
   }
   for (const std::optional<Instant> due :
-       {std::optional(m_nextStatus), m_method.progress().expected.deadline(Expectation::Poll)}) {
+       {std::optional(m_reads.next(MonitorReads::Kind::Status)),
+        m_method.progress().expected.deadline(Expectation::Poll)}) {
     if (due && *due > now) {
       until = std::min(until, *due);
     }
@@ -180,41 +134,25 @@ void Driver::noticeSilence() {
   publish();
 }
 
-/// Every access slow: network or server. Some of them: somebody else is served in between.
 void Driver::noticeSlowness() {
-  if (!m_end.slowedBy.empty() || !m_slowness.isFull()) {
+  if (!m_end.slowedBy.empty()) {
     return;
   }
-  const double slowness = m_slowness.quantile(900);
-  const Duration least = m_lastAccesses.quantile(1);
-  const Duration most = m_lastAccesses.quantile(1000);
-  const bool isSlow = slowness >= kSlowFactor && most >= kSlowAccess;
-  const bool hasHung = m_slowness.quantile(1000) >= kSlowFactor && most >= kHungAccess;
-  if (!isSlow && !hasHung) {
-    return;
+  m_end.slowedBy = m_access.slowness();
+  if (!m_end.slowedBy.empty()) {
+    m_sink.note({m_link.now(), "slowed: " + m_end.slowedBy});
   }
-  m_end.slowedBy = fmt::format(
-      "The control answered slowly: accesses took up to {:.2f} s, {:.0f} times as long as "
-      "expected. {}",
-      base::toSeconds(most), m_slowness.quantile(1000),
-      least >= kSlowAccess
-          ? fmt::format("Each took at least {:.2f} s: the network is slow, or the server is busy "
-                        "with another OPC UA client.",
-                        base::toSeconds(least))
-          : "Others were fast: another OPC UA client keeps the server busy at times, or the "
-            "network stalls.");
-  m_sink.note({m_link.now(), "slowed: " + m_end.slowedBy});
 }
 
 RunState Driver::state() const {
-  if (m_stopWantedAt) {
+  if (m_ending.wantedAt) {
     return RunState::Stopping;
   }
   return m_holding ? RunState::Holding : RunState::Running;
 }
 
 void Driver::turnSupplier() {
-  if (m_supplier != nullptr && !m_stopWantedAt && !m_abandonedAt) {
+  if (m_supplier != nullptr && !m_ending.wantedAt && !m_ending.abandonedAt) {
     m_supplier->turn(m_link.now());
     m_counters.total = m_supplier->accepted();
   }
@@ -224,20 +162,20 @@ void Driver::checkOrders() {
   const bool isOrdered = m_orders.holdRequested(m_link.now());
   m_supplierHolds = !isOrdered && m_supplier != nullptr && m_supplier->wantsHold(m_link.now());
   const bool hold = isOrdered || m_supplierHolds;
-  if (hold != m_holding && !m_stopWantedAt) {
+  if (hold != m_holding && !m_ending.wantedAt) {
     m_holding = hold;
     m_method.requestHold(hold);
     m_sink.note({m_link.now(), std::string(hold ? kHoldNote : kContinueNote)});
     publish();
   }
-  if (m_correction.exists() && !m_stopWantedAt && !m_abandonedAt) {
+  if (m_correction.exists() && !m_ending.wantedAt && !m_ending.abandonedAt) {
     m_correction.want(m_orders.correctionMm(m_link.now()), m_link.now());
     noteCorrection(false);
   }
-  if (m_stopWantedAt || !m_orders.stopRequested(m_link.now())) {
+  if (m_ending.wantedAt || !m_orders.stopRequested(m_link.now())) {
     return;
   }
-  m_stopWantedAt = m_link.now();
+  m_ending.wantedAt = m_link.now();
   m_end.stopped = true;
   m_method.requestStop();
   m_sink.note({m_link.now(), std::string(kStopNote)});
@@ -245,29 +183,26 @@ void Driver::checkOrders() {
 }
 
 void Driver::noteCorrection(bool now) {
-  const base::Vec3 confirmedMm = m_correction.value().confirmedMm;
-  if (confirmedMm == m_notedMm || (!now && m_link.now() - m_notedAt < kNoteInterval)) {
-    return;
+  if (const auto confirmedMm = m_correction.toNote(m_link.now(), now)) {
+    m_sink.note({m_link.now(), fmt::format("online correction in mm: X {:.4f} Y {:.4f} Z {:.4f}",
+                                           confirmedMm->x, confirmedMm->y, confirmedMm->z)});
   }
-  m_notedMm = confirmedMm;
-  m_notedAt = m_link.now();
-  m_sink.note({m_link.now(), fmt::format("online correction in mm: X {:.4f} Y {:.4f} Z {:.4f}",
-                                         confirmedMm.x, confirmedMm.y, confirmedMm.z)});
 }
 
 bool Driver::submitCorrection() {
   // Behind a stop the program takes back by itself what is laid over the axes.
-  if (m_stopWantedAt || m_abandonedAt || !m_correction.isDue(m_link.now())) {
+  if (m_ending.wantedAt || m_ending.abandonedAt || !m_correction.isDue(m_link.now())) {
     return false;
   }
   const int nodes = m_correction.nodeCount();
   if (!hasSlackFor(nodes) && !m_correction.isOverdue(m_link.now())) {
     return false;
   }
-  m_monitor = Monitor::Correction;
+  m_methodsTurn = true;
+  m_monitor.reset();
   m_monitorPending =
-      Pending{m_link.write(m_correction.take(m_link.now()), patient(m_settings.requestDeadline),
-                           opcua::Grouping::List),
+      Pending{m_link.write(m_correction.take(m_link.now()),
+                           m_access.patient(m_settings.requestDeadline), opcua::Grouping::List),
               true, nodes, 0};
   return true;
 }
@@ -276,92 +211,62 @@ bool Driver::hasSlackFor(int nodes) const {
   if (m_holding) {
     return true;  // the machine waits anyway
   }
-  const Duration needed = kSlackFactor * expectedRead(nodes + 1);
+  const Duration needed = kSlackFactor * m_access.expected(nodes + 1);
   return m_method.progress().expected.isAhead(Expectation::Access, m_link.now() + needed);
-}
-
-Duration Driver::expectedRead(int nodes) const {
-  const AccessFit* fit =
-      m_settings.calibration ? m_settings.calibration->fit(false, opcua::Grouping::List) : nullptr;
-  return fit == nullptr ? m_settings.accessTime * nodes : fit->at(nodes);
-}
-
-std::optional<Duration> Driver::slowAccess() const {
-  std::optional<Duration> slow;
-  if (!m_recentAccess.isEmpty()) {
-    slow = m_recentAccess.quantile(990);
-  }
-  // A hundredth is seen among a hundred; until then what was measured before speaks too.
-  if (!m_recentAccess.isFull() && m_calibratedTail) {
-    slow = std::max(slow.value_or(*m_calibratedTail), *m_calibratedTail);
-  }
-  return slow;
 }
 
 bool Driver::wantsStatus() const {
   const Instant now = m_link.now();
-  if (now < m_nextStatus) {
+  if (!m_reads.isDue(MonitorReads::Kind::Status, now)) {
     return false;
   }
-  if (m_abandonedAt) {
-    return true;
-  }
-  const Progress& progress = m_method.progress();
   // Once the program has been told to end, or once it is later than it could be, the channel is
   // asked whether it still runs; before that only where nobody waits.
-  const bool late = !progress.expected.isAhead(Expectation::Progress, now);
-  return late || hasSlackFor(static_cast<int>(m_status.size()));
+  return m_ending.abandonedAt ||
+         !m_method.progress().expected.isAhead(Expectation::Progress, now) ||
+         hasSlackFor(m_reads.count(MonitorReads::Kind::Status));
 }
 
 bool Driver::wantsDisplay() const {
   const Instant now = m_link.now();
-  if (!m_settings.monitor || m_abandonedAt || now < m_nextDisplay) {
+  if (!m_settings.monitor || m_ending.abandonedAt ||
+      !m_reads.isDue(MonitorReads::Kind::Display, now)) {
     return false;
   }
   // Where a late client means wrong motion, the display waits.
-  const bool isOverdue =
-      m_method.waitsForClient() && now - m_shownAt >= feasibility::kDisplayIntervalMax;
-  return isOverdue || hasSlackFor(static_cast<int>(m_display.size()));
+  return (m_method.waitsForClient() && m_reads.isDisplayOverdue(now)) ||
+         hasSlackFor(m_reads.count(MonitorReads::Kind::Display));
 }
 
 bool Driver::wantsEquipment() const {
-  const std::size_t count = m_equipment.variables().size();
-  return m_settings.monitor && !m_abandonedAt && count > 0 && m_link.now() >= m_nextEquipment &&
-         hasSlackFor(static_cast<int>(count));
-}
-
-Duration Driver::patient(Duration deadline) const {
-  return m_patience * deadline;
+  return m_settings.monitor && !m_ending.abandonedAt &&
+         m_reads.isDue(MonitorReads::Kind::Equipment, m_link.now()) &&
+         hasSlackFor(m_reads.count(MonitorReads::Kind::Equipment));
 }
 
 void Driver::submitMonitor() {
-  const bool started = m_method.progress().lastProgress || m_abandonedAt;
-  const bool isMethodsTurn = m_methodsTurn && !m_abandonedAt;
-  if (m_methodPending || m_monitorPending || !started || isMethodsTurn) {
+  const bool started = m_method.progress().lastProgress || m_ending.abandonedAt;
+  const bool isMethodsTurn = m_methodsTurn && !m_ending.abandonedAt;
+  if (m_methodPending || m_monitorPending || !started || isMethodsTurn || submitCorrection()) {
     return;
   }
-  if (submitCorrection()) {
-    m_methodsTurn = true;
-  } else if (wantsStatus()) {
-    m_monitor = Monitor::Status;
-    m_nextStatus = m_link.now() + kStatusInterval;
-    submitMonitorRead(m_status);
+  if (wantsStatus()) {
+    submitMonitorRead(MonitorReads::Kind::Status);
   } else if (wantsEquipment()) {
-    m_monitor = Monitor::Equipment;
-    m_nextEquipment = m_link.now() + EquipmentWatch::kInterval;
-    submitMonitorRead(m_equipment.variables());
+    submitMonitorRead(MonitorReads::Kind::Equipment);
   } else if (wantsDisplay()) {
-    m_monitor = Monitor::Display;
-    m_nextDisplay = m_link.now() + kDisplayInterval;
-    submitMonitorRead(m_display);
+    submitMonitorRead(MonitorReads::Kind::Display);
   }
 }
 
-void Driver::submitMonitorRead(const std::vector<opcua::Variable>& variables) {
+void Driver::submitMonitorRead(MonitorReads::Kind kind) {
   m_methodsTurn = true;
+  m_monitor = kind;
+  m_reads.asked(kind, m_link.now());
   m_monitorPending =
-      Pending{m_link.read(variables, patient(m_settings.requestDeadline), opcua::Grouping::List),
-              false, static_cast<int>(variables.size()), 0};
+      Pending{m_link.read(m_reads.variables(kind), m_access.patient(m_settings.requestDeadline),
+                          opcua::Grouping::List),
+              false, m_reads.count(kind), 0};
 }
 
 void Driver::submitMethod() {
@@ -380,13 +285,13 @@ void Driver::submitMethod() {
   pending.points = action->points;
   if (action->kind == Action::Kind::Read) {
     pending.nodes = static_cast<int>(action->variables.size());
-    pending.id =
-        m_link.read(action->variables, patient(m_settings.requestDeadline), m_settings.grouping);
+    pending.id = m_link.read(action->variables, m_access.patient(m_settings.requestDeadline),
+                             m_settings.grouping);
   } else if (action->kind == Action::Kind::Store) {
     pending.write = true;
     pending.nodes = 0;
     pending.id = m_link.store(std::string(action->name), std::string(action->text),
-                              patient(m_settings.requestDeadline) + kStoreDeadline);
+                              m_access.patient(m_settings.requestDeadline) + kStoreDeadline);
     m_counters.sent += action->points;
   } else {
     pending.write = true;
@@ -394,7 +299,7 @@ void Driver::submitMethod() {
     // A large fill at the start takes its time: the deadline grows with the number of nodes.
     const Duration deadline =
         m_settings.requestDeadline + 4 * m_settings.accessTime * pending.nodes;
-    pending.id = m_link.write(action->assignments, patient(deadline), m_settings.grouping);
+    pending.id = m_link.write(action->assignments, m_access.patient(deadline), m_settings.grouping);
     m_counters.sent += action->points;
   }
   m_methodPending = pending;
@@ -405,14 +310,14 @@ void Driver::handle(const opcua::Event& event) {
     loseConnection(event.error);
     return;
   }
-  if (m_stopPending == event.request) {
-    m_stopPending.reset();
+  if (m_ending.pending == event.request) {
+    m_ending.pending.reset();
     // Whether it worked shows in the state of the channel; an order that was lost is given again.
-    m_stopSent = event.kind != opcua::EventKind::RequestFailed;
+    m_ending.isSent = event.kind != opcua::EventKind::RequestFailed;
     return;
   }
-  if (m_tracePending == event.request) {
-    handleTrace(event);
+  if (m_trace.pending() == event.request) {
+    m_trace.answered(&event, m_link.now());
     return;
   }
   const bool forMethod = m_methodPending && m_methodPending->id == event.request;
@@ -422,8 +327,8 @@ void Driver::handle(const opcua::Event& event) {
   }
   const Pending pending = forMethod ? *m_methodPending : *m_monitorPending;
   (forMethod ? m_methodPending : m_monitorPending).reset();
-  const bool isCorrection = !forMethod && m_monitor == Monitor::Correction;
-  const bool isEquipment = !forMethod && m_monitor == Monitor::Equipment;
+  const bool isCorrection = !forMethod && !m_monitor;
+  const bool isEquipment = !forMethod && m_monitor == MonitorReads::Kind::Equipment;
   if (event.kind == opcua::EventKind::RequestFailed) {
     const bool isFalsified = opcua::mayBeFalsified(event.error.code) && repeats(event, forMethod);
     if (!isFalsified && !forgives(event, forMethod)) {
@@ -437,7 +342,7 @@ void Driver::handle(const opcua::Event& event) {
   }
   noteAccess(event, pending);
   if (isEquipment) {  // a control need not serve all of it
-    publish(std::nullopt, m_equipment.take(event.readings));
+    publish(std::nullopt, m_reads.takeEquipment(event));
     return;
   }
   if (const std::error_code refused = refusedItem(event)) {
@@ -463,30 +368,10 @@ void Driver::handle(const opcua::Event& event) {
 }
 
 void Driver::submitTrace() {
-  const Duration late = m_link.now() - m_nextTrace;
-  const bool mayAsk = m_trace != nullptr && !m_tracePending && !m_methodPending &&
-                      !m_monitorPending && !m_abandonedAt;
-  if (!mayAsk || late < Duration{0} || (late < kTraceOverdue && !hasSlackFor(kTraceNodes))) {
-    return;
-  }
-  const base::RequestId id =
-      m_link.readTrace(m_trace->position(), patient(m_settings.requestDeadline));
-  if (id == base::RequestId{}) {
-    m_trace = nullptr;  // as a whole, after the run
-  } else {
-    m_tracePending = id;
-  }
-}
-
-/// What was not answered is fetched later: the run does not depend on it.
-void Driver::handleTrace(const opcua::Event& event) {
-  m_tracePending.reset();
-  m_nextTrace = m_link.now() + kTraceInterval;
-  if (event.kind == opcua::EventKind::TraceDone) {
-    m_trace->take(*event.trace);
-    if (!event.trace->isLast) {
-      m_nextTrace = m_link.now();
-    }
+  const std::optional<Duration> late = m_trace.lateness(m_link.now());
+  const bool mayAsk = late && !m_methodPending && !m_monitorPending && !m_ending.abandonedAt;
+  if (mayAsk && (*late >= kTraceOverdue || hasSlackFor(kTraceNodes))) {
+    m_trace.ask(m_link, m_access.patient(m_settings.requestDeadline));
   }
 }
 
@@ -518,7 +403,7 @@ base::Error Driver::itemError(const std::error_code& status, bool isRead) const 
 }
 
 bool Driver::repeats(const opcua::Event& event, bool forMethod) {
-  if (m_abandonedAt || ++m_refusals > kRefusalsMax) {
+  if (m_ending.abandonedAt || ++m_refusals > kRefusalsMax) {
     return false;
   }
   if (forMethod ? !m_method.answerLost(event.at) : !m_method.waitsForClient()) {
@@ -531,28 +416,18 @@ bool Driver::repeats(const opcua::Event& event, bool forMethod) {
 void Driver::noteAccess(const opcua::Event& event, const Pending& pending) {
   const Duration took = event.at - event.sent;
   m_sink.access({event.sent, took, pending.write, pending.nodes});
-  // A deadline of one and a half times what an answer takes.
-  m_patience = 1;
-  while (m_patience < kPatienceMax && patient(m_settings.requestDeadline) < took + took / 2) {
-    m_patience *= 2;
-  }
-  if (pending.nodes == 0) {
-    return;
-  }
-  m_recentAccess.add(took);
-  m_lastAccesses.add(took);
-  m_slowness.add(base::toSeconds(took) / base::toSeconds(expectedRead(pending.nodes)));
+  m_access.add(took, pending.nodes);
   noticeSlowness();
 }
 
 bool Driver::forgives(const opcua::Event& event, bool forMethod) {
-  if (event.error.code != opcua::LinkError::DeadlineExceeded || m_abandonedAt) {
+  if (event.error.code != opcua::LinkError::DeadlineExceeded || m_ending.abandonedAt) {
     return false;
   }
   if (forMethod ? !m_method.answerLost(event.at) : !m_method.waitsForClient()) {
     return false;
   }
-  m_patience = std::min(2 * m_patience, kPatienceMax);
+  m_access.lost();
   m_sink.note({event.at, std::string(kLostNote)});
   return true;
 }
@@ -576,7 +451,7 @@ void Driver::handleMethod(const opcua::Event& event) {
     m_sink.note({event.at, "a signal was out of sequence: a window has been executed again"});
     noteWrong({WrongMotion::Kind::Repeated, progress.executed, 0.0});
   }
-  inferPauses();
+  m_pauses.infer(progress.stopsPassed, m_link.now());
   if (const std::optional<base::Vec3> position = m_method.positionMm();
       position && !event.readings.empty()) {
     checkPlace(*position);
@@ -613,12 +488,12 @@ void Driver::noteWrong(WrongMotion wrong) {
 }
 
 void Driver::handleMonitor(const opcua::Event& event) {
-  if (m_monitor == Monitor::Status) {
-    m_nextStatus = std::max(m_nextStatus, event.at + (kStatusShare - 1) * (event.at - event.sent));
+  if (m_monitor == MonitorReads::Kind::Status) {
+    m_reads.statusAnswered(event);
     if (event.readings[0].number == opcua::kChannelReset) {
       m_end.programEnded = true;
-      if (m_stopWantedAt) {
-        m_end.stopConfirmedAfter = event.at - *m_stopWantedAt;
+      if (m_ending.wantedAt) {
+        m_end.stopConfirmedAfter = event.at - *m_ending.wantedAt;
       }
       m_done = true;
     } else if (const int alarm = static_cast<int>(event.readings[1].number); alarm != 0) {
@@ -629,49 +504,23 @@ void Driver::handleMonitor(const opcua::Event& event) {
     }
     return;
   }
-  m_shownAt = event.at;
-  trace::LiveSample sample{event.at, std::nullopt, event.readings.back().number / 60.0, {}};
-  if (event.readings.size() > base::kAxisCount) {
-    sample.positionMm =
-        base::Vec3{event.readings[0].number, event.readings[1].number, event.readings[2].number};
-    if (!m_displayRotary.empty()) {
-      sample.rotaryDeg.emplace();
-      for (std::size_t i = 0; i < m_displayRotary.size(); ++i) {
-        (*sample.rotaryDeg)[m_displayRotary[i]] = event.readings[base::kAxisCount + i].number;
-      }
-    }
-  }
+  const trace::LiveSample sample = m_reads.takeDisplay(event);
   if (sample.positionMm) {
     checkPlace(*sample.positionMm);
   }
-  if (const auto measured = m_detector.add(event.at, *sample.feedMmPerS)) {
-    // The same stand-still may have been inferred from the handshake already.
-    if (!m_inferred.empty()) {
-      m_inferred.pop_front();
-    }
-    publishPause(measured->pause);
+  if (const auto measured = m_pauses.measure(event.at, *sample.feedMmPerS)) {
+    publishPause(*measured);
   }
   publish(sample);
 }
 
-void Driver::inferPauses() {
-  const std::size_t passed = m_method.progress().stopsPassed;
-  for (; m_stopsSeen < passed; ++m_stopsSeen) {
-    m_inferred.push_back({m_link.now() - m_settings.nominalPause / 2, m_settings.nominalPause,
-                          trace::PauseOrigin::Inferred});
-  }
-}
-
-void Driver::settleInferred(bool all) {
-  while (!m_inferred.empty() &&
-         (all || m_link.now() - m_inferred.front().start >= kInferredSettles)) {
-    publishPause(m_inferred.front());
-    m_inferred.pop_front();
+void Driver::settlePauses(bool all) {
+  while (const auto inferred = m_pauses.settle(all, m_link.now())) {
+    publishPause(*inferred);
   }
 }
 
 void Driver::publishPause(const trace::Pause& pause) {
-  m_pauses.push_back(pause);
   LiveUpdate update;
   update.state = state();
   update.at = m_link.now();
@@ -690,7 +539,8 @@ void Driver::checkDeadlines() {
   }
   const Instant now = m_link.now();
   const Progress& progress = m_method.progress();
-  const std::optional<Instant> endingSince = m_abandonedAt ? m_abandonedAt : m_stopWantedAt;
+  const std::optional<Instant> endingSince =
+      m_ending.abandonedAt ? m_ending.abandonedAt : m_ending.wantedAt;
   if (endingSince && now - *endingSince > m_settings.stopDeadline) {
     const std::string unconfirmed =
         fmt::format("The control did not confirm the stop within {:.0f} s. Stop it at the control.",
@@ -705,8 +555,8 @@ void Driver::checkDeadlines() {
   }
   const std::optional<Instant> expected = progress.expected.deadline(Expectation::Progress);
   // A window takes several accesses, however slow these are.
-  const Duration patience = m_settings.stallDeadline + 10 * slowAccess().value_or(Duration{});
-  if (!m_abandonedAt && progress.lastProgress && expected && now > *expected + patience) {
+  const Duration patience = m_settings.stallDeadline + 10 * m_access.slow().value_or(Duration{});
+  if (!m_ending.abandonedAt && progress.lastProgress && expected && now > *expected + patience) {
     abandon(base::makeError(StreamError::StreamStalled,
                             m_end.slowedBy.empty()
                                 ? std::string(m_method.adviceWhenStalled())
@@ -717,21 +567,21 @@ void Driver::checkDeadlines() {
 void Driver::abandon(base::Error error) {
   m_sink.note({m_link.now(), "stream abandoned: " + error.text()});
   // What comes later is no new cause, and must not put off the end of the wait for the stop.
-  if (!m_abandonedAt) {
+  if (!m_ending.abandonedAt) {
     m_end.error = std::move(error);
-    m_abandonedAt = m_link.now();
+    m_ending.abandonedAt = m_link.now();
   }
   m_methodPending.reset();
-  m_nextStatus = m_link.now();
+  m_reads.askStatusAt(m_link.now());
 }
 
 void Driver::submitStop() {
-  if (m_stopSent) {
+  if (m_ending.isSent) {
     return;
   }
-  m_stopSent = true;
-  m_stopPending =
-      m_link.write({&m_stop, 1}, patient(m_settings.requestDeadline), opcua::Grouping::List);
+  m_ending.isSent = true;
+  m_ending.pending = m_link.write({&m_ending.stop, 1}, m_access.patient(m_settings.requestDeadline),
+                                  opcua::Grouping::List);
 }
 
 void Driver::publish(std::optional<trace::LiveSample> sample,
@@ -755,7 +605,7 @@ void Driver::publish(std::optional<trace::LiveSample> sample,
     update.waitingFor = "network";
   }
   const Progress& progress = m_method.progress();
-  const std::optional<Duration> slow = slowAccess();
+  const std::optional<Duration> slow = m_access.slow();
   // The axes need points, or the method an access. A control that waits for its client needs
   // nothing before it has taken the first window: nothing moves yet, so nothing is too late.
   const std::optional<Instant> needed = progress.expected.deadline(

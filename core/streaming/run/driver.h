@@ -9,15 +9,15 @@
 #pragma once
 
 #include <array>
-#include <deque>
 #include <optional>
 #include <vector>
 
-#include "base/recent_values.h"
 #include "streaming/methods/method.h"
+#include "streaming/run/access_times.h"
 #include "streaming/run/correction.h"
-#include "streaming/run/equipment_watch.h"
+#include "streaming/run/monitor_reads.h"
 #include "streaming/run/path_watch.h"
+#include "streaming/run/pause_log.h"
 #include "streaming/run/run_trace.h"
 #include "trace/analysis/pauses.h"
 #include "trace/recording.h"
@@ -80,18 +80,20 @@ class Driver {
   /// wrong motion are.
   void watchPath(PathWatch path) { m_path = std::move(path); }
   /// Fetches the control's own trace while the stream has slack, if the control gives it in pieces.
-  void watchTrace(TraceTaker& trace) { m_trace = &trace; }
+  void watchTrace(TraceTaker& trace) { m_trace.begin(trace, m_link.now() + kTraceInterval); }
   /// Where the method pulls its windows from, if points arrive during the run.
   void watchSupplier(live::PointSupplier& supplier) { m_supplier = &supplier; }
   /// Rotary axes to be shown beside X, Y and Z. @param axisOf  see `ControlAxes`
-  void watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf);
+  void watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf) {
+    m_reads.showRotary(axisOf);
+  }
 
   /// Streams until the program on the control has ended, or until nothing more can be done.
   [[nodiscard]] StreamEnd run();
 
   [[nodiscard]] const Counters& counters() const { return m_counters; }
   /// Pauses seen during the run: measured from feed samples or inferred from handshake edges.
-  [[nodiscard]] const std::vector<trace::Pause>& pauses() const { return m_pauses; }
+  [[nodiscard]] const std::vector<trace::Pause>& pauses() const { return m_pauses.pauses(); }
 
  private:
   struct Pending {
@@ -100,18 +102,20 @@ class Driver {
     int nodes = 0;
     std::size_t points = 0;
   };
-  /// Request durations the live margin is computed from.
-  static constexpr std::size_t kRecentMax = 100;
-  /// The same to see whether accesses are slow.
-  static constexpr std::size_t kSlownessCount = 10;
+  /// The end of the program on the control, by command.
+  struct Ending {
+    opcua::Assignment stop;
+    std::optional<base::Instant> wantedAt;     ///< by the operator
+    std::optional<base::Instant> abandonedAt;  ///< because the stream cannot continue
+    std::optional<base::RequestId> pending;
+    bool isSent = false;
+  };
 
   void submitMethod();
   /// Reads status, tool and spindle, or display. Between two such reads the method has its turn,
   /// however slow the control is.
   void submitMonitor();
-  void submitMonitorRead(const std::vector<opcua::Variable>& variables);
-  /// Of a request, from its usual one: longer while answers come late.
-  [[nodiscard]] base::Duration patient(base::Duration deadline) const;
+  void submitMonitorRead(MonitorReads::Kind kind);
   void noticeSilence();
   void noticeOwnSilence();
   void loseConnection(base::Error error);
@@ -138,10 +142,6 @@ class Driver {
   [[nodiscard]] bool repeats(const opcua::Event& event, bool forMethod);
   void checkDeadlines();
   [[nodiscard]] bool hasSlackFor(int nodes) const;
-  /// Of one read of this many variables.
-  [[nodiscard]] base::Duration expectedRead(int nodes) const;
-  /// The 99th percentile of recent accesses.
-  [[nodiscard]] std::optional<base::Duration> slowAccess() const;
   [[nodiscard]] bool wantsStatus() const;
   [[nodiscard]] bool wantsDisplay() const;
   /// Tool, spindle and coolant: only where the stream has time, whatever their age.
@@ -154,13 +154,11 @@ class Driver {
   void noteWrong(WrongMotion wrong);
   /// A position that the method has read, with the feed as far as the position shows it.
   void publishPosition(base::Vec3 positionMm, base::Instant at);
-  void inferPauses();
-  void settleInferred(bool all);
+  void settlePauses(bool all);
   /// The stream cannot continue: command the control to end its program, and wait for that.
   void abandon(base::Error error);
   void submitStop();
   void submitTrace();
-  void handleTrace(const opcua::Event& event);
 
   opcua::Link& m_link;
   Method& m_method;
@@ -168,51 +166,29 @@ class Driver {
   RunOrders& m_orders;
   RunSink& m_sink;
   Counters m_counters;
-  opcua::Assignment m_stop;
+  Ending m_ending;
   std::optional<Pending> m_methodPending;
   std::optional<Pending> m_monitorPending;
-  enum class Monitor { Display, Status, Equipment, Correction };
-  Monitor m_monitor = Monitor::Display;
+  /// What the latter is; nothing: the online correction.
+  std::optional<MonitorReads::Kind> m_monitor;
+  bool m_methodsTurn = false;  ///< the last access was not the method's
+  AccessTimes m_access;
+  MonitorReads m_reads;
   CorrectionCells m_correction;
-  base::Vec3 m_notedMm;
-  base::Instant m_notedAt{};
-  std::vector<opcua::Variable> m_display;    // what a display read asks for; the feed last
-  std::vector<std::size_t> m_displayRotary;  // axes it asks for behind X, Y and Z
-  std::vector<opcua::Variable> m_status;
-  EquipmentWatch m_equipment;
-  base::Instant m_nextDisplay{};
   base::Instant m_nextSample{};  ///< of the positions that the method reads
   base::Instant m_turnedAt{};    ///< when this program last had its turn
-  base::Instant m_shownAt{};     ///< when the axes' position was last read
-  base::Instant m_nextStatus{};
-  base::Instant m_nextEquipment{};
-  bool m_methodsTurn = false;  ///< the last access was not the method's
-  int m_patience = 1;          ///< factor of the deadlines
-  int m_refusals = 0;          ///< answers in a row with a refused item
-  bool m_isSilent = false;     ///< nothing comes from the control
   base::Instant m_lastPublished{};
-  std::optional<base::Instant> m_stopWantedAt;
-  std::optional<base::Instant> m_abandonedAt;
-  std::optional<base::RequestId> m_stopPending;
-  bool m_stopSent = false;
+  int m_refusals = 0;       ///< answers in a row with a refused item
+  bool m_isSilent = false;  ///< nothing comes from the control
   bool m_holding = false;
   bool m_supplierHolds = false;  ///< it has asked for it, or is silent
-  trace::LivePauseDetector m_detector;
+  bool m_grantSeen = false;
+  std::size_t m_brokenSeen = 0;
+  PauseLog m_pauses;
   trace::StandstillByPosition m_standstill;
   std::optional<PathWatch> m_path;
   live::PointSupplier* m_supplier = nullptr;
-  TraceTaker* m_trace = nullptr;
-  std::optional<base::RequestId> m_tracePending;
-  base::Instant m_nextTrace{};
-  std::deque<trace::Pause> m_inferred;  // waiting for a measurement to take their place
-  std::vector<trace::Pause> m_pauses;
-  std::size_t m_stopsSeen = 0;
-  bool m_grantSeen = false;
-  std::size_t m_brokenSeen = 0;
-  base::RecentValues<base::Duration> m_recentAccess{kRecentMax};
-  base::RecentValues<base::Duration> m_lastAccesses{kSlownessCount};
-  base::RecentValues<double> m_slowness{kSlownessCount};  // each access: times its estimate
-  std::optional<base::Duration> m_calibratedTail;         // of the longest request of the method
+  TraceFetch m_trace;
   StreamEnd m_end;
   bool m_done = false;
 };

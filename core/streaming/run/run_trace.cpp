@@ -24,6 +24,29 @@ bool keep(std::vector<Record>& kept, const std::vector<Record>& records) {
 
 }  // namespace
 
+std::optional<base::Duration> TraceFetch::lateness(base::Instant now) const {
+  const bool isDue = m_taker != nullptr && !m_pending && now >= m_next;
+  return isDue ? std::optional(now - m_next) : std::nullopt;
+}
+
+void TraceFetch::ask(opcua::Link& link, base::Duration deadline) {
+  const base::RequestId id = link.readTrace(m_taker->position(), deadline);
+  if (id == base::RequestId{}) {
+    m_taker = nullptr;  // as a whole, after the run
+  } else {
+    m_pending = id;
+  }
+}
+
+void TraceFetch::answered(const opcua::Event* event, base::Instant now) {
+  m_pending.reset();
+  m_next = now + kTraceInterval;
+  if (event != nullptr && event->kind == opcua::EventKind::TraceDone) {
+    m_taker->take(*event->trace);
+    m_next = event->trace->isLast ? m_next : now;
+  }
+}
+
 Result<void> fetchRest(opcua::Control& control, TraceTaker& taker) {
   for (bool isLast = false; !isLast;) {
     const Result<trace::TracePiece> piece = control.fetchTracePiece(taker.position());

@@ -36,6 +36,29 @@ class TraceTaker {
   virtual void take(const trace::TracePiece& piece) = 0;
 };
 
+/// Asks for the pieces one by one while a run lasts, if the control gives its trace in pieces. What
+/// was not answered is fetched later: the run does not depend on it.
+class TraceFetch {
+ public:
+  /// @param taker  outlives this object
+  void begin(TraceTaker& taker, base::Instant first) {
+    m_taker = &taker;
+    m_next = first;
+  }
+  /// How late the next piece is; nothing: none is to be asked for now.
+  [[nodiscard]] std::optional<base::Duration> lateness(base::Instant now) const;
+  void ask(opcua::Link& link, base::Duration deadline);
+  /// The request that has not been answered.
+  [[nodiscard]] std::optional<base::RequestId> pending() const { return m_pending; }
+  /// @param event  its answer; null: it failed
+  void answered(const opcua::Event* event, base::Instant now);
+
+ private:
+  TraceTaker* m_taker = nullptr;  ///< null: nobody, or the control gives the trace as a whole
+  std::optional<base::RequestId> m_pending;
+  base::Instant m_next{};
+};
+
 /// Fetches what is left of the trace after the stream. @return the error of a request
 [[nodiscard]] base::Result<void> fetchRest(opcua::Control& control, TraceTaker& taker);
 

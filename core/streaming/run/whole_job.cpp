@@ -256,20 +256,14 @@ class WholeJob : public HostedRun {
   /// While the control executes its own blocks, there is time for the next piece of its trace. What
   /// was not answered is fetched later.
   void takeTrace() {
-    if (!m_trace || m_isTraceWhole || m_link.now() < m_nextTrace) {
+    if (!m_fetch.lateness(m_link.now())) {
       return;
     }
-    m_nextTrace = m_link.now() + kTraceInterval;
     opcua::Link& link = m_claim.link();
-    const base::RequestId id = link.readTrace(m_trace->position(), m_settings.setupDeadline);
-    m_isTraceWhole = id == base::RequestId{};
-    if (m_isTraceWhole) {
-      return;
-    }
-    const Result<opcua::Event> event = opcua::awaitAnswer(link, id, m_settings.setupDeadline);
-    if (event && event->kind == opcua::EventKind::TraceDone) {
-      m_trace->take(*event->trace);
-      m_nextTrace = event->trace->isLast ? m_nextTrace : m_link.now();
+    m_fetch.ask(link, m_settings.setupDeadline);
+    if (const auto id = m_fetch.pending()) {
+      const Result<opcua::Event> event = opcua::awaitAnswer(link, *id, m_settings.setupDeadline);
+      m_fetch.answered(event ? &*event : nullptr, m_link.now());
     }
   }
 
@@ -362,6 +356,7 @@ class WholeJob : public HostedRun {
     m_isStarted = true;
     if (m_control.abilities().keepsTrace) {
       m_trace.emplace(m_points, m_programs.loop, hasPrograms() ? nullptr : m_options.writer);
+      m_fetch.begin(*m_trace, {});
     }
     return awaitStart(kPartPoll, [this]() -> Result<bool> {
       const Result<State> state = look();
@@ -765,8 +760,7 @@ class WholeJob : public HostedRun {
   std::vector<std::size_t> m_natives;  ///< parts that are native blocks, by their number less 1
   std::vector<gcode::StreamPoint> m_points;  ///< of the stretches that have begun
   std::optional<JobTrace> m_trace;
-  bool m_isTraceWhole = false;  ///< the control gives it only after the run
-  Instant m_nextTrace{};
+  TraceFetch m_fetch;
   int m_firstRun = 0;
   int m_lastGoOn = 0;
   bool m_isStarted = false;
