@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <map>
-#include <memory>
 #include <utility>
 
 #include "base/text.h"
@@ -20,18 +20,11 @@ using base::Vec3;
 
 namespace {
 
-/// The number that a text begins with, with a point in every language of the user; 0: none.
-double numberAt(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" +"), text.size()));
-  double value = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr std::size_t kStepsMax = 400'000;
 constexpr std::string_view kAxes = "XYZ";
+constexpr std::string_view kAcross = "987";  ///< G19, G18, G17: the axis across the plane
 
 /// A word that is not followed.
 struct Stop {
@@ -43,44 +36,67 @@ void check(bool follows, const std::string& word) {
   }
 }
 
+bool isLetter(char c) {
+  return (c >= 'A' && c <= 'Z') || c == '_' || c == '$';
+}
+std::vector<std::string> split(std::string_view list) {
+  std::vector<std::string> words(1);
+  for (const char c : list) {
+    c == ' ' ? static_cast<void>(words.emplace_back()) : words.back().push_back(c);
+  }
+  return words;
+}
+/// "G1" in "G0 G1 G2".
+bool isIn(const std::string& word, std::string_view list) {
+  const std::vector<std::string> words = split(list);
+  return !word.empty() && std::count(words.begin(), words.end(), word) > 0;
+}
+std::string trimmed(std::string_view text) {
+  return std::string(base::trim(text));
+}
+
 struct Value {
   double number = 0.0;
   bool vacant = false;
 };
 using Values = std::map<std::string, Value>;
 
-bool isLetter(char c) {
-  return (c >= 'A' && c <= 'Z') || c == '_' || c == '$';
-}
-bool startsWith(std::string_view text, std::string_view with) {
-  return text.substr(0, with.size()) == with;
-}
-bool isOneOf(const std::string& word, const std::vector<std::string>& words) {
-  return std::count(words.begin(), words.end(), word) > 0;
-}
 int whole(const Value& value) {
   return static_cast<int>(std::lround(value.number));
 }
-std::string trimmed(std::string_view text) {
-  return std::string(base::trim(text));
+
+struct Word {
+  std::string name;
+  Value value;
+  char reference = 0;  ///< A, I, D, P, N: AC IC DC ACP ACN; I of Heidenhain's IX
+};
+using Words = std::vector<Word>;
+
+const Word* find(const Words& words, std::string_view name) {
+  const auto found = std::find_if(words.rbegin(), words.rend(),
+                                  [name](const Word& each) { return each.name == name; });
+  return found == words.rend() ? nullptr : &*found;
 }
-std::string gName(int tenths) {
-  return "G" + std::to_string(tenths / 10) +
-         (tenths % 10 != 0 ? "." + std::to_string(tenths % 10) : "");
+std::optional<double> valueOf(const Words& words, std::string_view name) {
+  const Word* const word = find(words, name);
+  return word == nullptr ? std::nullopt : std::optional(word->value.number);
+}
+std::size_t axisOf(const Word& word, std::string_view axes = kAxes) {
+  return word.name.size() == 1 ? axes.find(word.name[0]) : std::string_view::npos;
+}
+std::string_view axisName(std::size_t axis) {
+  return kAxes.substr(axis, 1);
 }
 
+/// Of one program: the last one has the structure "%".
 struct Line {
   std::size_t number = 0;
   std::string label;  ///< "N10", "START", "3" of LBL 3
   std::string text;
-  std::string_view structure;  ///< IF, ELSE, ENDWHILE …
-  std::size_t behind = 0;      ///< that word
-  std::size_t next = 0;        ///< where the structure goes on: ELSE, ENDIF, ENDWHILE
-  std::size_t back = 0;        ///< where it began
-};
-struct Text {
-  std::string name;
-  std::vector<Line> lines;
+  std::string structure;   ///< IF, ELSE, ENDWHILE …
+  std::size_t behind = 0;  ///< that word
+  std::size_t next = 0;    ///< where the structure goes on: ELSE, ENDIF, ENDWHILE
+  std::size_t back = 0;    ///< where it began
 };
 
 /// Programmed coordinates to those of the workpiece.
@@ -104,35 +120,16 @@ struct Frame {
   void shift(Vec3 by) { origin = to(by); }
   void scale(std::size_t axis, double factor) { columns[axis] = factor * columns[axis]; }
   void turn(std::size_t axis, double degrees) {
-    const Vec3 first = columns[(axis + 1) % 3];
-    const Vec3 second = columns[(axis + 2) % 3];
+    check(isEven(), "a turn after a scale");
+    Vec3& first = columns[(axis + 1) % 3];
+    Vec3& second = columns[(axis + 2) % 3];
     const double c = std::cos(degrees * kDegree);
     const double s = std::sin(degrees * kDegree);
-    check(isEven(), "a turn after a scale");
-    columns[(axis + 1) % 3] = c * first + s * second;
-    columns[(axis + 2) % 3] = c * second - s * first;
+    const Vec3 turned = c * first + s * second;
+    second = c * second - s * first;
+    first = turned;
   }
 };
-
-struct Word {
-  std::string name;
-  Value value;
-  bool hasValue = false;
-  char reference = 0;  ///< A, I, D, P, N: AC IC DC ACP ACN; I of Heidenhain's IX
-};
-using Words = std::vector<Word>;
-
-const Word* find(const Words& words, std::string_view name) {
-  const auto found = std::find_if(words.rbegin(), words.rend(),
-                                  [name](const Word& each) { return each.name == name; });
-  return found == words.rend() ? nullptr : &*found;
-}
-const Word* find(const Words& words, char name) {
-  return find(words, std::string_view(&name, 1));
-}
-std::size_t axisOf(const Word& word, std::string_view axes = kAxes) {
-  return word.name.size() == 1 ? axes.find(word.name[0]) : std::string_view::npos;
-}
 
 /// What PROC SAVE and M70 keep.
 struct Modal {
@@ -143,7 +140,7 @@ struct Modal {
   bool diameter = false;
   bool polar = false;  ///< G16
   std::size_t across = 2;
-  char feedMode = 'M';  ///< per minute, I: inverse time, R: per revolution
+  char feedMode = '4';  ///< of G94 per minute, G93 inverse time, G95 per revolution
   double feed = 0.0;
   double speed = 0.0;
   Frame frame;
@@ -151,39 +148,34 @@ struct Modal {
 
 /// A program that runs: what it has of its own, and where it goes on.
 struct Level {
-  const Text* text = nullptr;
   std::size_t at = 0;  ///< the next line
   Values variables;
-  std::map<std::size_t, double> counters;  ///< of loops, by their line
-  int repeats = 0;                         ///< calls that are still to come
-  std::size_t begin = 0;
   bool saves = false;
-  bool shares = false;  ///< M98: the variables are those of the caller
+  bool shares = false;                     ///< M98: the variables are those of the caller
+  std::map<std::size_t, double> counters;  ///< of loops, by their line
 };
-
-enum class Control : unsigned char { Sinumerik, Fanuc, Haas, LinuxCnc, Grbl, Heidenhain };
 
 class Evaluator {
  public:
   using Beside = std::function<std::optional<std::string>(std::string_view)>;
 
-  Evaluator(Control control, const Beside& beside) : m_control(control), m_beside(beside) {}
+  /// @param letter  of the name of the control; that of Fanuc for Haas
+  Evaluator(char letter, const Beside& beside) : m_letter(letter), m_beside(beside) {}
 
   Evaluation run(std::string_view text) {
     Evaluation result;
     try {
-      readTexts(startsWith(text, "\xEF\xBB\xBF") ? text.substr(3) : text, "");
-      m_levels.emplace_back().text = m_texts.front().get();
+      readTexts(text.substr(text.starts_with("\xEF\xBB\xBF") ? 3 : 0));
+      m_levels.emplace_back();
       for (std::size_t steps = 0; !m_ended; ++steps) {
         check(steps < kStepsMax, "a loop without an end");
-        if (level().at >= level().text->lines.size()) {
-          leave();
-          continue;
-        }
-        const Line& line = level().text->lines[level().at++];
+        const Line line = m_lines[level().at++];
         m_line = line.number;
-        if (!line.text.empty() && !flow(line)) {
-          isPlain() ? plainBlock(line.text) : execute(wordsOf(line.text));
+        begin(line.text, line.behind);
+        if (line.structure == "%") {
+          leave();
+        } else if (!line.text.empty() && !structured(line) && !steers(line)) {
+          m_isPlain ? plainBlock(line.text) : execute(wordsOf(line.text));
         }
       }
     } catch (const Stop& stopped) {
@@ -194,14 +186,6 @@ class Evaluator {
   }
 
  private:
-  [[nodiscard]] bool isSinumerik() const { return m_control == Control::Sinumerik; }
-  [[nodiscard]] bool isPlain() const { return m_control == Control::Heidenhain; }
-  [[nodiscard]] bool isLinux() const { return m_control == Control::LinuxCnc; }
-  [[nodiscard]] bool isFanuc() const {
-    return m_control == Control::Fanuc || m_control == Control::Haas;
-  }
-  [[nodiscard]] bool hasBrackets() const { return !isSinumerik() && !isPlain(); }
-
   // --- text -------------------------------------------------------------------------------------
 
   /// Capital, without comments; without blanks where they mean nothing.
@@ -211,106 +195,139 @@ class Evaluator {
     bool comment = false;
     for (const char c : line) {
       quoted = c == '"' && !comment ? !quoted : quoted;
-      if (!quoted && !comment && c == ';' && !isFanuc()) {
+      if (!quoted && !comment && c == ';') {
         break;
       }
-      comment = hasBrackets() && (comment ? c != ')' : c == '(');
-      if (!comment && !(hasBrackets() && (c == ' ' || c == '\t' || c == ')'))) {
-        made += base::toUpper(c);
+      comment = m_hasBrackets && (comment ? c != ')' : c == '(');
+      if (!comment && !(m_hasBrackets && (c == ' ' || c == '\t' || c == ')'))) {
+        made += m_isPlain && c == ',' ? '.' : base::toUpper(c);
       }
     }
     return trimmed(made);
   }
 
-  /// The programs in one file; the first is the one that runs.
-  void readTexts(std::string_view text, const std::string& name) {
-    const std::size_t first = m_texts.size();
-    m_marks = 0;
-    beginText(name);
-    std::size_t number = 0;
-    for (std::size_t from = 0; from < text.size();) {
-      const std::size_t end = std::min(text.find_first_of("\r\n;", from), text.size());
+  /// The programs in one file, behind those that have been read.
+  void readTexts(std::string_view text) {
+    std::string line;
+    std::size_t number = 1;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const bool ends = text[i] == '\n' || (text[i] == '\r' && text.substr(i + 1, 1) != "\n");
       // ";" ends a block of Fanuc, and begins a comment of others.
-      const bool splits = end < text.size() && text[end] == ';' && isFanuc();
-      const std::size_t last =
-          splits ? end : std::min(text.find_first_of("\r\n", from), text.size());
-      addLine(cleaned(text.substr(from, last - from)), number + 1);
-      number += splits ? 0 : 1;
-      from = last + 1;
-      from += !splits && from < text.size() && text[last] == '\r' && text[from] == '\n' ? 1 : 0;
+      if (ends || (text[i] == ';' && m_isFanuc)) {
+        addLine(cleaned(std::exchange(line, "")), number);
+        number += ends ? 1 : 0;
+      } else if (text[i] != '\r') {
+        line += text[i];
+      }
     }
-    for (std::size_t i = first; i < m_texts.size(); ++i) {
-      link(*m_texts[i]);
-    }
+    addLine(cleaned(line), number);
+    m_lines.emplace_back().structure = "%";
   }
 
-  void beginText(const std::string& name) {
-    m_texts.push_back(std::make_unique<Text>(Text{name, {}}));
-    m_current = m_texts.back().get();
+  /// Of the lines before a heading and a second "%".
+  void endProgram() {
+    if (!m_lines.empty() && m_lines.back().structure != "%") {
+      m_lines.emplace_back().structure = "%";
+    }
   }
 
   void addLine(std::string block, std::size_t number) {
-    const bool isIso = isFanuc() && block.size() > 1 && block[0] == 'O' && isDigit(block[1]);
-    if (isIso || (isSinumerik() && startsWith(block, "%_N_"))) {
-      if (!m_current->lines.empty() || !m_current->name.empty()) {
-        beginText("");
-      }
-      m_current->name = isIso ? std::to_string(std::atoi(block.c_str() + 1))
-                              : block.substr(4, block.rfind('_') - 4);
+    const bool isNumbered = m_isFanuc && block.size() > 1 && block[0] == 'O' && isDigit(block[1]);
+    if (isNumbered || (m_isSinumerik && block.starts_with("%_N_"))) {
+      endProgram();
+      m_programs[isNumbered ? std::to_string(std::atoi(&block[1]))
+                            : block.substr(4, block.rfind('_') - 4)] = m_lines.size();
       return;
     }
-    block.erase(0, !block.empty() && block[0] == '/' ? 1 : 0);
-    m_marks += hasBrackets() && !isFanuc() && startsWith(block, "%") ? 1 : 0;
-    if (block.empty() || block[0] == '%' || m_marks > 1) {
+    block.erase(0, block.starts_with('/') ? 1 : 0);
+    if (block.empty() || block[0] == '%') {
+      if (!block.empty() && (m_isLinux || m_letter == 'G')) {
+        endProgram();
+      }
       return;
     }
     Line line;
     line.number = number;
     line.text = block;
-    const std::size_t digits = block.find_first_not_of("0123456789", isPlain() ? 0 : 1);
-    const std::size_t end = std::min(digits, block.size());
-    if (isPlain() || (block[0] == 'N' && block.size() > 1 && isDigit(block[1]))) {
-      line.label = isPlain() ? "" : "N" + std::to_string(std::atoi(block.c_str() + 1));
-      line.text = trimmed(block.substr(end));
+    if (m_isPlain || (block[0] == 'N' && block.size() > 1 && isDigit(block[1]))) {
+      line.label = m_isPlain ? "" : "N" + std::to_string(std::atoi(&block[1]));
+      line.text = trimmed(block.substr(digitsEnd(block, m_isPlain ? 0 : 1)));
     }
     const std::size_t colon = line.text.find(':');
-    if (isSinumerik() && colon != std::string::npos && line.text.find_first_of(" =(\"") > colon) {
+    if (m_isSinumerik && colon < line.text.find_first_of(" =(\"")) {
       line.label = line.text.substr(0, colon);
       line.text = trimmed(line.text.substr(colon + 1));
-    } else if (isPlain() && startsWith(line.text, "LBL")) {
+    } else if (m_isPlain && line.text.starts_with("LBL")) {
       line.label = trimmed(line.text.substr(3));
     }
-    // O100 SUB begins a program of its own inside another one.
-    const std::size_t key = isLinux() && line.text[0] == 'O' ? keyEnd(line.text) : 0;
-    if (key > 0 && line.text.substr(key) == "SUB") {
-      m_outer = m_current;
-      beginText(line.text.substr(0, key));
-      return;
-    }
-    m_current->lines.push_back(line);
-    m_current = key > 0 && startsWith(line.text.substr(key), "ENDSUB") ? m_outer : m_current;
+    findStructure(line);
+    m_lines.push_back(line);
   }
 
-  const Text* findText(const std::string& name) {
-    for (const std::unique_ptr<Text>& each : m_texts) {
-      if (each->name == name) {
-        return each.get();
+  static std::size_t digitsEnd(const std::string& text, std::size_t from) {
+    return std::min(text.find_first_not_of("0123456789", from), text.size());
+  }
+  /// Of O100 and O<NAME>.
+  [[nodiscard]] std::size_t keyEnd(const std::string& line) const {
+    const bool isName = line.compare(0, 2, "O<") == 0;
+    return !m_isLinux || line[0] != 'O' ? 0 : isName ? line.find('>') + 1 : digitsEnd(line, 1);
+  }
+
+  /// Which lines decide and repeat, and which belong together.
+  void findStructure(Line& line) {
+    const std::size_t key = keyEnd(line.text);
+    std::size_t to = key;
+    while (isLetter(line.text[to])) {
+      ++to;
+    }
+    const std::string word = line.text.substr(key, to - key);
+    const bool jumps = line.text.find("GOTO") != std::string::npos ||
+                       line.text.find("THEN") != std::string::npos ||
+                       (m_isSinumerik && word == "REPEAT" && to < line.text.size());
+    const bool begins =
+        isIn(word, m_isLinux ? "IF WHILE REPEAT DO SUB" : "IF WHILE FOR LOOP REPEAT DO");
+    const bool goesOn = isIn(word, "ELSE ELSEIF");
+    bool ends = isIn(word, "END ENDIF ENDFOR ENDWHILE ENDLOOP UNTIL ENDREPEAT ENDSUB");
+    if (jumps || m_isPlain || (m_isLinux && key == 0) || !(begins || goesOn || ends)) {
+      return;
+    }
+    line.behind = to;
+    line.structure = word;
+    ends |=
+        m_isLinux && word == "WHILE" && !m_open.empty() && m_lines[m_open.back()].structure == "DO";
+    if (goesOn || ends) {
+      check(!m_open.empty(), line.text);
+      m_lines[m_open.back()].next = m_lines.size();
+      line.back = m_open.back();
+      m_open.pop_back();
+    }
+    if (!ends) {
+      m_open.push_back(m_lines.size());
+    }
+    if (word == "SUB") {
+      check(m_open.size() == 1, "a subprogram inside another");
+      m_programs[line.text.substr(0, key)] = m_lines.size() + 1;
+    }
+  }
+
+  /// Where the program begins.
+  std::optional<std::size_t> findProgram(const std::string& name) {
+    if (m_programs.count(name) == 0) {
+      const std::optional<std::string> text = m_beside ? m_beside(name) : std::nullopt;
+      if (!text) {
+        return std::nullopt;
       }
+      m_programs[name] = m_lines.size();
+      readTexts(*text);
     }
-    const std::optional<std::string> text = m_beside ? m_beside(name) : std::nullopt;
-    const std::size_t at = m_texts.size();
-    if (text) {
-      readTexts(*text, isFanuc() ? "" : name);
-      m_texts[at]->name = name;
-    }
-    return text ? m_texts[at].get() : nullptr;
+    return m_programs[name];
   }
 
   // --- expressions, of m_rest from m_i on --------------------------------------------------------
 
-  void begin(const std::string& text) {
+  void begin(const std::string& text, std::size_t from = 0) {
     m_rest = text;
-    m_i = 0;
+    m_i = from;
   }
   [[nodiscard]] char peek(std::size_t ahead = 0) const {
     return m_i + ahead < m_rest.size() ? m_rest[m_i + ahead] : '\0';
@@ -325,104 +342,106 @@ class Evaluator {
     blanks();
     const char next = peek(what.size());
     const bool goesOn = isLetter(what.back()) && (isLetter(next) || isDigit(next));
-    if (m_rest.compare(m_i, what.size(), what) != 0 || (goesOn && isSinumerik())) {
-      return false;
-    }
-    m_i += what.size();
-    return true;
+    const bool accepts = m_rest.compare(m_i, what.size(), what) == 0 && !(goesOn && m_isSinumerik);
+    m_i += accepts ? what.size() : 0;
+    return accepts;
   }
   void expect(std::string_view what) {
     check(accept(what), "'" + std::string(what) + "' missing in " + m_rest);
   }
-  std::string identifier() {
+  /// @param digits  it may have digits behind its first letter
+  std::string identifier(bool digits = true) {
     blanks();
     std::string name;
-    while (isLetter(peek()) || (!name.empty() && isDigit(peek()))) {
+    while (isLetter(peek()) || (digits && !name.empty() && isDigit(peek()))) {
       name += m_rest[m_i++];
     }
     return name;
   }
+  std::string restOfLine() { return trimmed(m_rest.substr(m_i)); }
+
   double number() {
-    blanks();
-    std::string digits;
-    while (isDigit(peek()) || peek() == '.' || (isPlain() && peek() == ',') ||
-           (digits.empty() && (peek() == '+' || peek() == '-'))) {
-      digits += peek() == ',' ? '.' : peek();
-      ++m_i;
-    }
-    check(digits.find_first_of("0123456789") != std::string::npos, "number in " + m_rest);
-    const bool scales = isSinumerik() && peek() == 'E' && peek(1) == 'X';
+    accept("+");
+    double value = 0.0;
+    const char* const from = m_rest.data() + std::min(m_i, m_rest.size());
+    const auto [end, error] =
+        std::from_chars(from, m_rest.data() + m_rest.size(), value, std::chars_format::fixed);
+    check(error == std::errc() && isDigit(end[-1] == '.' ? end[-2] : end[-1]),
+          "number in " + m_rest);
+    m_i += static_cast<std::size_t>(end - from);
+    const bool scales = m_isSinumerik && peek() == 'E' && peek(1) == 'X';
     m_i += scales ? 2 : 0;
-    return numberAt(digits) * (scales ? std::pow(10.0, number()) : 1.0);
+    return value * (scales ? std::pow(10.0, number()) : 1.0);
   }
 
   Value& variable(const std::string& name) {
     Values& own = level().variables;
-    if (const auto local = own.find(name); local != own.end()) {
-      return local->second;
+    if (own.count(name) > 0) {
+      return own[name];
     }
-    if (isSinumerik() || isPlain()) {
-      // What DEF of another program defines is not seen.
-      check(isPlain() || (name[0] == 'R' && name.size() > 1 && isDigit(name[1])), name);
+    if (name[0] != '#') {  // what DEF of another program defines is not seen
+      check(m_isPlain || (name[0] == 'R' && name.size() > 1 && isDigit(name[1])), name);
       return m_globals[name];
     }
     if (name[1] == '<') {
-      return name[2] == '_' ? m_globals[name] : own[name];
+      return (name[2] == '_' ? m_globals : own)[name];
     }
-    const int index = std::atoi(name.c_str() + 1);
-    check(index < (isFanuc() ? 1000 : 5001), name);  // those of the control
-    m_vacant = {0.0, true};
-    Values& where = index <= (isFanuc() ? 33 : 30) ? own : m_globals;
-    return isFanuc() && index == 0 ? m_vacant
-                                   : where.try_emplace(name, Value{0.0, isFanuc()}).first->second;
+    const int index = std::atoi(&name[1]);
+    check(index < (m_isFanuc ? 1000 : 5001), name);  // those of the control
+    if (m_isFanuc && index == 0) {
+      return m_vacant = {0.0, true};
+    }
+    Values& where = index <= (m_isFanuc ? 33 : 30) ? own : m_globals;
+    return where.try_emplace(name, Value{0.0, m_isFanuc}).first->second;
   }
 
   /// #5, #[#1+2], #<name>; behind "#".
   std::string hashName() {
-    if (accept("<")) {
-      const std::size_t end = m_rest.find('>', m_i);
-      const std::string name = m_rest.substr(m_i, end - m_i);
-      m_i = end + 1;
-      return "#<" + name + ">";
+    if (!accept("<")) {
+      return "#" + std::to_string(whole(primary()));
     }
-    return "#" + std::to_string(whole(primary()));
+    const std::size_t from = std::exchange(m_i, m_rest.find('>', m_i) + 1);
+    return "#<" + m_rest.substr(from, m_i - from);
   }
 
   Value function(const std::string& name) {
-    using Of = double (*)(double);
-    // clang-format off
-    static const std::map<std::string, Of> kFunctions{
-        {"SIN", [](double x) { return std::sin(x * kDegree); }}, {"COS", [](double x) { return std::cos(x * kDegree); }},
-        {"TAN", [](double x) { return std::tan(x * kDegree); }}, {"ASIN", [](double x) { return std::asin(x) / kDegree; }},
-        {"ACOS", [](double x) { return std::acos(x) / kDegree; }}, {"SQRT", [](double x) { return std::sqrt(x); }},
-        {"ABS", [](double x) { return std::abs(x); }}, {"EXP", [](double x) { return std::exp(x); }},
-        {"LN", [](double x) { return std::log(x); }}, {"ROUND", [](double x) { return std::round(x); }},
-        {"POT", [](double x) { return x * x; }}, {"TRUNC", [](double x) { return std::trunc(x); }},
-        {"ROUNDUP", [](double x) { return std::ceil(x); }}, {"FIX", [](double x) { return std::trunc(x); }},
-        {"FUP", [](double x) { return std::copysign(std::ceil(std::abs(x)), x); }}};  // LinuxCNC goes down and up
-    // clang-format on
+    struct Function {
+      double (*of)(double);
+      double in = 1.0;  ///< what its argument is multiplied with, and its result
+      double out = 1.0;
+    };
+    static const std::map<std::string, Function> kFunctions{
+        {"SIN", {std::sin, kDegree}}, {"COS", {std::cos, kDegree}},
+        {"TAN", {std::tan, kDegree}}, {"ASIN", {std::asin, 1.0, 1.0 / kDegree}},
+        {"SQRT", {std::sqrt}},        {"ACOS", {std::acos, 1.0, 1.0 / kDegree}},
+        {"ABS", {std::abs}},          {"EXP", {std::exp}},
+        {"LN", {std::log}},           {"TRUNC", {std::trunc}},
+        {"ROUNDUP", {std::ceil}},     {"POT", {[](double x) { return x * x; }}}};
     std::vector<double> a;
-    if (isPlain()) {
+    if (m_isPlain) {
       a.push_back(primary().number);
     } else {
-      expect(isSinumerik() ? "(" : "[");
+      expect(m_isSinumerik ? "(" : "[");
       do {
         a.push_back(expression().number);
       } while (accept(","));
-      expect(isSinumerik() ? ")" : "]");
+      expect(m_isSinumerik ? ")" : "]");
     }
     if (const auto found = kFunctions.find(name); found != kFunctions.end()) {
-      const bool isOwn = !isLinux() || (name != "FIX" && name != "FUP");
-      if (name == "ROUND") {  // in a word of Fanuc to the least input increment
-        return {std::round(a[0] / m_step) * m_step};
-      }
-      return {isOwn ? found->second(a[0]) : name == "FIX" ? std::floor(a[0]) : std::ceil(a[0])};
+      return {found->second.of(a[0] * found->second.in) * found->second.out};
     }
-    if (name == "ATAN" && !isSinumerik() && accept("/")) {
+    if (name == "ROUND") {  // in a word of Fanuc to the least input increment
+      return {std::round(a[0] / m_step) * m_step};
+    }
+    if (name == "FIX" || name == "FUP") {  // towards and from zero, LinuxCNC down and up
+      const bool down = (name == "FIX") == (m_isLinux || a[0] >= 0.0);
+      return {down ? std::floor(a[0]) : std::ceil(a[0])};
+    }
+    if (name == "ATAN" && !m_isSinumerik && accept("/")) {
       const double angle = std::atan2(a[0], primary().number) / kDegree;
-      return {isFanuc() && angle < 0.0 ? angle + 360.0 : angle};
+      return {m_isFanuc && angle < 0.0 ? angle + 360.0 : angle};
     }
-    check(isSinumerik() && a.size() == 2 && name == "ATAN2", name);
+    check(m_isSinumerik && a.size() == 2 && name == "ATAN2", name);
     return {std::atan2(a[0], a[1]) / kDegree};
   }
 
@@ -436,32 +455,26 @@ class Evaluator {
     if (isDigit(peek()) || peek() == '.') {
       return {number()};
     }
-    if (accept(hasBrackets() ? "[" : "(")) {
+    if (accept(m_hasBrackets ? "[" : "(")) {
       const Value value = expression();
-      expect(hasBrackets() ? "]" : ")");
+      expect(m_hasBrackets ? "]" : ")");
       return value;
     }
     if (accept("#")) {
       return variable(hashName());
     }
-    std::string name;
-    while (isLetter(peek()) || (!name.empty() && isDigit(peek()) && !hasBrackets())) {
-      name += m_rest[m_i++];
-    }
+    std::string name = identifier(!m_hasBrackets);
     check(!name.empty(), "value in " + m_rest);
-    if (isSinumerik() && name == "NOT") {
-      return {primary().number == 0.0 ? 1.0 : 0.0};
+    if (m_isSinumerik && isIn(name, "NOT TRUE FALSE")) {
+      return {name == "TRUE" || (name == "NOT" && primary().number == 0.0) ? 1.0 : 0.0};
     }
-    if (isSinumerik() && name == "R" && accept("[")) {
+    if (name == "R" && accept("[")) {
       name += std::to_string(whole(expression()));
       expect("]");
     }
-    check(peek() != '[' || hasBrackets(), name + "[]");
+    check(peek() != '[' || m_hasBrackets, name + "[]");
     blanks();
-    const bool isVariable = isSinumerik() ? peek() != '(' : isPlain() && isDigit(name.back());
-    if (isVariable && (name == "TRUE" || name == "FALSE")) {
-      return {name == "TRUE" ? 1.0 : 0.0};
-    }
+    const bool isVariable = m_isSinumerik ? peek() != '(' : m_isPlain && isDigit(name.back());
     return isVariable ? variable(name) : function(name);
   }
 
@@ -469,52 +482,53 @@ class Evaluator {
     const double x = a.number;
     const double y = b.number;
     // SINUMERIK compares with a relative tolerance, LinuxCNC with 1e-6.
-    const double near = isSinumerik() ? 1e-12 * std::max(std::abs(x), std::abs(y)) : 1e-6;
-    const bool same = isFanuc() && (a.vacant || b.vacant)
-                          ? a.vacant == b.vacant
-                          : std::abs(x - y) <= (isFanuc() ? 0.0 : near);
-    const bool bits = isFanuc() || startsWith(op, "B_");
-    const bool tie = isFanuc() ? x == y : same;
+    const double near = m_isFanuc       ? 0.0
+                        : m_isSinumerik ? 1e-12 * std::max(std::abs(x), std::abs(y))
+                                        : 1e-6;
+    const bool tie = std::abs(x - y) <= near;
+    const bool same = m_isFanuc && (a.vacant || b.vacant) ? a.vacant == b.vacant : tie;
+    const bool more = x > y && !tie;
+    const bool less = x < y && !tie;
+    const bool bits = m_isFanuc || op.starts_with("B_");
     const auto p = static_cast<unsigned>(bits ? std::lround(x) : x != 0.0);
     const auto q = static_cast<unsigned>(bits ? std::lround(y) : y != 0.0);
-    const double rest = op == "MOD" ? std::fmod(x, y) : 0.0;
-    const bool more = x > y && (isFanuc() || !same);
-    const bool less = x < y && (isFanuc() || !same);
+    const double rest = std::fmod(x, y);
+    const double positive = m_isLinux && rest < 0.0 ? rest + std::abs(y) : rest;
+    const double whole = m_isPlain ? x / y : std::trunc(x / y);
     check(op != "/" || y != 0.0, "division by zero");
-    // clang-format off
-    const std::map<std::string, double> results{
-        {"+", x + y}, {"-", x - y}, {"*", x * y}, {"/", x / y}, {"**", std::pow(x, y)}, {"^", std::pow(x, y)},
-        {"DIV", isPlain() ? x / y : std::trunc(x / y)}, {"MOD", isLinux() && rest < 0.0 ? rest + std::abs(y) : rest},
-        {"EQ", same}, {"EQU", same}, {"==", same}, {"NE", !same}, {"<>", !same}, {"GT", more}, {">", more},
-        {"LT", less}, {"<", less}, {"GE", more || tie}, {">=", more || tie}, {"LE", less || tie}, {"<=", less || tie},
-        {"AND", p & q}, {"OR", p | q}, {"XOR", p ^ q}};
-    // clang-format on
-    return {results.at(startsWith(op, "B_") ? op.substr(2) : op)};
+    const std::map<std::string_view, double> results{
+        {"+", x + y},           {"-", x - y},          {"*", x * y},        {"/", x / y},
+        {"**", std::pow(x, y)}, {"^", std::pow(x, y)}, {"DIV", whole},      {"MOD", positive},
+        {"AND", p & q},         {"OR", p | q},         {"XOR", p ^ q},      {"EQ", same},
+        {"EQU", same},          {"==", same},          {"NE", !same},       {"<>", !same},
+        {"GT", more},           {">", more},           {"LT", less},        {"<", less},
+        {"GE", more || tie},    {">=", more || tie},   {"LE", less || tie}, {"<=", less || tie}};
+    return {results.at(op.starts_with("B_") ? op.substr(2) : op)};
   }
 
   /// Operators by their rank, those that bind least first; equal ranks from left to right.
   Value expression(std::size_t rank = 0) {
-    using Ranks = std::vector<std::vector<std::string>>;
-    // clang-format off
-    static const Ranks kSinumerik{{"==", "<>", ">=", "<=", ">", "<"}, {"OR"}, {"XOR"}, {"AND"}, {"B_OR"}, {"B_XOR"}, {"B_AND"}, {"+", "-"}, {"*", "/", "DIV", "MOD"}};
-    static const Ranks kFanuc{{"EQ", "NE", "GT", "GE", "LT", "LE"}, {"+", "-", "OR", "XOR"}, {"*", "/", "AND", "MOD"}};
-    static const Ranks kLinux{{"AND", "OR", "XOR"}, {"EQ", "NE", "GT", "GE", "LT", "LE"}, {"+", "-"}, {"*", "/", "MOD"}, {"**"}};
-    static const Ranks kPlain{{"EQU", "NE", "GT", "LT"}, {"+", "-"}, {"*", "/", "DIV"}, {"^"}};
-    // clang-format on
-    const Ranks& ranks = isSinumerik() ? kSinumerik
-                         : isFanuc()   ? kFanuc
-                         : isPlain()   ? kPlain
+    using Ranks = std::vector<std::string_view>;
+    static const Ranks kSinumerik{"== <> >= <= > <", "OR",    "XOR", "AND",        "B_OR",
+                                  "B_XOR",           "B_AND", "+ -", "* / DIV MOD"};
+    static const Ranks kFanuc{"EQ NE GT GE LT LE", "+ - OR XOR", "* / AND MOD"};
+    static const Ranks kLinux{"AND OR XOR", "EQ NE GT GE LT LE", "+ -", "* / MOD", "**"};
+    static const Ranks kPlain{"EQU NE GT LT", "+ -", "* / DIV", "^"};
+    const Ranks& ranks = m_isSinumerik ? kSinumerik
+                         : m_isFanuc   ? kFanuc
+                         : m_isPlain   ? kPlain
                                        : kLinux;
     if (rank == ranks.size()) {
       return primary();
     }
     Value value = expression(rank + 1);
+    const std::vector<std::string> operators = split(ranks[rank]);
     for (;;) {
       const auto op =
-          std::find_if(ranks[rank].begin(), ranks[rank].end(), [this](const std::string& each) {
+          std::find_if(operators.begin(), operators.end(), [this](const std::string& each) {
             return !(each == "*" && m_rest.compare(m_i, 2, "**") == 0) && accept(each);
           });
-      if (op == ranks[rank].end()) {
+      if (op == operators.end()) {
         return value;
       }
       value = operate(*op, value, expression(rank + 1));
@@ -525,38 +539,38 @@ class Evaluator {
 
   Level& level() { return m_levels.back(); }
 
-  /// @param direction  1: only forward, -1: only back, 0: forward, then from the beginning
-  void jump(const std::string& label, int direction) {
-    const std::vector<Line>& lines = level().text->lines;
-    const auto is = [&label](const Line& line) { return line.label == label; };
-    const auto here = lines.begin() + static_cast<std::ptrdiff_t>(level().at);
-    auto found = direction >= 0 ? std::find_if(here, lines.end(), is) : lines.end();
-    if (found == lines.end() && direction <= 0) {
-      const auto back = std::find_if(std::make_reverse_iterator(here), lines.rend(), is);
-      found = back == lines.rend() ? lines.end() : back.base() - 1;
+  /// @param direction  1: only forward, -1: only back, 0: forward, then back
+  void jump(const std::string& label, int direction = 0) {
+    std::size_t& at = level().at;
+    const auto isEnd = [this](std::size_t line) { return m_lines[line].structure == "%"; };
+    const auto is = [&, this](std::size_t line) { return m_lines[line].label == label; };
+    std::size_t ahead = at;
+    while (!isEnd(ahead) && !is(ahead)) {
+      ++ahead;
     }
-    check(found != lines.end(), "no label " + label);
-    level().at = static_cast<std::size_t>(found - lines.begin());
+    std::size_t back = at;  // the line before it
+    while (back > 0 && !isEnd(back - 1) && !is(back - 1)) {
+      --back;
+    }
+    const bool isAhead = direction >= 0 && !isEnd(ahead);
+    check(isAhead || (direction <= 0 && back > 0 && !isEnd(back - 1)), "no label " + label);
+    at = isAhead ? ahead : back - 1;
   }
 
-  void call(const Text* text, Values variables, int times, std::size_t at = 0, bool saves = false) {
-    check(m_levels.size() < 60, "calls too deep");
+  void call(std::size_t at, const Values variables, int times, bool saves = false,
+            bool shares = false) {
+    check(m_levels.size() < 1000, "calls too deep");
+    for (; times > 0; --times) {
+      m_levels.push_back({at, variables, saves, shares, {}});
+    }
     if (saves) {
       m_saved.push_back(m_modal);
-    }
-    if (times > 0) {
-      m_levels.push_back({text, at, std::move(variables), {}, times - 1, at, saves, false});
     }
   }
 
   void leave() {
-    if (m_levels.size() == 1) {
-      m_ended = true;
-      return;
-    }
-    if (level().repeats > 0) {
-      --level().repeats;
-      level().at = level().begin;
+    m_ended = m_levels.size() == 1;
+    if (m_ended) {
       return;
     }
     const Level left = std::move(level());
@@ -569,168 +583,115 @@ class Evaluator {
 
   void restore() {
     check(!m_saved.empty(), "nothing saved");
-    const Frame frame = isSinumerik() ? m_saved.back().frame : m_modal.frame;
-    const Modal now = m_modal;
-    m_modal = m_saved.back();
-    m_modal.frame = now.frame;
+    const Modal now = std::exchange(m_modal, m_saved.back());
+    const Frame frame = std::exchange(m_modal.frame, now.frame);
     // rs274 writes what has changed into a block: F with one decimal, S with none.
     const auto written = [this](double value, double before, double digits) {
-      return isLinux() && value != before ? std::nearbyint(value * digits) / digits : value;
+      return m_isLinux && value != before ? std::nearbyint(value * digits) / digits : value;
     };
     m_modal.feed = written(m_modal.feed / m_modal.feedUnit, now.feed / m_modal.feedUnit, 10.0) *
                    m_modal.feedUnit;
     m_modal.speed = written(m_modal.speed, now.speed, 1.0);
-    setFrame(frame);
+    setFrame(m_isSinumerik ? frame : now.frame);
     m_saved.pop_back();
   }
 
-  /// Which lines decide and repeat, and which belong together.
-  void link(Text& text) const {
-    static constexpr std::array<std::string_view, 16> kWords{
-        "IF",  "WHILE", "FOR",    "LOOP",     "REPEAT",  "DO",    "ELSE",      "ELSEIF",
-        "END", "ENDIF", "ENDFOR", "ENDWHILE", "ENDLOOP", "UNTIL", "ENDREPEAT", ""};
-    std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < text.lines.size(); ++i) {
-      Line& line = text.lines[i];
-      const bool hasKey = isLinux() && line.text[0] == 'O';
-      const std::size_t from = hasKey ? keyEnd(line.text) : 0;
-      std::size_t to = from;
-      while (to < line.text.size() && isLetter(line.text[to])) {
-        ++to;
-      }
-      const std::string_view word = std::string_view(line.text).substr(from, to - from);
-      const bool jumps = line.text.find("GOTO") != std::string::npos ||
-                         line.text.find("THEN") != std::string::npos;
-      const bool labels = isSinumerik() && word == "REPEAT" && to < line.text.size();
-      const auto* const known = std::find(kWords.begin(), kWords.end() - 1, word);
-      if (jumps || labels || known == kWords.end() - 1 || isPlain() || (isLinux() && !hasKey)) {
-        continue;
-      }
-      line.behind = to;
-      line.structure = *known;
-      const auto rank = known - kWords.begin();
-      const bool ends = rank >= 8 || (isLinux() && rank == 1 && !open.empty() &&
-                                      text.lines[open.back()].structure == "DO");
-      check(rank < 6 || !open.empty(), line.text);
-      if (rank >= 6 || ends) {
-        text.lines[open.back()].next = i;
-        line.back = open.back();
-        open.pop_back();
-      }
-      if (!ends) {
-        open.push_back(i);
-      }
-    }
-  }
+  bool condition() { return (m_hasBrackets ? primary() : expression()).number != 0.0; }
 
-  [[nodiscard]] static std::size_t keyEnd(const std::string& line) {
-    return line.size() > 1 && line[1] == '<'
-               ? line.find('>') + 1
-               : std::min(line.find_first_not_of("0123456789", 1), line.size());
-  }
-
-  bool condition() { return (hasBrackets() ? primary() : expression()).number != 0.0; }
-
-  /// @return true if the line was a statement of the flow
-  bool flow(const Line& line) {
-    const std::vector<Line>& lines = level().text->lines;
-    const std::size_t here = level().at - 1;
-    const std::string_view word = line.structure;
-    begin(line.text);
-    m_i = line.behind;
-    if (word.empty()) {
-      return isSinumerik() ? flowSinumerik()
-             : isFanuc()   ? flowFanuc()
-             : isLinux()   ? flowLinux(line.text)
-                           : isPlain() && flowPlain(line.text);
-    }
-    if (word == "IF") {
-      std::size_t at = here;
-      while (!condition()) {
-        at = lines[at].next;
-        begin(lines[at].text);
-        m_i = lines[at].behind;
-        if (lines[at].structure != "ELSEIF") {
-          break;
-        }
-      }
-      level().at = at + 1;
-    } else if (word == "ELSE" || word == "ELSEIF") {
-      for (level().at = here; lines[level().at].next != 0; level().at = lines[level().at].next) {
-      }
-    } else if (word == "WHILE" && line.next == 0) {  // of DO
-      level().at = condition() ? line.back + 1 : level().at;
-    } else if (word == "UNTIL") {
-      level().at = condition() ? level().at : line.back + 1;
-    } else if (word == "WHILE") {
-      level().at = condition() ? level().at : line.next + 1;
+  /// @return true if the line belongs to a structure
+  bool structured(const Line& line) {
+    const std::string& word = line.structure;
+    const bool arrives = std::exchange(m_arrives, false);  // from an IF that does not hold
+    const bool endsDo = word == "WHILE" && line.next == 0;
+    std::size_t& at = level().at;
+    bool enters = word != "SUB";
+    if (word.starts_with("ELSE")) {
+      enters = arrives && (word == "ELSE" || condition());
+    } else if (isIn(word, "IF WHILE UNTIL")) {
+      enters = condition();
     } else if (word == "FOR") {
-      Value& counter = variable(identifier());
-      expect("=");
-      const double from = expression().number;
+      const std::string name = identifier();
+      const double from = (expect("="), expression().number);
+      Value& counter = variable(name);
+      counter.number = level().counters.erase(at - 1) != 0 ? counter.number + 1.0 : from;
       expect("TO");
-      counter.number = level().counters.erase(here) != 0 ? counter.number + 1.0 : from;
-      level().at = counter.number > expression().number ? line.next + 1 : level().at;
-    } else if (word == "REPEAT" && isLinux()) {
-      double& left = level().counters.try_emplace(here, whole(primary()) + 0.0).first->second;
-      if (left-- < 1.0) {
-        level().counters.erase(here);
-        level().at = line.next + 1;
-      }
-    } else if (startsWith(word, "END") && word != "ENDIF") {
-      level().at = line.back;
+      enters = counter.number <= expression().number;
+    } else if (word == "REPEAT" && m_isLinux) {
+      enters = isAgain(whole(primary()));
+    } else if (word == "ENDSUB") {
+      returnLinux();
+      return true;
+    } else if (word.starts_with("END") && word != "ENDIF") {
+      at = line.back;
       if (word == "ENDFOR") {
         level().counters[line.back] = 1.0;
       }
     }
+    if (endsDo || word == "UNTIL") {
+      at = enters == endsDo ? line.back + 1 : at;
+    } else if (!enters) {
+      const bool goesOn = m_lines[line.next].structure.starts_with("ELSE");
+      m_arrives = goesOn && (word == "IF" || arrives);
+      at = line.next + (goesOn ? 0 : 1);
+    }
+    return !word.empty();
+  }
+
+  /// True so many times, then false, in the line that has just been read.
+  bool isAgain(double times) {
+    double& left = level().counters.try_emplace(level().at - 1, times).first->second;
+    const bool again = left-- >= 1.0;
+    if (!again) {
+      level().counters.erase(level().at - 1);
+    }
+    return again;
+  }
+
+  /// Jumps, calls and definitions. @return true if the line was one
+  bool steers(const Line& line) {
+    if (m_isPlain && accept("FN")) {  // FN 1: Q5 = +Q1 + +2, FN 9: IF +Q1 EQU +Q2 GOTO LBL 5
+      const int kind = static_cast<int>(number());
+      check(kind < 5 || (kind > 8 && kind < 13), "FN " + std::to_string(kind));
+      expect(":");
+    }
+    if (m_isLinux || m_letter == 'G') {
+      return keyEnd(line.text) > 0 && steersLinux(line.text);
+    }
+    const bool decides = accept("IF");
+    const bool holds = !decides || condition();
+    const int direction = accept("GOTOF") ? 1 : accept("GOTOB") ? -1 : accept("GOTO") ? 0 : 2;
+    if (direction < 2) {
+      accept("LBL");
+      const std::string label = m_isFanuc   ? "N" + std::to_string(whole(primary()))
+                                : m_isPlain ? restOfLine()
+                                            : identifier();
+      check(holds || !m_isSinumerik || !blanks(), "IF");
+      if (holds) {
+        jump(label, direction);
+      }
+    } else if (decides) {
+      expect("THEN");
+      if (holds) {
+        execute(wordsOf(restOfLine()));
+      }
+    } else {
+      return m_isSinumerik ? steersSinumerik() : m_isPlain && steersPlain(line);
+    }
     return true;
   }
 
-  std::optional<int> direction() {
-    return accept("GOTOF")   ? std::optional(1)
-           : accept("GOTOB") ? std::optional(-1)
-           : accept("GOTO")  ? std::optional(0)
-                             : std::nullopt;
-  }
-
-  /// REPEAT label P=3, CALL LBL 1 REP 3: back to the label so many times.
-  void repeat(const std::string& label, double times) {
-    const std::size_t here = level().at - 1;
-    double& left = level().counters.try_emplace(here, times).first->second;
-    if (left-- > 0.0) {
-      jump(label, -1);
-    } else {
-      level().counters.erase(here);
-    }
-  }
-
-  bool flowSinumerik() {
-    if (accept("IF")) {
-      const bool holds = condition();
-      const std::optional<int> way = direction();
+  bool steersSinumerik() {
+    if (accept("REPEAT")) {
       const std::string label = identifier();
-      check(way.has_value(), "IF");
-      if (holds) {
-        jump(label, *way);
-      } else if (blanks()) {
-        check(flowSinumerik(), m_rest);
-      }
-    } else if (const std::optional<int> way = direction()) {
-      jump(identifier(), *way);
-    } else if (accept("REPEAT")) {
-      const std::string label = identifier();
-      const double times = accept("P") ? (accept("="), expression().number) : 1.0;
+      const bool again = isAgain(accept("P") ? (accept("="), expression().number) : 1.0);
       check(!blanks(), "REPEAT between labels");
-      repeat(label, times);
+      if (again) {
+        jump(label, -1);
+      }
     } else if (accept("DEF")) {
       const std::string type = identifier();
-      check(isOneOf(type, {"REAL", "INT", "BOOL"}), "DEF " + type);
       do {
-        const std::string name = identifier();
-        check(!accept("["), "DEF " + name + "[]");
-        level().variables[name] = {};
-        const double value = accept("=") ? expression().number : 0.0;
-        level().variables[name] = {type == "INT" ? std::round(value) : value};
+        declare(type, level().variables, {0.0, true});
       } while (accept(","));
     } else {
       return accept("EXTERN") || accept("PROC");
@@ -738,10 +699,20 @@ class Evaluator {
     return true;
   }
 
+  /// DEF REAL A = 5, PROC NAME(INT N = 2): behind the type.
+  void declare(const std::string& type, Values& variables, Value given) {
+    const std::string name = identifier();
+    check(isIn(type, "REAL INT BOOL") && !accept("["), "DEF " + type);
+    variables[name] = {};
+    const double otherwise = accept("=") ? expression().number : 0.0;
+    const double value = given.vacant ? otherwise : given.number;
+    variables[name] = {type == "INT" ? std::round(value) : value};
+  }
+
   /// NAME, NAME(1,2), L100, with P3 behind.
   void callSinumerik(const std::string& name) {
-    const Text* const text = findText(name);
-    check(text != nullptr, name);
+    const auto program = findProgram(name);
+    check(program.has_value(), name);
     std::vector<Value> given;
     if (accept("(")) {
       while (!accept(")")) {
@@ -751,102 +722,67 @@ class Evaluator {
       }
     }
     const int times = accept("P") ? (accept("="), whole(expression())) : 1;
-    const std::string rest = std::exchange(m_rest, text->lines.empty() ? "" : text->lines[0].text);
+    const std::string rest = std::exchange(m_rest, m_lines[*program].text);
     const std::size_t at = std::exchange(m_i, 0);
     Values variables;
     const bool isProc = accept("PROC");
     const bool saves = isProc && m_rest.find("SAVE") != std::string::npos;
     identifier();
     for (std::size_t i = 0; isProc && accept(i == 0 ? "(" : ","); ++i) {
-      const std::string type = identifier();
-      check(type == "REAL" || type == "INT", "PROC " + type);
-      const std::string own = identifier();
-      const Value otherwise = accept("=") ? expression() : Value{};
-      const Value value = i < given.size() && !given[i].vacant ? given[i] : otherwise;
-      variables[own] = {type == "INT" ? std::round(value.number) : value.number};
+      declare(identifier(), variables, i < given.size() ? given[i] : Value{0.0, true});
     }
-    m_rest = rest;
-    m_i = at;
-    call(text, std::move(variables), times, isProc ? 1 : 0, saves);
+    begin(rest, at);
+    call(*program, variables, times, saves);
   }
 
-  bool flowFanuc() {
-    const bool decides = accept("IF");
-    const bool holds = !decides || condition();
-    if (accept("GOTO")) {
-      const int to = whole(primary());
-      if (holds) {
-        jump("N" + std::to_string(to), 0);
-      }
-    } else if (decides) {
-      expect("THEN");
-      if (holds) {
-        execute(wordsOf(m_rest.substr(m_i)));
-      }
-    }
-    return decides || m_i > 0;
-  }
-
-  bool flowLinux(const std::string& line) {
-    if (line[0] != 'O') {
-      return false;
-    }
-    const std::string key = line.substr(0, keyEnd(line));
+  /// O100 CALL [1] [2], and O100 RETURN.
+  bool steersLinux(const std::string& line) {
+    m_i = keyEnd(line);
+    const std::string key = line.substr(0, m_i);
     check(key.size() > 1, "O with a calculated number");
-    m_i = key.size();
-    if (accept("ENDSUB") || accept("RETURN")) {
-      m_globals["#<_VALUE>"] = peek() == '[' ? primary() : Value{};
-      leave();
-    } else if (accept("CALL")) {
-      Values variables;
-      for (int i = 1; accept("["); ++i) {
-        variables["#" + std::to_string(i)] = expression();
-        expect("]");
-      }
-      const Text* text = findText(key);
-      if (text == nullptr &&
-          findText(key[1] == '<' ? key.substr(2, key.size() - 3) : key.substr(1))) {
-        text = findText(key);
-      }
-      check(text != nullptr, key + " CALL");
-      call(text, variables, 1);
-    } else {
-      throw Stop{line};
+    if (accept("RETURN")) {
+      returnLinux();
+      return true;
     }
+    check(accept("CALL"), line);
+    Values variables;
+    for (int i = 1; accept("["); ++i) {
+      variables["#" + std::to_string(i)] = expression();
+      expect("]");
+    }
+    if (!findProgram(key)) {
+      findProgram(key[1] == '<' ? key.substr(2, key.size() - 3) : key.substr(1));
+    }
+    check(findProgram(key).has_value(), key + " CALL");
+    call(*findProgram(key), variables, 1);
     return true;
   }
 
-  bool flowPlain(const std::string& line) {
-    if (accept("FN")) {  // FN 1: Q5 = +Q1 + +2, FN 9: IF +Q1 EQU +Q2 GOTO LBL 5
-      const int kind = static_cast<int>(number());
-      check(kind < 5 || (kind > 8 && kind < 13), "FN " + std::to_string(kind));
-      expect(":");
-    }
+  void returnLinux() {
+    m_globals["#<_VALUE>"] = peek() == '[' ? primary() : Value{};
+    leave();
+  }
+
+  /// Labels of plain text, and calculations.
+  bool steersPlain(const Line& line) {
     if (accept("LBL")) {
-      if (level().text->lines[level().at - 1].label == "0" && m_levels.size() > 1) {
+      if (line.label == "0" && m_levels.size() > 1) {
         leave();
       }
     } else if (accept("CALL LBL")) {
-      const std::size_t rep = line.find("REP");
-      const std::string label = trimmed(line.substr(m_i, std::min(rep, line.size()) - m_i));
-      if (rep != std::string::npos) {
-        repeat(label, numberAt(line.substr(rep + 3)));
-      } else {
-        call(level().text, {}, 1, level().at);
-        jump(label, 0);
-      }
-    } else if (accept("IF")) {
-      const bool holds = expression().number != 0.0;
-      expect("GOTO LBL");
-      if (holds) {
-        jump(trimmed(m_rest.substr(m_i)), 0);
+      const std::size_t rep = m_rest.find("REP");
+      const std::string label = trimmed(m_rest.substr(m_i, rep - std::min(m_i, rep)));
+      if (rep == std::string::npos) {
+        call(level().at, {}, 1);
+        jump(label);
+      } else if (m_i = rep + 3; isAgain(number())) {
+        jump(label, -1);
       }
     } else if (blanks() && peek() == 'Q' && isDigit(peek(1))) {
       const std::string name = identifier();
       expect("=");
-      const Value value = expression();
+      variable(name) = expression();
       check(!blanks(), m_rest);
-      variable(name) = value;
     } else {
       return false;
     }
@@ -860,21 +796,21 @@ class Evaluator {
     Words words;
     while (blanks()) {
       Word word;
-      if (!hasBrackets()) {
-        isPlain() ? plainWord(word) : sinumerikWord(word);
+      if (m_isPlain) {
+        plainWord(word);
+      } else if (m_isSinumerik) {
+        sinumerikWord(word);
       } else if (accept("#")) {
         const std::string name = hashName();
         expect("=");
         m_deferred.emplace_back(name, expression());  // holds behind the block
-        continue;
       } else {
-        word.name = std::string(1, m_rest[m_i++]);
-        m_step = isFanuc() ? (m_modal.unit == 1.0 ? 0.001 : 0.0001) : 1.0;
+        word.name = m_rest[m_i++];
+        m_step = m_isFanuc ? (m_modal.unit == 1.0 ? 0.001 : 0.0001) : 1.0;
         word.value = primary();
         m_step = 1.0;
-        word.hasValue = true;
       }
-      if (!(isFanuc() && word.value.vacant && word.name != "G") && !word.name.empty()) {
+      if (!word.name.empty() && (!m_isFanuc || !word.value.vacant || word.name == "G")) {
         words.push_back(word);
       }
     }
@@ -892,170 +828,192 @@ class Evaluator {
       word.reference = 'I';
     }
     word.name = word.name == "PR" ? "RP" : word.name == "PA" ? "AP" : word.name;
-    word.hasValue = peek() != ' ' && peek() != '\0';
     if (word.name == "DR") {
       word.value.number = m_rest[m_i++] == '+' ? 1.0 : -1.0;
-    } else if (word.hasValue) {
+    } else if (peek() != ' ' && peek() != '\0') {
       word.value = primary();
+    } else if (word.name == "F") {
+      word.name = "F AUTO";
     }
   }
 
+  static constexpr std::string_view kFrames = "TRANS ATRANS ROT AROT SCALE ASCALE MIRROR AMIRROR";
+
   /// X10, X=10, X=AC(10), CR=5, TRANS, NAME(1,2), R1=5.
   void sinumerikWord(Word& word) {
-    static const std::vector<std::string> kNames{
-        "TRANS",   "ATRANS", "ROT", "AROT", "SCALE",  "ASCALE", "MIRROR",
-        "AMIRROR", "CIP",    "CT",  "RET",  "DIAMON", "DIAMOF", "CR",
-        "AR",      "AP",     "RP",  "RPL",  "I1",     "J1",     "K1"};
-    static const std::vector<std::string> kHarmless{"MSG",   "STOPRE", "SOFT", "BRISK", "FFWON",
-                                                    "FFWOF", "COMPOF", "CFC",  "NORM",  "KONT"};
     const std::size_t from = m_i++;
     const bool isLong = isLetter(m_rest[from]) && isLetter(peek());
     while (isDigit(peek()) || (isLong && isLetter(peek()))) {
       ++m_i;
     }
-    word.name = m_rest.substr(from, m_i - from);
-    const bool assigns = accept("=");
-    if (!assigns && !isLong) {
-      m_i = from + 1;
-      word = {m_rest.substr(from, 1), {number()}, true};
-      if (word.name == "L") {
-        callSinumerik(m_rest.substr(from, m_i - from));
-      }
-    } else if (!assigns && isOneOf(word.name, kHarmless)) {
-      m_i = word.name == "MSG" ? m_rest.size() : m_i;
-      word.name.clear();
-    } else if (!assigns && !isOneOf(word.name, kNames)) {
-      callSinumerik(word.name);
-      word.name.clear();
-    } else if (assigns) {
+    std::string name = m_rest.substr(from, m_i - from);
+    const bool isName =
+        isIn(name, kFrames) || isIn(name, "CIP CT RET DIAMON DIAMOF CR AR AP RP RPL I1 J1 K1");
+    if (accept("=")) {
       for (const std::string reference : {"ACP", "ACN", "AC", "IC", "DC"}) {
-        if (word.reference == 0 &&
-            m_rest.compare(m_i, reference.size() + 1, reference + "(") == 0) {
-          m_i += reference.size();
-          word.reference = reference == "ACP" ? 'P' : reference == "ACN" ? 'N' : reference[0];
+        if (word.reference == 0 && accept(reference + "(")) {
+          m_i -= 1;
+          word.reference = reference.size() > 2 ? reference[2] : reference[0];
         }
       }
       const bool isText = accept("\"");  // T="MILL"
       m_i = isText ? m_rest.find('"', m_i) + 1 : m_i;
       word.value = isText ? Value{} : expression();
-      word.hasValue = true;
-      const bool isAddress =
-          word.name.size() == 1 || isOneOf(word.name, kNames) ||
-          (isDigit(word.name[1]) && (word.name[0] == 'M' || word.name[0] == 'S'));
-      if (!isAddress) {
-        variable(word.name) = word.value;
-        word.name.clear();
+      const bool isOfSpindle =
+          name.size() > 1 && isDigit(name[1]) && isIn(name.substr(0, 1), "M S");
+      if (name.size() == 1 || isName || isOfSpindle) {
+        word.name = name;
+      } else {
+        variable(name) = word.value;
       }
+    } else if (!isLong) {
+      m_i = from + 1;
+      word = {name.substr(0, 1), {number()}};
+      if (word.name == "L") {
+        callSinumerik(m_rest.substr(from, m_i - from));
+      }
+    } else if (isIn(name, "MSG STOPRE SOFT BRISK FFWON FFWOF COMPOF CFC NORM KONT")) {
+      m_i = name == "MSG" ? m_rest.size() : m_i;
+    } else if (isName) {
+      word.name = name;
+    } else {
+      callSinumerik(name);
     }
   }
 
+  /// What a G or M function or a name does.
+  struct Row {
+    std::string_view words;
+    std::string_view controls;  ///< their letters
+    void (*act)(Evaluator& e, const std::string& word, const Words& all);
+    bool takes = false;  ///< the other words of the block belong to it
+  };
+
+  static const std::vector<Row>& rows() {
+    using E = Evaluator;
+    using W = const std::string&;
+    static const std::vector<Row> kRows{
+        {"G0 G1 G2 G3 CIP CT", "SFLG", [](E& e, W w, auto&) { e.m_motion = w; }},
+        {"G17 G18 G19", "SFLG", [](E& e, W w, auto&) { e.m_modal.across = kAcross.find(w[2]); }},
+        {"G90 G91", "SFLG", [](E& e, W w, auto&) { e.m_modal.relative = w == "G91"; }},
+        {"G90.1 G91.1", "L", [](E& e, W w, auto&) { e.m_modal.centreAbsolute = w == "G90.1"; }},
+        {"G20 G21", "FLG", [](E& e, W w, auto&) { e.setUnit(w == "G20", true); }},
+        {"G70 G71", "S", [](E& e, W w, auto&) { e.setUnit(w == "G70", false); }},
+        {"G700 G710", "S", [](E& e, W w, auto&) { e.setUnit(w == "G700", true); }},
+        {"G93 G94 G95", "SFLG", [](E& e, W w, auto&) { e.setFeedMode(w.back()); }},
+        {"G7 G8", "L", [](E& e, W w, auto&) { e.m_modal.diameter = w == "G7"; }},
+        {"DIAMON DIAMOF", "S", [](E& e, W w, auto&) { e.m_modal.diameter = w == "DIAMON"; }},
+        {"G15 G16", "F", [](E& e, W w, auto&) { e.m_modal.polar = w == "G16"; }},
+        {"G54 G55 G56 G57 G58 G59", "SFLG", [](E& e, W w, auto&) { e.setWorkOffset(w); }},
+        {"G110 G111 G112", "S", [](E& e, W w, auto& all) { e.setPole(w, all); }, true},
+        {"G52 G92", "FLG", [](E& e, W w, auto& all) { e.setOffset(w, all); }, true},
+        {"G92.1 G92.2 G92.3", "LG", [](E& e, W w, auto& all) { e.setOffset(w, all); }, true},
+        {"G68 G69 G51 G50 G51.1 G50.1", "F", [](E& e, W w, auto& a) { e.setOffset(w, a); }, true},
+        {kFrames, "S", [](E& e, W w, auto& all) { e.frameStatement(w, all); }, true},
+        {"G65", "F", [](E& e, W, auto& all) { e.callMacro(all); }, true},
+        {"G4", "SFG", [](E&, W, auto&) {}, true},
+        {"G9 G40 G49 G60 G61 G64 G80", "SFLG", [](E&, W, auto&) {}},
+        {"G500 G601 G602 G603 G641 G642 G643 G450", "S", [](E&, W, auto&) {}},
+        {"G43 G91.1", "FLG", [](E&, W, auto&) {}},
+        {"G67", "F", [](E&, W, auto&) {}},
+        {"G97 G98 G99", "G", [](E&, W, auto&) {}},
+        {"G4 G97 G98 G99", "L", [](E&, W, auto&) {}},
+        {"M0 M1 M3 M4 M5 M6 M7 M8 M9 M13 M19", "SFLGH", [](E&, W, auto&) {}},
+        {"M2 M30", "SFLGH", [](E& e, W, auto&) { e.m_ended = true; }},
+        {"M17 RET", "S", [](E& e, W, auto&) { e.leave(); }},
+        {"M98", "F", [](E& e, W, auto& all) { e.callNumber(all, e.level().variables, true); }},
+        {"M99", "F", [](E& e, W, auto& all) { e.leaveTo(all); }},
+        {"M70 M73", "L", [](E& e, W w, auto&) { e.save(w == "M73"); }},
+        {"M72", "L", [](E& e, W, auto&) { e.restore(); }}};
+    return kRows;
+  }
+
+  /// "G92.1" of the word G with this value; other words as they are.
+  static std::string written(const Word& word) {
+    const long tenths = std::lround(word.value.number * 10.0);
+    const std::string decimal = tenths % 10 != 0 ? "." + std::to_string(tenths % 10) : "";
+    return isIn(word.name, "G M") ? word.name + std::to_string(tenths / 10) + decimal : word.name;
+  }
+
+  /// Null: the word is an address of the block.
+  [[nodiscard]] const Row* rowOf(const Word& word) const {
+    const std::string name = written(word);
+    for (const Row& row : rows()) {
+      if (isIn(name, row.words) && row.controls.find(m_letter) != std::string_view::npos) {
+        return &row;
+      }
+    }
+    check(!isIn(word.name, "G M"), name);
+    return nullptr;
+  }
+
   void execute(const Words& words) {
-    static const std::string kKnown = "GFSTDHMNXYZABCIJKR@^L";
+    static constexpr std::string_view kAddresses = "G F S T D H M N X Y Z A B C I J K R @ ^ L";
     m_blockFeed = 0.0;
     bool taken = false;
+    bool hasP = false;
     for (const Word& word : words) {
-      if (word.name == "G") {
-        taken |= gFunction(static_cast<int>(std::lround(word.value.number * 10.0)), words);
-      } else if (word.name == "CIP" || word.name == "CT") {
-        m_motion = word.name;
-      } else if (isOneOf(word.name, {"TRANS", "ATRANS", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR",
-                                     "AMIRROR"})) {
-        frameStatement(word.name, words);
-        taken = true;
-      } else if (word.name == "DIAMON" || word.name == "DIAMOF") {
-        m_modal.diameter = word.name == "DIAMON";
+      const Row* const row = rowOf(word);
+      hasP |= isIn(written(word), "M98 M99 G4 G61 G64");
+      taken |= row != nullptr && row->takes;
+      if (row != nullptr && !isIn(word.name, "M RET")) {
+        row->act(*this, written(word), words);
       }
-      m_modal.speed = word.name == "S" ? word.value.number : m_modal.speed;
     }
-    const bool calls = std::any_of(words.begin(), words.end(), [](const Word& word) {
-      const double number = word.value.number;
-      return (word.name == "M" && (number == 98.0 || number == 99.0)) ||
-             (word.name == "G" && number == 4.0);
-    });
+    m_modal.speed = valueOf(words, "S").value_or(m_modal.speed);
     for (const Word& word : words) {
-      if (word.name == "F" && word.hasValue && !taken) {
-        m_blockFeed = word.value.number;
-        m_modal.feed = word.value.number * (m_modal.feedMode == 'I' ? 1.0 : m_modal.feedUnit);
-      }
-      const bool known = word.name.size() > 1 || kKnown.find(word.name) != std::string::npos;
-      check(taken || known || (calls && (word.name == "P" || word.name == "L")), word.name);
+      const bool isKnown = word.name.size() > 1 || isIn(word.name, kAddresses);
+      check(taken || isKnown || (hasP && isIn(word.name, "P Q")), word.name);
     }
     if (!taken) {
+      m_blockFeed = valueOf(words, "F").value_or(0.0);
+      const double unit = m_modal.feedMode == '3' ? 1.0 : m_modal.feedUnit;
+      m_modal.feed = find(words, "F") != nullptr ? m_blockFeed * unit : m_modal.feed;
       move(words);
     }
     for (const auto& [name, value] : std::exchange(m_deferred, {})) {
       variable(name) = value;
     }
     for (const Word& word : words) {
-      if (word.name == "M") {
-        mFunction(whole(word.value), words);
-      } else if (word.name == "RET") {
-        leave();
+      if (isIn(word.name, "M RET")) {
+        rowOf(word)->act(*this, written(word), words);
       }
     }
   }
 
-  const Text* called(const Words& words) {
-    const Word* const p = find(words, 'P');
-    const Text* const text = p == nullptr ? nullptr : findText(std::to_string(whole(p->value)));
-    check(text != nullptr, "a call without its program");
-    return text;
+  void setUnit(bool isInch, bool ofFeed) {
+    m_modal.unit = isInch ? 25.4 : 1.0;
+    m_modal.feedUnit = isInch && ofFeed ? 25.4 : 1.0;
   }
-  static int timesOf(const Words& words) {
-    const Word* const l = find(words, 'L');
-    return l == nullptr ? 1 : whole(l->value);
+  void setFeedMode(char mode) {
+    m_modal.feed = mode == m_modal.feedMode ? m_modal.feed : 0.0;
+    m_modal.feedMode = mode;
+  }
+  void setWorkOffset(const std::string& g) {
+    check(m_moves.empty() || m_workOffset == g, g);  // its values are not in the program
+    m_workOffset = g;
+  }
+  void save(bool untilEnd) {
+    m_saved.push_back(m_modal);
+    level().saves = untilEnd;
   }
 
-  /// @return true if the words of the block belong to it
-  bool gFunction(int g, const Words& words) {
-    const auto is = [g](std::initializer_list<int> each) {
-      return std::find(each.begin(), each.end(), g) != each.end();
-    };
-    if (is({0, 10, 20, 30})) {
-      m_motion = gName(g);
-    } else if (is({170, 180, 190})) {
-      m_modal.across = static_cast<std::size_t>((190 - g) / 10);
-    } else if (is({900, 910})) {
-      m_modal.relative = g == 910;
-    } else if (isLinux() && is({901, 911})) {
-      m_modal.centreAbsolute = g == 901;
-    } else if (isSinumerik() ? is({700, 710, 7000, 7100}) : is({200, 210})) {
-      m_modal.unit = is({200, 700, 7000}) ? 25.4 : 1.0;
-      m_modal.feedUnit = is({200, 7000}) ? 25.4 : 1.0;
-    } else if (is({930, 940, 950})) {
-      const char mode = g == 930 ? 'I' : g == 940 ? 'M' : 'R';
-      m_modal.feed = mode == m_modal.feedMode ? m_modal.feed : 0.0;
-      m_modal.feedMode = mode;
-    } else if (isLinux() && is({70, 80})) {
-      m_modal.diameter = g == 70;
-    } else if (isFanuc() && is({150, 160})) {
-      m_modal.polar = g == 160;
-    } else if (is({540, 550, 560, 570, 580, 590})) {
-      check(m_moves.empty() || m_workOffset == g, gName(g));  // its values are not in the program
-      m_workOffset = g;
-    } else if (isSinumerik() && is({1100, 1110, 1120})) {
-      setPole(g, words);
-      return true;
-    } else if (!isSinumerik() && (is({520, 920}) || (isFanuc() ? is({680, 690, 510, 500, 511, 501})
-                                                               : is({921, 922, 923})))) {
-      setOffset(g, words);
-      return true;
-    } else if (isFanuc() && g == 650) {
-      callMacro(words);
-      return true;
-    } else {
-      static const std::vector<int> kHarmless{40, 90, 400, 490, 600, 610, 640, 800};
-      static const std::vector<int> kSinumerik{5000, 6010, 6020, 6030, 6410, 6420, 6430, 4500};
-      static const std::vector<int> kOthers{430, 911, 670};
-      static const std::vector<int> kLinux{430, 911, 970, 980, 990};
-      const std::vector<int>& own = isSinumerik() ? kSinumerik : isFanuc() ? kOthers : kLinux;
-      check(std::count(kHarmless.begin(), kHarmless.end(), g) +
-                    std::count(own.begin(), own.end(), g) >
-                0,
-            gName(g));
-      return (g == 40 && !isLinux()) || ((g == 640 || g == 610) && find(words, 'P') != nullptr);
+  /// M98 and G65.
+  void callNumber(const Words& words, const Values& variables, bool shares) {
+    const Word* const p = find(words, "P");
+    const auto program = p == nullptr ? std::nullopt : findProgram(std::to_string(whole(p->value)));
+    check(program.has_value(), "a call without its program");
+    const int times = static_cast<int>(valueOf(words, "L").value_or(1.0));
+    call(*program, variables, times, false, shares);
+  }
+
+  /// M99, M99 P10.
+  void leaveTo(const Words& words) {
+    check(m_levels.size() > 1, "M99");
+    leave();
+    if (const Word* const p = find(words, "P")) {
+      jump("N" + std::to_string(whole(p->value)));
     }
-    return false;
   }
 
   /// G65: A B C … are #1 #2 #3 …, the second I J K are #7 #8 #9.
@@ -1065,41 +1023,16 @@ class Evaluator {
     char last = 0;
     int triple = 0;
     for (const Word& word : words) {
-      const char c = word.name[0];
-      const std::size_t at = kLetters.find(c);
-      const bool isTriple = c >= 'I' && c <= 'K';
-      triple += isTriple && c <= last ? 3 : 0;
-      last = isTriple ? c : last;
+      const std::size_t at = kLetters.find(word.name);
+      const bool isTriple = isIn(word.name, "I J K");
+      triple += isTriple && word.name[0] <= last ? 3 : 0;
+      last = isTriple ? word.name[0] : last;
       if (at != std::string::npos) {
         const int index = static_cast<int>(at) + 1 + (isTriple ? triple : 0);
         variables["#" + std::to_string(index)] = word.value;
       }
     }
-    call(called(words), variables, timesOf(words));
-  }
-
-  void mFunction(int number, const Words& words) {
-    if (number == 2 || number == 30) {
-      m_ended = true;
-    } else if (isSinumerik() && number == 17) {
-      leave();
-    } else if (isFanuc() && number == 98) {
-      call(called(words), level().variables, timesOf(words));
-      level().shares = true;
-    } else if (isFanuc() && number == 99) {
-      check(m_levels.size() > 1, "M99");
-      leave();
-      if (const Word* const p = find(words, 'P')) {
-        jump("N" + std::to_string(whole(p->value)), 0);
-      }
-    } else if (isLinux() && (number == 70 || number == 73)) {
-      m_saved.push_back(m_modal);
-      level().saves = number == 73;
-    } else if (isLinux() && number == 72) {
-      restore();
-    } else {
-      check(number < 10 || number == 13 || number == 19, "M" + std::to_string(number));
-    }
+    callNumber(words, variables, false);
   }
 
   // --- frames ------------------------------------------------------------------------------------
@@ -1108,11 +1041,32 @@ class Evaluator {
   void setFrame(const Frame& frame) {
     m_at = frame.from(m_modal.frame.to(m_at));
     m_modal.frame = frame;
-    m_stale.fill(isSinumerik());
+    m_stale.fill(m_isSinumerik);
+  }
+
+  /// Of controls that know which offset, scale and turn hold, about which place.
+  void rebuildFrame() {
+    Frame frame;
+    frame.shift(m_set + m_local + m_centre);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      frame.scale(axis, m_scale[axis]);
+    }
+    frame.turn(m_modal.across, m_turnedBy);
+    frame.shift(-1.0 * m_centre);
+    setFrame(frame);
+  }
+
+  template <class Each>
+  static void forAxes(const Words& words, const Each& each) {
+    for (const Word& word : words) {
+      if (const std::size_t axis = axisOf(word); axis < 3) {
+        each(axis, word);
+      }
+    }
   }
 
   void frameStatement(const std::string& name, const Words& words) {
-    const std::string kind = name[0] == 'A' ? name.substr(1) : name;
+    const std::string kind = name.substr(name[0] == 'A' ? 1 : 0);
     Frame frame = name[0] == 'A' ? m_modal.frame : Frame{};
     Vec3 shift;
     int turns = 0;
@@ -1133,79 +1087,77 @@ class Evaluator {
     setFrame(frame);
   }
 
-  /// G52, G92 to G92.3 of controls that follow RS-274.
-  void setOffset(int g, const Words& words) {
-    check(!find(words, 'A') && !find(words, 'B') && !find(words, 'C'), gName(g));
-    Vec3& local = isFanuc() ? m_local : m_set;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Word* const word = find(words, kAxes[axis]);
-      const double half = axis == 0 && m_modal.diameter ? 0.5 : 1.0;
-      const double value = word == nullptr ? 0.0 : word->value.number * m_modal.unit * half;
-      if (g == 520 && word != nullptr) {
+  /// A coordinate that is no increment, in mm.
+  [[nodiscard]] double length(std::size_t axis, double value) const {
+    return value * m_modal.unit * (axis == 0 && m_modal.diameter ? 0.5 : 1.0);
+  }
+
+  /// G52, G92 to G92.3 of controls that follow RS-274, G68 to G50.1 of Fanuc.
+  void setOffset(const std::string& g, const Words& words) {
+    check(!find(words, "A") && !find(words, "B") && !find(words, "C"), g);
+    Vec3& local = m_isFanuc ? m_local : m_set;
+    forAxes(words, [&](std::size_t axis, const Word& word) {
+      const double value = length(axis, word.value.number);
+      check(g != "G92" || (m_known[axis] && !m_changes), "G92");
+      if (g == "G52") {
         local.set(axis, value);
-      } else if (g == 920 && word != nullptr) {
-        check(m_known[axis] && m_change == 0, "G92");
+      } else if (g == "G92") {
         m_set.set(axis, m_set[axis] + m_at[axis] - value);
       }
-    }
-    if (g == 680 || g == 510 || g == 511) {
+    });
+    if (isIn(g, "G68 G51 G51.1")) {
       takeChange(g, words);
+    } else if (isIn(g, "G69 G50 G50.1")) {
+      m_changes = false;
+      m_scale = Vec3{1, 1, 1};
+      m_turnedBy = 0.0;
     }
-    m_change = g == 690 || g == 500 || g == 501 ? 0 : m_change;
-    m_kept = g == 922 ? m_set : g == 921 ? Vec3{} : m_kept;
-    m_set = g == 921 || g == 922 ? Vec3{} : g == 923 ? m_kept : m_set;
-    Frame frame;
-    frame.shift(m_set + m_local);
-    if (m_change != 0) {
-      frame.shift(m_centre);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        frame.scale(axis, m_change == 510                       ? m_amount
-                          : m_change == 511 && m_mirrored[axis] ? -1.0
-                                                                : 1.0);
-      }
-      frame.turn(m_modal.across, m_change == 680 ? m_amount : 0.0);
-      frame.shift(-1.0 * m_centre);
-    }
-    setFrame(frame);
+    m_kept = g == "G92.2" ? m_set : g == "G92.1" ? Vec3{} : m_kept;
+    m_set = isIn(g, "G92.1 G92.2") ? Vec3{} : g == "G92.3" ? m_kept : m_set;
+    rebuildFrame();
   }
 
   /// G68 X Y R, G51 X Y Z P1.5, G51.1 X Y of Fanuc, about a place in the coordinates of the
   /// program.
-  void takeChange(int g, const Words& words) {
-    const Word* const amount = find(words, g == 680 ? 'R' : 'P');
+  void takeChange(const std::string& g, const Words& words) {
+    const auto amount = valueOf(words, g == "G68" ? "R" : "P");
     const bool hasPoint = m_rest.find('.', m_rest.find('P')) != std::string::npos;
-    check(m_change == 0 && !m_modal.relative && (g == 680 || g == 511 || hasPoint), gName(g));
-    check(g == 511 || amount != nullptr, gName(g));
-    m_change = g;
-    m_amount = amount != nullptr ? amount->value.number : 0.0;
+    check(!m_changes && !m_modal.relative && (g != "G51" || hasPoint), g);
+    check(g == "G51.1" || amount.has_value(), g);
+    m_changes = true;
+    m_turnedBy = g == "G68" ? *amount : 0.0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Word* const word = find(words, kAxes[axis]);
-      m_mirrored[axis] = word != nullptr;
-      const bool counts = g != 680 || axis != m_modal.across;
-      check(word != nullptr || !counts || m_known[axis] || g == 511, gName(g));
-      m_centre.set(axis, word != nullptr      ? word->value.number * m_modal.unit
-                         : counts && g != 511 ? m_at[axis]
-                                              : 0.0);
+      const auto named = valueOf(words, axisName(axis));
+      const bool counts = g == "G51" || (g == "G68" && axis != m_modal.across);
+      check(named || !counts || m_known[axis], g);
+      m_centre.set(axis, named ? *named * m_modal.unit : counts ? m_at[axis] : 0.0);
+      m_scale.set(axis, g == "G51" ? *amount : g == "G51.1" && named ? -1.0 : 1.0);
     }
   }
 
-  void setPole(int g, const Words& words) {
-    Vec3 pole = g == 1100 ? m_at : g == 1120 ? m_pole : Vec3{};
-    for (const Word& word : words) {
-      const std::size_t axis = axisOf(word);
-      check(axis < 3 || word.name == "G", gName(g) + " " + word.name);
-      if (axis < 3) {
-        pole.set(axis, pole[axis] + word.value.number * m_modal.unit);
-      }
-    }
-    m_pole = pole;
+  /// G110 counts from the tool, G111 from the zero, G112 from the pole before.
+  void setPole(const std::string& g, const Words& words) {
+    m_pole = g == "G110" ? m_at : g == "G112" ? m_pole : Vec3{};
+    const Vec3 from = m_pole;
+    forAxes(words, [&](std::size_t axis, const Word& word) {
+      m_pole.set(axis, from[axis] + word.value.number * m_modal.unit);
+    });
     m_polarAngle = kNaN;
   }
 
   // --- moves -------------------------------------------------------------------------------------
 
+  /// A place in the working plane.
+  using Flat = std::complex<double>;
+
   [[nodiscard]] std::size_t first() const { return (m_modal.across + 1) % 3; }
   [[nodiscard]] std::size_t second() const { return (m_modal.across + 2) % 3; }
+  [[nodiscard]] Flat flat(Vec3 place) const { return {place[first()], place[second()]}; }
+  [[nodiscard]] Vec3 lifted(Flat place, Vec3 like) const {
+    like.set(first(), place.real());
+    like.set(second(), place.imag());
+    return like;
+  }
   [[nodiscard]] bool isIncrement(const Word& word) const {
     return word.reference == 'I' || (m_modal.relative && word.reference == 0);
   }
@@ -1215,86 +1167,83 @@ class Evaluator {
     Vec3 to = m_at;
     std::optional<double> radius;
     std::optional<double> angle;
+    const auto reaches = [this](std::size_t axis) {
+      m_stale[axis] = false;
+      m_known[axis] = true;
+    };
     for (const Word& word : words) {
       const std::size_t axis = axisOf(word);
       const double value = word.value.number;
-      if (word.name == "RP" || word.name == "@" || (m_modal.polar && axis == first())) {
-        check(!isIncrement(word), word.name + " as an increment");
+      const bool adds = isIncrement(word);
+      if (isIn(word.name, "RP @") || (m_modal.polar && axis == first())) {
+        check(!adds, word.name + " as an increment");
         radius = value * m_modal.unit;
-      } else if (word.name == "AP" || word.name == "^" || (m_modal.polar && axis == second())) {
-        check(!isIncrement(word) || !std::isnan(m_polarAngle), word.name + " as an increment");
-        angle = value + (isIncrement(word) ? m_polarAngle : 0.0);
+      } else if (isIn(word.name, "AP ^") || (m_modal.polar && axis == second())) {
+        check(!adds || !std::isnan(m_polarAngle), word.name + " as an increment");
+        angle = value + (adds ? m_polarAngle : 0.0);
       } else if (axis < 3) {
-        const double half = axis == 0 && m_modal.diameter ? 0.5 : 1.0;
-        check(!isIncrement(word) || (m_known[axis] && !m_stale[axis]),
-              "an increment from an unknown place");
-        to.set(axis, value * m_modal.unit * half + (isIncrement(word) ? m_at[axis] : 0.0));
-        m_stale[axis] = false;
-        m_known[axis] = true;
+        check(!adds || (m_known[axis] && !m_stale[axis]), "an increment from an unknown place");
+        to.set(axis, length(axis, value) + (adds ? m_at[axis] : 0.0));
+        reaches(axis);
       }
     }
     if (radius || angle) {
-      const Vec3 pole = hasBrackets() ? Vec3{} : m_pole;
-      const std::size_t u = first();
-      const std::size_t v = second();
-      const double length = radius.value_or(std::hypot(m_at[u] - pole[u], m_at[v] - pole[v]));
-      check(angle || isSinumerik(), "a radius without an angle");
+      const Flat pole = m_hasBrackets ? Flat{} : flat(m_pole);
+      check(angle || m_isSinumerik, "a radius without an angle");
       m_polarAngle = angle ? *angle : std::isnan(m_polarAngle) ? 0.0 : m_polarAngle;
-      to.set(u, pole[u] + length * std::cos(m_polarAngle * kDegree));
-      to.set(v, pole[v] + length * std::sin(m_polarAngle * kDegree));
-      m_stale[u] = m_stale[v] = false;
-      m_known[u] = m_known[v] = true;
+      to = lifted(pole + radius.value_or(std::abs(flat(m_at) - pole)) *
+                             std::polar(1.0, m_polarAngle * kDegree),
+                  to);
+      reaches(first());
+      reaches(second());
     }
     return to;
   }
 
   void turnAxes(const Words& words) {
+    const auto positive = [](double angle) { return std::fmod(std::fmod(angle, 360) + 360, 360); };
     for (const Word& word : words) {
       const std::size_t axis = axisOf(word, "ABC");
       if (axis < 3) {
         const double now = m_turned[axis];
-        const double way = std::fmod(std::fmod(word.value.number - now, 360.0) + 360.0, 360.0);
         const char reference = word.reference;
-        const double shown = std::fmod(std::fmod(now, 360.0) + 360.0, 360.0);
-        m_turned[axis] = reference == 'P'   ? now + way
-                         : reference == 'N' ? now + way - (way > 0.0 ? 360.0 : 0.0)
-                         : reference == 'D' ? now + way - (way > 180.0 ? 360.0 : 0.0)
-                                            : word.value.number + (isIncrement(word) ? now
-                                                                   : m_modulo[axis]  ? now - shown
-                                                                                     : 0.0);
+        const double way = positive(word.value.number - now);
+        const bool isBack = (reference == 'N' && way > 0.0) || (reference == 'D' && way > 180.0);
+        const bool isWay = reference == 'P' || reference == 'N' || reference == 'D';
+        m_turned[axis] = isWay               ? now + way - (isBack ? 360.0 : 0.0)
+                         : isIncrement(word) ? word.value.number + now
+                         : m_modulo[axis]    ? word.value.number + now - positive(now)
+                                             : word.value.number;
         // An axis for which these have a meaning counts from 0 to 360.
-        m_modulo[axis] |= reference == 'P' || reference == 'N' || reference == 'D';
+        m_modulo[axis] |= isWay;
       }
     }
   }
 
-  [[nodiscard]] static bool namesAxis(const Word& word) {
-    return axisOf(word, "XYZABC@^") < 8 || word.name == "AP" || word.name == "RP";
-  }
-
   void move(const Words& words) {
-    const bool axes = std::any_of(words.begin(), words.end(), namesAxis);
+    bool axes = false;
+    bool centre = false;
+    for (const Word& word : words) {
+      axes |= isIn(word.name, "X Y Z A B C @ ^ AP RP");
+      centre |= isIn(word.name, "I J K AR");
+    }
     const bool isArc = m_motion == "G2" || m_motion == "G3";
-    const bool centre =
-        find(words, 'I') || find(words, 'J') || find(words, 'K') || find(words, "AR");
     check(isArc || !centre, "I J K without an arc");
     if (!axes && !centre) {
       return;
     }
-    if (isPlain()) {  // IPA counts from where the tool stands
-      const Vec3 arm = m_at - m_pole;
-      m_polarAngle = std::atan2(arm[second()], arm[first()]) / kDegree;
+    if (m_isPlain) {  // IPA counts from where the tool stands
+      m_polarAngle = std::arg(flat(m_at - m_pole)) / kDegree;
     }
     const Vec3 end = target(words);
     turnAxes(words);
-    const Word* const turn = find(words, "DR");
-    const bool counter = turn != nullptr ? turn->value.number > 0.0 : m_motion == "G3";
+    const bool counter = valueOf(words, "DR").value_or(m_motion == "G3" ? 1.0 : -1.0) > 0.0;
     if (m_motion == "C" || m_motion == "CP") {
       const Word* const angle = find(words, "AP");
       const bool counts = angle != nullptr && angle->reference == 'I';
       const double sweep = counts ? std::abs(angle->value.number) : 0.0;
       check(sweep <= 360.0, "more than a turn");
-      arcAbout(m_pole, end, counter, sweep == 360.0);
+      arcAbout(flat(m_pole), end, counter, sweep == 360.0);
     } else if (isArc || m_motion == "CR") {
       arc(words, end, counter);
     } else if (m_motion == "CIP" || m_motion == "CT") {
@@ -1307,9 +1256,9 @@ class Evaluator {
   void straight(Vec3 end, bool rapid) {
     EvaluatedMove made;
     made.kind = rapid ? EvaluatedMove::Kind::Rapid : EvaluatedMove::Kind::Line;
-    const double length = base::distance(m_modal.frame.to(end), m_modal.frame.to(m_at));
-    m_direction = length > 0.0 ? end - m_at : m_direction;
-    finish(made, end, length);
+    const double way = base::distance(m_modal.frame.to(end), m_modal.frame.to(m_at));
+    m_direction = way > 0.0 ? end - m_at : m_direction;
+    finish(made, end, way);
   }
 
   void finish(EvaluatedMove made, Vec3 end, double lengthMm) {
@@ -1319,10 +1268,10 @@ class Evaluator {
       made.end[axis + 3] = m_turned[axis];
     }
     made.feed = made.kind == EvaluatedMove::Kind::Rapid ? 0.0
-                : m_modal.feedMode == 'R'               ? m_modal.feed * m_modal.speed
-                : m_modal.feedMode == 'I'               ? m_blockFeed * lengthMm
+                : m_modal.feedMode == '5'               ? m_modal.feed * m_modal.speed
+                : m_modal.feedMode == '3'               ? m_blockFeed * lengthMm
                                                         : m_modal.feed;
-    made.feed /= lengthMm == 0.0 && m_modal.feedMode == 'M' ? m_modal.feedUnit : 1.0;  // degrees
+    made.feed /= lengthMm == 0.0 && m_modal.feedMode == '4' ? m_modal.feedUnit : 1.0;  // degrees
     made.line = m_line;
     m_at = end;
     m_moves.push_back(made);
@@ -1330,71 +1279,57 @@ class Evaluator {
 
   /// G2 and G3, from the words that say where the centre is.
   void arc(const Words& words, Vec3 end, bool counter) {
-    const std::size_t u = first();
-    const std::size_t v = second();
-    const Word* const r = find(words, isSinumerik() ? "CR" : "R");
-    const Word* const angle = find(words, "AR");
-    check(!find(words, "TURN") && !find(words, 'P'), "more than a turn");
-    check(m_known[u] && m_known[v], "an arc from an unknown place");
-    Vec3 centre = m_at;
-    bool given = false;
-    for (const std::size_t axis : {u, v}) {
-      if (const Word* const word = find(words, "IJK"[axis])) {
+    const auto r = valueOf(words, m_isSinumerik ? "CR" : "R");
+    const auto angle = valueOf(words, "AR");
+    check(!find(words, "TURN") && !find(words, "P"), "more than a turn");
+    check(m_known[first()] && m_known[second()], "an arc from an unknown place");
+    Vec3 given = m_at;
+    bool isGiven = false;
+    for (const std::size_t axis : {first(), second()}) {
+      if (const Word* const word = find(words, std::string(1, "IJK"[axis]))) {
         const bool absolute =
             word->reference == 'A' || (m_modal.centreAbsolute && word->reference == 0);
-        centre.set(axis, word->value.number * m_modal.unit + (absolute ? 0.0 : m_at[axis]));
-        given = true;
+        given.set(axis, word->value.number * m_modal.unit + (absolute ? 0.0 : m_at[axis]));
+        isGiven = true;
       }
     }
-    const Vec3 way = end - m_at;
-    const double chord = std::hypot(way[u], way[v]);
+    Flat centre = flat(given);
+    const Flat start = flat(m_at);
+    const Flat way = flat(end) - start;
+    const double half = std::abs(way) / 2.0;
     const double sign = counter ? 1.0 : -1.0;
-    if (r != nullptr || (angle != nullptr && !given)) {
-      const double half = angle != nullptr ? angle->value.number * kDegree / 2.0 : 0.0;
-      const double radius =
-          r != nullptr ? r->value.number * m_modal.unit : chord / 2.0 / std::sin(half);
-      const double up = std::sqrt(std::max(0.0, radius * radius - chord * chord / 4.0));
-      check(chord > 0.0 && std::abs(radius) >= chord / 2.0 - 0.01, "R");
-      const bool large = r != nullptr ? radius < 0.0 : angle->value.number > 180.0;
-      const double side = (large ? -sign : sign) * up / chord;
-      centre.set(u, m_at[u] + way[u] / 2.0 - way[v] * side);
-      centre.set(v, m_at[v] + way[v] / 2.0 + way[u] * side);
-    } else if (find(words, "AP") != nullptr && !given) {
-      centre = m_pole;
+    if (r || (angle && !isGiven)) {
+      const double radius = r ? *r * m_modal.unit : half / std::sin(*angle * kDegree / 2.0);
+      check(half > 0.0 && std::abs(radius) >= half - 0.01, "R");
+      const bool large = r ? radius < 0.0 : *angle > 180.0;
+      const double up = std::sqrt(std::max(0.0, radius * radius - half * half));
+      centre = start + way * Flat(0.5, (large ? -sign : sign) * up / half / 2.0);
+    } else if (find(words, "AP") != nullptr && !isGiven) {
+      centre = flat(m_pole);
     } else {
-      check(given, "an arc without a centre");
-      if (angle != nullptr) {
-        Frame turn;
-        turn.turn(m_modal.across, sign * angle->value.number);
-        const Vec3 arm = turn.to(m_at - centre);
-        end.set(u, centre[u] + arm[u]);
-        end.set(v, centre[v] + arm[v]);
-      }
+      check(isGiven, "an arc without a centre");
+      const Flat turned = (start - centre) * std::polar(1.0, sign * angle.value_or(0.0) * kDegree);
+      end = angle ? lifted(centre + turned, end) : end;
     }
     arcAbout(centre, end, counter);
   }
 
   /// In the plane, from where the tool stands.
-  void arcAbout(Vec3 centre, Vec3 end, bool counter, bool isFull = false) {
-    const std::size_t u = first();
-    const std::size_t v = second();
-    isFull |= std::hypot(end[u] - m_at[u], end[v] - m_at[v]) < 1e-9;
-    end.set(u, isFull ? m_at[u] : end[u]);
-    end.set(v, isFull ? m_at[v] : end[v]);
-    centre.set(m_modal.across, m_at[m_modal.across]);
+  void arcAbout(Flat centre, Vec3 end, bool counter, bool isFull = false) {
+    isFull |= std::abs(flat(end) - flat(m_at)) < 1e-9;
     Vec3 axis;
     axis.set(m_modal.across, counter ? 1.0 : -1.0);
-    circle(centre, axis, end, isFull);
+    circle(lifted(centre, m_at), axis, isFull ? lifted(flat(m_at), end) : end, isFull);
   }
 
   /// About an axis through the centre; the end may stand higher along it.
   void circle(Vec3 centre, Vec3 axis, Vec3 end, bool isFull) {
     const Frame& frame = m_modal.frame;
+    check(frame.isEven(), "an arc that becomes an ellipse");
     const double scale = base::norm(frame.columns[0]);
     const Vec3 arm = m_at - centre;
     const double rise = base::dot(end - m_at, axis);
     const Vec3 to = end - centre - rise * axis;
-    check(frame.isEven(), "an arc that becomes an ellipse");
     EvaluatedMove made;
     made.kind = EvaluatedMove::Kind::Arc;
     made.sweepDeg = std::atan2(base::dot(base::cross(arm, to), axis), base::dot(arm, to)) / kDegree;
@@ -1410,102 +1345,89 @@ class Evaluator {
   /// CIP and CT: a circle in space, through a third point or tangent to the move before.
   void spaceArc(const Words& words, Vec3 end) {
     const Vec3 way = end - m_at;
-    Vec3 centre;
-    Vec3 axis;
-    if (m_motion == "CIP") {
-      Vec3 middle = m_at;
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (const Word* const word = find(words, std::string(1, "IJK"[i]) + "1")) {
-          middle.set(i, word->value.number * m_modal.unit + (isIncrement(*word) ? m_at[i] : 0.0));
-        }
+    Vec3 middle = m_at;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (const Word* const word = find(words, std::string(1, "IJK"[i]) + "1")) {
+        middle.set(i, word->value.number * m_modal.unit + (isIncrement(*word) ? m_at[i] : 0.0));
       }
-      const Vec3 a = middle - m_at;
-      axis = base::cross(a, way);
-      centre = m_at + 1.0 / (2.0 * base::dot(axis, axis)) *
-                          (base::dot(a, a) * base::cross(way, axis) +
-                           base::dot(way, way) * base::cross(axis, a));
-    } else {
-      axis = base::cross(m_direction, way);
-      const Vec3 normal = base::cross(axis, m_direction);
-      centre = m_at + base::dot(way, way) / (2.0 * base::dot(normal, way)) * normal;
     }
+    const Vec3 a = m_motion == "CIP" ? middle - m_at : m_direction;
+    const Vec3 axis = base::cross(a, way);
     check(base::norm(axis) > 0.0, m_motion + " without a circle");
-    circle(centre, 1.0 / base::norm(axis) * axis, end, false);
+    const Vec3 normal = base::cross(axis, a);
+    const Vec3 centre =
+        m_motion == "CIP"
+            ? 1.0 / (2.0 * base::dot(axis, axis)) *
+                  (base::dot(a, a) * base::cross(way, axis) + base::dot(way, way) * normal)
+            : base::dot(way, way) / (2.0 * base::dot(normal, way)) * normal;
+    circle(m_at + centre, 1.0 / base::norm(axis) * axis, end, false);
   }
 
   // --- Heidenhain --------------------------------------------------------------------------------
 
   void plainBlock(const std::string& line) {
     const std::string head = line.substr(0, line.find(' '));
-    const std::string rest = line.substr(std::min(head.size(), line.size()));
-    if (startsWith(line, "BEGIN PGM")) {
+    const std::string rest = line.substr(head.size());
+    if (line.starts_with("BEGIN PGM")) {
       check(!line.ends_with("INCH"), "INCH");
-    } else if (startsWith(line, "TOOL CALL")) {
+    } else if (line.starts_with("TOOL CALL")) {
       const std::size_t axis = line.find_first_of(kAxes, 10);
       m_modal.across = axis == std::string::npos ? m_modal.across : kAxes.find(line[axis]);
-      const std::size_t feed = line.find(" F");
-      m_modal.feed = feed == std::string::npos ? m_modal.feed : numberAt(line.substr(feed + 2));
-    } else if (startsWith(line, "CYCL DEF")) {
+      if (const std::size_t feed = line.find(" F"); feed != std::string::npos) {
+        begin(line, feed + 2);
+        m_modal.feed = number();
+      }
+    } else if (line.starts_with("CYCL DEF")) {
       plainFrame(trimmed(line.substr(8)));
     } else if (head == "CC") {
       const Words words = wordsOf(rest);
       m_pole = words.empty() ? m_at : m_pole;
-      for (const Word& word : words) {
-        const std::size_t axis = axisOf(word);
-        check(axis < 3, "CC " + word.name);
+      forAxes(words, [this](std::size_t axis, const Word& word) {
         m_pole.set(axis, word.value.number + (word.reference == 'I' ? m_at[axis] : 0.0));
-      }
-    } else if (isOneOf(head, {"L", "LP", "C", "CP", "CR", "CT"})) {
+      });
+    } else if (isIn(head, "L LP C CP CR CT")) {
       m_motion = head;
       execute(wordsOf(rest));
-    } else if (isOneOf(head, {"M30", "M2", "M02", "END"})) {
+    } else if (isIn(head, "M30 M2 M02 END")) {
       m_ended = true;
     } else {
-      check(isOneOf(head, {"BLK", "STOP", "M0", "M1", "M3", "M4", "M5", "M8", "M9"}) ||
-                head[0] == '*',
-            head);
+      check(isIn(head, "BLK STOP M0 M1 M3 M4 M5 M8 M9") || head[0] == '*', head);
     }
   }
 
   /// CYCL DEF 7 (datum shift), 8 (mirror image), 10 (rotation): each holds until it is set again.
   void plainFrame(const std::string& text) {
-    const int cycle = std::atoi(text.c_str());
-    check(cycle == 7 || cycle == 8 || cycle == 10, "CYCL DEF " + std::to_string(cycle));
-    m_mirrored = cycle == 8 ? std::array<bool, 3>{} : m_mirrored;
-    const std::size_t blank = text.find(' ');
-    begin(startsWith(text, std::to_string(cycle) + ".0") || blank == std::string::npos
-              ? ""
-              : text.substr(blank));
-    while (blanks()) {
-      std::string name;
-      while (isLetter(peek())) {
-        name += m_rest[m_i++];
-      }
-      const std::size_t axis = kAxes.find(name.back());
-      check(axis < 3 || name.ends_with("ROT"), "CYCL DEF " + name);
-      if (cycle == 8) {
-        m_mirrored.at(axis) = true;
-      } else if (cycle == 7) {
-        m_local.set(axis, primary().number + (name[0] == 'I' ? m_local[axis] : 0.0));
+    const std::string cycle = text.substr(0, digitsEnd(text, 0));
+    check(isIn(cycle, "7 8 10"), "CYCL DEF " + cycle);
+    m_scale = cycle == "8" ? Vec3{1, 1, 1} : m_scale;
+    const bool isHead = text.starts_with(cycle + ".0");
+    for (const Word& word :
+         wordsOf(text.substr(isHead ? text.size() : std::min(text.size(), text.find(' '))))) {
+      const std::size_t axis = axisOf(word);
+      const bool adds = word.reference == 'I';
+      check(axis < 3 || word.name == "ROT", "CYCL DEF " + word.name);
+      if (cycle == "10") {
+        m_turnedBy = word.value.number + (adds ? m_turnedBy : 0.0);
+      } else if (cycle == "8") {
+        m_scale.set(axis, -1.0);
       } else {
-        m_turnedBy = primary().number + (name[0] == 'I' ? m_turnedBy : 0.0);
+        m_local.set(axis, word.value.number + (adds ? m_local[axis] : 0.0));
       }
     }
-    Frame frame;
-    frame.shift(m_local);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      frame.scale(axis, m_mirrored[axis] ? -1.0 : 1.0);
-    }
-    frame.turn(m_modal.across, m_turnedBy);
-    setFrame(frame);
+    rebuildFrame();
   }
 
-  Control m_control;
+  char m_letter;
+  bool m_isSinumerik = m_letter == 'S';
+  bool m_isFanuc = m_letter == 'F';
+  bool m_isLinux = m_letter == 'L';
+  bool m_isPlain = m_letter == 'H';
+  bool m_hasBrackets = !m_isSinumerik && !m_isPlain;
   const Beside& m_beside;
-  std::vector<std::unique_ptr<Text>> m_texts;
-  Text* m_current = nullptr;  ///< to which lines are added
-  Text* m_outer = nullptr;
-  int m_marks = 0;  ///< "%" begins and ends a text
+  std::vector<Line> m_lines;
+  std::map<std::string, std::size_t> m_programs;  ///< their first lines
+  std::vector<std::size_t> m_open;                ///< structures that have not ended
+  bool m_arrives = false;                         ///< at ELSE, from its IF
   std::vector<Level> m_levels;
   std::vector<Modal> m_saved;
   Values m_globals;
@@ -1521,21 +1443,20 @@ class Evaluator {
   std::string m_motion;  ///< "G0" to "G3", "CIP", "CT"
   Vec3 m_at;             ///< programmed coordinates
   std::array<bool, 3> m_known{};
+  std::array<bool, 3> m_stale{};  ///< an increment would count from before a change of the frame
   std::array<double, 3> m_turned{kNaN, kNaN, kNaN};
   std::array<bool, 3> m_modulo{};
   Vec3 m_direction;
   Vec3 m_pole;
   double m_polarAngle = kNaN;
-  Vec3 m_set;        ///< G92, and G52 of LinuxCNC
-  Vec3 m_kept;       ///< of G92.2
-  Vec3 m_local;      ///< G52, CYCL DEF 7
-  int m_change = 0;  ///< G68, G51 or G51.1 that holds
+  Vec3 m_set;              ///< G92, and G52 of LinuxCNC
+  Vec3 m_kept;             ///< of G92.2
+  Vec3 m_local;            ///< G52, CYCL DEF 7
+  bool m_changes = false;  ///< G68, G51 or G51.1 holds
   Vec3 m_centre;
-  double m_amount = 0.0;
-  double m_turnedBy = 0.0;  ///< CYCL DEF 10
-  std::array<bool, 3> m_mirrored{};
-  int m_workOffset = 0;
-  std::array<bool, 3> m_stale{};  ///< an increment would count from before a change of the frame
+  Vec3 m_scale{1, 1, 1};
+  double m_turnedBy = 0.0;
+  std::string m_workOffset;
   double m_blockFeed = 0.0;
   std::vector<EvaluatedMove> m_moves;
 };
@@ -1544,11 +1465,8 @@ class Evaluator {
 
 Evaluation evaluate(std::string_view control, std::string_view text,
                     const std::function<std::optional<std::string>(std::string_view)>& beside) {
-  static const std::map<std::string_view, Control> kControls{
-      {"sinumerik", Control::Sinumerik}, {"fanuc", Control::Fanuc},
-      {"haas", Control::Haas},           {"linuxcnc", Control::LinuxCnc},
-      {"grbl", Control::Grbl},           {"heidenhain", Control::Heidenhain}};
-  return Evaluator(kControls.at(control), beside).run(text);
+  const char letter = control == "haas" ? 'F' : base::toUpper(control.front());
+  return Evaluator(letter, beside).run(text);
 }
 
 }  // namespace rivulet::tests
