@@ -135,7 +135,7 @@ class TestRunController : public QObject {
   void aDocumentNeedsNoMachine() {
     Document document(settings(base::MethodKind::Window, 1500.0));
     QVERIFY(!document.view() && !document.findings().verdict);
-    QVERIFY(!document.findings().templateText.empty());
+    QVERIFY(document.findings().flexible);
     QSignalSpy judged(&document, &Document::judged);
     QSignalSpy loaded(&document, &Document::programLoaded);
     document.open(kScorpion);
@@ -147,7 +147,7 @@ class TestRunController : public QObject {
     tooMany.parameters.pointsPerLoop = 40;
     document.setSettings(tooMany);
     QVERIFY(document.findings().settingsError && !document.findings().verdict);
-    QVERIFY(!document.findings().cells && document.findings().distances);
+    QVERIFY(!document.findings().flexible && document.findings().distances);
   }
 
   void theNextReasonIsNamed() {
