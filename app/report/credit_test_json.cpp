@@ -23,7 +23,7 @@ void testFields(Io& io, Test& test) {
   io.count("asked", test.result.asked);
   io.count("answered", test.result.answered);
   io.milliseconds("slowest_answer_ms", test.result.slowestAnswer);
-  io.list("checks", test.result.checks, [](auto& inner, auto& check) {
+  io.ifThere().list("checks", test.result.checks, [](auto& inner, auto& check) {
     inner.text("name", check.name);
     inner.flag("passed", check.passed);
     inner.text("message", check.message);

@@ -223,13 +223,12 @@ class FieldReader {
   }
   template <class Record, class Fields>
   void list(const char* key, std::vector<Record>& records, Fields fields) {
-    m_mayBeMissing = false;  // without the list there are none
-    const std::string at = pointer(key);
-    const nlohmann::json* items = m_members.find(at.c_str());
-    if (items == nullptr) {
+    const std::string at = toRead(key);
+    if (at.empty()) {
       return;
     }
-    if (!items->is_array()) {
+    const nlohmann::json* items = m_members.find(at.c_str());
+    if (items == nullptr || !items->is_array()) {
       m_members.refuse(at.c_str());
       return;
     }

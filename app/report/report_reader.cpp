@@ -108,7 +108,7 @@ base::Result<FinishedRun> finishedRunOf(const nlohmann::json& json, const fs::pa
   }
   FinishedRun run;
   run.report = reportOf(members);
-  FieldReader(members).list("sketch", run.sketch, sketchFields);
+  FieldReader(members).ifThere().list("sketch", run.sketch, sketchFields);
   run.summary = streaming::summaryOf(run.report, knownOf(members));
   return members.bad().empty() ? base::Result<FinishedRun>(std::move(run))
                                : base::fail(damaged(members, file));

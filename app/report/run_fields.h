@@ -114,7 +114,7 @@ void runFields(Io& io, Report& report) {
   io.count("foreign", report.integrity.foreign);
   io.ifThere().count("out_of_order", report.integrity.outOfOrder);
   io.seconds("duration_s", report.duration);
-  io.list("pauses", report.pauses, pauseFields);
+  io.ifThere().list("pauses", report.pauses, pauseFields);
   io.object("access_ms", report.access.perNode, durationList);
   io.object("request_ms", report.access.perRequest, durationList);
   io.count("requests", report.access.requests);
