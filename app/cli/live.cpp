@@ -13,7 +13,7 @@
 #include "cli/connection.h"
 #include "cli/paced_link.h"
 #include "cli/run_files.h"
-#include "cli/stream_settings.h"
+#include "cli/run_settings.h"
 #include "live/point_stream.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"

@@ -18,7 +18,7 @@
 #include "cli/correction_source.h"
 #include "cli/found_run.h"
 #include "cli/run_files.h"
-#include "cli/stream_settings.h"
+#include "cli/run_settings.h"
 #include "feasibility/verdict.h"
 #include "gcode/block_observer.h"
 #include "gcode/program.h"

@@ -12,7 +12,7 @@
 
 #include "base/result.h"
 #include "report/run_trend.h"
-#include "trace_report/trace_page.h"
+#include "trace_report/trace_sheet.h"
 
 namespace rivulet::trace_report {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "trace_report/trace_page.h"
+#include "trace_report/trace_sheet.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
