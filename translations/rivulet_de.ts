@@ -109,7 +109,7 @@
         <translation>Werkzeug und Werkstück prüfen, bevor es weitergeht.</translation>
     </message>
     <message>
-        <source>Nobody knows whether %1 was executed without a fault.</source>
+        <source>It is not known whether %1 was executed without a fault.</source>
         <translation>Es ist nicht bekannt, ob %1 fehlerfrei ausgeführt wurde.</translation>
     </message>
     <message>
@@ -472,7 +472,7 @@
     </message>
     <message>
         <source>Live points need a machine that waits for them: choose method window or credit.</source>
-        <translation>Live-Punkte brauchen eine Maschine, die auf sie wartet: Methode Fenster oder Kredit wählen.</translation>
+        <translation>Live-Punkte brauchen eine Maschine, die auf sie wartet: Verfahren Fenster oder Kredit wählen.</translation>
     </message>
 </context>
 <context>
@@ -1186,7 +1186,7 @@
     </message>
     <message>
         <source>This make of control cannot do that. Choose another method or setting.</source>
-        <translation>Diese Steuerung kann das nicht. Eine andere Methode oder Einstellung wählen.</translation>
+        <translation>Diese Steuerung kann das nicht. Ein anderes Verfahren oder eine andere Einstellung wählen.</translation>
     </message>
     <message>
         <source>The program needs an axis that is not streamed. Move it to the position in the program, or stream it too.</source>
@@ -3752,12 +3752,12 @@
         <translation>Zeile %1</translation>
     </message>
     <message>
-        <source>Only a whole job runs dry, and this program is motion alone. Choose Whole job.</source>
-        <translation>Nur ein ganzer Auftrag läuft trocken, und dieses Programm ist nur Bewegung. Ganzer Auftrag wählen.</translation>
+        <source>A dry run needs the whole job, but only the motion of this program would be streamed. Choose Whole job.</source>
+        <translation>Ein Trockenlauf braucht den ganzen Auftrag, gestreamt würde aber nur die Bewegung dieses Programms. Ganzer Auftrag wählen.</translation>
     </message>
     <message>
         <source>A dry run needs the whole job: choose method window or credit, and no online correction.</source>
-        <translation>Ein Trockenlauf braucht den ganzen Auftrag: Methode Fenster oder Kredit ohne Online-Korrektur wählen.</translation>
+        <translation>Ein Trockenlauf braucht den ganzen Auftrag: Verfahren Fenster oder Kredit ohne Online-Korrektur wählen.</translation>
     </message>
 </context>
 <context>
@@ -3924,7 +3924,7 @@ GPL-3.0-or-later</translation>
         <translation>Ein Lauf ist im Gang. Ein anderes Programm erst öffnen, wenn er beendet ist.</translation>
     </message>
     <message>
-        <source>The settings of the run are set. It does not say where its program was: open the program with version %1.</source>
+        <source>The settings of the run have been taken over. Where its program was is not known: open the program with version %1.</source>
         <translation>Die Werte des Laufs sind eingestellt. Wo sein Programm lag, ist nicht bekannt: das Programm in der Fassung %1 öffnen.</translation>
     </message>
     <message>
@@ -3943,7 +3943,7 @@ GPL-3.0-or-later</translation>
         <translation>Das Programm rivulet-cnc fehlt. Es neben diesem Fenster installieren.</translation>
     </message>
     <message>
-        <source>The tasks have ended without a word. Execute the program again.</source>
+        <source>The tasks have ended without a message. Execute the program again.</source>
         <translation>Die Aufgaben haben ohne Meldung geendet. Das Programm erneut ausführen.</translation>
     </message>
 </context>
@@ -5100,8 +5100,8 @@ GPL-3.0-or-later</translation>
         <translation>Wieder schützen</translation>
     </message>
     <message>
-        <source>Takes back what was allowed by name: the strongest encryption or no connection.</source>
-        <translation>Nimmt zurück, was namentlich erlaubt wurde: die stärkste Verschlüsselung oder keine Verbindung.</translation>
+        <source>Withdraws what was allowed for this machine: from then on, the strongest encryption or no connection.</source>
+        <translation>Nimmt zurück, was für diese Maschine erlaubt wurde: von da an stärkste Verschlüsselung oder keine Verbindung.</translation>
     </message>
     <message>
         <source>Certificates that were refused</source>
@@ -5383,7 +5383,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Each pane shows the other traces minus the first one</source>
-        <translation>Jedes Feld zeigt, was die anderen Verläufe mehr haben als der erste</translation>
+        <translation>Jedes Feld zeigt die anderen Verläufe minus den ersten</translation>
     </message>
     <message>
         <source>Differences</source>
@@ -5970,8 +5970,8 @@ GPL-3.0-or-later</translation>
         <translation>NC-Programm…</translation>
     </message>
     <message>
-        <source>What ran: needed for a recording without set points</source>
-        <translation>Was lief: nötig für eine Aufzeichnung ohne Sollwerte</translation>
+        <source>The program that ran: needed for a recording without set points</source>
+        <translation>Das Programm, das lief: nötig für eine Aufzeichnung ohne Sollwerte</translation>
     </message>
     <message>
         <source>A recording used to test is not learned from</source>
@@ -6577,7 +6577,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Points may turn this axis (method window).</source>
-        <translation>Punkte dürfen diese Achse drehen (Methode Fenster).</translation>
+        <translation>Punkte dürfen diese Achse drehen (Verfahren Fenster).</translation>
     </message>
     <message>
         <source>Rotary axis %1</source>
@@ -7083,7 +7083,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>As rivulet-service prints it when it is ready.</source>
-        <translation>Wie rivulet-service sie ausgibt, wenn es bereit ist.</translation>
+        <translation>Wie rivulet-service sie ausgibt, wenn der Dienst bereit ist.</translation>
     </message>
     <message>
         <source>Add</source>
@@ -7647,7 +7647,7 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::PathPane</name>
     <message>
-        <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
+        <source>The path during the time shown. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
         <translation>Die Bahn der gezeigten Zeit. Klick: Cursor A. Umschalt und Klick: Cursor B. In 3D drehen Ziehen oder die Pfeiltasten sie, Pos1 dreht sie zurück.</translation>
     </message>
     <message>
@@ -8197,8 +8197,8 @@ GPL-3.0-or-later</translation>
         <translation>Änderungen verwerfen</translation>
     </message>
     <message>
-        <source>M functions: write a number, =, and ignore, pass or a line for the control; a semicolon between two.</source>
-        <translation>M-Funktionen: Nummer, = und ignore, pass oder eine Zeile für die Steuerung schreiben; zwischen zweien ein Semikolon.</translation>
+        <source>M functions: write the number, an equals sign, and ignore, pass or a line for the control. Separate entries with semicolons.</source>
+        <translation>M-Funktionen: die Nummer, ein Gleichheitszeichen und ignore, pass oder eine Zeile für die Steuerung schreiben. Einträge mit Semikolon trennen.</translation>
     </message>
     <message>
         <source>M functions of other machines</source>
@@ -9128,7 +9128,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>%1, Pausen %2</translation>
     </message>
     <message>
-        <source>Known while points have to be brought.</source>
+        <source>Known while points have to be sent.</source>
         <translation>Bekannt, solange Punkte zu liefern sind.</translation>
     </message>
     <message>
@@ -9140,7 +9140,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Kein Lauf dieses Fensters ist im Gang.</translation>
     </message>
     <message>
-        <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not in it.</source>
+        <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not included.</source>
         <translation>Geschätzte verbleibende Zeit mit den Vorschüben und den geplanten Pausen dieses Laufs. Halt und der Vorschub-Override an der Steuerung sind nicht enthalten.</translation>
     </message>
     <message>
@@ -9176,7 +9176,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Stopp und Halt wirken am Ende des Satzes</translation>
     </message>
     <message>
-        <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not in it.</source>
+        <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not included.</source>
         <translation>Gestreamt %1, Pausen %2, Werkzeugwechsel %3, andere Sätze der Steuerung %4. Zyklen, Messen und Halte sind nicht enthalten.</translation>
     </message>
     <message>
@@ -9756,8 +9756,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Weg</translation>
     </message>
     <message>
-        <source>Show the signal no longer (Delete)</source>
-        <translation>Das Signal nicht mehr zeigen (Entf)</translation>
+        <source>Remove the signal from the panes (Delete)</source>
+        <translation>Das Signal aus den Feldern nehmen (Entf)</translation>
     </message>
     <message>
         <source>Formula</source>
@@ -9771,7 +9771,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
 <context>
     <name>rivulet::widgets::SpectrumPanel</name>
     <message>
-        <source>Frequencies need the axis of time: choose it under Compare.</source>
+        <source>Frequencies need the time axis: choose it under Compare.</source>
         <translation>Frequenzen brauchen die Zeitachse: unter Vergleich wählen.</translation>
     </message>
     <message>
@@ -9799,12 +9799,12 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Zwischen den Cursorn: %1 Abtastwerte, %2 Hz</translation>
     </message>
     <message>
-        <source>In the time that is seen: %1 samples, %2 Hz</source>
+        <source>In the time shown: %1 samples, %2 Hz</source>
         <translation>In der sichtbaren Zeit: %1 Abtastwerte, %2 Hz</translation>
     </message>
     <message>
-        <source>The samples are not regular: lines between them were sampled again.</source>
-        <translation>Die Abtastwerte sind nicht gleichmäßig: Geraden zwischen ihnen wurden neu abgetastet.</translation>
+        <source>The samples are not evenly spaced: values between them were interpolated.</source>
+        <translation>Die Abtastwerte liegen nicht in gleichen Abständen: Werte dazwischen wurden interpoliert.</translation>
     </message>
     <message>
         <source>Curve whose frequencies are shown</source>
@@ -10467,8 +10467,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Die Maschine bietet keine ausreichende Verschlüsselung an</translation>
     </message>
     <message>
-        <source>This computer meets it for the first time. Compare the fingerprint with the one that the control shows. If they are equal, accept it: from then on, only this certificate is trusted at this address.</source>
-        <translation>Dieser Rechner begegnet ihr zum ersten Mal. Den Fingerabdruck mit dem vergleichen, den die Steuerung zeigt. Sind sie gleich, annehmen: Von da an wird an dieser Adresse nur diesem Zertifikat vertraut.</translation>
+        <source>This computer has not connected to it before. Compare the fingerprint with the one that the control shows. If they are equal, accept it: from then on, only this certificate is trusted at this address.</source>
+        <translation>Dieser Rechner war noch nie mit ihr verbunden. Den Fingerabdruck mit dem vergleichen, den die Steuerung zeigt. Sind sie gleich, annehmen: Von da an wird an dieser Adresse nur diesem Zertifikat vertraut.</translation>
     </message>
     <message>
         <source>Either somebody has renewed the certificate of the control, or another computer answers at its address and would get all commands. Ask who looks after the control. Do not connect if nobody has changed anything.</source>

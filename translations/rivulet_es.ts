@@ -109,7 +109,7 @@
         <translation>Comprobar herramienta y pieza antes de continuar.</translation>
     </message>
     <message>
-        <source>Nobody knows whether %1 was executed without a fault.</source>
+        <source>It is not known whether %1 was executed without a fault.</source>
         <translation>No se sabe si %1 se ejecutó sin fallos.</translation>
     </message>
     <message>
@@ -3752,7 +3752,7 @@
         <translation>Línea %1</translation>
     </message>
     <message>
-        <source>Only a whole job runs dry, and this program is motion alone. Choose Whole job.</source>
+        <source>A dry run needs the whole job, but only the motion of this program would be streamed. Choose Whole job.</source>
         <translation>Solo un trabajo completo se ejecuta en vacío, y este programa es solo movimiento. Elija Trabajo completo.</translation>
     </message>
     <message>
@@ -3924,7 +3924,7 @@ GPL-3.0-or-later</translation>
         <translation>Hay una ejecución en curso. Abrir otro programa cuando haya terminado.</translation>
     </message>
     <message>
-        <source>The settings of the run are set. It does not say where its program was: open the program with version %1.</source>
+        <source>The settings of the run have been taken over. Where its program was is not known: open the program with version %1.</source>
         <translation>Se han tomado los ajustes de la ejecución. No indica dónde estaba su programa: abrir el programa con versión %1.</translation>
     </message>
     <message>
@@ -3943,7 +3943,7 @@ GPL-3.0-or-later</translation>
         <translation>Falta el programa rivulet-cnc. Instalarlo junto a esta ventana.</translation>
     </message>
     <message>
-        <source>The tasks have ended without a word. Execute the program again.</source>
+        <source>The tasks have ended without a message. Execute the program again.</source>
         <translation>Las tareas terminaron sin mensaje. Ejecutar de nuevo el programa.</translation>
     </message>
 </context>
@@ -5100,7 +5100,7 @@ GPL-3.0-or-later</translation>
         <translation>Volver a proteger</translation>
     </message>
     <message>
-        <source>Takes back what was allowed by name: the strongest encryption or no connection.</source>
+        <source>Withdraws what was allowed for this machine: from then on, the strongest encryption or no connection.</source>
         <translation>Retira lo que se permitió por su nombre: el cifrado más fuerte o ninguna conexión.</translation>
     </message>
     <message>
@@ -5970,7 +5970,7 @@ GPL-3.0-or-later</translation>
         <translation>Programa CN…</translation>
     </message>
     <message>
-        <source>What ran: needed for a recording without set points</source>
+        <source>The program that ran: needed for a recording without set points</source>
         <translation>Lo que se ejecutó: necesario para una grabación sin consignas</translation>
     </message>
     <message>
@@ -7647,7 +7647,7 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::PathPane</name>
     <message>
-        <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
+        <source>The path during the time shown. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
         <translation>La trayectoria del tiempo mostrado. Clic: cursor A. Mayús y clic: cursor B. En 3D la giran el arrastre o las flechas, Inicio la devuelve.</translation>
     </message>
     <message>
@@ -8197,7 +8197,7 @@ GPL-3.0-or-later</translation>
         <translation>Descartar los cambios</translation>
     </message>
     <message>
-        <source>M functions: write a number, =, and ignore, pass or a line for the control; a semicolon between two.</source>
+        <source>M functions: write the number, an equals sign, and ignore, pass or a line for the control. Separate entries with semicolons.</source>
         <translation>Funciones M: escriba un número, = e ignore, pass o una línea para el control; un punto y coma entre dos.</translation>
     </message>
     <message>
@@ -9128,11 +9128,11 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>%1, pausas %2</translation>
     </message>
     <message>
-        <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not in it.</source>
+        <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not included.</source>
         <translation>Tiempo restante estimado, con los avances y las pausas previstas de esta ejecución. La suspensión y el override del control no están incluidos.</translation>
     </message>
     <message>
-        <source>Known while points have to be brought.</source>
+        <source>Known while points have to be sent.</source>
         <translation>Se conoce mientras queden puntos por enviar.</translation>
     </message>
     <message>
@@ -9176,7 +9176,7 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Parada y Suspender actúan al final de la secuencia</translation>
     </message>
     <message>
-        <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not in it.</source>
+        <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not included.</source>
         <translation>Transmitido %1, pausas %2, cambios de herramienta %3, otras secuencias del control %4. Los ciclos, las mediciones y las paradas no están incluidos.</translation>
     </message>
     <message>
@@ -9756,7 +9756,7 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Quitar</translation>
     </message>
     <message>
-        <source>Show the signal no longer (Delete)</source>
+        <source>Remove the signal from the panes (Delete)</source>
         <translation>No mostrar más la señal (Supr)</translation>
     </message>
     <message>
@@ -9771,7 +9771,7 @@ Is it certain that %1 does not change the path of the tool?</source>
 <context>
     <name>rivulet::widgets::SpectrumPanel</name>
     <message>
-        <source>Frequencies need the axis of time: choose it under Compare.</source>
+        <source>Frequencies need the time axis: choose it under Compare.</source>
         <translation>Las frecuencias requieren el eje de tiempo: elegirlo en Comparar.</translation>
     </message>
     <message>
@@ -9799,11 +9799,11 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Entre los cursores: %1 muestras, %2 Hz</translation>
     </message>
     <message>
-        <source>In the time that is seen: %1 samples, %2 Hz</source>
+        <source>In the time shown: %1 samples, %2 Hz</source>
         <translation>En el tiempo visible: %1 muestras, %2 Hz</translation>
     </message>
     <message>
-        <source>The samples are not regular: lines between them were sampled again.</source>
+        <source>The samples are not evenly spaced: values between them were interpolated.</source>
         <translation>Las muestras no son regulares: se han muestreado de nuevo las rectas entre ellas.</translation>
     </message>
     <message>
@@ -10467,7 +10467,7 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>La máquina no ofrece un cifrado suficiente</translation>
     </message>
     <message>
-        <source>This computer meets it for the first time. Compare the fingerprint with the one that the control shows. If they are equal, accept it: from then on, only this certificate is trusted at this address.</source>
+        <source>This computer has not connected to it before. Compare the fingerprint with the one that the control shows. If they are equal, accept it: from then on, only this certificate is trusted at this address.</source>
         <translation>Este ordenador la encuentra por primera vez. Comparar la huella con la que muestra el control. Si son iguales, aceptar: desde entonces, en esta dirección solo se confía en este certificado.</translation>
     </message>
     <message>

@@ -109,7 +109,7 @@
         <translation>Contrôler l’outil et la pièce avant de continuer.</translation>
     </message>
     <message>
-        <source>Nobody knows whether %1 was executed without a fault.</source>
+        <source>It is not known whether %1 was executed without a fault.</source>
         <translation>On ne sait pas si %1 a été exécuté sans erreur.</translation>
     </message>
     <message>
@@ -3752,7 +3752,7 @@
         <translation>Ligne %1</translation>
     </message>
     <message>
-        <source>Only a whole job runs dry, and this program is motion alone. Choose Whole job.</source>
+        <source>A dry run needs the whole job, but only the motion of this program would be streamed. Choose Whole job.</source>
         <translation>Seule une tâche complète s’exécute à vide, et ce programme n’est que mouvement. Choisir Tâche complète.</translation>
     </message>
     <message>
@@ -3924,7 +3924,7 @@ GPL-3.0-or-later</translation>
         <translation>Une exécution est en cours. Ouvrir un autre programme quand elle sera terminée.</translation>
     </message>
     <message>
-        <source>The settings of the run are set. It does not say where its program was: open the program with version %1.</source>
+        <source>The settings of the run have been taken over. Where its program was is not known: open the program with version %1.</source>
         <translation>Les réglages de l’exécution sont repris. Elle n’indique pas où était son programme&#xa0;: ouvrir le programme de version %1.</translation>
     </message>
     <message>
@@ -3943,7 +3943,7 @@ GPL-3.0-or-later</translation>
         <translation>Le programme rivulet-cnc manque. L’installer à côté de cette fenêtre.</translation>
     </message>
     <message>
-        <source>The tasks have ended without a word. Execute the program again.</source>
+        <source>The tasks have ended without a message. Execute the program again.</source>
         <translation>Les tâches se sont terminées sans message. Exécuter de nouveau le programme.</translation>
     </message>
 </context>
@@ -5100,7 +5100,7 @@ GPL-3.0-or-later</translation>
         <translation>Protéger de nouveau</translation>
     </message>
     <message>
-        <source>Takes back what was allowed by name: the strongest encryption or no connection.</source>
+        <source>Withdraws what was allowed for this machine: from then on, the strongest encryption or no connection.</source>
         <translation>Retire ce qui a été autorisé nommément&#xa0;: le chiffrement le plus fort ou aucune connexion.</translation>
     </message>
     <message>
@@ -5970,7 +5970,7 @@ GPL-3.0-or-later</translation>
         <translation>Programme CN…</translation>
     </message>
     <message>
-        <source>What ran: needed for a recording without set points</source>
+        <source>The program that ran: needed for a recording without set points</source>
         <translation>Ce qui a tourné&#xa0;: nécessaire pour un enregistrement sans consignes</translation>
     </message>
     <message>
@@ -7647,7 +7647,7 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::PathPane</name>
     <message>
-        <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
+        <source>The path during the time shown. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
         <translation>La trajectoire du temps affiché. Clic&#xa0;: curseur A. Maj et clic&#xa0;: curseur B. En 3D, glisser ou les flèches la tournent, Début la remet.</translation>
     </message>
     <message>
@@ -8197,7 +8197,7 @@ GPL-3.0-or-later</translation>
         <translation>Abandonner les modifications</translation>
     </message>
     <message>
-        <source>M functions: write a number, =, and ignore, pass or a line for the control; a semicolon between two.</source>
+        <source>M functions: write the number, an equals sign, and ignore, pass or a line for the control. Separate entries with semicolons.</source>
         <translation>Fonctions M&#xa0;: écrire un numéro, = et ignore, pass ou une ligne pour la commande&#x202f;; un point-virgule entre deux.</translation>
     </message>
     <message>
@@ -9128,11 +9128,11 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>%1, pauses %2</translation>
     </message>
     <message>
-        <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not in it.</source>
+        <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not included.</source>
         <translation>Temps restant estimé, avec les avances et les pauses prévues de cette exécution. La suspension et l’override d’avance de la commande n’y sont pas compris.</translation>
     </message>
     <message>
-        <source>Known while points have to be brought.</source>
+        <source>Known while points have to be sent.</source>
         <translation>Connu tant qu’il reste des points à envoyer.</translation>
     </message>
     <message>
@@ -9176,7 +9176,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Arrêt et Suspendre agissent à la fin du bloc</translation>
     </message>
     <message>
-        <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not in it.</source>
+        <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not included.</source>
         <translation>Transmis %1, pauses %2, changements d’outil %3, autres blocs de la commande %4. Les cycles, les mesures et les arrêts n’y sont pas.</translation>
     </message>
     <message>
@@ -9756,7 +9756,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Enlever</translation>
     </message>
     <message>
-        <source>Show the signal no longer (Delete)</source>
+        <source>Remove the signal from the panes (Delete)</source>
         <translation>Ne plus afficher le signal (Suppr)</translation>
     </message>
     <message>
@@ -9771,7 +9771,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
 <context>
     <name>rivulet::widgets::SpectrumPanel</name>
     <message>
-        <source>Frequencies need the axis of time: choose it under Compare.</source>
+        <source>Frequencies need the time axis: choose it under Compare.</source>
         <translation>Les fréquences demandent l’axe du temps : le choisir sous Comparer.</translation>
     </message>
     <message>
@@ -9799,11 +9799,11 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Entre les curseurs : %1 échantillons, %2 Hz</translation>
     </message>
     <message>
-        <source>In the time that is seen: %1 samples, %2 Hz</source>
+        <source>In the time shown: %1 samples, %2 Hz</source>
         <translation>Dans le temps visible : %1 échantillons, %2 Hz</translation>
     </message>
     <message>
-        <source>The samples are not regular: lines between them were sampled again.</source>
+        <source>The samples are not evenly spaced: values between them were interpolated.</source>
         <translation>Les échantillons ne sont pas réguliers : les droites entre eux ont été échantillonnées de nouveau.</translation>
     </message>
     <message>
@@ -10467,7 +10467,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>La machine n’offre pas de chiffrement suffisant</translation>
     </message>
     <message>
-        <source>This computer meets it for the first time. Compare the fingerprint with the one that the control shows. If they are equal, accept it: from then on, only this certificate is trusted at this address.</source>
+        <source>This computer has not connected to it before. Compare the fingerprint with the one that the control shows. If they are equal, accept it: from then on, only this certificate is trusted at this address.</source>
         <translation>Cet ordinateur la rencontre pour la première fois. Comparer l’empreinte avec celle que montre la commande. Si elles sont égales, accepter&#xa0;: dès lors, seul ce certificat est de confiance à cette adresse.</translation>
     </message>
     <message>

@@ -109,7 +109,7 @@
         <translation>Controllare utensile e pezzo prima di continuare.</translation>
     </message>
     <message>
-        <source>Nobody knows whether %1 was executed without a fault.</source>
+        <source>It is not known whether %1 was executed without a fault.</source>
         <translation>Non si sa se %1 è stato eseguito senza errori.</translation>
     </message>
     <message>
@@ -3752,7 +3752,7 @@
         <translation>Riga %1</translation>
     </message>
     <message>
-        <source>Only a whole job runs dry, and this program is motion alone. Choose Whole job.</source>
+        <source>A dry run needs the whole job, but only the motion of this program would be streamed. Choose Whole job.</source>
         <translation>Solo un lavoro completo gira a vuoto, e questo programma è solo movimento. Scegliere Lavoro completo.</translation>
     </message>
     <message>
@@ -3924,7 +3924,7 @@ GPL-3.0-or-later</translation>
         <translation>Un’esecuzione è in corso. Aprire un altro programma quando sarà terminata.</translation>
     </message>
     <message>
-        <source>The settings of the run are set. It does not say where its program was: open the program with version %1.</source>
+        <source>The settings of the run have been taken over. Where its program was is not known: open the program with version %1.</source>
         <translation>Le impostazioni dell’esecuzione sono riprese. Non indica dove fosse il programma: aprire il programma con versione %1.</translation>
     </message>
     <message>
@@ -3943,7 +3943,7 @@ GPL-3.0-or-later</translation>
         <translation>Manca il programma rivulet-cnc. Installarlo accanto a questa finestra.</translation>
     </message>
     <message>
-        <source>The tasks have ended without a word. Execute the program again.</source>
+        <source>The tasks have ended without a message. Execute the program again.</source>
         <translation>I compiti sono finiti senza messaggi. Eseguire di nuovo il programma.</translation>
     </message>
 </context>
@@ -5100,7 +5100,7 @@ GPL-3.0-or-later</translation>
         <translation>Proteggi di nuovo</translation>
     </message>
     <message>
-        <source>Takes back what was allowed by name: the strongest encryption or no connection.</source>
+        <source>Withdraws what was allowed for this machine: from then on, the strongest encryption or no connection.</source>
         <translation>Ritira ciò che è stato consentito per nome: la cifratura più forte o nessuna connessione.</translation>
     </message>
     <message>
@@ -5970,7 +5970,7 @@ GPL-3.0-or-later</translation>
         <translation>Programma NC…</translation>
     </message>
     <message>
-        <source>What ran: needed for a recording without set points</source>
+        <source>The program that ran: needed for a recording without set points</source>
         <translation>Ciò che è stato eseguito: serve per una registrazione senza valori nominali</translation>
     </message>
     <message>
@@ -7647,7 +7647,7 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::PathPane</name>
     <message>
-        <source>The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
+        <source>The path during the time shown. Click: cursor A. Shift and click: cursor B. In 3D, drag or the arrow keys turn it, Home turns it back.</source>
         <translation>Il percorso del tempo mostrato. Clic: cursore A. Maiusc e clic: cursore B. In 3D lo ruotano il trascinamento o le frecce, Inizio lo riporta.</translation>
     </message>
     <message>
@@ -8197,7 +8197,7 @@ GPL-3.0-or-later</translation>
         <translation>Annulla le modifiche</translation>
     </message>
     <message>
-        <source>M functions: write a number, =, and ignore, pass or a line for the control; a semicolon between two.</source>
+        <source>M functions: write the number, an equals sign, and ignore, pass or a line for the control. Separate entries with semicolons.</source>
         <translation>Funzioni M: scrivere un numero, = e ignore, pass o una riga per il controllo; un punto e virgola tra due.</translation>
     </message>
     <message>
@@ -9128,11 +9128,11 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>%1, pause %2</translation>
     </message>
     <message>
-        <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not in it.</source>
+        <source>Estimate of the time that is left, with the feeds and the planned pauses of this run. Hold and the feed override at the control are not included.</source>
         <translation>Tempo residuo stimato, con gli avanzamenti e le pause previste di questa esecuzione. La sospensione e l’override del controllo non sono compresi.</translation>
     </message>
     <message>
-        <source>Known while points have to be brought.</source>
+        <source>Known while points have to be sent.</source>
         <translation>Noto finché restano punti da inviare.</translation>
     </message>
     <message>
@@ -9176,7 +9176,7 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Stop e Sospendi agiscono alla fine del blocco</translation>
     </message>
     <message>
-        <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not in it.</source>
+        <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not included.</source>
         <translation>Trasmesso %1, pause %2, cambi utensile %3, altri blocchi del controllo %4. Cicli, misure e arresti non sono compresi.</translation>
     </message>
     <message>
@@ -9756,7 +9756,7 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Rimuovi</translation>
     </message>
     <message>
-        <source>Show the signal no longer (Delete)</source>
+        <source>Remove the signal from the panes (Delete)</source>
         <translation>Non mostrare più il segnale (Canc)</translation>
     </message>
     <message>
@@ -9771,7 +9771,7 @@ Is it certain that %1 does not change the path of the tool?</source>
 <context>
     <name>rivulet::widgets::SpectrumPanel</name>
     <message>
-        <source>Frequencies need the axis of time: choose it under Compare.</source>
+        <source>Frequencies need the time axis: choose it under Compare.</source>
         <translation>Le frequenze richiedono l’asse del tempo: sceglierlo in Confronto.</translation>
     </message>
     <message>
@@ -9799,11 +9799,11 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Tra i cursori: %1 campioni, %2 Hz</translation>
     </message>
     <message>
-        <source>In the time that is seen: %1 samples, %2 Hz</source>
+        <source>In the time shown: %1 samples, %2 Hz</source>
         <translation>Nel tempo visibile: %1 campioni, %2 Hz</translation>
     </message>
     <message>
-        <source>The samples are not regular: lines between them were sampled again.</source>
+        <source>The samples are not evenly spaced: values between them were interpolated.</source>
         <translation>I campioni non sono regolari: le rette tra essi sono state ricampionate.</translation>
     </message>
     <message>
@@ -10467,7 +10467,7 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>La macchina non offre una cifratura sufficiente</translation>
     </message>
     <message>
-        <source>This computer meets it for the first time. Compare the fingerprint with the one that the control shows. If they are equal, accept it: from then on, only this certificate is trusted at this address.</source>
+        <source>This computer has not connected to it before. Compare the fingerprint with the one that the control shows. If they are equal, accept it: from then on, only this certificate is trusted at this address.</source>
         <translation>Questo computer la incontra per la prima volta. Confrontare l’impronta con quella mostrata dal controllo. Se sono uguali, accettare: da allora, a questo indirizzo è fidato solo questo certificato.</translation>
     </message>
     <message>

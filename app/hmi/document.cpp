@@ -203,7 +203,8 @@ std::optional<base::Error> Document::dryRunProblem() const {
   return base::makeError(
       job::JobError::NotDry,
       (outline() == nullptr
-           ? tr("Only a whole job runs dry, and this program is motion alone. Choose Whole job.")
+           ? tr("A dry run needs the whole job, but only the motion of this program would be "
+                "streamed. Choose Whole job.")
            : tr("A dry run needs the whole job: choose method window or credit, and no online "
                 "correction."))
           .toStdString());

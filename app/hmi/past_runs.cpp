@@ -170,8 +170,8 @@ void PastRuns::applyRepeat() {
   m_document.setSettings(settings);
   if (!program) {
     m_messages.show(Severity::Warning, [was] {
-      return tr("The settings of the run are set. It does not say where its program was: open the "
-                "program with version %1.")
+      return tr("The settings of the run have been taken over. Where its program was is not known: "
+                "open the program with version %1.")
           .arg(was);
     });
   } else if (program->hash != run.summary.programHash) {

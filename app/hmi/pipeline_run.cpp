@@ -188,7 +188,7 @@ void PipelineRun::finish(int exitCode, QProcess::ExitStatus status) {
   } else {
     // The last line says what has ended it.
     const QString said = QString::fromUtf8(m_errors).trimmed().section(QLatin1Char('\n'), -1);
-    fail(said.isEmpty() ? tr("The tasks have ended without a word. Execute the program again.")
+    fail(said.isEmpty() ? tr("The tasks have ended without a message. Execute the program again.")
                         : said);
     return;
   }

@@ -55,7 +55,7 @@ constexpr std::array<Facts, 16> kFacts{{
      RIVULET_SENTENCE("AlarmTexts", "The control's trace lacks the last points."),
      RIVULET_SENTENCE("AlarmTexts", "Check tool and workpiece before you go on.")},
     {Code::NotJudged, "not-judged", Priority::Low, Source::Run,
-     RIVULET_SENTENCE("AlarmTexts", "Nobody knows whether %1 was executed without a fault."),
+     RIVULET_SENTENCE("AlarmTexts", "It is not known whether %1 was executed without a fault."),
      RIVULET_SENTENCE("AlarmTexts",
                       "The control's trace could not be read, or is shorter than the run."),
      RIVULET_SENTENCE("AlarmTexts", "Check the workpiece.")},

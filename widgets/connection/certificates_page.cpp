@@ -281,7 +281,7 @@ void CertificatesPage::retranslate() {
   m_forget->setToolTip(tr("At the next connection the machine is new."));
   m_strengthen->setText(tr("Protect again"));
   m_strengthen->setToolTip(
-      tr("Takes back what was allowed by name: the strongest encryption or "
+      tr("Withdraws what was allowed for this machine: from then on, the strongest encryption or "
          "no connection."));
   m_rejectedGroup->setTitle(tr("Certificates that were refused"));
   m_rejectedTable->setAccessibleName(tr("Certificates that were refused"));

@@ -134,9 +134,9 @@ QString TrustSheet::meaning() const {
   switch (m_question->kind) {
     case Kind::NewServer:
       return tr(
-          "This computer meets it for the first time. Compare the fingerprint with the one "
-          "that the control shows. If they are equal, accept it: from then on, only this "
-          "certificate is trusted at this address.");
+          "This computer has not connected to it before. Compare the fingerprint with the one that "
+          "the control shows. If they are equal, accept it: from then on, only this certificate is "
+          "trusted at this address.");
     case Kind::ChangedServer:
       return tr(
           "Either somebody has renewed the certificate of the control, or another computer "

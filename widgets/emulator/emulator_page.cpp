@@ -676,7 +676,8 @@ void EmulatorPage::retranslate() {
   label(m_learn, tr("Learn"), tr("Learn from the recordings how the axes follow their set points"));
   label(m_cancel, tr("Cancel"), tr("Stop learning; what was learned before stays"));
   label(m_save, tr("Save…"), tr("Save the emulator as a preset of the virtual machine"));
-  label(m_program, tr("NC program…"), tr("What ran: needed for a recording without set points"));
+  label(m_program, tr("NC program…"),
+        tr("The program that ran: needed for a recording without set points"));
   m_use->setToolTip(tr("A recording used to test is not learned from"));
   label(m_remove, tr("Remove"), tr("Takes the recording from the list; the file stays"));
   label(m_compare, tr("Compare recordings"),

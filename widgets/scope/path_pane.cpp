@@ -590,8 +590,8 @@ void PathPane::keyPressEvent(QKeyEvent* event) {
 void PathPane::retranslate() {
   setAccessibleName(tr("Path of the axes"));
   setToolTip(
-      tr("The path of the time that is seen. Click: cursor A. Shift and click: cursor B. In 3D, "
-         "drag or the arrow keys turn it, Home turns it back."));
+      tr("The path during the time shown. Click: cursor A. Shift and click: cursor B. In 3D, drag "
+         "or the arrow keys turn it, Home turns it back."));
   schedule();
 }
 

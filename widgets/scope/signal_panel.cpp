@@ -276,7 +276,7 @@ void SignalPanel::retranslate() {
   m_add->setText(tr("Add"));
   m_add->setToolTip(tr("Show the signal in the current pane (Shift+Enter)"));
   m_remove->setText(tr("Remove"));
-  m_remove->setToolTip(tr("Show the signal no longer (Delete)"));
+  m_remove->setToolTip(tr("Remove the signal from the panes (Delete)"));
   m_formula->setPlaceholderText(QStringLiteral("hypot(x_act-x_set, y_act-y_set)"));
   m_formula->setAccessibleName(tr("Formula"));
   m_formula->setToolTip(

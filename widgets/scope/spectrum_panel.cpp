@@ -161,7 +161,7 @@ void SpectrumPanel::refresh() {
   m_unit = isThere ? m_curves->unit(m_shown[chosen].formula) : QString();
   if (!isThere || m_curves->axis() != trace::RunAxis::Time) {
     m_problem = m_curves->axis() != trace::RunAxis::Time
-                    ? tr("Frequencies need the axis of time: choose it under Compare.")
+                    ? tr("Frequencies need the time axis: choose it under Compare.")
                     : tr("No curve is shown.");
     m_spectrum = {};
     draw();
@@ -269,10 +269,10 @@ void SpectrumPanel::showNote() {
     const QString count = countText(m_spectrum.count);
     const QString rate = numberText(m_spectrum.rateHz, m_spectrum.rateHz < 100.0 ? 1 : 0);
     text = isBetweenCursors() ? tr("Between the cursors: %1 samples, %2 Hz").arg(count, rate)
-                              : tr("In the time that is seen: %1 samples, %2 Hz").arg(count, rate);
+                              : tr("In the time shown: %1 samples, %2 Hz").arg(count, rate);
     if (m_spectrum.isResampled) {
       text += QStringLiteral(". ") +
-              tr("The samples are not regular: lines between them were sampled again.");
+              tr("The samples are not evenly spaced: values between them were interpolated.");
     }
   }
   m_note->setText(text);

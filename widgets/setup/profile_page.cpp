@@ -424,8 +424,8 @@ void ProfilePage::showState() {
     m_problem->setStatus(Status::Fault, profileProblemText(*problem));
   } else if (!functions) {
     m_problem->setStatus(Status::Fault,
-                         tr("M functions: write a number, =, and ignore, pass or a line for the "
-                            "control; a semicolon between two."));
+                         tr("M functions: write the number, an equals sign, and ignore, pass or a "
+                            "line for the control. Separate entries with semicolons."));
   } else if (isChanged) {
     m_problem->setStatus(Status::Attention, tr("Not saved yet."));
   } else {

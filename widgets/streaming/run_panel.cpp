@@ -640,16 +640,16 @@ void RunPanel::showPlace() {
   }
   const TimeLeft& left = *m_where.left;
   QString hint =
-      tr("Estimate of the time that is left, with the feeds and the planned pauses of this "
-         "run. Hold and the feed override at the control are not in it.");
+      tr("Estimate of the time that is left, with the feeds and the planned pauses of this run. "
+         "Hold and the feed override at the control are not included.");
   const double controlS = left.nativeS + left.toolChangesS;
   if (controlS > 0.0) {
     const double streamedS = left.totalS - left.pausesS - controlS;
-    hint += QLatin1Char('\n') +
-            tr("Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, "
-               "measuring and stops are not in it.")
-                .arg(durationText(streamedS), durationText(left.pausesS),
-                     durationText(left.toolChangesS), durationText(left.nativeS));
+    hint +=
+        QLatin1Char('\n') + tr("Streamed %1, pauses %2, tool changes %3, other blocks of the "
+                               "control %4. Cycles, measuring and stops are not included.")
+                                .arg(durationText(streamedS), durationText(left.pausesS),
+                                     durationText(left.toolChangesS), durationText(left.nativeS));
   }
   showFigure(Left, timeLeftText(left), hint);
 }
@@ -673,7 +673,7 @@ void RunPanel::showMargin() {
     showFigure(Margin, {},
                isWatching()
                    ? elsewhereText()
-                   : meaning + QStringLiteral(". ") + tr("Known while points have to be brought."));
+                   : meaning + QStringLiteral(". ") + tr("Known while points have to be sent."));
     return;
   }
   const bool late = m_update.margin->count() < 0;

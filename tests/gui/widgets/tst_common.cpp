@@ -444,7 +444,7 @@ class TestCommon : public QObject {
         button->click();
       }
     }
-    QVERIFY(line.text().startsWith("Nobody knows"));
+    QVERIFY(line.text().startsWith("It is not known"));
     line.setAlarm(std::nullopt, 0);
     QVERIFY(line.text().isEmpty());
   }
