@@ -3,7 +3,6 @@
 
 #include "widgets/alarms/alarm_line.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
@@ -42,29 +41,22 @@ void setTextColor(QWidget* widget, const QColor& color) {
 
 AlarmLine::AlarmLine(QWidget* parent)
     : Page(parent),
-      m_icon(new QLabel(this)),
       m_title(new ElidedLabel(1, this)),
       m_remedy(new ElidedLabel(1, this)),
       m_noteText(new ElidedLabel(2, this)),
-      m_acknowledge(new QToolButton(this)),
-      m_list(new QToolButton(this)),
-      m_dismiss(new QToolButton(this)) {
-  auto* texts = new QVBoxLayout;
-  texts->setContentsMargins(0, 0, 0, 0);
+      m_acknowledge(
+          say(new QToolButton(this), {.text = QT_TR_NOOP("Ack"),
+                                      .tip = QT_TR_NOOP("Acknowledge: you have seen this alarm"),
+                                      .name = QT_TR_NOOP("Acknowledge the alarm")})),
+      m_list(say(new QToolButton(this), {.tip = QT_TR_NOOP("Show all alarms")})),
+      m_dismiss(say(new QToolButton(this),
+                    {.hint = QT_TR_NOOP("Dismiss the message"), .icon = "dismiss"})) {
+  auto* texts =
+      inColumn({spring(), m_title, m_remedy, m_noteText, spring()}, nullptr, QMargins(0, 0, 0, 0));
   texts->setSpacing(0);
-  texts->addStretch();
-  texts->addWidget(m_title);
-  texts->addWidget(m_remedy);
-  texts->addWidget(m_noteText);
-  texts->addStretch();
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(12, 2, 4, 2);
+  auto* layout =
+      inRow({m_icon, {texts, 1}, m_dismiss, m_acknowledge, m_list}, this, QMargins(12, 2, 4, 2));
   layout->setSpacing(8);
-  layout->addWidget(m_icon);
-  layout->addLayout(texts, 1);
-  layout->addWidget(m_dismiss);
-  layout->addWidget(m_acknowledge);
-  layout->addWidget(m_list);
   for (QToolButton* button : {m_acknowledge, m_list, m_dismiss}) {
     button->setMinimumSize(kTouchHeightPx, kTouchHeightPx);
     button->setIconSize(QSize(20, 20));
@@ -127,14 +119,8 @@ void AlarmLine::retranslate() {
   m_noteText->setText(m_note ? m_note() : QString());
   m_title->setText(m_alarm ? alarmText(*m_alarm) : QString());
   m_remedy->setText(m_alarm ? alarmRemedy(*m_alarm) : QString());
-  m_acknowledge->setText(tr("Ack"));
-  m_acknowledge->setToolTip(tr("Acknowledge: you have seen this alarm"));
-  m_acknowledge->setAccessibleName(tr("Acknowledge the alarm"));
   m_list->setText(QStringLiteral("(%1)").arg(m_count));
-  m_list->setToolTip(tr("Show all alarms"));
   m_list->setAccessibleName(tr("Alarms: %1. Show all").arg(m_count));
-  m_dismiss->setToolTip(tr("Dismiss the message"));
-  m_dismiss->setAccessibleName(tr("Dismiss the message"));
   refresh();
 }
 
@@ -160,7 +146,6 @@ void AlarmLine::restyle() {
   QFont font = m_title->font();
   font.setBold(m_alarm && !m_alarm->isAcknowledged);
   m_title->setFont(font);
-  m_dismiss->setIcon(themedIcon(QStringLiteral("dismiss"), themeColors(palette()).text));
   update();
 }
 

@@ -63,7 +63,7 @@ class AlarmLine final : public Page {
   gcode::Severity m_noteSeverity = gcode::Severity::Note;
   Text m_note;  ///< empty: no note
   QTimer m_noteTimer;
-  QLabel* m_icon;
+  QLabel* m_icon = label({});
   ElidedLabel* m_title;   ///< of an alarm
   ElidedLabel* m_remedy;  ///< of an alarm
   ElidedLabel* m_noteText;

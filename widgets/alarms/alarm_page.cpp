@@ -3,7 +3,6 @@
 
 #include "widgets/alarms/alarm_page.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
@@ -14,7 +13,6 @@
 
 #include "widgets/alarms/alarm_text.h"
 #include "widgets/common/table_style.h"
-#include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
 
@@ -105,11 +103,7 @@ AlarmPage::AlarmPage(QWidget* parent)
   m_history->setColumnWidth(AlarmHistoryModel::EventColumn, 170);
   m_shelve->setMenu(m_shelveMenu);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_tabs);
-  layout->addWidget(m_table, 1);
-  layout->addWidget(m_history, 1);
-  layout->addWidget(m_details);
+  inColumn({m_tabs, {m_table, 1}, {m_history, 1}, m_details}, this);
   connect(m_tabs, &QTabBar::currentChanged, this, &AlarmPage::showTable);
   connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& index) {
@@ -118,7 +112,6 @@ AlarmPage::AlarmPage(QWidget* parent)
           });
   connect(m_acknowledge, &QPushButton::clicked, this,
           [this] { Q_EMIT acknowledgeRequested(m_selected); });
-  connect(m_acknowledgeAll, &QPushButton::clicked, this, &AlarmPage::acknowledgeAllRequested);
   for (const int minutes : kShelvingMinutes) {
     m_shelveMenu->addAction(QString(), this,
                             [this, minutes] { Q_EMIT shelveRequested(m_selected, minutes); });
@@ -135,14 +128,16 @@ QWidget* AlarmPage::makeDetails() {
   QFont font = m_text->font();
   font.setBold(true);
   m_text->setFont(font);
-  m_causeTitle = new QLabel(details);
+  m_causeTitle = label({.text = QT_TR_NOOP("Cause")});
   m_cause = wrapping(details);
-  m_remedyTitle = new QLabel(details);
+  m_remedyTitle = label({.text = QT_TR_NOOP("What to do")});
   m_remedy = wrapping(details);
   m_facts = wrapping(details);
-  m_acknowledge = makeTouchButton(details);
-  m_acknowledgeAll = makeTouchButton(details);
-  m_shelve = makeTouchButton(details);
+  m_acknowledge = button({.text = QT_TR_NOOP("Acknowledge")});
+  m_acknowledgeAll =
+      button({.text = QT_TR_NOOP("Acknowledge all")}, &AlarmPage::acknowledgeAllRequested);
+  m_shelve = button({.text = QT_TR_NOOP("Shelve"),
+                     .tip = QT_TR_NOOP("Put the alarm aside for a time. It stays in this list.")});
   auto* rows = new QGridLayout;
   rows->setColumnStretch(1, 1);
   rows->setHorizontalSpacing(16);
@@ -152,15 +147,8 @@ QWidget* AlarmPage::makeDetails() {
   rows->addWidget(m_remedyTitle, 2, 0, Qt::AlignTop);
   rows->addWidget(m_remedy, 2, 1);
   rows->addWidget(m_facts, 3, 0, 1, 2);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_acknowledge);
-  buttons->addWidget(m_shelve);
-  buttons->addStretch();
-  buttons->addWidget(m_acknowledgeAll);
-  auto* layout = new QVBoxLayout(details);
-  layout->setContentsMargins(4, 8, 4, 0);
-  layout->addLayout(rows);
-  layout->addLayout(buttons);
+  inColumn({rows, inRow({m_acknowledge, m_shelve, spring(), m_acknowledgeAll})}, details,
+           QMargins(4, 8, 4, 0));
   return details;
 }
 
@@ -243,12 +231,6 @@ void AlarmPage::retranslate() {
   m_tabs->setTabText(1, tr("History"));
   m_table->setAccessibleName(m_tabs->tabText(0));
   m_history->setAccessibleName(m_tabs->tabText(1));
-  m_causeTitle->setText(tr("Cause"));
-  m_remedyTitle->setText(tr("What to do"));
-  m_acknowledge->setText(tr("Acknowledge"));
-  m_acknowledgeAll->setText(tr("Acknowledge all"));
-  m_shelve->setText(tr("Shelve"));
-  m_shelve->setToolTip(tr("Put the alarm aside for a time. It stays in this list."));
   const QList<QAction*> actions = m_shelveMenu->actions();
   for (std::size_t i = 0; i < kShelvingMinutes.size(); ++i) {
     const int minutes = kShelvingMinutes[i];

@@ -5,7 +5,6 @@
 
 #include <QCoreApplication>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -14,10 +13,8 @@
 #include <QTableView>
 
 #include "widgets/alarms/alarm_text.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
-#include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
 
@@ -126,11 +123,7 @@ AuditPage::AuditPage(QWidget* parent)
       m_model(new AuditModel(this)),
       m_filter(new QSortFilterProxyModel(this)),
       m_state(new StatusLabel(this, StatusLabel::Elided{2})),
-      m_hash(makeValueLabel(this)),
-      m_search(new QLineEdit(this)),
-      m_table(new QTableView(this)),
-      m_csv(makeTouchButton(this)),
-      m_json(makeTouchButton(this)) {
+      m_table(say(new QTableView(this), {.name = QT_TR_NOOP("Audit")})) {
   m_filter->setSourceModel(m_model);
   m_filter->setFilterKeyColumn(-1);  // all columns
   m_filter->setFilterCaseSensitivity(Qt::CaseInsensitive);
@@ -143,27 +136,18 @@ AuditPage::AuditPage(QWidget* parent)
   m_table->setColumnWidth(AuditModel::Act, 190);
   m_table->horizontalHeader()->setStretchLastSection(true);
   m_search->setClearButtonEnabled(true);
-  m_search->setMinimumHeight(kTouchHeightPx);
   m_hash->setWordWrap(false);
 
-  auto* top = new QHBoxLayout;
-  top->addWidget(m_state, 3);
-  top->addWidget(m_search, 1);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_csv);
-  buttons->addWidget(m_json);
-  buttons->addStretch();
-  buttons->addWidget(m_hash);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(top);
-  layout->addWidget(m_table, 1);
-  layout->addLayout(buttons);
+  inColumn({inRow({{m_state, 3}, {m_search, 1}}),
+            {m_table, 1},
+            inRow({m_csv, m_json, spring(), m_hash})},
+           this);
   connect(m_search, &QLineEdit::textChanged, m_filter,
           &QSortFilterProxyModel::setFilterFixedString);
   connect(m_csv, &QPushButton::clicked, this, [this] { chooseFile(QStringLiteral("csv")); });
   connect(m_json, &QPushButton::clicked, this, [this] { chooseFile(QStringLiteral("json")); });
-  retranslate();
-  restyle();
+  onLanguage([this] { m_model->refresh(); }, &AuditPage::showState);
+  onTheme([this] { m_model->setColors(palette()); });
 }
 
 void AuditPage::chooseFile(const QString& suffix) {
@@ -210,24 +194,6 @@ void AuditPage::showState() {
 void AuditPage::showEvent(QShowEvent* event) {
   Page::showEvent(event);
   Q_EMIT refreshRequested();
-}
-
-void AuditPage::retranslate() {
-  m_search->setPlaceholderText(tr("Search"));
-  m_search->setAccessibleName(tr("Search"));
-  m_csv->setText(tr("Export as CSV…"));
-  m_json->setText(tr("Export as JSON…"));
-  m_table->setAccessibleName(tr("Audit"));
-  m_model->refresh();
-  showState();
-}
-
-void AuditPage::restyle() {
-  const QColor color = themeColors(palette()).text;
-  m_csv->setIcon(themedIcon(QStringLiteral("save"), color));
-  m_json->setIcon(themedIcon(QStringLiteral("save"), color));
-  setMuted(m_hash, palette());
-  m_model->setColors(palette());
 }
 
 }  // namespace rivulet::widgets

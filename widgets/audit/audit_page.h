@@ -74,8 +74,6 @@ class AuditPage final : public Page {
   void exportRequested(const QString& path);
 
  protected:
-  void retranslate() override;
-  void restyle() override;
   void showEvent(QShowEvent* event) override;
 
  private:
@@ -86,11 +84,12 @@ class AuditPage final : public Page {
   AuditModel* m_model;
   QSortFilterProxyModel* m_filter;
   StatusLabel* m_state;
-  QLabel* m_hash;
-  QLineEdit* m_search;
+  QLabel* m_hash = value({.isMuted = true});
+  QLineEdit* m_search = lineEdit(
+      {.name = QT_TR_NOOP("Search"), .placeholder = QT_TR_NOOP("Search"), .isTouch = true});
   QTableView* m_table;
-  QPushButton* m_csv;
-  QPushButton* m_json;
+  QPushButton* m_csv = button({.text = QT_TR_NOOP("Export as CSV…"), .icon = "save"});
+  QPushButton* m_json = button({.text = QT_TR_NOOP("Export as JSON…"), .icon = "save"});
 };
 
 }  // namespace rivulet::widgets

@@ -4,15 +4,12 @@
 #include "widgets/calibration/calibration_page.h"
 
 #include <QCheckBox>
-#include <QGridLayout>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTableView>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +19,6 @@
 #include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/table_style.h"
-#include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
 
@@ -49,21 +45,11 @@ QTableView* makeTable(QAbstractItemModel* model, QHeaderView::ResizeMode columns
 
 CalibrationPage::CalibrationPage(QWidget* parent)
     : Page(parent),
-      m_cellsName(new QLabel(this)),
       m_firstCell(new WholeNumberField(this)),
-      m_to(new QLabel(this)),
       m_lastCell(new WholeNumberField(this)),
-      m_shotsName(new QLabel(this)),
-      m_shots(new WholeNumberField(this)),
-      m_budgetName(new QLabel(this)),
-      m_budget(new WholeNumberField(this)),
-      m_arrays(new QCheckBox(this)),
-      m_confirm(new QCheckBox(this)),
-      m_start(makeTouchButton(this)),
+      m_shots(whole(2, kShotsMax)),
+      m_budget(whole(0, kMinutesMax, {.special = QT_TR_NOOP("no limit")})),
       m_progress(new QProgressBar(this)),
-      m_cancel(makeTouchButton(this)),
-      m_hint(new StatusLabel(this)),
-      m_state(new StatusLabel(this)),
       m_tabs(new QTabWidget(this)),
       m_lines(new LinesChart(this)),
       m_linesLegend(new LegendStrip(this)),
@@ -77,71 +63,50 @@ CalibrationPage::CalibrationPage(QWidget* parent)
   }
   m_firstCell->setValue(kFirstCell);
   m_lastCell->setValue(kLastCell);
-  m_shots->setRange(2, kShotsMax);
   m_shots->setValue(streaming::CalibrationPlan{}.shots);
-  m_budget->setRange(0, kMinutesMax);
   m_budget->setValue(kMinutes);
   m_arrays->setChecked(true);
   m_cellsName->setBuddy(m_firstCell);
-  m_to->setBuddy(m_lastCell);
-  m_shotsName->setBuddy(m_shots);
-  m_budgetName->setBuddy(m_budget);
   m_progress->setRange(0, 1000);
-  m_hint->setWordWrap(true);
-  m_state->setWordWrap(true);
 
-  auto* choices = new QHBoxLayout;
+  auto* choices =
+      inRow({m_cellsName, m_firstCell, label({.text = QT_TR_NOOP("to")}, m_lastCell), m_lastCell,
+             gap(8), label({.text = QT_TR_NOOP("Shots of each kind")}, m_shots), m_shots, gap(8),
+             label({.text = QT_TR_NOOP("At most")}, m_budget), m_budget, spring()});
   choices->setSpacing(8);
-  for (QWidget* widget : {static_cast<QWidget*>(m_cellsName), static_cast<QWidget*>(m_firstCell),
-                          static_cast<QWidget*>(m_to), static_cast<QWidget*>(m_lastCell)}) {
-    choices->addWidget(widget);
-  }
-  choices->addSpacing(8);
-  choices->addWidget(m_shotsName);
-  choices->addWidget(m_shots);
-  choices->addSpacing(8);
-  choices->addWidget(m_budgetName);
-  choices->addWidget(m_budget);
-  choices->addStretch();
-  auto* actions = new QHBoxLayout;
-  actions->addWidget(m_start);
-  actions->addWidget(m_progress, 1);
-  actions->addWidget(m_cancel);
-  actions->addSpacing(8);
-  actions->addWidget(m_hint, 2, Qt::AlignVCenter);
 
   buildTabs();
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(choices);
-  layout->addWidget(m_arrays);
-  layout->addWidget(m_confirm);
-  layout->addLayout(actions);
-  layout->addWidget(m_state);
-  layout->addWidget(m_tabs, 1);
-  layout->addStretch();
+  inColumn({choices,
+            m_arrays,
+            m_confirm,
+            inRow({m_start, {m_progress, 1}, m_cancel, gap(8), {m_hint, 2, Qt::AlignVCenter}}),
+            m_state,
+            {m_tabs, 1},
+            spring()},
+           this);
 
   connectFields();
   retranslate();
-  restyle();
+  onTheme(
+      [this] {
+        m_lines->restyle(palette());
+        m_histogram->restyle(palette());
+      },
+      &CalibrationPage::showLegends);
 }
 
 void CalibrationPage::buildTabs() {
   auto* linesPage = new QWidget(this);
-  auto* lines = new QVBoxLayout(linesPage);
-  lines->setContentsMargins(0, 6, 0, 0);
-  lines->addWidget(m_lines, 3);
-  lines->addWidget(m_linesLegend);
-  m_fitTable = makeTable(m_fits, QHeaderView::Stretch, this);
-  lines->addWidget(m_fitTable, 2);
+  m_fitTable = say(makeTable(m_fits, QHeaderView::Stretch, this), {.name = QT_TR_NOOP("Lines")});
+  inColumn({{m_lines, 3}, m_linesLegend, {m_fitTable, 2}}, linesPage, QMargins(0, 6, 0, 0));
   auto* spreadPage = new QWidget(this);
-  auto* spread = new QVBoxLayout(spreadPage);
-  spread->setContentsMargins(0, 6, 0, 0);
-  m_seriesTable = makeTable(m_series, QHeaderView::ResizeToContents, this);
-  spread->addWidget(m_seriesTable, 3);
-  spread->addWidget(m_histogram, 3);
-  spread->addWidget(m_histogramLegend);
+  m_seriesTable = say(makeTable(m_series, QHeaderView::ResizeToContents, this),
+                      {.name = QT_TR_NOOP("Spread (times in ms)")});
+  inColumn({{m_seriesTable, 3}, {m_histogram, 3}, m_histogramLegend}, spreadPage,
+           QMargins(0, 6, 0, 0));
   m_tabs->addTab(linesPage, QString());
   m_tabs->addTab(spreadPage, QString());
+  say(m_tabs, {.items = {QT_TR_NOOP("Lines"), QT_TR_NOOP("Spread (times in ms)")}});
   m_tabs->setDocumentMode(true);
 }
 
@@ -159,7 +124,6 @@ void CalibrationPage::connectFields() {
     m_confirm->setChecked(false);  // once: the next time somebody else may use them
     Q_EMIT calibrationRequested(chosen);
   });
-  connect(m_cancel, &QPushButton::clicked, this, &CalibrationPage::cancelRequested);
   connect(m_seriesTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &CalibrationPage::showSelected);
 }
@@ -237,36 +201,18 @@ void CalibrationPage::showSelected() {
 }
 
 void CalibrationPage::retranslate() {
-  m_cellsName->setText(tr("Cells"));
-  m_to->setText(tr("to"));
-  m_shotsName->setText(tr("Shots of each kind"));
-  m_budgetName->setText(tr("At most"));
   m_budget->setSuffix(QStringLiteral(" min"));
-  m_budget->setSpecialValueText(tr("no limit"));
-  m_arrays->setText(tr("Arrays too: for the test, the cells hold other values for a moment"));
   m_confirm->setText(
       tr("No program, cycle or other client uses R%1 to R%2: they may be written")
           .arg(QString::number(m_firstCell->value()), QString::number(m_lastCell->value())));
-  m_start->setText(tr("Calibrate"));
-  m_cancel->setText(tr("Cancel"));
   for (QPushButton* button : {m_start, m_cancel}) {
     button->setMinimumWidth(button->sizeHint().width() + kButtonRoomPx);
   }
-  m_tabs->setTabText(0, tr("Lines"));
-  m_tabs->setTabText(1, tr("Spread (times in ms)"));
-  m_fitTable->setAccessibleName(tr("Lines"));
-  m_seriesTable->setAccessibleName(tr("Spread (times in ms)"));
   m_fits->refresh();
   m_series->refresh();
   m_lines->retranslate();
   m_histogram->retranslate();
   refresh();
-  showLegends();
-}
-
-void CalibrationPage::restyle() {
-  m_lines->restyle(palette());
-  m_histogram->restyle(palette());
   showLegends();
 }
 

@@ -14,7 +14,6 @@
 #include "widgets/common/page.h"
 
 class QCheckBox;
-class QGroupBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -55,7 +54,6 @@ class CalibrationPage final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   void buildTabs();
@@ -71,21 +69,19 @@ class CalibrationPage final : public Page {
   bool m_outdated = false;
   std::optional<streaming::CalibrationProgress> m_progressShown;
 
-  QLabel* m_cellsName;
+  QLabel* m_cellsName = label({.text = QT_TR_NOOP("Cells")});
   WholeNumberField* m_firstCell;
-  QLabel* m_to;
   WholeNumberField* m_lastCell;
-  QLabel* m_shotsName;
   WholeNumberField* m_shots;
-  QLabel* m_budgetName;
   WholeNumberField* m_budget;
-  QCheckBox* m_arrays;
-  QCheckBox* m_confirm;
-  QPushButton* m_start;
+  QCheckBox* m_arrays = checkBox(
+      {.text = QT_TR_NOOP("Arrays too: for the test, the cells hold other values for a moment")});
+  QCheckBox* m_confirm = checkBox({});
+  QPushButton* m_start = button({.text = QT_TR_NOOP("Calibrate")});
   QProgressBar* m_progress;
-  QPushButton* m_cancel;
-  StatusLabel* m_hint;
-  StatusLabel* m_state;
+  QPushButton* m_cancel = button({.text = QT_TR_NOOP("Cancel")}, &CalibrationPage::cancelRequested);
+  StatusLabel* m_hint = status({.wraps = true});
+  StatusLabel* m_state = status({.wraps = true});
   QTabWidget* m_tabs;
   LinesChart* m_lines;
   LegendStrip* m_linesLegend;

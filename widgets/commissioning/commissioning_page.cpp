@@ -5,18 +5,15 @@
 
 #include <QCheckBox>
 #include <QFontDatabase>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "widgets/calibration/access_source.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
-#include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
 
@@ -31,46 +28,33 @@ constexpr int kCellMost = 100'000;
 
 CommissioningPage::CommissioningPage(QWidget* parent)
     : Page(parent),
-      m_verdict(new StatusLabel(this)),
-      m_explanation(new QLabel(this)),
-      m_cellName(new QLabel(this)),
-      m_cell(new WholeNumberField(this)),
-      m_confirmed(new QCheckBox(this)),
-      m_byHand(new QCheckBox(this)),
-      m_program(new QPlainTextEdit(this)),
-      m_start(makeTouchButton(this)),
-      m_cancel(makeTouchButton(this)),
+      m_cell(whole(0, kCellMost, {.name = QT_TR_NOOP("First R-parameter of the test")})),
+      m_program(say(new QPlainTextEdit(this), {.name = QT_TR_NOOP("Test program")})),
       m_blockedLabel(new StatusLabel(this, StatusLabel::Elided{2})),
-      m_checks(new QVBoxLayout),
-      m_machine(makeValueLabel(this)) {
+      m_checks(new QVBoxLayout) {
   m_verdict->setEmphasis(14.0, true);
-  m_verdict->setWordWrap(true);
-  m_explanation->setWordWrap(true);
-  m_machine->setWordWrap(true);
-  m_cell->setRange(0, kCellMost);
   m_program->setReadOnly(true);
   m_program->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   m_program->setMinimumHeight(120);
-  auto* cells = new QHBoxLayout;
-  cells->addWidget(m_cellName);
-  cells->addWidget(m_cell);
-  cells->addWidget(m_confirmed, 1);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_start);
-  buttons->addWidget(m_cancel);
-  buttons->addWidget(m_blockedLabel, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_verdict);
-  layout->addWidget(m_machine);
-  layout->addWidget(m_explanation);
-  layout->addLayout(cells);
-  layout->addWidget(m_byHand);
+  auto* cells = inRow({label({.text = QT_TR_NOOP("First R-parameter"), .isMuted = true}),
+                       m_cell,
+                       {m_confirmed, 1}});
+  auto* layout = inColumn(
+      {m_verdict, m_machine,
+       label(
+           {.text = QT_TR_NOOP(
+                "Method credit lets the axes move on while the next window is on its way. That is "
+                "safe only on a control that answers while its axes are busy. This test finds out: "
+                "a program that moves no axis, for a few seconds. The channel must be in reset."),
+            .wraps = true}),
+       cells, m_byHand},
+      this);
   for (StatusLabel*& step : m_steps) {
     step = new StatusLabel(this);
     step->setWordWrap(true);
     layout->addWidget(step);
   }
-  layout->addLayout(buttons);
+  layout->addLayout(inRow({m_start, m_cancel, {m_blockedLabel, 1}}));
   layout->addLayout(m_checks);
   layout->addWidget(m_program, 1);
   connect(m_cell, &WholeNumberField::valueChanged, this, [this] {
@@ -85,9 +69,7 @@ CommissioningPage::CommissioningPage(QWidget* parent)
     m_confirmed->setChecked(false);
     Q_EMIT testRequested(m_cell->value(), m_byHand->isChecked());
   });
-  connect(m_cancel, &QPushButton::clicked, this, &CommissioningPage::cancelRequested);
   retranslate();
-  restyle();
 }
 
 void CommissioningPage::setTest(const std::optional<streaming::CreditTest>& test, bool isOutdated) {
@@ -114,28 +96,12 @@ void CommissioningPage::setBlocked(const QString& why) {
 }
 
 void CommissioningPage::retranslate() {
-  m_explanation->setText(tr(
-      "Method credit lets the axes move on while the next window is on its way. That is safe only "
-      "on a control that answers while its axes are busy. This test finds out: a program that "
-      "moves no axis, for a few seconds. The channel must be in reset."));
-  m_cellName->setText(tr("First R-parameter"));
-  m_cell->setAccessibleName(tr("First R-parameter of the test"));
   m_confirmed->setText(
       tr("Nobody else uses R%1 to R%2").arg(m_cell->value()).arg(m_cell->value() + kCells - 1));
-  m_byHand->setText(tr("I bring the program to the control myself"));
-  m_start->setText(tr("Start the test"));
-  m_cancel->setText(tr("Cancel"));
   m_program->setPlainText(QString::fromStdString(streaming::commissioningProgram(m_cell->value())));
-  m_program->setAccessibleName(tr("Test program"));
   showSteps();
   showResult();
   showButtons();
-}
-
-void CommissioningPage::restyle() {
-  setMuted(m_cellName, palette());
-  setMuted(m_machine, palette());
-  m_start->setIcon(themedIcon(QStringLiteral("play"), themeColors(palette()).text));
 }
 
 void CommissioningPage::showSteps() {

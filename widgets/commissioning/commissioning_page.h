@@ -44,7 +44,6 @@ class CommissioningPage final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   void showSteps();
@@ -53,19 +52,18 @@ class CommissioningPage final : public Page {
   /// What has to be seen, as a sentence; of a check that is not known here, what the test said.
   [[nodiscard]] static QString checkText(const streaming::CommissioningCheck& check);
 
-  StatusLabel* m_verdict;
-  QLabel* m_explanation;
-  QLabel* m_cellName;
+  StatusLabel* m_verdict = status({.wraps = true});
   WholeNumberField* m_cell;
-  QCheckBox* m_confirmed;
-  QCheckBox* m_byHand;
+  QCheckBox* m_confirmed = checkBox({});
+  QCheckBox* m_byHand = checkBox({.text = QT_TR_NOOP("I bring the program to the control myself")});
   std::array<StatusLabel*, 4> m_steps{};
   QPlainTextEdit* m_program;
-  QPushButton* m_start;
-  QPushButton* m_cancel;
+  QPushButton* m_start = button({.text = QT_TR_NOOP("Start the test"), .icon = "play"});
+  QPushButton* m_cancel =
+      button({.text = QT_TR_NOOP("Cancel")}, &CommissioningPage::cancelRequested);
   StatusLabel* m_blockedLabel;
   QVBoxLayout* m_checks;
-  QLabel* m_machine;
+  QLabel* m_machine = value({.isMuted = true, .wraps = true});
 
   std::optional<streaming::CreditTest> m_test;
   bool m_isOutdated = false;

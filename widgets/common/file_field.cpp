@@ -4,7 +4,6 @@
 #include "widgets/common/file_field.h"
 
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
 
@@ -18,10 +17,7 @@ FileField::FileField(const QString& name, QWidget* parent)
   m_edit->setObjectName(name);
   m_choose->setObjectName(name + QStringLiteral("-choose"));
   m_edit->setMinimumHeight(kTouchHeightPx);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(m_edit, 1);
-  row->addWidget(m_choose);
+  inRow({{m_edit, 1}, m_choose}, this, QMargins(0, 0, 0, 0));
   setFocusProxy(m_edit);
   connect(m_edit, &QLineEdit::returnPressed, this, &FileField::submitted);
   connect(m_choose, &QPushButton::clicked, this, &FileField::choose);

@@ -7,9 +7,9 @@
 #include <QSignalBlocker>
 #include <QTabBar>
 #include <QTabWidget>
-#include <QVBoxLayout>
 
 #include "widgets/common/folding_columns.h"
+#include "widgets/common/parts.h"
 #include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
@@ -18,10 +18,7 @@ FoldingTabs::FoldingTabs(QWidget* parent)
     : QWidget(parent), m_list(new QComboBox(this)), m_tabs(new QTabWidget(this)) {
   m_list->setObjectName(QStringLiteral("tabList"));
   m_list->setMinimumHeight(kTouchHeightPx);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_list);
-  layout->addWidget(m_tabs, 1);
+  inColumn({m_list, {m_tabs, 1}}, this, QMargins(0, 0, 0, 0));
   connect(m_list, &QComboBox::activated, m_tabs, &QTabWidget::setCurrentIndex);
   connect(m_tabs, &QTabWidget::currentChanged, m_list, &QComboBox::setCurrentIndex);
 }

@@ -4,14 +4,10 @@
 #include "widgets/common/help_page.h"
 
 #include <QAbstractTextDocumentLayout>
-#include <QHBoxLayout>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextBrowser>
-
-#include "widgets/common/icons.h"
-#include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
 
@@ -39,27 +35,16 @@ class Manual final : public QTextBrowser {
 }  // namespace
 
 HelpPage::HelpPage(const QString& folder, QWidget* parent)
-    : Page(parent),
-      m_back(makeTouchButton(this)),
-      m_close(makeTouchButton(this)),
-      m_text(new Manual(this)) {
+    : Page(parent), m_text(say(new Manual(this), {.name = QT_TR_NOOP("Manual")})) {
   m_text->setSearchPaths({folder});
   m_text->setOpenExternalLinks(false);
   QFont font = m_text->font();
   font.setPointSizeF(kTextPt);
   m_text->setFont(font);
-  auto* head = new QHBoxLayout;
-  head->addWidget(m_back);
-  head->addStretch();
-  head->addWidget(m_close);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(head);
-  layout->addWidget(m_text, 1);
+  inColumn({inRow({m_back, spring(), m_close}), {m_text, 1}}, this);
   m_back->setEnabled(false);
   connect(m_text, &QTextBrowser::backwardAvailable, m_back, &QPushButton::setEnabled);
   connect(m_back, &QPushButton::clicked, m_text, &QTextBrowser::backward);
-  connect(m_close, &QPushButton::clicked, this, &HelpPage::closeRequested);
-  retranslate();
   restyle();
 }
 
@@ -80,14 +65,7 @@ QString HelpPage::headingShown() const {
   return m_text->textCursor().block().text();
 }
 
-void HelpPage::retranslate() {
-  m_back->setText(tr("Back"));
-  m_close->setText(tr("Close"));
-  m_text->setAccessibleName(tr("Manual"));
-}
-
 void HelpPage::restyle() {
-  m_close->setIcon(themedIcon(QStringLiteral("dismiss"), themeColors(palette()).text));
   if (!m_text->source().isEmpty()) {
     m_text->reload();  // links have the colour they were made with
   }

@@ -29,12 +29,12 @@ class HelpPage final : public Page {
   void closeRequested();
 
  protected:
-  void retranslate() override;
   void restyle() override;
 
  private:
-  QPushButton* m_back;
-  QPushButton* m_close;
+  QPushButton* m_back = button({.text = QT_TR_NOOP("Back")});
+  QPushButton* m_close =
+      button({.text = QT_TR_NOOP("Close"), .icon = "dismiss"}, &HelpPage::closeRequested);
   QTextBrowser* m_text;
 };
 

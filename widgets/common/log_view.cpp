@@ -8,7 +8,6 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -23,7 +22,6 @@
 
 #include "widgets/alarms/alarm_text.h"
 #include "widgets/common/diagnostic_text.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
 
@@ -118,29 +116,14 @@ LogView::LogView(QWidget* parent)
     : Page(parent),
       m_model(new LogModel(this)),
       m_filter(new LogFilter(m_model, this)),
-      m_table(new QTableView(this)),
-      m_severity(new QComboBox(this)),
-      m_source(new QComboBox(this)),
-      m_search(new QLineEdit(this)),
-      m_wrap(new QCheckBox(this)),
-      m_count(new QLabel(this)),
-      m_copy(makeTouchButton(this)),
-      m_save(makeTouchButton(this)) {
+      m_table(say(new QTableView(this), {.name = QT_TR_NOOP("Messages")})) {
   m_table->setModel(m_filter);
   styleTable(m_table);
   m_table->setColumnWidth(LogModel::Time, 210);
   m_table->setColumnWidth(LogModel::SeverityColumn, 120);
   m_table->setColumnWidth(LogModel::SourceColumn, 120);
   m_table->horizontalHeader()->setStretchLastSection(true);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_copy);
-  buttons->addWidget(m_save);
-  buttons->addStretch();
-  buttons->addWidget(m_count);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(makeFilters());
-  layout->addWidget(m_table, 1);
-  layout->addLayout(buttons);
+  inColumn({makeFilters(), {m_table, 1}, inRow({m_copy, m_save, spring(), m_count})}, this);
   connectFilters();
   connect(m_copy, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(toText()); });
@@ -152,13 +135,11 @@ LogView::LogView(QWidget* parent)
     }
   });
   retranslate();
-  restyle();
+  onTheme([this] { m_model->setColors(palette()); });
 }
 
 QWidget* LogView::makeFilters() {
   auto* filters = new QWidget(this);
-  auto* row = new QHBoxLayout(filters);
-  row->setContentsMargins(0, 0, 0, 0);
   for (QWidget* field : std::initializer_list<QWidget*>{m_severity, m_source, m_search}) {
     field->setMinimumHeight(kTouchHeightPx);
   }
@@ -166,10 +147,7 @@ QWidget* LogView::makeFilters() {
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   }
   m_search->setClearButtonEnabled(true);
-  row->addWidget(m_severity);
-  row->addWidget(m_source);
-  row->addWidget(m_search, 1);
-  row->addWidget(m_wrap);
+  inRow({m_severity, m_source, {m_search, 1}, m_wrap}, filters, QMargins(0, 0, 0, 0));
   return filters;
 }
 
@@ -247,23 +225,8 @@ void LogView::retranslate() {
     sources << sourceText(source);
   }
   setTexts(m_source, sources);
-  m_severity->setAccessibleName(tr("Severity"));
-  m_source->setAccessibleName(tr("Source"));
-  m_search->setPlaceholderText(tr("Search"));
-  m_search->setAccessibleName(tr("Search"));
-  m_wrap->setText(tr("Wrap lines"));
-  m_table->setAccessibleName(tr("Messages"));
-  m_copy->setText(tr("Copy"));
-  m_save->setText(tr("Save…"));
   m_model->refresh();
   showCount();
-}
-
-void LogView::restyle() {
-  const QColor color = themeColors(palette()).text;
-  m_copy->setIcon(themedIcon(QStringLiteral("copy"), color));
-  m_save->setIcon(themedIcon(QStringLiteral("save"), color));
-  m_model->setColors(palette());
 }
 
 }  // namespace rivulet::widgets

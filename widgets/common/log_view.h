@@ -66,7 +66,6 @@ class LogView final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   [[nodiscard]] QWidget* makeFilters();
@@ -77,13 +76,14 @@ class LogView final : public Page {
   LogModel* m_model;
   LogFilter* m_filter;
   QTableView* m_table;
-  QComboBox* m_severity;
-  QComboBox* m_source;
-  QLineEdit* m_search;
-  QCheckBox* m_wrap;
-  QLabel* m_count;
-  QPushButton* m_copy;
-  QPushButton* m_save;
+  QComboBox* m_severity = list({.name = QT_TR_NOOP("Severity")});
+  QComboBox* m_source = list({.name = QT_TR_NOOP("Source")});
+  QLineEdit* m_search =
+      lineEdit({.name = QT_TR_NOOP("Search"), .placeholder = QT_TR_NOOP("Search")});
+  QCheckBox* m_wrap = checkBox({.text = QT_TR_NOOP("Wrap lines")});
+  QLabel* m_count = label({});
+  QPushButton* m_copy = button({.text = QT_TR_NOOP("Copy"), .icon = "copy"});
+  QPushButton* m_save = button({.text = QT_TR_NOOP("Save…"), .icon = "save"});
   QTimer m_wrapTimer;  ///< the height of rows follows the width of the table after a rest
 };
 

@@ -21,15 +21,12 @@ namespace {
 /// Below this width the buttons have a row of their own.
 constexpr int kOneRowWidthPx = 980;
 constexpr int kStripeWidthPx = 4;
-constexpr const char* kIconProperty = "rivuletIcon";
 
 }  // namespace
 
 NoticeBar::NoticeBar(QWidget* parent)
     : Page(parent),
       m_rows(new QGridLayout(this)),
-      m_icon(new QLabel(this)),
-      m_text(makeValueLabel(this)),
       m_buttons(new QWidget(this)),
       m_buttonRow(new QHBoxLayout(m_buttons)) {
   m_rows->setContentsMargins(12, 4, 12, 4);
@@ -38,7 +35,6 @@ NoticeBar::NoticeBar(QWidget* parent)
   m_rows->setColumnStretch(1, 1);
   m_buttonRow->setContentsMargins(0, 0, 0, 0);
   m_buttonRow->setSpacing(12);
-  m_text->setWordWrap(true);
   m_text->setMinimumWidth(0);
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   arrange();
@@ -60,22 +56,16 @@ void NoticeBar::setIcon(const QString& name) {
   NoticeBar::restyle();
 }
 
-QPushButton* NoticeBar::addButton(const QString& objectName, const QString& icon) {
-  QPushButton* button = makeTouchButton(m_buttons);
-  add(button, objectName, icon);
-  return button;
+QPushButton* NoticeBar::addButton(const Part& part) {
+  QPushButton* made = button(part);
+  m_buttonRow->addWidget(made);
+  return made;
 }
 
-HoldButton* NoticeBar::addHoldButton(const QString& objectName, const QString& icon) {
-  auto* button = new HoldButton(m_buttons);
-  add(button, objectName, icon);
-  return button;
-}
-
-void NoticeBar::add(QPushButton* button, const QString& objectName, const QString& icon) {
-  button->setObjectName(objectName);
-  button->setProperty(kIconProperty, icon);
-  m_buttonRow->addWidget(button);
+HoldButton* NoticeBar::addHoldButton(const Part& part) {
+  auto* made = say(new HoldButton(m_buttons), part);
+  m_buttonRow->addWidget(made);
+  return made;
 }
 
 void NoticeBar::arrange() {
@@ -102,9 +92,6 @@ void NoticeBar::restyle() {
   m_icon->setPixmap(iconPixmap(isOwn ? m_iconName : statusIconName(m_status),
                                isOwn ? colors.text : statusColor(m_status, palette()), 24,
                                devicePixelRatioF()));
-  for (QPushButton* button : m_buttons->findChildren<QPushButton*>()) {
-    button->setIcon(themedIcon(button->property(kIconProperty).toString(), colors.text));
-  }
   update();
 }
 

@@ -31,24 +31,23 @@ class NoticeBar : public Page {
   void setNotice(Status status, const QString& text);
   /// Another icon than that of the status. @param name  empty: that of the status
   void setIcon(const QString& name);
-  /// A button at the right, after those before. @param icon  its name
-  QPushButton* addButton(const QString& objectName, const QString& icon);
-  HoldButton* addHoldButton(const QString& objectName, const QString& icon);
+  /// A button at the right, after those before.
+  QPushButton* addButton(const Part& part);
+  HoldButton* addHoldButton(const Part& part);
 
   void restyle() override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void add(QPushButton* button, const QString& objectName, const QString& icon);
   /// Text and buttons side by side, or on a narrow window one above the other.
   void arrange();
 
   Status m_status = Status::Busy;
   QString m_iconName;
   QGridLayout* m_rows;
-  QLabel* m_icon;
-  QLabel* m_text;
+  QLabel* m_icon = label({});
+  QLabel* m_text = value({.wraps = true});
   QWidget* m_buttons;
   QHBoxLayout* m_buttonRow;
 };

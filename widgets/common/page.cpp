@@ -14,7 +14,7 @@
 
 namespace rivulet::widgets {
 
-Page::Page(QWidget* parent) : QWidget(parent) {
+Page::Page(QWidget* parent) : QWidget(parent), Parts(static_cast<QWidget*>(this)) {
 }
 
 void Page::changeEvent(QEvent* event) {
@@ -26,7 +26,7 @@ void Page::changeEvent(QEvent* event) {
   } else if (event->type() == QEvent::PaletteChange) {
     m_waitsForTheme = canWait();
     if (!m_waitsForTheme) {
-      restyle();
+      followTheme();
     }
   }
   QWidget::changeEvent(event);
@@ -38,15 +38,32 @@ bool Page::event(QEvent* event) {
       followLanguage();
     }
     if (std::exchange(m_waitsForTheme, false)) {
-      restyle();
+      followTheme();
     }
   }
   return QWidget::event(event);
 }
 
+void Page::follow(std::vector<Call>& calls, const Call& call) {
+  calls.push_back(call);
+  call();
+}
+
 void Page::followLanguage() {
   setLocale(QLocale());  // spin boxes show and read numbers in the new language
+  retranslateParts();
+  for (const Call& call : m_onLanguage) {
+    call();
+  }
   retranslate();
+}
+
+void Page::followTheme() {
+  restyleParts();
+  for (const Call& call : m_onTheme) {
+    call();
+  }
+  restyle();
 }
 
 QPushButton* makeTouchButton(QWidget* parent) {

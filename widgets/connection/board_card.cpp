@@ -3,7 +3,6 @@
 
 #include "widgets/connection/board_card.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -47,12 +46,7 @@ void BoardCard::addRows(std::initializer_list<QWidget*> rows) {
   }
   layout->addWidget(m_question);
   layout->addStretch();
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_open, 1);
-  buttons->addWidget(m_remove);
-  buttons->addWidget(m_keep, 1);
-  buttons->addWidget(m_confirm);
-  layout->addLayout(buttons);
+  layout->addLayout(inRow({{m_open, 1}, m_remove, {m_keep, 1}, m_confirm}));
 }
 
 void BoardCard::setRemoval(bool isSame, bool canRemove, const QString& question) {

@@ -7,19 +7,15 @@
 #include <QFontDatabase>
 #include <QGridLayout>
 #include <QGroupBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableView>
-#include <QVBoxLayout>
 
 #include "widgets/common/error_text.h"
 #include "widgets/common/hold_button.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
-#include "widgets/common/theme.h"
 #include "widgets/connection/certificate_text.h"
 
 namespace rivulet::widgets {
@@ -86,40 +82,45 @@ QString askForCertificateFile(QWidget* parent) {
                                       QStringLiteral("rivulet.der"));
 }
 
-CertificatesPage::CertificatesPage(QWidget* parent)
-    : Page(parent), m_blockedText(new StatusLabel(this)), m_revocation(new QLabel(this)) {
+CertificatesPage::CertificatesPage(QWidget* parent) : Page(parent) {
   setObjectName(QStringLiteral("certificates"));
-  m_blockedText->setWordWrap(true);
-  m_revocation->setWordWrap(true);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_blockedText);
-  layout->addWidget(makeOwn());
-  layout->addWidget(makeServers());
-  layout->addWidget(makeRejected());
-  layout->addWidget(m_revocation);
-  layout->addStretch();
-  retranslate();
-  restyle();
+  inColumn({m_blockedText, makeOwn(), makeServers(), makeRejected(),
+            label({.text = QT_TR_NOOP(
+                       "Only the very certificates that were accepted are trusted, not who issued "
+                       "them. So revocation lists are not needed: forget the machine instead."),
+                   .isMuted = true,
+                   .wraps = true}),
+            spring()},
+           this);
+  onLanguage(
+      [this] {
+        m_servers->refresh();
+        m_rejected->refresh();
+      },
+      &CertificatesPage::fitColumns, &CertificatesPage::showOwn, &CertificatesPage::showButtons);
 }
 
 QWidget* CertificatesPage::makeOwn() {
-  m_ownGroup = new QGroupBox(this);
+  m_ownGroup = group({.text = QT_TR_NOOP("Certificate of this computer")});
   m_days = new StatusLabel(m_ownGroup);
   m_days->setWordWrap(true);
-  m_fingerprintTitle = new QLabel(m_ownGroup);
+  m_fingerprintTitle = label({.text = QT_TR_NOOP("Fingerprint (SHA-256)"), .isMuted = true});
   m_fingerprint = makeValueLabel(m_ownGroup);
   m_fingerprint->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  m_library = new QLabel(m_ownGroup);
-  m_library->setWordWrap(true);
-  m_export = makeTouchButton(m_ownGroup);
-  m_export->setObjectName(QStringLiteral("certificate-export"));
-  m_renew = new HoldButton(m_ownGroup);
-  m_renew->setObjectName(QStringLiteral("certificate-renew"));
-  m_renew->setMinimumHeight(kTouchHeightPx);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_export);
-  buttons->addWidget(m_renew);
-  buttons->addStretch();
+  m_library = label({.isMuted = true, .wraps = true});
+  m_export = button(
+      {.text = QT_TR_NOOP("Save …"),
+       .tip = QT_TR_NOOP(
+           "Writes the certificate, without its key, for the control's list of trusted clients."),
+       .icon = "save",
+       .id = "certificate-export"},
+      &CertificatesPage::chooseFile);
+  m_renew = say(new HoldButton(m_ownGroup),
+                {.text = QT_TR_NOOP("Hold: renew"),
+                 .tip = QT_TR_NOOP("Makes a new one. Every control has to trust it anew."),
+                 .icon = "resume",
+                 .id = "certificate-renew",
+                 .isTouch = true});
   auto* rows = new QGridLayout(m_ownGroup);
   rows->setHorizontalSpacing(16);
   rows->setColumnStretch(1, 1);
@@ -127,31 +128,29 @@ QWidget* CertificatesPage::makeOwn() {
   rows->addWidget(m_fingerprintTitle, 1, 0, Qt::AlignTop);
   rows->addWidget(m_fingerprint, 1, 1);
   rows->addWidget(m_library, 2, 0, 1, 2);
-  rows->addLayout(buttons, 3, 0, 1, 2);
-  connect(m_export, &QPushButton::clicked, this, &CertificatesPage::chooseFile);
+  rows->addLayout(inRow({m_export, m_renew, spring()}), 3, 0, 1, 2);
   connect(m_renew, &HoldButton::held, this, &CertificatesPage::renewRequested);
   return m_ownGroup;
 }
 
 QWidget* CertificatesPage::makeServers() {
-  m_serverGroup = new QGroupBox(this);
+  m_serverGroup = group({.text = QT_TR_NOOP("Machines that are known")});
   m_servers = new ServerModel(this);
-  m_serverTable = new QTableView(m_serverGroup);
-  m_forget = makeTouchButton(m_serverGroup);
-  m_forget->setObjectName(QStringLiteral("server-forget"));
-  m_strengthen = makeTouchButton(m_serverGroup);
-  m_strengthen->setObjectName(QStringLiteral("server-strengthen"));
-  m_serverTable->setObjectName(QStringLiteral("servers"));
+  m_serverTable = say(new QTableView(m_serverGroup),
+                      {.name = QT_TR_NOOP("Machines that are known"), .id = "servers"});
+  m_forget = button({.text = QT_TR_NOOP("Forget"),
+                     .tip = QT_TR_NOOP("At the next connection the machine is new."),
+                     .icon = "clear",
+                     .id = "server-forget"});
+  m_strengthen = button({.text = QT_TR_NOOP("Protect again"),
+                         .tip = QT_TR_NOOP("Withdraws what was allowed for this machine: from then "
+                                           "on, the strongest encryption or no connection."),
+                         .icon = "locked",
+                         .id = "server-strengthen"});
   m_serverTable->setModel(m_servers);
   styleTable(m_serverTable);
   m_serverTable->setMinimumHeight(kTableHeightPx);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_forget);
-  buttons->addWidget(m_strengthen);
-  buttons->addStretch();
-  auto* rows = new QVBoxLayout(m_serverGroup);
-  rows->addWidget(m_serverTable);
-  rows->addLayout(buttons);
+  inColumn({m_serverTable, inRow({m_forget, m_strengthen, spring()})}, m_serverGroup);
   connect(m_serverTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &CertificatesPage::showButtons);
   connect(m_forget, &QPushButton::clicked, this,
@@ -162,25 +161,25 @@ QWidget* CertificatesPage::makeServers() {
 }
 
 QWidget* CertificatesPage::makeRejected() {
-  m_rejectedGroup = new QGroupBox(this);
+  m_rejectedGroup = group({.text = QT_TR_NOOP("Certificates that were refused")});
   m_rejected = new RejectedModel(this);
-  m_rejectedTable = new QTableView(m_rejectedGroup);
-  m_accept = new HoldButton(m_rejectedGroup);
-  m_accept->setObjectName(QStringLiteral("rejected-accept"));
-  m_accept->setMinimumHeight(kTouchHeightPx);
-  m_drop = makeTouchButton(m_rejectedGroup);
-  m_drop->setObjectName(QStringLiteral("rejected-drop"));
-  m_rejectedTable->setObjectName(QStringLiteral("rejected"));
+  m_rejectedTable = say(new QTableView(m_rejectedGroup),
+                        {.name = QT_TR_NOOP("Certificates that were refused"), .id = "rejected"});
+  m_accept = say(
+      new HoldButton(m_rejectedGroup),
+      {.text = QT_TR_NOOP("Hold: accept"),
+       .tip = QT_TR_NOOP("From then on it is trusted at its address, in place of any other one."),
+       .icon = "apply",
+       .id = "rejected-accept",
+       .isTouch = true});
+  m_drop = button({.text = QT_TR_NOOP("Remove"),
+                   .tip = QT_TR_NOOP("Removes it from the list. It stays refused."),
+                   .icon = "clear",
+                   .id = "rejected-drop"});
   m_rejectedTable->setModel(m_rejected);
   styleTable(m_rejectedTable);
   m_rejectedTable->setMinimumHeight(kTableHeightPx);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_accept);
-  buttons->addWidget(m_drop);
-  buttons->addStretch();
-  auto* rows = new QVBoxLayout(m_rejectedGroup);
-  rows->addWidget(m_rejectedTable);
-  rows->addLayout(buttons);
+  inColumn({m_rejectedTable, inRow({m_accept, m_drop, spring()})}, m_rejectedGroup);
   connect(m_rejectedTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &CertificatesPage::showButtons);
   connect(m_accept, &HoldButton::held, this, [this] {
@@ -264,52 +263,6 @@ void CertificatesPage::showButtons() {
   m_strengthen->setEnabled(isOpen && server != nullptr && !server->allowed.empty());
   m_accept->setEnabled(isOpen && chosenRejected() != nullptr);
   m_drop->setEnabled(isOpen && chosenRejected() != nullptr);
-}
-
-void CertificatesPage::retranslate() {
-  m_ownGroup->setTitle(tr("Certificate of this computer"));
-  m_fingerprintTitle->setText(tr("Fingerprint (SHA-256)"));
-  m_export->setText(tr("Save …"));
-  m_export->setToolTip(
-      tr("Writes the certificate, without its key, for the control's list of "
-         "trusted clients."));
-  m_renew->setText(tr("Hold: renew"));
-  m_renew->setToolTip(tr("Makes a new one. Every control has to trust it anew."));
-  m_serverGroup->setTitle(tr("Machines that are known"));
-  m_serverTable->setAccessibleName(tr("Machines that are known"));
-  m_forget->setText(tr("Forget"));
-  m_forget->setToolTip(tr("At the next connection the machine is new."));
-  m_strengthen->setText(tr("Protect again"));
-  m_strengthen->setToolTip(
-      tr("Withdraws what was allowed for this machine: from then on, the strongest encryption or "
-         "no connection."));
-  m_rejectedGroup->setTitle(tr("Certificates that were refused"));
-  m_rejectedTable->setAccessibleName(tr("Certificates that were refused"));
-  m_accept->setText(tr("Hold: accept"));
-  m_accept->setToolTip(tr("From then on it is trusted at its address, in place of any other one."));
-  m_drop->setText(tr("Remove"));
-  m_drop->setToolTip(tr("Removes it from the list. It stays refused."));
-  m_revocation->setText(
-      tr("Only the very certificates that were accepted are trusted, not who issued them. So "
-         "revocation lists are not needed: forget the machine instead."));
-  m_servers->refresh();
-  m_rejected->refresh();
-  fitColumns();
-  showOwn();
-  showButtons();
-}
-
-void CertificatesPage::restyle() {
-  const QColor color = themeColors(palette()).text;
-  m_export->setIcon(themedIcon(QStringLiteral("save"), color));
-  m_renew->setIcon(themedIcon(QStringLiteral("resume"), color));
-  m_forget->setIcon(themedIcon(QStringLiteral("clear"), color));
-  m_strengthen->setIcon(themedIcon(QStringLiteral("locked"), color));
-  m_accept->setIcon(themedIcon(QStringLiteral("apply"), color));
-  m_drop->setIcon(themedIcon(QStringLiteral("clear"), color));
-  for (QLabel* label : {m_fingerprintTitle, m_library, m_revocation}) {
-    setMuted(label, palette());
-  }
 }
 
 }  // namespace rivulet::widgets

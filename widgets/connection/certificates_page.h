@@ -16,7 +16,6 @@
 #include "widgets/common/page.h"
 #include "widgets/common/table_model.h"
 
-class QFormLayout;
 class QGroupBox;
 class QLabel;
 class QPushButton;
@@ -80,10 +79,6 @@ class CertificatesPage final : public Page {
   void acceptRequested(const QString& fingerprint);
   void dropRequested(const QString& fingerprint);
 
- protected:
-  void retranslate() override;
-  void restyle() override;
-
  private:
   QWidget* makeOwn();
   QWidget* makeServers();
@@ -97,7 +92,7 @@ class CertificatesPage final : public Page {
 
   CertificatesView m_view;
   QString m_blocked;
-  StatusLabel* m_blockedText;
+  StatusLabel* m_blockedText = status({.wraps = true});
   QGroupBox* m_ownGroup;
   StatusLabel* m_days;
   QLabel* m_fingerprintTitle;
@@ -115,7 +110,6 @@ class CertificatesPage final : public Page {
   QTableView* m_rejectedTable;
   HoldButton* m_accept;
   QPushButton* m_drop;
-  QLabel* m_revocation;
 };
 
 /// Asks where this computer's certificate is to be saved; empty: nowhere.

@@ -22,35 +22,13 @@ namespace rivulet::widgets {
 
 ConnectionPanel::ConnectionPanel(QWidget* parent)
     : Page(parent),
-      m_connectionGroup(new QGroupBox(this)),
-      m_endpointLabel(new QLabel(this)),
-      m_endpoint(new QLineEdit(this)),
-      m_connect(makeTouchButton(this)),
-      m_connectionStatus(new StatusLabel(this)),
-      m_virtualBadge(new StatusLabel(this)),
-      m_protection(new StatusLabel(this)),
       m_control(new ControlFields(this)),
       m_login(new LoginFields(this)),
-      m_described(new DescribedMachineBox(this)),
-      m_machineGroup(new QGroupBox(this)),
-      m_channelLabel(new QLabel(this)),
-      m_channel(new StatusLabel(this)),
-      m_programStatusLabel(new QLabel(this)),
-      m_programStatus(new StatusLabel(this)),
-      m_programNameLabel(new QLabel(this)),
-      m_programName(makeValueLabel(this)),
-      m_alarmLabel(new QLabel(this)),
-      m_alarm(new StatusLabel(this)),
-      m_messageLabel(new QLabel(this)),
-      m_message(makeValueLabel(this)) {
+      m_described(new DescribedMachineBox(this)) {
   buildConnection();
   buildMachine();
 
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_connectionGroup);
-  layout->addWidget(m_machineGroup);
-  layout->addWidget(m_described);
-  layout->addStretch();
+  inColumn({m_connectionGroup, m_machineGroup, m_described, spring()}, this);
 
   const auto request = [this] {
     if (m_state == ConnectionState::Connected || m_state == ConnectionState::Connecting) {
@@ -69,7 +47,8 @@ ConnectionPanel::ConnectionPanel(QWidget* parent)
   connect(m_login, &LoginFields::submitted, this, submit);
   connect(m_control, &ControlFields::submitted, this, submit);
   connect(m_endpoint, &QLineEdit::textChanged, this, [this] { showConnection(); });
-  retranslate();
+  onLanguage(&ConnectionPanel::showConnection, &ConnectionPanel::showProtection,
+             &ConnectionPanel::showMachine);
   restyle();
 }
 
@@ -81,15 +60,10 @@ void ConnectionPanel::requestConnection() {
 
 void ConnectionPanel::buildConnection() {
   m_endpoint->setText(QString::fromUtf8(opcua::kLocalEndpoint));
-  m_endpointLabel->setBuddy(m_endpoint);
-  m_connect->setObjectName(QStringLiteral("connect"));
   m_connectionStatus->setEmphasis(11.0, true);
-  m_connectionStatus->setWordWrap(true);
-  m_virtualBadge->setWordWrap(true);
-  m_protection->setWordWrap(true);
-  m_protection->setObjectName(QStringLiteral("protection"));
   auto* connection = new QGridLayout(m_connectionGroup);
-  connection->addWidget(m_endpointLabel, 0, 0, 1, 2);
+  connection->addWidget(label({.text = QT_TR_NOOP("OPC UA endpoint"), .isMuted = true}, m_endpoint),
+                        0, 0, 1, 2);
   connection->addWidget(m_endpoint, 1, 0);
   connection->addWidget(m_connect, 1, 1);
   connection->addWidget(m_connectionStatus, 2, 0, 1, 2);
@@ -101,17 +75,13 @@ void ConnectionPanel::buildConnection() {
 }
 
 void ConnectionPanel::buildMachine() {
-  m_programName->setWordWrap(true);
-  m_message->setWordWrap(true);
-  m_alarm->setWordWrap(true);
-  auto* machine = new QFormLayout(m_machineGroup);
-  machine->setLabelAlignment(Qt::AlignLeft);
-  machine->setHorizontalSpacing(16);
-  machine->addRow(m_channelLabel, m_channel);
-  machine->addRow(m_programStatusLabel, m_programStatus);
-  machine->addRow(m_programNameLabel, m_programName);
-  machine->addRow(m_alarmLabel, m_alarm);
-  machine->addRow(m_messageLabel, m_message);
+  auto* machine = new Form(this, m_machineGroup);
+  machine->setRowWrapPolicy(QFormLayout::DontWrapRows);
+  machine->row({.text = QT_TR_NOOP("Channel"), .isMuted = true}, m_channel);
+  machine->row({.text = QT_TR_NOOP("Program"), .isMuted = true}, m_programStatus);
+  machine->row({.text = QT_TR_NOOP("Selected"), .isMuted = true}, m_programName);
+  machine->row({.text = QT_TR_NOOP("Alarm"), .isMuted = true}, m_alarm);
+  machine->row({.text = QT_TR_NOOP("Message"), .isMuted = true}, m_message);
 }
 
 void ConnectionPanel::setEndpoint(const QString& endpoint) {
@@ -147,29 +117,11 @@ void ConnectionPanel::setDisconnectEnabled(bool enabled) {
   showConnection();
 }
 
-void ConnectionPanel::retranslate() {
-  m_connectionGroup->setTitle(tr("Connection"));
-  m_endpointLabel->setText(tr("OPC UA endpoint"));
-  m_machineGroup->setTitle(tr("Machine"));
-  m_channelLabel->setText(tr("Channel"));
-  m_programStatusLabel->setText(tr("Program"));
-  m_programNameLabel->setText(tr("Selected"));
-  m_alarmLabel->setText(tr("Alarm"));
-  m_messageLabel->setText(tr("Message"));
-  showConnection();
-  showProtection();
-  showMachine();
-}
-
 void ConnectionPanel::restyle() {
   const bool connects =
       m_state == ConnectionState::Disconnected || m_state == ConnectionState::Lost;
   m_connect->setIcon(themedIcon(connects ? QStringLiteral("link") : QStringLiteral("unlink"),
                                 themeColors(palette()).text));
-  for (QLabel* label : {m_channelLabel, m_programStatusLabel, m_programNameLabel, m_alarmLabel,
-                        m_messageLabel, m_endpointLabel}) {
-    setMuted(label, palette());
-  }
 }
 
 void ConnectionPanel::showConnection() {

@@ -14,7 +14,6 @@
 #include "widgets/connection/login_fields.h"
 #include "widgets/connection/machine_view.h"
 
-class QFormLayout;
 class QGroupBox;
 class QLabel;
 class QLineEdit;
@@ -52,7 +51,6 @@ class ConnectionPanel final : public Page {
   void disconnectRequested();
 
  protected:
-  void retranslate() override;
   void restyle() override;
 
  private:
@@ -71,28 +69,22 @@ class ConnectionPanel final : public Page {
   MachineView m_machine;
   bool m_disconnectEnabled = true;
 
-  QGroupBox* m_connectionGroup;
-  QLabel* m_endpointLabel;
-  QLineEdit* m_endpoint;
-  QPushButton* m_connect;
-  StatusLabel* m_connectionStatus;
-  StatusLabel* m_virtualBadge;
-  StatusLabel* m_protection;
+  QGroupBox* m_connectionGroup = group({.text = QT_TR_NOOP("Connection")});
+  QLineEdit* m_endpoint = lineEdit();
+  QPushButton* m_connect = button({.id = "connect"});
+  StatusLabel* m_connectionStatus = status({.wraps = true});
+  StatusLabel* m_virtualBadge = status({.wraps = true});
+  StatusLabel* m_protection = status({.id = "protection", .wraps = true});
   ControlFields* m_control;
   LoginFields* m_login;
   DescribedMachineBox* m_described;
 
-  QGroupBox* m_machineGroup;
-  QLabel* m_channelLabel;
-  StatusLabel* m_channel;
-  QLabel* m_programStatusLabel;
-  StatusLabel* m_programStatus;
-  QLabel* m_programNameLabel;
-  QLabel* m_programName;
-  QLabel* m_alarmLabel;
-  StatusLabel* m_alarm;
-  QLabel* m_messageLabel;
-  QLabel* m_message;
+  QGroupBox* m_machineGroup = group({.text = QT_TR_NOOP("Machine")});
+  StatusLabel* m_channel = status();
+  StatusLabel* m_programStatus = status();
+  QLabel* m_programName = value({.wraps = true});
+  StatusLabel* m_alarm = status({.wraps = true});
+  QLabel* m_message = value({.wraps = true});
 };
 
 }  // namespace rivulet::widgets

@@ -45,16 +45,23 @@ class ControlFields final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   void showState();
 
   bool m_hasQtOpcUa = false;
-  QCheckBox* m_isMapped;
+  QCheckBox* m_isMapped =
+      checkBox({.text = QT_TR_NOOP("The control is no SINUMERIK"),
+                .tip = QT_TR_NOOP("A map says under which names this control has its cells, axes "
+                                  "and states. rivulet-cli map proposes one."),
+                .id = "mapped"});
   FileField* m_mapFile;
-  QLabel* m_linkLabel;
-  QComboBox* m_link;
+  QLabel* m_linkLabel = label({.text = QT_TR_NOOP("Library"), .isMuted = true});
+  QComboBox* m_link =
+      list({.tip = QT_TR_NOOP("Which library connects with the machine. Qt OPC UA is slower, does "
+                              "not encrypt, and takes no map and no user."),
+            .name = QT_TR_NOOP("Library"),
+            .id = "link"});
 };
 
 }  // namespace rivulet::widgets

@@ -5,13 +5,11 @@
 
 #include <QFormLayout>
 #include <QGroupBox>
-#include <QLabel>
 #include <QVBoxLayout>
 #include <string>
 
 #include "opcua/machinery.h"
 #include "widgets/common/status_label.h"
-#include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
 
@@ -26,22 +24,21 @@ QString joined(const QString& first, const QString& second) {
 }  // namespace
 
 DescribedMachineBox::DescribedMachineBox(QWidget* parent)
-    : Page(parent), m_group(new QGroupBox(this)), m_form(new QFormLayout(m_group)) {
+    : Page(parent), m_form(new QFormLayout(m_group)) {
   setObjectName(QStringLiteral("describedMachine"));
   m_form->setLabelAlignment(Qt::AlignLeft);
   m_form->setHorizontalSpacing(16);
-  for (int row = 0; row < Rows; ++row) {
-    const auto place = static_cast<std::size_t>(row);
-    m_titles[place] = new QLabel(m_group);
-    m_values[place] = new StatusLabel(m_group);
-    m_values[place]->setWordWrap(true);
-    m_form->addRow(m_titles[place], m_values[place]);
+  std::size_t row = 0;
+  for (const char* title : {QT_TR_NOOP("Machine"), QT_TR_NOOP("Manufacturer"), QT_TR_NOOP("Model"),
+                            QT_TR_NOOP("Serial number"), QT_TR_NOOP("State"), QT_TR_NOOP("Program"),
+                            QT_TR_NOOP("Job")}) {
+    m_values[row] = status({.wraps = true});
+    m_form->addRow(label({.text = title, .isMuted = true}), m_values[row++]);
   }
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_group);
   retranslate();
-  restyle();
 }
 
 void DescribedMachineBox::setMachineState(const MachineView& machine, bool isConnected) {
@@ -51,32 +48,15 @@ void DescribedMachineBox::setMachineState(const MachineView& machine, bool isCon
 }
 
 void DescribedMachineBox::retranslate() {
-  m_group->setTitle(tr("Described by the server"));
-  m_group->setToolTip(
-      tr("What the server says of its machine by OPC 40001-1 (Machinery) and OPC 40501-1 (Machine "
-         "Tools). It is read every 10 s, and not while a run is in progress."));
   setAccessibleName(m_group->title());
-  m_titles[Name]->setText(tr("Machine"));
-  m_titles[Maker]->setText(tr("Manufacturer"));
-  m_titles[Model]->setText(tr("Model"));
-  m_titles[Serial]->setText(tr("Serial number"));
-  m_titles[State]->setText(tr("State"));
-  m_titles[Program]->setText(tr("Program"));
-  m_titles[Job]->setText(tr("Job"));
   showDescription();
-}
-
-void DescribedMachineBox::restyle() {
-  for (QLabel* title : m_titles) {
-    setMuted(title, palette());
-  }
 }
 
 void DescribedMachineBox::showRow(Row row, const QString& text, bool isLive) {
   m_values[row]->setStatus(Status::Plain, text);
   m_values[row]->setOutdated(
       isLive && !(m_machine.describedAgeS && *m_machine.describedAgeS <= kDescribedFreshS));
-  m_form->setRowVisible(m_titles[row], !text.isEmpty());
+  m_form->setRowVisible(m_values[row], !text.isEmpty());
 }
 
 void DescribedMachineBox::showDescription() {

@@ -14,7 +14,6 @@
 
 class QFormLayout;
 class QGroupBox;
-class QLabel;
 
 namespace rivulet::opcua {
 struct DescribedMachine;
@@ -35,7 +34,6 @@ class DescribedMachineBox final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   enum Row { Name, Maker, Model, Serial, State, Program, Job, Rows };
@@ -45,9 +43,12 @@ class DescribedMachineBox final : public Page {
 
   MachineView m_machine;
   bool m_isConnected = false;
-  QGroupBox* m_group;
+  QGroupBox* m_group =
+      group({.text = QT_TR_NOOP("Described by the server"),
+             .tip = QT_TR_NOOP(
+                 "What the server says of its machine by OPC 40001-1 (Machinery) and OPC 40501-1 "
+                 "(Machine Tools). It is read every 10 s, and not while a run is in progress.")});
   QFormLayout* m_form;
-  std::array<QLabel*, Rows> m_titles{};
   std::array<StatusLabel*, Rows> m_values{};
 };
 

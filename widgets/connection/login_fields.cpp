@@ -25,31 +25,14 @@ constexpr int kByCertificate = 1;
 
 LoginFields::LoginFields(QWidget* parent)
     : Page(parent),
-      m_hasUser(new QCheckBox(this)),
-      m_kindLabel(new QLabel(this)),
-      m_kind(new QComboBox(this)),
       m_fields(new QWidget(this)),
-      m_userLabel(new QLabel(m_fields)),
-      m_user(new QLineEdit(m_fields)),
-      m_passwordLabel(new QLabel(m_fields)),
-      m_password(new QLineEdit(m_fields)),
-      m_keeps(new QCheckBox(m_fields)),
       m_files(new QWidget(this)),
       m_certificate(new FileField(QStringLiteral("login-certificate"), m_files)),
-      m_key(new FileField(QStringLiteral("login-key"), m_files)),
-      m_note(new StatusLabel(this)) {
-  m_hasUser->setObjectName(QStringLiteral("login"));
-  m_kind->setObjectName(QStringLiteral("login-kind"));
-  m_user->setObjectName(QStringLiteral("login-user"));
-  m_password->setObjectName(QStringLiteral("login-password"));
-  m_keeps->setObjectName(QStringLiteral("login-keep"));
-  m_note->setObjectName(QStringLiteral("login-note"));
+      m_key(new FileField(QStringLiteral("login-key"), m_files)) {
   m_password->setEchoMode(QLineEdit::Password);
-  m_kind->addItems({QString(), QString()});
   m_kindLabel->setBuddy(m_kind);
   m_userLabel->setBuddy(m_user);
   m_passwordLabel->setBuddy(m_password);
-  m_note->setWordWrap(true);
   for (QWidget* field :
        std::initializer_list<QWidget*>{m_hasUser, m_kind, m_user, m_password, m_keeps}) {
     field->setMinimumHeight(kTouchHeightPx);
@@ -61,10 +44,7 @@ LoginFields::LoginFields(QWidget* parent)
        std::initializer_list<QWidget*>{m_userLabel, m_user, m_passwordLabel, m_password, m_keeps}) {
     fields->addWidget(field);
   }
-  auto* files = new QVBoxLayout(m_files);
-  files->setContentsMargins(0, 4, 0, 0);
-  files->addWidget(m_certificate);
-  files->addWidget(m_key);
+  inColumn({m_certificate, m_key}, m_files, QMargins(0, 4, 0, 0));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
@@ -78,7 +58,6 @@ LoginFields::LoginFields(QWidget* parent)
   connect(m_certificate, &FileField::submitted, this, &LoginFields::submitted);
   connect(m_key, &FileField::submitted, this, &LoginFields::submitted);
   retranslate();
-  restyle();
 }
 
 void LoginFields::setLogin(const LoginView& view) {
@@ -162,13 +141,6 @@ void LoginFields::showState() {
 }
 
 void LoginFields::retranslate() {
-  m_hasUser->setText(tr("Log in as a user of the machine"));
-  m_hasUser->setToolTip(tr("Without it, the connection is anonymous."));
-  m_kindLabel->setText(tr("The user is known by"));
-  m_kind->setAccessibleName(tr("The user is known by"));
-  m_kind->setToolTip(tr("What the machine asks of its users."));
-  m_kind->setItemText(kByPassword, tr("name and password"));
-  m_kind->setItemText(kByCertificate, tr("a certificate"));
   m_certificate->setTexts(tr("Certificate of the user"),
                           tr("PEM or DER. Register it on the machine first. The name of the file "
                              "is remembered for this machine."),
@@ -177,22 +149,7 @@ void LoginFields::retranslate() {
                   tr("PEM or DER, not locked by a password; only this computer's user may read the "
                      "file (mode 0600). The key is not sent."),
                   {});
-  m_userLabel->setText(tr("User"));
-  m_user->setAccessibleName(tr("User"));
-  m_user->setToolTip(tr("User of the OPC UA server, as it is set up on the control."));
-  m_passwordLabel->setText(tr("Password"));
-  m_password->setAccessibleName(tr("Password"));
-  m_password->setToolTip(tr("It is sent encrypted only, and is in no setting, log or recording."));
-  m_keeps->setText(tr("Keep it in the keyring"));
-  m_keeps->setToolTip(
-      tr("The keyring of this computer's user keeps it encrypted; it is not asked for again."));
   showState();
-}
-
-void LoginFields::restyle() {
-  setMuted(m_kindLabel, palette());
-  setMuted(m_userLabel, palette());
-  setMuted(m_passwordLabel, palette());
 }
 
 }  // namespace rivulet::widgets

@@ -64,7 +64,6 @@ class LoginFields final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   void showState();
@@ -73,19 +72,34 @@ class LoginFields final : public Page {
   [[nodiscard]] bool isByCertificate() const;
 
   LoginView m_view;
-  QCheckBox* m_hasUser;
-  QLabel* m_kindLabel;
-  QComboBox* m_kind;
+  QCheckBox* m_hasUser = checkBox({.text = QT_TR_NOOP("Log in as a user of the machine"),
+                                   .tip = QT_TR_NOOP("Without it, the connection is anonymous."),
+                                   .id = "login"});
+  QLabel* m_kindLabel = label({.text = QT_TR_NOOP("The user is known by"), .isMuted = true});
+  QComboBox* m_kind = list({.tip = QT_TR_NOOP("What the machine asks of its users."),
+                            .name = QT_TR_NOOP("The user is known by"),
+                            .items = {QT_TR_NOOP("name and password"), QT_TR_NOOP("a certificate")},
+                            .id = "login-kind"});
   QWidget* m_fields;
-  QLabel* m_userLabel;
-  QLineEdit* m_user;
-  QLabel* m_passwordLabel;
-  QLineEdit* m_password;
-  QCheckBox* m_keeps;
+  QLabel* m_userLabel = label({.text = QT_TR_NOOP("User"), .isMuted = true});
+  QLineEdit* m_user =
+      lineEdit({.tip = QT_TR_NOOP("User of the OPC UA server, as it is set up on the control."),
+                .name = QT_TR_NOOP("User"),
+                .id = "login-user"});
+  QLabel* m_passwordLabel = label({.text = QT_TR_NOOP("Password"), .isMuted = true});
+  QLineEdit* m_password = lineEdit(
+      {.tip = QT_TR_NOOP("It is sent encrypted only, and is in no setting, log or recording."),
+       .name = QT_TR_NOOP("Password"),
+       .id = "login-password"});
+  QCheckBox* m_keeps =
+      checkBox({.text = QT_TR_NOOP("Keep it in the keyring"),
+                .tip = QT_TR_NOOP("The keyring of this computer's user keeps it encrypted; it "
+                                  "is not asked for again."),
+                .id = "login-keep"});
   QWidget* m_files;
   FileField* m_certificate;
   FileField* m_key;
-  StatusLabel* m_note;
+  StatusLabel* m_note = status({.id = "login-note", .wraps = true});
 };
 
 }  // namespace rivulet::widgets

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "widgets/common/icons.h"
-#include "widgets/common/theme.h"
 #include "widgets/connection/connection_state.h"
 
 namespace rivulet::widgets {

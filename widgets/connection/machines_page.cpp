@@ -5,7 +5,6 @@
 
 #include <QCoreApplication>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -17,7 +16,6 @@
 #include "widgets/common/elided_label.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
-#include "widgets/common/theme.h"
 #include "widgets/connection/board_card.h"
 #include "widgets/connection/connection_state.h"
 #include "widgets/connection/service_card.h"
@@ -146,37 +144,17 @@ MachinesPage::MachinesPage(QWidget* parent)
     : Page(parent),
       m_board(new QWidget(this)),
       m_panel(new ServicePanel(this)),
-      m_note(new QLabel(m_board)),
       m_grid(new QGridLayout),
-      m_servicesTitle(makeHeading(m_board)),
       m_serviceGrid(new QGridLayout),
-      m_addLabel(new QLabel(m_board)),
-      m_address(new QLineEdit(m_board)),
-      m_add(makeTouchButton(m_board)),
-      m_search(makeTouchButton(m_board)),
-      m_foundNote(new QLabel(m_board)),
-      m_foundList(new QVBoxLayout),
-      m_leftOverNote(new QLabel(m_board)),
-      m_showLeftOver(makeTouchButton(m_board)) {
-  m_note->setWordWrap(true);
-  m_leftOverNote->setWordWrap(true);
-  m_showLeftOver->setObjectName(QStringLiteral("show-left-over"));
+      m_foundList(new QVBoxLayout) {
   m_showLeftOver->setCheckable(true);
   connect(m_showLeftOver, &QPushButton::toggled, this, [this] { showCards(); });
   m_grid->setSpacing(kCardGapPx);
-  auto* leftOver = new QHBoxLayout;
-  leftOver->addWidget(m_leftOverNote, 1);
-  leftOver->addWidget(m_showLeftOver);
-  auto* board = new QVBoxLayout(m_board);
-  board->setContentsMargins(0, 0, 0, 0);
-  board->addWidget(m_note);
-  board->addLayout(m_grid);
-  board->addLayout(leftOver);
+  auto* board = inColumn({m_note, m_grid, inRow({{m_leftOverNote, 1}, m_showLeftOver})}, m_board,
+                         QMargins(0, 0, 0, 0));
   buildServices(*board);
   board->addStretch(1);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_board, 1);
-  layout->addWidget(m_panel, 1);
+  inColumn({{m_board, 1}, {m_panel, 1}}, this);
   m_panel->hide();
   connect(m_panel, &ServicePanel::closeRequested, this, [this] { openService(QString()); });
   retranslate();
@@ -184,22 +162,11 @@ MachinesPage::MachinesPage(QWidget* parent)
 
 void MachinesPage::buildServices(QVBoxLayout& layout) {
   m_serviceGrid->setSpacing(kCardGapPx);
-  m_address->setObjectName(QStringLiteral("service-address"));
-  m_address->setMinimumHeight(kTouchHeightPx);
   m_address->setPlaceholderText(QStringLiteral("opc.tcp://192.168.214.7:4841"));
   m_addLabel->setBuddy(m_address);
-  m_add->setObjectName(QStringLiteral("service-add"));
-  m_search->setObjectName(QStringLiteral("service-search"));
-  m_foundNote->setObjectName(QStringLiteral("service-found"));
-  m_foundNote->setWordWrap(true);
-  auto* row = new QHBoxLayout;
-  row->addWidget(m_addLabel);
-  row->addWidget(m_address, 1);
-  row->addWidget(m_add);
-  row->addWidget(m_search);
-  layout.addWidget(m_servicesTitle);
+  layout.addWidget(heading({.text = QT_TR_NOOP("Services: machines without a window")}));
   layout.addLayout(m_serviceGrid);
-  layout.addLayout(row);
+  layout.addLayout(inRow({m_addLabel, {m_address, 1}, m_add, m_search}));
   layout.addWidget(m_foundNote);
   layout.addLayout(m_foundList);
   const auto add = [this] {
@@ -384,16 +351,6 @@ void MachinesPage::resizeEvent(QResizeEvent* event) {
 }
 
 void MachinesPage::retranslate() {
-  m_note->setText(
-      tr("One machine at a time is connected with a window. Of the others only the port is looked "
-         "at, every 30 s while this page is shown: a question would cost them time that another "
-         "stream may need."));
-  m_servicesTitle->setText(tr("Services: machines without a window"));
-  m_addLabel->setText(tr("&Address of a service"));
-  m_address->setAccessibleName(tr("Address of a service"));
-  m_address->setToolTip(tr("As rivulet-service prints it when it is ready."));
-  m_add->setText(tr("Add"));
-  m_search->setText(tr("Search"));
   for (MachineCard* card : m_cards) {
     card->show(MachineCardView(card->view()), m_blocked);
   }

@@ -94,18 +94,25 @@ class MachinesPage final : public Page {
 
   QWidget* m_board;
   ServicePanel* m_panel;
-  QLabel* m_note;
+  QLabel* m_note = label(
+      {.text = QT_TR_NOOP("One machine at a time is connected with a window. Of the others "
+                          "only the port is looked at, every 30 s while this page is shown: a "
+                          "question would cost them time that another stream may need."),
+       .wraps = true});
   QGridLayout* m_grid;
-  QLabel* m_servicesTitle;
   QGridLayout* m_serviceGrid;
-  QLabel* m_addLabel;
-  QLineEdit* m_address;
-  QPushButton* m_add;
-  QPushButton* m_search;
-  QLabel* m_foundNote;
+  QLabel* m_addLabel = label({.text = QT_TR_NOOP("&Address of a service")});
+  QLineEdit* m_address =
+      lineEdit({.tip = QT_TR_NOOP("As rivulet-service prints it when it is ready."),
+                .name = QT_TR_NOOP("Address of a service"),
+                .id = "service-address",
+                .isTouch = true});
+  QPushButton* m_add = button({.text = QT_TR_NOOP("Add"), .id = "service-add"});
+  QPushButton* m_search = button({.text = QT_TR_NOOP("Search"), .id = "service-search"});
+  QLabel* m_foundNote = label({.id = "service-found", .wraps = true});
   QVBoxLayout* m_foundList;
-  QLabel* m_leftOverNote;
-  QPushButton* m_showLeftOver;
+  QLabel* m_leftOverNote = label({.wraps = true});
+  QPushButton* m_showLeftOver = button({.id = "show-left-over"});
   std::vector<MachineCardView> m_machines;
   std::vector<MachineCard*> m_cards;
   std::vector<ServiceView> m_services;

@@ -5,17 +5,13 @@
 
 #include <QCoreApplication>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <string_view>
 
 #include "widgets/common/error_text.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/status_label.h"
-#include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
 
@@ -28,40 +24,26 @@ QString translated(std::string_view sentence) {
 
 }  // namespace
 
-RightsPage::RightsPage(QWidget* parent)
-    : Page(parent),
-      m_intro(new QLabel(this)),
-      m_examine(makeTouchButton(this)),
-      m_outcome(new StatusLabel(this)),
-      m_rows(new QGridLayout),
-      m_excess(makeValueLabel(this)) {
+RightsPage::RightsPage(QWidget* parent) : Page(parent), m_rows(new QGridLayout) {
   setObjectName(QStringLiteral("rights"));
-  m_examine->setObjectName(QStringLiteral("rights-examine"));
-  m_outcome->setObjectName(QStringLiteral("rights-outcome"));
-  m_intro->setWordWrap(true);
-  m_outcome->setWordWrap(true);
   m_outcome->setEmphasis(11.0, true);
-  m_excess->setWordWrap(true);
   m_rows->setHorizontalSpacing(16);
   m_rows->setVerticalSpacing(8);
   m_rows->setColumnStretch(2, 1);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_examine);
-  buttons->addWidget(m_outcome, 1);
-  auto* layout = new QVBoxLayout(this);
+  auto* layout =
+      inColumn({label({.text = QT_TR_NOOP("Asks the control which of the rights that a run needs "
+                                          "the user of this connection has. Nothing is changed."),
+                       .isMuted = true,
+                       .wraps = true}),
+                inRow({m_examine, {m_outcome, 1}}), m_rows, m_excess, spring()},
+               this);
   layout->setSpacing(10);
-  layout->addWidget(m_intro);
-  layout->addLayout(buttons);
-  layout->addLayout(m_rows);
-  layout->addWidget(m_excess);
-  layout->addStretch();
   connect(m_examine, &QPushButton::clicked, this, [this] {
     m_isAsking = true;
     showReport();
     Q_EMIT examineRequested();
   });
-  retranslate();
-  restyle();
+  onLanguage(&RightsPage::showReport);
 }
 
 void RightsPage::setReport(const std::optional<opcua::RightsReport>& report,
@@ -155,20 +137,6 @@ void RightsPage::showReport() {
         tr("The server does not tell which other rights this user has. Look at the "
            "list of users on the control."));
   }
-}
-
-void RightsPage::retranslate() {
-  m_intro->setText(
-      tr("Asks the control which of the rights that a run needs the user of this "
-         "connection has. Nothing is changed."));
-  m_examine->setText(tr("Check the rights"));
-  showReport();
-}
-
-void RightsPage::restyle() {
-  m_examine->setIcon(themedIcon(QStringLiteral("user"), themeColors(palette()).text));
-  setMuted(m_intro, palette());
-  setMuted(m_excess, palette());
 }
 
 }  // namespace rivulet::widgets

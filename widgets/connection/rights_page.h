@@ -35,10 +35,6 @@ class RightsPage final : public Page {
  Q_SIGNALS:
   void examineRequested();
 
- protected:
-  void retranslate() override;
-  void restyle() override;
-
  private:
   void showReport();
   void addRow(const opcua::RightFinding& finding);
@@ -47,13 +43,13 @@ class RightsPage final : public Page {
   base::Error m_error;
   QString m_blocked;
   bool m_isAsking = false;
-  QLabel* m_intro;
-  QPushButton* m_examine;
-  StatusLabel* m_outcome;
+  QPushButton* m_examine =
+      button({.text = QT_TR_NOOP("Check the rights"), .icon = "user", .id = "rights-examine"});
+  StatusLabel* m_outcome = status({.id = "rights-outcome", .wraps = true});
   QGridLayout* m_rows;
   int m_nextRow = 0;
   std::vector<QWidget*> m_shown;
-  QLabel* m_excess;
+  QLabel* m_excess = value({.isMuted = true, .wraps = true});
 };
 
 }  // namespace rivulet::widgets

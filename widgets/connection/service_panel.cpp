@@ -3,7 +3,6 @@
 
 #include "widgets/connection/service_panel.h"
 
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -31,64 +30,23 @@ constexpr int kServiceButtonWidthPxMin = 130;
 
 ServicePanel::ServicePanel(QWidget* parent)
     : Page(parent),
-      m_back(makeTouchButton(this)),
       m_title(new ElidedLabel(1, this)),
-      m_where(new ElidedLabel(1, this)),
-      m_state(new StatusLabel(this)),
-      m_alarm(new StatusLabel(this)),
+      m_where(say(new ElidedLabel(1, this), {.isMuted = true})),
       m_work(new QWidget(this)),
-      m_program(makeValueLabel(m_work)),
-      m_progress(new QProgressBar(m_work)),
-      m_points(makeValueLabel(m_work)),
-      m_waiting(new StatusLabel(m_work)),
-      m_position(makeValueLabel(m_work)),
-      m_message(makeValueLabel(m_work)),
-      m_fileLabel(new QLabel(m_work)),
-      m_file(new QLineEdit(m_work)),
-      m_load(makeTouchButton(m_work)),
-      m_preflightTitle(makeHeading(m_work)),
-      m_preflight(makeValueLabel(m_work)),
-      m_reply(new StatusLabel(m_work)),
-      m_whose(new QLabel(m_work)),
-      m_stop(makeTouchButton(m_work)),
-      m_hold(makeTouchButton(m_work)),
-      m_resume(makeTouchButton(m_work)),
-      m_start(new HoldButton(m_work)),
-      m_whoIs(new StatusLabel(m_work)),
-      m_login(makeTouchButton(m_work)),
-      m_fields(new QWidget(m_work)),
-      m_userLabel(new QLabel(m_fields)),
-      m_user(new QLineEdit(m_fields)),
-      m_pinLabel(new QLabel(m_fields)),
-      m_pin(new QLineEdit(m_fields)),
-      m_enter(makeTouchButton(m_fields)) {
+      m_progress(say(new QProgressBar(m_work), {.name = QT_TR_NOOP("Progress")})),
+      m_start(say(new HoldButton(m_work), {.icon = "play", .id = "panel-start"})),
+      m_fields(new QWidget(m_work)) {
   setObjectName(QStringLiteral("service"));
   QFont font = m_title->font();
   font.setBold(true);
   font.setPointSizeF(font.pointSizeF() * 1.3);
   m_title->setFont(font);
   m_state->setEmphasis(14.0, true);
-  m_state->setWordWrap(true);
   for (StatusLabel* label : {m_alarm, m_waiting, m_reply, m_whoIs}) {
     label->setWordWrap(true);
   }
-  m_message->setWordWrap(true);
-  m_preflight->setWordWrap(true);
-  m_whose->setWordWrap(true);
-  m_state->setObjectName(QStringLiteral("panel-state"));
-  m_alarm->setObjectName(QStringLiteral("panel-alarm"));
-  m_reply->setObjectName(QStringLiteral("panel-reply"));
-  m_preflight->setObjectName(QStringLiteral("panel-preflight"));
-  m_points->setObjectName(QStringLiteral("panel-points"));
-  m_whoIs->setObjectName(QStringLiteral("panel-user"));
-  m_back->setObjectName(QStringLiteral("panel-back"));
-  auto* head = new QHBoxLayout;
-  auto* names = new QVBoxLayout;
+  auto* names = inColumn({m_title, m_where});
   names->setSpacing(0);
-  names->addWidget(m_title);
-  names->addWidget(m_where);
-  head->addWidget(m_back);
-  head->addLayout(names, 1);
   buildFacts();
   buildLogin();
   auto* buttons = new QHBoxLayout;
@@ -107,22 +65,13 @@ ServicePanel::ServicePanel(QWidget* parent)
     button->setMinimumWidth(kServiceButtonWidthPxMin);
     button->setIconSize(QSize(24, 24));
   }
-  m_stop->setObjectName(QStringLiteral("panel-stop"));
-  m_hold->setObjectName(QStringLiteral("panel-hold"));
-  m_resume->setObjectName(QStringLiteral("panel-resume"));
-  m_start->setObjectName(QStringLiteral("panel-start"));
   auto* work = qobject_cast<QVBoxLayout*>(m_work->layout());
   work->addWidget(m_preflightTitle);
   work->addWidget(m_preflight);
   work->addWidget(m_reply);
   work->addWidget(m_whose);
   work->addLayout(buttons);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(head);
-  layout->addWidget(m_state);
-  layout->addWidget(m_alarm);
-  layout->addWidget(m_work);
-  layout->addStretch(1);
+  inColumn({inRow({m_back, {names, 1}}), m_state, m_alarm, m_work, spring(1)}, this);
 
   // As the rows stand.
   const std::initializer_list<QWidget*> order{m_back,  m_file, m_load, m_login,  m_user, m_pin,
@@ -131,7 +80,6 @@ ServicePanel::ServicePanel(QWidget* parent)
     setTabOrder(*at, *(at + 1));
   }
 
-  connect(m_back, &QPushButton::clicked, this, &ServicePanel::closeRequested);
   connect(m_stop, &QPushButton::clicked, this,
           [this] { Q_EMIT callRequested(QStringLiteral("Stop"), {}); });
   connect(m_hold, &QPushButton::clicked, this, [this] {
@@ -154,8 +102,8 @@ ServicePanel::ServicePanel(QWidget* parent)
   });
   connect(m_file, &QLineEdit::textChanged, this, &ServicePanel::showButtons);
   connect(m_file, &QLineEdit::returnPressed, m_load, &QPushButton::click);
-  retranslate();
-  restyle();
+  onLanguage(&ServicePanel::showAll);
+  onTheme(&ServicePanel::showButtons);
 }
 
 void ServicePanel::buildFacts() {
@@ -165,23 +113,12 @@ void ServicePanel::buildFacts() {
                                                       m_position, m_message}) {
     work->addWidget(row);
   }
-  m_file->setObjectName(QStringLiteral("panel-file"));
-  m_file->setMinimumHeight(kTouchHeightPx);
   m_fileLabel->setBuddy(m_file);
-  m_load->setObjectName(QStringLiteral("panel-load"));
-  auto* file = new QHBoxLayout;
-  file->addWidget(m_fileLabel);
-  file->addWidget(m_file, 1);
-  file->addWidget(m_load);
-  work->addLayout(file);
+  work->addLayout(inRow({m_fileLabel, {m_file, 1}, m_load}));
 }
 
 void ServicePanel::buildLogin() {
-  m_login->setObjectName(QStringLiteral("panel-login"));
   m_login->setCheckable(true);
-  m_user->setObjectName(QStringLiteral("panel-name"));
-  m_pin->setObjectName(QStringLiteral("panel-pin"));
-  m_enter->setObjectName(QStringLiteral("panel-enter"));
   m_pin->setEchoMode(QLineEdit::Password);
   m_userLabel->setBuddy(m_user);
   m_pinLabel->setBuddy(m_pin);
@@ -194,11 +131,8 @@ void ServicePanel::buildLogin() {
   }
   fields->addWidget(m_enter);
   m_fields->hide();
-  auto* who = new QHBoxLayout;
-  who->addWidget(m_whoIs, 1);
-  who->addWidget(m_login);
   auto* work = qobject_cast<QVBoxLayout*>(m_work->layout());
-  work->addLayout(who);
+  work->addLayout(inRow({{m_whoIs, 1}, m_login}));
   work->addWidget(m_fields);
   connect(m_login, &QPushButton::toggled, this, [this](bool isOpen) {
     m_fields->setVisible(isOpen);
@@ -206,7 +140,6 @@ void ServicePanel::buildLogin() {
       (m_user->text().isEmpty() ? m_user : m_pin)->setFocus();
     }
   });
-  connect(m_enter, &QPushButton::clicked, this, &ServicePanel::logIn);
   connect(m_pin, &QLineEdit::returnPressed, this, &ServicePanel::logIn);
 }
 
@@ -404,44 +337,6 @@ void ServicePanel::showButtons() {
   m_load->setEnabled(m_file->isEnabled() && !m_file->text().trimmed().isEmpty());
   m_login->setEnabled(m_view.isKnown());
   m_login->setText(m_view.user.isEmpty() ? tr("Log in …") : tr("Change user …"));
-}
-
-void ServicePanel::retranslate() {
-  m_back->setText(tr("All machines"));
-  m_back->setToolTip(tr("Back to the board. The run goes on."));
-  m_stop->setText(tr("Stop"));
-  m_stop->setToolTip(
-      tr("Ends the run of this machine after the window in motion. It does not replace the "
-         "machine's emergency stop."));
-  m_hold->setToolTip(tr("The machine waits before the next window until you press Continue."));
-  m_resume->setText(tr("Resume …"));
-  m_resume->setToolTip(tr("Asks the control where the run was left. Nothing moves yet."));
-  m_fileLabel->setText(tr("&Program"));
-  m_file->setPlaceholderText(tr("file in the folder of the service"));
-  m_file->setToolTip(tr("The service reads it in its folder of programs."));
-  m_file->setAccessibleName(tr("Program"));
-  m_load->setText(tr("Load"));
-  m_load->setToolTip(tr("The service reads the program and judges it. Nothing moves."));
-  m_login->setToolTip(tr("This service has users: log in before you give it commands."));
-  m_userLabel->setText(tr("&Name"));
-  m_pinLabel->setText(tr("P&IN"));
-  m_user->setToolTip(tr("A user of the service; empty: nobody."));
-  m_pin->setToolTip(tr("It is not kept."));
-  m_enter->setText(tr("Log in"));
-  m_enter->setToolTip(tr("Connects again as this user."));
-  m_progress->setAccessibleName(tr("Progress"));
-  showAll();
-}
-
-void ServicePanel::restyle() {
-  const QColor color = themeColors(palette()).text;
-  m_start->setIcon(themedIcon(QStringLiteral("play"), color));
-  m_stop->setIcon(themedIcon(QStringLiteral("stop"), color));
-  m_resume->setIcon(themedIcon(QStringLiteral("resume"), color));
-  setMuted(m_where, palette());
-  setMuted(m_message, palette());
-  setMuted(m_whose, palette());
-  showButtons();
 }
 
 }  // namespace rivulet::widgets

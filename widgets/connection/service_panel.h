@@ -48,10 +48,6 @@ class ServicePanel final : public Page {
   void declined();
   void exportRequested();
 
- protected:
-  void retranslate() override;
-  void restyle() override;
-
  private:
   enum class Offer { None, Start, Resume };
 
@@ -76,38 +72,66 @@ class ServicePanel final : public Page {
   QString m_answer;  ///< the last one that was no preflight
   bool m_isRefused = false;
 
-  QPushButton* m_back;
+  QPushButton* m_back = button({.text = QT_TR_NOOP("All machines"),
+                                .tip = QT_TR_NOOP("Back to the board. The run goes on."),
+                                .id = "panel-back"},
+                               &ServicePanel::closeRequested);
   ElidedLabel* m_title;
   ElidedLabel* m_where;
-  StatusLabel* m_state;
-  StatusLabel* m_alarm;
+  StatusLabel* m_state = status({.id = "panel-state", .wraps = true});
+  StatusLabel* m_alarm = status({.id = "panel-alarm"});
   TrustSheet* m_trust = nullptr;  ///< only while something is asked
   QWidget* m_work;
-  QLabel* m_program;
+  QLabel* m_program = value();
   QProgressBar* m_progress;
-  QLabel* m_points;
-  StatusLabel* m_waiting;
-  QLabel* m_position;
-  QLabel* m_message;
-  QLabel* m_fileLabel;
-  QLineEdit* m_file;
-  QPushButton* m_load;
-  QLabel* m_preflightTitle;
-  QLabel* m_preflight;
-  StatusLabel* m_reply;
-  QLabel* m_whose;  ///< the buttons
-  QPushButton* m_stop;
-  QPushButton* m_hold;
-  QPushButton* m_resume;
+  QLabel* m_points = value({.id = "panel-points"});
+  StatusLabel* m_waiting = status();
+  QLabel* m_position = value();
+  QLabel* m_message = value({.isMuted = true, .wraps = true});
+  QLabel* m_fileLabel = label({.text = QT_TR_NOOP("&Program")});
+  QLineEdit* m_file =
+      lineEdit({.tip = QT_TR_NOOP("The service reads it in its folder of programs."),
+                .name = QT_TR_NOOP("Program"),
+                .placeholder = QT_TR_NOOP("file in the folder of the service"),
+                .id = "panel-file",
+                .isTouch = true});
+  QPushButton* m_load =
+      button({.text = QT_TR_NOOP("Load"),
+              .tip = QT_TR_NOOP("The service reads the program and judges it. Nothing moves."),
+              .id = "panel-load"});
+  QLabel* m_preflightTitle = heading();
+  QLabel* m_preflight = value({.id = "panel-preflight", .wraps = true});
+  StatusLabel* m_reply = status({.id = "panel-reply"});
+  QLabel* m_whose = label({.isMuted = true, .wraps = true});  ///< the buttons
+  QPushButton* m_stop =
+      button({.text = QT_TR_NOOP("Stop"),
+              .tip = QT_TR_NOOP("Ends the run of this machine after the window in motion. It "
+                                "does not replace the machine's emergency stop."),
+              .icon = "stop",
+              .id = "panel-stop"});
+  QPushButton* m_hold = button(
+      {.tip = QT_TR_NOOP("The machine waits before the next window until you press Continue."),
+       .id = "panel-hold"});
+  QPushButton* m_resume =
+      button({.text = QT_TR_NOOP("Resume …"),
+              .tip = QT_TR_NOOP("Asks the control where the run was left. Nothing moves yet."),
+              .icon = "resume",
+              .id = "panel-resume"});
   HoldButton* m_start;
-  StatusLabel* m_whoIs;
-  QPushButton* m_login;
+  StatusLabel* m_whoIs = status({.id = "panel-user"});
+  QPushButton* m_login =
+      button({.tip = QT_TR_NOOP("This service has users: log in before you give it commands."),
+              .id = "panel-login"});
   QWidget* m_fields;
-  QLabel* m_userLabel;
-  QLineEdit* m_user;
-  QLabel* m_pinLabel;
-  QLineEdit* m_pin;
-  QPushButton* m_enter;
+  QLabel* m_userLabel = label({.text = QT_TR_NOOP("&Name")});
+  QLineEdit* m_user =
+      lineEdit({.tip = QT_TR_NOOP("A user of the service; empty: nobody."), .id = "panel-name"});
+  QLabel* m_pinLabel = label({.text = QT_TR_NOOP("P&IN")});
+  QLineEdit* m_pin = lineEdit({.tip = QT_TR_NOOP("It is not kept."), .id = "panel-pin"});
+  QPushButton* m_enter = button({.text = QT_TR_NOOP("Log in"),
+                                 .tip = QT_TR_NOOP("Connects again as this user."),
+                                 .id = "panel-enter"},
+                                &ServicePanel::logIn);
 };
 
 }  // namespace rivulet::widgets

@@ -6,14 +6,11 @@
 #include <QButtonGroup>
 #include <QFontDatabase>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QVBoxLayout>
 
 #include "widgets/common/hold_button.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/certificate_text.h"
 #include "widgets/connection/connection_state.h"
@@ -29,56 +26,32 @@ bool isOnSheet(const TrustQuestion& question) {
 
 TrustSheet::TrustSheet(QWidget* parent)
     : Page(parent),
-      m_title(makeHeading(this)),
-      m_meaning(new StatusLabel(this)),
-      m_decline(makeTouchButton(this)),
-      m_accept(new HoldButton(this)),
-      m_obstacle(new QLabel(this)),
+      m_accept(say(
+          new HoldButton(this),
+          {.tip = QT_TR_NOOP("Hold it for one second, with the mouse, a finger or the space bar."),
+           .icon = "link",
+           .id = "trust-accept",
+           .isTouch = true})),
       m_rows(new QGridLayout),
-      m_choices(new QButtonGroup(this)),
-      m_machineSide(makeValueLabel(this)),
-      m_export(makeTouchButton(this)) {
+      m_choices(new QButtonGroup(this)) {
   setObjectName(QStringLiteral("trust-sheet"));
   QFont font = m_title->font();
   font.setPointSizeF(16.0);
   m_title->setFont(font);
-  m_title->setWordWrap(true);
-  m_meaning->setWordWrap(true);
   m_meaning->setEmphasis(11.0, false);
-  m_obstacle->setWordWrap(true);
-  m_machineSide->setWordWrap(true);
-  m_decline->setObjectName(QStringLiteral("trust-decline"));
-  m_accept->setObjectName(QStringLiteral("trust-accept"));
-  m_accept->setMinimumHeight(kTouchHeightPx);
-  m_export->setObjectName(QStringLiteral("trust-export"));
   m_rows->setHorizontalSpacing(16);
   m_rows->setVerticalSpacing(8);
   m_rows->setColumnStretch(1, 1);
   m_rows->setColumnStretch(2, 1);
-  auto* buttons = new QHBoxLayout;
+  auto* buttons = inRow({m_decline, m_accept, {m_obstacle, 1}, spring()});
   buttons->setSpacing(16);
-  buttons->addWidget(m_decline);
-  buttons->addWidget(m_accept);
-  buttons->addWidget(m_obstacle, 1);
-  buttons->addStretch();
-  auto* exports = new QHBoxLayout;
-  exports->addWidget(m_export);
-  exports->addStretch();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(16, 8, 16, 8);
+  auto* layout = inColumn(
+      {m_title, m_meaning, buttons, m_rows, m_machineSide, inRow({m_export, spring()}), spring()},
+      this, QMargins(16, 8, 16, 8));
   layout->setSpacing(10);
-  layout->addWidget(m_title);
-  layout->addWidget(m_meaning);
-  layout->addLayout(buttons);
-  layout->addLayout(m_rows);
-  layout->addWidget(m_machineSide);
-  layout->addLayout(exports);
-  layout->addStretch();
-  connect(m_decline, &QPushButton::clicked, this, &TrustSheet::declined);
   connect(m_accept, &HoldButton::held, this, &TrustSheet::accept);
-  connect(m_export, &QPushButton::clicked, this, &TrustSheet::exportRequested);
   retranslate();
-  restyle();
+  onTheme([this] { retranslate(); });
 }
 
 void TrustSheet::setQuestion(std::shared_ptr<const TrustQuestion> question) {
@@ -290,8 +263,6 @@ void TrustSheet::showMachineSide() {
 }
 
 void TrustSheet::retranslate() {
-  m_decline->setText(tr("Do not connect"));
-  m_export->setText(tr("Save this computer's certificate …"));
   clearRows();
   if (!m_question || !isOnSheet(*m_question)) {
     return;
@@ -301,7 +272,6 @@ void TrustSheet::retranslate() {
   m_meaning->setStatus(m_question->kind == Kind::NewServer ? Status::Plain : Status::Attention,
                        meaning());
   m_accept->setText(isProtection ? tr("Hold: allow and connect") : tr("Hold: accept and connect"));
-  m_accept->setToolTip(tr("Hold it for one second, with the mouse, a finger or the space bar."));
   const QString reason = obstacle();
   m_obstacle->setText(reason);
   m_obstacle->setVisible(!reason.isEmpty());
@@ -312,13 +282,6 @@ void TrustSheet::retranslate() {
     showCertificate();
   }
   showMachineSide();
-}
-
-void TrustSheet::restyle() {
-  m_decline->setIcon(themedIcon(QStringLiteral("dismiss"), themeColors(palette()).text));
-  m_accept->setIcon(themedIcon(QStringLiteral("link"), themeColors(palette()).text));
-  m_export->setIcon(themedIcon(QStringLiteral("save"), themeColors(palette()).text));
-  retranslate();  // rows have colours of their own
 }
 
 }  // namespace rivulet::widgets

@@ -54,7 +54,6 @@ class TrustSheet final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   void clearRows();
@@ -71,18 +70,23 @@ class TrustSheet final : public Page {
   std::shared_ptr<const opcua::TrustQuestion> m_question;
   std::optional<opcua::CertificateFacts> m_own;
   QString m_blocked;
-  QLabel* m_title;
-  StatusLabel* m_meaning;
-  QPushButton* m_decline;
+  QLabel* m_title = heading({.wraps = true});
+  StatusLabel* m_meaning = status({.wraps = true});
+  QPushButton* m_decline =
+      button({.text = QT_TR_NOOP("Do not connect"), .icon = "dismiss", .id = "trust-decline"},
+             &TrustSheet::declined);
   HoldButton* m_accept;
-  QLabel* m_obstacle;
+  QLabel* m_obstacle = label({.wraps = true});
   QGridLayout* m_rows;
   int m_nextRow = 0;
   std::vector<QWidget*> m_shown;
   QButtonGroup* m_choices;
   int m_chosen = 0;  ///< index in the question's choices
-  QLabel* m_machineSide;
-  QPushButton* m_export;
+  QLabel* m_machineSide = value({.wraps = true});
+  QPushButton* m_export = button({.text = QT_TR_NOOP("Save this computer's certificate …"),
+                                  .icon = "save",
+                                  .id = "trust-export"},
+                                 &TrustSheet::exportRequested);
 };
 
 }  // namespace rivulet::widgets

@@ -8,7 +8,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMimeData>
@@ -17,7 +16,6 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <QUrl>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -70,21 +68,10 @@ QTableView* makeTable(QAbstractItemModel* model, const char* name, QWidget* pare
 
 EmulatorPage::EmulatorPage(QWidget* parent)
     : Page(parent),
-      m_note(new StatusLabel(this)),
-      m_add(makeTouchButton(this)),
-      m_learn(makeTouchButton(this)),
-      m_cancel(makeTouchButton(this)),
-      m_save(makeTouchButton(this)),
-      m_bar(new QProgressBar(this)),
+      m_bar(
+          say(new QProgressBar(this), {.name = QT_TR_NOOP("Progress"), .id = "emulatorProgress"})),
       m_tabs(new FoldingTabs(this)) {
   setAcceptDrops(true);
-  m_note->setObjectName(QStringLiteral("emulatorNote"));
-  m_note->setWordWrap(true);
-  m_add->setObjectName(QStringLiteral("emulatorAdd"));
-  m_learn->setObjectName(QStringLiteral("emulatorLearn"));
-  m_cancel->setObjectName(QStringLiteral("emulatorCancel"));
-  m_save->setObjectName(QStringLiteral("emulatorSave"));
-  m_bar->setObjectName(QStringLiteral("emulatorProgress"));
   m_bar->setRange(0, kBarSteps);
   m_tabs->tabs()->setObjectName(QStringLiteral("emulatorTabs"));
   m_tabs->tabs()->setDocumentMode(true);
@@ -94,18 +81,13 @@ EmulatorPage::EmulatorPage(QWidget* parent)
   m_tabs->addPage(makeTests());
   m_tabs->addPage(makeMatrix());
   m_tabs->addPage(m_overlay);
-  auto* top = new QHBoxLayout;
-  top->addWidget(m_note, 1, Qt::AlignVCenter);
-  for (QPushButton* button : {m_add, m_learn, m_cancel, m_save}) {
-    top->addWidget(button);
-  }
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(top);
-  layout->addWidget(m_bar);
-  layout->addWidget(m_tabs, 1);
+  inColumn({inRow({{m_note, 1, Qt::AlignVCenter}, m_add, m_learn, m_cancel, m_save}),
+            m_bar,
+            {m_tabs, 1}},
+           this);
   connectParts();
   retranslate();
-  restyle();
+  onTheme([this] { m_curve->update(); });
 }
 
 EmulatorPage::~EmulatorPage() = default;
@@ -143,48 +125,44 @@ QWidget* EmulatorPage::makeRecordings() {
         },
         true}},
       this);
-  m_recordingTable = makeTable(m_recordingModel, "emulatorRecordings", page);
+  m_recordingTable = say(makeTable(m_recordingModel, "emulatorRecordings", page),
+                         {.tip = QT_TR_NOOP("Enter changes the use of a recording"),
+                          .name = QT_TR_NOOP("Recordings")});
   m_recordingTable->setMinimumHeight(kRecordingTablePx);
   m_recordingTable->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  m_program = makeTouchButton(page);
-  m_program->setObjectName(QStringLiteral("emulatorProgram"));
-  m_use = makeTouchButton(page);
-  m_use->setObjectName(QStringLiteral("emulatorUse"));
-  m_remove = makeTouchButton(page);
-  m_remove->setObjectName(QStringLiteral("emulatorRemove"));
-  m_presetName = new QLabel(page);
-  m_presetList = new QComboBox(page);
-  m_presetList->setObjectName(QStringLiteral("emulatorPreset"));
-  m_presetList->setMinimumHeight(kTouchHeightPx);
+  m_program =
+      button({.text = QT_TR_NOOP("NC program…"),
+              .tip = QT_TR_NOOP("The program that ran: needed for a recording without set points"),
+              .id = "emulatorProgram"},
+             &EmulatorPage::chooseProgram);
+  m_use = button(
+      {.tip = QT_TR_NOOP("A recording used to test is not learned from"), .id = "emulatorUse"});
+  m_remove = button({.text = QT_TR_NOOP("Remove"),
+                     .tip = QT_TR_NOOP("Takes the recording from the list; the file stays"),
+                     .id = "emulatorRemove"});
+  m_presetList = list({.tip = QT_TR_NOOP("Preset that has the limits of the machine; set points of "
+                                         "programs are planned with them"),
+                       .name = QT_TR_NOOP("What recordings do not say"),
+                       .id = "emulatorPreset",
+                       .isTouch = true});
   m_presetList->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_presetList->setMinimumContentsLength(12);
-  m_presetName->setBuddy(m_presetList);
-  m_curve = new CurveChart(AxisScale::Even, AxisScale::Logarithmic, page);
-  m_curve->setObjectName(QStringLiteral("emulatorCurve"));
+  m_curve =
+      say(new CurveChart(AxisScale::Even, AxisScale::Logarithmic, page), {.id = "emulatorCurve"});
   m_curve->setMinimumHeight(kCurvePx);
   m_curve->setCounts();
-  auto* actions = new QHBoxLayout;
-  for (QPushButton* button : {m_program, m_use, m_remove}) {
-    actions->addWidget(button);
-  }
-  actions->addStretch();
-  auto* preset = new QHBoxLayout;
-  preset->addWidget(m_presetName);
-  preset->addWidget(m_presetList);
-  preset->addStretch();
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(4, 6, 4, 4);
-  layout->addWidget(m_recordingTable, 1);
-  layout->addLayout(actions);
-  layout->addLayout(preset);
-  layout->addWidget(m_curve, 1);
+  inColumn({{m_recordingTable, 1},
+            inRow({m_program, m_use, m_remove, spring()}),
+            inRow({label({.text = QT_TR_NOOP("What recordings do not say")}, m_presetList),
+                   m_presetList, spring()}),
+            {m_curve, 1}},
+           page, QMargins(4, 6, 4, 4));
   return page;
 }
 
 QWidget* EmulatorPage::makeParameters() {
   auto* page = new QWidget(this);
-  m_remark = new StatusLabel(page);
-  m_remark->setObjectName(QStringLiteral("emulatorRemark"));
+  m_remark = status({.id = "emulatorRemark"});
   m_remark->setWordWrap(true);
   const auto withUnit = [](const QString& text, emulator::AxisParameter parameter) {
     const QString unit = parameterUnit(parameter);
@@ -212,35 +190,27 @@ QWidget* EmulatorPage::makeParameters() {
        {[] { return tr("Meaning"); },
         [](const ParameterRow& row) { return parameterMeaning(row.estimate.parameter); }}},
       this);
-  m_parameterTable = makeTable(m_parameterModel, "emulatorParameters", page);
+  m_parameterTable = say(makeTable(m_parameterModel, "emulatorParameters", page),
+                         {.name = QT_TR_NOOP("Parameters")});
   m_parameterTable->setWordWrap(true);
   m_parameterTable->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   m_parameterTable->horizontalHeader()->setSectionResizeMode(m_parameterModel->columnCount() - 1,
                                                              QHeaderView::Stretch);
   m_parameterTable->setMinimumHeight(kRecordingTablePx);
-  m_more = makeTouchButton(page);
-  m_more->setObjectName(QStringLiteral("emulatorMore"));
+  m_more = button({.text = QT_TR_NOOP("Bode and step plots"),
+                   .tip = QT_TR_NOOP("For those who know control engineering"),
+                   .id = "emulatorMore"});
   m_more->setCheckable(true);
-  m_response = new ResponsePanel(page);
-  m_response->setObjectName(QStringLiteral("emulatorResponse"));
+  m_response = say(new ResponsePanel(page), {.id = "emulatorResponse"});
   m_response->hide();
-  auto* more = new QHBoxLayout;
-  more->addWidget(m_more);
-  more->addStretch();
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(4, 6, 4, 4);
-  layout->addWidget(m_remark);
-  layout->addWidget(m_parameterTable, 1);
-  layout->addLayout(more);
-  layout->addWidget(m_response, 1);
+  inColumn({m_remark, {m_parameterTable, 1}, inRow({m_more, spring()}), {m_response, 1}}, page,
+           QMargins(4, 6, 4, 4));
   return page;
 }
 
 QWidget* EmulatorPage::makeTests() {
   auto* page = new QWidget(this);
-  m_stretches = makeValueLabel(page);
-  m_stretches->setObjectName(QStringLiteral("emulatorStretches"));
-  m_stretches->setWordWrap(true);
+  m_stretches = value({.id = "emulatorStretches", .wraps = true});
   m_testModel = new TableModel<TestRow>(
       {{[] { return tr("Recording"); },
         [](const TestRow& row) { return QString::fromStdString(row.fit.name); }},
@@ -257,26 +227,22 @@ QWidget* EmulatorPage::makeTests() {
        {[] { return tr("Speed, %"); },
         [](const TestRow& row) { return significantText(1e2 * row.fit.speedRmsShare, 2); }, true}},
       this);
-  m_testTable = makeTable(m_testModel, "emulatorTests", page);
+  m_testTable = say(makeTable(m_testModel, "emulatorTests", page), {.name = QT_TR_NOOP("Tests")});
   m_testTable->setMinimumHeight(kRecordingTablePx);
   m_testTable->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(4, 6, 4, 4);
-  layout->addWidget(m_stretches);
-  layout->addWidget(m_testTable, 1);
+  inColumn({m_stretches, {m_testTable, 1}}, page, QMargins(4, 6, 4, 4));
   return page;
 }
 
 QWidget* EmulatorPage::makeMatrix() {
   auto* page = new QWidget(this);
-  m_compare = makeTouchButton(page);
-  m_compare->setObjectName(QStringLiteral("emulatorCompare"));
+  m_compare = button({.text = QT_TR_NOOP("Compare recordings"),
+                      .tip = QT_TR_NOOP("Takes at most as long as learning, for each recording"),
+                      .id = "emulatorCompare"});
   m_matrixText = makeValueLabel(page);
   m_worthText = makeValueLabel(page);
-  m_matrix = new HeatMap(page);
-  m_matrix->setObjectName(QStringLiteral("emulatorMatrix"));
-  m_worth = new BoxPlot(page);
-  m_worth->setObjectName(QStringLiteral("emulatorWorth"));
+  m_matrix = say(new HeatMap(page), {.id = "emulatorMatrix"});
+  m_worth = say(new BoxPlot(page), {.id = "emulatorWorth"});
   auto* charts = new QGridLayout;
   charts->setHorizontalSpacing(16);
   int column = 0;
@@ -289,22 +255,11 @@ QWidget* EmulatorPage::makeMatrix() {
     ++column;
   }
   charts->setRowStretch(1, 1);
-  auto* top = new QHBoxLayout;
-  top->addWidget(m_compare);
-  top->addStretch();
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(4, 6, 4, 4);
-  layout->addLayout(top);
-  layout->addLayout(charts, 1);
+  inColumn({inRow({m_compare, spring()}), {charts, 1}}, page, QMargins(4, 6, 4, 4));
   return page;
 }
 
 void EmulatorPage::connectParts() {
-  connect(m_add, &QPushButton::clicked, this, &EmulatorPage::chooseRecordings);
-  connect(m_program, &QPushButton::clicked, this, &EmulatorPage::chooseProgram);
-  connect(m_save, &QPushButton::clicked, this, &EmulatorPage::chooseFileToSave);
-  connect(m_learn, &QPushButton::clicked, this, &EmulatorPage::learnRequested);
-  connect(m_cancel, &QPushButton::clicked, this, &EmulatorPage::cancelRequested);
   connect(m_compare, &QPushButton::clicked, this, [this] {
     forgetNews();
     Q_EMIT compareRequested();
@@ -667,34 +622,9 @@ void EmulatorPage::refresh() {
 }
 
 void EmulatorPage::retranslate() {
-  const auto label = [](QPushButton* button, const QString& text, const QString& tip) {
-    button->setText(text);
-    button->setAccessibleName(text);
-    button->setToolTip(tip);
-  };
-  label(m_add, tr("Add…"), tr("Add recordings of the machine"));
-  label(m_learn, tr("Learn"), tr("Learn from the recordings how the axes follow their set points"));
-  label(m_cancel, tr("Cancel"), tr("Stop learning; what was learned before stays"));
-  label(m_save, tr("Save…"), tr("Save the emulator as a preset of the virtual machine"));
-  label(m_program, tr("NC program…"),
-        tr("The program that ran: needed for a recording without set points"));
-  m_use->setToolTip(tr("A recording used to test is not learned from"));
-  label(m_remove, tr("Remove"), tr("Takes the recording from the list; the file stays"));
-  label(m_compare, tr("Compare recordings"),
-        tr("Takes at most as long as learning, for each recording"));
-  label(m_more, tr("Bode and step plots"), tr("For those who know control engineering"));
-  m_bar->setAccessibleName(tr("Progress"));
-  m_presetName->setText(tr("What recordings do not say"));
-  m_presetList->setAccessibleName(m_presetName->text());
-  m_presetList->setToolTip(tr(
-      "Preset that has the limits of the machine; set points of programs are planned with them"));
   m_presetList->setItemText(m_presetList->count() - 1, tr("File…"));
   m_curve->setTitles(tr("Error on stretches held out, while learning"), tr("Models tried"),
                      tr("Error, µm"));
-  m_recordingTable->setAccessibleName(tr("Recordings"));
-  m_recordingTable->setToolTip(tr("Enter changes the use of a recording"));
-  m_parameterTable->setAccessibleName(tr("Parameters"));
-  m_testTable->setAccessibleName(tr("Tests"));
   m_matrix->setTitles(tr("Matrix of errors"), tr("Tested on"),
                       tr("Learned from (error RMS in µm)"));
   m_worth->setTitles(tr("Worth of the parameters"), tr("Change of the positions, RMS, µm"));
@@ -707,10 +637,6 @@ void EmulatorPage::retranslate() {
   showCurve();
   showResult();
   refresh();
-}
-
-void EmulatorPage::restyle() {
-  m_curve->update();
 }
 
 void EmulatorPage::dragEnterEvent(QDragEnterEvent* event) {

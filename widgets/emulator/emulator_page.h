@@ -24,7 +24,6 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 class QTableView;
-class QVBoxLayout;
 
 namespace rivulet::widgets {
 
@@ -77,7 +76,6 @@ class EmulatorPage final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -127,11 +125,25 @@ class EmulatorPage final : public Page {
   std::shared_ptr<const EmulatorView> m_emulator;
   emulator::CrossTest m_crossTest;
 
-  StatusLabel* m_note;
-  QPushButton* m_add;
-  QPushButton* m_learn;
-  QPushButton* m_cancel;
-  QPushButton* m_save;
+  StatusLabel* m_note = status({.id = "emulatorNote", .wraps = true});
+  QPushButton* m_add = button({.text = QT_TR_NOOP("Add…"),
+                               .tip = QT_TR_NOOP("Add recordings of the machine"),
+                               .id = "emulatorAdd"},
+                              &EmulatorPage::chooseRecordings);
+  QPushButton* m_learn =
+      button({.text = QT_TR_NOOP("Learn"),
+              .tip = QT_TR_NOOP("Learn from the recordings how the axes follow their set points"),
+              .id = "emulatorLearn"},
+             &EmulatorPage::learnRequested);
+  QPushButton* m_cancel = button({.text = QT_TR_NOOP("Cancel"),
+                                  .tip = QT_TR_NOOP("Stop learning; what was learned before stays"),
+                                  .id = "emulatorCancel"},
+                                 &EmulatorPage::cancelRequested);
+  QPushButton* m_save =
+      button({.text = QT_TR_NOOP("Save…"),
+              .tip = QT_TR_NOOP("Save the emulator as a preset of the virtual machine"),
+              .id = "emulatorSave"},
+             &EmulatorPage::chooseFileToSave);
   QProgressBar* m_bar;
   FoldingTabs* m_tabs;
 
@@ -140,7 +152,6 @@ class EmulatorPage final : public Page {
   QPushButton* m_program;
   QPushButton* m_use;
   QPushButton* m_remove;
-  QLabel* m_presetName;
   QComboBox* m_presetList;
   CurveChart* m_curve;
 

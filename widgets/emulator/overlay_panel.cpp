@@ -4,10 +4,7 @@
 #include "widgets/emulator/overlay_panel.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QSplitter>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -34,15 +31,8 @@ OverlayPanel::OverlayPanel(QWidget* parent)
       m_curves(new ScopeCurves(this)),
       m_cursors(new ScopeCursors(this)),
       m_view(new ScopeView(m_curves, m_window, m_cursors, &m_noStops, this)),
-      m_path(new PathPane(m_curves, m_window, m_cursors, this)),
-      m_body(new QSplitter(Qt::Horizontal, this)),
-      m_runName(new QLabel(this)),
-      m_run(new QComboBox(this)),
-      m_enlargement(new QComboBox(this)) {
-  m_run->setObjectName(QStringLiteral("emulatorOverlayRun"));
-  m_enlargement->setObjectName(QStringLiteral("emulatorEnlargement"));
-  m_path->setObjectName(QStringLiteral("emulatorPath"));
-  m_runName->setBuddy(m_run);
+      m_path(say(new PathPane(m_curves, m_window, m_cursors, this), {.id = "emulatorPath"})),
+      m_body(say(new QSplitter(Qt::Horizontal, this), {.id = "emulatorOverlayBody"})) {
   for (QComboBox* list : {m_run, m_enlargement}) {
     list->setMinimumHeight(kTouchHeightPx);
     list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -52,7 +42,6 @@ OverlayPanel::OverlayPanel(QWidget* parent)
     m_enlargement->addItem(QString(), factor);
   }
   m_enlargement->setCurrentIndex(kFirstEnlargement);
-  m_body->setObjectName(QStringLiteral("emulatorOverlayBody"));
   m_body->setChildrenCollapsible(false);
   m_body->setHandleWidth(6);
   m_body->addWidget(m_view);
@@ -60,14 +49,10 @@ OverlayPanel::OverlayPanel(QWidget* parent)
   m_body->setStretchFactor(0, 3);
   m_body->setStretchFactor(1, 2);
   m_body->setSizes({3000, 2000});
-  auto* choices = new QHBoxLayout;
-  choices->addWidget(m_runName);
-  choices->addWidget(m_run, 2);
-  choices->addWidget(m_enlargement, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 6, 4, 4);
-  layout->addLayout(choices);
-  layout->addWidget(m_body, 1);
+  inColumn(
+      {inRow({label({.text = QT_TR_NOOP("Recording")}, m_run), {m_run, 2}, {m_enlargement, 1}}),
+       {m_body, 1}},
+      this, QMargins(4, 6, 4, 4));
   connect(m_run, &QComboBox::activated, this, &OverlayPanel::overlayRequested);
   connect(m_enlargement, &QComboBox::activated, this, &OverlayPanel::showEnlargement);
   retranslate();
@@ -131,12 +116,6 @@ void OverlayPanel::resizeEvent(QResizeEvent* event) {
 }
 
 void OverlayPanel::retranslate() {
-  m_runName->setText(tr("Recording"));
-  m_run->setAccessibleName(tr("Recording"));
-  m_run->setToolTip(tr("Recording on which machine and emulator are compared"));
-  m_enlargement->setAccessibleName(tr("Errors drawn larger"));
-  m_enlargement->setToolTip(
-      tr("How many times larger the distance to the path of the set points is drawn"));
   for (int i = 0; i < m_enlargement->count(); ++i) {
     m_enlargement->setItemText(
         i,

@@ -14,7 +14,6 @@
 #include "widgets/scope/stop_row.h"
 
 class QComboBox;
-class QLabel;
 class QSplitter;
 
 namespace rivulet::widgets {
@@ -60,9 +59,15 @@ class OverlayPanel final : public Page {
   ScopeView* m_view;
   PathPane* m_path;
   QSplitter* m_body;
-  QLabel* m_runName;
-  QComboBox* m_run;
-  QComboBox* m_enlargement;
+  QComboBox* m_run =
+      list({.tip = QT_TR_NOOP("Recording on which machine and emulator are compared"),
+            .name = QT_TR_NOOP("Recording"),
+            .id = "emulatorOverlayRun"});
+  QComboBox* m_enlargement =
+      list({.tip = QT_TR_NOOP(
+                "How many times larger the distance to the path of the set points is drawn"),
+            .name = QT_TR_NOOP("Errors drawn larger"),
+            .id = "emulatorEnlargement"});
 };
 
 }  // namespace rivulet::widgets

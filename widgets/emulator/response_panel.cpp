@@ -3,9 +3,7 @@
 
 #include "widgets/emulator/response_panel.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QVBoxLayout>
 #include <utility>
 
 #include "emulator/axis_response.h"
@@ -28,32 +26,16 @@ constexpr int kChartHeightPx = 170;
 
 ResponsePanel::ResponsePanel(QWidget* parent)
     : Page(parent),
-      m_gain(new CurveChart(AxisScale::Logarithmic, AxisScale::Even, this)),
-      m_phase(new CurveChart(AxisScale::Logarithmic, AxisScale::Even, this)),
-      m_step(new CurveChart(AxisScale::Even, AxisScale::Even, this)),
-      m_bandwidths(makeValueLabel(this)),
-      m_formulas(makeValueLabel(this)) {
-  m_gain->setObjectName(QStringLiteral("emulatorGain"));
-  m_phase->setObjectName(QStringLiteral("emulatorPhase"));
-  m_step->setObjectName(QStringLiteral("emulatorStep"));
-  m_bandwidths->setObjectName(QStringLiteral("emulatorBandwidths"));
-  m_bandwidths->setWordWrap(true);
-  m_formulas->setObjectName(QStringLiteral("emulatorFormulas"));
-  m_formulas->setWordWrap(true);
-  auto* bode = new QVBoxLayout;
+      m_gain(say(new CurveChart(AxisScale::Logarithmic, AxisScale::Even, this),
+                 {.id = "emulatorGain"})),
+      m_phase(say(new CurveChart(AxisScale::Logarithmic, AxisScale::Even, this),
+                  {.id = "emulatorPhase"})),
+      m_step(say(new CurveChart(AxisScale::Even, AxisScale::Even, this), {.id = "emulatorStep"})) {
   for (CurveChart* chart : {m_gain, m_phase, m_step}) {
     chart->setMinimumHeight(kChartHeightPx);
   }
-  bode->addWidget(m_gain);
-  bode->addWidget(m_phase);
-  auto* charts = new QHBoxLayout;
-  charts->addLayout(bode, 1);
-  charts->addWidget(m_step, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_bandwidths);
-  layout->addLayout(charts, 1);
-  layout->addWidget(m_formulas);
+  inColumn({m_bandwidths, {inRow({{inColumn({m_gain, m_phase}), 1}, {m_step, 1}}), 1}, m_formulas},
+           this, QMargins(0, 0, 0, 0));
   retranslate();
   restyle();
 }

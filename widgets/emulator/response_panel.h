@@ -32,8 +32,8 @@ class ResponsePanel final : public Page {
   CurveChart* m_gain;
   CurveChart* m_phase;
   CurveChart* m_step;
-  QLabel* m_bandwidths;
-  QLabel* m_formulas;  ///< transfer functions
+  QLabel* m_bandwidths = value({.id = "emulatorBandwidths", .wraps = true});
+  QLabel* m_formulas = value({.id = "emulatorFormulas", .wraps = true});  ///< transfer functions
 };
 
 }  // namespace rivulet::widgets

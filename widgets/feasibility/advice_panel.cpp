@@ -45,10 +45,7 @@ class AdviceRow final : public QWidget {
     m_use = makeTouchButton(this);
     m_use->setText(use);
     m_use->setAccessibleName(use + QStringLiteral(": ") + text);
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(label, 1);
-    layout->addWidget(m_use);
+    inRow({{label, 1}, m_use}, this, QMargins(0, 0, 0, 0));
   }
   [[nodiscard]] QPushButton* use() const { return m_use; }
 
@@ -58,23 +55,15 @@ class AdviceRow final : public QWidget {
 
 }  // namespace
 
-AdvicePanel::AdvicePanel(QWidget* parent)
-    : Page(parent),
-      m_adviceTitle(makeHeading(this)),
-      m_adviceBox(new QWidget(this)),
-      m_adviceNote(new StatusLabel(this)),
-      m_knobTitle(makeHeading(this)),
-      m_verdictLabel(new StatusLabel(this)) {
-  m_adviceNote->setWordWrap(true);
-  m_verdictLabel->setWordWrap(true);
+AdvicePanel::AdvicePanel(QWidget* parent) : Page(parent), m_adviceBox(new QWidget(this)) {
   m_adviceRows = new QVBoxLayout(m_adviceBox);
   m_adviceRows->setContentsMargins(0, 0, 0, 0);
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_knobTitle);
+  layout->addWidget(heading({.text = QT_TR_NOOP("Try")}));
   buildKnobs(layout);
   layout->addWidget(m_verdictLabel);
   layout->addSpacing(12);
-  layout->addWidget(m_adviceTitle);
+  layout->addWidget(heading({.text = QT_TR_NOOP("Advice")}));
   layout->addWidget(m_adviceNote);
   layout->addWidget(m_adviceBox);
   layout->addStretch();
@@ -296,8 +285,6 @@ void AdvicePanel::showAdvice() {
 }
 
 void AdvicePanel::retranslate() {
-  m_adviceTitle->setText(tr("Advice"));
-  m_knobTitle->setText(tr("Try"));
   m_names[Points]->setText(QStringLiteral("N"));
   m_names[Delta]->setText(QStringLiteral("δ"));
   m_names[Feed]->setText(m_scale.isOverride() ? tr("Override") : QStringLiteral("F"));

@@ -63,15 +63,13 @@ class AdvicePanel final : public Page {
   void showVerdict();
   void showAdvice();
 
-  QLabel* m_adviceTitle;
   QVBoxLayout* m_adviceRows;
   QWidget* m_adviceBox;
-  StatusLabel* m_adviceNote;
-  QLabel* m_knobTitle;
+  StatusLabel* m_adviceNote = status({.wraps = true});
   std::array<QLabel*, KnobCount> m_names{};
   std::array<QLabel*, KnobCount> m_values{};
   std::array<QSlider*, KnobCount> m_knobs{};
-  StatusLabel* m_verdictLabel;
+  StatusLabel* m_verdictLabel = status({.wraps = true});
 
   feasibility::OperatingPoint m_point;  ///< as set
   feasibility::OperatingPoint m_under;  ///< under the finger

@@ -3,7 +3,6 @@
 
 #include "widgets/feasibility/feasibility_page.h"
 
-#include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTabWidget>
@@ -33,17 +32,14 @@ constexpr int kButtonRoomPx = 28;  // beside the text, both sides together
 
 FeasibilityPage::FeasibilityPage(QWidget* parent)
     : Page(parent),
-      m_hint(new StatusLabel(this)),
-      m_access(new StatusLabel(this)),
-      m_simulate(new QPushButton(this)),
+      m_simulate(
+          say(new QPushButton(this), {.text = QT_TR_NOOP("Simulate around the operating point")})),
       m_progress(new QProgressBar(this)),
-      m_cancel(new QPushButton(this)),
+      m_cancel(say(new QPushButton(this), {.text = QT_TR_NOOP("Cancel")})),
       m_tabs(new QTabWidget(this)),
       m_legend(new LegendStrip(this)),
       m_advice(new AdvicePanel(this)),
       m_columns(new QBoxLayout(QBoxLayout::LeftToRight, this)) {
-  m_hint->setWordWrap(true);
-  m_access->setWordWrap(true);
   for (const SweepAxis axis :
        {SweepAxis::PointDistance, SweepAxis::PointsPerLoop, SweepAxis::Delta}) {
     auto* chart = new RegionChart(axis, this);
@@ -64,12 +60,7 @@ FeasibilityPage::FeasibilityPage(QWidget* parent)
   for (QPushButton* button : {m_simulate, m_cancel}) {
     button->setMinimumHeight(kTouchHeightPx);
   }
-  auto* simulation = new QHBoxLayout;
-  simulation->addWidget(m_simulate);
-  simulation->addWidget(m_progress, 1);
-  simulation->addWidget(m_cancel);
-  simulation->addStretch();
-  layout->addLayout(simulation);
+  layout->addLayout(inRow({m_simulate, {m_progress, 1}, m_cancel, spring()}));
   connect(m_simulate, &QPushButton::clicked, this, [this] {
     const auto* chart = static_cast<RegionChart*>(m_tabs->currentWidget());
     const SimulationWanted wanted = chart->simulationWanted();
@@ -177,9 +168,7 @@ void FeasibilityPage::retranslate() {
   for (RegionChart* chart : m_charts) {
     chart->retranslate();
   }
-  m_simulate->setText(tr("Simulate around the operating point"));
   m_progress->setFormat(tr("Simulating: %p %"));
-  m_cancel->setText(tr("Cancel"));
   for (QPushButton* button : {m_simulate, m_cancel}) {
     button->setMinimumWidth(button->sizeHint().width() + kButtonRoomPx);
   }

@@ -64,8 +64,8 @@ class FeasibilityPage final : public Page {
   std::optional<FeasibilityModel> m_model;
   std::optional<int> m_percent;
   bool m_editable = true;
-  StatusLabel* m_hint;
-  StatusLabel* m_access;
+  StatusLabel* m_hint = status({.wraps = true});
+  StatusLabel* m_access = status({.wraps = true});
   QPushButton* m_simulate;
   QProgressBar* m_progress;
   QPushButton* m_cancel;

@@ -70,14 +70,7 @@ LiveDialog::LiveDialog(const live::Setup& setup, bool offersInput, QWidget* pare
   cancel->setObjectName(QStringLiteral("live-cancel"));
   cancel->setText(tr("Cancel"));
   cancel->setAutoDefault(false);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_answer, 1);
-  buttons->addWidget(cancel);
-  buttons->addWidget(open);
-  auto* rows = new QVBoxLayout(this);
-  rows->addWidget(what);
-  rows->addLayout(grid, 1);
-  rows->addLayout(buttons);
+  inColumn({what, {grid, 1}, inRow({{m_answer, 1}, cancel, open})}, this);
   m_answer->setVisible(false);
 
   for (auto* label : findChildren<QLabel*>()) {
@@ -133,10 +126,7 @@ QGroupBox* LiveDialog::makeSource(bool offersInput) {
   choose->setToolTip(tr("Choose the file of the source"));
   choose->setAutoDefault(false);
   connect(choose, &QPushButton::clicked, this, &LiveDialog::chooseFile);
-  auto* fileRow = new QHBoxLayout(m_fileRow);
-  fileRow->setContentsMargins({});
-  fileRow->addWidget(m_file, 1);
-  fileRow->addWidget(choose);
+  inRow({{m_file, 1}, choose}, m_fileRow, QMargins({}));
   m_sourceForm->addRow(m_kind);
   m_sourceForm->addRow(tr("Port"), m_port);
   m_sourceForm->addRow(tr("Path"), m_path);

@@ -5,7 +5,6 @@
 
 #include <QGridLayout>
 #include <QGroupBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -14,7 +13,6 @@
 #include "base/units.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/folding_columns.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
@@ -30,44 +28,47 @@ constexpr int kMinWidthPx = 360;
 
 LivePanel::LivePanel(QWidget* parent)
     : Page(parent),
-      m_title(makeHeading(this)),
-      m_state(new StatusLabel(this)),
-      m_hint(new QLabel(this)),
-      m_bufferName(new QLabel(this)),
-      m_buffer(new QProgressBar(this)),
-      m_run(new QGroupBox(this)),
-      m_agreed(new QGroupBox(this)),
-      m_change(makeTouchButton(this)),
-      m_open(makeTouchButton(this)) {
+      m_buffer(say(new QProgressBar(this),
+                   {.tip = QT_TR_NOOP("Points that have arrived and are not executed. When it is "
+                                      "full, the source is made to wait."),
+                    .name = QT_TR_NOOP("Buffer"),
+                    .id = "live-buffer"})) {
   setMinimumWidth(kMinWidthPx);
-  m_state->setObjectName(QStringLiteral("live-state"));
-  m_state->setWordWrap(true);
-  m_hint->setWordWrap(true);
   m_hint->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  m_buffer->setObjectName(QStringLiteral("live-buffer"));
   m_buffer->setMinimumHeight(kTouchHeightPx / 2);
-  m_bufferName->setBuddy(m_buffer);
-  m_change->setObjectName(QStringLiteral("live-change"));
-  m_open->setObjectName(QStringLiteral("live-program"));
 
   auto* run = new QGridLayout(m_run);
   run->setHorizontalSpacing(5);
   run->setContentsMargins(5, 8, 5, 8);
-  run->addWidget(m_bufferName, 0, 0);
+  run->addWidget(label({.text = QT_TR_NOOP("Buffer")}, m_buffer), 0, 0);
   run->addWidget(m_buffer, 0, 1, 1, 3);
   // Two columns: what goes in and comes out, and how long it takes.
   constexpr std::array<Figure, FigureCount> kOrder{In,     Out,        Accepted, Executed,
                                                    Median, Percentile, Theory,   Merged};
+  constexpr std::array<const char*, FigureCount> kNames{
+      QT_TR_NOOP("In"),          QT_TR_NOOP("Out"),      QT_TR_NOOP("Accepted"),
+      QT_TR_NOOP("Executed"),    QT_TR_NOOP("Merged"),   QT_TR_NOOP("Delay, median"),
+      QT_TR_NOOP("Delay, 99 %"), QT_TR_NOOP("In theory")};
+  constexpr std::array<const char*, FigureCount> kHints{
+      QT_TR_NOOP("Points from the source, mean of the last two seconds"),
+      QT_TR_NOOP("Points executed, mean of the last two seconds"),
+      QT_TR_NOOP("Points of the source within the agreed limits"),
+      QT_TR_NOOP("Points that are known to be executed"),
+      QT_TR_NOOP("Points too close to the one before, which are left out"),
+      QT_TR_NOOP("From the arrival of a point to the beginning of its move; during a run, of the "
+                 "last 500 points"),
+      QT_TR_NOOP("Of a hundred points, one was later than this."),
+      QT_TR_NOOP("Least delay, and the delay when all buffers are full")};
   for (std::size_t place = 0; place < kOrder.size(); ++place) {
     const Figure figure = kOrder[place];
-    m_names[figure] = new QLabel(m_run);
-    m_names[figure]->setWordWrap(true);
-    m_values[figure] = makeValueLabel(m_run);
+    m_values[figure] = value({.tip = kHints[figure], .name = kNames[figure]});
+    QLabel* name =
+        label({.text = kNames[figure], .tip = kHints[figure], .isMuted = true, .wraps = true});
     // The last two are too wide for that.
     const bool isWide = figure == Theory || figure == Merged;
     const int row = figure == Merged ? 5 : static_cast<int>(place / 2) + 1;
     const int column = isWide ? 0 : 2 * static_cast<int>(place % 2);
-    run->addWidget(m_names[figure], row, column);
+    run->addWidget(name, row, column);
     run->addWidget(m_values[figure], row, column + 1, 1, isWide ? 3 : 1);
   }
   m_values[In]->setObjectName(QStringLiteral("live-in"));
@@ -79,35 +80,26 @@ LivePanel::LivePanel(QWidget* parent)
 
   auto* agreed = new QGridLayout(m_agreed);
   agreed->setHorizontalSpacing(12);
-  for (int fact = 0; fact < FactCount; ++fact) {
-    const auto at = static_cast<std::size_t>(fact);
-    m_factNames[at] = new QLabel(m_agreed);
-    m_facts[at] = makeValueLabel(m_agreed);
-    m_facts[at]->setWordWrap(true);
-    agreed->addWidget(m_factNames[at], fact, 0, Qt::AlignTop);
-    agreed->addWidget(m_facts[at], fact, 1);
+  int row = 0;
+  for (const char* fact :
+       {"X", "Y", "Z", QT_TR_NOOP("First point within"), QT_TR_NOOP("Largest step"),
+        QT_TR_NOOP("Largest F"), QT_TR_NOOP("Merge below"), QT_TR_NOOP("When it is silent")}) {
+    const auto at = static_cast<std::size_t>(row);
+    m_facts[at] = value({.wraps = true});
+    agreed->addWidget(label({.text = fact, .isMuted = true}), row, 0, Qt::AlignTop);
+    agreed->addWidget(m_facts[at], row++, 1);
   }
   agreed->setColumnStretch(1, 1);
 
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_open, 1);
-  buttons->addWidget(m_change, 1);
   auto* inner = new QWidget;
-  auto* rows = new QVBoxLayout(inner);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->addWidget(m_run);
-  rows->addWidget(m_agreed);
-  rows->addStretch();
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(buttons);
-  layout->addWidget(m_title);
-  layout->addWidget(m_state);
-  layout->addWidget(m_hint);
-  layout->addWidget(makeScrolling(inner, this), 1);
-  connect(m_change, &QPushButton::clicked, this, &LivePanel::changeRequested);
-  connect(m_open, &QPushButton::clicked, this, &LivePanel::programRequested);
-  retranslate();
-  restyle();
+  inColumn({m_run, m_agreed, spring()}, inner, QMargins(0, 0, 0, 0));
+  inColumn({inRow({{m_open, 1}, {m_change, 1}}),
+            m_title,
+            m_state,
+            m_hint,
+            {makeScrolling(inner, this), 1}},
+           this);
+  onLanguage(&LivePanel::showAll);
 }
 
 void LivePanel::setSource(const live::Setup& setup, const QString& name, const QString& obstacle) {
@@ -274,58 +266,6 @@ void LivePanel::showAgreed() {
   m_facts[Feed]->setText(feedText(base::mmPerSFromMmPerMin(agreed.feedMmPerMinMax)));
   m_facts[Merge]->setText(lengthText(agreed.distanceMmMin));
   m_facts[Silence]->setText(silenceText(m_setup.limits));
-}
-
-void LivePanel::retranslate() {
-  m_change->setText(tr("Live points …"));
-  m_change->setToolTip(tr("Another source, or something else agreed with it"));
-  m_open->setText(tr("Open program …"));
-  m_open->setToolTip(tr("A program takes the place of the live source."));
-  m_run->setTitle(tr("Points"));
-  m_agreed->setTitle(tr("Agreed with the source"));
-  m_bufferName->setText(tr("Buffer"));
-  m_buffer->setAccessibleName(tr("Buffer"));
-  m_buffer->setToolTip(
-      tr("Points that have arrived and are not executed. When it is full, the source is made to "
-         "wait."));
-  const std::array<QString, FigureCount> names{
-      tr("In"),     tr("Out"),           tr("Accepted"),    tr("Executed"),
-      tr("Merged"), tr("Delay, median"), tr("Delay, 99 %"), tr("In theory")};
-  const std::array<QString, FigureCount> hints{
-      tr("Points from the source, mean of the last two seconds"),
-      tr("Points executed, mean of the last two seconds"),
-      tr("Points of the source within the agreed limits"),
-      tr("Points that are known to be executed"),
-      tr("Points too close to the one before, which are left out"),
-      tr("From the arrival of a point to the beginning of its move; during a run, of the last 500 "
-         "points"),
-      tr("Of a hundred points, one was later than this."),
-      tr("Least delay, and the delay when all buffers are full")};
-  for (std::size_t figure = 0; figure < FigureCount; ++figure) {
-    m_names[figure]->setText(names[figure]);
-    m_names[figure]->setToolTip(hints[figure]);
-    m_values[figure]->setToolTip(hints[figure]);
-    m_values[figure]->setAccessibleName(names[figure]);
-  }
-  const std::array<QString, FactCount> facts{
-      QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z"), tr("First point within"),
-      tr("Largest step"),  tr("Largest F"),     tr("Merge below"),   tr("When it is silent")};
-  for (std::size_t fact = 0; fact < FactCount; ++fact) {
-    m_factNames[fact]->setText(facts[fact]);
-  }
-  showAll();
-}
-
-void LivePanel::restyle() {
-  m_open->setIcon(themedIcon(QStringLiteral("open"), themeColors(palette()).text));
-  m_change->setIcon(themedIcon(QStringLiteral("live"), themeColors(palette()).text));
-  setMuted(m_hint, palette());
-  for (QLabel* name : m_names) {
-    setMuted(name, palette());
-  }
-  for (QLabel* name : m_factNames) {
-    setMuted(name, palette());
-  }
 }
 
 }  // namespace rivulet::widgets

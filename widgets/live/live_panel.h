@@ -43,10 +43,6 @@ class LivePanel final : public Page {
   /// A program is to take its place.
   void programRequested();
 
- protected:
-  void retranslate() override;
-  void restyle() override;
-
  private:
   enum Figure { In, Out, Accepted, Executed, Merged, Median, Percentile, Theory, FigureCount };
   enum Fact { BoxX, BoxY, BoxZ, First, Step, Feed, Merge, Silence, FactCount };
@@ -67,19 +63,25 @@ class LivePanel final : public Page {
   streaming::Counters m_counters;
   bool m_isRunning = false;
 
-  QLabel* m_title;
-  StatusLabel* m_state;
-  QLabel* m_hint;
-  QLabel* m_bufferName;
+  QLabel* m_title = heading({});
+  StatusLabel* m_state = status({.id = "live-state", .wraps = true});
+  QLabel* m_hint = label({.isMuted = true, .wraps = true});
   QProgressBar* m_buffer;
-  QGroupBox* m_run;
-  QGroupBox* m_agreed;
-  std::array<QLabel*, FigureCount> m_names{};
+  QGroupBox* m_run = group({.text = QT_TR_NOOP("Points")});
+  QGroupBox* m_agreed = group({.text = QT_TR_NOOP("Agreed with the source")});
   std::array<QLabel*, FigureCount> m_values{};
-  std::array<QLabel*, FactCount> m_factNames{};
   std::array<QLabel*, FactCount> m_facts{};
-  QPushButton* m_change;
-  QPushButton* m_open;
+  QPushButton* m_change =
+      button({.text = QT_TR_NOOP("Live points …"),
+              .tip = QT_TR_NOOP("Another source, or something else agreed with it"),
+              .icon = "live",
+              .id = "live-change"},
+             &LivePanel::changeRequested);
+  QPushButton* m_open = button({.text = QT_TR_NOOP("Open program …"),
+                                .tip = QT_TR_NOOP("A program takes the place of the live source."),
+                                .icon = "open",
+                                .id = "live-program"},
+                               &LivePanel::programRequested);
 };
 
 }  // namespace rivulet::widgets

@@ -5,12 +5,10 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableView>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -19,7 +17,6 @@
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
-#include "widgets/common/theme.h"
 #include "widgets/pipeline/choice_list.h"
 #include "widgets/pipeline/net_canvas.h"
 #include "widgets/plots/curve_chart.h"
@@ -46,31 +43,26 @@ constexpr int kDetailLines = 4;
 
 NetPanel::NetPanel(QWidget* parent)
     : Page(parent),
-      m_cycle(makeChoiceList("netCycle", this)),
-      m_policy(makeChoiceList("netPolicy", this)),
-      m_pages(makeChoiceList("netPage", this)),
-      m_follow(new QCheckBox(this)),
-      m_step(makeTouchButton(this)),
-      m_play(makeTouchButton(this)),
-      m_restart(makeTouchButton(this)),
-      m_speed(makeChoiceList("netSpeed", this)),
-      m_note(new StatusLabel(this, StatusLabel::Elided{1})),
-      m_canvas(new NetCanvas(this)),
-      m_levels(new CurveChart(AxisScale::Even, AxisScale::Even, this)),
-      m_table(new QTableView(this)),
-      m_detail(new ElidedLabel(kDetailLines, this)) {
-  m_follow->setObjectName(QStringLiteral("netFollow"));
-  m_follow->setMinimumHeight(kTouchHeightPx);
-  m_step->setObjectName(QStringLiteral("netStep"));
-  m_play->setObjectName(QStringLiteral("netPlay"));
-  m_restart->setObjectName(QStringLiteral("netRestart"));
-  m_note->setObjectName(QStringLiteral("netNote"));
-  m_canvas->setObjectName(QStringLiteral("netCanvas"));
-  m_levels->setObjectName(QStringLiteral("netLevels"));
+      m_cycle(say(makeChoiceList("netCycle", this),
+                  {.hint = QT_TR_NOOP("Cycle of position control; the net begins anew")})),
+      m_policy(say(makeChoiceList("netPolicy", this),
+                   {.hint = QT_TR_NOOP("Which task gets the processor; the net begins anew")})),
+      m_pages(say(makeChoiceList("netPage", this), {.hint = QT_TR_NOOP("Page of the net")})),
+      m_speed(say(makeChoiceList("netSpeed", this),
+                  {.hint = QT_TR_NOOP("Transitions that fire in a second")})),
+      m_note(say(new StatusLabel(this, StatusLabel::Elided{1}), {.id = "netNote"})),
+      m_canvas(say(new NetCanvas(this),
+                   {.tip = QT_TR_NOOP("A thick frame with a triangle: this transition could fire. "
+                                      "Filled: it fires next. Thick lines: it fired last."),
+                    .name = QT_TR_NOOP("Petri net"),
+                    .id = "netCanvas"})),
+      m_levels(say(new CurveChart(AxisScale::Even, AxisScale::Even, this), {.id = "netLevels"})),
+      m_table(say(new QTableView(this),
+                  {.hint = QT_TR_NOOP("Places of this page"), .id = "netPlaces"})),
+      m_detail(say(new ElidedLabel(kDetailLines, this),
+                   {.name = QT_TR_NOOP("What is chosen"), .id = "netDetail"})) {
   m_levels->setMinimumSize(kChartWidthPxMin, kChartPxMin);
   m_levels->setShown(QRectF(0.0, 0.0, kLevelsShownS, kLevelsShown));
-  m_detail->setObjectName(QStringLiteral("netDetail"));
-  m_table->setObjectName(QStringLiteral("netPlaces"));
   styleTable(m_table);
   m_places = new TableModel<PlaceRow>(
       {{[] { return tr("Place"); }, [](const PlaceRow& row) { return row.name; }},
@@ -82,34 +74,17 @@ NetPanel::NetPanel(QWidget* parent)
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   m_table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
 
-  auto* choices = new QHBoxLayout;
-  for (QWidget* part : {static_cast<QWidget*>(m_cycle), static_cast<QWidget*>(m_policy),
-                        static_cast<QWidget*>(m_pages), static_cast<QWidget*>(m_follow)}) {
-    choices->addWidget(part);
-  }
-  choices->addStretch();
-  auto* actions = new QHBoxLayout;
-  for (QWidget* part : {static_cast<QWidget*>(m_step), static_cast<QWidget*>(m_play),
-                        static_cast<QWidget*>(m_restart), static_cast<QWidget*>(m_speed)}) {
-    actions->addWidget(part);
-  }
-  actions->addWidget(m_note, 1, Qt::AlignVCenter);
-  auto* side = new QVBoxLayout;
-  side->addWidget(m_levels, 3);
-  side->addWidget(m_table, 3);
-  side->addWidget(m_detail);
-  auto* parts = new QHBoxLayout;
-  parts->addWidget(m_canvas, 5);
-  parts->addLayout(side, 3);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addLayout(choices);
-  layout->addLayout(actions);
-  layout->addLayout(parts, 1);
+  inColumn({inRow({m_cycle, m_policy, m_pages, m_follow, spring()}),
+            inRow({m_step, m_play, m_restart, m_speed, {m_note, 1, Qt::AlignVCenter}}),
+            {inRow({{m_canvas, 5}, {inColumn({{m_levels, 3}, {m_table, 3}, m_detail}), 3}}), 1}},
+           this, QMargins(0, 0, 0, 0));
   m_canvas->setState(&m_state);
   connectParts();
   retranslate();
-  restyle();
+  onTheme([this] {
+    m_canvas->update();
+    m_levels->update();
+  });
 }
 
 NetPanel::~NetPanel() = default;
@@ -120,10 +95,8 @@ void NetPanel::connectParts() {
   connect(m_pages, &QComboBox::activated, this, &NetPanel::showPage);
   connect(m_canvas, &NetCanvas::pageRequested, this, &NetPanel::showPage);
   connect(m_canvas, &NetCanvas::selectionChanged, this, &NetPanel::showSelection);
-  connect(m_step, &QPushButton::clicked, this, &NetPanel::stepRequested);
   connect(m_play, &QPushButton::clicked, this,
           [this] { Q_EMIT playRequested(!m_state.isPlaying); });
-  connect(m_restart, &QPushButton::clicked, this, &NetPanel::restartRequested);
   connect(m_speed, &QComboBox::activated, this,
           [this](int index) { Q_EMIT speedChosen(kFiringsPerS[static_cast<std::size_t>(index)]); });
   connect(m_follow, &QCheckBox::toggled, this, &NetPanel::showState);
@@ -256,50 +229,20 @@ void NetPanel::showSelection() {
 }
 
 void NetPanel::retranslate() {
-  const auto label = [](QPushButton* button, const QString& text, const QString& tip) {
-    button->setText(text);
-    button->setAccessibleName(text);
-    button->setToolTip(tip);
-  };
-  const auto name = [](QWidget* widget, const QString& text) {
-    widget->setAccessibleName(text);
-    widget->setToolTip(text);
-  };
   QStringList cycles;
   for (const int cycle : kCyclesMs) {
     cycles.append(tr("Cycle %1 ms").arg(cycle));
   }
   setChoices(m_cycle, cycles, kCycleFirst);
-  name(m_cycle, tr("Cycle of position control; the net begins anew"));
   setChoices(m_policy, {tr("Task dependency"), tr("Data flow")}, 0);
-  name(m_policy, tr("Which task gets the processor; the net begins anew"));
-  name(m_pages, tr("Page of the net"));
-  m_follow->setText(tr("Follow"));
-  m_follow->setToolTip(tr("Show the page on which the next transition fires"));
-  m_follow->setAccessibleName(m_follow->text());
   QStringList speeds;
   for (const int speed : kFiringsPerS) {
     speeds.append(tr("%1 per s").arg(countText(static_cast<std::size_t>(speed))));
   }
   setChoices(m_speed, speeds, kSpeedFirst);
-  name(m_speed, tr("Transitions that fire in a second"));
-  label(m_step, tr("Step"), tr("Fire one transition"));
-  label(m_play, tr("Play"), tr("Fire one transition after another"));
-  label(m_restart, tr("Back to start"), tr("The tokens as they were at the beginning"));
-  name(m_canvas, tr("Petri net"));
-  m_canvas->setToolTip(
-      tr("A thick frame with a triangle: this transition could fire. Filled: it fires next. Thick "
-         "lines: it fired last."));
   m_levels->setTitles(tr("Levels of the buffers"), tr("Time of the net, s"), tr("Level"));
-  name(m_table, tr("Places of this page"));
-  m_detail->setAccessibleName(tr("What is chosen"));
   m_places->refresh();
   showState();
-}
-
-void NetPanel::restyle() {
-  m_canvas->update();
-  m_levels->update();
 }
 
 }  // namespace rivulet::widgets

@@ -42,7 +42,6 @@ class NetPanel final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   /// A row of the table of places.
@@ -63,15 +62,26 @@ class NetPanel final : public Page {
   void emitChoice();
 
   NetState m_state;
-  const petri::Net* m_listed = nullptr;  ///< whose pages are listed; for comparison only
+  const petri::Net* m_listed{nullptr};  ///< whose pages are listed; for comparison only
 
   QComboBox* m_cycle;
   QComboBox* m_policy;
   QComboBox* m_pages;
-  QCheckBox* m_follow;
-  QPushButton* m_step;
-  QPushButton* m_play;
-  QPushButton* m_restart;
+  QCheckBox* m_follow =
+      checkBox({.text = QT_TR_NOOP("Follow"),
+                .tip = QT_TR_NOOP("Show the page on which the next transition fires"),
+                .id = "netFollow",
+                .isTouch = true});
+  QPushButton* m_step = button(
+      {.text = QT_TR_NOOP("Step"), .tip = QT_TR_NOOP("Fire one transition"), .id = "netStep"},
+      &NetPanel::stepRequested);
+  QPushButton* m_play = button({.text = QT_TR_NOOP("Play"),
+                                .tip = QT_TR_NOOP("Fire one transition after another"),
+                                .id = "netPlay"});
+  QPushButton* m_restart = button({.text = QT_TR_NOOP("Back to start"),
+                                   .tip = QT_TR_NOOP("The tokens as they were at the beginning"),
+                                   .id = "netRestart"},
+                                  &NetPanel::restartRequested);
   QComboBox* m_speed;
   StatusLabel* m_note;
   NetCanvas* m_canvas;

@@ -6,18 +6,15 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPushButton>
 #include <QTableView>
-#include <QVBoxLayout>
 #include <array>
 #include <utility>
 
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
-#include "widgets/common/theme.h"
 #include "widgets/pipeline/choice_list.h"
 #include "widgets/plots/curve_chart.h"
 
@@ -47,31 +44,23 @@ QString millisecondsOf(base::Duration time) {
 
 TaskPanel::TaskPanel(QWidget* parent)
     : Page(parent),
-      m_source(makeChoiceList("taskProgram", this)),
-      m_policy(makeChoiceList("taskPolicy", this)),
-      m_processors(makeChoiceList("taskProcessors", this)),
-      m_cycle(makeChoiceList("taskCycle", this)),
-      m_realTime(new QCheckBox(this)),
-      m_start(makeTouchButton(this)),
-      m_stop(makeTouchButton(this)),
-      m_open(makeTouchButton(this)),
-      m_save(makeTouchButton(this)),
-      m_note(new StatusLabel(this, StatusLabel::Elided{2})),
-      m_remark(new StatusLabel(this, StatusLabel::Elided{2})),
-      m_table(new QTableView(this)),
-      m_levels(new CurveChart(AxisScale::Even, AxisScale::Even, this)) {
-  m_realTime->setObjectName(QStringLiteral("taskRealTime"));
-  m_realTime->setMinimumHeight(kTouchHeightPx);
-  m_start->setObjectName(QStringLiteral("taskStart"));
-  m_stop->setObjectName(QStringLiteral("taskStop"));
-  m_open->setObjectName(QStringLiteral("taskOpen"));
-  m_save->setObjectName(QStringLiteral("taskSave"));
-  m_note->setObjectName(QStringLiteral("taskNote"));
-  m_remark->setObjectName(QStringLiteral("taskRemark"));
-  m_levels->setObjectName(QStringLiteral("taskLevels"));
+      m_source(say(makeChoiceList("taskProgram", this),
+                   {.hint = QT_TR_NOOP("Program that the tasks execute")})),
+      m_policy(say(makeChoiceList("taskPolicy", this),
+                   {.hint = QT_TR_NOOP("Which task gets the processor")})),
+      m_processors(say(makeChoiceList("taskProcessors", this),
+                       {.hint = QT_TR_NOOP("How many tasks run at a time")})),
+      m_cycle(say(makeChoiceList("taskCycle", this),
+                  {.hint = QT_TR_NOOP("Cycle of position control")})),
+      m_note(say(new StatusLabel(this, StatusLabel::Elided{2}), {.id = "taskNote"})),
+      m_remark(say(new StatusLabel(this, StatusLabel::Elided{2}), {.id = "taskRemark"})),
+      m_table(say(new QTableView(this),
+                  {.hint = QT_TR_NOOP(
+                       "Tasks: starts, waiting for data and for a processor, time of a step"),
+                   .id = "taskTable"})),
+      m_levels(say(new CurveChart(AxisScale::Even, AxisScale::Even, this), {.id = "taskLevels"})) {
   m_levels->setMinimumHeight(kLevelChartPx);
   m_levels->setShown(QRectF(0.0, 0.0, kSecondsShown, kPlacesShown));
-  m_table->setObjectName(QStringLiteral("taskTable"));
   styleTable(m_table);
   m_tasks = new TableModel<TaskRow>(
       {{[] { return tr("Task"); },
@@ -114,37 +103,20 @@ TaskPanel::TaskPanel(QWidget* parent)
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
 
-  auto* choices = new QHBoxLayout;
-  for (QWidget* part : {static_cast<QWidget*>(m_source), static_cast<QWidget*>(m_policy),
-                        static_cast<QWidget*>(m_processors), static_cast<QWidget*>(m_cycle),
-                        static_cast<QWidget*>(m_realTime)}) {
-    choices->addWidget(part);
-  }
-  choices->addStretch();
-  auto* actions = new QHBoxLayout;
-  for (QPushButton* button : {m_start, m_stop, m_open, m_save}) {
-    actions->addWidget(button);
-  }
-  actions->addWidget(m_note, 1, Qt::AlignVCenter);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 6, 4, 4);
-  layout->addLayout(choices);
-  layout->addLayout(actions);
-  layout->addWidget(m_remark);
-  layout->addWidget(m_table);
-  layout->addWidget(m_levels, 1);
+  inColumn({inRow({m_source, m_policy, m_processors, m_cycle, m_realTime, spring()}),
+            inRow({m_start, m_stop, m_open, m_save, {m_note, 1, Qt::AlignVCenter}}),
+            m_remark,
+            m_table,
+            {m_levels, 1}},
+           this, QMargins(4, 6, 4, 4));
   connectParts();
   retranslate();
-  restyle();
+  onTheme([this] { m_levels->update(); });
 }
 
 TaskPanel::~TaskPanel() = default;
 
 void TaskPanel::connectParts() {
-  connect(m_start, &QPushButton::clicked, this, &TaskPanel::start);
-  connect(m_stop, &QPushButton::clicked, this, &TaskPanel::stopRequested);
-  connect(m_open, &QPushButton::clicked, this, &TaskPanel::chooseRecording);
-  connect(m_save, &QPushButton::clicked, this, &TaskPanel::chooseFileToSave);
 }
 
 void TaskPanel::start() {
@@ -263,55 +235,30 @@ void TaskPanel::showNote() {
 }
 
 void TaskPanel::retranslate() {
-  const auto label = [](QPushButton* button, const QString& text, const QString& tip) {
-    button->setText(text);
-    button->setAccessibleName(text);
-    button->setToolTip(tip);
-  };
-  const auto name = [](QWidget* widget, const QString& text) {
-    widget->setAccessibleName(text);
-    widget->setToolTip(text);
-  };
   const QString example = tr("Example");
   setChoices(m_source, m_program.isEmpty() ? QStringList{example} : QStringList{m_program, example},
              0);
-  name(m_source, tr("Program that the tasks execute"));
   setChoices(m_policy,
              {tr("Task dependency"), tr("Data flow"), tr("Earliest starvation"), tr("Steady")}, 0);
-  name(m_policy, tr("Which task gets the processor"));
   QStringList processors;
   for (std::size_t i = 1; i <= pipeline::kTaskCount; ++i) {
     processors.append(tr("Processors: %1").arg(i));
   }
   setChoices(m_processors, processors, kProcessorsFirst);
-  name(m_processors, tr("How many tasks run at a time"));
   QStringList cycles;
   for (const double cycle : kRunCyclesMs) {
     cycles.append(tr("Cycle %1 ms").arg(numberText(cycle, 0)));
   }
   setChoices(m_cycle, cycles, kRunCycleFirst);
-  name(m_cycle, tr("Cycle of position control"));
-  m_realTime->setText(tr("Real time"));
-  m_realTime->setAccessibleName(m_realTime->text());
-  m_realTime->setToolTip(tr("Position control comes before everything else on this computer"));
   m_remark->setStatus(
       Status::Plain,
       m_isRealTimeAllowed
           ? tr("Without real time, other programs of this computer can delay position control.")
           : tr("This computer does not allow real-time scheduling: position control runs like any "
                "other program, and others can delay it."));
-  label(m_start, tr("Execute"), tr("Execute the program in six tasks, on virtual axes"));
-  label(m_stop, tr("End"), tr("End the tasks; the virtual axes stand"));
-  label(m_open, tr("Open…"), tr("Open a recording of a scheduler"));
-  label(m_save, tr("Save…"), tr("Save what the scheduler did"));
-  name(m_table, tr("Tasks: starts, waiting for data and for a processor, time of a step"));
   m_levels->setTitles(tr("Levels of the buffers"), tr("Time, s"), tr("Level"));
   m_tasks->refresh();
   showView();
-}
-
-void TaskPanel::restyle() {
-  m_levels->update();
 }
 
 }  // namespace rivulet::widgets

@@ -44,7 +44,6 @@ class TaskPanel final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   /// A row of the table.
@@ -71,11 +70,28 @@ class TaskPanel final : public Page {
   QComboBox* m_policy;
   QComboBox* m_processors;
   QComboBox* m_cycle;
-  QCheckBox* m_realTime;
-  QPushButton* m_start;
-  QPushButton* m_stop;
-  QPushButton* m_open;
-  QPushButton* m_save;
+  QCheckBox* m_realTime =
+      checkBox({.text = QT_TR_NOOP("Real time"),
+                .tip = QT_TR_NOOP("Position control comes before everything else on this computer"),
+                .id = "taskRealTime",
+                .isTouch = true});
+  QPushButton* m_start =
+      button({.text = QT_TR_NOOP("Execute"),
+              .tip = QT_TR_NOOP("Execute the program in six tasks, on virtual axes"),
+              .id = "taskStart"},
+             &TaskPanel::start);
+  QPushButton* m_stop = button({.text = QT_TR_NOOP("End"),
+                                .tip = QT_TR_NOOP("End the tasks; the virtual axes stand"),
+                                .id = "taskStop"},
+                               &TaskPanel::stopRequested);
+  QPushButton* m_open = button({.text = QT_TR_NOOP("Open…"),
+                                .tip = QT_TR_NOOP("Open a recording of a scheduler"),
+                                .id = "taskOpen"},
+                               &TaskPanel::chooseRecording);
+  QPushButton* m_save = button({.text = QT_TR_NOOP("Save…"),
+                                .tip = QT_TR_NOOP("Save what the scheduler did"),
+                                .id = "taskSave"},
+                               &TaskPanel::chooseFileToSave);
   StatusLabel* m_note;
   StatusLabel* m_remark;
   QTableView* m_table;

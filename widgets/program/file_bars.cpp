@@ -3,7 +3,6 @@
 
 #include "widgets/program/file_bars.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -21,24 +20,14 @@ constexpr int kMomentMs = 200;
 
 }  // namespace
 
-LoadBar::LoadBar(QWidget* parent)
-    : Page(parent),
-      m_name(new QLabel(this)),
-      m_bar(new QProgressBar(this)),
-      m_cancel(makeTouchButton(this)) {
+LoadBar::LoadBar(QWidget* parent) : Page(parent), m_bar(new QProgressBar(this)) {
   m_bar->setRange(0, kSteps);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(12, 2, 12, 2);
-  layout->addWidget(m_name);
-  layout->addWidget(m_bar, 1);
-  layout->addWidget(m_cancel);
+  inRow({m_name, {m_bar, 1}, m_cancel}, this, QMargins(12, 2, 12, 2));
   m_showTimer.setSingleShot(true);
   m_showTimer.setInterval(kMomentMs);
   connect(&m_showTimer, &QTimer::timeout, this, &LoadBar::show);
-  connect(m_cancel, &QPushButton::clicked, this, &LoadBar::cancelRequested);
   hide();
   retranslate();
-  restyle();
 }
 
 void LoadBar::setProgress(const std::optional<double>& share, const QString& name) {
@@ -57,25 +46,10 @@ void LoadBar::setProgress(const std::optional<double>& share, const QString& nam
 
 void LoadBar::retranslate() {
   m_name->setText(tr("Reading %1").arg(m_fileName));
-  m_cancel->setText(tr("Cancel"));
 }
 
-void LoadBar::restyle() {
-  m_cancel->setIcon(themedIcon(QStringLiteral("dismiss"), themeColors(palette()).text));
-}
-
-FileBanner::FileBanner(QWidget* parent)
-    : Page(parent),
-      m_icon(new QLabel(this)),
-      m_text(makeValueLabel(this)),
-      m_reload(makeTouchButton(this)) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(12, 2, 12, 2);
-  layout->addWidget(m_icon);
-  layout->addWidget(m_text, 1);
-  layout->addWidget(m_reload);
-  m_text->setWordWrap(true);
-  connect(m_reload, &QPushButton::clicked, this, &FileBanner::reloadRequested);
+FileBanner::FileBanner(QWidget* parent) : Page(parent) {
+  inRow({m_icon, {m_text, 1}, m_reload}, this, QMargins(12, 2, 12, 2));
   hide();
   retranslate();
   restyle();
@@ -109,7 +83,6 @@ void FileBanner::retranslate() {
             (changed ? tr("Reload it?") : tr("Version %1 stays loaded.").arg(m_hash));
   }
   m_text->setText(text);
-  m_reload->setText(tr("Reload"));
   m_reload->setVisible(changed && !m_running);
 }
 

@@ -33,14 +33,14 @@ class LoadBar final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   QTimer m_showTimer{this};
   QString m_fileName;
-  QLabel* m_name;
+  QLabel* m_name = label({});
   QProgressBar* m_bar;
-  QPushButton* m_cancel;
+  QPushButton* m_cancel =
+      button({.text = QT_TR_NOOP("Cancel"), .icon = "dismiss"}, &LoadBar::cancelRequested);
 };
 
 class FileBanner final : public Page {
@@ -75,9 +75,9 @@ class FileBanner final : public Page {
   bool m_running = false;
   QString m_fileName;
   QString m_hash;
-  QLabel* m_icon;
-  QLabel* m_text;
-  QPushButton* m_reload;
+  QLabel* m_icon = label({});
+  QLabel* m_text = value({.wraps = true});
+  QPushButton* m_reload = button({.text = QT_TR_NOOP("Reload")}, &FileBanner::reloadRequested);
 };
 
 }  // namespace rivulet::widgets

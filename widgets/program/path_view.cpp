@@ -5,7 +5,6 @@
 
 #include <QButtonGroup>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -14,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/ramp.h"
 #include "widgets/common/theme.h"
@@ -32,16 +30,9 @@ constexpr double kStepsPerS = 1000.0;  // of the slider, by time
 PathView::PathView(QWidget* parent)
     : Page(parent),
       m_canvas(new PathCanvas(this)),
-      m_top(makeTouchButton(this)),
-      m_isometric(makeTouchButton(this)),
-      m_fit(makeTouchButton(this)),
-      m_colourName(new QLabel(this)),
-      m_colour(new QComboBox(this)),
-      m_showPauses(makeTouchButton(this)),
       m_legend(new LegendStrip(this)),
-      m_slider(new QSlider(Qt::Horizontal, this)),
-      m_scale(new QComboBox(this)),
-      m_place(new QLabel(this)) {
+      m_slider(
+          say(new QSlider(Qt::Horizontal, this), {.hint = QT_TR_NOOP("Walk along the path")})) {
   auto* group = new QButtonGroup(this);
   for (QPushButton* button : {m_top, m_isometric}) {
     button->setCheckable(true);
@@ -50,35 +41,20 @@ PathView::PathView(QWidget* parent)
   m_top->setChecked(true);
   m_showPauses->setCheckable(true);
   m_showPauses->setChecked(true);
-  for (int i = 0; i < 5; ++i) {
-    m_colour->addItem(QString());
-  }
-  m_scale->addItem(QString());
-  m_scale->addItem(QString());
   m_scale->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // the language may change
   m_slider->setMinimumHeight(32);
-  m_place->setWordWrap(true);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_top, 1);
-  buttons->addWidget(m_isometric, 1);
-  buttons->addWidget(m_fit);
-  auto* colour = new QHBoxLayout;
-  colour->addWidget(m_colourName);
-  colour->addWidget(m_colour, 1);
-  colour->addWidget(m_showPauses);
-  auto* scrub = new QHBoxLayout;
-  scrub->addWidget(m_slider, 1);
-  scrub->addWidget(m_scale);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(buttons);
-  layout->addLayout(colour);
-  layout->addWidget(m_legend);
-  layout->addWidget(m_canvas, 1);
-  layout->addLayout(scrub);
-  layout->addWidget(m_place);
+  auto* scrub = inRow({{m_slider, 1}, m_scale});
+  inColumn({inRow({{m_top, 1}, {m_isometric, 1}, m_fit}),
+            inRow({label({.text = QT_TR_NOOP("Colour by"), .isMuted = true}),
+                   {m_colour, 1},
+                   m_showPauses}),
+            m_legend,
+            {m_canvas, 1},
+            scrub,
+            m_place},
+           this);
   connect(m_top, &QPushButton::clicked, this, [this] { setIsometric(false); });
   connect(m_isometric, &QPushButton::clicked, this, [this] { setIsometric(true); });
-  connect(m_fit, &QPushButton::clicked, this, &PathView::fit);
   connect(m_colour, &QComboBox::activated, this,
           [this](int index) { setColouring(static_cast<overview::PathColouring>(index)); });
   connect(m_showPauses, &QPushButton::toggled, this, &PathView::showPauses);
@@ -93,7 +69,7 @@ PathView::PathView(QWidget* parent)
     Q_EMIT pointChosen(point);
   });
   retranslate();
-  restyle();
+  onTheme(&PathView::recolour);
 }
 
 void PathView::setProgram(std::shared_ptr<const overview::ProgramView> view) {
@@ -214,36 +190,11 @@ void PathView::fit() {
 }
 
 void PathView::retranslate() {
-  m_top->setText(tr("Top (XY)"));
-  m_isometric->setText(tr("Isometric"));
-  m_fit->setAccessibleName(tr("Fit"));
-  m_fit->setToolTip(tr("Show the whole path (double click does the same)"));
-  m_colourName->setText(tr("Colour by"));
-  const QStringList colourings{tr("Kind of move"), tr("Feed"), tr("Margin of the method"),
-                               tr("Time"), tr("Density of pauses")};
-  for (int i = 0; i < colourings.size(); ++i) {
-    m_colour->setItemText(i, colourings[i]);
-  }
-  m_scale->setItemText(0, tr("by point"));
-  m_scale->setItemText(1, tr("by time"));
-  m_slider->setToolTip(tr("Walk along the path"));
-  m_slider->setAccessibleName(tr("Walk along the path"));
-  m_showPauses->setText(tr("Pauses"));
-  m_showPauses->setToolTip(tr("Mark where the run will pause"));
   m_canvas->setTexts({tr("No program is loaded"), tr("The points appear here as they come"),
                       tr("Start"), tr("Tool"), tr("Pause off the cut, after point %1, line %2"),
                       tr("Pause in the cut, after point %1, line %2")});
   showLegend();
   showPlace();
-}
-
-void PathView::restyle() {
-  const QColor color = themeColors(palette()).text;
-  m_top->setIcon(themedIcon(QStringLiteral("view-top"), color));
-  m_isometric->setIcon(themedIcon(QStringLiteral("view-isometric"), color));
-  m_fit->setIcon(themedIcon(QStringLiteral("fit"), color));
-  setMuted(m_colourName, palette());
-  recolour();
 }
 
 std::size_t PathView::pointCount() const {

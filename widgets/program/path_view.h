@@ -75,7 +75,6 @@ class PathView final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   [[nodiscard]] std::size_t pointCount() const;
@@ -99,22 +98,28 @@ class PathView final : public Page {
   feasibility::OperatingPoint m_point;
   feasibility::AccessModel m_access;
   bool m_ownFeeds = false;
-  overview::PathColouring m_colouring = overview::PathColouring::Kind;
+  overview::PathColouring m_colouring{overview::PathColouring::Kind};
   overview::PathClasses m_classes;  ///< without `ofPoint`
   std::vector<bool> m_present;
   std::optional<std::size_t> m_marked;
 
   PathCanvas* m_canvas;
-  QPushButton* m_top;
-  QPushButton* m_isometric;
-  QPushButton* m_fit;
-  QLabel* m_colourName;
-  QComboBox* m_colour;
-  QPushButton* m_showPauses;
+  QPushButton* m_top = button({.text = QT_TR_NOOP("Top (XY)"), .icon = "view-top"});
+  QPushButton* m_isometric = button({.text = QT_TR_NOOP("Isometric"), .icon = "view-isometric"});
+  QPushButton* m_fit =
+      button({.tip = QT_TR_NOOP("Show the whole path (double click does the same)"),
+              .name = QT_TR_NOOP("Fit"),
+              .icon = "fit"},
+             &PathView::fit);
+  QComboBox* m_colour = list(
+      {.items = {QT_TR_NOOP("Kind of move"), QT_TR_NOOP("Feed"), QT_TR_NOOP("Margin of the method"),
+                 QT_TR_NOOP("Time"), QT_TR_NOOP("Density of pauses")}});
+  QPushButton* m_showPauses =
+      button({.text = QT_TR_NOOP("Pauses"), .tip = QT_TR_NOOP("Mark where the run will pause")});
   LegendStrip* m_legend;
   QSlider* m_slider;
-  QComboBox* m_scale;
-  QLabel* m_place;
+  QComboBox* m_scale = list({.items = {QT_TR_NOOP("by point"), QT_TR_NOOP("by time")}});
+  QLabel* m_place = label({.wraps = true});
 };
 
 }  // namespace rivulet::widgets

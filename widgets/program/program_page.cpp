@@ -5,7 +5,6 @@
 
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QVBoxLayout>
 
 #include "widgets/live/live_panel.h"
 #include "widgets/program/path_view.h"
@@ -47,11 +46,8 @@ ProgramPage::ProgramPage(QWidget* parent)
   m_halves->setChildrenCollapsible(false);
   connect(m_halves, &QSplitter::splitterMoved, m_halves,
           [this] { m_halves->setProperty(kMoved, true); });
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = inColumn({m_reading, {m_halves, 1}}, this, QMargins(0, 0, 0, 0));
   layout->setSpacing(0);
-  layout->addWidget(m_reading);
-  layout->addWidget(m_halves, 1);
   connect(m_path, &PathView::pointChosen, this, &ProgramPage::showPoint);
   connect(m_text, &TextPane::lineChosen, this, &ProgramPage::showLine);
   connect(text(), &ProgramTextView::lineChosen, this, &ProgramPage::showLine);

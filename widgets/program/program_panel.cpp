@@ -28,7 +28,6 @@
 #include <numeric>
 
 #include "base/units.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
@@ -71,42 +70,23 @@ QString linkTo(base::LineNumber line, const QString& lines) {
 
 ProgramPanel::ProgramPanel(QWidget* parent)
     : Page(parent),
-      m_open(makeTouchButton(this)),
-      m_recent(makeTouchButton(this)),
-      m_live(makeTouchButton(this)),
       m_recentMenu(new QMenu(this)),
-      m_name(makeValueLabel(this)),
-      m_hash(makeValueLabel(this)),
-      m_summary(new StatusLabel(this)),
-      m_dialectName(new QLabel(this)),
-      m_dialect(new QComboBox(this)),
-      m_evidence(makeValueLabel(this)),
       m_rows(new QSplitter(Qt::Vertical, this)),
       m_tabs(new QTabWidget(m_rows)),
       m_findings(new DiagnosticModel(this)),
       m_sorted(new QSortFilterProxyModel(this)),
       m_findingsTable(new QTableView(this)),
-      m_finding(makeValueLabel(this)),
-      m_accept(makeTouchButton(this)),
       m_acceptedArea(new QWidget(this)),
       m_acceptedRows(new QVBoxLayout(m_acceptedArea)) {
   setAcceptDrops(true);
   setMinimumWidth(360);
   m_recent->setMenu(m_recentMenu);
   m_recentMenu->setToolTipsVisible(true);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_open, 1);
-  buttons->addWidget(m_recent, 1);
-  buttons->addWidget(m_live, 1);
-  m_live->setObjectName(QStringLiteral("live-points"));
 
   QFont nameFont = font();
   nameFont.setPointSizeF(13.0);
   nameFont.setBold(true);
   m_name->setFont(nameFont);
-  m_name->setWordWrap(true);
-  m_summary->setWordWrap(true);
-  m_evidence->setWordWrap(true);
   m_dialect->addItem(QString());
   for (std::size_t i = 0; i < gcode::kDialects.size(); ++i) {
     m_dialect->addItem(QString());
@@ -114,16 +94,11 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   m_tabs->addTab(makeFigures(), QString());
   m_tabs->addTab(makeFindings(), QString());
 
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(buttons);
-  layout->addWidget(m_name);
-  layout->addWidget(m_hash);
-  layout->addWidget(m_summary);
-  layout->addWidget(m_rows, 1);
+  inColumn(
+      {inRow({{m_open, 1}, {m_recent, 1}, {m_live, 1}}), m_name, m_hash, m_summary, {m_rows, 1}},
+      this);
   m_rows->setChildrenCollapsible(false);
 
-  connect(m_open, &QPushButton::clicked, this, &ProgramPanel::chooseFile);
-  connect(m_live, &QPushButton::clicked, this, &ProgramPanel::liveRequested);
   connect(m_findingsTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &ProgramPanel::showFinding);
   const auto jump = [this] {
@@ -134,7 +109,6 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   };
   connect(m_findingsTable, &QTableView::clicked, this, jump);
   connect(m_findingsTable, &QTableView::activated, this, jump);
-  connect(m_accept, &QPushButton::clicked, this, &ProgramPanel::askToAccept);
   connect(m_dialect, &QComboBox::activated, this, [this](int index) {
     std::optional<gcode::Dialect> wanted;
     if (index > 0) {
@@ -145,7 +119,7 @@ ProgramPanel::ProgramPanel(QWidget* parent)
     }
   });
   retranslate();
-  restyle();
+  onTheme([this] { m_findings->setColors(palette()); }, &ProgramPanel::showDistances);
 }
 
 QWidget* ProgramPanel::makeFigures() {
@@ -154,28 +128,59 @@ QWidget* ProgramPanel::makeFigures() {
   figures->setHorizontalSpacing(12);
   figures->setVerticalSpacing(4);
   figures->setColumnStretch(1, 1);
-  figures->addWidget(m_dialectName, 0, 0);
+  figures->addWidget(label({.text = QT_TR_NOOP("Dialect"), .isMuted = true}), 0, 0);
   figures->addWidget(m_dialect, 0, 1);
   figures->addWidget(m_evidence, 1, 0, 1, 2);
+  constexpr std::array<const char*, FigureCount> kNames{QT_TR_NOOP("Lines"),
+                                                        QT_TR_NOOP("Motions"),
+                                                        QT_TR_NOOP("Points"),
+                                                        QT_TR_NOOP("Units"),
+                                                        nullptr,
+                                                        nullptr,
+                                                        nullptr,
+                                                        QT_TR_NOOP("Cutting path"),
+                                                        QT_TR_NOOP("Rapid path"),
+                                                        QT_TR_NOOP("By kind"),
+                                                        QT_TR_NOOP("Feeds"),
+                                                        QT_TR_NOOP("Time, feeds as programmed"),
+                                                        QT_TR_NOOP("Time, as streamed"),
+                                                        nullptr,
+                                                        nullptr,
+                                                        QT_TR_NOOP("Distances"),
+                                                        QT_TR_NOOP("Corners")};
+  constexpr const char* kDistanceTip = QT_TR_NOOP("Smallest distance of neighbouring points");
+  constexpr const char* kWindowTip =
+      QT_TR_NOOP("Smallest path length of half a loop (N/2 points, rounded down)");
   constexpr int kFirstRow = 2;
   for (int figure = 0; figure < FigureCount; ++figure) {
     const int row = kFirstRow + figure;
-    auto* name = new QLabel(page);
-    auto* value = makeValueLabel(page);
-    value->setWordWrap(true);
+    auto* value = this->value({.wraps = true});
     value->setTextFormat(Qt::RichText);
     value->setTextInteractionFlags(value->textInteractionFlags() | Qt::LinksAccessibleByMouse |
                                    Qt::LinksAccessibleByKeyboard);
     connect(value, &QLabel::linkActivated, this, &ProgramPanel::followLink);
-    m_figureNames.push_back(name);
     m_figureValues.push_back(value);
-    figures->addWidget(name, row, 0, Qt::AlignTop);
+    m_figureNames.push_back(label({.text = kNames[static_cast<std::size_t>(figure)],
+                                   .tip = figure == PointDistance  ? kDistanceTip
+                                          : figure == WindowLength ? kWindowTip
+                                                                   : nullptr,
+                                   .isMuted = true,
+                                   .wraps = true}));
+    figures->addWidget(m_figureNames.back(), row, 0, Qt::AlignTop);
     figures->addWidget(value, row, 1);
   }
-  m_chartName = new QLabel(page);
-  m_chartName->setWordWrap(true);
+  // The same in every language.
+  for (const auto& [figure, symbol] :
+       {std::pair(BoundsX, "X"), std::pair(BoundsY, "Y"), std::pair(BoundsZ, "Z"),
+        std::pair(PointDistance, "d<sub>min</sub>"),
+        std::pair(WindowLength, "d<sub>min</sub><sup>N</sup>")}) {
+    m_figureNames[figure]->setText(QLatin1String(symbol));
+  }
   m_chart = new DistanceChart(page);
-  figures->addWidget(m_chartName, kFirstRow + FigureCount, 0, 1, 2);
+  figures->addWidget(label({.text = QT_TR_NOOP("Distances of neighbouring points, mm"),
+                            .isMuted = true,
+                            .wraps = true}),
+                     kFirstRow + FigureCount, 0, 1, 2);
   figures->addWidget(m_chart, kFirstRow + FigureCount + 1, 0, 1, 2);
   figures->setRowStretch(kFirstRow + FigureCount + 2, 1);
   auto* scroll = new QScrollArea;
@@ -203,14 +208,9 @@ QWidget* ProgramPanel::makeFindings() {
   m_findingsTable->setColumnWidth(DiagnosticModel::Line, 64);
   m_findingsTable->setColumnHidden(DiagnosticModel::ColumnInLine, true);  // the text shows where
   m_findingsTable->horizontalHeader()->setStretchLastSection(true);
-  m_finding->setWordWrap(true);
   m_acceptedRows->setContentsMargins(0, 0, 0, 0);
   auto* page = new QWidget;
-  auto* findings = new QVBoxLayout(page);
-  findings->addWidget(m_findingsTable, 1);
-  findings->addWidget(m_finding);
-  findings->addWidget(m_accept);
-  findings->addWidget(m_acceptedArea);
+  inColumn({{m_findingsTable, 1}, m_finding, m_accept, m_acceptedArea}, page);
   return page;
 }
 
@@ -291,56 +291,12 @@ void ProgramPanel::showTab(Tab tab) {
 }
 
 void ProgramPanel::retranslate() {
-  m_open->setText(tr("Open…"));
-  m_recent->setText(tr("Recent"));
-  m_live->setText(tr("Live …"));
-  m_live->setToolTip(tr("Points that another program computes while the machine moves"));
-  m_dialectName->setText(tr("Dialect"));
   m_tabs->setTabText(static_cast<int>(Tab::Figures), tr("Figures"));
-  const auto name = [this](Figure figure, const QString& text) {
-    m_figureNames[static_cast<std::size_t>(figure)]->setText(text);
-  };
-  name(Lines, tr("Lines"));
-  name(Motions, tr("Motions"));
-  name(Points, tr("Points"));
-  name(Units, tr("Units"));
-  name(BoundsX, QStringLiteral("X"));
-  name(BoundsY, QStringLiteral("Y"));
-  name(BoundsZ, QStringLiteral("Z"));
-  name(CutLength, tr("Cutting path"));
-  name(RapidLength, tr("Rapid path"));
-  name(Kinds, tr("By kind"));
-  name(Feeds, tr("Feeds"));
-  name(ProgrammedTime, tr("Time, feeds as programmed"));
-  name(StreamedTime, tr("Time, as streamed"));
-  name(PointDistance, QStringLiteral("d<sub>min</sub>"));
-  name(WindowLength, QStringLiteral("d<sub>min</sub><sup>N</sup>"));
-  name(Distances, tr("Distances"));
-  name(Corners, tr("Corners"));
-  for (QLabel* label : m_figureNames) {
-    label->setWordWrap(true);
-  }
-  m_figureNames[PointDistance]->setToolTip(tr("Smallest distance of neighbouring points"));
-  m_figureNames[WindowLength]->setToolTip(
-      tr("Smallest path length of half a loop (N/2 points, rounded down)"));
-  m_chartName->setText(tr("Distances of neighbouring points, mm"));
   m_findings->refresh();
   showFinding();
   fillRecentMenu();
   showProgram();
   showAccepted();
-}
-
-void ProgramPanel::restyle() {
-  m_open->setIcon(themedIcon(QStringLiteral("open"), themeColors(palette()).text));
-  m_findings->setColors(palette());
-  for (QLabel* muted : {m_hash, m_dialectName, m_evidence, m_chartName}) {
-    setMuted(muted, palette());
-  }
-  for (QLabel* name : m_figureNames) {
-    setMuted(name, palette());
-  }
-  showDistances();  // links have the colour they were made with
 }
 
 void ProgramPanel::showProgram() {
@@ -552,16 +508,13 @@ void ProgramPanel::showAccepted() {
 
 QPushButton* ProgramPanel::addReadingRow(const QString& text, const QString& accessibleName) {
   auto* row = new QWidget(m_acceptedArea);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
   auto* label = new StatusLabel(row);
   label->setStatus(Status::Attention, text);
   label->setWordWrap(true);
   auto* back = makeTouchButton(row);
   back->setText(tr("Take back"));
   back->setAccessibleName(accessibleName);
-  layout->addWidget(label, 1);
-  layout->addWidget(back);
+  inRow({{label, 1}, back}, row, QMargins(0, 0, 0, 0));
   m_acceptedRows->addWidget(row);
   return back;
 }

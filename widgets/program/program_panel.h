@@ -79,7 +79,6 @@ class ProgramPanel final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dragLeaveEvent(QDragLeaveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -133,32 +132,36 @@ class ProgramPanel final : public Page {
   std::optional<feasibility::ProgramDistances> m_distances;
   std::optional<gcode::Dialect> m_ordered;
   std::vector<std::string> m_accepted;
-  gcode::CentreReading m_centres = gcode::CentreReading::AsProgrammed;
+  gcode::CentreReading m_centres{gcode::CentreReading::AsProgrammed};
   QStringList m_recentFiles;
   bool m_openEnabled = true;
   bool m_dropHovers = false;
 
-  QPushButton* m_open;
-  QPushButton* m_recent;
-  QPushButton* m_live;
+  QPushButton* m_open =
+      button({.text = QT_TR_NOOP("Open…"), .icon = "open"}, &ProgramPanel::chooseFile);
+  QPushButton* m_recent = button({.text = QT_TR_NOOP("Recent")});
+  QPushButton* m_live =
+      button({.text = QT_TR_NOOP("Live …"),
+              .tip = QT_TR_NOOP("Points that another program computes while the machine moves"),
+              .id = "live-points"},
+             &ProgramPanel::liveRequested);
   QMenu* m_recentMenu;
-  QLabel* m_name;
-  QLabel* m_hash;
-  StatusLabel* m_summary;
-  QLabel* m_dialectName;
-  QComboBox* m_dialect;
-  QLabel* m_evidence;
+  QLabel* m_name = value({.wraps = true});
+  QLabel* m_hash = value({.isMuted = true});
+  StatusLabel* m_summary = status({.wraps = true});
+  QComboBox* m_dialect = list();
+  QLabel* m_evidence = value({.isMuted = true, .wraps = true});
   QSplitter* m_rows;
   QTabWidget* m_tabs;
   std::vector<QLabel*> m_figureNames;
   std::vector<QLabel*> m_figureValues;
-  QLabel* m_chartName = nullptr;
   DistanceChart* m_chart = nullptr;
   DiagnosticModel* m_findings;
   QSortFilterProxyModel* m_sorted;  ///< the findings in the order of the table
   QTableView* m_findingsTable;
-  QLabel* m_finding;  ///< the whole sentence of the finding selected in the table
-  QPushButton* m_accept;
+  QLabel* m_finding =
+      value({.wraps = true});  ///< the whole sentence of the finding selected in the table
+  QPushButton* m_accept = button({}, &ProgramPanel::askToAccept);
   QWidget* m_acceptedArea;
   QVBoxLayout* m_acceptedRows;
 };

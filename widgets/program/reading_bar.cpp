@@ -59,9 +59,7 @@ QString controlName(gcode::Dialect dialect) {
   return QStringLiteral("HEIDENHAIN");
 }
 
-ReadingBar::ReadingBar(QWidget* parent)
-    : Page(parent), m_icon(new QLabel(this)), m_text(makeValueLabel(this)), m_row(new QHBoxLayout) {
-  m_text->setWordWrap(true);
+ReadingBar::ReadingBar(QWidget* parent) : Page(parent), m_row(new QHBoxLayout) {
   m_row->setContentsMargins(12, 4, 12, 4);
   m_row->addWidget(m_icon);
   m_row->addWidget(m_text, 1);

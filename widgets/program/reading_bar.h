@@ -53,8 +53,8 @@ class ReadingBar final : public Page {
 
   std::shared_ptr<const gcode::Program> m_program;
   bool m_isAnswerable = true;
-  QLabel* m_icon;
-  QLabel* m_text;
+  QLabel* m_icon = label({});
+  QLabel* m_text = value({.wraps = true});
   QHBoxLayout* m_row;
   std::vector<QPushButton*> m_answers;
 };

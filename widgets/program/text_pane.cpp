@@ -3,14 +3,12 @@
 
 #include "widgets/program/text_pane.h"
 
-#include <QHBoxLayout>
 #include <QIntValidator>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
 
@@ -35,46 +33,40 @@ QToolButton* makeTool(QWidget* parent, Qt::ArrowType arrow) {
 TextPane::TextPane(QWidget* parent)
     : Page(parent),
       m_finder(new TextSearch(this)),
-      m_search(new QLineEdit(this)),
-      m_previous(makeTool(this, Qt::UpArrow)),
-      m_next(makeTool(this, Qt::DownArrow)),
-      m_found(new QLabel(this)),
-      m_lineName(new QLabel(this)),
-      m_line(new QLineEdit(this)),
-      m_previousPart(makeTool(this, Qt::LeftArrow)),
-      m_nextPart(makeTool(this, Qt::RightArrow)),
-      m_follow(new QToolButton(this)),
-      m_startHere(new QToolButton(this)),
+      m_previous(
+          say(makeTool(this, Qt::UpArrow), {.hint = QT_TR_NOOP("Previous line with this text")})),
+      m_next(say(makeTool(this, Qt::DownArrow), {.hint = QT_TR_NOOP("Next line with this text")})),
+      m_previousPart(
+          say(makeTool(this, Qt::LeftArrow),
+              {.hint = QT_TR_NOOP(
+                   "Previous stretch, or blocks that the control executes (Ctrl+Page Up)")})),
+      m_nextPart(say(makeTool(this, Qt::RightArrow),
+                     {.hint = QT_TR_NOOP(
+                          "Next stretch, or blocks that the control executes (Ctrl+Page Down)")})),
+      m_follow(say(new QToolButton(this),
+                   {.text = QT_TR_NOOP("Follow the run"),
+                    .tip = QT_TR_NOOP("The text shows the line that is being executed"),
+                    .isTouch = true})),
+      m_startHere(
+          say(new QToolButton(this),
+              {.text = QT_TR_NOOP("Run from here …"),
+               .tip = QT_TR_NOOP("Start at the chosen line. First it is shown what would move."),
+               .isTouch = true})),
       m_text(new ProgramTextView(this)) {
   m_search->setClearButtonEnabled(true);
   m_search->setMinimumSize(90, kTouchHeightPx);
-  m_line->setMinimumHeight(kTouchHeightPx);
   m_line->setValidator(new QIntValidator(1, std::numeric_limits<int>::max(), m_line));
   m_line->setMaximumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00 000 000")) + 16);
   m_follow->setCheckable(true);
   m_follow->setChecked(true);
-  m_follow->setMinimumHeight(kTouchHeightPx);
   m_found->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00 000+")));
-  auto* finding = new QHBoxLayout;
-  finding->addWidget(m_search, 1);
-  finding->addWidget(m_found);
-  finding->addWidget(m_previous);
-  finding->addWidget(m_next);
-  auto* places = new QHBoxLayout;
-  places->addWidget(m_lineName);
-  places->addWidget(m_line);
-  places->addWidget(m_previousPart);
-  places->addWidget(m_nextPart);
-  places->addStretch();
-  places->addWidget(m_follow);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = inColumn({inRow({{m_search, 1}, m_found, m_previous, m_next}),
+                           inRow({label({.text = QT_TR_NOOP("Line"), .isMuted = true}), m_line,
+                                  m_previousPart, m_nextPart, spring(), m_follow}),
+                           {m_text, 1},
+                           m_startHere},
+                          this, QMargins(0, 0, 0, 0));
   layout->setSpacing(4);
-  layout->addLayout(finding);
-  layout->addLayout(places);
-  layout->addWidget(m_text, 1);
-  layout->addWidget(m_startHere);
-  m_startHere->setMinimumHeight(kTouchHeightPx);
   m_startHere->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   m_startHere->setEnabled(false);
   setTabOrder(m_text, m_startHere);
@@ -111,8 +103,7 @@ TextPane::TextPane(QWidget* parent)
   onKey(QKeySequence(Qt::CTRL | Qt::Key_G), m_line);
   m_previousPart->hide();
   m_nextPart->hide();
-  retranslate();
-  restyle();
+  onLanguage(&TextPane::showFound);
 }
 
 void TextPane::setProgram(const std::shared_ptr<const overview::ProgramView>& view) {
@@ -191,33 +182,6 @@ void TextPane::showFound() {
   const bool hasMore = m_finder->isBusy() || lines.size() >= TextSearch::kFoundMax;
   m_found->setText(countText(lines.size()) + (hasMore ? QStringLiteral("+") : QString()));
   m_found->setToolTip(tr("Lines with this text"));
-}
-
-void TextPane::retranslate() {
-  m_search->setPlaceholderText(tr("Search (Ctrl+F)"));
-  m_search->setAccessibleName(tr("Search the program text"));
-  m_previous->setToolTip(tr("Previous line with this text"));
-  m_previous->setAccessibleName(m_previous->toolTip());
-  m_next->setToolTip(tr("Next line with this text"));
-  m_next->setAccessibleName(m_next->toolTip());
-  m_lineName->setText(tr("Line"));
-  m_line->setToolTip(tr("Go to a line (Ctrl+G)"));
-  m_line->setAccessibleName(tr("Go to line"));
-  m_previousPart->setToolTip(
-      tr("Previous stretch, or blocks that the control executes (Ctrl+Page Up)"));
-  m_previousPart->setAccessibleName(m_previousPart->toolTip());
-  m_nextPart->setToolTip(tr("Next stretch, or blocks that the control executes (Ctrl+Page Down)"));
-  m_nextPart->setAccessibleName(m_nextPart->toolTip());
-  m_startHere->setText(tr("Run from here …"));
-  m_startHere->setToolTip(tr("Start at the chosen line. First it is shown what would move."));
-  m_follow->setText(tr("Follow the run"));
-  m_follow->setToolTip(tr("The text shows the line that is being executed"));
-  showFound();
-}
-
-void TextPane::restyle() {
-  setMuted(m_found, palette());
-  setMuted(m_lineName, palette());
 }
 
 }  // namespace rivulet::widgets

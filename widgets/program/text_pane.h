@@ -49,10 +49,6 @@ class TextPane final : public Page {
   /// The operator wants a run to begin at the chosen line.
   void startHereRequested(std::size_t line);
 
- protected:
-  void retranslate() override;
-  void restyle() override;
-
  private:
   void findNext(bool isForward);
   void goToLine();
@@ -61,12 +57,14 @@ class TextPane final : public Page {
   void showRunLine();
 
   TextSearch* m_finder;
-  QLineEdit* m_search;
+  QLineEdit* m_search = lineEdit({.name = QT_TR_NOOP("Search the program text"),
+                                  .placeholder = QT_TR_NOOP("Search (Ctrl+F)")});
   QToolButton* m_previous;
   QToolButton* m_next;
-  QLabel* m_found;
-  QLabel* m_lineName;
-  QLineEdit* m_line;
+  QLabel* m_found = label({.isMuted = true});
+  QLineEdit* m_line = lineEdit({.tip = QT_TR_NOOP("Go to a line (Ctrl+G)"),
+                                .name = QT_TR_NOOP("Go to line"),
+                                .isTouch = true});
   QToolButton* m_previousPart;
   QToolButton* m_nextPart;
   QToolButton* m_follow;

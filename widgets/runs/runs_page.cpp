@@ -177,8 +177,7 @@ RunsPage::RunsPage(QWidget* parent)
     : Page(parent),
       m_model(new RunsModel(this)),
       m_filter(new Filter(this)),
-      m_table(new QTableView(this)),
-      m_unreadable(makeValueLabel(this)) {
+      m_table(say(new QTableView(this), {.name = QT_TR_NOOP("Runs")})) {
   m_filter->setSourceModel(m_model);
   m_filter->setSortRole(RunsModel::kSortRole);
   m_table->setModel(m_filter);
@@ -187,13 +186,8 @@ RunsPage::RunsPage(QWidget* parent)
   m_table->sortByColumn(RunsModel::Time, Qt::DescendingOrder);
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
   m_table->setMinimumHeight(150);
-  m_unreadable->setWordWrap(true);
   auto* upper = new QWidget(this);
-  auto* rows = new QVBoxLayout(upper);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->addWidget(makeFilterRow());
-  rows->addWidget(m_table, 1);
-  rows->addWidget(m_unreadable);
+  inColumn({makeFilterRow(), {m_table, 1}, m_unreadable}, upper, QMargins(0, 0, 0, 0));
   auto* halves = new QSplitter(Qt::Vertical, this);
   halves->addWidget(upper);
   halves->addWidget(makeDetail());
@@ -210,11 +204,19 @@ RunsPage::RunsPage(QWidget* parent)
 
 QWidget* RunsPage::makeFilterRow() {
   auto* row = new QWidget(this);
-  m_search = new QLineEdit(row);
-  m_results = new QComboBox(row);
-  m_machines = new QComboBox(row);
-  m_count = new QLabel(row);
-  m_csv = makeTouchButton(row);
+  m_search = lineEdit({.tip = QT_TR_NOOP("Shows runs in which each word stands in some column"),
+                       .name = QT_TR_NOOP("Search runs"),
+                       .placeholder = QT_TR_NOOP("Search")});
+  m_results = list({.name = QT_TR_NOOP("Result"),
+                    .items = {QT_TR_NOOP("All results"), QT_TR_NOOP("Faultless"),
+                              QT_TR_NOOP("Not judged"), QT_TR_NOOP("Failed or wrong")}});
+  int item = 1;  // the first is for all
+  for (const Status result : {Status::Good, Status::Unknown, Status::Fault}) {
+    m_results->setItemData(item++, static_cast<int>(result));
+  }
+  m_machines = list({.name = QT_TR_NOOP("Machine")});
+  m_count = label({.isMuted = true});
+  m_csv = button({.text = QT_TR_NOOP("Table as CSV…"), .icon = "save"});
   m_search->setClearButtonEnabled(true);
   m_search->setMinimumWidth(60);
   for (QWidget* field : {static_cast<QWidget*>(m_search), static_cast<QWidget*>(m_results),
@@ -225,51 +227,42 @@ QWidget* RunsPage::makeFilterRow() {
   // Long names of machines are not to widen the page.
   m_machines->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_machines->setMinimumContentsLength(12);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_search, 1);
-  layout->addWidget(m_results);
-  layout->addWidget(m_machines);
-  layout->addWidget(m_count);
-  layout->addWidget(m_csv);
+  inRow({{m_search, 1}, m_results, m_machines, m_count, m_csv}, row, QMargins(0, 0, 0, 0));
   return row;
 }
 
 QWidget* RunsPage::makeDetail() {
   auto* detail = new QWidget(this);
   m_title = new StatusLabel(detail, StatusLabel::Elided{});
-  auto* buttons = new QHBoxLayout;
-  for (QPushButton** button : {&m_traces, &m_repeat, &m_resume, &m_sheet}) {
-    *button = makeTouchButton(detail);
-    buttons->addWidget(*button);
-  }
-  buttons->addStretch();
+  m_traces =
+      button({.text = QT_TR_NOOP("Open in Traces"), .icon = "live"}, &RunsPage::tracesRequested);
+  m_repeat = button({.text = QT_TR_NOOP("Repeat with these settings")}, &RunsPage::repeatRequested);
+  m_resume = button({.text = QT_TR_NOOP("Resume"), .icon = "resume"}, &RunsPage::resumeRequested);
+  m_sheet = button({.text = QT_TR_NOOP("Page as PDF…"), .icon = "save"});
   m_report = new ReportPanel(detail);
   auto* scrolled = new QScrollArea(detail);
   scrolled->setWidget(m_report);
   scrolled->setWidgetResizable(true);
   scrolled->setFrameShape(QFrame::NoFrame);
   scrolled->setMinimumHeight(150);
-  m_keepName = new QLabel(detail);
-  m_keepRuns = new WholeNumberField(detail);
-  m_keepSize = new WholeNumberField(detail);
+  m_keepRuns =
+      say(new WholeNumberField(detail),
+          {.name = QT_TR_NOOP("Number of runs that are kept"), .suffix = QT_TR_NOOP(" runs")});
+  m_keepSize =
+      say(new WholeNumberField(detail),
+          {.name = QT_TR_NOOP("Size of reports and recordings that are kept"), .suffix = " GiB"});
   m_keepRuns->setRange(1, 100'000);
   m_keepSize->setRange(1, 10'000);
-  auto* keep = new QHBoxLayout;
-  keep->addWidget(m_keepName);
-  keep->addWidget(m_keepRuns);
-  keep->addWidget(m_keepSize);
-  keep->addStretch();
-  m_open = makeTouchButton(detail);
-  m_json = makeTouchButton(detail);
-  keep->addWidget(m_open);
-  keep->addWidget(m_json);
-  auto* layout = new QVBoxLayout(detail);
-  layout->setContentsMargins(0, 4, 0, 0);
-  layout->addWidget(m_title);
-  layout->addLayout(buttons);
-  layout->addWidget(scrolled, 1);
-  layout->addLayout(keep);
+  m_open = button({.text = QT_TR_NOOP("Open a report…"),
+                   .tip = QT_TR_NOOP("A report that was exported here or printed by stream --json"),
+                   .icon = "open"});
+  m_json = button({.text = QT_TR_NOOP("JSON…"), .icon = "save"});
+  inColumn({m_title,
+            inRow({m_traces, m_repeat, m_resume, m_sheet, spring()}),
+            {scrolled, 1},
+            inRow({label({.text = QT_TR_NOOP("Keep at most"), .isMuted = true}), m_keepRuns,
+                   m_keepSize, spring(), m_open, m_json})},
+           detail, QMargins(0, 4, 0, 0));
   return detail;
 }
 
@@ -290,9 +283,6 @@ void RunsPage::connectButtons() {
   });
   connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &RunsPage::takeSelection);
-  connect(m_traces, &QPushButton::clicked, this, &RunsPage::tracesRequested);
-  connect(m_repeat, &QPushButton::clicked, this, &RunsPage::repeatRequested);
-  connect(m_resume, &QPushButton::clicked, this, &RunsPage::resumeRequested);
   const auto save = [this](QPushButton* button, const char* ending, auto request) {
     connect(button, &QPushButton::clicked, this, [this, ending, request] {
       const QString path = askPath(tr("Save"), QLatin1String(ending));
@@ -527,35 +517,6 @@ QString RunsPage::askPath(const QString& title, const QString& ending) {
 }
 
 void RunsPage::retranslate() {
-  m_search->setPlaceholderText(tr("Search"));
-  m_search->setToolTip(tr("Shows runs in which each word stands in some column"));
-  m_search->setAccessibleName(tr("Search runs"));
-  m_results->setAccessibleName(tr("Result"));
-  m_machines->setAccessibleName(tr("Machine"));
-  m_table->setAccessibleName(tr("Runs"));
-  {
-    const int present = std::max(0, m_results->currentIndex());
-    const QSignalBlocker blocker(m_results);
-    m_results->clear();
-    m_results->addItem(tr("All results"));
-    m_results->addItem(tr("Faultless"), static_cast<int>(Status::Good));
-    m_results->addItem(tr("Not judged"), static_cast<int>(Status::Unknown));
-    m_results->addItem(tr("Failed or wrong"), static_cast<int>(Status::Fault));
-    m_results->setCurrentIndex(present);
-  }
-  m_csv->setText(tr("Table as CSV…"));
-  m_open->setText(tr("Open a report…"));
-  m_open->setToolTip(tr("A report that was exported here or printed by stream --json"));
-  m_traces->setText(tr("Open in Traces"));
-  m_repeat->setText(tr("Repeat with these settings"));
-  m_resume->setText(tr("Resume"));
-  m_sheet->setText(tr("Page as PDF…"));
-  m_json->setText(tr("JSON…"));
-  m_keepName->setText(tr("Keep at most"));
-  m_keepRuns->setSuffix(tr(" runs"));
-  m_keepSize->setSuffix(QStringLiteral(" GiB"));
-  m_keepRuns->setAccessibleName(tr("Number of runs that are kept"));
-  m_keepSize->setAccessibleName(tr("Size of reports and recordings that are kept"));
   fillMachines();
   m_model->refresh();
   showCount();
@@ -564,15 +525,6 @@ void RunsPage::retranslate() {
 }
 
 void RunsPage::restyle() {
-  const QColor color = themeColors(palette()).text;
-  m_traces->setIcon(themedIcon(QStringLiteral("live"), color));
-  m_resume->setIcon(themedIcon(QStringLiteral("resume"), color));
-  m_sheet->setIcon(themedIcon(QStringLiteral("save"), color));
-  m_json->setIcon(themedIcon(QStringLiteral("save"), color));
-  m_csv->setIcon(themedIcon(QStringLiteral("save"), color));
-  m_open->setIcon(themedIcon(QStringLiteral("open"), color));
-  setMuted(m_count, palette());
-  setMuted(m_keepName, palette());
   m_model->setColors(palette());
 }
 

@@ -17,7 +17,6 @@
 class QComboBox;
 class QLabel;
 class QLineEdit;
-class QSortFilterProxyModel;
 class QTableView;
 
 namespace rivulet::widgets {
@@ -138,10 +137,9 @@ class RunsPage final : public Page {
   QComboBox* m_machines;
   QLabel* m_count;
   QTableView* m_table;
-  QLabel* m_unreadable;
+  QLabel* m_unreadable = value({.wraps = true});
   QPushButton* m_csv;
   QPushButton* m_open;
-  QLabel* m_keepName;
   WholeNumberField* m_keepRuns;
   WholeNumberField* m_keepSize;
   StatusLabel* m_title;

@@ -5,13 +5,11 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QPointer>
 #include <QTableWidget>
-#include <QVBoxLayout>
 #include <array>
 
 #include "widgets/common/error_text.h"
@@ -37,36 +35,20 @@ ComparePanel::ComparePanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors
       m_window(window),
       m_cursors(cursors),
       m_view(view),
-      m_axisName(new QLabel(this)),
-      m_axis(new QComboBox(this)),
-      m_differences(new QCheckBox(this)),
-      m_note(new QLabel(this)),
-      m_table(new QTableWidget(0, kColumns, this)) {
-  m_axis->setObjectName(QStringLiteral("compareAxis"));
-  m_axis->setMinimumHeight(kTouchHeightPx);
-  m_axis->addItems({QString(), QString(), QString()});
-  m_axisName->setBuddy(m_axis);
-  m_axisName->setWordWrap(true);
-  m_differences->setObjectName(QStringLiteral("compareDifferences"));
-  m_differences->setMinimumHeight(kTouchHeightPx);
-  m_note->setObjectName(QStringLiteral("compareNote"));
-  m_note->setWordWrap(true);
+      m_table(say(new QTableWidget(0, kColumns, this),
+                  {.name = QT_TR_NOOP("Differences"), .id = "compareTable"})) {
   m_note->setTextFormat(Qt::PlainText);
-  m_table->setObjectName(QStringLiteral("compareTable"));
   styleTable(m_table);
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_table->setMinimumHeight(100);
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   m_table->horizontalHeader()->setSectionResizeMode(Signal, QHeaderView::Stretch);
-  auto* axis = new QHBoxLayout;
-  axis->addWidget(m_axisName);
-  axis->addWidget(m_axis, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(2, 6, 2, 4);
-  layout->addLayout(axis);
-  layout->addWidget(m_differences);
-  layout->addWidget(m_note);
-  layout->addWidget(m_table, 1);
+  inColumn({inRow({label({.text = QT_TR_NOOP("Compare at the same"), .wraps = true}, m_axis),
+                   {m_axis, 1}}),
+            m_differences,
+            m_note,
+            {m_table, 1}},
+           this, QMargins(2, 6, 2, 4));
 
   m_delay.setParent(this);  // whoever waits for the page finds it
   m_delay.setSingleShot(true);
@@ -205,14 +187,6 @@ void ComparePanel::goTo(int row) {
 }
 
 void ComparePanel::retranslate() {
-  m_axisName->setText(tr("Compare at the same"));
-  m_axis->setAccessibleName(tr("Axis of the comparison"));
-  m_axis->setItemText(static_cast<int>(trace::RunAxis::Time), tr("time"));
-  m_axis->setItemText(static_cast<int>(trace::RunAxis::Path), tr("length of path"));
-  m_axis->setItemText(static_cast<int>(trace::RunAxis::Point), tr("point of the program"));
-  m_differences->setText(tr("Show the differences as curves"));
-  m_differences->setToolTip(tr("Each pane shows the other traces minus the first one"));
-  m_table->setAccessibleName(tr("Differences"));
   m_table->setHorizontalHeaderLabels({tr("Signal"), tr("Largest"), tr("At"), tr("RMS")});
   showAxis();
   showRows(m_rows);

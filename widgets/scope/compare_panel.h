@@ -56,10 +56,17 @@ class ComparePanel final : public Page {
   TimeWindow* m_window;
   ScopeCursors* m_cursors;
   ScopeView* m_view;
-  QLabel* m_axisName;
-  QComboBox* m_axis;
-  QCheckBox* m_differences;
-  QLabel* m_note;
+  QComboBox* m_axis = list({.name = QT_TR_NOOP("Axis of the comparison"),
+                            .items = {QT_TR_NOOP("time"), QT_TR_NOOP("length of path"),
+                                      QT_TR_NOOP("point of the program")},
+                            .id = "compareAxis",
+                            .isTouch = true});
+  QCheckBox* m_differences =
+      checkBox({.text = QT_TR_NOOP("Show the differences as curves"),
+                .tip = QT_TR_NOOP("Each pane shows the other traces minus the first one"),
+                .id = "compareDifferences",
+                .isTouch = true});
+  QLabel* m_note = label({.id = "compareNote", .wraps = true});
   QTableWidget* m_table;
   QTimer m_delay;
   std::vector<Row> m_rows;

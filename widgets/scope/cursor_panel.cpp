@@ -4,7 +4,6 @@
 #include "widgets/scope/cursor_panel.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -12,12 +11,10 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/common/number_format.h"
-#include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/time_window.h"
 #include "widgets/scope/scope_view.h"
@@ -42,40 +39,18 @@ CursorPanel::CursorPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors* 
       m_window(window),
       m_cursors(cursors),
       m_view(view),
-      m_times(makeValueLabel(this)),
-      m_table(new QTableWidget(kRows, 0, this)),
-      m_what(new QComboBox(this)),
-      m_where(new QLineEdit(this)),
-      m_go(makeTouchButton(this)),
-      m_note(new QLabel(this)) {
-  m_times->setWordWrap(true);
-  m_times->setObjectName(QStringLiteral("cursorTimes"));
-  m_table->setObjectName(QStringLiteral("cursorTable"));
+      m_table(say(new QTableWidget(kRows, 0, this),
+                  {.name = QT_TR_NOOP("At the cursors and between them"), .id = "cursorTable"})) {
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_table->setMinimumHeight(100);
   m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   m_table->verticalHeader()->setDefaultSectionSize(26);
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  m_what->setObjectName(QStringLiteral("goToWhat"));
-  m_what->setMinimumHeight(kTouchHeightPx);
   m_what->addItems({QString(), QString(), QString()});
-  m_where->setObjectName(QStringLiteral("goToWhere"));
-  m_where->setMinimumHeight(kTouchHeightPx);
-  m_go->setObjectName(QStringLiteral("goTo"));
-  m_note->setObjectName(QStringLiteral("goToNote"));
-  m_note->setWordWrap(true);
   m_note->hide();
-  auto* goTo = new QHBoxLayout;
+  auto* goTo = inRow({m_what, {m_where, 1}, m_go});
   goTo->setSpacing(4);
-  goTo->addWidget(m_what);
-  goTo->addWidget(m_where, 1);
-  goTo->addWidget(m_go);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 6, 4, 4);
-  layout->addWidget(m_times);
-  layout->addWidget(m_table, 1);
-  layout->addLayout(goTo);
-  layout->addWidget(m_note);
+  inColumn({m_times, {m_table, 1}, goTo, m_note}, this, QMargins(4, 6, 4, 4));
 
   m_delay.setParent(this);  // whoever waits for the page finds it
   m_delay.setSingleShot(true);
@@ -86,7 +61,6 @@ CursorPanel::CursorPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors* 
   connect(m_curves, &ScopeCurves::axisChanged, this, &CursorPanel::retranslate);
   connect(m_curves, &ScopeCurves::tracesChanged, this, &CursorPanel::retranslate);
   connect(m_view, &ScopeView::changed, this, &CursorPanel::schedule);
-  connect(m_go, &QPushButton::clicked, this, &CursorPanel::go);
   connect(m_where, &QLineEdit::returnPressed, this, &CursorPanel::go);
   connect(m_where, &QLineEdit::textEdited, m_note, &QWidget::hide);
   retranslate();
@@ -248,16 +222,12 @@ QString CursorPanel::slopeTitle() const {
 }
 
 void CursorPanel::retranslate() {
-  m_table->setAccessibleName(tr("At the cursors and between them"));
   m_table->setVerticalHeaderLabels(
       {tr("At A"), tr("At B"), tr("B − A"), slopeTitle(), tr("Minimum"), tr("Maximum"), tr("Mean"),
        tr("RMS"), tr("Median"), tr("95 % below"), tr("99 % below"), tr("Samples")});
-  m_what->setAccessibleName(tr("Go to"));
   m_what->setItemText(Time, m_curves->axisTitle());
   m_what->setItemText(Line, tr("Line"));
   m_what->setItemText(Point, tr("Point"));
-  m_where->setAccessibleName(tr("Number of the place to go to"));
-  m_go->setText(tr("Go"));
   schedule();
 }
 

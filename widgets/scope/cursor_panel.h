@@ -59,12 +59,13 @@ class CursorPanel final : public Page {
   TimeWindow* m_window;
   ScopeCursors* m_cursors;
   ScopeView* m_view;
-  QLabel* m_times;
+  QLabel* m_times = value({.id = "cursorTimes", .wraps = true});
   QTableWidget* m_table;
-  QComboBox* m_what;
-  QLineEdit* m_where;
-  QPushButton* m_go;
-  QLabel* m_note;
+  QComboBox* m_what = list({.name = QT_TR_NOOP("Go to"), .id = "goToWhat", .isTouch = true});
+  QLineEdit* m_where = lineEdit(
+      {.name = QT_TR_NOOP("Number of the place to go to"), .id = "goToWhere", .isTouch = true});
+  QPushButton* m_go = button({.text = QT_TR_NOOP("Go"), .id = "goTo"}, &CursorPanel::go);
+  QLabel* m_note = label({.id = "goToNote", .wraps = true});
   QTimer m_delay;
   std::vector<Column> m_columns;
   int m_request = 0;

@@ -67,6 +67,7 @@ PathPane::PathPane(ScopeCurves* curves, TimeWindow* window, ScopeCursors* cursor
     update();
   });
   retranslate();
+  onTheme(&PathPane::schedule);
 }
 
 QSize PathPane::minimumSizeHint() const {
@@ -593,10 +594,6 @@ void PathPane::retranslate() {
       tr("The path during the time shown. Click: cursor A. Shift and click: cursor B. In 3D, drag "
          "or the arrow keys turn it, Home turns it back."));
   schedule();
-}
-
-void PathPane::restyle() {
-  draw();
 }
 
 }  // namespace rivulet::widgets

@@ -66,7 +66,6 @@ class PathPane final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;

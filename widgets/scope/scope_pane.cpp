@@ -64,8 +64,8 @@ ScopePane::ScopePane(ScopeCurves* curves, TimeWindow* window, ScopeCursors* curs
   connect(m_window, &TimeWindow::changed, this, &ScopePane::scheduleRedraw);
   connect(m_curves, &ScopeCurves::changed, this, &ScopePane::scheduleRedraw);
   connect(m_cursors, &ScopeCursors::changed, this, qOverload<>(&QWidget::update));
-  retranslate();
-  restyle();
+  onLanguage(&ScopePane::describe, &ScopePane::scheduleRedraw);
+  onTheme(&ScopePane::scheduleRedraw);
 }
 
 QString ScopePane::mimeType() {
@@ -564,15 +564,6 @@ void ScopePane::describe() {
                                .arg(numberText(m_min, decimals), numberText(m_max, decimals),
                                     m_curves->axisText(m_window->fromS()),
                                     m_curves->axisText(m_window->toS())));
-}
-
-void ScopePane::retranslate() {
-  describe();
-  scheduleRedraw();
-}
-
-void ScopePane::restyle() {
-  scheduleRedraw();
 }
 
 }  // namespace rivulet::widgets

@@ -88,8 +88,6 @@ class ScopePane final : public Page {
   void signalDropped(const QString& formula);
 
  protected:
-  void retranslate() override;
-  void restyle() override;
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;

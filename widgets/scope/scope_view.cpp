@@ -36,10 +36,9 @@ ScopeView::ScopeView(ScopeCurves* curves, TimeWindow* window, ScopeCursors* curs
       m_cursors(cursors),
       m_stops(stops),
       m_splitter(new QSplitter(Qt::Vertical, this)),
-      m_strip(new TimeStrip(curves, window, stops, this)) {
+      m_strip(say(new TimeStrip(curves, window, stops, this), {.id = "scopeStrip"})) {
   m_splitter->setChildrenCollapsible(false);
   m_splitter->setHandleWidth(5);
-  m_strip->setObjectName(QStringLiteral("scopeStrip"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);

@@ -13,7 +13,6 @@
 #include <QPushButton>
 #include <QStyledItemDelegate>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <optional>
 
@@ -59,19 +58,9 @@ class TouchRow final : public QStyledItemDelegate {
 SignalPanel::SignalPanel(std::function<bool(const QString&)> isShown, QWidget* parent)
     : Page(parent),
       m_isShown(std::move(isShown)),
-      m_search(new QLineEdit(this)),
-      m_tree(new SignalTree(this)),
-      m_newPane(makeTouchButton(this)),
-      m_add(makeTouchButton(this)),
-      m_remove(makeTouchButton(this)),
-      m_columns(makeTouchButton(this)),
-      m_tables(new QMenu(this)),
-      m_formula(new QLineEdit(this)),
-      m_formulaNote(new QLabel(this)) {
-  m_search->setObjectName(QStringLiteral("signalSearch"));
+      m_tree(say(new SignalTree(this), {.name = QT_TR_NOOP("Signals"), .id = "signalTree"})),
+      m_tables(new QMenu(this)) {
   m_search->setClearButtonEnabled(true);
-  m_search->setMinimumHeight(kTouchHeightPx);
-  m_tree->setObjectName(QStringLiteral("signalTree"));
   m_tree->setColumnCount(2);
   m_tree->setHeaderHidden(true);
   m_tree->setDragEnabled(true);
@@ -82,13 +71,6 @@ SignalPanel::SignalPanel(std::function<bool(const QString&)> isShown, QWidget* p
   m_tree->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   m_tree->setMinimumHeight(100);
   m_tree->installEventFilter(this);
-  m_newPane->setObjectName(QStringLiteral("signalNewPane"));
-  m_add->setObjectName(QStringLiteral("signalAdd"));
-  m_remove->setObjectName(QStringLiteral("signalRemove"));
-  m_formula->setObjectName(QStringLiteral("signalFormula"));
-  m_formula->setMinimumHeight(kTouchHeightPx);
-  m_formulaNote->setObjectName(QStringLiteral("signalFormulaNote"));
-  m_formulaNote->setWordWrap(true);
   m_formulaNote->setTextFormat(Qt::PlainText);
   m_formulaNote->hide();
   auto* buttons = new QHBoxLayout;
@@ -97,15 +79,8 @@ SignalPanel::SignalPanel(std::function<bool(const QString&)> isShown, QWidget* p
     button->setAutoDefault(false);
     buttons->addWidget(button, 1);
   }
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 6, 4, 4);
-  layout->addWidget(m_search);
-  layout->addWidget(m_tree, 1);
-  layout->addLayout(buttons);
-  layout->addWidget(m_formula);
-  layout->addWidget(m_formulaNote);
-  layout->addWidget(m_columns);
-  m_columns->setObjectName(QStringLiteral("signalColumns"));
+  inColumn({m_search, {m_tree, 1}, buttons, m_formula, m_formulaNote, m_columns}, this,
+           QMargins(4, 6, 4, 4));
   m_columns->hide();
   connect(m_columns, &QPushButton::clicked, this, [this] {
     if (m_tables->isEmpty()) {
@@ -266,21 +241,7 @@ bool SignalPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void SignalPanel::retranslate() {
-  m_columns->setText(tr("Columns…"));
-  m_columns->setToolTip(tr("Say what the columns of the file mean"));
-  m_search->setPlaceholderText(tr("Search"));
-  m_search->setAccessibleName(tr("Search the signals"));
-  m_tree->setAccessibleName(tr("Signals"));
-  m_newPane->setText(tr("Pane"));
-  m_newPane->setToolTip(tr("Show the signal in a pane of its own (Enter)"));
-  m_add->setText(tr("Add"));
-  m_add->setToolTip(tr("Show the signal in the current pane (Shift+Enter)"));
-  m_remove->setText(tr("Remove"));
-  m_remove->setToolTip(tr("Remove the signal from the panes (Delete)"));
   m_formula->setPlaceholderText(QStringLiteral("hypot(x_act-x_set, y_act-y_set)"));
-  m_formula->setAccessibleName(tr("Formula"));
-  m_formula->setToolTip(
-      tr("A formula of signals, then Enter. Their names are in their tool tips."));
   fill();
 }
 

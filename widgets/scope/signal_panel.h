@@ -19,7 +19,6 @@ class QLineEdit;
 class QPushButton;
 class QMenu;
 class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace rivulet::widgets {
 
@@ -60,15 +59,32 @@ class SignalPanel final : public Page {
 
   std::function<bool(const QString&)> m_isShown;
   std::vector<trace::SignalOffer> m_offers;
-  QLineEdit* m_search;
+  QLineEdit* m_search = lineEdit({.name = QT_TR_NOOP("Search the signals"),
+                                  .placeholder = QT_TR_NOOP("Search"),
+                                  .id = "signalSearch",
+                                  .isTouch = true});
   QTreeWidget* m_tree;
-  QPushButton* m_newPane;
-  QPushButton* m_add;
-  QPushButton* m_remove;
-  QPushButton* m_columns;
+  QPushButton* m_newPane =
+      button({.text = QT_TR_NOOP("Pane"),
+              .tip = QT_TR_NOOP("Show the signal in a pane of its own (Enter)"),
+              .id = "signalNewPane"});
+  QPushButton* m_add =
+      button({.text = QT_TR_NOOP("Add"),
+              .tip = QT_TR_NOOP("Show the signal in the current pane (Shift+Enter)"),
+              .id = "signalAdd"});
+  QPushButton* m_remove = button({.text = QT_TR_NOOP("Remove"),
+                                  .tip = QT_TR_NOOP("Remove the signal from the panes (Delete)"),
+                                  .id = "signalRemove"});
+  QPushButton* m_columns = button({.text = QT_TR_NOOP("Columns…"),
+                                   .tip = QT_TR_NOOP("Say what the columns of the file mean"),
+                                   .id = "signalColumns"});
   QMenu* m_tables;
-  QLineEdit* m_formula;
-  QLabel* m_formulaNote;
+  QLineEdit* m_formula = lineEdit(
+      {.tip = QT_TR_NOOP("A formula of signals, then Enter. Their names are in their tool tips."),
+       .name = QT_TR_NOOP("Formula"),
+       .id = "signalFormula",
+       .isTouch = true});
+  QLabel* m_formulaNote = label({.id = "signalFormulaNote", .wraps = true});
 };
 
 }  // namespace rivulet::widgets

@@ -13,7 +13,6 @@
 #include <QPointer>
 #include <QScatterSeries>
 #include <QTableWidget>
-#include <QVBoxLayout>
 #include <QValueAxis>
 #include <algorithm>
 #include <iterator>
@@ -49,21 +48,16 @@ SpectrumPanel::SpectrumPanel(ScopeCurves* curves, TimeWindow* window, ScopeCurso
       m_window(window),
       m_cursors(cursors),
       m_view(view),
-      m_signal(new QComboBox(this)),
-      m_note(new QLabel(this)),
-      m_chart(new QChartView(new QChart, this)),
+      m_chart(say(new QChartView(new QChart, this),
+                  {.name = QT_TR_NOOP("Spectrum"), .id = "spectrumChart"})),
       m_line(new QLineSeries),
       m_marks(new QScatterSeries),
       m_hz(new QValueAxis(this)),
       m_amplitude(new QValueAxis(this)),
-      m_table(new QTableWidget(0, 2, this)) {
-  m_signal->setObjectName(QStringLiteral("spectrumSignal"));
-  m_signal->setMinimumHeight(kTouchHeightPx);
+      m_table(say(new QTableWidget(0, 2, this),
+                  {.name = QT_TR_NOOP("Peaks of the spectrum"), .id = "spectrumTable"})) {
   m_signal->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  m_note->setObjectName(QStringLiteral("spectrumNote"));
-  m_note->setWordWrap(true);
   m_note->setTextFormat(Qt::PlainText);
-  m_chart->setObjectName(QStringLiteral("spectrumChart"));
   m_chart->setFrameShape(QFrame::NoFrame);
   m_chart->setRenderHint(QPainter::Antialiasing);
   m_chart->setMinimumHeight(160);
@@ -79,17 +73,11 @@ SpectrumPanel::SpectrumPanel(ScopeCurves* curves, TimeWindow* window, ScopeCurso
     series->attachAxis(m_amplitude);
   }
   m_marks->setMarkerSize(8.0);
-  m_table->setObjectName(QStringLiteral("spectrumTable"));
   styleTable(m_table);
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_table->setMinimumHeight(80);
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 6, 4, 4);
-  layout->addWidget(m_signal);
-  layout->addWidget(m_note);
-  layout->addWidget(m_chart, 3);
-  layout->addWidget(m_table, 2);
+  inColumn({m_signal, m_note, {m_chart, 3}, {m_table, 2}}, this, QMargins(4, 6, 4, 4));
 
   m_delay.setParent(this);  // whoever waits for the page finds it
   m_delay.setSingleShot(true);
@@ -284,9 +272,6 @@ void SpectrumPanel::showNote() {
 }
 
 void SpectrumPanel::retranslate() {
-  m_signal->setAccessibleName(tr("Curve whose frequencies are shown"));
-  m_chart->setAccessibleName(tr("Spectrum"));
-  m_table->setAccessibleName(tr("Peaks of the spectrum"));
   m_chart->chart()->setLocale(QLocale());
   draw();
   schedule();

@@ -59,8 +59,10 @@ class SpectrumPanel final : public Page {
   TimeWindow* m_window;
   ScopeCursors* m_cursors;
   ScopeView* m_view;
-  QComboBox* m_signal;
-  QLabel* m_note;
+  QComboBox* m_signal = list({.name = QT_TR_NOOP("Curve whose frequencies are shown"),
+                              .id = "spectrumSignal",
+                              .isTouch = true});
+  QLabel* m_note = label({.id = "spectrumNote", .wraps = true});
   QChartView* m_chart;
   QLineSeries* m_line;
   QScatterSeries* m_marks;

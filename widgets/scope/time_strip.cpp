@@ -34,6 +34,7 @@ TimeStrip::TimeStrip(ScopeCurves* curves, TimeWindow* window, const std::vector<
   connect(m_window, &TimeWindow::changed, this, qOverload<>(&QWidget::update));
   connect(m_curves, &ScopeCurves::changed, this, qOverload<>(&QWidget::update));
   retranslate();
+  onTheme([this] { update(); });
 }
 
 void TimeStrip::setFormula(const QString& formula) {
@@ -167,10 +168,6 @@ void TimeStrip::mouseMoveEvent(QMouseEvent* event) {
 
 void TimeStrip::retranslate() {
   setAccessibleName(tr("Overview of the whole trace"));
-  update();
-}
-
-void TimeStrip::restyle() {
   update();
 }
 

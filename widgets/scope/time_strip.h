@@ -36,7 +36,6 @@ class TimeStrip final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

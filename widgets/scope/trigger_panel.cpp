@@ -5,15 +5,12 @@
 
 #include <QComboBox>
 #include <QGridLayout>
-#include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
-#include "widgets/common/theme.h"
 #include "widgets/plots/time_window.h"
 
 namespace rivulet::widgets {
@@ -50,40 +47,26 @@ TriggerPanel::TriggerPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors
       m_curves(curves),
       m_window(window),
       m_cursors(cursors),
-      m_signal(new QComboBox(this)),
-      m_condition(new QComboBox(this)),
-      m_level(new NumberField(this)),
-      m_low(new NumberField(this)),
-      m_high(new NumberField(this)),
-      m_hysteresis(new NumberField(this)),
-      m_before(new NumberField(this)),
-      m_after(new NumberField(this)),
-      m_mode(new QComboBox(this)),
-      m_arm(makeTouchButton(this)),
-      m_state(new StatusLabel(this)) {
-  m_signal->setObjectName(QStringLiteral("triggerSignal"));
-  m_condition->setObjectName(QStringLiteral("triggerCondition"));
-  m_level->setObjectName(QStringLiteral("triggerLevel"));
-  m_low->setObjectName(QStringLiteral("triggerLow"));
-  m_high->setObjectName(QStringLiteral("triggerHigh"));
-  m_hysteresis->setObjectName(QStringLiteral("triggerHysteresis"));
-  m_before->setObjectName(QStringLiteral("triggerBefore"));
-  m_after->setObjectName(QStringLiteral("triggerAfter"));
-  m_mode->setObjectName(QStringLiteral("triggerMode"));
-  m_arm->setObjectName(QStringLiteral("triggerArm"));
+      m_level(say(new NumberField(this),
+                  {.tip = QT_TR_NOOP("Value at which the trigger fires"), .id = "triggerLevel"})),
+      m_low(say(new NumberField(this),
+                {.tip = QT_TR_NOOP("Lower end of the range"), .id = "triggerLow"})),
+      m_high(say(new NumberField(this),
+                 {.tip = QT_TR_NOOP("Upper end of the range"), .id = "triggerHigh"})),
+      m_hysteresis(number(
+          {.min = 0.0, .max = kValueMax},
+          {.tip = QT_TR_NOOP("The signal must go back this far before the trigger can fire again"),
+           .id = "triggerHysteresis"})),
+      m_before(
+          say(new NumberField(this),
+              {.tip = QT_TR_NOOP("How much is shown before the trigger"), .id = "triggerBefore"})),
+      m_after(say(new NumberField(this), {.tip = QT_TR_NOOP("How much is shown after the trigger"),
+                                          .id = "triggerAfter"})) {
   m_arm->setCheckable(true);
-  m_state->setObjectName(QStringLiteral("triggerState"));
-  m_state->setWordWrap(true);
-  for (std::size_t i = 0; i < kChoices.size(); ++i) {
-    m_condition->addItem(QString());
-  }
-  m_mode->addItems({QString(), QString()});
   for (NumberField* field : {m_level, m_low, m_high}) {
     field->setDecimals(3);
     field->setRange(-kValueMax, kValueMax);
   }
-  m_hysteresis->setDecimals(3);
-  m_hysteresis->setRange(0.0, kValueMax);
   for (NumberField* field : {m_before, m_after}) {
     field->setDecimals(3);
     field->setRange(0.0, kTimeMaxS);
@@ -97,26 +80,23 @@ TriggerPanel::TriggerPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors
   m_after->setValue(kAfterS);
   const std::array<QWidget*, kRows> fields{m_signal,     m_condition, m_level, m_low, m_high,
                                            m_hysteresis, m_before,    m_after, m_mode};
+  constexpr std::array<const char*, kRows> kNames{
+      QT_TR_NOOP("Signal"), QT_TR_NOOP("When"),  QT_TR_NOOP("Level"),
+      QT_TR_NOOP("From"),   QT_TR_NOOP("To"),    QT_TR_NOOP("Hysteresis"),
+      QT_TR_NOOP("Before"), QT_TR_NOOP("After"), QT_TR_NOOP("Fires")};
   auto* rows = new QGridLayout;
   rows->setColumnStretch(1, 1);
   for (int row = 0; row < kRows; ++row) {
     const auto index = static_cast<std::size_t>(row);
-    m_names[index] = new QLabel(this);
-    m_names[index]->setBuddy(fields[index]);
-    fields[index]->setMinimumHeight(kTouchHeightPx);
+    m_names[index] = label({.text = kNames[index]}, fields[index]);
+    say(fields[index], {.name = kNames[index], .isTouch = true});
     rows->addWidget(m_names[index], row, 0);
     rows->addWidget(fields[index], row, 1);
   }
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 6, 4, 4);
-  layout->addLayout(rows);
-  layout->addWidget(m_arm);
-  layout->addWidget(m_state);
-  layout->addStretch(1);
-  connect(m_condition, &QComboBox::currentIndexChanged, this, &TriggerPanel::showFields);
-  connect(m_signal, &QComboBox::currentIndexChanged, this, &TriggerPanel::showFields);
+  inColumn({rows, m_arm, m_state, spring(1)}, this, QMargins(4, 6, 4, 4));
+  onEdit({m_condition, m_signal}, &TriggerPanel::showFields);
   connect(m_arm, &QPushButton::clicked, this, &TriggerPanel::arm);
-  retranslate();
+  onLanguage(&TriggerPanel::listSignals, &TriggerPanel::showFields, &TriggerPanel::showState);
 }
 
 /// Those of the live view, whatever is shown: a trigger may be armed before a run.
@@ -248,47 +228,6 @@ void TriggerPanel::showState() {
     m_state->setStatus(Status::Busy, m_curves->isLive() ? tr("Waiting for the trigger")
                                                         : tr("Waiting for the next run"));
   }
-}
-
-void TriggerPanel::retranslate() {
-  const std::array<QString, kRows> names{tr("Signal"), tr("When"),  tr("Level"),
-                                         tr("From"),   tr("To"),    tr("Hysteresis"),
-                                         tr("Before"), tr("After"), tr("Fires")};
-  const std::array<QWidget*, kRows> fields{m_signal,     m_condition, m_level, m_low, m_high,
-                                           m_hysteresis, m_before,    m_after, m_mode};
-  for (std::size_t row = 0; row < kRows; ++row) {
-    m_names[row]->setText(names[row]);
-    fields[row]->setAccessibleName(names[row]);
-  }
-  const std::array<QString, kChoices.size()> conditions{tr("it rises through the level"),
-                                                        tr("it falls through the level"),
-                                                        tr("it is at the level or above"),
-                                                        tr("it is at the level or below"),
-                                                        tr("it is within the range"),
-                                                        tr("it is outside the range"),
-                                                        tr("a pause begins"),
-                                                        tr("an alarm comes")};
-  for (int i = 0; i < m_condition->count(); ++i) {
-    m_condition->setItemText(i, conditions[static_cast<std::size_t>(i)]);
-  }
-  m_mode->setItemText(0, tr("once (single)"));
-  m_mode->setItemText(1, tr("every time (normal)"));
-  m_signal->setToolTip(tr("The signal that is watched during a run"));
-  m_condition->setToolTip(tr("What the trigger waits for"));
-  m_level->setToolTip(tr("Value at which the trigger fires"));
-  m_low->setToolTip(tr("Lower end of the range"));
-  m_high->setToolTip(tr("Upper end of the range"));
-  m_hysteresis->setToolTip(
-      tr("The signal must go back this far before the trigger can fire again"));
-  m_before->setToolTip(tr("How much is shown before the trigger"));
-  m_after->setToolTip(tr("How much is shown after the trigger"));
-  m_mode->setToolTip(tr("Once: what was caught stays. Every time: the next one takes its place."));
-  m_arm->setToolTip(
-      tr("An armed trigger stops the live view when it fires and shows what was "
-         "before and after"));
-  listSignals();
-  showFields();
-  showState();
 }
 
 }  // namespace rivulet::widgets

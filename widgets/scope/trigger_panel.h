@@ -41,9 +41,6 @@ class TriggerPanel final : public Page {
   void finish();
   [[nodiscard]] bool isArmed() const { return m_trigger.has_value(); }
 
- protected:
-  void retranslate() override;
-
  private:
   enum Row { Signal, Condition, Level, Low, High, Hysteresis, Before, After, Mode, kRows };
 
@@ -59,17 +56,30 @@ class TriggerPanel final : public Page {
   TimeWindow* m_window;
   ScopeCursors* m_cursors;
   std::array<QLabel*, kRows> m_names{};
-  QComboBox* m_signal;
-  QComboBox* m_condition;
+  QComboBox* m_signal =
+      list({.tip = QT_TR_NOOP("The signal that is watched during a run"), .id = "triggerSignal"});
+  QComboBox* m_condition = list(
+      {.tip = QT_TR_NOOP("What the trigger waits for"),
+       .items = {QT_TR_NOOP("it rises through the level"), QT_TR_NOOP("it falls through the level"),
+                 QT_TR_NOOP("it is at the level or above"),
+                 QT_TR_NOOP("it is at the level or below"), QT_TR_NOOP("it is within the range"),
+                 QT_TR_NOOP("it is outside the range"), QT_TR_NOOP("a pause begins"),
+                 QT_TR_NOOP("an alarm comes")},
+       .id = "triggerCondition"});
   NumberField* m_level;
   NumberField* m_low;
   NumberField* m_high;
   NumberField* m_hysteresis;
   NumberField* m_before;
   NumberField* m_after;
-  QComboBox* m_mode;
-  QPushButton* m_arm;
-  StatusLabel* m_state;
+  QComboBox* m_mode = list(
+      {.tip = QT_TR_NOOP("Once: what was caught stays. Every time: the next one takes its place."),
+       .items = {QT_TR_NOOP("once (single)"), QT_TR_NOOP("every time (normal)")},
+       .id = "triggerMode"});
+  QPushButton* m_arm = button({.tip = QT_TR_NOOP("An armed trigger stops the live view when it "
+                                                 "fires and shows what was before and after"),
+                               .id = "triggerArm"});
+  StatusLabel* m_state = status({.id = "triggerState", .wraps = true});
   std::optional<trace::Trigger> m_trigger;  ///< nothing: not armed
   QString m_formula;                        ///< that it was armed for
   std::optional<double> m_firedAtS;         ///< the last shot that is shown

@@ -10,11 +10,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "base/units.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
@@ -83,79 +81,37 @@ QString profileProblemText(const streaming::ProfileProblem& problem) {
 
 ProfilePage::ProfilePage(QWidget* parent)
     : Page(parent),
-      m_state(new StatusLabel(this)),
-      m_nameLabel(new QLabel(this)),
-      m_name(new QLineEdit(this)),
-      m_presetLabel(new QLabel(this)),
-      m_preset(new QComboBox(this)),
-      m_takeOver(makeTouchButton(this)),
-      m_axesTitle(makeHeading(this)),
-      m_rapidLabel(new QLabel(this)),
-      m_rapid(makeField(this, 0.0)),
-      m_spindleLabel(new QLabel(this)),
-      m_spindle(makeField(this, 0.0)),
-      m_functionsLabel(new QLabel(this)),
-      m_functions(new QLineEdit(this)),
-      m_toolsTitle(makeHeading(this)),
-      m_toolGrid(new QGridLayout),
-      m_addTool(makeTouchButton(this)),
-      m_save(makeTouchButton(this)),
-      m_discard(makeTouchButton(this)),
-      m_problem(new StatusLabel(this)) {
-  m_state->setWordWrap(true);
-  m_problem->setWordWrap(true);
+      m_rapid(say(makeField(this, 0.0), {.name = QT_TR_NOOP("Rapid, mm/min")})),
+      m_spindle(say(makeField(this, 0.0), {.tip = QT_TR_NOOP("0: no spindle"),
+                                           .name = QT_TR_NOOP("Spindle up to, 1/min")})),
+      m_toolGrid(new QGridLayout) {
   m_rapid->setDecimals(1);
   m_spindle->setDecimals(0);
-  m_name->setMinimumHeight(kTouchHeightPx);
-  m_preset->setMinimumHeight(kTouchHeightPx);
   auto* head = new QGridLayout;
-  head->addWidget(m_nameLabel, 0, 0);
+  head->addWidget(label({.text = QT_TR_NOOP("Name of the machine")}), 0, 0);
   head->addWidget(m_name, 0, 1, 1, 2);
-  head->addWidget(m_presetLabel, 1, 0);
+  head->addWidget(label({.text = QT_TR_NOOP("Simulated as")}), 1, 0);
   head->addWidget(m_preset, 1, 1);
   head->addWidget(m_takeOver, 1, 2);
   head->setColumnStretch(1, 1);
   auto* axes = new QGridLayout;
   buildAxes(axes);
-  auto* others = new QHBoxLayout;
-  others->addWidget(m_rapidLabel);
-  others->addWidget(m_rapid);
-  others->addSpacing(16);
-  others->addWidget(m_spindleLabel);
-  others->addWidget(m_spindle);
-  others->addStretch();
-  for (std::size_t column = 0; column < m_toolHeads.size(); ++column) {
-    m_toolHeads[column] = new QLabel(this);
-    m_toolGrid->addWidget(m_toolHeads[column], 0, static_cast<int>(column));
+  int column = 0;
+  for (const char* name : {QT_TR_NOOP("Number"), QT_TR_NOOP("Name"), QT_TR_NOOP("Length, mm"),
+                           QT_TR_NOOP("Radius, mm")}) {
+    m_toolHeads.push_back(label({.text = name}));
+    m_toolGrid->addWidget(m_toolHeads.back(), 0, column++);
   }
   m_toolGrid->setColumnStretch(1, 1);
-  auto* addRow = new QHBoxLayout;
-  addRow->addWidget(m_addTool);
-  addRow->addStretch();
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_save);
-  buttons->addWidget(m_discard);
-  buttons->addWidget(m_problem, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_state);
-  layout->addLayout(buttons);
-  layout->addLayout(head);
-  layout->addWidget(m_axesTitle);
-  layout->addLayout(axes);
-  layout->addLayout(others);
-  m_functions->setMinimumHeight(kTouchHeightPx);
-  auto* functionsRow = new QHBoxLayout;
-  functionsRow->addWidget(m_functionsLabel);
-  functionsRow->addWidget(m_functions, 1);
-  layout->addLayout(functionsRow);
-  layout->addWidget(m_toolsTitle);
-  layout->addLayout(m_toolGrid);
-  layout->addLayout(addRow);
-  layout->addStretch();
-  connect(m_name, &QLineEdit::textEdited, this, &ProfilePage::edited);
-  connect(m_functions, &QLineEdit::textEdited, this, &ProfilePage::edited);
-  connect(m_rapid, &NumberField::valueChanged, this, &ProfilePage::edited);
-  connect(m_spindle, &NumberField::valueChanged, this, &ProfilePage::edited);
+  inColumn(
+      {m_state, inRow({m_save, m_discard, {m_problem, 1}}), head,
+       heading({.text = QT_TR_NOOP("Axes")}), axes,
+       inRow({label({.text = QT_TR_NOOP("Rapid, mm/min")}), m_rapid, gap(16),
+              label({.text = QT_TR_NOOP("Spindle up to, 1/min")}), m_spindle, spring()}),
+       inRow({label({.text = QT_TR_NOOP("M functions of other machines")}), {m_functions, 1}}),
+       heading({.text = QT_TR_NOOP("Tools")}), m_toolGrid, inRow({m_addTool, spring()}), spring()},
+      this);
+  onEdit({m_name, m_functions, m_rapid, m_spindle}, &ProfilePage::edited);
   connect(m_takeOver, &QPushButton::clicked, this,
           [this] { Q_EMIT presetRequested(m_preset->currentText()); });
   connect(m_addTool, &QPushButton::clicked, this, [this] {
@@ -434,12 +390,6 @@ void ProfilePage::showState() {
 }
 
 void ProfilePage::retranslate() {
-  m_nameLabel->setText(tr("Name of the machine"));
-  m_name->setAccessibleName(m_nameLabel->text());
-  m_presetLabel->setText(tr("Simulated as"));
-  m_preset->setAccessibleName(m_presetLabel->text());
-  m_takeOver->setText(tr("Take over its limits"));
-  m_axesTitle->setText(tr("Axes"));
   m_heads[From]->setText(tr("Travel from") + QStringLiteral("\nmm, °"));
   m_heads[To]->setText(tr("Travel to") + QStringLiteral("\nmm, °"));
   m_heads[Speed]->setText(tr("Speed") + QStringLiteral("\nmm/min, 1/min"));
@@ -452,25 +402,7 @@ void ProfilePage::retranslate() {
           m_heads[limit]->text().section(QLatin1Char('\n'), 0, 0));
     }
   }
-  m_rapidLabel->setText(tr("Rapid, mm/min"));
-  m_rapid->setAccessibleName(m_rapidLabel->text());
-  m_spindleLabel->setText(tr("Spindle up to, 1/min"));
-  m_spindle->setAccessibleName(m_spindleLabel->text());
-  m_spindle->setToolTip(tr("0: no spindle"));
-  m_functionsLabel->setText(tr("M functions of other machines"));
-  m_functions->setAccessibleName(m_functionsLabel->text());
   m_functions->setPlaceholderText(QStringLiteral("163=ignore; 11=pass; 51=M8"));
-  m_functions->setToolTip(
-      tr("What this machine does for the M functions of programs made for another: ignore leaves "
-         "the function out, pass gives it to the control, anything else is a line for it."));
-  m_toolsTitle->setText(tr("Tools"));
-  m_toolHeads[0]->setText(tr("Number"));
-  m_toolHeads[1]->setText(tr("Name"));
-  m_toolHeads[2]->setText(tr("Length, mm"));
-  m_toolHeads[3]->setText(tr("Radius, mm"));
-  m_addTool->setText(tr("Add a tool"));
-  m_save->setText(tr("Save the limits"));
-  m_discard->setText(tr("Discard changes"));
   nameTools();
   showState();
 }

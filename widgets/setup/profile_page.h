@@ -85,32 +85,30 @@ class ProfilePage final : public Page {
   bool m_isFilling = false;
   QString m_blocked;
 
-  StatusLabel* m_state;
-  QLabel* m_nameLabel;
-  QLineEdit* m_name;
-  QLabel* m_presetLabel;
-  QComboBox* m_preset;
-  QPushButton* m_takeOver;
-  QLabel* m_axesTitle;
+  StatusLabel* m_state = status({.wraps = true});
+  QLineEdit* m_name = lineEdit({.name = QT_TR_NOOP("Name of the machine"), .isTouch = true});
+  QComboBox* m_preset = list({.name = QT_TR_NOOP("Simulated as"), .isTouch = true});
+  QPushButton* m_takeOver = button({.text = QT_TR_NOOP("Take over its limits")});
   std::array<QLabel*, LimitCount> m_heads{};
   std::array<QLabel*, base::kAxisCount> m_linear{};
   std::array<QCheckBox*, base::kRotaryAxisCount> m_rotary{};
   std::array<std::array<NumberField*, LimitCount>, kAxes> m_limits{};
-  QLabel* m_rapidLabel;
   NumberField* m_rapid;
-  QLabel* m_spindleLabel;
   NumberField* m_spindle;
-  QLabel* m_functionsLabel;
-  QLineEdit* m_functions;
+  QLineEdit* m_functions = lineEdit(
+      {.tip = QT_TR_NOOP(
+           "What this machine does for the M functions of programs made for another: ignore leaves "
+           "the function out, pass gives it to the control, anything else is a line for it."),
+       .name = QT_TR_NOOP("M functions of other machines"),
+       .isTouch = true});
   job::Functions m_savedFunctions;
-  QLabel* m_toolsTitle;
   QGridLayout* m_toolGrid;
-  std::array<QLabel*, 4> m_toolHeads{};
+  std::vector<QLabel*> m_toolHeads;
   std::vector<ToolRow> m_tools;
-  QPushButton* m_addTool;
-  QPushButton* m_save;
-  QPushButton* m_discard;
-  StatusLabel* m_problem;
+  QPushButton* m_addTool = button({.text = QT_TR_NOOP("Add a tool")});
+  QPushButton* m_save = button({.text = QT_TR_NOOP("Save the limits")});
+  QPushButton* m_discard = button({.text = QT_TR_NOOP("Discard changes")});
+  StatusLabel* m_problem = status({.wraps = true});
 };
 
 }  // namespace rivulet::widgets

@@ -8,7 +8,6 @@
 
 #include "widgets/common/folding_tabs.h"
 #include "widgets/common/icons.h"
-#include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
 

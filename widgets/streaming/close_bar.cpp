@@ -9,8 +9,10 @@ namespace rivulet::widgets {
 
 CloseBar::CloseBar(QWidget* parent)
     : NoticeBar(parent),
-      m_keep(addButton(QStringLiteral("keep-open"), QStringLiteral("apply"))),
-      m_close(addButton(QStringLiteral("stop-and-close"), QStringLiteral("stop"))) {
+      m_keep(addButton(
+          {.text = QT_TR_NOOP("Keep the window open"), .icon = "apply", .id = "keep-open"})),
+      m_close(addButton(
+          {.text = QT_TR_NOOP("Stop and close"), .icon = "stop", .id = "stop-and-close"})) {
   m_keep->setAutoDefault(true);
   connect(m_keep, &QPushButton::clicked, this, &CloseBar::hide);
   connect(m_close, &QPushButton::clicked, this, [this] {
@@ -28,8 +30,6 @@ void CloseBar::ask() {
 }
 
 void CloseBar::retranslate() {
-  m_keep->setText(tr("Keep the window open"));
-  m_close->setText(tr("Stop and close"));
   setNotice(Status::Attention,
             tr("A run is in progress. To close the window, the run is stopped first; it can be "
                "resumed later."));

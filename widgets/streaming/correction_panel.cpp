@@ -6,7 +6,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
-#include <QFormLayout>
 #include <QGridLayout>
 #include <QGroupBox>
 #include <QLabel>
@@ -34,41 +33,23 @@ int stepsOf(double valueMm) {
 
 CorrectionPanel::CorrectionPanel(QWidget* parent)
     : Page(parent),
-      m_group(new QGroupBox(this)),
-      m_confirmedName(new QLabel(this)),
-      m_zero(makeTouchButton(this)),
-      m_sourceName(new QLabel(this)),
-      m_source(new QComboBox(this)),
-      m_portName(new QLabel(this)),
-      m_port(new WholeNumberField(this)),
-      m_silenceName(new QLabel(this)),
-      m_silence(new NumberField(this)),
-      m_status(new StatusLabel(this)) {
+      m_port(whole(1024, 65535)),
+      m_silence(number({.min = 0.1, .max = 60.0, .decimals = 1, .unit = "s"})) {
   setMinimumWidth(330);
-  m_status->setWordWrap(true);
 
-  auto* rows = new QVBoxLayout(m_group);
-  rows->addLayout(makeAxes());
-  rows->addWidget(m_zero);
-  rows->addLayout(makeSource());
-  rows->addWidget(m_status);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_group);
-  layout->addStretch();
+  inColumn({makeAxes(), m_zero, makeSource(), m_status}, m_group);
+  inColumn({m_group, spring()}, this);
 
-  connect(m_zero, &QPushButton::clicked, this, &CorrectionPanel::setZero);
-  connect(m_source, &QComboBox::currentIndexChanged, this, &CorrectionPanel::takeInput);
-  connect(m_port, &QSpinBox::valueChanged, this, &CorrectionPanel::takeInput);
-  connect(m_silence, &QDoubleSpinBox::valueChanged, this, &CorrectionPanel::takeInput);
+  onEdit({m_source, m_port, m_silence}, &CorrectionPanel::takeInput);
   hide();
   retranslate();
-  restyle();
 }
 
 QLayout* CorrectionPanel::makeAxes() {
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(10);
-  grid->addWidget(m_confirmedName, 0, 2, 1, 2, Qt::AlignRight);
+  grid->addWidget(label({.text = QT_TR_NOOP("confirmed by the control"), .isMuted = true}), 0, 2, 1,
+                  2, Qt::AlignRight);
   for (std::size_t i = 0; i < m_axes.size(); ++i) {
     Axis& axis = m_axes[i];
     axis = {new QLabel(QString(QLatin1Char(base::kAxisNames[i])), this),
@@ -103,29 +84,16 @@ QLayout* CorrectionPanel::makeAxes() {
 }
 
 QLayout* CorrectionPanel::makeSource() {
-  m_source->addItem(QString());
-  m_source->addItem(QString());
-  m_port->setRange(1024, 65535);
-  m_silence->setRange(0.1, 60.0);
-  m_silence->setDecimals(1);
-  m_silence->setSuffix(QStringLiteral("\u00A0s"));
-  m_port->setKeyboardTracking(false);
-  m_silence->setKeyboardTracking(false);
-  auto* form = new QFormLayout;
-  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  form->setHorizontalSpacing(16);
-  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  const auto addRow = [this, form](QLabel* label, QWidget* field) {
+  m_sourceForm = new Form(this, nullptr, Form::Height::Touch);
+  m_sourceForm->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  m_sourceForm->row({.text = QT_TR_NOOP("Source")}, m_source);
+  m_sourceForm->row({.text = QT_TR_NOOP("Port")}, m_port);
+  m_sourceForm->row({.text = QT_TR_NOOP("Silent after")}, m_silence);
+  for (QWidget* field : std::initializer_list<QWidget*>{m_source, m_port, m_silence}) {
     field->setFocusPolicy(Qt::StrongFocus);
     field->installEventFilter(this);
-    label->setMinimumHeight(kTouchHeightPx);
-    label->setBuddy(field);
-    form->addRow(label, field);
-  };
-  addRow(m_sourceName, m_source);
-  addRow(m_portName, m_port);
-  addRow(m_silenceName, m_silence);
-  return form;
+  }
+  return m_sourceForm;
 }
 
 void CorrectionPanel::setLimit(double limitMm, const std::array<bool, base::kAxisCount>& axes) {
@@ -219,10 +187,8 @@ void CorrectionPanel::showValues() {
     axis.confirmed->setText(m_correction ? lengthText(m_correction->confirmedMm[i]) : noValue());
   }
   m_zero->setEnabled(m_isRunning);
-  m_portName->setVisible(m_input.isLive);
-  m_port->setVisible(m_input.isLive);
-  m_silenceName->setVisible(m_input.isLive);
-  m_silence->setVisible(m_input.isLive);
+  m_sourceForm->setRowVisible(m_port, m_input.isLive);
+  m_sourceForm->setRowVisible(m_silence, m_input.isLive);
   m_isShowing = wasShowing;
   showStatus();
 }
@@ -251,27 +217,11 @@ void CorrectionPanel::showStatus() {
 }
 
 void CorrectionPanel::retranslate() {
-  m_group->setTitle(tr("Online correction"));
-  m_confirmedName->setText(tr("confirmed by the control"));
-  m_zero->setText(tr("Zero"));
-  m_zero->setToolTip(tr("Set the correction of all axes to zero, then continue by hand"));
-  m_sourceName->setText(tr("Source"));
-  const bool wasShowing = std::exchange(m_isShowing, true);
-  m_source->setItemText(0, tr("By hand"));
-  m_source->setItemText(1, tr("UDP on this computer"));
-  m_isShowing = wasShowing;
-  m_source->setToolTip(tr("Datagrams to 127.0.0.1 with lines like X 0.01 Y -0.02, in mm"));
-  m_portName->setText(tr("Port"));
-  m_silenceName->setText(tr("Silent after"));
   for (const Axis& axis : m_axes) {
     axis.slider->setAccessibleName(tr("Correction of %1").arg(axis.name->text()));
     axis.field->setAccessibleName(axis.slider->accessibleName());
   }
   showValues();
-}
-
-void CorrectionPanel::restyle() {
-  setMuted(m_confirmedName, palette());
 }
 
 bool CorrectionPanel::eventFilter(QObject* watched, QEvent* event) {

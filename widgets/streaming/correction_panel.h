@@ -67,7 +67,6 @@ class CorrectionPanel final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
   /// Scrolling the column with the wheel must not move the machine.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -95,17 +94,19 @@ class CorrectionPanel final : public Page {
   LiveSourceView m_live;
   std::optional<streaming::Correction> m_correction;
 
-  QGroupBox* m_group;
-  QLabel* m_confirmedName;
+  QGroupBox* m_group = group({.text = QT_TR_NOOP("Online correction")});
   std::array<Axis, base::kAxisCount> m_axes{};
-  QPushButton* m_zero;
-  QLabel* m_sourceName;
-  QComboBox* m_source;
-  QLabel* m_portName;
+  QPushButton* m_zero =
+      button({.text = QT_TR_NOOP("Zero"),
+              .tip = QT_TR_NOOP("Set the correction of all axes to zero, then continue by hand")},
+             &CorrectionPanel::setZero);
+  QComboBox* m_source =
+      list({.tip = QT_TR_NOOP("Datagrams to 127.0.0.1 with lines like X 0.01 Y -0.02, in mm"),
+            .items = {QT_TR_NOOP("By hand"), QT_TR_NOOP("UDP on this computer")}});
+  Form* m_sourceForm = nullptr;
   WholeNumberField* m_port;
-  QLabel* m_silenceName;
   QDoubleSpinBox* m_silence;
-  StatusLabel* m_status;
+  StatusLabel* m_status = status({.wraps = true});
 };
 
 }  // namespace rivulet::widgets

@@ -73,10 +73,22 @@ QString foundRunText(const FoundRunView& run) {
 
 FoundRunBar::FoundRunBar(QWidget* parent)
     : NoticeBar(parent),
-      m_watch(addButton(QStringLiteral("found-watch"), QStringLiteral("live"))),
-      m_stop(addButton(QStringLiteral("found-stop"), QStringLiteral("stop"))),
-      m_resume(addButton(QStringLiteral("found-resume"), QStringLiteral("resume"))),
-      m_dismiss(addButton(QStringLiteral("found-dismiss"), QStringLiteral("dismiss"))) {
+      m_watch(
+          addButton({.text = QT_TR_NOOP("Watch"),
+                     .tip = QT_TR_NOOP("Shows program, position and progress. Nothing is changed."),
+                     .icon = "live",
+                     .id = "found-watch"})),
+      m_stop(addButton({.text = QT_TR_NOOP("Stop the run"),
+                        .tip = QT_TR_NOOP("The program ends after the windows that it has copied."),
+                        .icon = "stop",
+                        .id = "found-stop"})),
+      m_resume(addButton({.text = QT_TR_NOOP("Resume …"),
+                          .tip = QT_TR_NOOP("Loads the program, compares it and asks the control "
+                                            "where the run was left. Nothing moves yet."),
+                          .icon = "resume",
+                          .id = "found-resume"})),
+      m_dismiss(
+          addButton({.text = QT_TR_NOOP("Not now"), .icon = "dismiss", .id = "found-dismiss"})) {
   m_watch->setCheckable(true);
   connect(m_watch, &QPushButton::clicked, this, &FoundRunBar::watchRequested);
   connect(m_stop, &QPushButton::clicked, this, &FoundRunBar::stopRequested);
@@ -103,15 +115,6 @@ QString FoundRunBar::text() const {
 }
 
 void FoundRunBar::retranslate() {
-  m_watch->setText(tr("Watch"));
-  m_watch->setToolTip(tr("Shows program, position and progress. Nothing is changed."));
-  m_stop->setText(tr("Stop the run"));
-  m_stop->setToolTip(tr("The program ends after the windows that it has copied."));
-  m_resume->setText(tr("Resume …"));
-  m_resume->setToolTip(
-      tr("Loads the program, compares it and asks the control where the run was "
-         "left. Nothing moves yet."));
-  m_dismiss->setText(tr("Not now"));
   if (!m_run) {
     return;
   }

@@ -6,7 +6,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
@@ -16,11 +15,9 @@
 
 #include "base/units.h"
 #include "job/dry_plan.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
-#include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
 
@@ -109,183 +106,110 @@ QString overrideLimitText(const streaming::OverrideLimit& limit) {
 
 MethodPanel::MethodPanel(QWidget* parent)
     : Page(parent),
-      m_settingsGroup(new QGroupBox(this)),
-      m_jobLabel(new QLabel(this)),
-      m_job(new QComboBox(this)),
-      m_methodLabel(new QLabel(this)),
-      m_method(new QComboBox(this)),
-      m_pointsLabel(new QLabel(this)),
-      m_points(new WholeNumberField(this)),
-      m_deltaLabel(new QLabel(this)),
-      m_delta(new NumberField(this)),
-      m_feedSourceLabel(new QLabel(this)),
-      m_feedSource(new QComboBox(this)),
-      m_feedLabel(new QLabel(this)),
-      m_feed(new NumberField(this)),
-      m_overrideLabel(new QLabel(this)),
-      m_override(new NumberField(this)),
-      m_layoutLabel(new QLabel(this)),
-      m_layout(new QComboBox(this)),
-      m_correctionLabel(new QLabel(this)),
-      m_correction(new NumberField(this)),
-      m_heightLabel(new QLabel(this)),
-      m_height(new NumberField(this)),
-      m_accessLabel(new QLabel(this)),
-      m_access(new QComboBox(this)),
-      m_transferLabel(new QLabel(this)),
-      m_byHand(new QCheckBox(this)),
-      m_pausesGroup(new QGroupBox(this)),
-      m_plannedLabel(new QLabel(this)),
-      m_planned(makeValueLabel(this)),
-      m_costLabel(new QLabel(this)),
-      m_cost(makeValueLabel(this)),
-      m_verdictGroup(new QGroupBox(this)),
-      m_headline(new StatusLabel(this)),
-      m_reason(new QLabel(this)),
-      m_rehearsalText(new StatusLabel(this)),
-      m_marginLabel(new QLabel(this)),
-      m_margin(makeValueLabel(this)),
-      m_limitLabel(new QLabel(this)),
-      m_limit(makeValueLabel(this)),
-      m_placeLabel(new QLabel(this)),
-      m_place(makeValueLabel(this)),
-      m_useFeed(makeTouchButton(this)),
-      m_useDelta(makeTouchButton(this)) {
+      m_points(whole(1, 9999)),
+      m_delta(number({.min = 0.001, .max = 100.0, .step = 0.05, .unit = "mm"})),
+      m_feed(number({.min = kFeedMmPerMinMin,
+                     .max = 40'000.0,
+                     .decimals = 1,
+                     .step = 50.0,
+                     .unit = "mm/min"})),
+      m_override(number({.min = kPercent * gcode::kOverrideMin,
+                         .max = kPercent * gcode::kOverrideMax,
+                         .decimals = 0,
+                         .step = 5.0,
+                         .unit = "%"})),
+      m_form(new Form(this, m_settingsGroup, Form::Height::Touch)),
+      m_correction(
+          number({.min = 0.0, .max = templates::kCorrectionLimitMmMax, .step = 0.01, .unit = "mm"},
+                 {.special = QT_TR_NOOP("none")})),
+      m_height(number({.min = kDryRunMmMin,
+                       .max = job::kRaiseMmMax,
+                       .decimals = 1,
+                       .step = 10.0,
+                       .unit = "mm"})),
+      m_figures(new Form(this, nullptr)) {
   setMinimumWidth(330);
   buildSettings();
   buildVerdict();
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_settingsGroup);
-  layout->addWidget(m_verdictGroup);
-  layout->addWidget(m_pausesGroup);
-  layout->addStretch();
-
-  connectFields();
-  retranslate();
-  restyle();
+  inColumn({m_settingsGroup, m_verdictGroup, m_pausesGroup, spring()}, this);
+  onEdit({m_job, m_height}, &MethodPanel::takeJob);
+  onEdit({m_method, m_layout, m_access, m_byHand, m_points, m_feedSource, m_override, m_delta,
+          m_correction, m_feed},
+         &MethodPanel::takeSettings);
+  onLanguage(&MethodPanel::showSettings, &MethodPanel::showVerdict, &MethodPanel::showPauses);
 }
 
 void MethodPanel::buildSettings() {
+  int item = 0;
   for (const base::MethodTraits& method : base::kMethods) {
     if (!method.sendsBlocks) {  // for comparison, on the command line
-      m_method->addItem(QString(), static_cast<int>(method.kind));
+      m_method->setItemData(item++, static_cast<int>(method.kind));
     }
   }
+  item = 0;
   for (const templates::Layout layout : {templates::Layout::Paper, templates::Layout::Contiguous}) {
-    m_layout->addItem(QString(), static_cast<int>(layout));
+    m_layout->setItemData(item++, static_cast<int>(layout));
   }
+  item = 0;
   for (const AccessPreference access : {AccessPreference::Automatic, AccessPreference::Array,
                                         AccessPreference::List, AccessPreference::Single}) {
-    m_access->addItem(QString(), static_cast<int>(access));
+    m_access->setItemData(item++, static_cast<int>(access));
   }
-  m_method->setObjectName(QStringLiteral("method"));
-  m_points->setRange(1, 9999);
-  m_delta->setDecimals(3);
-  m_delta->setRange(0.001, 100.0);
-  m_delta->setSingleStep(0.05);
-  m_delta->setSuffix(QStringLiteral("\u00A0mm"));
-  m_feed->setDecimals(1);
-  m_feed->setMinimum(kFeedMmPerMinMin);
-  setFeedMax(base::mmPerSFromMmPerMin(40'000.0));
-  m_feed->setSingleStep(50.0);
-  m_feed->setSuffix(QStringLiteral("\u00A0mm/min"));
-  m_feedSource->addItems({QString(), QString()});
-  m_job->addItems({QString(), QString(), QString()});
-  m_height->setDecimals(1);
-  m_height->setRange(kDryRunMmMin, job::kRaiseMmMax);
-  m_height->setSingleStep(10.0);
-  m_height->setSuffix(QStringLiteral("\u00A0mm"));
   m_height->setValue(kDryRunMm);
-  m_override->setDecimals(0);
-  m_override->setRange(kPercent * gcode::kOverrideMin, kPercent * gcode::kOverrideMax);
-  m_override->setSingleStep(5.0);
-  m_override->setSuffix(QStringLiteral("\u00A0%"));
-  m_correction->setDecimals(3);
-  m_correction->setRange(0.0, templates::kCorrectionLimitMmMax);
-  m_correction->setSingleStep(0.01);
-  m_correction->setSuffix(QStringLiteral("\u00A0mm"));
-  auto* form = m_form = new QFormLayout(m_settingsGroup);
-  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  form->setHorizontalSpacing(16);
-  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  const auto addRow = [form](QLabel* label, QWidget* field) {
-    label->setMinimumHeight(kTouchHeightPx);
-    label->setBuddy(field);
-    form->addRow(label, field);
-  };
-  addRow(m_jobLabel, m_job);
-  addRow(m_methodLabel, m_method);
-  addRow(m_pointsLabel, m_points);
-  addRow(m_deltaLabel, m_delta);
-  addRow(m_feedSourceLabel, m_feedSource);
-  addRow(m_feedLabel, m_feed);
-  addRow(m_overrideLabel, m_override);  // one of these two is shown
-  addRow(m_layoutLabel, m_layout);
-  addRow(m_correctionLabel, m_correction);
-  addRow(m_accessLabel, m_access);
-  addRow(m_transferLabel, m_byHand);
-  m_heightLabel->setMinimumHeight(kTouchHeightPx);
-  m_heightLabel->setBuddy(m_height);
-  form->insertRow(1, m_heightLabel, m_height);
+  m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  m_form->row({.text = QT_TR_NOOP("Run")}, m_job);
+  m_form->row({.text = QT_TR_NOOP("Method")}, m_method);
+  m_form->row({}, m_points);
+  m_form->row({.text = QT_TR_NOOP("δ (point reached)")}, m_delta);
+  m_form->row({.text = QT_TR_NOOP("Feed")}, m_feedSource);
+  m_form->row({.text = QT_TR_NOOP("F (path feed)")}, m_feed);
+  m_form->row({.text = QT_TR_NOOP("Override"),
+               .tip = QT_TR_NOOP("Scales the feeds of the program, and its rapids up to the rapid "
+                                 "feed of the machine")},
+              m_override);  // one of these two is shown
+  m_form->row({.text = QT_TR_NOOP("Cells")}, m_layout);
+  m_form->row({.text = QT_TR_NOOP("Correction up to"),
+               .tip = QT_TR_NOOP("Largest correction of each axis during the run. The control must "
+                                 "not add corrections up (MD36750 bit 0), and its own limit "
+                                 "(SD43350) should not be larger.")},
+              m_correction);
+  m_form->row({.text = QT_TR_NOOP("Access")}, m_access);
+  m_form->row({.text = QT_TR_NOOP("Template")}, m_byHand);
+  m_form->insertRow(
+      1, label({.text = QT_TR_NOOP("Above the workpiece"), .isTouch = true}, m_height), m_height);
   setTabOrder(m_job, m_height);
   setTabOrder(m_height, m_method);
 }
 
 void MethodPanel::buildVerdict() {
-  m_planned->setWordWrap(true);
-  m_cost->setWordWrap(true);
-  auto* pauses = new QFormLayout(m_pausesGroup);
-  pauses->setLabelAlignment(Qt::AlignLeft);
-  pauses->setHorizontalSpacing(16);
-  pauses->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  pauses->addRow(m_plannedLabel, m_planned);
-  pauses->addRow(m_costLabel, m_cost);
-
+  auto* pauses = new Form(this, m_pausesGroup);
+  pauses->row({.text = QT_TR_NOOP("Planned"),
+               .tip = QT_TR_NOOP("Places where the axes will stop for a moment. Off the cut means "
+                                 "after a rapid or a retract, or at a sharp corner; the path shows "
+                                 "the places."),
+               .isMuted = true},
+              m_planned);
+  pauses->row({.text = QT_TR_NOOP("Cost"),
+               .tip = QT_TR_NOOP("Standstill, braking and acceleration, computed with the axes of "
+                                 "the virtual machine"),
+               .isMuted = true},
+              m_cost);
   m_headline->setEmphasis(16.0, true);
-  m_reason->setWordWrap(true);
   m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  m_place->setWordWrap(true);
-  m_limit->setWordWrap(true);
-  m_margin->setWordWrap(true);
-  auto* figures = new QFormLayout;
-  figures->setLabelAlignment(Qt::AlignLeft);
-  figures->setHorizontalSpacing(16);
-  figures->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  figures->addRow(m_marginLabel, m_margin);
-  figures->addRow(m_limitLabel, m_limit);
-  figures->addRow(m_placeLabel, m_place);
-  auto* verdict = new QVBoxLayout(m_verdictGroup);
-  verdict->addWidget(m_headline);
-  verdict->addWidget(m_reason);
-  verdict->addWidget(m_rehearsalText);
-  m_rehearsalText->setWordWrap(true);
-  verdict->addLayout(figures);
-  verdict->addWidget(m_useFeed);
-  verdict->addWidget(m_useDelta);
+  m_figures->row({.text = QT_TR_NOOP("Margin"), .isMuted = true}, m_margin);
+  m_figures->row({.text = QT_TR_NOOP("Largest feed"), .isMuted = true}, m_limit);
+  m_figures->row({.text = QT_TR_NOOP("Limiting place"), .isMuted = true}, m_place);
+  inColumn({m_headline, m_reason, m_rehearsalText, m_figures, m_useFeed, m_useDelta},
+           m_verdictGroup);
 }
 
-void MethodPanel::connectFields() {
-  connect(m_job, &QComboBox::currentIndexChanged, this, &MethodPanel::takeJob);
-  connect(m_height, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeJob);
-  connect(m_method, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
-  connect(m_layout, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
-  connect(m_access, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
-  connect(m_byHand, &QCheckBox::toggled, this, &MethodPanel::takeSettings);
-  connect(m_points, &QSpinBox::valueChanged, this, &MethodPanel::takeSettings);
-  connect(m_feedSource, &QComboBox::currentIndexChanged, this, &MethodPanel::takeSettings);
-  connect(m_override, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
-  connect(m_delta, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
-  connect(m_correction, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
-  connect(m_feed, &QDoubleSpinBox::valueChanged, this, &MethodPanel::takeSettings);
-  connect(m_useFeed, &QPushButton::clicked, this, &MethodPanel::takeOffer);
-  connect(m_useDelta, &QPushButton::clicked, this, [this] {
-    if (m_verdict) {
-      m_settings.deltaMm = offeredDeltaMm(m_verdict->deltaMmMin);
-      showSettings();
-      Q_EMIT settingsChanged(m_settings);
-    }
-  });
+void MethodPanel::takeOfferedDelta() {
+  if (m_verdict) {
+    m_settings.deltaMm = offeredDeltaMm(m_verdict->deltaMmMin);
+    showSettings();
+    Q_EMIT settingsChanged(m_settings);
+  }
 }
 
 void MethodPanel::setSettings(const streaming::StreamSettings& settings) {
@@ -365,80 +289,6 @@ void MethodPanel::setEditable(bool editable) {
   showVerdict();
 }
 
-void MethodPanel::retranslate() {
-  const bool wasShowing = std::exchange(m_isShowing, true);
-  m_settingsGroup->setTitle(tr("Method"));
-  m_jobLabel->setText(tr("Run"));
-  m_job->setItemText(kWholeJob, tr("Whole job"));
-  m_job->setItemText(kMotionOnly, tr("Motion only"));
-  m_job->setItemText(kDryRun, tr("Dry run"));
-  m_heightLabel->setText(tr("Above the workpiece"));
-  m_methodLabel->setText(tr("Method"));
-  m_method->setItemText(0, tr("Window"));
-  m_method->setItemText(1, tr("Position"));
-  m_method->setItemText(2, tr("Signal"));
-  m_method->setItemText(3, tr("Credit (experimental)"));
-  m_method->setToolTip(
-      tr("Window: the machine waits if the client is late; it never executes a point twice. "
-         "Position: the client watches the tool and replaces points it has passed. Signal: the "
-         "client watches a cell in which the program says which half of the loop may be replaced. "
-         "Credit: like window, without a stop between windows; it starts only on a control that "
-         "has passed the test on the page Credit test."));
-  m_deltaLabel->setText(tr("δ (point reached)"));
-  m_feedSourceLabel->setText(tr("Feed"));
-  m_feedSource->setItemText(kFeedOfProgram, tr("Of the program"));
-  m_feedSource->setItemText(kOneFeed, tr("One for all moves"));
-  m_overrideLabel->setText(tr("Override"));
-  m_override->setToolTip(
-      tr("Scales the feeds of the program, and its rapids up to the rapid feed of the machine"));
-  m_overrideLabel->setToolTip(m_override->toolTip());
-  m_feedLabel->setText(tr("F (path feed)"));
-  m_layoutLabel->setText(tr("Cells"));
-  m_correctionLabel->setText(tr("Correction up to"));
-  m_correction->setSpecialValueText(tr("none"));
-  m_correction->setToolTip(
-      tr("Largest correction of each axis during the run. The control must not add corrections up "
-         "(MD36750 bit 0), and its own limit (SD43350) should not be larger."));
-  m_correctionLabel->setToolTip(m_correction->toolTip());
-  m_layout->setItemText(0, tr("Paper (R11, R21 …)"));
-  m_layout->setItemText(1, tr("Contiguous (R10 …)"));
-  m_accessLabel->setText(tr("Access"));
-  m_access->setItemText(0, tr("Automatic"));
-  m_access->setItemText(1, tr("Arrays, or no start"));
-  m_access->setItemText(2, tr("Lists"));
-  m_access->setItemText(3, tr("One by one"));
-  m_transferLabel->setText(tr("Template"));
-  m_byHand->setText(tr("copied by hand"));
-  m_byHand->setToolTip(
-      tr("For a control that gives no right to its part programs: store the template there, select "
-         "it and press cycle start. The run waits until this is done."));
-  m_isShowing = wasShowing;
-  m_pausesGroup->setTitle(tr("Pauses"));
-  m_plannedLabel->setText(tr("Planned"));
-  m_plannedLabel->setToolTip(
-      tr("Places where the axes will stop for a moment. Off the cut means after a rapid or a "
-         "retract, or at a sharp corner; the path shows the places."));
-  m_costLabel->setText(tr("Cost"));
-  m_costLabel->setToolTip(
-      tr("Standstill, braking and acceleration, computed with the axes of the virtual machine"));
-  m_verdictGroup->setTitle(tr("Verdict"));
-  m_marginLabel->setText(tr("Margin"));
-  m_limitLabel->setText(tr("Largest feed"));
-  m_placeLabel->setText(tr("Limiting place"));
-  showSettings();
-  showVerdict();
-  showPauses();
-}
-
-void MethodPanel::restyle() {
-  const QColor color = themeColors(palette()).text;
-  m_useFeed->setIcon(themedIcon(QStringLiteral("apply"), color));
-  m_useDelta->setIcon(themedIcon(QStringLiteral("apply"), color));
-  for (QLabel* label : {m_marginLabel, m_limitLabel, m_placeLabel, m_plannedLabel, m_costLabel}) {
-    setMuted(label, palette());
-  }
-}
-
 bool MethodPanel::usesDelta() const {
   return base::usesDelta(m_settings.parameters.method);
 }
@@ -464,7 +314,8 @@ void MethodPanel::showSettings() {
     field->setEnabled(m_editable);
   }
   const bool window = isWindow();
-  m_pointsLabel->setText(window ? tr("N (points per window)") : tr("N (points per loop)"));
+  m_form->label(m_points)->setText(window ? tr("N (points per window)")
+                                          : tr("N (points per loop)"));
   m_layout->setEnabled(m_editable && !window);
   m_layout->setToolTip(window ? tr("Windows have a layout of their own") : QString());
   m_access->setToolTip(
@@ -475,10 +326,9 @@ void MethodPanel::showSettings() {
   m_correction->setValue(m_settings.parameters.correctionLimitMm);
   m_correction->setEnabled(m_editable && window);
   m_delta->setEnabled(m_editable && usesDelta());
-  m_delta->setToolTip(usesDelta()
-                          ? tr("Distance from the tool at which a point counts as reached")
-                          : tr("This method does not use δ: it watches a cell, not the tool"));
-  m_deltaLabel->setToolTip(m_delta->toolTip());
+  m_form->setTip(m_delta, usesDelta()
+                              ? tr("Distance from the tool at which a point counts as reached")
+                              : tr("This method does not use δ: it watches a cell, not the tool"));
   m_isShowing = wasShowing;
 }
 
@@ -487,13 +337,13 @@ void MethodPanel::showFeedFields() {
   const bool ofProgram = m_settings.usesProgramFeeds();
   m_feedSource->setCurrentIndex(ofProgram ? kFeedOfProgram : kOneFeed);
   m_feedSource->setEnabled(m_editable && !isPublished && !m_isLive);
-  m_feedSource->setToolTip(
+  m_form->setTip(
+      m_feedSource,
       m_isLive ? tr("The points of a live source have feeds of their own.")
       : isPublished
           ? tr("This method has one feed for all moves, as it was published")
           : tr("Of the program: each move has the feed of its own block, rapids are rapids. "
                "One for all moves: rapids have it, too."));
-  m_feedSourceLabel->setToolTip(m_feedSource->toolTip());
   m_override->setValue(kPercent * m_settings.overrideFactor);
   m_override->setEnabled(m_editable && !m_isLive);
   m_feed->setEnabled(m_editable && !m_isLive);
@@ -541,14 +391,14 @@ void MethodPanel::showJob() {
   }
   m_job->setCurrentIndex(isDry ? kDryRun : m_isJob ? kWholeJob : kMotionOnly);
   m_job->setEnabled(m_editable && (m_jobObstacle.isEmpty() || isDry));
-  m_job->setToolTip(
+  m_form->setTip(
+      m_job,
       !m_jobObstacle.isEmpty()
           ? m_jobObstacle
           : tr("Whole job: the control executes tools, spindle, coolant, cycles and retracts at "
                "their place, and Rivulet streams the motion between them. Motion only: these "
                "blocks are left out. Dry run: the whole job above the workpiece, without spindle "
                "and coolant."));
-  m_jobLabel->setToolTip(m_job->toolTip());
 }
 
 void MethodPanel::takeSettings() {
@@ -631,12 +481,13 @@ void MethodPanel::showHeadline() {
 void MethodPanel::showLimit() {
   const auto& place = m_verdict->limiting.place;
   if (m_overrideLimit) {
-    m_limitLabel->setText(tr("Largest override"));
+    m_figures->label(m_limit)->setText(tr("Largest override"));
     m_limit->setText(LimitTexts::percent(*m_overrideLimit));
     m_place->setText(LimitTexts::block(*m_overrideLimit));
     return;
   }
-  m_limitLabel->setText(isWindow() ? tr("Largest feed without waiting") : tr("Largest feed"));
+  m_figures->label(m_limit)->setText(isWindow() ? tr("Largest feed without waiting")
+                                                : tr("Largest feed"));
   m_limit->setText(feedText(m_verdict->feedMmPerSMax));
   if (!place || place->lastLine.value == 0) {
     m_place->setText(noValue());
@@ -666,8 +517,8 @@ void MethodPanel::showOffer(const QString& reason) {
 
 void MethodPanel::showVerdict() {
   const bool judged = m_verdict.has_value();
-  for (QWidget* widget : {m_marginLabel, m_margin, m_limitLabel, m_limit, m_placeLabel, m_place}) {
-    widget->setVisible(judged);
+  for (QLabel* figure : {m_margin, m_limit, m_place}) {
+    m_figures->setRowVisible(figure, judged);
   }
   m_useFeed->hide();
   m_useDelta->hide();

@@ -16,14 +16,13 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
-class QFormLayout;
 class QGroupBox;
 class QLabel;
 class QPushButton;
 
 namespace rivulet::widgets {
 
+class NumberField;
 class StatusLabel;
 class WholeNumberField;
 
@@ -94,14 +93,9 @@ class MethodPanel final : public Page {
   /// @param isWhole  false: the motion alone
   void jobChosen(bool isWhole);
 
- protected:
-  void retranslate() override;
-  void restyle() override;
-
  private:
   void buildSettings();
   void buildVerdict();
-  void connectFields();
   void showSettings();
   void showVerdict();
   void showHeadline();
@@ -110,6 +104,7 @@ class MethodPanel final : public Page {
   /// The same as an override on the feeds of the program; whole percent.
   [[nodiscard]] std::optional<double> offeredOverride() const;
   void takeOffer();
+  void takeOfferedDelta();
   void showOffer(const QString& reason);
   void showFeedFields();
   void showJob();
@@ -136,51 +131,52 @@ class MethodPanel final : public Page {
   bool m_editable = true;
   bool m_isShowing = false;  ///< fields are being filled, not edited
 
-  QGroupBox* m_settingsGroup;
-  QLabel* m_jobLabel;
-  QComboBox* m_job;
-  QLabel* m_methodLabel;
-  QComboBox* m_method;
-  QLabel* m_pointsLabel;
+  QGroupBox* m_settingsGroup = group({.text = QT_TR_NOOP("Method")});
+  QComboBox* m_job =
+      list({.items = {QT_TR_NOOP("Whole job"), QT_TR_NOOP("Motion only"), QT_TR_NOOP("Dry run")}});
+  QComboBox* m_method =
+      list({.tip = QT_TR_NOOP(
+                "Window: the machine waits if the client is late; it never executes a point twice. "
+                "Position: the client watches the tool and replaces points it has passed. Signal: "
+                "the client watches a cell in which the program says which half of the loop may be "
+                "replaced. Credit: like window, without a stop between windows; it starts only on "
+                "a control that has passed the test on the page Credit test."),
+            .items = {QT_TR_NOOP("Window"), QT_TR_NOOP("Position"), QT_TR_NOOP("Signal"),
+                      QT_TR_NOOP("Credit (experimental)")},
+            .id = "method"});
   WholeNumberField* m_points;
-  QLabel* m_deltaLabel;
-  QDoubleSpinBox* m_delta;
-  QLabel* m_feedSourceLabel;
-  QComboBox* m_feedSource;
-  QLabel* m_feedLabel;
-  QDoubleSpinBox* m_feed;
-  QLabel* m_overrideLabel;
-  QDoubleSpinBox* m_override;
-  QFormLayout* m_form = nullptr;
-  QLabel* m_layoutLabel;
-  QComboBox* m_layout;
-  QLabel* m_correctionLabel;
-  QDoubleSpinBox* m_correction;
-  QLabel* m_heightLabel;
-  QDoubleSpinBox* m_height;  ///< of a dry run
-  QLabel* m_accessLabel;
-  QComboBox* m_access;
-  QLabel* m_transferLabel;
-  QCheckBox* m_byHand;
+  NumberField* m_delta;
+  QComboBox* m_feedSource =
+      list({.items = {QT_TR_NOOP("Of the program"), QT_TR_NOOP("One for all moves")}});
+  NumberField* m_feed;
+  NumberField* m_override;
+  Form* m_form;
+  QComboBox* m_layout =
+      list({.items = {QT_TR_NOOP("Paper (R11, R21 …)"), QT_TR_NOOP("Contiguous (R10 …)")}});
+  NumberField* m_correction;
+  NumberField* m_height;  ///< of a dry run
+  QComboBox* m_access = list({.items = {QT_TR_NOOP("Automatic"), QT_TR_NOOP("Arrays, or no start"),
+                                        QT_TR_NOOP("Lists"), QT_TR_NOOP("One by one")}});
+  QCheckBox* m_byHand =
+      checkBox({.text = QT_TR_NOOP("copied by hand"),
+                .tip = QT_TR_NOOP(
+                    "For a control that gives no right to its part programs: store the template "
+                    "there, select it and press cycle start. The run waits until this is done.")});
 
-  QGroupBox* m_pausesGroup;
-  QLabel* m_plannedLabel;
-  QLabel* m_planned;
-  QLabel* m_costLabel;
-  QLabel* m_cost;
+  QGroupBox* m_pausesGroup = group({.text = QT_TR_NOOP("Pauses")});
+  QLabel* m_planned = value({.wraps = true});
+  QLabel* m_cost = value({.wraps = true});
 
-  QGroupBox* m_verdictGroup;
-  StatusLabel* m_headline;
-  QLabel* m_reason;
-  StatusLabel* m_rehearsalText;
-  QLabel* m_marginLabel;
-  QLabel* m_margin;
-  QLabel* m_limitLabel;
-  QLabel* m_limit;
-  QLabel* m_placeLabel;
-  QLabel* m_place;
-  QPushButton* m_useFeed;
-  QPushButton* m_useDelta;
+  QGroupBox* m_verdictGroup = group({.text = QT_TR_NOOP("Verdict")});
+  StatusLabel* m_headline = status();
+  QLabel* m_reason = label({.wraps = true});
+  StatusLabel* m_rehearsalText = status({.wraps = true});
+  Form* m_figures;
+  QLabel* m_margin = value({.wraps = true});
+  QLabel* m_limit = value({.wraps = true});
+  QLabel* m_place = value({.wraps = true});
+  QPushButton* m_useFeed = button({.icon = "apply"}, &MethodPanel::takeOffer);
+  QPushButton* m_useDelta = button({.icon = "apply"}, &MethodPanel::takeOfferedDelta);
 };
 
 }  // namespace rivulet::widgets

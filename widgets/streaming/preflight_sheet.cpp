@@ -7,37 +7,20 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "widgets/common/icons.h"
-#include "widgets/common/theme.h"
-
 namespace rivulet::widgets {
 
-PreflightSheet::PreflightSheet(QWidget* parent)
-    : Page(parent),
-      m_title(makeHeading(this)),
-      m_outcome(new StatusLabel(this)),
-      m_rows(new QGridLayout),
-      m_close(makeTouchButton(this)) {
+PreflightSheet::PreflightSheet(QWidget* parent) : Page(parent), m_rows(new QGridLayout) {
   QFont font = m_title->font();
   font.setPointSizeF(16.0);
   m_title->setFont(font);
-  m_outcome->setWordWrap(true);
   m_outcome->setEmphasis(12.0, true);
   m_rows->setHorizontalSpacing(16);
   m_rows->setVerticalSpacing(8);
   m_rows->setColumnStretch(1, 1);
-  auto* head = new QHBoxLayout;
-  head->addWidget(m_title, 1);
-  head->addWidget(m_close);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(16, 8, 16, 8);
-  layout->addLayout(head);
-  layout->addWidget(m_outcome);
-  layout->addLayout(m_rows);
-  layout->addStretch();
-  connect(m_close, &QPushButton::clicked, this, &PreflightSheet::closeRequested);
+  inColumn({inRow({{m_title, 1}, m_close}), m_outcome, m_rows, spring()}, this,
+           QMargins(16, 8, 16, 8));
   retranslate();
-  restyle();
+  onTheme(&PreflightSheet::showItems);
 }
 
 void PreflightSheet::setItems(const std::vector<PreflightItem>& items, bool passed, Kind kind) {
@@ -101,12 +84,6 @@ void PreflightSheet::showItems() {
 void PreflightSheet::retranslate() {
   m_title->setText(m_kind == Kind::Resume ? tr("Before the run is resumed")
                                           : tr("Before the start"));
-  m_close->setText(tr("Not now"));
-  showItems();
-}
-
-void PreflightSheet::restyle() {
-  m_close->setIcon(themedIcon(QStringLiteral("dismiss"), themeColors(palette()).text));
   showItems();
 }
 

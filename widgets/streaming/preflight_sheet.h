@@ -47,7 +47,6 @@ class PreflightSheet final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   void showItems();
@@ -55,11 +54,12 @@ class PreflightSheet final : public Page {
   std::vector<PreflightItem> m_items;
   bool m_passed = false;
   Kind m_kind = Kind::Start;
-  QLabel* m_title;
-  StatusLabel* m_outcome;
+  QLabel* m_title = heading({});
+  StatusLabel* m_outcome = status({.wraps = true});
   QWidget* m_list = nullptr;
   QGridLayout* m_rows;
-  QPushButton* m_close;
+  QPushButton* m_close =
+      button({.text = QT_TR_NOOP("Not now"), .icon = "dismiss"}, &PreflightSheet::closeRequested);
 };
 
 }  // namespace rivulet::widgets

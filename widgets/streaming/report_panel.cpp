@@ -51,20 +51,35 @@ Status ReportPanel::resultStatus(streaming::Outcome outcome, streaming::RunFindi
   return finding == streaming::RunFinding::Faultless ? Status::Good : Status::Unknown;
 }
 
-ReportPanel::ReportPanel(QWidget* parent)
-    : Page(parent),
-      m_outcome(new StatusLabel(this)),
-      m_detail(makeValueLabel(this)),
-      m_runGroup(new QGroupBox(this)),
-      m_integrityGroup(new QGroupBox(this)),
-      m_pausesGroup(new QGroupBox(this)),
-      m_accessGroup(new QGroupBox(this)) {
+ReportPanel::ReportPanel(QWidget* parent) : Page(parent) {
   m_outcome->setEmphasis(16.0, true);
-  m_detail->setWordWrap(true);
-  for (int row = 0; row < RowCount; ++row) {
-    m_names.push_back(new QLabel(this));
-    m_values.push_back(new StatusLabel(this));
-    m_values.back()->setWordWrap(true);
+  constexpr std::array<const char*, RowCount> kNames{QT_TR_NOOP("Program"),
+                                                     QT_TR_NOOP("Method"),
+                                                     QT_TR_NOOP("Feed"),
+                                                     "δ",
+                                                     QT_TR_NOOP("Duration"),
+                                                     QT_TR_NOOP("Time spent"),
+                                                     QT_TR_NOOP("Tools"),
+                                                     QT_TR_NOOP("Live lines"),
+                                                     QT_TR_NOOP("Delay from arrival to motion"),
+                                                     QT_TR_NOOP("Executed"),
+                                                     QT_TR_NOOP("Repeated"),
+                                                     QT_TR_NOOP("Skipped"),
+                                                     QT_TR_NOOP("Foreign motion"),
+                                                     QT_TR_NOOP("Number"),
+                                                     QT_TR_NOOP("Mean"),
+                                                     QT_TR_NOOP("Total"),
+                                                     QT_TR_NOOP("Form"),
+                                                     QT_TR_NOOP("Requests"),
+                                                     QT_TR_NOOP("Mean"),
+                                                     QT_TR_NOOP("Median"),
+                                                     QT_TR_NOOP("95th percentile"),
+                                                     QT_TR_NOOP("99th percentile"),
+                                                     QT_TR_NOOP("Largest"),
+                                                     QT_TR_NOOP("Stop confirmed")};
+  for (const char* name : kNames) {
+    m_names.push_back(label({.text = name, .isMuted = true}));
+    m_values.push_back(status({.wraps = true}));
   }
   const auto fill = [this](QGroupBox* group, int first, int last) {
     auto* form = new QFormLayout(group);
@@ -88,13 +103,8 @@ ReportPanel::ReportPanel(QWidget* parent)
   groups->addWidget(m_accessGroup, 1, 1);
   groups->setColumnStretch(0, 1);
   groups->setColumnStretch(1, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_outcome);
-  layout->addWidget(m_detail);
-  layout->addLayout(groups);
-  layout->addStretch();
-  retranslate();
-  restyle();
+  inColumn({m_outcome, m_detail, groups, spring()}, this);
+  onLanguage(&ReportPanel::showReport);
 }
 
 void ReportPanel::setReport(const std::optional<streaming::RunReport>& report,
@@ -104,47 +114,6 @@ void ReportPanel::setReport(const std::optional<streaming::RunReport>& report,
   m_jobTimes = jobTimes;
   m_tools = tools;
   showReport();
-}
-
-void ReportPanel::retranslate() {
-  m_runGroup->setTitle(tr("Run"));
-  m_integrityGroup->setTitle(tr("Points"));
-  m_pausesGroup->setTitle(tr("Pauses"));
-  m_accessGroup->setTitle(tr("Access time per variable"));
-  const auto name = [this](Row row, const QString& text) {
-    m_names[static_cast<std::size_t>(row)]->setText(text);
-  };
-  name(Program, tr("Program"));
-  name(Method, tr("Method"));
-  name(Feed, tr("Feed"));
-  name(Delta, QStringLiteral("δ"));
-  name(Duration, tr("Duration"));
-  name(TimeSpent, tr("Time spent"));
-  name(Tools, tr("Tools"));
-  name(LiveLines, tr("Live lines"));
-  name(LiveDelay, tr("Delay from arrival to motion"));
-  name(Executed, tr("Executed"));
-  name(Repeated, tr("Repeated"));
-  name(Skipped, tr("Skipped"));
-  name(Foreign, tr("Foreign motion"));
-  name(PauseCount, tr("Number"));
-  name(PauseMean, tr("Mean"));
-  name(PauseTotal, tr("Total"));
-  name(AccessForm, tr("Form"));
-  name(Requests, tr("Requests"));
-  name(AccessMean, tr("Mean"));
-  name(AccessP50, tr("Median"));
-  name(AccessP95, tr("95th percentile"));
-  name(AccessP99, tr("99th percentile"));
-  name(AccessMax, tr("Largest"));
-  name(StopConfirmed, tr("Stop confirmed"));
-  showReport();
-}
-
-void ReportPanel::restyle() {
-  for (QLabel* label : m_names) {
-    setMuted(label, palette());
-  }
 }
 
 void ReportPanel::showReport() {

@@ -38,10 +38,6 @@ class ReportPanel final : public Page {
   [[nodiscard]] static Status resultStatus(streaming::Outcome outcome,
                                            streaming::RunFinding finding);
 
- protected:
-  void retranslate() override;
-  void restyle() override;
-
  private:
   enum Row {
     Program,
@@ -83,12 +79,12 @@ class ReportPanel final : public Page {
   std::optional<streaming::RunReport> m_report;
   std::optional<streaming::JobTimes> m_jobTimes;
   std::vector<trace::ToolUse> m_tools;
-  StatusLabel* m_outcome;
-  QLabel* m_detail;
-  QGroupBox* m_runGroup;
-  QGroupBox* m_integrityGroup;
-  QGroupBox* m_pausesGroup;
-  QGroupBox* m_accessGroup;
+  StatusLabel* m_outcome = status();
+  QLabel* m_detail = value({.wraps = true});
+  QGroupBox* m_runGroup = group({.text = QT_TR_NOOP("Run")});
+  QGroupBox* m_integrityGroup = group({.text = QT_TR_NOOP("Points")});
+  QGroupBox* m_pausesGroup = group({.text = QT_TR_NOOP("Pauses")});
+  QGroupBox* m_accessGroup = group({.text = QT_TR_NOOP("Access time per variable")});
   std::vector<QLabel*> m_names;
   std::vector<StatusLabel*> m_values;
 };

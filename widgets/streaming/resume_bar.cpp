@@ -12,8 +12,10 @@ namespace rivulet::widgets {
 
 ResumeBar::ResumeBar(QWidget* parent)
     : NoticeBar(parent),
-      m_goOn(addHoldButton(QStringLiteral("go-on"), QStringLiteral("resume"))),
-      m_dismiss(addButton(QStringLiteral("not-now"), QStringLiteral("dismiss"))) {
+      m_goOn(addHoldButton({.tip = QT_TR_NOOP("Hold for one second. Then the machine moves."),
+                            .icon = "resume",
+                            .id = "go-on"})),
+      m_dismiss(addButton({.icon = "dismiss", .id = "not-now"})) {
   setObjectName(QStringLiteral("resume-bar"));
   connect(m_goOn, &HoldButton::held, this, &ResumeBar::goOnRequested);
   connect(m_dismiss, &QPushButton::clicked, this, [this] {
@@ -70,7 +72,6 @@ void ResumeBar::retranslate() {
                           : (m_place->isChosen ? tr("Press and hold: start at point %1")
                                                : tr("Press and hold: resume at point %1"))
                                 .arg(countText(m_place->point + 1)));
-      m_goOn->setToolTip(tr("Hold for one second. Then the machine moves."));
       break;
     case State::Refusal:
       setNotice(Status::Attention, tr("The run cannot be resumed: %1").arg(m_reason));

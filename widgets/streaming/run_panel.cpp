@@ -5,7 +5,6 @@
 
 #include <QCoreApplication>
 #include <QGridLayout>
-#include <QLabel>
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
@@ -101,26 +100,19 @@ QString waitingText(const QString& key) {
 RunPanel::RunPanel(QWidget* parent)
     : Page(parent),
       m_rows(new QGridLayout(this)),
-      m_state(new QWidget(this)),
+      m_state(say(new QWidget(this), {.id = "state"})),
       m_stateLabel(new StatusLabel(m_state, StatusLabel::Elided{1})),
       m_reason(new StatusLabel(m_state, StatusLabel::Elided{2})),
       m_left(new QWidget(this)),
       m_right(new QWidget(this)),
       m_rightLayout(new QHBoxLayout(m_right)),
-      m_start(new HoldButton(m_right)),
-      m_stop(makeTouchButton(m_left)),
-      m_hold(makeTouchButton(m_left)),
-      m_resume(makeTouchButton(m_right)),
+      m_start(say(new HoldButton(m_right), {.icon = "play", .id = "start"})),
       m_figures(new QWidget(this)),
       m_progress(new QProgressBar(m_figures)),
-      m_title(new ElidedLabel(1, m_figures)) {
+      m_title(say(new ElidedLabel(1, m_figures), {.isMuted = true})) {
   m_stateLabel->setEmphasis(14.0, true);
-  m_state->setObjectName(QStringLiteral("state"));
-  auto* state = new QVBoxLayout(m_state);
-  state->setContentsMargins(0, 0, 0, 0);
+  auto* state = inColumn({m_stateLabel, m_reason}, m_state, QMargins(0, 0, 0, 0));
   state->setSpacing(0);
-  state->addWidget(m_stateLabel);
-  state->addWidget(m_reason);
   buildButtons();
   buildFigures();
   m_rows->setContentsMargins(8, 4, 8, 4);
@@ -137,18 +129,12 @@ RunPanel::RunPanel(QWidget* parent)
   connect(m_start, &HoldButton::held, this, &RunPanel::startRequested);
   connect(m_hold, &QPushButton::clicked, this,
           [this] { Q_EMIT holdRequested(m_update.state != RunState::Holding); });
-  connect(m_resume, &QPushButton::clicked, this, &RunPanel::resumeRequested);
-  connect(m_stop, &QPushButton::clicked, this, &RunPanel::requestStop);
   arrange();
-  retranslate();
+  onLanguage(&RunPanel::showAll);
   restyle();
 }
 
 void RunPanel::buildButtons() {
-  m_start->setObjectName(QStringLiteral("start"));
-  m_stop->setObjectName(QStringLiteral("stop"));
-  m_hold->setObjectName(QStringLiteral("hold"));
-  m_resume->setObjectName(QStringLiteral("resume"));
   for (QPushButton* button : {static_cast<QPushButton*>(m_start), m_stop, m_hold, m_resume}) {
     button->setFixedHeight(kRunButtonHeightPx);
     button->setIconSize(QSize(24, 24));
@@ -165,6 +151,9 @@ void RunPanel::buildButtons() {
 }
 
 void RunPanel::buildFigures() {
+  constexpr std::array<const char*, FigureCount> kNames{
+      QT_TR_NOOP("Line"), QT_TR_NOOP("Time left"), QT_TR_NOOP("Margin"),  QT_TR_NOOP("Buffer"),
+      QT_TR_NOOP("Sent"), QT_TR_NOOP("Accepted"),  QT_TR_NOOP("Executed")};
   m_progress->setRange(0, kProgressSteps);
   m_progress->setFixedSize(kProgressWidthPx, 22);
   m_progress->setAlignment(Qt::AlignCenter);
@@ -175,13 +164,11 @@ void RunPanel::buildFigures() {
   row->addWidget(m_progress);
   for (std::size_t figure = 0; figure < FigureCount; ++figure) {
     m_figureAreas[figure] = new QWidget(m_figures);
-    m_names[figure] = new QLabel(m_figureAreas[figure]);
-    m_values[figure] = new StatusLabel(m_figureAreas[figure]);
+    m_names[figure] = label({.text = kNames[figure], .isMuted = true});
+    m_values[figure] = status();
     m_values[figure]->setStatus(Status::Plain, noValue());
-    auto* pair = new QHBoxLayout(m_figureAreas[figure]);
-    pair->setContentsMargins(0, 0, 0, 0);
-    pair->addWidget(m_names[figure]);
-    pair->addWidget(m_values[figure]);
+    auto* pair =
+        inRow({m_names[figure], m_values[figure]}, m_figureAreas[figure], QMargins(0, 0, 0, 0));
     pair->setSpacing(kPairGapPx);
     row->addWidget(m_figureAreas[figure]);
   }
@@ -329,32 +316,8 @@ void RunPanel::setWrongMotion(bool hasWrongMotion) {
   showAll();
 }
 
-void RunPanel::retranslate() {
-  m_stop->setText(tr("Stop"));
-  m_stop->setToolTip(
-      tr("Ends the run at the end of the loop. Escape does the same, from anywhere "
-         "in the window. It does not replace the machine's emergency stop."));
-  m_resume->setText(tr("Resume …"));
-  m_names[Sent]->setText(tr("Sent"));
-  m_names[Accepted]->setText(tr("Accepted"));
-  m_names[Executed]->setText(tr("Executed"));
-  m_names[Margin]->setText(tr("Margin"));
-  m_names[Line]->setText(tr("Line"));
-  m_names[Left]->setText(tr("Time left"));
-  m_names[Buffer]->setText(tr("Buffer"));
-  showAll();
-}
-
 void RunPanel::restyle() {
   // The buttons stay neutral: shape and text distinguish them.
-  const QColor color = themeColors(palette()).text;
-  m_start->setIcon(themedIcon(QStringLiteral("play"), color));
-  m_stop->setIcon(themedIcon(QStringLiteral("stop"), color));
-  m_resume->setIcon(themedIcon(QStringLiteral("resume"), color));
-  for (QLabel* name : m_names) {
-    setMuted(name, palette());
-  }
-  setMuted(m_title, palette());
   showButtons();
   update();
 }

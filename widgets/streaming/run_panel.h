@@ -89,7 +89,6 @@ class RunPanel final : public Page {
   void resumeRequested();
 
  protected:
-  void retranslate() override;
   void restyle() override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
@@ -146,7 +145,7 @@ class RunPanel final : public Page {
   QString m_startBlocked;
   StopState m_stopState = StopState::None;
   bool m_mayMove = false;
-  std::size_t m_runBegin = 0;
+  std::size_t m_runBegin{0};
   bool m_canHold = false;
   bool m_preflightPassed = false;
   bool m_canResume = false;
@@ -161,9 +160,17 @@ class RunPanel final : public Page {
   QWidget* m_right;
   QBoxLayout* m_rightLayout;
   HoldButton* m_start;
-  QPushButton* m_stop;
-  QPushButton* m_hold;
-  QPushButton* m_resume;
+  QPushButton* m_stop = button(
+      {.text = QT_TR_NOOP("Stop"),
+       .tip =
+           QT_TR_NOOP("Ends the run at the end of the loop. Escape does the same, from anywhere in "
+                      "the window. It does not replace the machine's emergency stop."),
+       .icon = "stop",
+       .id = "stop"},
+      &RunPanel::requestStop);
+  QPushButton* m_hold = button({.id = "hold"});
+  QPushButton* m_resume = button({.text = QT_TR_NOOP("Resume …"), .icon = "resume", .id = "resume"},
+                                 &RunPanel::resumeRequested);
   QWidget* m_figures;
   QProgressBar* m_progress;
   ElidedLabel* m_title;

@@ -9,8 +9,9 @@ namespace rivulet::widgets {
 
 WrongMotionBar::WrongMotionBar(QWidget* parent)
     : NoticeBar(parent),
-      m_stop(addButton(QStringLiteral("wrong-stop"), QStringLiteral("stop"))),
-      m_acknowledge(addButton(QStringLiteral("wrong-acknowledge"), QStringLiteral("apply"))) {
+      m_stop(addButton({.text = QT_TR_NOOP("Stop the run"), .icon = "stop", .id = "wrong-stop"})),
+      m_acknowledge(addButton(
+          {.text = QT_TR_NOOP("Acknowledge"), .icon = "apply", .id = "wrong-acknowledge"})) {
   connect(m_stop, &QPushButton::clicked, this, &WrongMotionBar::stopRequested);
   connect(m_acknowledge, &QPushButton::clicked, this, &WrongMotionBar::acknowledged);
   retranslate();
@@ -25,9 +26,7 @@ void WrongMotionBar::setWrong(const QString& sentence, bool isRunning) {
 }
 
 void WrongMotionBar::retranslate() {
-  m_stop->setText(tr("Stop the run"));
   m_stop->setVisible(m_isRunning);
-  m_acknowledge->setText(tr("Acknowledge"));
   m_acknowledge->setVisible(!m_isRunning);
   setNotice(Status::Fault, m_sentence);
 }

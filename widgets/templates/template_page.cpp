@@ -8,16 +8,13 @@
 #include <QFontDatabase>
 #include <QGroupBox>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTableView>
 
-#include "widgets/common/icons.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
-#include "widgets/common/theme.h"
 #include "widgets/templates/cell_model.h"
 #include "widgets/templates/nc_highlighter.h"
 
@@ -25,15 +22,10 @@ namespace rivulet::widgets {
 
 TemplatePage::TemplatePage(QWidget* parent)
     : Page(parent),
-      m_state(new StatusLabel(this)),
-      m_copy(makeTouchButton(this)),
-      m_save(makeTouchButton(this)),
-      m_text(new QPlainTextEdit(this)),
+      m_text(say(new QPlainTextEdit(this), {.name = QT_TR_NOOP("Flexible program")})),
       m_highlighter(new NcHighlighter(m_text->document())),
-      m_cellsGroup(new QGroupBox(this)),
       m_cells(new CellModel(this)),
-      m_table(new QTableView(this)) {
-  m_state->setWordWrap(true);
+      m_table(say(new QTableView(this), {.name = QT_TR_NOOP("Cells")})) {
   m_text->setReadOnly(true);
   m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
   QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
@@ -44,19 +36,12 @@ TemplatePage::TemplatePage(QWidget* parent)
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   m_table->horizontalHeader()->setStretchLastSection(true);
 
-  auto* top = new QHBoxLayout;
-  top->addWidget(m_state, 1, Qt::AlignVCenter);
-  top->addWidget(m_copy);
-  top->addWidget(m_save);
   auto* cells = new QVBoxLayout(m_cellsGroup);
   cells->addWidget(m_table);
   m_cellsGroup->setMinimumWidth(400);
-  auto* body = new QHBoxLayout;
-  body->addWidget(m_text, 3);
-  body->addWidget(m_cellsGroup, 2);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(top);
-  layout->addLayout(body, 1);
+  inColumn({inRow({{m_state, 1, Qt::AlignVCenter}, m_copy, m_save}),
+            {inRow({{m_text, 3}, {m_cellsGroup, 2}}), 1}},
+           this);
 
   connect(m_copy, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(text()); });
@@ -67,8 +52,8 @@ TemplatePage::TemplatePage(QWidget* parent)
       Q_EMIT saveRequested(path);
     }
   });
-  retranslate();
-  restyle();
+  onLanguage([this] { m_cells->refresh(); }, &TemplatePage::showState);
+  onTheme([this] { m_highlighter->setColors(palette()); });
 }
 
 void TemplatePage::setTemplate(const templates::FlexibleProgram& program) {
@@ -92,23 +77,6 @@ void TemplatePage::setProblem(const QString& problem) {
 
 QString TemplatePage::text() const {
   return m_text->toPlainText();
-}
-
-void TemplatePage::retranslate() {
-  m_copy->setText(tr("Copy"));
-  m_save->setText(tr("Save…"));
-  m_cellsGroup->setTitle(tr("Cells"));
-  m_table->setAccessibleName(tr("Cells"));
-  m_text->setAccessibleName(tr("Flexible program"));
-  m_cells->refresh();
-  showState();
-}
-
-void TemplatePage::restyle() {
-  const QColor color = themeColors(palette()).text;
-  m_copy->setIcon(themedIcon(QStringLiteral("copy"), color));
-  m_save->setIcon(themedIcon(QStringLiteral("save"), color));
-  m_highlighter->setColors(palette());
 }
 
 void TemplatePage::showState() {

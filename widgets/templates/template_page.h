@@ -13,7 +13,6 @@
 #include "widgets/common/page.h"
 
 class QGroupBox;
-class QLabel;
 class QPlainTextEdit;
 class QPushButton;
 class QTableView;
@@ -38,10 +37,6 @@ class TemplatePage final : public Page {
  Q_SIGNALS:
   void saveRequested(const QString& path);
 
- protected:
-  void retranslate() override;
-  void restyle() override;
-
  private:
   void showState();
 
@@ -49,12 +44,12 @@ class TemplatePage final : public Page {
   QString m_problem;
   int m_layoutNumber = 0;
 
-  StatusLabel* m_state;
-  QPushButton* m_copy;
-  QPushButton* m_save;
+  StatusLabel* m_state = status({.wraps = true});
+  QPushButton* m_copy = button({.text = QT_TR_NOOP("Copy"), .icon = "copy"});
+  QPushButton* m_save = button({.text = QT_TR_NOOP("Save…"), .icon = "save"});
   QPlainTextEdit* m_text;
   NcHighlighter* m_highlighter;
-  QGroupBox* m_cellsGroup;
+  QGroupBox* m_cellsGroup = group({.text = QT_TR_NOOP("Cells")});
   CellModel* m_cells;
   QTableView* m_table;
 };

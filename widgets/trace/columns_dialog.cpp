@@ -5,13 +5,11 @@
 
 #include <QComboBox>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -125,15 +123,8 @@ ColumnsDialog::ColumnsDialog(const QString& file, const trace::TablePreview& tab
   for (NumberField* field : {m_rate, m_offset}) {
     field->setMinimumHeight(kTouchHeightPx);
   }
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_note, 1, Qt::AlignVCenter);
-  buttons->addWidget(cancel);
-  buttons->addWidget(m_accept);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(text);
-  layout->addWidget(m_table, 1);
-  layout->addLayout(fields);
-  layout->addLayout(buttons);
+  inColumn({text, {m_table, 1}, fields, inRow({{m_note, 1, Qt::AlignVCenter}, cancel, m_accept})},
+           this);
   resize(820, 560);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(m_accept, &QPushButton::clicked, this, &QDialog::accept);

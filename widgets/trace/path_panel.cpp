@@ -4,12 +4,10 @@
 #include "widgets/trace/path_panel.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
 #include <QSplitter>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -38,25 +36,17 @@ PathPanel::PathPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors* curs
       m_window(window),
       m_cursors(cursors),
       m_view(view),
-      m_top(makeTouchButton(this)),
-      m_spatial(makeTouchButton(this)),
-      m_error(new QComboBox(this)),
-      m_colour(new QComboBox(this)),
       m_path(new PathPane(curves, window, cursors, this)),
-      m_text(new ProgramTextView(this)),
-      m_note(new QLabel(this)) {
-  m_text->setObjectName(QStringLiteral("traceProgram"));
-  m_note->setObjectName(QStringLiteral("traceProgramNote"));
-  m_note->setWordWrap(true);
-  m_top->setObjectName(QStringLiteral("tracePathTop"));
-  m_spatial->setObjectName(QStringLiteral("tracePath3D"));
+      m_text(say(new ProgramTextView(this),
+                 {.tip = QT_TR_NOOP("The line under cursor A is marked. A click on a line puts "
+                                    "cursor A where it was executed."),
+                  .name = QT_TR_NOOP("Text of the program"),
+                  .id = "traceProgram"})) {
   for (QPushButton* button : {m_top, m_spatial}) {
     button->setCheckable(true);
     button->setAutoExclusive(true);
   }
   m_top->setChecked(true);
-  m_error->setObjectName(QStringLiteral("tracePathError"));
-  m_colour->setObjectName(QStringLiteral("tracePathColour"));
   for (QComboBox* list : {m_error, m_colour}) {
     list->setMinimumHeight(kTouchHeightPx);
     list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -65,11 +55,8 @@ PathPanel::PathPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors* curs
   for (const double factor : PathPane::kEnlargements) {
     m_error->addItem(QString(), factor);
   }
-  auto* look = new QHBoxLayout;
+  auto* look = inRow({m_top, m_spatial, {m_error, 1}});
   look->setSpacing(4);
-  look->addWidget(m_top);
-  look->addWidget(m_spatial);
-  look->addWidget(m_error, 1);
   auto* body = new QSplitter(Qt::Vertical, this);
   body->setObjectName(QStringLiteral("tracePathBody"));
   body->setChildrenCollapsible(false);
@@ -79,14 +66,7 @@ PathPanel::PathPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors* curs
   body->setStretchFactor(0, 3);
   body->setStretchFactor(1, 2);
   body->setSizes({3000, 2000});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 6, 4, 4);
-  layout->addLayout(look);
-  layout->addWidget(m_colour);
-  layout->addWidget(body, 1);
-  layout->addWidget(m_note);
-  connect(m_top, &QPushButton::clicked, this, &PathPanel::showView);
-  connect(m_spatial, &QPushButton::clicked, this, &PathPanel::showView);
+  inColumn({look, m_colour, {body, 1}, m_note}, this, QMargins(4, 6, 4, 4));
   connect(m_error, &QComboBox::activated, this, &PathPanel::showView);
   connect(m_colour, &QComboBox::activated, this, &PathPanel::showView);
   connect(m_curves, &ScopeCurves::tracesChanged, this, &PathPanel::listSignals);
@@ -94,8 +74,8 @@ PathPanel::PathPanel(ScopeCurves* curves, TimeWindow* window, ScopeCursors* curs
   connect(m_cursors, &ScopeCursors::changed, this, &PathPanel::follow);
   connect(m_curves, &ScopeCurves::changed, this, &PathPanel::follow);
   connect(m_text, &ProgramTextView::lineChosen, this, &PathPanel::choose);
-  retranslate();
-  restyle();
+  onLanguage(&PathPanel::setEnlargements, &PathPanel::listSignals, &PathPanel::showNote);
+  onTheme(&PathPanel::showNote);
 }
 
 void PathPanel::setProgram(std::shared_ptr<const overview::ProgramView> view) {
@@ -261,27 +241,6 @@ void PathPanel::showNote() {
     attention.setColor(QPalette::WindowText, themeColors(palette()).attention);
     m_note->setPalette(attention);
   }
-}
-
-void PathPanel::retranslate() {
-  m_top->setText(tr("Top"));
-  m_top->setToolTip(tr("X and Y, seen from above"));
-  m_spatial->setText(tr("3D"));
-  m_spatial->setToolTip(tr("Seen from the side; drag the path or press the arrow keys to turn it"));
-  m_error->setAccessibleName(tr("Enlargement of the error"));
-  m_colour->setAccessibleName(tr("Colour of the path"));
-  m_colour->setToolTip(tr("The signal that gives the path its colours"));
-  setEnlargements();
-  listSignals();
-  m_text->setAccessibleName(tr("Text of the program"));
-  m_text->setToolTip(
-      tr("The line under cursor A is marked. A click on a line puts cursor A where "
-         "it was executed."));
-  showNote();
-}
-
-void PathPanel::restyle() {
-  showNote();
 }
 
 }  // namespace rivulet::widgets

@@ -44,10 +44,6 @@ class PathPanel final : public Page {
   /// The line of cursor A; 0: none.
   [[nodiscard]] std::size_t markedLine() const { return m_marked; }
 
- protected:
-  void retranslate() override;
-  void restyle() override;
-
  private:
   /// Why lines and trace cannot be linked.
   enum class Obstacle { None, NoProgram, Live, OtherProgram, NotYet, NoLines };
@@ -65,13 +61,23 @@ class PathPanel final : public Page {
   ScopeCursors* m_cursors;
   ScopeView* m_view;
   std::shared_ptr<const overview::ProgramView> m_program;
-  QPushButton* m_top;
-  QPushButton* m_spatial;
-  QComboBox* m_error;
-  QComboBox* m_colour;
+  QPushButton* m_top = button({.text = QT_TR_NOOP("Top"),
+                               .tip = QT_TR_NOOP("X and Y, seen from above"),
+                               .id = "tracePathTop"},
+                              &PathPanel::showView);
+  QPushButton* m_spatial = button(
+      {.text = QT_TR_NOOP("3D"),
+       .tip = QT_TR_NOOP("Seen from the side; drag the path or press the arrow keys to turn it"),
+       .id = "tracePath3D"},
+      &PathPanel::showView);
+  QComboBox* m_error =
+      list({.name = QT_TR_NOOP("Enlargement of the error"), .id = "tracePathError"});
+  QComboBox* m_colour = list({.tip = QT_TR_NOOP("The signal that gives the path its colours"),
+                              .name = QT_TR_NOOP("Colour of the path"),
+                              .id = "tracePathColour"});
   PathPane* m_path;
   ProgramTextView* m_text;
-  QLabel* m_note;
+  QLabel* m_note = label({.id = "traceProgramNote", .wraps = true});
   std::size_t m_marked = 0;
   std::size_t m_chosen = 0;  ///< line of the last click; 0: none since the cursor moved
   std::size_t m_times = 0;   ///< how often it was executed

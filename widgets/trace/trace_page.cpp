@@ -7,7 +7,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMimeData>
@@ -30,7 +29,6 @@
 #include "trace/signal_file.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/folding_tabs.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
@@ -103,14 +101,7 @@ TracePage::TracePage(QWidget* parent)
       m_cursors(new ScopeCursors(this)),
       m_stops(new StopModel(this)),
       m_view(new ScopeView(m_curves, m_window, m_cursors, &m_stops->rows(), this)),
-      m_note(new StatusLabel(this)),
-      m_open(makeTouchButton(this)),
-      m_live(makeTouchButton(this)),
-      m_all(makeTouchButton(this)),
-      m_list(makeTouchButton(this)),
-      m_layout(makeTouchButton(this)),
       m_layoutMenu(new LayoutMenu(this)),
-      m_save(makeTouchButton(this)),
       m_legend(new LegendStrip(this)),
       m_panel(new FoldingTabs(this)),
       m_signals(
@@ -120,17 +111,9 @@ TracePage::TracePage(QWidget* parent)
       m_comparePanel(new ComparePanel(m_curves, m_window, m_cursors, m_view, this)),
       m_spectrumPanel(new SpectrumPanel(m_curves, m_window, m_cursors, m_view, this)),
       m_triggerPanel(new TriggerPanel(m_curves, m_window, m_cursors, this)),
-      m_table(new QTableView(this)) {
+      m_table(say(new QTableView(this), {.name = QT_TR_NOOP("Stops"), .id = "stopTable"})) {
   setAcceptDrops(true);
-  m_note->setWordWrap(true);
-  m_note->setObjectName(QStringLiteral("traceNote"));
-  m_open->setObjectName(QStringLiteral("traceOpen"));
-  m_live->setObjectName(QStringLiteral("traceLive"));
-  m_all->setObjectName(QStringLiteral("traceAll"));
-  m_list->setObjectName(QStringLiteral("traceList"));
-  m_layout->setObjectName(QStringLiteral("traceLayout"));
   m_layout->setMenu(m_layoutMenu);
-  m_save->setObjectName(QStringLiteral("traceSave"));
   m_panel->tabs()->setObjectName(QStringLiteral("tracePanel"));
   m_live->setCheckable(true);
   m_live->setChecked(true);
@@ -144,10 +127,8 @@ TracePage::TracePage(QWidget* parent)
   m_panel->addPage(m_triggerPanel);
   layOut();
 
-  connect(m_open, &QPushButton::clicked, this, &TracePage::chooseFiles);
   connect(m_live, &QPushButton::clicked, m_window, &TimeWindow::goLive);
   connect(m_all, &QPushButton::clicked, m_window, &TimeWindow::showAll);
-  connect(m_save, &QPushButton::clicked, this, &TracePage::chooseFileToSave);
   connect(m_layoutMenu, &LayoutMenu::showRequested, this, &TracePage::showLayout);
   connect(m_layoutMenu, &LayoutMenu::keepRequested, this, &TracePage::keepLayout);
   connect(m_layoutMenu, &LayoutMenu::deleteRequested, this, [this](const QString& name) {
@@ -182,14 +163,13 @@ TracePage::TracePage(QWidget* parent)
   m_signals->setOffers(m_curves->offers());
   arrange();
   retranslate();
-  restyle();
+  onTheme(&TracePage::showLegend);
 }
 
 TracePage::~TracePage() = default;
 
 QWidget* TracePage::makeStopPanel() {
   auto* panel = new QWidget(this);
-  m_table->setObjectName(QStringLiteral("stopTable"));
   m_table->setModel(m_stops);
   styleTable(m_table);
   m_table->setMinimumHeight(100);
@@ -199,26 +179,18 @@ QWidget* TracePage::makeStopPanel() {
   auto* summary = new QGridLayout;
   summary->setHorizontalSpacing(16);
   summary->setColumnStretch(1, 1);
-  for (std::size_t row = 0; row < m_summaryNames.size(); ++row) {
-    m_summaryNames[row] = new QLabel(panel);
-    m_summaryValues[row] = makeValueLabel(panel);
-    summary->addWidget(m_summaryNames[row], static_cast<int>(row), 0);
-    summary->addWidget(m_summaryValues[row], static_cast<int>(row), 1);
+  int row = 0;
+  for (const char* name : {QT_TR_NOOP("Number"), QT_TR_NOOP("Mean"), QT_TR_NOOP("Total")}) {
+    QLabel*& figure = m_summaryValues[static_cast<std::size_t>(row)];
+    figure = value();
+    summary->addWidget(label({.text = name, .isMuted = true}), row, 0);
+    summary->addWidget(figure, row++, 1);
   }
-  auto* layout = new QVBoxLayout(panel);
-  layout->setContentsMargins(4, 6, 4, 4);
-  layout->addLayout(summary);
-  layout->addWidget(m_table, 1);
-  layout->addWidget(m_legend);
+  inColumn({summary, {m_table, 1}, m_legend}, panel, QMargins(4, 6, 4, 4));
   return panel;
 }
 
 void TracePage::layOut() {
-  auto* top = new QHBoxLayout;
-  top->addWidget(m_note, 1, Qt::AlignVCenter);
-  for (QPushButton* button : {m_open, m_save, m_layout, m_live, m_all, m_list}) {
-    top->addWidget(button);
-  }
   m_panel->setMinimumWidth(kPanelPx);
   auto* body = new PageSplitter(Qt::Horizontal, this);
   body->setObjectName(QStringLiteral("traceBody"));
@@ -231,7 +203,8 @@ void TracePage::layOut() {
   body->setStretchFactor(1, 1);
   body->setSizes({3 * kPanelPx, kPanelPx});
   auto* layout = new QVBoxLayout(this);
-  layout->addLayout(top);
+  layout->addLayout(
+      inRow({{m_note, 1, Qt::AlignVCenter}, m_open, m_save, m_layout, m_live, m_all, m_list}));
   layout->addWidget(body, 1);
 }
 
@@ -689,47 +662,14 @@ void TracePage::redrawNow() {
 }
 
 void TracePage::retranslate() {
-  m_open->setAccessibleName(tr("Open…"));
-  m_open->setToolTip(tr("Open recordings and traces; several are shown on one time axis"));
-  m_live->setAccessibleName(tr("Live"));
-  m_live->setToolTip(tr("Follow the newest samples"));
-  m_all->setAccessibleName(tr("Show all"));
-  m_all->setToolTip(
-      tr("Wheel: zoom. Drag: move. Ctrl and drag: zoom into a range. Click: cursor "
-         "A. Shift and click: cursor B. Home: show all."));
-  m_list->setAccessibleName(tr("List"));
-  m_list->setToolTip(tr("Stops, signals and cursors beside the curves"));
-  m_layout->setAccessibleName(tr("Panes"));
-  m_layout->setToolTip(tr("Arrangements of panes that are kept by name"));
-  m_save->setAccessibleName(tr("Save…"));
-  m_save->setToolTip(
-      tr("Save what the panes show: the samples as a table (CSV), or a picture (PNG, SVG, PDF)"));
   m_panel->setTexts({tr("Stops"), tr("Signals"), tr("Cursors"), tr("Path"), tr("Compare"),
                      tr("Spectrum"), tr("Trigger")},
                     tr("Shown beside the panes"));
-  m_table->setAccessibleName(tr("Stops"));
-  m_summaryNames[0]->setText(tr("Number"));
-  m_summaryNames[1]->setText(tr("Mean"));
-  m_summaryNames[2]->setText(tr("Total"));
   m_stops->refresh();
   m_view->scheduleRedraw();
   showPanel();
   showNote();
   showSummary();
-  showLegend();
-}
-
-void TracePage::restyle() {
-  const QColor color = themeColors(palette()).text;
-  m_open->setIcon(themedIcon(QStringLiteral("open"), color));
-  m_live->setIcon(themedIcon(QStringLiteral("live"), color));
-  m_all->setIcon(themedIcon(QStringLiteral("fit"), color));
-  m_list->setIcon(themedIcon(QStringLiteral("list"), color));
-  m_layout->setIcon(themedIcon(QStringLiteral("panes"), color));
-  m_save->setIcon(themedIcon(QStringLiteral("save"), color));
-  for (QLabel* label : m_summaryNames) {
-    setMuted(label, palette());
-  }
   showLegend();
 }
 

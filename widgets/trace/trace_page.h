@@ -24,7 +24,6 @@
 
 class QLabel;
 class QPushButton;
-class QSplitter;
 class QTableView;
 
 namespace rivulet::widgets {
@@ -108,7 +107,6 @@ class TracePage final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
   void resizeEvent(QResizeEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -156,14 +154,39 @@ class TracePage final : public Page {
   ScopeCursors* m_cursors;
   StopModel* m_stops;
   ScopeView* m_view;
-  StatusLabel* m_note;
-  QPushButton* m_open;
-  QPushButton* m_live;
-  QPushButton* m_all;
-  QPushButton* m_list;
-  QPushButton* m_layout;
+  StatusLabel* m_note = status({.id = "traceNote", .wraps = true});
+  QPushButton* m_open =
+      button({.tip = QT_TR_NOOP("Open recordings and traces; several are shown on one time axis"),
+              .name = QT_TR_NOOP("Open…"),
+              .icon = "open",
+              .id = "traceOpen"},
+             &TracePage::chooseFiles);
+  QPushButton* m_live = button({.tip = QT_TR_NOOP("Follow the newest samples"),
+                                .name = QT_TR_NOOP("Live"),
+                                .icon = "live",
+                                .id = "traceLive"});
+  QPushButton* m_all =
+      button({.tip = QT_TR_NOOP("Wheel: zoom. Drag: move. Ctrl and drag: zoom into a range. Click: "
+                                "cursor A. Shift and click: cursor B. Home: show all."),
+              .name = QT_TR_NOOP("Show all"),
+              .icon = "fit",
+              .id = "traceAll"});
+  QPushButton* m_list = button({.tip = QT_TR_NOOP("Stops, signals and cursors beside the curves"),
+                                .name = QT_TR_NOOP("List"),
+                                .icon = "list",
+                                .id = "traceList"});
+  QPushButton* m_layout = button({.tip = QT_TR_NOOP("Arrangements of panes that are kept by name"),
+                                  .name = QT_TR_NOOP("Panes"),
+                                  .icon = "panes",
+                                  .id = "traceLayout"});
   LayoutMenu* m_layoutMenu;
-  QPushButton* m_save;
+  QPushButton* m_save = button(
+      {.tip = QT_TR_NOOP(
+           "Save what the panes show: the samples as a table (CSV), or a picture (PNG, SVG, PDF)"),
+       .name = QT_TR_NOOP("Save…"),
+       .icon = "save",
+       .id = "traceSave"},
+      &TracePage::chooseFileToSave);
   LegendStrip* m_legend;
   FoldingTabs* m_panel;
   SignalPanel* m_signals;
@@ -173,7 +196,6 @@ class TracePage final : public Page {
   SpectrumPanel* m_spectrumPanel;
   TriggerPanel* m_triggerPanel;
   QTableView* m_table;
-  std::array<QLabel*, 3> m_summaryNames{};
   std::array<QLabel*, 3> m_summaryValues{};
 };
 

@@ -29,12 +29,12 @@ constexpr int kKeyPx = 64;
 
 }  // namespace
 
-UserButton::UserButton(QWidget* parent) : Page(parent), m_button(new QToolButton(this)) {
+UserButton::UserButton(QWidget* parent)
+    : Page(parent), m_button(say(new QToolButton(this), {.isTouch = true})) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_button);
   m_button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  m_button->setMinimumHeight(kTouchHeightPx);
   m_button->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
   connect(m_button, &QToolButton::clicked, this, [this] {
     if (m_view.isLocked) {
@@ -110,12 +110,7 @@ LogInDialog::LogInDialog(const UsersView& view, QWidget* parent)
   back->setAccessibleName(tr("Delete the last digit"));
   connect(back, &QPushButton::clicked, m_pin, &QLineEdit::backspace);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_name);
-  layout->addWidget(m_pin);
-  layout->addLayout(keys);
-  layout->addWidget(m_answer);
-  layout->addWidget(m_logIn);
+  inColumn({m_name, m_pin, keys, m_answer, m_logIn}, this);
   connect(m_logIn, &QPushButton::clicked, this, &LogInDialog::tryPin);
   connect(m_name, &QComboBox::currentIndexChanged, m_pin, &QLineEdit::clear);
   m_pin->setFocus();
@@ -148,19 +143,14 @@ UserModel::UserModel(QObject* parent)
 UsersPage::UsersPage(QWidget* parent)
     : Page(parent),
       m_model(new UserModel(this)),
-      m_state(new QLabel(this)),
-      m_table(new QTableView(this)),
+      m_table(say(new QTableView(this), {.name = QT_TR_NOOP("Users")})),
       m_form(makeForm()) {
-  m_state->setWordWrap(true);
   m_table->setModel(m_model);
   styleTable(m_table);
   m_table->setColumnWidth(UserModel::Name, 220);
   m_table->setColumnWidth(UserModel::RoleColumn, 160);
   m_table->horizontalHeader()->setStretchLastSection(true);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(m_state);
-  layout->addWidget(m_table, 1);
-  layout->addWidget(m_form);
+  inColumn({m_state, {m_table, 1}, m_form}, this);
   connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& index) {
             if (index.isValid()) {
@@ -170,41 +160,40 @@ UsersPage::UsersPage(QWidget* parent)
             }
           });
   retranslate();
-  restyle();
 }
 
 QWidget* UsersPage::makeForm() {
   auto* form = new QWidget(this);
-  m_nameTitle = new QLabel(form);
-  m_roleTitle = new QLabel(form);
-  m_pinTitle = new QLabel(form);
-  m_idleTitle = new QLabel(form);
-  m_name = new QLineEdit(form);
-  m_role = new QComboBox(form);
-  m_pin = new QLineEdit(form);
-  m_put = makeTouchButton(form);
-  m_remove = makeTouchButton(form);
-  m_idle = new QSpinBox(form);  // the focus goes the way one reads
-  m_answer = new QLabel(form);
-  m_answer->setWordWrap(true);
+  m_name = lineEdit({.name = QT_TR_NOOP("Name")});
+  m_role = list({.name = QT_TR_NOOP("Role")});
+  m_pin = lineEdit({.name = QT_TR_NOOP("PIN, at least 4 characters")});
+  m_put = button({.text = QT_TR_NOOP("Add or change")});
+  m_remove = button({.text = QT_TR_NOOP("Remove")});
+  m_idle =
+      say(new QSpinBox(form), {.name = QT_TR_NOOP("Lock the window if nobody touches it for"),
+                               .special = QT_TR_NOOP("never"),
+                               .suffix = QT_TR_NOOP(" min")});  // the focus goes the way one reads
+  m_answer = label({.wraps = true});
   m_role->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  m_pinTitle->setWordWrap(true);
   m_pin->setEchoMode(QLineEdit::Password);
   m_idle->setRange(0, kIdleMinutesMax);
   m_idle->setKeyboardTracking(false);
   auto* grid = new QGridLayout(form);
   grid->setContentsMargins(0, 8, 0, 0);
   grid->setHorizontalSpacing(4);
-  grid->addWidget(m_nameTitle, 0, 0);
+  grid->addWidget(label({.text = QT_TR_NOOP("Name"), .isMuted = true}), 0, 0);
   grid->addWidget(m_name, 1, 0);
-  grid->addWidget(m_roleTitle, 0, 1);
+  grid->addWidget(label({.text = QT_TR_NOOP("Role"), .isMuted = true}), 0, 1);
   grid->addWidget(m_role, 1, 1);
-  grid->addWidget(m_pinTitle, 0, 2);
+  grid->addWidget(
+      label({.text = QT_TR_NOOP("PIN, at least 4 characters"), .isMuted = true, .wraps = true}), 0,
+      2);
   grid->addWidget(m_pin, 1, 2);
   grid->addWidget(m_put, 1, 3);
   grid->addWidget(m_remove, 1, 4);
   grid->addWidget(m_answer, 2, 0, 1, 5);
-  grid->addWidget(m_idleTitle, 3, 0, 1, 2);
+  grid->addWidget(label({.text = QT_TR_NOOP("Lock the window if nobody touches it for")}), 3, 0, 1,
+                  2);
   grid->addWidget(m_idle, 3, 2);
   grid->setColumnStretch(0, 2);
   grid->setColumnStretch(2, 1);
@@ -255,33 +244,14 @@ void UsersPage::showState() {
 }
 
 void UsersPage::retranslate() {
-  m_nameTitle->setText(tr("Name"));
-  m_roleTitle->setText(tr("Role"));
-  m_pinTitle->setText(tr("PIN, at least 4 characters"));
-  m_idleTitle->setText(tr("Lock the window if nobody touches it for"));
-  m_name->setAccessibleName(tr("Name"));
-  m_role->setAccessibleName(tr("Role"));
-  m_pin->setAccessibleName(tr("PIN, at least 4 characters"));
-  m_idle->setAccessibleName(tr("Lock the window if nobody touches it for"));
-  m_idle->setSpecialValueText(tr("never"));
-  m_idle->setSuffix(tr(" min"));
-  m_put->setText(tr("Add or change"));
-  m_remove->setText(tr("Remove"));
   const int chosen = std::max(0, m_role->currentIndex());
   m_role->clear();
   for (const permission::Role role : kRoles) {
     m_role->addItem(roleText(role));
   }
   m_role->setCurrentIndex(chosen);
-  m_table->setAccessibleName(tr("Users"));
   m_model->refresh();
   showState();
-}
-
-void UsersPage::restyle() {
-  for (QLabel* label : {m_nameTitle, m_roleTitle, m_pinTitle}) {
-    setMuted(label, palette());
-  }
 }
 
 }  // namespace rivulet::widgets

@@ -110,7 +110,6 @@ class UsersPage final : public Page {
 
  protected:
   void retranslate() override;
-  void restyle() override;
 
  private:
   void showState();
@@ -119,13 +118,9 @@ class UsersPage final : public Page {
   UsersView m_view;
   bool m_mayChange = true;
   UserModel* m_model;
-  QLabel* m_state;
+  QLabel* m_state = label({.wraps = true});
   QTableView* m_table;
   QWidget* m_form;
-  QLabel* m_nameTitle;
-  QLabel* m_roleTitle;
-  QLabel* m_pinTitle;
-  QLabel* m_idleTitle;
   QLineEdit* m_name;
   QComboBox* m_role;
   QLineEdit* m_pin;

@@ -24,8 +24,8 @@ Q_DECLARE_METATYPE(rivulet::widgets::CorrectionInput)
 
 namespace {
 
-struct Parts {
-  explicit Parts(const CorrectionPanel& panel)
+struct PanelParts {
+  explicit PanelParts(const CorrectionPanel& panel)
       : sliders(panel.findChildren<QSlider*>()),
         zero(panel.findChild<QPushButton*>()),
         source(panel.findChild<QComboBox*>()),
@@ -62,7 +62,7 @@ class TestCorrectionPanel : public QObject {
     QVERIFY(!panel.isVisible());
     panel.setLimit(0.1, {true, false, true});
     QVERIFY(panel.isVisible());
-    const Parts parts(panel);
+    const PanelParts parts(panel);
     QVERIFY(parts.sliders.at(0)->isVisible());
     QVERIFY(!parts.sliders.at(1)->isVisible() && !parts.fields.at(1)->isVisible());
     panel.setLimit(0.0, {true, true, true});
@@ -72,7 +72,7 @@ class TestCorrectionPanel : public QObject {
   void nothingCanBeOrderedWithoutARun() {
     CorrectionPanel panel;
     panel.setLimit(0.1, {true, true, true});
-    const Parts parts(panel);
+    const PanelParts parts(panel);
     for (QSlider* slider : parts.sliders) {
       QVERIFY(!slider->isEnabled());
     }
@@ -88,7 +88,7 @@ class TestCorrectionPanel : public QObject {
     CorrectionPanel panel;
     panel.setLimit(0.05, {true, true, true});
     panel.setRunning(true);
-    const Parts parts(panel);
+    const PanelParts parts(panel);
     QSignalSpy asked(&panel, &CorrectionPanel::correctionRequested);
     parts.sliders.at(0)->setValue(20);
     QCOMPARE(asked.count(), 1);
@@ -119,7 +119,7 @@ class TestCorrectionPanel : public QObject {
     panel.setLimit(0.5, {true, true, true});
     panel.setRunning(true);
     panel.show();
-    const Parts parts(panel);
+    const PanelParts parts(panel);
     QSignalSpy asked(&panel, &CorrectionPanel::correctionRequested);
     QWheelEvent wheel(QPointF(5, 5), QPointF(5, 5), QPoint(), QPoint(0, 120), Qt::NoButton,
                       Qt::NoModifier, Qt::NoScrollPhase, false);
@@ -146,7 +146,7 @@ class TestCorrectionPanel : public QObject {
     QVERIFY(!test::visibleText(panel).contains(QStringLiteral("0.025")));
     panel.setCorrection(streaming::Correction{{0.05, 0.0, 0.0}, {0.025, 0.0, 0.0}});
     QVERIFY(test::visibleText(panel).contains(QStringLiteral("0.025")));
-    const Parts parts(panel);
+    const PanelParts parts(panel);
     QCOMPARE(parts.sliders.at(0)->value(), 0);  // the hand has asked for nothing
   }
 
@@ -156,7 +156,7 @@ class TestCorrectionPanel : public QObject {
     panel.setLimit(0.1, {true, true, true});
     panel.setRunning(true);
     panel.show();
-    const Parts parts(panel);
+    const PanelParts parts(panel);
     QSignalSpy asked(&panel, &CorrectionPanel::correctionRequested);
     QSignalSpy input(&panel, &CorrectionPanel::inputChanged);
     parts.source->setCurrentIndex(1);
@@ -192,7 +192,7 @@ class TestCorrectionPanel : public QObject {
     CorrectionPanel panel;
     panel.setLimit(0.1, {true, true, true});
     panel.setRunning(true);
-    const Parts parts(panel);
+    const PanelParts parts(panel);
     parts.source->setCurrentIndex(1);
     parts.port->setValue(50000);
     parts.others.at(0)->setValue(5.0);
