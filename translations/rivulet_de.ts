@@ -2154,7 +2154,7 @@
     </message>
 </context>
 <context>
-    <name>MachinesPage</name>
+    <name>MachinesTexts</name>
     <message>
         <source>During a run, the window stays with its machine.</source>
         <translation>Während eines Laufs bleibt das Fenster bei seiner Maschine.</translation>

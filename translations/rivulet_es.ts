@@ -2154,7 +2154,7 @@
     </message>
 </context>
 <context>
-    <name>MachinesPage</name>
+    <name>MachinesTexts</name>
     <message>
         <source>During a run, the window stays with its machine.</source>
         <translation>Durante una ejecución, la ventana se queda con su máquina.</translation>

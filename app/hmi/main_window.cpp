@@ -142,28 +142,21 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildPages() {
-  const Models models{m_settings, m_messages, m_alarms,   m_users,     m_audit,  m_machine,
-                      m_document, m_runs,     m_live,     m_preflight, m_found,  m_pastRuns,
-                      m_credit,   m_profiles, m_machines, m_services,  m_traces, m_certificates,
-                      m_logins,   m_learning, m_player};
   auto* central = new QWidget(this);
   auto* rows = new QVBoxLayout(central);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(0);
-  rows->addWidget(makeHeader(models, central));
-  rows->addWidget(makePositionLine(models, central));
-  rows->addWidget(makeLoadBar(models, central));
-  rows->addWidget(makeFileBanner(models, central));
+  rows->addWidget(makeHeader(central));
+  rows->addWidget(makePositionLine(&m_machine, central));
+  rows->addWidget(makeLoadBar(&m_document, central));
+  rows->addWidget(makeFileBanner(&m_messages, &m_document, &m_runs, central));
 
   m_centre = new QStackedWidget(central);
   m_tabs = new widgets::SideTabs(m_centre);
-  for (const PageEntry& entry : pageEntries()) {
-    const int page = m_tabs->addTab(widgets::makeScrolling(entry.make(models, nullptr)), QString());
-    m_tabs->setTabVisible(page, !entry.isInMenu);
-  }
+  addPages();
   m_centre->addWidget(m_tabs);
-  m_centre->addWidget(widgets::makeColumn(makePreflightSheet(models, nullptr)));
-  m_trustSheet = makeTrustSheet(models, nullptr);
+  m_centre->addWidget(widgets::makeColumn(makePreflightSheet(&m_runs, &m_preflight, nullptr)));
+  m_trustSheet = makeTrustSheet(&m_users, &m_machine, &m_runs, &m_certificates, nullptr);
   m_centre->addWidget(widgets::makeColumn(m_trustSheet));
   m_help = new widgets::HelpPage(QStringLiteral(":/rivulet/docs"));
   m_centre->addWidget(m_help);
@@ -172,9 +165,10 @@ void MainWindow::buildPages() {
   auto* setUpRows = new QVBoxLayout(setUp);
   setUpRows->setContentsMargins(0, 0, 0, 0);
   setUpRows->setSpacing(0);
-  setUpRows->addWidget(makeCorrectionPanel(models));
-  setUpRows->addWidget(makeMethodPanel(models), 1);
-  m_columns = new widgets::FoldingColumns(m_centre, makeConnectionPanel(models), setUp, central);
+  setUpRows->addWidget(makeCorrectionPanel(&m_document, &m_runs));
+  setUpRows->addWidget(makeMethodPanel(&m_document, &m_runs), 1);
+  m_columns = new widgets::FoldingColumns(
+      m_centre, makeConnectionPanel(&m_machine, &m_runs, &m_logins), setUp, central);
   // The page takes what header, notices and strip leave.
   m_columns->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   rows->addWidget(m_columns, 1);
@@ -188,15 +182,15 @@ void MainWindow::buildPages() {
 
   m_closeBar = new widgets::CloseBar(central);
   connect(m_closeBar, &widgets::CloseBar::stopAndCloseRequested, this, &MainWindow::stopAndClose);
-  m_foundBar = makeFoundRunBar(models, central);
-  m_resumeBar = makeResumeBar(models, central);
+  m_foundBar = makeFoundRunBar(&m_runs, &m_found, central);
+  m_resumeBar = makeResumeBar(&m_runs, central);
   auto* notices = new widgets::NoticeArea(central);
   notices->add(m_closeBar);
-  notices->add(makeWrongMotionBar(models, central));
+  notices->add(makeWrongMotionBar(&m_alarms, &m_runs, central));
   notices->add(m_foundBar);
   notices->add(m_resumeBar);
   rows->addWidget(notices);
-  rows->addWidget(makeRunPanel(models, central));
+  rows->addWidget(makeRunPanel(&m_machine, &m_document, &m_runs, &m_preflight, &m_found, central));
   setCentralWidget(central);
   const auto complain = [this](const QString& reason) {
     m_messages.show(gcode::Severity::Warning, [reason] { return reason; });
@@ -209,16 +203,52 @@ void MainWindow::buildPages() {
   }
 }
 
-QWidget* MainWindow::makeHeader(const Models& models, QWidget* parent) {
+void MainWindow::addPages() {
+  const auto add = [this](const PageEntry& entry, QWidget* page) {
+    m_entries.push_back(entry);
+    const int index = m_tabs->addTab(widgets::makeScrolling(page), QString());
+    m_tabs->setTabVisible(index, !entry.isInMenu);
+  };
+  add({QT_TRANSLATE_NOOP("Pages", "Program"), "The program"},
+      makeProgramPage(&m_settings, &m_messages, &m_machine, &m_document, &m_runs, &m_live, &m_found,
+                      nullptr));
+  add({QT_TRANSLATE_NOOP("Pages", "Feasibility"), "Feasibility"},
+      makeFeasibilityPage(&m_messages, &m_document, &m_runs, nullptr));
+  add({QT_TRANSLATE_NOOP("Pages", "Traces"), "Traces"},
+      makeTracePage(&m_alarms, &m_document, &m_runs, &m_pastRuns, &m_traces, nullptr));
+  add({QT_TRANSLATE_NOOP("Pages", "Runs"), "Runs"},
+      makeRunsPage(&m_messages, &m_runs, &m_pastRuns, nullptr));
+  add({QT_TRANSLATE_NOOP("Pages", "Alarms"), "Alarms"},
+      makeAlarmPage(&m_alarms, &m_users, nullptr));
+  add({QT_TRANSLATE_NOOP("Pages", "Messages"), "Messages"}, makeLogPage(&m_messages, nullptr));
+  add({QT_TRANSLATE_NOOP("Pages", "Audit"), "Audit"},
+      makeAuditPage(&m_messages, &m_audit, nullptr));
+  add({QT_TRANSLATE_NOOP("Pages", "Users"), "Users"},
+      makeUsersPage(&m_messages, &m_users, nullptr));
+  add({QT_TRANSLATE_NOOP("Pages", "Configure"), "Configure"},
+      makeSetUpPage(&m_messages, &m_users, &m_machine, &m_document, &m_runs, &m_credit, &m_profiles,
+                    &m_certificates, &m_logins, nullptr));
+  auto* machines = makeMachinesPage(&m_messages, &m_alarms, &m_machine, &m_runs, &m_profiles,
+                                    &m_machines, nullptr);
+  connectServices(&m_users, &m_runs, &m_services, &m_certificates, *machines);
+  add({QT_TRANSLATE_NOOP("Pages", "Machines"), "Machines"}, machines);
+  add({QT_TRANSLATE_NOOP("Pages", "Emulator"), "Emulator"},
+      makeEmulatorPage(&m_runs, &m_learning, nullptr));
+  add({QT_TRANSLATE_NOOP("Pages", "CNC tasks"), "CNC tasks", true},
+      makeParallelPage(&m_document, &m_runs, &m_player, nullptr));
+}
+
+QWidget* MainWindow::makeHeader(QWidget* parent) {
   auto* header = new QWidget(parent);
   header->setFixedHeight(kHeaderHeightPx);
   auto* row = new QHBoxLayout(header);
   row->setContentsMargins(4, 0, 4, 0);
-  m_machineButton = makeMachineButton(models, header);
-  m_setUpButton = new QToolButton(header);
+  m_machineButton = makeMachineButton(&m_machine, header);
+  m_setUpButton =
+      m_parts.say(new QToolButton(header),
+                  {.text = QT_TR_NOOP("&Set-up"), .tip = QT_TR_NOOP("Method, feed and verdict")});
   m_setUpButton->setCheckable(true);
-  m_menuButton = new QToolButton(header);
-  m_menuButton->setObjectName(QStringLiteral("menu"));
+  m_menuButton = m_parts.say(new QToolButton(header), {.text = QT_TR_NOOP("&Menu"), .id = "menu"});
   m_menuButton->setPopupMode(QToolButton::InstantPopup);
   for (const auto& [button, side] : {std::pair(m_machineButton, widgets::FoldingColumns::First),
                                      std::pair(m_setUpButton, widgets::FoldingColumns::Second)}) {
@@ -228,9 +258,9 @@ QWidget* MainWindow::makeHeader(const Models& models, QWidget* parent) {
     });
   }
   row->addWidget(m_machineButton);
-  row->addWidget(makeAlarmLine(models, header), 1);
+  row->addWidget(makeAlarmLine(&m_messages, &m_alarms, &m_users, header), 1);
   row->addStretch();
-  row->addWidget(makeUserButton(models, header));
+  row->addWidget(makeUserButton(&m_users, header));
   row->addWidget(m_setUpButton);
   row->addWidget(m_menuButton);
   return header;
@@ -279,7 +309,7 @@ void MainWindow::toggleHelp() {
     return;
   }
   const auto page = static_cast<std::size_t>(m_tabs->currentIndex());
-  const char* heading = m_preflight.isOpen() ? "Running" : pageEntries()[page].help;
+  const char* heading = m_preflight.isOpen() ? "Running" : m_entries[page].help;
   m_columns->uncover();
   m_centre->setCurrentWidget(m_help);
   m_help->open(QStringLiteral("hmi.md"), QString::fromLatin1(heading));
@@ -288,13 +318,16 @@ void MainWindow::toggleHelp() {
 void MainWindow::buildMenu() {
   auto* menu = new QMenu(m_menuButton);
   m_menuButton->setMenu(menu);
-  m_openAction = menu->addAction(QString(), this, [this] { programPage()->panel()->chooseFile(); });
-  m_openAction->setShortcut(QKeySequence::Open);
-  addAction(m_openAction);  // so that its key works while the menu is closed
-  m_liveAction =
-      menu->addAction(QString(), this, [this] { Q_EMIT programPage()->panel()->liveRequested(); });
-  m_liveAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
-  addAction(m_liveAction);
+  const auto addItem = [this, menu](const char* text, const QKeySequence& key, auto chosen) {
+    QAction* action = m_parts.say(menu->addAction(QString(), this, chosen), {.text = text});
+    action->setShortcut(key);
+    addAction(action);  // so that its key works while the menu is closed
+    return action;
+  };
+  m_openAction = addItem(QT_TR_NOOP("&Open program …"), QKeySequence::Open,
+                         [this] { programPage()->panel()->chooseFile(); });
+  m_liveAction = addItem(QT_TR_NOOP("Li&ve points …"), QKeySequence(Qt::CTRL | Qt::Key_L),
+                         [this] { Q_EMIT programPage()->panel()->liveRequested(); });
   menu->addSeparator();
   for (int i = 0; i < m_tabs->count(); ++i) {
     if (!m_tabs->isTabVisible(i)) {
@@ -302,30 +335,32 @@ void MainWindow::buildMenu() {
     }
   }
   menu->addSeparator();
-  m_languageMenu = menu->addMenu(QString());
-  m_languages = new QActionGroup(this);
+  const auto addChoice = [this](QMenu* choices, QActionGroup* group, const QString& text,
+                                bool isChosen, auto chosen) {
+    QAction* action = choices->addAction(text, this, chosen);
+    action->setCheckable(true);
+    action->setChecked(isChosen);
+    return group->addAction(action);
+  };
+  auto* languageMenu = m_parts.say(menu->addMenu(QString()), {.text = QT_TR_NOOP("&Language")});
+  auto* languageGroup = new QActionGroup(this);
   for (const language::Language& one : language::languages()) {
-    QAction* action =
-        m_languageMenu->addAction(one.name, this, [this, code = one.code] { setLanguage(code); });
-    action->setCheckable(true);
-    action->setChecked(m_translator.language() == one.code);
-    m_languages->addAction(action);
+    addChoice(languageMenu, languageGroup, one.name, m_translator.language() == one.code,
+              [this, code = one.code] { setLanguage(code); });
   }
-  m_themeMenu = menu->addMenu(QString());
-  m_themes = new QActionGroup(this);
-  for (const widgets::Theme theme : {widgets::Theme::Light, widgets::Theme::Dark,
-                                     widgets::Theme::Contrast, widgets::Theme::System}) {
-    QAction* action = m_themeMenu->addAction(QString(), this, [this, theme] { setTheme(theme); });
-    action->setCheckable(true);
-    action->setChecked(m_settings.theme == theme);
-    m_themes->addAction(action);
+  auto* themeMenu = m_parts.say(menu->addMenu(QString()), {.text = QT_TR_NOOP("&Theme")});
+  auto* themeGroup = new QActionGroup(this);
+  for (const auto& [theme, name] : {std::pair(widgets::Theme::Light, QT_TR_NOOP("Light")),
+                                    {widgets::Theme::Dark, QT_TR_NOOP("Dark")},
+                                    {widgets::Theme::Contrast, QT_TR_NOOP("High contrast")},
+                                    {widgets::Theme::System, QT_TR_NOOP("As the system")}}) {
+    m_parts.say(addChoice(themeMenu, themeGroup, QString(), m_settings.theme == theme,
+                          [this, theme = theme] { setTheme(theme); }),
+                {.text = name});
   }
-
   menu->addSeparator();
-  m_helpAction = menu->addAction(QString(), this, &MainWindow::toggleHelp);
-  m_helpAction->setShortcut(QKeySequence(Qt::Key_F1));
-  addAction(m_helpAction);
-  m_aboutAction = menu->addAction(QString(), this, [this] {
+  addItem(QT_TR_NOOP("&Help"), QKeySequence(Qt::Key_F1), [this] { toggleHelp(); });
+  addItem(QT_TR_NOOP("&About Rivulet"), {}, [this] {
     QMessageBox::about(this, tr("About Rivulet"),
                        tr("Rivulet %1\nStreams a tool path to a CNC machine over OPC UA while the "
                           "machine moves.\n\nStop ends the program at the end of its loop. It is "
@@ -333,9 +368,7 @@ void MainWindow::buildMenu() {
                            .arg(QStringLiteral(RIVULET_VERSION)));
   });
   menu->addSeparator();
-  m_quitAction = menu->addAction(QString(), this, &MainWindow::close);
-  m_quitAction->setShortcut(QKeySequence::Quit);
-  addAction(m_quitAction);
+  m_quitAction = addItem(QT_TR_NOOP("&Quit"), QKeySequence::Quit, [this] { close(); });
 }
 
 void MainWindow::showTitle() {
@@ -348,7 +381,7 @@ void MainWindow::retranslate() {
   showTitle();
   QStringList titles;
   QStringList keys;
-  for (const PageEntry& entry : pageEntries()) {
+  for (const PageEntry& entry : m_entries) {
     keys.push_back(pageKey(static_cast<int>(titles.size())).toString());
     titles.push_back(pageTitle(entry));
   }
@@ -356,25 +389,11 @@ void MainWindow::retranslate() {
   for (const auto& [page, action] : m_pageActions) {
     action->setText(titles[page]);
   }
-  m_setUpButton->setText(tr("&Set-up"));
-  m_setUpButton->setToolTip(tr("Method, feed and verdict"));
-  m_menuButton->setText(tr("&Menu"));
-  m_openAction->setText(tr("&Open program …"));
-  m_liveAction->setText(tr("Li&ve points …"));
-  m_quitAction->setText(tr("&Quit"));
-  m_languageMenu->setTitle(tr("&Language"));
-  m_themeMenu->setTitle(tr("&Theme"));
-  const QList<QAction*> themes = m_themes->actions();
-  themes[0]->setText(tr("Light"));
-  themes[1]->setText(tr("Dark"));
-  themes[2]->setText(tr("High contrast"));
-  themes[3]->setText(tr("As the system"));
-  m_helpAction->setText(tr("&Help"));
-  m_aboutAction->setText(tr("&About Rivulet"));
 }
 
 void MainWindow::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange && m_aboutAction != nullptr) {
+  if (event->type() == QEvent::LanguageChange && m_quitAction != nullptr) {
+    m_parts.retranslateParts();
     retranslate();
     m_document.judge();
   }

@@ -14,6 +14,7 @@
 #include "hmi/alarms.h"
 #include "hmi/audit.h"
 #include "hmi/certificates.h"
+#include "hmi/credit_commissioning.h"
 #include "hmi/document.h"
 #include "hmi/emulator_learning.h"
 #include "hmi/found_runs.h"
@@ -26,6 +27,7 @@
 #include "hmi/net_player.h"
 #include "hmi/pages/pages.h"
 #include "hmi/past_runs.h"
+#include "hmi/preflight.h"
 #include "hmi/releases.h"
 #include "hmi/run_controller.h"
 #include "hmi/services.h"
@@ -34,10 +36,9 @@
 #include "hmi/users.h"
 #include "language/translator.h"
 #include "session/stream_session.h"
+#include "widgets/common/parts.h"
 
 class QAction;
-class QActionGroup;
-class QMenu;
 class QStackedWidget;
 class QTabWidget;
 class QToolButton;
@@ -138,7 +139,8 @@ class MainWindow final : public QMainWindow {
  private:
   void buildPages();
   void buildMenu();
-  [[nodiscard]] QWidget* makeHeader(const Models& models, QWidget* parent);
+  void addPages();
+  [[nodiscard]] QWidget* makeHeader(QWidget* parent);
   /// Not while the window is locked.
   void openPage(int page);
   void showColumns();
@@ -186,6 +188,8 @@ class MainWindow final : public QMainWindow {
   bool m_isMachineChosen = false;  ///< the page Machines does not come first
   bool m_isStopRequested = false;  ///< by Escape, of the run in progress
 
+  widgets::Parts m_parts{this};
+  std::vector<PageEntry> m_entries;  ///< of the tabs
   QToolButton* m_machineButton = nullptr;
   QToolButton* m_setUpButton = nullptr;
   QWidget* m_resumeBar = nullptr;
@@ -197,16 +201,10 @@ class MainWindow final : public QMainWindow {
   widgets::SideTabs* m_tabs = nullptr;
   QToolButton* m_menuButton = nullptr;
   widgets::CloseBar* m_closeBar = nullptr;
-  QMenu* m_languageMenu = nullptr;
-  QMenu* m_themeMenu = nullptr;
   QAction* m_openAction = nullptr;
   std::map<int, QAction*> m_pageActions;  ///< of the pages that are in the menu, by their index
   QAction* m_liveAction = nullptr;
   QAction* m_quitAction = nullptr;
-  QAction* m_helpAction = nullptr;
-  QAction* m_aboutAction = nullptr;
-  QActionGroup* m_languages = nullptr;
-  QActionGroup* m_themes = nullptr;
 };
 
 }  // namespace rivulet::hmi

@@ -6,8 +6,12 @@
 #include <algorithm>
 
 #include "base/units.h"
+#include "hmi/document.h"
 #include "hmi/hazard_text.h"
+#include "hmi/machine_model.h"
 #include "hmi/pages/pages.h"
+#include "hmi/run_controller.h"
+#include "hmi/users.h"
 #include "widgets/alarms/alarm_text.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"

@@ -5,7 +5,9 @@
 
 #include <QCoreApplication>
 
+#include "hmi/emulator_learning.h"
 #include "hmi/pages/pages.h"
+#include "hmi/run_controller.h"
 #include "machine/config.h"
 #include "session/background.h"
 #include "widgets/common/error_text.h"
@@ -31,10 +33,8 @@ struct EmulatorPageTexts {
 
 }  // namespace
 
-QWidget* makeEmulatorPage(const Models& models, QWidget* parent) {
+QWidget* makeEmulatorPage(RunController* runs, EmulatorLearning* learning, QWidget* parent) {
   auto* page = new EmulatorPage(parent);
-  EmulatorLearning* learning = &models.learning;
-  RunController* runs = &models.runs;
   page->overlay()->setRunner(&session::runInBackground);
   const auto showRecordings = [page, learning] { page->setRecordings(learning->recordings()); };
   const auto showPreset = [page, learning] {

@@ -4,7 +4,11 @@
 #include <QTimer>
 #include <algorithm>
 
+#include "hmi/document.h"
+#include "hmi/messages.h"
 #include "hmi/pages/pages.h"
+#include "hmi/run_controller.h"
+#include "hmi/settings.h"
 #include "report/operating_point.h"
 #include "session/adviser.h"
 #include "session/region_worker.h"
@@ -114,14 +118,15 @@ void showFindings(FeasibilityPage* page, const Document& document) {
   page->setModel(model);
 }
 
-void connectSimulation(FeasibilityPage* page, const Models& models) {
+void connectSimulation(FeasibilityPage* page, Messages* messages, Document* document,
+                       RunController* runs) {
   auto* worker = new RegionWorker(page);
   const auto scale = std::make_shared<widgets::FeedScale>();  // of the job in progress
   QObject::connect(page, &FeasibilityPage::simulationRequested, worker,
-                   [page, worker, models, scale](const widgets::SimulationWanted& wanted) {
-                     if (models.document.findings().distances && !models.runs.isRunning()) {
-                       *scale = feedScaleOf(models.document);
-                       worker->start(jobOf(models.document, wanted));
+                   [page, worker, scale, document, runs](const widgets::SimulationWanted& wanted) {
+                     if (document->findings().distances && !runs->isRunning()) {
+                       *scale = feedScaleOf(*document);
+                       worker->start(jobOf(*document, wanted));
                        page->setSimulationProgress(0);
                      }
                    });
@@ -133,17 +138,17 @@ void connectSimulation(FeasibilityPage* page, const Models& models) {
                    [page] { page->setSimulationProgress(std::nullopt); });
   QObject::connect(
       worker, &RegionWorker::finished, page,
-      [page, models, scale](const std::shared_ptr<const session::RegionOutcome>& outcome) {
+      [page, scale, messages](const std::shared_ptr<const session::RegionOutcome>& outcome) {
         page->setSimulationProgress(std::nullopt);
         if (outcome->error.code) {
-          models.messages.show(gcode::Severity::Warning,
-                               [error = outcome->error] { return widgets::errorText(error); });
+          messages->show(gcode::Severity::Warning,
+                         [error = outcome->error] { return widgets::errorText(error); });
         }
         page->setRegion(regionOf(*outcome, *scale));
       });
   // During a run the processors belong to the stream.
-  QObject::connect(&models.runs, &RunController::started, worker, &RegionWorker::cancel);
-  QObject::connect(&models.document, &Document::programLoaded, worker, [page, worker] {
+  QObject::connect(runs, &RunController::started, worker, &RegionWorker::cancel);
+  QObject::connect(document, &Document::programLoaded, worker, [page, worker] {
     worker->cancel();
     page->clearRegions();
   });
@@ -192,11 +197,9 @@ session::AdviceJob adviceJob(const Document& document) {
   return job;
 }
 
-void connectAdvice(FeasibilityPage* page, const Models& models) {
+void connectAdvice(FeasibilityPage* page, Document* document, RunController* runs) {
   auto* adviser = new session::Adviser(page);
   widgets::AdvicePanel* panel = page->advice();
-  Document* document = &models.document;
-  const RunController* runs = &models.runs;
   // Settings change while an operator turns them: wait for a rest.
   auto* rest = new QTimer(page);
   constexpr int kRestMs = 500;
@@ -240,7 +243,7 @@ void connectAdvice(FeasibilityPage* page, const Models& models) {
                      panel->setTurned(turned.point, turned.verdict);
                    });
   // During a run the processors belong to the stream; afterwards it is looked for again.
-  QObject::connect(&models.runs, &RunController::started, page, [=] {
+  QObject::connect(runs, &RunController::started, page, [=] {
     rest->stop();
     adviser->cancel();
     *asked = {};
@@ -250,36 +253,34 @@ void connectAdvice(FeasibilityPage* page, const Models& models) {
 
 }  // namespace
 
-QWidget* makeFeasibilityPage(const Models& models, QWidget* parent) {
+QWidget* makeFeasibilityPage(Messages* messages, Document* document, RunController* runs,
+                             QWidget* parent) {
   auto* page = new FeasibilityPage(parent);
-  connectSimulation(page, models);
-  connectAdvice(page, models);
-  const Document* document = &models.document;
+  connectSimulation(page, messages, document, runs);
+  connectAdvice(page, document, runs);
   QObject::connect(document, &Document::judged, page,
                    [page, document] { showFindings(page, *document); });
-  QObject::connect(
-      page, &FeasibilityPage::operatingPointRequested, &models.document,
-      [models](const feasibility::OperatingPoint& point) {
-        streaming::StreamSettings settings = models.document.settings();
-        if (settings.parameters.method != point.method) {
-          // What is advised was judged with the feeds as they are now.
-          settings.programFeeds = settings.usesProgramFeeds();
-        }
-        settings.parameters.method = point.method;
-        settings.parameters.pointsPerLoop = point.pointsPerLoop;
-        settings.deltaMm = point.deltaMm;
-        if (const double fastest = settings.usesProgramFeeds() && models.document.view()
-                                       ? models.document.view()->fastestMmPerS
-                                       : 0.0;
-            fastest > 0.0) {
-          settings.overrideFactor =
-              std::clamp(point.feedMmPerS / fastest, gcode::kOverrideMin, gcode::kOverrideMax);
-        } else {
-          settings.feedMmPerS = point.feedMmPerS;
-        }
-        models.document.setSettings(settings);
-      });
-  const RunController* runs = &models.runs;
+  QObject::connect(page, &FeasibilityPage::operatingPointRequested, document,
+                   [document](const feasibility::OperatingPoint& point) {
+                     streaming::StreamSettings settings = document->settings();
+                     if (settings.parameters.method != point.method) {
+                       // What is advised was judged with the feeds as they are now.
+                       settings.programFeeds = settings.usesProgramFeeds();
+                     }
+                     settings.parameters.method = point.method;
+                     settings.parameters.pointsPerLoop = point.pointsPerLoop;
+                     settings.deltaMm = point.deltaMm;
+                     if (const double fastest = settings.usesProgramFeeds() && document->view()
+                                                    ? document->view()->fastestMmPerS
+                                                    : 0.0;
+                         fastest > 0.0) {
+                       settings.overrideFactor = std::clamp(
+                           point.feedMmPerS / fastest, gcode::kOverrideMin, gcode::kOverrideMax);
+                     } else {
+                       settings.feedMmPerS = point.feedMmPerS;
+                     }
+                     document->setSettings(settings);
+                   });
   QObject::connect(runs, &RunController::permissionsChanged, page,
                    [page, runs] { page->setEditable(runs->canChangeSettings()); });
   return page;

@@ -6,8 +6,16 @@
 #include <QCoreApplication>
 #include <QTimer>
 
+#include "hmi/alarms.h"
 #include "hmi/credit_commissioning.h"
+#include "hmi/document.h"
+#include "hmi/logins.h"
+#include "hmi/machine_model.h"
+#include "hmi/machine_profiles.h"
+#include "hmi/machines.h"
+#include "hmi/messages.h"
 #include "hmi/pages/pages.h"
+#include "hmi/run_controller.h"
 #include "qtopcua/open_link.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/commissioning/commissioning_page.h"
@@ -30,18 +38,16 @@ namespace {
 /// The age of a look is shown in seconds.
 constexpr int kLookMs = 1000;
 
-struct PagesTexts {
-  Q_DECLARE_TR_FUNCTIONS(MachinesPage)
+struct MachinesTexts {
+  Q_DECLARE_TR_FUNCTIONS(MachinesTexts)
 };
 
 }  // namespace
 
-QWidget* makeConnectionPanel(const Models& models) {
+QWidget* makeConnectionPanel(MachineModel* machine, RunController* runs, Logins* logins) {
   auto* panel = new ConnectionPanel;
-  MachineModel* machine = &models.machine;
   panel->setEndpoint(machine->endpoint());
   QObject::connect(panel, &ConnectionPanel::connectRequested, machine, &MachineModel::connectAs);
-  const Logins* logins = &models.logins;
   QObject::connect(logins, &Logins::changed, panel,
                    [panel, logins] { panel->setLogin(logins->view()); });
   panel->setLogin(logins->view());
@@ -61,16 +67,14 @@ QWidget* makeConnectionPanel(const Models& models) {
   });
   QObject::connect(machine, &MachineModel::viewChanged, panel,
                    [panel, machine] { panel->setMachineState(machine->view()); });
-  const RunController* runs = &models.runs;
   QObject::connect(runs, &RunController::permissionsChanged, panel, [panel, runs] {
     panel->setDisconnectEnabled(!runs->isRunning() && !runs->isCalibrating());
   });
   return panel;
 }
 
-QToolButton* makeMachineButton(const Models& models, QWidget* parent) {
+QToolButton* makeMachineButton(MachineModel* machine, QWidget* parent) {
   auto* button = new widgets::MachineButton(parent);
-  const MachineModel* machine = &models.machine;
   QObject::connect(machine, &MachineModel::linkChanged, button, [button, machine] {
     const auto& security = machine->link().security;
     button->setConnectionState(
@@ -82,10 +86,10 @@ QToolButton* makeMachineButton(const Models& models, QWidget* parent) {
   return button;
 }
 
-QWidget* makeMachinesPage(const Models& models, QWidget* parent) {
+widgets::MachinesPage* makeMachinesPage(Messages* messages, Alarms* alarms, MachineModel* machine,
+                                        RunController* runs, MachineProfiles* profiles,
+                                        Machines* machines, QWidget* parent) {
   auto* page = new widgets::MachinesPage(parent);
-  Machines* machines = &models.machines;
-  const Alarms* alarms = &models.alarms;
   const auto show = [page, machines, alarms] {
     std::vector<widgets::MachineCardView> cards = machines->cards();
     for (widgets::MachineCardView& card : cards) {
@@ -100,16 +104,17 @@ QWidget* makeMachinesPage(const Models& models, QWidget* parent) {
   };
   QObject::connect(machines, &Machines::changed, page, show);
   QObject::connect(alarms, &Alarms::changed, page, show);
-  QObject::connect(&models.profiles, &MachineProfiles::changed, machines, &Machines::refresh);
-  QObject::connect(&models.machine, &MachineModel::viewChanged, page, showIfSeen);
-  QObject::connect(&models.runs, &RunController::updated, page, showIfSeen);
+  QObject::connect(profiles, &MachineProfiles::changed, machines, &Machines::refresh);
+  QObject::connect(machine, &MachineModel::viewChanged, page, showIfSeen);
+  QObject::connect(runs, &RunController::updated, page, showIfSeen);
   QObject::connect(page, &widgets::MachinesPage::removeRequested, machines, &Machines::remove);
-  QObject::connect(machines, &Machines::removed, page, [models](const QString& endpoint) {
-    models.messages.didAct(permission::Act::ChangeSettings,
-                           {{"machine", endpoint.toStdString()}, {"removed", "true"}});
-  });
-  QObject::connect(machines, &Machines::removeFailed, page, [models](const base::Error& error) {
-    models.messages.show(gcode::Severity::Error, [error] { return widgets::errorText(error); });
+  QObject::connect(machines, &Machines::removed, page,
+                   [messages, machine](const QString& endpoint) {
+                     messages->didAct(permission::Act::ChangeSettings,
+                                      {{"machine", endpoint.toStdString()}, {"removed", "true"}});
+                   });
+  QObject::connect(machines, &Machines::removeFailed, page, [messages](const base::Error& error) {
+    messages->show(gcode::Severity::Error, [error] { return widgets::errorText(error); });
   });
   auto* looks = new QTimer(page);
   looks->start(kLookMs);
@@ -129,24 +134,21 @@ QWidget* makeMachinesPage(const Models& models, QWidget* parent) {
   const auto block = [page, machines] {
     page->setBlocked(machines->canChange()
                          ? QString()
-                         : PagesTexts::tr("During a run, the window stays with its machine."));
+                         : MachinesTexts::tr("During a run, the window stays with its machine."));
   };
-  QObject::connect(&models.runs, &RunController::permissionsChanged, page, block);
-  connectServices(models, *page);
+  QObject::connect(runs, &RunController::permissionsChanged, page, block);
   return page;
 }
 
-QWidget* makePositionLine(const Models& models, QWidget* parent) {
+QWidget* makePositionLine(MachineModel* machine, QWidget* parent) {
   auto* line = new widgets::PositionLine(parent);
-  const MachineModel* machine = &models.machine;
   QObject::connect(machine, &MachineModel::viewChanged, line,
                    [line, machine] { line->setMachineState(machine->view()); });
   return line;
 }
 
-QWidget* makeCalibrationPage(const Models& models, QWidget* parent) {
+QWidget* makeCalibrationPage(MachineModel* machine, RunController* runs, QWidget* parent) {
   auto* page = new CalibrationPage(parent);
-  RunController* runs = &models.runs;
   QObject::connect(page, &CalibrationPage::calibrationRequested, runs, &RunController::calibrate);
   QObject::connect(page, &CalibrationPage::cancelRequested, runs,
                    &RunController::cancelCalibration);
@@ -156,7 +158,6 @@ QWidget* makeCalibrationPage(const Models& models, QWidget* parent) {
   QObject::connect(runs, &RunController::permissionsChanged, page, [page, runs] {
     page->setBlocked(widgets::blockedText(runs->calibrationBlocked()));
   });
-  const MachineModel* machine = &models.machine;
   QObject::connect(machine, &MachineModel::calibrationEnded, page,
                    [page] { page->setProgress(std::nullopt); });
   QObject::connect(machine, &MachineModel::calibrationChanged, page, [page, machine] {
@@ -165,19 +166,19 @@ QWidget* makeCalibrationPage(const Models& models, QWidget* parent) {
   return page;
 }
 
-QWidget* makeCommissioningPage(const Models& models, QWidget* parent) {
+QWidget* makeCommissioningPage(Messages* messages, MachineModel* machine,
+                               CreditCommissioning* credit, QWidget* parent) {
   auto* page = new widgets::CommissioningPage(parent);
-  CreditCommissioning* credit = &models.credit;
   QObject::connect(page, &widgets::CommissioningPage::testRequested, credit,
-                   [credit, models](int firstCell, bool isByHand) {
+                   [credit, messages, machine](int firstCell, bool isByHand) {
                      if (credit->blocked()) {
                        return;
                      }
                      credit->start(firstCell, isByHand);
-                     models.messages.didAct(permission::Act::Calibrate,
-                                            {{"machine", models.machine.endpoint().toStdString()},
-                                             {"test", "credit"},
-                                             {"first_cell", std::to_string(firstCell)}});
+                     messages->didAct(permission::Act::Calibrate,
+                                      {{"machine", machine->endpoint().toStdString()},
+                                       {"test", "credit"},
+                                       {"first_cell", std::to_string(firstCell)}});
                    });
   QObject::connect(page, &widgets::CommissioningPage::cancelRequested, credit,
                    &CreditCommissioning::cancel);
@@ -194,9 +195,8 @@ QWidget* makeCommissioningPage(const Models& models, QWidget* parent) {
   return page;
 }
 
-QWidget* makeTemplatePage(const Models& models, QWidget* parent) {
+QWidget* makeTemplatePage(Messages* messages, Document* document, QWidget* parent) {
   auto* page = new widgets::TemplatePage(parent);
-  const Document* document = &models.document;
   QObject::connect(document, &Document::judged, page, [page, document] {
     const Findings& findings = document->findings();
     if (!findings.flexible) {
@@ -205,8 +205,9 @@ QWidget* makeTemplatePage(const Models& models, QWidget* parent) {
     }
     page->setTemplate(*findings.flexible);
   });
-  QObject::connect(page, &widgets::TemplatePage::saveRequested, page,
-                   [page, models](const QString& path) { saveText(models, path, page->text()); });
+  QObject::connect(
+      page, &widgets::TemplatePage::saveRequested, page,
+      [page, messages](const QString& path) { saveText(messages, path, page->text()); });
   return page;
 }
 

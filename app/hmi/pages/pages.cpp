@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "hmi/pages/pages.h"
+#include "hmi/document.h"
+#include "hmi/messages.h"
 
 #include <QCoreApplication>
 #include <QStackedWidget>
 #include <QTabWidget>
-#include <array>
 
 #include "base/file.h"
 #include "widgets/common/error_text.h"
@@ -19,26 +20,7 @@ struct Pages {
   Q_DECLARE_TR_FUNCTIONS(Pages)
 };
 
-constexpr std::array<PageEntry, 12> kEntries{{
-    {QT_TRANSLATE_NOOP("Pages", "Program"), makeProgramPage, "The program"},
-    {QT_TRANSLATE_NOOP("Pages", "Feasibility"), makeFeasibilityPage, "Feasibility"},
-    {QT_TRANSLATE_NOOP("Pages", "Traces"), makeTracePage, "Traces"},
-    {QT_TRANSLATE_NOOP("Pages", "Runs"), makeRunsPage, "Runs"},
-    {QT_TRANSLATE_NOOP("Pages", "Alarms"), makeAlarmPage, "Alarms"},
-    {QT_TRANSLATE_NOOP("Pages", "Messages"), makeLogPage, "Messages"},
-    {QT_TRANSLATE_NOOP("Pages", "Audit"), makeAuditPage, "Audit"},
-    {QT_TRANSLATE_NOOP("Pages", "Users"), makeUsersPage, "Users"},
-    {QT_TRANSLATE_NOOP("Pages", "Configure"), makeSetUpPage, "Configure"},
-    {QT_TRANSLATE_NOOP("Pages", "Machines"), makeMachinesPage, "Machines"},
-    {QT_TRANSLATE_NOOP("Pages", "Emulator"), makeEmulatorPage, "Emulator"},
-    {QT_TRANSLATE_NOOP("Pages", "CNC tasks"), makeParallelPage, "CNC tasks", true},
-}};
-
 }  // namespace
-
-std::span<const PageEntry> pageEntries() {
-  return kEntries;
-}
 
 QString pageTitle(const PageEntry& entry) {
   return Pages::tr(entry.title);
@@ -74,15 +56,15 @@ void showPageOf(QWidget* widget) {
   }
 }
 
-void saveText(const Models& models, const QString& path, const QString& text) {
+void saveText(Messages* messages, const QString& path, const QString& text) {
   const auto written = base::writeFile(path.toStdString(), text.toStdString());
   if (!written) {
-    models.messages.show(gcode::Severity::Error,
-                         [error = written.error()] { return widgets::errorText(error); });
+    messages->show(gcode::Severity::Error,
+                   [error = written.error()] { return widgets::errorText(error); });
     return;
   }
-  models.messages.log(gcode::Severity::Note, Messages::Source::Computer,
-                      [path] { return Pages::tr("Saved %1.").arg(path); });
+  messages->log(gcode::Severity::Note, Messages::Source::Computer,
+                [path] { return Pages::tr("Saved %1.").arg(path); });
 }
 
 }  // namespace rivulet::hmi

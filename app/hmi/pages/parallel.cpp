@@ -7,8 +7,11 @@
 #include <QFileInfo>
 
 #include "cnc/real_time.h"
+#include "hmi/document.h"
+#include "hmi/net_player.h"
 #include "hmi/pages/pages.h"
 #include "hmi/pipeline_run.h"
+#include "hmi/run_controller.h"
 #include "widgets/pipeline/net_panel.h"
 #include "widgets/pipeline/parallel_page.h"
 #include "widgets/pipeline/task_panel.h"
@@ -43,10 +46,8 @@ void connectNet(NetPlayer* player, NetPanel* net) {
 }
 
 /// Nothing else in the window needs the tasks: they are the panel's.
-void connectTasks(const Models& models, TaskPanel* panel) {
+void connectTasks(Document* document, RunController* runs, TaskPanel* panel) {
   auto* tasks = new PipelineRun(panel);
-  Document* document = &models.document;
-  RunController* runs = &models.runs;
   const auto show = [panel, tasks] { panel->setView(tasks->view()); };
   const auto showProgram = [panel, document] {
     panel->setProgram(document->program() ? QFileInfo(document->path()).fileName() : QString());
@@ -73,10 +74,11 @@ void connectTasks(const Models& models, TaskPanel* panel) {
 
 }  // namespace
 
-QWidget* makeParallelPage(const Models& models, QWidget* parent) {
+QWidget* makeParallelPage(Document* document, RunController* runs, NetPlayer* player,
+                          QWidget* parent) {
   auto* page = new widgets::ParallelPage(parent);
-  connectNet(&models.player, page->net());
-  connectTasks(models, page->tasks());
+  connectNet(player, page->net());
+  connectTasks(document, runs, page->tasks());
   return page;
 }
 

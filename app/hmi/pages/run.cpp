@@ -6,7 +6,13 @@
 #include <QCoreApplication>
 #include <QInputDialog>
 
+#include "hmi/alarms.h"
+#include "hmi/document.h"
+#include "hmi/found_runs.h"
+#include "hmi/machine_model.h"
 #include "hmi/pages/pages.h"
+#include "hmi/preflight.h"
+#include "hmi/run_controller.h"
 #include "session/correction_feed.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
@@ -139,9 +145,8 @@ std::optional<widgets::JobProgress> jobProgress(const RunController& runs,
                               document.dryRunMm() > 0.0};
 }
 
-void connectFeed(CorrectionPanel* panel, const Models& models) {
+void connectFeed(CorrectionPanel* panel, RunController* runs) {
   auto* feed = new CorrectionFeed(panel);
-  RunController* runs = &models.runs;
   QObject::connect(panel, &CorrectionPanel::inputChanged, feed,
                    [feed](const widgets::CorrectionInput& input) {
                      constexpr double kMsOfSecond = 1000.0;
@@ -162,9 +167,8 @@ void connectFeed(CorrectionPanel* panel, const Models& models) {
 
 }  // namespace
 
-QWidget* makeMethodPanel(const Models& models) {
+QWidget* makeMethodPanel(Document* document, RunController* runs) {
   auto* panel = new MethodPanel;
-  Document* document = &models.document;
   panel->setFeedMax(document->feedMmPerSMax());
   panel->setSettings(document->settings());
   QObject::connect(panel, &MethodPanel::settingsChanged, document, &Document::editSettings);
@@ -181,23 +185,20 @@ QWidget* makeMethodPanel(const Models& models) {
   });
   QObject::connect(document, &Document::pausesChanged, panel,
                    [panel, document] { panel->setPauses(document->pauseSummary()); });
-  const RunController* runs = &models.runs;
   QObject::connect(runs, &RunController::permissionsChanged, panel,
                    [panel, runs] { panel->setEditable(runs->canChangeSettings()); });
   return panel;
 }
 
-QWidget* makeCorrectionPanel(const Models& models) {
+QWidget* makeCorrectionPanel(Document* document, RunController* runs) {
   auto* panel = new CorrectionPanel;
-  connectFeed(panel, models);
-  const Document* document = &models.document;
+  connectFeed(panel, runs);
   QObject::connect(document, &Document::judged, panel, [panel, document] {
     const auto& flexible = document->findings().flexible;
     const templates::TemplateParameters& parameters = document->settings().parameters;
     panel->setLimit(flexible && flexible->cells.corrects() ? parameters.correctionLimitMm : 0.0,
                     parameters.axes);
   });
-  RunController* runs = &models.runs;
   QObject::connect(panel, &CorrectionPanel::correctionRequested, runs, &RunController::correct);
   QObject::connect(runs, &RunController::started, panel, [panel] { panel->setRunning(true); });
   QObject::connect(runs, &RunController::finished, panel, [panel] { panel->setRunning(false); });
@@ -207,13 +208,11 @@ QWidget* makeCorrectionPanel(const Models& models) {
   return panel;
 }
 
-QWidget* makeWrongMotionBar(const Models& models, QWidget* parent) {
+QWidget* makeWrongMotionBar(Alarms* alarms, RunController* runs, QWidget* parent) {
   auto* bar = new WrongMotionBar(parent);
-  RunController* runs = &models.runs;
   QObject::connect(runs, &RunController::wrongMotionChanged, bar,
                    [bar, runs] { bar->setWrong(runs->wrongMotion(), runs->isRunning()); });
   QObject::connect(bar, &WrongMotionBar::stopRequested, runs, &RunController::stop);
-  Alarms* alarms = &models.alarms;
   QObject::connect(bar, &WrongMotionBar::acknowledged, alarms, [alarms, runs] {
     for (const int number : openWrongMotion(*alarms)) {
       alarms->acknowledge(number);
@@ -229,10 +228,8 @@ QWidget* makeWrongMotionBar(const Models& models, QWidget* parent) {
   return bar;
 }
 
-QWidget* makeFoundRunBar(const Models& models, QWidget* parent) {
+QWidget* makeFoundRunBar(RunController* runs, FoundRuns* found, QWidget* parent) {
   auto* bar = new FoundRunBar(parent);
-  FoundRuns* found = &models.found;
-  const RunController* runs = &models.runs;
   const auto show = [bar, found, runs] {
     const auto view = found->view();
     // While it is being resumed, the bar for that says the rest.
@@ -248,9 +245,8 @@ QWidget* makeFoundRunBar(const Models& models, QWidget* parent) {
   return bar;
 }
 
-QWidget* makeResumeBar(const Models& models, QWidget* parent) {
+QWidget* makeResumeBar(RunController* runs, QWidget* parent) {
   auto* bar = new ResumeBar(parent);
-  RunController* runs = &models.runs;
   QObject::connect(runs, &RunController::resumeAsked, bar, &ResumeBar::showAsking);
   QObject::connect(runs, &RunController::placeFound, bar, &ResumeBar::showPlace);
   QObject::connect(runs, &RunController::resumeRefused, bar, &ResumeBar::showRefusal);
@@ -260,9 +256,8 @@ QWidget* makeResumeBar(const Models& models, QWidget* parent) {
   return bar;
 }
 
-QWidget* makePreflightSheet(const Models& models, QWidget* parent) {
+QWidget* makePreflightSheet(RunController* runs, Preflight* preflight, QWidget* parent) {
   auto* sheet = new PreflightSheet(parent);
-  Preflight* preflight = &models.preflight;
   const auto show = [sheet, preflight] {
     if (preflight->isOpen()) {
       sheet->setItems(preflight->items(), preflight->hasPassed(),
@@ -275,7 +270,6 @@ QWidget* makePreflightSheet(const Models& models, QWidget* parent) {
   QObject::connect(preflight, &Preflight::changed, sheet, show);
   QObject::connect(sheet, &PreflightSheet::closeRequested, preflight, &Preflight::dismiss);
   QObject::connect(sheet, &PreflightSheet::remedyRequested, preflight, &Preflight::remedy);
-  RunController* runs = &models.runs;
   QObject::connect(preflight, &Preflight::stretchRequested, sheet, [sheet, runs](int stretches) {
     bool isChosen = false;
     const int stretch =
@@ -298,13 +292,11 @@ QWidget* makePreflightSheet(const Models& models, QWidget* parent) {
   return sheet;
 }
 
-QWidget* makeRunPanel(const Models& models, QWidget* parent) {
+QWidget* makeRunPanel(MachineModel* machine, Document* document, RunController* runs,
+                      Preflight* preflight, FoundRuns* found, QWidget* parent) {
   auto* panel = new RunPanel(parent);
-  RunController* runs = &models.runs;
-  Preflight* preflight = &models.preflight;
   QObject::connect(panel, &RunPanel::preflightRequested, preflight, &Preflight::openForStart);
   QObject::connect(panel, &RunPanel::startRequested, runs, &RunController::start);
-  FoundRuns* found = &models.found;
   QObject::connect(panel, &RunPanel::stopRequested, runs, [runs, found] {
     if (runs->isRunning() || !found->isOnControl()) {
       runs->stop();
@@ -314,14 +306,12 @@ QWidget* makeRunPanel(const Models& models, QWidget* parent) {
   });
   QObject::connect(found, &FoundRuns::changed, panel,
                    [panel, found] { panel->setFound(found->view()); });
-  const MachineModel* machine = &models.machine;
   const auto showMotion = [panel, machine] { panel->setMayMove(machine->mayMove()); };
   QObject::connect(machine, &MachineModel::seen, panel, showMotion);
   QObject::connect(machine, &MachineModel::viewChanged, panel, showMotion);
   QObject::connect(panel, &RunPanel::holdRequested, runs, &RunController::hold);
   QObject::connect(panel, &RunPanel::resumeRequested, runs, &RunController::askResume);
   QObject::connect(runs, &RunController::updated, panel, &RunPanel::setUpdate);
-  const Document* document = &models.document;
   QObject::connect(runs, &RunController::jobChanged, panel,
                    [panel, runs, document] { panel->setJob(jobProgress(*runs, *document)); });
   QObject::connect(runs, &RunController::wrongMotionChanged, panel,

@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "hmi/messages.h"
 #include "hmi/pages/pages.h"
 #include "hmi/past_runs.h"
+#include "hmi/run_controller.h"
 #include "widgets/common/error_text.h"
 #include "widgets/runs/run_sheet.h"
 #include "widgets/runs/runs_page.h"
@@ -50,9 +52,8 @@ struct RunsTexts {
 };
 
 void connectReading(RunsPage* page, const std::shared_ptr<FinishedRunPtr>& shown,
-                    const Models& models) {
-  PastRuns* past = &models.pastRuns;
-  QObject::connect(past, &PastRuns::listed, page,
+                    Messages* messages, RunController* runs, PastRuns* pastRuns) {
+  QObject::connect(pastRuns, &PastRuns::listed, page,
                    [page](const std::shared_ptr<const report::HistoryList>& list) {
                      std::vector<widgets::UnreadableRunView> unreadable;
                      for (const report::UnreadableRun& run : list->unreadable) {
@@ -61,9 +62,9 @@ void connectReading(RunsPage* page, const std::shared_ptr<FinishedRunPtr>& shown
                      }
                      page->setRuns(list->runs, unreadable);
                    });
-  QObject::connect(page, &RunsPage::detailRequested, past, &PastRuns::readRun);
-  QObject::connect(page, &RunsPage::openRequested, past, &PastRuns::readFile);
-  QObject::connect(past, &PastRuns::read, page,
+  QObject::connect(page, &RunsPage::detailRequested, pastRuns, &PastRuns::readRun);
+  QObject::connect(page, &RunsPage::openRequested, pastRuns, &PastRuns::readFile);
+  QObject::connect(pastRuns, &PastRuns::read, page,
                    [page, shown](const QString& id, const FinishedRunPtr& run) {
                      *shown = run;
                      if (id.isEmpty()) {
@@ -72,10 +73,10 @@ void connectReading(RunsPage* page, const std::shared_ptr<FinishedRunPtr>& shown
                        page->setDetail(id.toStdString(), run->report);
                      }
                    });
-  QObject::connect(past, &PastRuns::unreadable, page,
-                   [page, models](const QString& id, const base::Error& error) {
+  QObject::connect(pastRuns, &PastRuns::unreadable, page,
+                   [page, messages](const QString& id, const base::Error& error) {
                      if (id.isEmpty()) {
-                       models.messages.show(Severity::Warning, [error] {
+                       messages->show(Severity::Warning, [error] {
                          return QStringLiteral("%1: %2").arg(QString::fromStdString(error.context),
                                                              RunsTexts::problem(error));
                        });
@@ -83,50 +84,48 @@ void connectReading(RunsPage* page, const std::shared_ptr<FinishedRunPtr>& shown
                        page->setDetailProblem(id.toStdString(), RunsTexts::problem(error));
                      }
                    });
-  QObject::connect(&models.runs, &RunController::started, page, [shown] { shown->reset(); });
+  QObject::connect(runs, &RunController::started, page, [shown] { shown->reset(); });
 }
 
 void connectExports(RunsPage* page, const std::shared_ptr<FinishedRunPtr>& shown,
-                    const Models& models) {
-  QObject::connect(page, &RunsPage::sheetRequested, page, [shown, models](const QString& path) {
+                    Messages* messages) {
+  QObject::connect(page, &RunsPage::sheetRequested, page, [shown, messages](const QString& path) {
     if (*shown && paper::writePdf(
                       path, widgets::runPage({(*shown)->summary, (*shown)->report, (*shown)->sketch,
                                               QStringLiteral(RIVULET_VERSION)}))) {
-      models.messages.show(Severity::Note, [path] { return RunsTexts::tr("Saved %1.").arg(path); });
+      messages->show(Severity::Note, [path] { return RunsTexts::tr("Saved %1.").arg(path); });
     } else {
-      models.messages.show(Severity::Error, [path] {
+      messages->show(Severity::Error, [path] {
         return RunsTexts::tr("%1 cannot be written. Check permissions and free space.").arg(path);
       });
     }
   });
-  QObject::connect(page, &RunsPage::jsonRequested, page, [shown, models](const QString& path) {
+  QObject::connect(page, &RunsPage::jsonRequested, page, [shown, messages](const QString& path) {
     if (*shown) {
-      saveText(models, path,
+      saveText(messages, path,
                QString::fromStdString(report::finishedRunJson(**shown).dump(
                    2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
                    QLatin1Char('\n'));
     }
   });
-  QObject::connect(page, &RunsPage::csvRequested, page, [page, models](const QString& path) {
-    saveText(models, path, QString::fromStdString(report::runsCsv(page->shownRuns())));
+  QObject::connect(page, &RunsPage::csvRequested, page, [page, messages](const QString& path) {
+    saveText(messages, path, QString::fromStdString(report::runsCsv(page->shownRuns())));
   });
 }
 
 void connectActions(RunsPage* page, const std::shared_ptr<FinishedRunPtr>& shown,
-                    const Models& models) {
-  PastRuns* past = &models.pastRuns;
-  QObject::connect(page, &RunsPage::tracesRequested, past, [past, shown] {
+                    RunController* runs, PastRuns* pastRuns) {
+  QObject::connect(page, &RunsPage::tracesRequested, pastRuns, [pastRuns, shown] {
     if (*shown) {
-      past->openRecording(**shown);
+      pastRuns->openRecording(**shown);
     }
   });
-  QObject::connect(page, &RunsPage::repeatRequested, past, [past, shown] {
+  QObject::connect(page, &RunsPage::repeatRequested, pastRuns, [pastRuns, shown] {
     if (*shown) {
-      past->repeat(**shown);
+      pastRuns->repeat(**shown);
     }
   });
-  QObject::connect(page, &RunsPage::resumeRequested, &models.runs, &RunController::askResume);
-  RunController* runs = &models.runs;
+  QObject::connect(page, &RunsPage::resumeRequested, runs, &RunController::askResume);
   QObject::connect(runs, &RunController::permissionsChanged, page, [page, runs] {
     page->setRepeatEnabled(runs->canChangeSettings() && !runs->isCalibrating());
     page->setBoundsEnabled(runs->canChangeSettings());
@@ -134,25 +133,26 @@ void connectActions(RunsPage* page, const std::shared_ptr<FinishedRunPtr>& shown
     const bool isLeft = runs->hasRunToResume() && report && report->checkpoint;
     page->setResumable(isLeft ? std::optional(report->checkpoint->runNumber) : std::nullopt);
   });
-  QObject::connect(page, &RunsPage::boundsRequested, past,
-                   [past](const widgets::HistoryBounds& bounds) {
-                     past->setLimits({static_cast<std::size_t>(bounds.runs),
-                                      static_cast<std::uintmax_t>(bounds.gibibytes) * kGibibyte});
-                   });
+  QObject::connect(
+      page, &RunsPage::boundsRequested, pastRuns, [pastRuns](const widgets::HistoryBounds& bounds) {
+        pastRuns->setLimits({static_cast<std::size_t>(bounds.runs),
+                             static_cast<std::uintmax_t>(bounds.gibibytes) * kGibibyte});
+      });
 }
 
 }  // namespace
 
-QWidget* makeRunsPage(const Models& models, QWidget* parent) {
+QWidget* makeRunsPage(Messages* messages, RunController* runs, PastRuns* pastRuns,
+                      QWidget* parent) {
   auto* page = new RunsPage(parent);
   const auto shown = std::make_shared<FinishedRunPtr>();
-  connectReading(page, shown, models);
-  connectExports(page, shown, models);
-  connectActions(page, shown, models);
-  const report::HistoryLimits limits = models.pastRuns.limits();
+  connectReading(page, shown, messages, runs, pastRuns);
+  connectExports(page, shown, messages);
+  connectActions(page, shown, runs, pastRuns);
+  const report::HistoryLimits limits = pastRuns->limits();
   page->setBounds({static_cast<int>(limits.runsMax),
                    static_cast<int>(std::max<std::uintmax_t>(1, limits.bytesMax / kGibibyte))});
-  models.pastRuns.refresh();
+  pastRuns->refresh();
   return page;
 }
 

@@ -5,7 +5,11 @@
 
 #include <QCoreApplication>
 
+#include "hmi/certificates.h"
 #include "hmi/pages/pages.h"
+#include "hmi/run_controller.h"
+#include "hmi/services.h"
+#include "hmi/users.h"
 #include "widgets/common/error_text.h"
 #include "widgets/connection/certificates_page.h"
 #include "widgets/connection/machines_page.h"
@@ -19,10 +23,8 @@ struct ServiceTexts {
   Q_DECLARE_TR_FUNCTIONS(ServiceTexts)
 };
 
-void connectTrust(const Models& models, widgets::ServicePanel& panel) {
+void connectTrust(Services* services, Certificates* certificates, widgets::ServicePanel& panel) {
   using widgets::ServicePanel;
-  Services* services = &models.services;
-  Certificates* certificates = &models.certificates;
   QObject::connect(&panel, &ServicePanel::certificateAccepted, services,
                    [services, panel = &panel] { services->accept(panel->endpoint()); });
   QObject::connect(&panel, &ServicePanel::choiceAllowed, services,
@@ -48,10 +50,10 @@ void connectTrust(const Models& models, widgets::ServicePanel& panel) {
 
 }  // namespace
 
-void connectServices(const Models& models, widgets::MachinesPage& page) {
+void connectServices(Users* users, RunController* runs, Services* services,
+                     Certificates* certificates, widgets::MachinesPage& page) {
   using widgets::MachinesPage;
   using widgets::ServicePanel;
-  Services* services = &models.services;
   ServicePanel* panel = page.servicePanel();
   const auto show = [services, page = &page] { page->setServices(services->views()); };
   QObject::connect(services, &Services::changed, &page, show);
@@ -90,16 +92,16 @@ void connectServices(const Models& models, widgets::MachinesPage& page) {
                        panel->setAnswer(method, accepted, message, confirmation);
                      }
                    });
-  connectTrust(models, *panel);
-  const auto block = [models, page = &page, panel] {
-    const auto refused = [&models](permission::Act act) {
-      return models.users.refusal(act, false) ? ServiceTexts::tr("Only an engineer can do this.")
-                                              : QString();
+  connectTrust(services, certificates, *panel);
+  const auto block = [page = &page, panel, users] {
+    const auto refused = [users](permission::Act act) {
+      return users->refusal(act, false) ? ServiceTexts::tr("Only an engineer can do this.")
+                                        : QString();
     };
     page->setServicesBlocked(refused(permission::Act::ChangeSettings));
     panel->setTrustBlocked(refused(permission::Act::Trust));
   };
-  QObject::connect(&models.runs, &RunController::permissionsChanged, &page, block);
+  QObject::connect(runs, &RunController::permissionsChanged, &page, block);
   block();
 }
 

@@ -5,7 +5,16 @@
 
 #include <QCoreApplication>
 
+#include "hmi/certificates.h"
+#include "hmi/credit_commissioning.h"
+#include "hmi/document.h"
+#include "hmi/logins.h"
+#include "hmi/machine_model.h"
+#include "hmi/machine_profiles.h"
+#include "hmi/messages.h"
 #include "hmi/pages/pages.h"
+#include "hmi/run_controller.h"
+#include "hmi/users.h"
 #include "machine/config.h"
 #include "report/known_machine.h"
 #include "widgets/setup/profile_page.h"
@@ -23,9 +32,8 @@ struct SetUpTexts {
   Q_DECLARE_TR_FUNCTIONS(SetUpTexts)
 };
 
-ProfilePage* makeProfilePage(const Models& models) {
+ProfilePage* makeProfilePage(MachineModel* machine, MachineProfiles* profiles) {
   auto* page = new ProfilePage;
-  MachineProfiles* profiles = &models.profiles;
   QStringList presets;
   for (const std::string& name : machine::presetNames()) {
     presets.push_back(QString::fromStdString(name));
@@ -35,10 +43,10 @@ ProfilePage* makeProfilePage(const Models& models) {
     page->setFunctions(profiles->functions());
     page->setProfile(profiles->shown(), profiles->profile().has_value());
   };
-  const auto block = [page, models] {
-    page->setBlocked(!models.machine.isConnected()
+  const auto block = [page, machine, profiles] {
+    page->setBlocked(!machine->isConnected()
                          ? SetUpTexts::tr("Connect first: limits belong to one machine.")
-                     : models.profiles.canSave()
+                     : profiles->canSave()
                          ? QString()
                          : SetUpTexts::tr("Only an engineer can do this, and not during a run."));
   };
@@ -58,32 +66,36 @@ ProfilePage* makeProfilePage(const Models& models) {
 }
 
 /// What has been done, and still holds.
-void showStatus(SetUpPage* page, const Models& models, const std::vector<QWidget*>& steps) {
-  const bool isConnected = models.machine.isConnected();
+void showStatus(SetUpPage* page, MachineModel* machine, CreditCommissioning* credit,
+                MachineProfiles* profiles, const std::vector<QWidget*>& steps) {
+  const bool isConnected = machine->isConnected();
   const auto state = [](bool isThere, bool isOutdated) {
     return !isThere ? Status::Unknown : isOutdated ? Status::Attention : Status::Good;
   };
   page->setStatus(steps[0], isConnected ? Status::Good : Status::Unknown);
-  page->setStatus(steps[1], state(models.profiles.profile().has_value(), false));
-  page->setStatus(steps[3], state(models.machine.calibration() != nullptr,
-                                  models.machine.isCalibrationOutdated()));
-  const auto& test = models.credit.test();
+  page->setStatus(steps[1], state(profiles->profile().has_value(), false));
+  page->setStatus(steps[3],
+                  state(machine->calibration() != nullptr, machine->isCalibrationOutdated()));
+  const auto& test = credit->test();
   page->setStatus(steps[4], test && !test->result.passed()
                                 ? Status::Fault
-                                : state(test.has_value(), models.credit.isOutdated()));
+                                : state(test.has_value(), credit->isOutdated()));
 }
 
 }  // namespace
 
-QWidget* makeSetUpPage(const Models& models, QWidget* parent) {
+QWidget* makeSetUpPage(Messages* messages, Users* users, MachineModel* machine, Document* document,
+                       RunController* runs, CreditCommissioning* credit, MachineProfiles* profiles,
+                       Certificates* certificates, Logins* logins, QWidget* parent) {
   auto* page = new SetUpPage(parent);
-  const std::vector<QWidget*> steps{makeConnectionPanel(models),
-                                    makeProfilePage(models),
-                                    makeTemplatePage(models, nullptr),
-                                    makeCalibrationPage(models, nullptr),
-                                    makeCommissioningPage(models, nullptr),
-                                    makeCertificatesPage(models, nullptr),
-                                    makeRightsPage(models, nullptr)};
+  const std::vector<QWidget*> steps{
+      makeConnectionPanel(machine, runs, logins),
+      makeProfilePage(machine, profiles),
+      makeTemplatePage(messages, document, nullptr),
+      makeCalibrationPage(machine, runs, nullptr),
+      makeCommissioningPage(messages, machine, credit, nullptr),
+      makeCertificatesPage(users, machine, runs, certificates, nullptr),
+      makeRightsPage(machine, runs, nullptr)};
   page->addStep(steps[0], [] { return SetUpTexts::tr("Connection"); });
   page->addStep(steps[1], [] { return SetUpTexts::tr("Limits"); });
   page->addStep(steps[2], [] { return SetUpTexts::tr("Template"); });
@@ -91,11 +103,13 @@ QWidget* makeSetUpPage(const Models& models, QWidget* parent) {
   page->addStep(steps[4], [] { return SetUpTexts::tr("Credit test"); });
   page->addStep(steps[5], [] { return SetUpTexts::tr("Certificates"); });
   page->addStep(steps[6], [] { return SetUpTexts::tr("Rights"); });
-  const auto show = [page, models, steps] { showStatus(page, models, steps); };
-  QObject::connect(&models.machine, &MachineModel::linkChanged, page, show);
-  QObject::connect(&models.machine, &MachineModel::calibrationChanged, page, show);
-  QObject::connect(&models.profiles, &MachineProfiles::changed, page, show);
-  QObject::connect(&models.credit, &CreditCommissioning::testChanged, page, show);
+  const auto show = [page, steps, machine, credit, profiles] {
+    showStatus(page, machine, credit, profiles, steps);
+  };
+  QObject::connect(machine, &MachineModel::linkChanged, page, show);
+  QObject::connect(machine, &MachineModel::calibrationChanged, page, show);
+  QObject::connect(profiles, &MachineProfiles::changed, page, show);
+  QObject::connect(credit, &CreditCommissioning::testChanged, page, show);
   show();
   return page;
 }

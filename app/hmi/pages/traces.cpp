@@ -3,8 +3,12 @@
 
 /// The page Traces: the run in progress, the last run, runs of the past, and files.
 
+#include "hmi/traces.h"
+#include "hmi/alarms.h"
+#include "hmi/document.h"
 #include "hmi/pages/pages.h"
 #include "hmi/past_runs.h"
+#include "hmi/run_controller.h"
 #include "hmi/trace_layouts.h"
 #include "session/background.h"
 #include "widgets/common/error_text.h"
@@ -27,27 +31,26 @@ struct TracesPage {
   static QString inProgress() { return tr("A run is in progress. Open files after it has ended."); }
 };
 
-void connectRuns(const Models& models, widgets::TracePage* page) {
-  Traces* traces = &models.traces;
-  QObject::connect(&models.runs, &RunController::started, page, [page, traces] {
+void connectRuns(Alarms* alarms, RunController* runs, PastRuns* pastRuns, Traces* traces,
+                 widgets::TracePage* page) {
+  QObject::connect(runs, &RunController::started, page, [page, traces] {
     traces->cancel();
     page->clear();
   });
-  QObject::connect(&models.runs, &RunController::sampled, page, &widgets::TracePage::append);
-  QObject::connect(&models.runs, &RunController::paused, page, &widgets::TracePage::addPause);
-  QObject::connect(&models.alarms, &Alarms::happened, page,
-                   [page](const alarm::Transition& transition) {
-                     if (transition.event == alarm::Event::Raised) {
-                       page->noticeAlarm();
-                     }
-                   });
-  QObject::connect(&models.runs, &RunController::finished, page,
+  QObject::connect(runs, &RunController::sampled, page, &widgets::TracePage::append);
+  QObject::connect(runs, &RunController::paused, page, &widgets::TracePage::addPause);
+  QObject::connect(alarms, &Alarms::happened, page, [page](const alarm::Transition& transition) {
+    if (transition.event == alarm::Event::Raised) {
+      page->noticeAlarm();
+    }
+  });
+  QObject::connect(runs, &RunController::finished, page,
                    [page, traces](const std::shared_ptr<const streaming::RunReport>& report) {
                      page->finishLive();
                      // Without a trace of the control, the live samples stay.
                      traces->show(report->controlTrace);
                    });
-  QObject::connect(&models.pastRuns, &PastRuns::recordingRead, page,
+  QObject::connect(pastRuns, &PastRuns::recordingRead, page,
                    [page, traces](const std::shared_ptr<const trace::Recording>& recording,
                                   const std::shared_ptr<const report::FinishedRun>& run) {
                      page->clear();
@@ -72,10 +75,11 @@ void showLayouts(widgets::TracePage* page) {
 
 }  // namespace
 
-QWidget* makeTracePage(const Models& models, QWidget* parent) {
+QWidget* makeTracePage(Alarms* alarms, Document* document, RunController* runs, PastRuns* pastRuns,
+                       Traces* traces, QWidget* parent) {
   auto* page = new widgets::TracePage(parent);
   page->setRunner(&session::runInBackground);
-  connectRuns(models, page);
+  connectRuns(alarms, runs, pastRuns, traces, page);
   showLayouts(page);
   QObject::connect(page, &widgets::TracePage::layoutsChanged, page,
                    [page](const widgets::ScopeLayouts& layouts) {
@@ -83,14 +87,11 @@ QWidget* makeTracePage(const Models& models, QWidget* parent) {
                        page->showProblem(widgets::errorText(done.error()));
                      }
                    });
-  const auto showProgram = [page, document = &models.document] {
-    page->setProgram(document->view());
-  };
-  QObject::connect(&models.document, &Document::programLoaded, page, showProgram);
-  QObject::connect(&models.document, &Document::programPlaced, page, showProgram);
-  Traces* traces = &models.traces;
+  const auto showProgram = [page, document] { page->setProgram(document->view()); };
+  QObject::connect(document, &Document::programLoaded, page, showProgram);
+  QObject::connect(document, &Document::programPlaced, page, showProgram);
   QObject::connect(page, &widgets::TracePage::openRequested, traces,
-                   [page, traces, runs = &models.runs](const QStringList& paths) {
+                   [page, traces, runs](const QStringList& paths) {
                      if (runs->isRunning()) {
                        page->showProblem(TracesPage::inProgress());
                      } else {

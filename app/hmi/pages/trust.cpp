@@ -6,7 +6,10 @@
 #include <QCoreApplication>
 
 #include "hmi/certificates.h"
+#include "hmi/machine_model.h"
 #include "hmi/pages/pages.h"
+#include "hmi/run_controller.h"
+#include "hmi/users.h"
 #include "widgets/connection/certificates_page.h"
 #include "widgets/connection/rights_page.h"
 #include "widgets/connection/trust_sheet.h"
@@ -24,18 +27,17 @@ struct TrustTexts {
 };
 
 /// Why this user may not decide whom to trust; empty: they may.
-QString trustBlocked(const Models& models) {
-  return models.users.refusal(permission::Act::Trust, false)
+QString trustBlocked(Users* users) {
+  return users->refusal(permission::Act::Trust, false)
              ? TrustTexts::tr("Only an engineer can do this.")
              : QString();
 }
 
 }  // namespace
 
-QWidget* makeTrustSheet(const Models& models, QWidget* parent) {
+QWidget* makeTrustSheet(Users* users, MachineModel* machine, RunController* runs,
+                        Certificates* certificates, QWidget* parent) {
   auto* sheet = new TrustSheet(parent);
-  MachineModel* machine = &models.machine;
-  Certificates* certificates = &models.certificates;
   QObject::connect(machine, &MachineModel::linkChanged, sheet, [sheet, machine, certificates] {
     const auto& question = machine->link().question;
     if (question && question != sheet->question()) {
@@ -55,19 +57,18 @@ QWidget* makeTrustSheet(const Models& models, QWidget* parent) {
       certificates->exportOwn(path);
     }
   });
-  const auto block = [sheet, models] { sheet->setBlocked(trustBlocked(models)); };
-  QObject::connect(&models.runs, &RunController::permissionsChanged, sheet, block);
+  const auto block = [sheet, users] { sheet->setBlocked(trustBlocked(users)); };
+  QObject::connect(runs, &RunController::permissionsChanged, sheet, block);
   block();
   return sheet;
 }
 
-QWidget* makeCertificatesPage(const Models& models, QWidget* parent) {
+QWidget* makeCertificatesPage(Users* users, MachineModel* machine, RunController* runs,
+                              Certificates* certificates, QWidget* parent) {
   auto* page = new CertificatesPage(parent);
-  Certificates* certificates = &models.certificates;
   const auto show = [page, certificates] { page->setCertificates(certificates->view()); };
   QObject::connect(certificates, &Certificates::changed, page, show);
-  QObject::connect(&models.machine, &MachineModel::linkChanged, certificates,
-                   &Certificates::refresh);
+  QObject::connect(machine, &MachineModel::linkChanged, certificates, &Certificates::refresh);
   QObject::connect(page, &CertificatesPage::exportRequested, certificates,
                    &Certificates::exportOwn);
   QObject::connect(page, &CertificatesPage::renewRequested, certificates, &Certificates::renewOwn);
@@ -78,29 +79,28 @@ QWidget* makeCertificatesPage(const Models& models, QWidget* parent) {
                    &Certificates::acceptRejected);
   QObject::connect(page, &CertificatesPage::dropRequested, certificates,
                    &Certificates::dropRejected);
-  const auto block = [page, models] { page->setBlocked(trustBlocked(models)); };
-  QObject::connect(&models.runs, &RunController::permissionsChanged, page, block);
+  const auto block = [page, users] { page->setBlocked(trustBlocked(users)); };
+  QObject::connect(runs, &RunController::permissionsChanged, page, block);
   block();
   show();
   return page;
 }
 
-QWidget* makeRightsPage(const Models& models, QWidget* parent) {
+QWidget* makeRightsPage(MachineModel* machine, RunController* runs, QWidget* parent) {
   auto* page = new RightsPage(parent);
-  MachineModel* machine = &models.machine;
   QObject::connect(page, &RightsPage::examineRequested, machine, &MachineModel::examineRights);
   QObject::connect(
       machine, &MachineModel::rightsSeen, page,
       [page](const session::RightsSeen& seen) { page->setReport(seen.report, seen.error); });
   QObject::connect(machine, &MachineModel::linkChanged, page,
                    [page] { page->setReport(std::nullopt); });
-  const auto block = [page, models] {
-    page->setBlocked(!models.machine.isConnected() ? TrustTexts::tr("Connect first.")
-                     : models.runs.isRunning() || models.runs.isCalibrating()
+  const auto block = [page, machine, runs] {
+    page->setBlocked(!machine->isConnected() ? TrustTexts::tr("Connect first.")
+                     : runs->isRunning() || runs->isCalibrating()
                          ? TrustTexts::tr("During a run there is no time for it.")
                          : QString());
   };
-  QObject::connect(&models.runs, &RunController::permissionsChanged, page, block);
+  QObject::connect(runs, &RunController::permissionsChanged, page, block);
   QObject::connect(machine, &MachineModel::linkChanged, page, block);
   block();
   return page;

@@ -5,7 +5,10 @@
 
 #include <QPointer>
 
+#include "hmi/audit.h"
+#include "hmi/messages.h"
 #include "hmi/pages/pages.h"
+#include "hmi/users.h"
 #include "widgets/audit/audit_page.h"
 #include "widgets/common/error_text.h"
 #include "widgets/users/users_page.h"
@@ -54,10 +57,9 @@ widgets::AuditView viewOf(const journal::AuditContent& content, const std::files
   return view;
 }
 
-void askForPin(const Models& models, QWidget* parent) {
-  auto* dialog = new widgets::LogInDialog(viewOf(models.users), parent);
+void askForPin(Users* users, QWidget* parent) {
+  auto* dialog = new widgets::LogInDialog(viewOf(*users), parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  Users* users = &models.users;
   QObject::connect(dialog, &widgets::LogInDialog::logInRequested, users, &Users::logIn);
   QObject::connect(users, &Users::loggedIn, dialog, &QDialog::accept);
   QObject::connect(users, &Users::logInFailed, dialog,
@@ -70,63 +72,61 @@ void askForPin(const Models& models, QWidget* parent) {
 
 }  // namespace
 
-QWidget* makeUserButton(const Models& models, QWidget* parent) {
+QWidget* makeUserButton(Users* users, QWidget* parent) {
   auto* button = new widgets::UserButton(parent);
-  Users* users = &models.users;
   const auto show = [button, users] { button->setUsers(viewOf(*users)); };
   show();
   QObject::connect(users, &Users::changed, button, show);
   QObject::connect(button, &widgets::UserButton::lockRequested, users, &Users::lock);
   QObject::connect(button, &widgets::UserButton::logInRequested, button,
-                   [button, models] { askForPin(models, button); });
+                   [button, users] { askForPin(users, button); });
   return button;
 }
 
-QWidget* makeUsersPage(const Models& models, QWidget* parent) {
+QWidget* makeUsersPage(Messages* messages, Users* users, QWidget* parent) {
   auto* page = new widgets::UsersPage(parent);
-  Users* users = &models.users;
   const auto show = [page, users] {
     page->setUsers(viewOf(*users), !users->refusal(Act::SetUpUsers));
   };
   show();
   QObject::connect(users, &Users::changed, page, show);
-  const auto answer = [shown = QPointer<widgets::UsersPage>(page), models](
+  const auto answer = [shown = QPointer<widgets::UsersPage>(page), messages](
                           const base::Result<void>& done, const QString& name,
                           const std::string& what) {
     if (shown) {
       shown->showAnswer(done ? QString() : userErrorText(done.error()));
     }
     if (done) {
-      models.messages.didAct(Act::SetUpUsers, {{"user", name.toStdString()}, {"change", what}});
+      messages->didAct(Act::SetUpUsers, {{"user", name.toStdString()}, {"change", what}});
     }
   };
-  QObject::connect(
-      page, &widgets::UsersPage::putRequested, page,
-      [models, answer](const QString& name, permission::Role role, const QString& pin) {
-        if (!models.users.refusal(Act::SetUpUsers)) {
-          models.users.put(name, role, pin, [answer, name, role](const base::Result<void>& done) {
-            answer(done, name, std::string(permission::roleName(role)));
-          });
-        }
-      });
-  QObject::connect(page, &widgets::UsersPage::removeRequested, page,
-                   [models, answer](const QString& name) {
-                     if (!models.users.refusal(Act::SetUpUsers)) {
-                       answer(models.users.remove(name), name, "removed");
+  QObject::connect(page, &widgets::UsersPage::putRequested, page,
+                   [answer, users](const QString& name, permission::Role role, const QString& pin) {
+                     if (!users->refusal(Act::SetUpUsers)) {
+                       users->put(name, role, pin,
+                                  [answer, name, role](const base::Result<void>& done) {
+                                    answer(done, name, std::string(permission::roleName(role)));
+                                  });
                      }
                    });
-  QObject::connect(page, &widgets::UsersPage::idleMinutesRequested, page, [models](int minutes) {
-    if (!models.users.refusal(Act::SetUpUsers)) {
-      models.users.setIdleMinutes(minutes);
-      models.messages.didAct(Act::SetUpUsers, {{"idle_minutes", std::to_string(minutes)}});
-    }
-  });
+  QObject::connect(page, &widgets::UsersPage::removeRequested, page,
+                   [answer, users](const QString& name) {
+                     if (!users->refusal(Act::SetUpUsers)) {
+                       answer(users->remove(name), name, "removed");
+                     }
+                   });
+  QObject::connect(
+      page, &widgets::UsersPage::idleMinutesRequested, page, [messages, users](int minutes) {
+        if (!users->refusal(Act::SetUpUsers)) {
+          users->setIdleMinutes(minutes);
+          messages->didAct(Act::SetUpUsers, {{"idle_minutes", std::to_string(minutes)}});
+        }
+      });
   return page;
 }
 
-QWidget* makeAuditPage(const Models& models, QWidget* parent) {
+QWidget* makeAuditPage(Messages* messages, Audit* audit, QWidget* parent) {
   auto* page = new widgets::AuditPage(parent);
-  Audit* audit = &models.audit;
   QObject::connect(page, &widgets::AuditPage::refreshRequested, audit, &Audit::refresh);
   QObject::connect(audit, &Audit::lineWritten, page, [page, audit] {
     if (page->isVisible()) {
@@ -135,13 +135,14 @@ QWidget* makeAuditPage(const Models& models, QWidget* parent) {
   });
   QObject::connect(audit, &Audit::contentChanged, page,
                    [page, audit] { page->setAudit(viewOf(audit->content(), audit->path())); });
-  QObject::connect(page, &widgets::AuditPage::exportRequested, page, [models](const QString& path) {
-    const journal::AuditContent& content = models.audit.content();
-    const bool isJson = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
-    saveText(
-        models, path,
-        QString::fromStdString(isJson ? journal::auditJson(content) : journal::auditCsv(content)));
-  });
+  QObject::connect(page, &widgets::AuditPage::exportRequested, page,
+                   [messages, audit](const QString& path) {
+                     const journal::AuditContent& content = audit->content();
+                     const bool isJson = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+                     saveText(messages, path,
+                              QString::fromStdString(isJson ? journal::auditJson(content)
+                                                            : journal::auditCsv(content)));
+                   });
   return page;
 }
 
