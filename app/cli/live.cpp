@@ -9,6 +9,7 @@
 
 #include "base/units.h"
 #include "cli/access_text.h"
+#include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/paced_link.h"
