@@ -831,6 +831,10 @@
         <source>%1 calls a subprogram behind each block that moves, and it is neither in this file nor in a file beside it: its motions are missing. Put its file beside the program.</source>
         <translation>%1 ruft nach jedem Satz mit Bewegung ein Unterprogramm auf, das weder in dieser Datei noch in einer Datei daneben steht: Seine Bewegungen fehlen. Seine Datei neben das Programm legen.</translation>
     </message>
+    <message>
+        <source>What the program leaves out is taken from the settings of a virtual machine: %1. Load it as the control is set (--setting).</source>
+        <translation>Was das Programm weglässt, kommt aus den Einstellungen einer virtuellen Maschine: %1. So laden, wie die Steuerung eingestellt ist (--setting).</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>
@@ -4388,6 +4392,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>without %1, which does not change the path, as confirmed</source>
         <translation>ohne %1: bestätigt, dass sich der Weg dadurch nicht ändert</translation>
+    </message>
+    <message>
+        <source>what it leaves out as a virtual machine is set (%1)</source>
+        <translation>was es weglässt, wie eine virtuelle Maschine eingestellt ist (%1)</translation>
+    </message>
+    <message>
+        <source>what it leaves out as chosen (%1)</source>
+        <translation>was es weglässt, wie gewählt (%1)</translation>
     </message>
 </context>
 <context>
@@ -8541,6 +8553,14 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Thousandths</source>
         <translation>Tausendstel</translation>
+    </message>
+    <message>
+        <source>The program leaves values to settings of the control. A virtual machine has these (mm): %1. Take them on every machine?</source>
+        <translation>Das Programm überlässt Werte den Einstellungen der Steuerung. Eine virtuelle Maschine hat diese (mm): %1. Auf jeder Maschine so annehmen?</translation>
+    </message>
+    <message>
+        <source>Take them</source>
+        <translation>So annehmen</translation>
     </message>
 </context>
 <context>

@@ -831,6 +831,10 @@
         <source>%1 calls a subprogram behind each block that moves, and it is neither in this file nor in a file beside it: its motions are missing. Put its file beside the program.</source>
         <translation>%1 llama tras cada bloque con movimiento a un subprograma que no está ni en este archivo ni en otro junto a él: faltan sus movimientos. Ponga su archivo junto al programa.</translation>
     </message>
+    <message>
+        <source>What the program leaves out is taken from the settings of a virtual machine: %1. Load it as the control is set (--setting).</source>
+        <translation>Lo que el programa omite se toma de los ajustes de una máquina virtual: %1. Cárguelo como está ajustado el control (--setting).</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>
@@ -4388,6 +4392,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>without %1, which does not change the path, as confirmed</source>
         <translation>sin %1, que no cambia la trayectoria, como se confirmó</translation>
+    </message>
+    <message>
+        <source>what it leaves out as a virtual machine is set (%1)</source>
+        <translation>lo que omite según los ajustes de una máquina virtual (%1)</translation>
+    </message>
+    <message>
+        <source>what it leaves out as chosen (%1)</source>
+        <translation>lo que omite según lo elegido (%1)</translation>
     </message>
 </context>
 <context>
@@ -8541,6 +8553,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Thousandths</source>
         <translation>Milésimas</translation>
+    </message>
+    <message>
+        <source>The program leaves values to settings of the control. A virtual machine has these (mm): %1. Take them on every machine?</source>
+        <translation>El programa deja valores a los ajustes del control. Una máquina virtual tiene estos (mm): %1. ¿Tomarlos en todas las máquinas?</translation>
+    </message>
+    <message>
+        <source>Take them</source>
+        <translation>Tomarlos</translation>
     </message>
 </context>
 <context>

@@ -831,6 +831,10 @@
         <source>%1 calls a subprogram behind each block that moves, and it is neither in this file nor in a file beside it: its motions are missing. Put its file beside the program.</source>
         <translation>%1 appelle après chaque bloc de déplacement un sous-programme qui n’est ni dans ce fichier ni dans un fichier voisin : ses déplacements manquent. Placez son fichier à côté du programme.</translation>
     </message>
+    <message>
+        <source>What the program leaves out is taken from the settings of a virtual machine: %1. Load it as the control is set (--setting).</source>
+        <translation>Ce que le programme omet est pris des réglages d’une machine virtuelle&#xa0;: %1. Chargez-le selon les réglages de la commande (--setting).</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>
@@ -4388,6 +4392,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>without %1, which does not change the path, as confirmed</source>
         <translation>sans %1, qui ne change pas la trajectoire, comme confirmé</translation>
+    </message>
+    <message>
+        <source>what it leaves out as a virtual machine is set (%1)</source>
+        <translation>ce qu’il omet selon les réglages d’une machine virtuelle (%1)</translation>
+    </message>
+    <message>
+        <source>what it leaves out as chosen (%1)</source>
+        <translation>ce qu’il omet selon le choix (%1)</translation>
     </message>
 </context>
 <context>
@@ -8541,6 +8553,14 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Thousandths</source>
         <translation>Millièmes</translation>
+    </message>
+    <message>
+        <source>The program leaves values to settings of the control. A virtual machine has these (mm): %1. Take them on every machine?</source>
+        <translation>Le programme laisse des valeurs aux réglages de la commande. Une machine virtuelle a ceux-ci (mm)&#xa0;: %1. Les prendre sur toutes les machines&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Take them</source>
+        <translation>Les prendre</translation>
     </message>
 </context>
 <context>

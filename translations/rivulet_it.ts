@@ -831,6 +831,10 @@
         <source>%1 calls a subprogram behind each block that moves, and it is neither in this file nor in a file beside it: its motions are missing. Put its file beside the program.</source>
         <translation>%1 chiama dopo ogni blocco con movimento un sottoprogramma che non è né in questo file né in uno accanto: mancano i suoi movimenti. Mettere il suo file accanto al programma.</translation>
     </message>
+    <message>
+        <source>What the program leaves out is taken from the settings of a virtual machine: %1. Load it as the control is set (--setting).</source>
+        <translation>Ciò che il programma omette è preso dalle impostazioni di una macchina virtuale: %1. Caricarlo come è impostato il controllo (--setting).</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>
@@ -4388,6 +4392,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>without %1, which does not change the path, as confirmed</source>
         <translation>senza %1, che non cambia il percorso, come confermato</translation>
+    </message>
+    <message>
+        <source>what it leaves out as a virtual machine is set (%1)</source>
+        <translation>ciò che omette secondo le impostazioni di una macchina virtuale (%1)</translation>
+    </message>
+    <message>
+        <source>what it leaves out as chosen (%1)</source>
+        <translation>ciò che omette come scelto (%1)</translation>
     </message>
 </context>
 <context>
@@ -8541,6 +8553,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Thousandths</source>
         <translation>Millesimi</translation>
+    </message>
+    <message>
+        <source>The program leaves values to settings of the control. A virtual machine has these (mm): %1. Take them on every machine?</source>
+        <translation>Il programma lascia valori alle impostazioni del controllo. Una macchina virtuale ha queste (mm): %1. Usarle su ogni macchina?</translation>
+    </message>
+    <message>
+        <source>Take them</source>
+        <translation>Usarle</translation>
     </message>
 </context>
 <context>

@@ -256,6 +256,7 @@ gcode::LoadOptions LoadingOptions::loadOptions() const {
     options.units = units == "inch" ? gcode::FileUnits::Inches : gcode::FileUnits::Millimetres;
   }
   options.noPoint = gcode::noPointOfName(noPoint);
+  options.settings = gcode::controlSettingsOf(settings).value_or(options.settings);
   for (std::string& name : options.accepted) {
     name = base::toUpper(name);
   }

@@ -30,6 +30,7 @@ struct LoadingOptions {
   std::string centres = "as-programmed";
   std::string units = "auto";
   std::string noPoint = "auto";
+  std::string settings;
 
   [[nodiscard]] gcode::LoadOptions loadOptions() const;
 };

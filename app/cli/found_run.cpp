@@ -65,6 +65,9 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
     command.insert(command.end(),
                    {"--no-point", std::string(gcode::noPointName(*run.reading.noPoint))});
   }
+  if (!run.reading.settings.empty()) {
+    command.insert(command.end(), {"--setting", gcode::textOf(run.reading.settings)});
+  }
   for (const std::string& name : run.reading.accepted) {
     command.insert(command.end(), {"--accept", name});
   }

@@ -170,6 +170,15 @@ void addLoading(CLI::App* command, rivulet::cli::LoadingOptions& loading) {
                    "0.0001 inch (auto: units, with a warning)")
       ->check(CLI::IsMember({"auto", "units", "increments"}))
       ->capture_default_str();
+  command
+      ->add_option("--setting", loading.settings,
+                   "Settings of the control that the program needs, as in \"plane=0 stroke=2 "
+                   "tap-speed=500 lift=-X lift-by=0.2 lift-angle=0 clearance=0.25 arc=line "
+                   "offset=507\" (mm)")
+      ->check([](const std::string& text) {
+        return rivulet::gcode::controlSettingsOf(text) ? std::string()
+                                                       : "no settings of a control: " + text;
+      });
   command->add_flag("--block-skip", loading.blockSkip, "Leave out blocks that begin with /");
 }
 

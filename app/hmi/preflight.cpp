@@ -288,6 +288,13 @@ PreflightItem Preflight::readingItem() const {
                      ? tr("thousandths where a number has no decimal point, as chosen")
                      : tr("whole units where a number has no decimal point, as chosen"));
   }
+  if (open(DiagnosticCode::ControlSettingOpen)) {
+    parts.append(tr("what it leaves out as a virtual machine is set (%1)")
+                     .arg(QString::fromStdString(gcode::textOf(gcode::openSettings(program)))));
+  } else if (!reading.settings.empty()) {
+    parts.append(tr("what it leaves out as chosen (%1)")
+                     .arg(QString::fromStdString(gcode::textOf(reading.settings))));
+  }
   if (!reading.accepted.empty()) {
     QStringList words;
     for (const std::string& word : reading.accepted) {

@@ -99,6 +99,7 @@ SettingsFacts readingFacts(const gcode::TextReading& reading) {
       {"units", name(reading.units, gcode::fileUnitsName)},
       {"no_point", name(reading.noPoint, gcode::noPointName)},
       {"centres", std::string(gcode::centreReadingName(reading.centres))},
+      {"settings", gcode::textOf(reading.settings)},
       {"chord_tolerance", base::formatFixed(reading.chordToleranceMm, 6)},
       {"accept", accepted},
   };
@@ -112,6 +113,8 @@ void applyReading(gcode::TextReading& reading, const SettingsFacts& facts) {
       reading.units = gcode::saidUnitsOfName(value);
     } else if (name == "no_point" && (value == kAuto || gcode::noPointOfName(value))) {
       reading.noPoint = gcode::noPointOfName(value);
+    } else if (name == "settings") {
+      reading.settings = gcode::controlSettingsOf(value).value_or(reading.settings);
     } else if (name == "centres") {
       reading.centres = gcode::centreReadingOfName(value).value_or(reading.centres);
     } else if (name == "chord_tolerance") {

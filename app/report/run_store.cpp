@@ -59,6 +59,9 @@ gcode::LoadOptions readingOf(Members& members) {
   std::string noPoint;
   members.ifThere("/reading/no_point", noPoint, text);
   reading.noPoint = gcode::noPointOfName(noPoint);
+  std::string settings;
+  members.ifThere("/reading/settings", settings, text);
+  reading.settings = gcode::controlSettingsOf(settings).value_or(reading.settings);
   members.ifThere("/reading/chord_tolerance_mm", reading.chordToleranceMm,
                   [&members](const char* at) {
                     return members.number(at, 1e-6, gcode::TextReading::kChordToleranceMmMax);
@@ -79,6 +82,9 @@ ordered_json readingJson(const gcode::LoadOptions& reading) {
   }
   if (reading.noPoint) {
     text["no_point"] = gcode::noPointName(*reading.noPoint);
+  }
+  if (!reading.settings.empty()) {
+    text["settings"] = gcode::textOf(reading.settings);
   }
   return text;
 }

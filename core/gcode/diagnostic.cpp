@@ -206,6 +206,10 @@ constexpr std::array kTexts{
                          "Coordinates have no decimal point: the size is %1, read as whole units "
                          "or as least increments. Load it as the control is set "
                          "(--no-point).")},
+    CodeText{DiagnosticCode::ControlSettingOpen, "control-setting-open",
+             RIVULET_SENTENCE("DiagnosticTexts",
+                              "What the program leaves out is taken from the settings of a virtual "
+                              "machine: %1. Load it as the control is set (--setting).")},
     CodeText{DiagnosticCode::SizeUnlikely, "size-unlikely",
              RIVULET_SENTENCE("DiagnosticTexts",
                               "The program is larger than a machine (%1): check its unit (G20, "

@@ -67,7 +67,12 @@ void Findings::add(Diagnostic found) {
     m_list[repeats->second.first].count = repeats->second.count;
     return;
   }
-  if (m_list.size() >= kDiagnosticsMax) {
+  // Whoever runs the program must see each of them, so none is cut.
+  const bool isSetting = found.code == DiagnosticCode::ControlSettingOpen;
+  if (isSetting && !isFirst) {
+    return;
+  }
+  if (m_list.size() >= kDiagnosticsMax && !isSetting) {
     if (isFirst) {
       m_repeats.erase(repeats);
     }

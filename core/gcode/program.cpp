@@ -248,8 +248,24 @@ const Diagnostic* findingOf(const Program& program, DiagnosticCode code) {
 }
 
 const Diagnostic* openSetting(const Program& program) {
-  const Diagnostic* const unit = findingOf(program, DiagnosticCode::UnitsNotSaid);
-  return unit != nullptr ? unit : findingOf(program, DiagnosticCode::NoDecimalPoint);
+  for (const DiagnosticCode code : {DiagnosticCode::UnitsNotSaid, DiagnosticCode::NoDecimalPoint,
+                                    DiagnosticCode::ControlSettingOpen}) {
+    if (const Diagnostic* const found = findingOf(program, code)) {
+      return found;
+    }
+  }
+  return nullptr;
+}
+
+ControlSettings openSettings(const Program& program) {
+  ControlSettings open;
+  for (const Diagnostic& each : program.diagnostics) {
+    if (each.code == DiagnosticCode::ControlSettingOpen) {
+      // "G83: stroke=0"
+      open.merge(controlSettingsOf(each.argument.substr(each.argument.find(':') + 1)).value());
+    }
+  }
+  return open;
 }
 
 base::Result<Program> interpretProgram(std::string name, std::string text,

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "gcode/control_settings.h"
 #include "gcode/diagnostic.h"
 #include "gcode/error.h"
 #include "gcode/facts.h"
@@ -63,6 +64,9 @@ struct TextReading {
   /// What coordinates without a decimal point are, where the control decides it. Nothing: whole
   /// units, and a finding.
   std::optional<NoPoint> noPoint;
+  /// What the program leaves to settings of the control. Not there: that of a virtual machine, and
+  /// a finding where it is needed.
+  ControlSettings settings;
   /// Names (`acceptableName`) of what Rivulet does not understand and the user knows to be
   /// harmless: the finding becomes a warning, the word is left out.
   std::vector<std::string> accepted;
@@ -151,9 +155,11 @@ struct Program {
 
 /// The first finding with this code; null: there is none.
 [[nodiscard]] const Diagnostic* findingOf(const Program& program, DiagnosticCode code);
-/// The finding that leaves the size of the path to a setting of the control: its unit, or what
-/// numbers without a decimal point are. Null: there is none.
+/// The finding that leaves the path to a setting of the control: its unit, what numbers without a
+/// decimal point are, or another one that the program needs. Null: there is none.
 [[nodiscard]] const Diagnostic* openSetting(const Program& program);
+/// What has been taken from settings of the control that nobody has said, by its findings.
+[[nodiscard]] ControlSettings openSettings(const Program& program);
 
 /// Interprets an NC text. @return error EmptyProgram or NoMotion; findings are in the program.
 /// @threadsafety pure.

@@ -73,7 +73,8 @@ enum class FaultCode : std::uint8_t {
   LatheAssumed,     ///< argument: the words that show it; X is read as a diameter, the plane is Z X
   UnitsNotSaid,     ///< argument: the size in mm and, read as inch, in mm
   NoDecimalPoint,   ///< argument: the size in mm and, read as counts, in mm
-  SizeUnlikely,     ///< argument: the size in mm, beyond what machines have
+  ControlSettingOpen,  ///< argument: a word, and what it takes from settings
+  SizeUnlikely,        ///< argument: the size in mm, beyond what machines have
   SemicolonEndsBlock,  ///< no argument: words follow ";"
   DialectUnclear,      ///< argument: where the tool goes in each dialect; the load asks
   TwoDialects,         ///< argument: a word of each

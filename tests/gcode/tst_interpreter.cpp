@@ -337,7 +337,7 @@ class TestInterpreter : public QObject {
     add("G0 X1 X2", "1:7 error repeated-word X");
     add("F60 F70", "1:5 error repeated-word F");
     add("S1 S2", "1:1 note ignored-code S | 1:4 warning repeated-word S");
-    add("G0 X0 Y0\nG2 X1 F60", "2:4 error arc-without-centre");
+    add("G0 X0 Y0\nG2 X1 F60", "2:4 warning control-setting-open G2, G3: arc=line");
     add("G0 X0 Y0\nG2 X0 CR=5 F60", "2:4 error arc-without-centre");
     add("G0 X0 Y0\nG2 X1 I0 J0 F60", "2:4 error arc-radius-mismatch 1");
     add("G0 X0 Y0\nG2 I0 F60", "2:4 error arc-without-centre");

@@ -154,6 +154,8 @@ class TestService : public QObject {
     QVERIFY(says("rows.nc", "units=feet", "feet is no value of the setting units"));
     QVERIFY(says("rows.nc", "dialect=apt", "apt is no value of the setting dialect"));
     QCOMPARE(refusal("rows.nc", "units=in;dialect=fanuc;no_point=units"), "accepted");
+    QCOMPARE(refusal("rows.nc", "settings=plane=0 lift=-X"), "accepted");
+    QVERIFY(says("rows.nc", "settings=depth=0", "depth=0 is no value of the setting settings"));
     QVERIFY(says("rows.nc", "colour=blue", "There is no setting colour."));
     QVERIFY(says("rows.nc", "fast", "Settings are written as name=value"));
   }

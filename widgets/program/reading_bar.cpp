@@ -105,6 +105,11 @@ QString ReadingBar::question() const {
               "size as whole units, or as thousandths: %1.")
         .arg(*sizes);
   }
+  if (const gcode::ControlSettings open = gcode::openSettings(*m_program); !open.empty()) {
+    return tr("The program leaves values to settings of the control. A virtual machine has these "
+              "(mm): %1. Take them on every machine?")
+        .arg(QString::fromStdString(gcode::textOf(open)));
+  }
   return {};
 }
 
@@ -137,6 +142,8 @@ void ReadingBar::makeAnswers() {
   } else if (argumentOf(*m_program, DiagnosticCode::NoDecimalPoint)) {
     addAnswer(tr("Whole units"), [this] { Q_EMIT noPointChosen(gcode::NoPoint::Units); });
     addAnswer(tr("Thousandths"), [this] { Q_EMIT noPointChosen(gcode::NoPoint::Increments); });
+  } else if (const gcode::ControlSettings open = gcode::openSettings(*m_program); !open.empty()) {
+    addAnswer(tr("Take them"), [this, open] { Q_EMIT settingsChosen(open); });
   }
 }
 

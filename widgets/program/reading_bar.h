@@ -3,8 +3,9 @@
 
 /// @file
 /// Asks what a program leaves open and controls answer differently: for which control it was made,
-/// whether it is in mm or inch, and what a coordinate without a decimal point is. Each answer says
-/// what would follow from it. Hidden while there is nothing to ask. @threadsafety GUI thread.
+/// whether it is in mm or inch, what a coordinate without a decimal point is, and which settings it
+/// needs. Each answer says what would follow from it. Hidden while there is nothing to ask.
+/// @threadsafety GUI thread.
 #pragma once
 
 #include <functional>
@@ -39,6 +40,7 @@ class ReadingBar final : public Page {
   void dialectChosen(rivulet::gcode::Dialect dialect);
   void unitsChosen(rivulet::gcode::FileUnits units);
   void noPointChosen(rivulet::gcode::NoPoint meaning);
+  void settingsChosen(const rivulet::gcode::ControlSettings& settings);
 
  protected:
   void retranslate() override;

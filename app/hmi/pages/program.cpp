@@ -120,6 +120,13 @@ void connectQuestions(widgets::ReadingBar* bar, Document* document, RunControlle
       bar, &widgets::ReadingBar::noPointChosen, bar, [document](gcode::NoPoint meaning) {
         readAgain(document, [&](session::Reading& reading) { reading.noPoint = meaning; });
       });
+  QObject::connect(bar, &widgets::ReadingBar::settingsChosen, bar,
+                   [document](gcode::ControlSettings settings) {
+                     readAgain(document, [&](session::Reading& reading) {
+                       settings.merge(reading.settings);
+                       reading.settings = std::move(settings);
+                     });
+                   });
   QObject::connect(runs, &RunController::permissionsChanged, bar,
                    [bar, runs] { bar->setAnswerable(!runs->isRunning()); });
 }

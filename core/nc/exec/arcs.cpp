@@ -23,7 +23,25 @@ constexpr double kTurnsMax = 999.0;
 
 }  // namespace
 
+/// G2 and G3 with an end and nothing else.
+bool Executor::isLine(const BlockWords& words) const {
+  const bool namesEnd =
+      words.axes.has(m_state.planeFirstAxis) || words.axes.has(m_state.planeSecondAxis());
+  return m_language.arcMayBeLine && namesEnd && !words.hasAnyCentre() && !words.hasRadius &&
+         words.named("AP") == nullptr && words.named("RP") == nullptr;
+}
+
 void Executor::moveArc(const BlockWords& words, Vec3 target, Move move) {
+  if (isLine(words)) {
+    if (!m_options.arcLineIsSaid) {
+      m_to.faults.report(Severity::Warning, words.motionColumn, FaultCode::ControlSettingOpen,
+                         "G2, G3: arc=line");
+    }
+    m_to.words.motion(motionNumber(), words.axes);
+    move.motion = Motion::Line;
+    line(target, move);
+    return;
+  }
   const std::optional<Arc> arc = arcOf(words, target);
   if (!arc) {
     unknownWay(target, move);

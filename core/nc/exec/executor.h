@@ -29,6 +29,7 @@ inline constexpr double kCoordinateMmMax = 1.0e6;
 
 struct ExecutorOptions {
   CentreReading centres = CentreReading::AsProgrammed;
+  bool arcLineIsSaid = false;  ///< of `Language::arcMayBeLine`; else a finding says it
   /// Largest difference of an arc's start and end radius.
   double arcRadiusToleranceMm = kArcRadiusToleranceMm;
   base::RotarySet rotaryAxes{true, true, true};  ///< words of others move nothing
@@ -72,6 +73,12 @@ class Executor {
   [[nodiscard]] base::Vec3 placeInPlane(BlockWords words) {
     words.axes.remove(m_state.planeThirdAxis());
     return targetOf(words);
+  }
+  /// Where a block turns the rotary axes, for such a cycle.
+  [[nodiscard]] base::RotaryDeg rotaryOf(const BlockWords& words) {
+    Move move;
+    takeRotary(words, move);
+    return move.rotaryDeg;
   }
   /// Of a coordinate or offset that may be a diameter.
   [[nodiscard]] double radiusMm(const BlockWords& words, std::size_t axis) const {
@@ -154,6 +161,7 @@ class Executor {
 
   // arcs.cpp
   void moveArc(const BlockWords& words, base::Vec3 target, Move move);
+  [[nodiscard]] bool isLine(const BlockWords& words) const;
   [[nodiscard]] std::optional<Arc> arcOf(const BlockWords& words, base::Vec3 target);
   [[nodiscard]] bool takeTurns(const BlockWords& words, Arc& arc);
   [[nodiscard]] ArcWords arcWordsOf(const BlockWords& words) const;

@@ -92,6 +92,7 @@ struct Language {
   bool dwellNeedsP = false;            ///< G4 alone is an error
   bool hasParameterE = false;          ///< E of M66 to M68
   bool leavesSplines = false;          ///< G5 and G5.1 are of their block, G5.2 ends with G5.3
+  bool arcMayBeLine = false;           ///< G2 without a centre, by a setting of the control
   bool ignoresCentreAcross = false;    ///< of a helix, with a warning
   bool lengthComesWithTool = false;    ///< a tool change switches the tool's length on
   bool lengthIsOfTool = false;         ///< G43 without H takes that of the tool in the spindle

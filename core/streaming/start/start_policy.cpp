@@ -270,7 +270,7 @@ std::string sentence(const Blocked& blocked) {
     case BlockReason::SourceNotOpen:
       return "The live source is not open. Open it again.";
     case BlockReason::SettingOpen:
-      return "A setting of the control decides how large the path is. Say which it is.";
+      return "A setting of the control decides where the path goes. Say which it is.";
     case BlockReason::SettingsInvalid:
       break;
   }

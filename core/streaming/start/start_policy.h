@@ -41,25 +41,25 @@ enum class BlockReason {
   NoMotion,             ///< the program moves no axis
   NeedsTransformation,  ///< the path is known, but only with a transformation of the control
   PathUnknown,          ///< the program has findings of severity error
-  SettingOpen,         ///< a setting of the control decides how large the path is; `Blocked::cause`
-  RotaryNotStreamed,   ///< the program turns rotary axes, the method moves X, Y, Z; axes
-  AxesMissing,         ///< the program turns axes the control lacks; axes
-  SettingsInvalid,     ///< see `Blocked::cause`
-  Infeasible,          ///< the control would repeat points; equation, largest feed in mm/min
-  NotRehearsed,        ///< the simulation of this program with these settings is in progress
-  RehearsalFailed,     ///< that simulation executed wrong points; runs that failed, all runs
-  NotCommissioned,     ///< the method needs a test that this control has not passed
-  AlarmActive,         ///< number of the alarm
-  ChannelBusy,         ///< a program runs on the control
-  NothingToResume,     ///< no run was left
-  Locked,              ///< the window is locked: only Stop works
-  NeedsEngineer,       ///< who is there may not do this
-  NotReleased,         ///< an operator starts only what an engineer has released
-  MethodCannotResume,  ///< only methods with numbered windows go on where a run was left
-  JobNotChecked,       ///< the comparison of the whole job with the machine is in progress
-  BeyondMachine,       ///< the machine cannot do the job; see `Blocked::cause`
-  LiveNeedsWindows,    ///< a live source needs a machine that waits for its points
-  SourceNotOpen,       ///< the live source cannot be opened; see `Blocked::cause`
+  SettingOpen,          ///< a setting of the control decides where the path goes; `Blocked::cause`
+  RotaryNotStreamed,    ///< the program turns rotary axes, the method moves X, Y, Z; axes
+  AxesMissing,          ///< the program turns axes the control lacks; axes
+  SettingsInvalid,      ///< see `Blocked::cause`
+  Infeasible,           ///< the control would repeat points; equation, largest feed in mm/min
+  NotRehearsed,         ///< the simulation of this program with these settings is in progress
+  RehearsalFailed,      ///< that simulation executed wrong points; runs that failed, all runs
+  NotCommissioned,      ///< the method needs a test that this control has not passed
+  AlarmActive,          ///< number of the alarm
+  ChannelBusy,          ///< a program runs on the control
+  NothingToResume,      ///< no run was left
+  Locked,               ///< the window is locked: only Stop works
+  NeedsEngineer,        ///< who is there may not do this
+  NotReleased,          ///< an operator starts only what an engineer has released
+  MethodCannotResume,   ///< only methods with numbered windows go on where a run was left
+  JobNotChecked,        ///< the comparison of the whole job with the machine is in progress
+  BeyondMachine,        ///< the machine cannot do the job; see `Blocked::cause`
+  LiveNeedsWindows,     ///< a live source needs a machine that waits for its points
+  SourceNotOpen,        ///< the live source cannot be opened; see `Blocked::cause`
 };
 
 struct Blocked {

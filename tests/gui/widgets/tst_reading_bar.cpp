@@ -18,7 +18,8 @@ namespace {
 
 std::shared_ptr<const gcode::Program> programOf(const char* text,
                                                 const gcode::LoadOptions& options = {}) {
-  return std::make_shared<gcode::Program>(gcode::interpretProgram("part.txt", text, options).value());
+  return std::make_shared<gcode::Program>(
+      gcode::interpretProgram("part.txt", text, options).value());
 }
 
 QPushButton* button(const ReadingBar& bar, const QString& text) {
@@ -73,6 +74,23 @@ class TestReadingBar : public QObject {
     QCOMPARE(chosen.last().first().value<gcode::NoPoint>(), gcode::NoPoint::Increments);
     button(bar, "Whole units")->click();
     QCOMPARE(chosen.last().first().value<gcode::NoPoint>(), gcode::NoPoint::Units);
+  }
+
+  /// What is left to settings is shown, and taken as a whole.
+  void asksForSettings() {
+    test::Language language;
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Fanuc;
+    const char* const text = "G21 G90 G0 X1. Y1.\nG2 X2. F100.\n";
+    ReadingBar bar;
+    bar.setProgram(programOf(text, options));
+    QVERIFY(test::visibleText(bar).contains("arc=line"));
+    QSignalSpy chosen(&bar, &ReadingBar::settingsChosen);
+    button(bar, "Take them")->click();
+    options.settings = chosen.last().first().value<gcode::ControlSettings>();
+    QCOMPARE(QString::fromStdString(gcode::textOf(options.settings)), "arc=line");
+    bar.setProgram(programOf(text, options));
+    QVERIFY(bar.isHidden());
   }
 
   /// Where two controls would move differently, each button is one of them.

@@ -33,6 +33,7 @@ Language language() {
   Language made = languageLike(Dialect::Fanuc, macroNotation(), macroSemantics());
   made.packsRounds = true;
   made.returnTo = ReturnTo::Caller;
+  made.arcMayBeLine = true;  // parameter 3403 (CIR)
   return made;
 }
 

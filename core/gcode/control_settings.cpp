@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "gcode/control_settings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/axes.h"
+#include "base/contract.h"
+#include "base/text.h"
+
+namespace rivulet::gcode {
+
+namespace {
+
+struct Row {
+  ControlSetting setting;
+  std::string_view name;
+  double machineDefault;
+  double smallest;
+  double largest;
+};
+
+// A Fanuc as delivered lifts off along +X (parameter 5101 RD1 and RD2, 5148), as setting 27 of a
+// Haas says too.
+constexpr std::array kRows{
+    Row{ControlSetting::RetractPlane, "plane", 0.0, 0.0, 1e4},
+    Row{ControlSetting::Stroke, "stroke", 0.0, 0.0, 1e4},
+    Row{ControlSetting::TapSpeed, "tap-speed", 500.0, 1.0, 1e5},
+    Row{ControlSetting::Lift, "lift", 1.0, -3.0, 3.0},
+    Row{ControlSetting::LiftBy, "lift-by", 0.0, 0.0, 100.0},
+    Row{ControlSetting::LiftAngle, "lift-angle", 0.0, 0.0, 360.0},
+    Row{ControlSetting::Arc, "arc", 0.0, 0.0, 0.0},  // Fanuc, parameter 3403 (CIR)
+    // G58 and G59 are G505 and G506; SINUMERIK ISO Milling has 93 more, which end at G599.
+    Row{ControlSetting::Offset, "offset", 507.0, 505.0, 599.0},
+    Row{ControlSetting::Clearance, "clearance", 0.25, 0.0, 100.0},
+};
+
+const Row& rowOf(ControlSetting setting) {
+  const auto* const found = std::find_if(
+      kRows.begin(), kRows.end(), [setting](const Row& row) { return row.setting == setting; });
+  RIVULET_ASSERT(found != kRows.end());
+  return *found;
+}
+
+constexpr std::string_view kLine = "line";
+
+std::optional<double> axisOf(std::string_view text) {
+  const bool isNegative = text.starts_with('-');
+  text.remove_prefix(isNegative || text.starts_with('+') ? 1 : 0);
+  const auto& names = base::kAxisNames;
+  const auto* const found = std::find(names.begin(), names.end(), text.empty() ? ' ' : text[0]);
+  if (text.size() != 1 || found == names.end()) {
+    return std::nullopt;
+  }
+  const double axis = 1.0 + static_cast<double>(found - names.begin());
+  return isNegative ? -axis : axis;
+}
+
+std::optional<double> valueOf(ControlSetting setting, std::string_view text) {
+  switch (setting) {
+    case ControlSetting::Lift:
+      return axisOf(text);
+    case ControlSetting::Arc:
+      return text == kLine ? std::optional(0.0) : std::nullopt;
+    default:
+      return base::parseNumber(text);
+  }
+}
+
+std::string textOf(ControlSetting setting, double value) {
+  switch (setting) {
+    case ControlSetting::Lift:
+      return std::string(value < 0.0 ? "-" : "") +
+             base::kAxisNames[static_cast<std::size_t>(std::abs(value)) - 1];
+    case ControlSetting::Arc:
+      return std::string(kLine);
+    default:
+      return base::formatNumber(value);
+  }
+}
+
+}  // namespace
+
+double machineDefault(ControlSetting setting) {
+  return rowOf(setting).machineDefault;
+}
+
+std::string textOf(const ControlSettings& settings) {
+  std::string text;
+  for (const auto& [setting, value] : settings) {
+    text +=
+        (text.empty() ? "" : " ") + std::string(rowOf(setting).name) + '=' + textOf(setting, value);
+  }
+  return text;
+}
+
+std::optional<ControlSettings> controlSettingsOf(std::string_view text) {
+  ControlSettings settings;
+  for (text = base::trim(text); !text.empty(); text = base::trim(text)) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(word.size());
+    const std::size_t sign = std::min(word.find('='), word.size() - 1);
+    const auto* const row = std::find_if(kRows.begin(), kRows.end(), [&](const Row& each) {
+      return each.name == word.substr(0, sign);
+    });
+    if (row == kRows.end()) {
+      return std::nullopt;
+    }
+    const std::optional<double> value = valueOf(row->setting, word.substr(sign + 1));
+    if (!value || !(*value >= row->smallest && *value <= row->largest)) {
+      return std::nullopt;
+    }
+    settings[row->setting] = *value;
+  }
+  return settings;
+}
+
+}  // namespace rivulet::gcode
