@@ -18,7 +18,7 @@ struct RefusalText {
 };
 
 const RefusalText& textOf(RefusalCode code) {
-  static constexpr std::array<RefusalText, 9> kTexts{{
+  static constexpr std::array<RefusalText, 8> kTexts{{
       {"not-translated",
        "There is no translation of %1 for the control: leave it out (--accept %1)."},
       {"curve-interrupted",
@@ -27,8 +27,7 @@ const RefusalText& textOf(RefusalCode code) {
        "Where %1 begins, only the control knows: name X, Y and Z in a straight move before it, "
        "after the tool change, the offset or the move in machine coordinates."},
       {"cycle-incomplete",
-       "The canned cycle %1 lacks a value, which the control would take from a setting: write it "
-       "into the block."},
+       "The canned cycle %1 lacks a value, or has one that does not fit: write it into the block."},
       {"function-unknown",
        "%1 is a function of another machine: say what the control does for it, nothing (--m "
        "%1=ignore), the same function (--m %1=pass), or a line (--m %1=\"M50\")."},
@@ -43,9 +42,6 @@ const RefusalText& textOf(RefusalCode code) {
       {"length-kept",
        "The tool axis moves with the length of the tool before the change, %1: write G43 with H of "
        "the new tool before that move, or G49."},
-      {"cycle-shift",
-       "%1 stops the spindle at an angle and lifts the tool off in a direction that a setting of "
-       "the control gives: write its moves instead of it."},
   }};
   return kTexts[static_cast<std::size_t>(code)];
 }

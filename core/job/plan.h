@@ -71,12 +71,11 @@ enum class RefusalCode : unsigned char {
   NotTranslated,      ///< argument: the word that the table has no translation for
   CurveInterrupted,   ///< a native block within a spline
   StartUnknown,       ///< argument: the block; only the control knows where its move begins
-  CycleIncomplete,    ///< argument: the cycle and what it lacks, "G82 (R)"
+  CycleIncomplete,    ///< argument: the cycle and what it lacks, "G82 (Z)"
   FunctionUnknown,    ///< argument: the M function of another machine, "M163"
   LengthOfOtherTool,  ///< argument: the offset and the tool in the spindle, "H12 (T2)"
   ToolNotCalled,      ///< argument: an offset before any tool has been called, "H5"
   LengthKept,         ///< argument: the offset of the tool before, and the tool, "H1 (T2)"
-  CycleShift,         ///< argument: the cycle that lifts the tool off sideways, "G76"
 };
 
 struct Refusal {
@@ -86,7 +85,7 @@ struct Refusal {
   std::string argument;
 };
 /// "not-translated", "curve-interrupted", "start-unknown", "cycle-incomplete", "function-unknown",
-/// "length-of-other-tool", "tool-not-called", "length-kept", "cycle-shift".
+/// "length-of-other-tool", "tool-not-called", "length-kept".
 [[nodiscard]] std::string_view refusalName(RefusalCode code);
 /// One English sentence.
 [[nodiscard]] std::string describe(const Refusal& refusal);
@@ -100,10 +99,10 @@ struct FunctionUse {
   bool isAssumed = false;  ///< nobody has said so: `Profile::leavesOutFunctions`
 };
 
-/// A length or a radius before any tool change: that of the tool in the spindle is taken.
+/// A length or a radius that no tool of the program has: that of the tool in the spindle is taken.
 struct AssumedTool {
   base::LineNumber line;
-  std::string word;  ///< "H5", "G41"; empty: there is none
+  std::string word;  ///< "H5", "G41"; "H3 (T2)" of another tool; empty: there is none
 };
 
 inline constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
@@ -112,10 +111,11 @@ struct Plan {
   /// The streamed points alone, and the findings about streamed blocks.
   gcode::Program program;
   std::vector<Part> parts;
-  std::vector<Refusal> refusals;       ///< at most `gcode::kDiagnosticsMax`
-  std::vector<FunctionUse> functions;  ///< by number
-  AssumedTool assumedTool;             ///< of H: `Profile::assumesTool`
-  int lastEdge = 0;                    ///< greatest D of a SINUMERIK
+  std::vector<Refusal> refusals;            ///< at most `gcode::kDiagnosticsMax`
+  std::vector<FunctionUse> functions;       ///< by number
+  AssumedTool assumedTool;                  ///< before any tool change: `Profile::assumesTool`
+  std::vector<AssumedTool> assumedLengths;  ///< of other tools, each once: the same
+  int lastEdge = 0;                         ///< greatest D of a SINUMERIK
   /// What all moves reach, native ones too, as far as they are known; workpiece frame, mm; NaN: the
   /// axis is not named.
   base::Vec3 minMm{kNowhere, kNowhere, kNowhere};
@@ -142,8 +142,8 @@ struct Profile {
   /// Those that are not listed are left out too, else they are refused. For a machine that moves
   /// nothing but a picture.
   bool leavesOutFunctions = false;
-  /// Before the program has called a tool, H5 is the length of the tool in the spindle, else it is
-  /// refused. For a machine that is set up for the program.
+  /// H5 is the length of the tool in the spindle before the program has called a tool, and where it
+  /// has called another one; else it is refused. For a machine that is set up for the program.
   bool assumesTool = false;
 
   friend bool operator==(const Profile&, const Profile&) = default;

@@ -149,7 +149,8 @@ struct BlockNotes {
   bool forgetsNamed = false;  ///< the axes it names
   /// Along these axes a tool length acts, or acted, that it changes.
   std::array<bool, base::kAxisCount> forgetsLength{};
-  bool isMissing = false;  ///< the subprogram it calls is not at hand
+  bool turnsFromUnknown = false;  ///< a rotary axis, how far only the control knows
+  bool isMissing = false;         ///< the subprogram it calls is not at hand
   bool calls = false;
   bool moves = false;
   bool movesAlongTool = false;  ///< in coordinates of the workpiece
@@ -186,6 +187,7 @@ class Splitter final : public gcode::BlockObserver,
       : m_options(options),
         m_profile(profile),
         m_translator(profile, options.accepted),
+        m_holes(options.settings),
         m_each(std::move(each)) {}
 
   [[nodiscard]] std::size_t nativeBlocks() const override { return m_parts.size(); }
@@ -237,6 +239,7 @@ class Splitter final : public gcode::BlockObserver,
       drillHoles(words, executor);
       keepIncrements(words, executor);
       setWorkOffset(words, executor);
+      selectListedOffset(words);
       noteSetPosition(words);
     }
     if (!isForeign() && executor.state().planeFirstAxis != block.before.planeFirstAxis) {
@@ -283,10 +286,17 @@ class Splitter final : public gcode::BlockObserver,
     if (block.movesAlongTool && !m_translator.foreignLength().empty() &&
         m_keptLength != m_translator.foreignLength()) {
       m_keptLength = m_translator.foreignLength();  // once for each change
-      refuse(RefusalCode::LengthKept, m_keptLength);
+      if (m_profile.assumesTool) {
+        assumeLength(m_keptLength);
+      } else {
+        refuse(RefusalCode::LengthKept, m_keptLength);
+      }
     }
     if (reason) {
       forgetPosition(*reason);
+    }
+    if (isForeign() && block.home && block.home->targetMm[2]) {
+      m_wayUp = m_translator.wayUp(*block.home);
     }
     const Motion motion = executor.state().motion;
     m_curveIsStreamed = isLongCurve(motion) && !reason;
@@ -306,6 +316,7 @@ class Splitter final : public gcode::BlockObserver,
     }
     plan.lastEdge = m_lastEdge;
     plan.assumedTool = m_assumedTool;
+    plan.assumedLengths = std::move(m_assumedLengths);
     plan.minMm = m_minMm;
     plan.maxMm = m_maxMm;
   }
@@ -324,12 +335,11 @@ class Splitter final : public gcode::BlockObserver,
       return;
     }
     block.isInHoleCycle = true;
-    const bool isElsewhere = words.taken || words.dwell || words.machineToken != nullptr ||
-                             words.hasRotary || block.toFixedPoint;
-    if (isElsewhere) {
+    if (words.taken || words.dwell || words.machineToken != nullptr || block.toFixedPoint) {
       return;
     }
-    auto lines = m_holes.drill(words, dwellSeconds(words), executor);
+    auto lines = m_holes.drill(words, dwellSeconds(words), executor, m_wayUp);
+    noteSettings();
     if (lines) {
       block.motion = *std::move(lines);
       return;
@@ -340,11 +350,19 @@ class Splitter final : public gcode::BlockObserver,
     }
     if (lines.error().empty()) {
       refuse(RefusalCode::StartUnknown, std::string(base::trim(block.text)));
-    } else if (lines.error() == "Q" && m_cycleWord == "G76") {
-      refuse(RefusalCode::CycleShift, m_cycleWord);
     } else {
       refuse(RefusalCode::CycleIncomplete, fmt::format("{} ({})", m_cycleWord, lines.error()));
     }
+  }
+
+  /// What the holes of this block take from settings is said once for each cycle.
+  void noteSettings() {
+    const gcode::ControlSettings& taken = m_holes.taken();
+    if (taken.empty()) {
+      return;
+    }
+    m_own->faults.report(Severity::Warning, 1, FaultCode::ControlSettingOpen,
+                         fmt::format("{}: {}", m_cycleWord, gcode::textOf(taken)));
   }
 
   /// P of a cycle. @return nothing: there is none
@@ -522,6 +540,34 @@ class Splitter final : public gcode::BlockObserver,
       const int key = executor.state().workOffset;
       m_block->words.push_back({ForeignWord::Kind::Line, 0.0, workOffsetOf(key).value_or("G54")});
     }
+  }
+
+  /// G54.1 P1 and on: which settable frames they are is a matter of the control.
+  void selectListedOffset(const nc::BlockWords& words) {
+    const bool selects = words.rare && words.rare->workOffsetToken != nullptr && words.p;
+    const auto word =
+        std::find_if(m_block->words.begin(), m_block->words.end(), [](const ForeignWord& each) {
+          constexpr std::array kListed{541.0, 1540.0};
+          return each.kind == ForeignWord::Kind::G &&
+                 std::find(kListed.begin(), kListed.end(), each.value) != kListed.end();
+        });
+    if (!selects || word == m_block->words.end()) {
+      return;
+    }
+    constexpr auto kSetting = gcode::ControlSetting::Offset;
+    constexpr double kLastFrame = 599.0;
+    const auto given = m_options.settings.find(kSetting);
+    const bool isGiven = given != m_options.settings.end();
+    const double first = isGiven ? given->second : gcode::machineDefault(kSetting);
+    const double frame = first + *words.p - 1.0;
+    if (!(*words.p >= 1.0) || *words.p != std::floor(*words.p) || frame > kLastFrame) {
+      return;  // refused as a word without a translation
+    }
+    if (!isGiven) {
+      m_own->faults.report(Severity::Warning, 1, FaultCode::ControlSettingOpen,
+                           fmt::format("{} P: {}", word->text, gcode::textOf({{kSetting, first}})));
+    }
+    *word = {ForeignWord::Kind::Line, 0.0, fmt::format("G{:.0f}", frame)};
   }
 
   /// G92 gives a place its coordinates. If only the control knows that place, nobody knows where
@@ -744,9 +790,9 @@ class Splitter final : public gcode::BlockObserver,
     if (!isForeign() || !isSeparable(reason)) {
       forgetLength();
     }
-    if (block.forgetsNamed) {
+    if (block.forgetsNamed || block.turnsFromUnknown) {
       for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-        if (block.given[axis] || block.toFixedPoint) {
+        if (block.forgetsNamed && (block.given[axis] || block.toFixedPoint)) {
           forget(axis);
         }
         if (block.given[axis + nc::kFirstRotary]) {
@@ -769,6 +815,7 @@ class Splitter final : public gcode::BlockObserver,
     m_block->startMm.set(axis, std::numeric_limits<double>::quiet_NaN());
     position.direction = {};
     m_executor->state().incrementFrom[axis].reset();
+    m_wayUp.clear();  // the tool may stand elsewhere
   }
 
   // --- what the executor tells ------------------------------------------------------------------
@@ -948,8 +995,16 @@ class Splitter final : public gcode::BlockObserver,
       switchTip(true);
       return;
     }
+    const bool turnsFromUnknown =
+        severity == Severity::Warning && code == FaultCode::RelativeFromUnknownPosition;
+    if (turnsFromUnknown && isForeign() && !m_profile.assumesTool) {
+      refuse(RefusalCode::StartUnknown, std::string(base::trim(m_block->text)));
+    }
+    // A SINUMERIK turns the shortest way itself, from where it has the axis.
+    const bool isControls = turnsFromUnknown && !isForeign();
+    m_block->turnsFromUnknown = m_block->turnsFromUnknown || isControls;
     const std::optional<NativeReason> reason =
-        severity == Severity::Error && !isLeftOut
+        (severity == Severity::Error || isControls) && !isLeftOut
             ? reasonOfFault(m_language->dialect, code, argument)
             : std::nullopt;
     if (!reason) {
@@ -961,12 +1016,9 @@ class Splitter final : public gcode::BlockObserver,
     m_regions.word(argument, false);
     m_block->isMissing = m_block->isMissing || code == FaultCode::SubprogramMissing;
     const std::optional<int> key = keyOfFault(argument);
-    if (isForeign() && code == FaultCode::CycleNotRun && key && m_holes.begin(*key)) {
+    if (isForeign() && code == FaultCode::CycleNotRun && key &&
+        m_holes.begin(m_language->dialect, *key)) {
       m_cycleWord = std::move(argument);
-    } else if (isForeign() && code == FaultCode::CycleNotRun && key && HoleCycles::lifts(*key)) {
-      if (!isAccepted(argument)) {
-        refuse(RefusalCode::CycleShift, std::move(argument));
-      }
     } else if (isForeign() && code == FaultCode::RelativeFromUnknownPosition && isStraight() &&
                argument.size() == 1 && argument.front() >= 'X' && argument.front() <= 'Z') {
       m_block->isUnknown[static_cast<std::size_t>(argument.front() - 'X')] = true;
@@ -1255,6 +1307,7 @@ class Splitter final : public gcode::BlockObserver,
     if (m_assumedTool.word.empty()) {
       m_assumedTool = {block.place.line, m_translator.assumedTool()};
     }
+    assumeLength(translation.assumedLength);
     const auto lines = [](const std::vector<std::string>& of) {
       return fmt::format("{}", fmt::join(of, "\n"));
     };
@@ -1277,6 +1330,16 @@ class Splitter final : public gcode::BlockObserver,
       pushNative(reason, lines(translation.after), m_executor->state());
     }
     noteInterruption();
+  }
+
+  /// @param word  "H3 (T2)"; empty: none
+  void assumeLength(const std::string& word) {
+    const bool isKnown =
+        std::any_of(m_assumedLengths.begin(), m_assumedLengths.end(),
+                    [&word](const AssumedTool& each) { return each.word == word; });
+    if (!word.empty() && !isKnown) {
+      m_assumedLengths.push_back({m_block->place.line, word});
+    }
   }
 
   /// TRANS, ROT, SCALE and MIRROR as lines that repeat them.
@@ -1332,7 +1395,8 @@ class Splitter final : public gcode::BlockObserver,
   Regions m_regions;
   std::optional<BlockNotes> m_block;  ///< nothing: between two blocks
   HoleCycles m_holes;
-  std::string m_cycleWord;  ///< as written, e.g. "G81"
+  std::vector<std::string> m_wayUp;  ///< to where a move in machine coordinates has left the tool
+  std::string m_cycleWord;           ///< as written, e.g. "G81"
   std::array<bool, base::kAxisCount> m_hasMoved{};
   std::array<bool, base::kAxisCount> m_isSetUnknown{};  ///< by G92, from where is not known
   std::vector<std::string> m_frame;
@@ -1351,6 +1415,7 @@ class Splitter final : public gcode::BlockObserver,
   int m_lastEdge = 0;
   std::string m_keptLength;  ///< refused last
   AssumedTool m_assumedTool;
+  std::vector<AssumedTool> m_assumedLengths;
   base::Vec3 m_minMm{kNowhere, kNowhere, kNowhere};
   base::Vec3 m_maxMm{kNowhere, kNowhere, kNowhere};
 };

@@ -96,13 +96,21 @@ void Translator::translateM(int number, const ForeignWord& word, std::string& be
   }
 }
 
+std::vector<std::string> Translator::wayUp(const HomeMove& home) const {
+  constexpr std::size_t kZ = 2;
+  std::vector<std::string> lines = offsetLines();
+  const bool isTop = home.toFixedPoint || *home.targetMm[kZ] == 0.0;
+  lines.insert(
+      lines.begin(),
+      isTop ? m_profile.retract : fmt::format("SUPA G0 Z{} D0", nc::ncNumber(*home.targetMm[kZ])));
+  return lines;
+}
+
 /// First away from the part, then the other axes: nobody has said how the source does it.
 void Translator::goHome(const HomeMove& home, Translation& out) const {
   constexpr std::size_t kZ = 2;
   if (home.targetMm[kZ]) {
-    const bool isTop = home.toFixedPoint || *home.targetMm[kZ] == 0.0;
-    out.before.push_back(isTop ? m_profile.retract
-                               : fmt::format("SUPA G0 Z{} D0", nc::ncNumber(*home.targetMm[kZ])));
+    out.before.push_back(wayUp(home).front());
   }
   if (home.targetMm[0] || home.targetMm[1]) {
     std::string line = home.toFixedPoint ? m_profile.home : "SUPA G0";
@@ -146,7 +154,7 @@ void Translator::changeTool(const nc::Language& language) {
   } else if (m_hasLength && fits) {
     m_offset = Offset::Tool;
   } else {
-    m_offset = Offset::None;
+    m_offset = m_hasLength && m_profile.assumesTool ? Offset::Tool : Offset::None;
     if (m_hasLength) {
       m_foreignLength = fmt::format("{} (T{})", m_lengthNumber ? "H" + *m_lengthNumber : "G43",
                                     m_tool.value_or("?"));
@@ -162,6 +170,10 @@ bool Translator::isOwnLength(const std::string& number, const std::string& word,
   }
   if (!tool && m_profile.assumesTool) {
     m_assumedTool = word;
+    return true;
+  }
+  if (tool && m_profile.assumesTool) {
+    out.assumedLength = fmt::format("{} (T{})", word, *tool);
     return true;
   }
   if (tool) {

@@ -51,6 +51,8 @@ struct Translation {
   std::vector<std::string> missing;  ///< words without a translation
   /// Why a tool length cannot be set, and which.
   std::vector<std::pair<RefusalCode, std::string>> refused;
+  /// The offset of another tool than the one in the spindle, whose length is taken: "H3 (T2)".
+  std::string assumedLength;
 };
 
 /// The settable frame for a G function of the other dialects. @param key  as in `nc::gTable`
@@ -73,6 +75,8 @@ class Translator {
   [[nodiscard]] Translation translate(const std::vector<ForeignWord>& words,
                                       const std::optional<HomeMove>& home,
                                       const nc::Language& language);
+  /// The lines for the tool axis of such a move, with the offset in force.
+  [[nodiscard]] std::vector<std::string> wayUp(const HomeMove& home) const;
   /// The offset of an earlier tool that the source still has in force, and the tool it has changed
   /// to: "H1 (T2)". The control cannot have it. Empty: there is none.
   [[nodiscard]] const std::string& foreignLength() const { return m_foreignLength; }

@@ -66,6 +66,10 @@ class TestFittedMachine : public QObject {
     const auto made = streaming::fitMachine(*machine::loadPreset("dmu75-mill"), *plan);
     QCOMPARE(made.config.tools->inSpindle.number, 3);
     QVERIFY(made.notes.front().find("H3") != std::string::npos);
+    const auto other = job::makePlan("A.NC", "T2 M6\nG43 H3 Z5.\nM30\n", options, profile);
+    QVERIFY(other.has_value());
+    const auto notes = streaming::fitMachine(*machine::loadPreset("dmu75-mill"), *other).notes;
+    QVERIFY(notes.front().find("Line 2 has H3 (T2)") == 0);
   }
 
   /// Where the program does not fit, the workpiece lies in the middle; the rest stays.

@@ -23,6 +23,18 @@ job::Plan planOf(const char* text, gcode::Dialect dialect = gcode::Dialect::Sinu
   return *plan;
 }
 
+/// What the control gets, one after the other.
+QString nativeLines(const job::Plan& plan) {
+  QStringList found;
+  for (const job::Part& part : plan.parts) {
+    const auto* const native = std::get_if<job::NativeBlock>(&part);
+    if (native != nullptr && !native->text.empty()) {
+      found << QString::fromStdString(native->text).split(QLatin1Char('\n'));
+    }
+  }
+  return found.join(QLatin1Char(';'));
+}
+
 /// The first native block for that reason.
 const job::NativeBlock& native(const job::Plan& plan, job::NativeReason reason) {
   for (const job::Part& part : plan.parts) {
@@ -581,17 +593,94 @@ class TestSplitter : public QObject {
 
   /// What the table lacks is named.
   void notTranslated() {
-    const job::Plan plan =
-        planOf("G0 X0. Y0. Z5.\nG87 X1. Y1. Z-5. R1. F100.\nG80\nM60\nG81 X1. Z-5. F100.\n",
-               gcode::Dialect::Fanuc);
+    const job::Plan plan = planOf("G0 X0. Y0. Z5.\nM60\nG81 X1. F100.\n", gcode::Dialect::Fanuc);
     QVERIFY(!plan.isWhole());
-    QCOMPARE(refusals(plan),  // a cycle without R
-             QStringLiteral("2 cycle-shift G87 | 4 function-unknown M60 | 5 cycle-incomplete "
-                            "G81 (R)"));
-    QCOMPARE(
-        QString::fromStdString(job::describe(plan.refusals.front())),
-        QStringLiteral("G87 stops the spindle at an angle and lifts the tool off in a direction "
-                       "that a setting of the control gives: write its moves instead of it."));
+    QCOMPARE(refusals(plan),  // a cycle without Z
+             QStringLiteral("2 function-unknown M60 | 3 cycle-incomplete G81 (Z)"));
+    QCOMPARE(QString::fromStdString(job::describe(plan.refusals.back())),
+             QStringLiteral("The canned cycle G81 (Z) lacks a value, or has one that does not "
+                            "fit: write it into the block."));
+  }
+
+  void settingsOfTheControl_data() {
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<QString>("given");  ///< settings that the user has said
+    QTest::addColumn<QString>("lines");
+    QTest::addColumn<QString>("open");
+    const auto row = [](const char* name, const char* program, const char* given, const char* lines,
+                        const char* open) {
+      QTest::newRow(name) << program << given << lines << open;
+    };
+    row("no R: from the height before it", "G98 G81 X1. Z-5. F100.\n", "",
+        "G0 X1;G1 Z-5 F100;G0 Z9", "G81: plane=0");
+    row("R as said", "G98 G81 X1. Z-5. F100.\n", "plane=8", "G0 X1;G0 Z1;G1 Z-5 F100;G0 Z1;G0 Z9",
+        "");
+    row("no Q: at once", "G99 G83 X1. R1. Z-5. F100.\n", "", "G0 X1;G0 Z1;G1 Z-5 F100;G0 Z1",
+        "G83: stroke=0");
+    row("Q0: the same", "G99 G73 X1. R1. Z-5. Q0 F100.\n", "", "G0 X1;G0 Z1;G1 Z-5 F100;G0 Z1",
+        "G73: stroke=0");
+    row("Q and the clearance as said", "G99 G83 X1. R1. Z-5. F100.\n", "stroke=4 clearance=0.5",
+        "G0 X1;G0 Z1;G1 Z-3 F100;G0 Z1;G0 Z-2.5;G1 Z-5 F100;G0 Z1", "");
+    row("Q is that of the hole before, until G80",
+        "G99 G83 X1. R1. Z-2. Q2. F100.\nX2.\nG80\nG83 X3. R1. Z-2. F100.\n", "",
+        "G0 X1;G0 Z1;G1 Z-1 F100;G0 Z1;G0 Z-0.75;G1 Z-2 F100;G0 Z1;G0 X2;G1 Z-1 F100;G0 Z1;"
+        "G0 Z-0.75;G1 Z-2 F100;G0 Z1;G0 X3;G1 Z-2 F100;G0 Z1",
+        "G83: stroke=0");
+    row("no S", "G99 G84 X1. R1. Z-5. F625.\n", "",
+        "G0 X1;G0 Z1;CYCLE84(1,1,0,-5,,0,3,,1.25,,500,500)", "G84: tap-speed=500");
+    row("fine boring", "G99 M3 G76 X1. R1. Z-5. Q.5 F100.\n", "",
+        "M3;G0 X1;G0 Z1;G1 Z-5 F100;SPOS=0;G0 X1.5;G0 Z1;G0 X1;M3", "G76: lift=X lift-angle=0");
+    row("fine boring as said", "G99 M3 G76 X1. R1. Z-5. Q.5 F100.\n", "lift=-Y lift-angle=90",
+        "M3;G0 X1;G0 Z1;G1 Z-5 F100;SPOS=90;G0 Y-0.5;G0 Z1;G0 Y0;M3", "");
+    row("fine boring by I and J", "G99 M3 G76 X1. R1. Z-5. I-.5 J.25 F100.\n", "lift-angle=0",
+        "M3;G0 X1;G0 Z1;G1 Z-5 F100;SPOS=0;G0 X0.5 Y0.25;G0 Z1;G0 X1 Y0;M3", "");
+    row("a line that says no centre", "G1 Z1. F100.\nG2 X1.\nM8\n", "arc=line", "M8", "");
+    row("a listed offset", "G54.1 P3\nG0 X1.\n", "", "G509", "G54.1 P: offset=507");
+    row("a listed offset as said", "G54.1 P3\nG0 X1.\n", "offset=510", "G512", "");
+    row("from behind", "G99 M3 G87 X1. R-5. Z-2. Q.5 F100.\n", "lift=X lift-angle=0",
+        "M3;G0 X1;SPOS=0;G0 X1.5;G0 Z-5;G0 X1;M3;G1 Z-2 F100;SPOS=0;G0 X1.5;G0 Z9;G0 X1;M3", "");
+  }
+  /// What a program leaves out, a control takes from its settings: Fanuc 30i, canned cycles;
+  /// parameters 5101 (RD1, RD2), 5148; Haas, settings 22, 27 and 52. It is said, or a virtual
+  /// machine has one of its own.
+  void settingsOfTheControl() {
+    QFETCH(const QString, program);
+    QFETCH(const QString, given);
+    QFETCH(const QString, lines);
+    QFETCH(const QString, open);
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Fanuc;
+    options.settings = gcode::controlSettingsOf(given.toStdString()).value();
+    const std::string whole = "G21 G0 X0. Y0. Z9.\n" + program.toStdString();
+    const auto plan = job::makePlan("A.NC", whole, options);
+    QVERIFY(plan.has_value());
+    QCOMPARE(refusals(*plan), QString());
+    QCOMPARE(nativeLines(*plan), lines);
+    const gcode::Diagnostic* const found = gcode::openSetting(plan->program);
+    QCOMPARE(found == nullptr ? QString() : QString::fromStdString(found->argument), open);
+    QCOMPARE(gcode::openSettings(plan->program).empty(), open.isEmpty());
+    // Taken as the finding says, nothing is open, and the job is the same.
+    options.settings.merge(gcode::openSettings(plan->program));
+    const auto said = job::makePlan("A.NC", whole, options);
+    QVERIFY(said.has_value());
+    QVERIFY(gcode::openSetting(said->program) == nullptr);
+    QCOMPARE(nativeLines(*said), lines);
+  }
+
+  /// G76 of LinuxCNC cuts threads, and a lift along the tool is none.
+  void noSettingForAnotherCycle() {
+    QCOMPARE(refusals(planOf("G21 G0 X0 Y0 Z9\nG76 P1 Z-5 I-1 J1 K2 R1 Q29\n",
+                             gcode::Dialect::LinuxCnc)),
+             QStringLiteral("2 not-translated G76"));
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Haas;
+    options.settings = gcode::controlSettingsOf("lift=Z").value();
+    const auto plan = job::makePlan("A.NC", "G0 X0 Y0 Z9.\nG76 X1. R1. Z-5. Q1. F9.\n", options);
+    QVERIFY(plan.has_value());
+    QCOMPARE(refusals(*plan), QStringLiteral("2 cycle-incomplete G76 (lift)"));
+    for (const char* wrong : {"lift=W", "lift", "=1", "plane=-1", "depth=1", "plane=1,5"}) {
+      QVERIFY2(!gcode::controlSettingsOf(wrong), wrong);
+    }
   }
 
   void cannedCycles_data() {
@@ -609,6 +698,13 @@ class TestSplitter : public QObject {
                              << "G0 X1;G0 Z1;G1 Z-3 F100;G0 Z1;G0 Z-2.75;G1 Z-5 F100;G0 Z1";
     QTest::newRow("chip breaking") << "G99 G73 X1. Z-5. R1. Q4. F100.\n"
                                    << "G0 X1;G0 Z1;G1 Z-3 F100;G0 Z-2.75;G1 Z-5 F100;G0 Z1";
+    QTest::newRow("with another angle")
+        << "B0.\nG99 G81 X1. Z-5. R1. F100. B90.\nX2.\nX3. B90.\n"
+        << "G0 B90;G0 X1;G0 Z1;G1 Z-5 F100;G0 Z1;G0 X2;G1 Z-5 F100;G0 Z1;G0 X3;G1 Z-5 F100;G0 Z1";
+    QTest::newRow("from a height of the machine")
+        << "G53 G0 Z0.\nG98 G81 X1. Z-5. R1. F100.\nX2.\nG80\n"
+        << "SUPA G0 Z0 D0;D1;G0 X1;G0 Z1;G1 Z-5 F100;G0 Z1;SUPA G0 Z0 D0;D1;G0 X2;G0 Z1;"
+           "G1 Z-5 F100;G0 Z1;SUPA G0 Z0 D0;D1";
     QTest::newRow("tapping") << "G99 S500 M3 G84 X1. Z-5. R1. F625.\n"
                              << "S500 M3;G0 X1;G0 Z1;CYCLE84(1,1,0,-5,,0,3,,1.25,,500,500)";
     QTest::newRow("boring") << "G99 G85 X1. Z-5. R1. F100.\nG86 X2.\n"
@@ -624,17 +720,10 @@ class TestSplitter : public QObject {
     const job::Plan plan = planOf(
         ("G0 X0. Y0. Z9.\n" + program + "G0 X50.\n").toStdString().c_str(), gcode::Dialect::Fanuc);
     QCOMPARE(refusals(plan), QString());
-    QStringList found;
-    for (const job::Part& part : plan.parts) {
-      const auto* const native = std::get_if<job::NativeBlock>(&part);
-      if (native != nullptr && !native->text.empty()) {
-        found << QString::fromStdString(native->text).split(QLatin1Char('\n'));
-      }
-    }
-    QCOMPARE(found.join(QLatin1Char(';')), lines);
+    QCOMPARE(nativeLines(plan), lines);
     // What follows begins above the last hole.
     const auto& last = std::get<job::Stretch>(plan.parts.back());
-    QVERIFY(last.startIsKnown());
+    QCOMPARE(last.startIsKnown(), !program.startsWith(QStringLiteral("G53")));
   }
 
   /// The user has said which length it is.
@@ -653,6 +742,15 @@ class TestSplitter : public QObject {
     const job::Plan assumed = planOf("G43 H5 Z50\n", gcode::Dialect::Fanuc, virtualMachine);
     QCOMPARE(refusals(assumed), QString());
     QCOMPARE(assumed.assumedTool.word, std::string("H5"));
+    // Of another tool, and of the one before the change.
+    const char* const others = "T2 M6\nG43 H3 Z5.\nT4 M6\nZ6.\nG43 H4 Z5.\n";
+    QCOMPARE(refusals(planOf(others, gcode::Dialect::Fanuc)),
+             QStringLiteral("2 length-of-other-tool H3 (T2)"));
+    const job::Plan other = planOf(others, gcode::Dialect::Fanuc, virtualMachine);
+    QCOMPARE(refusals(other), QString());
+    QCOMPARE(other.assumedLengths.size(), std::size_t{2});
+    QCOMPARE(other.assumedLengths.front().word, std::string("H3 (T2)"));
+    QCOMPARE(other.assumedLengths.back().word, std::string("H3 (T4)"));
   }
 
   /// D0 has no radius: the tool gets its own, and a length of 0, until there is one.
@@ -692,6 +790,23 @@ class TestSplitter : public QObject {
              QStringLiteral("native 1 unknown-position G0 X=IC(25.4) Z=IC(12.7) | stretch 1 2: 1 "
                             "point from ? | native 3 unknown-position G1 X=IC(25.4) Y76.2 F254 | "
                             "stretch 2 4: 1 point from ?"));
+  }
+
+  /// The shortest way, from where only the control knows the axis: a SINUMERIK finds it, and no
+  /// program of another make has a word for it there.
+  void turnFromUnknownAngle() {
+    const job::Plan own = planOf("G0 X0 Y0 Z9\nG0 X1 C=DC(350)\nX2 C=DC(10)\n");
+    QCOMPARE(refusals(own), QString());
+    QCOMPARE(text(test::printParts(own)),
+             QStringLiteral("stretch 1 1: 1 point from ? | native 2 unknown-position G0 X1 "
+                            "C=DC(350) | native 3 unknown-position X2 C=DC(10)"));
+    const char* const shortest =
+        "0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+9 R0 FMAX\n2 M126\n3 L C+350 FMAX\n4 END PGM A MM\n";
+    QCOMPARE(refusals(planOf(shortest, gcode::Dialect::Heidenhain)),
+             QStringLiteral("4 start-unknown 3 L C+350 FMAX"));
+    job::Profile virtualMachine;  // it begins at a known angle
+    virtualMachine.assumesTool = true;
+    QCOMPARE(refusals(planOf(shortest, gcode::Dialect::Heidenhain, virtualMachine)), QString());
   }
 
   void leftOutByTheUser() {

@@ -6,6 +6,7 @@
 #include <QtTest>
 #include <set>
 
+#include "job/plan.h"
 #include "live/error.h"
 #include "streaming/control/access_policy.h"
 #include "streaming/run/run.h"
@@ -111,6 +112,20 @@ class TestStartPolicy : public QObject {
              error.message.c_str());
     options.units = gcode::FileUnits::Millimetres;
     program = gcode::interpretProgram("O1.nc", "O1\nG90 G0 X10. Y20.\nX5.\nM30\n", options).value();
+    QVERIFY(!streaming::startBlocked(facts));
+  }
+
+  /// So is what a canned cycle takes in place of a word that the program lacks.
+  void aRealControlHasItsOwnSettings() {
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Fanuc;
+    const auto plan = job::makePlan(
+        "O1.nc", "G21 G0 X1. Y1. Z5.\nG83 R1. Z-5. F100.\nG80\nG0 X9.\nM30\n", options);
+    QVERIFY(plan.has_value());
+    StartFacts facts = ready(plan->program);
+    facts.isVirtualMachine = false;
+    QVERIFY(reasonOf(streaming::startBlocked(facts)) == BlockReason::SettingOpen);
+    facts.isVirtualMachine = true;
     QVERIFY(!streaming::startBlocked(facts));
   }
 

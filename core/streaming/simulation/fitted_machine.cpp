@@ -255,6 +255,15 @@ void setFeed(FittedMachine& made, const job::Plan& plan) {
   }
 }
 
+void noteLengths(FittedMachine& made, const job::Plan& plan) {
+  for (const job::AssumedTool& assumed : plan.assumedLengths) {
+    made.notes.push_back(fmt::format(
+        "Line {} has {}, the offset of another tool: the length of the tool in the spindle is "
+        "taken.",
+        assumed.line.value, assumed.word));
+  }
+}
+
 /// A length or a radius before any tool change.
 void loadSpindle(FittedMachine& made, const job::Plan& plan) {
   const job::AssumedTool& assumed = plan.assumedTool;
@@ -281,6 +290,7 @@ FittedMachine fitMachine(machine::MachineConfig config, const job::Plan& plan) {
   FittedMachine made{std::move(config), {}};
   loadTools(made, plan);
   loadSpindle(made, plan);
+  noteLengths(made, plan);
   addAxes(made, plan);
   placeWorkpiece(made, plan);
   placeTool(made, plan);
