@@ -24,6 +24,9 @@ using streaming::MachineFileError;
 /// 1 had the average of each kind only.
 constexpr int kCalibrationFormat = 2;
 
+/// Longer than any request.
+constexpr double kMostMs = 1e9;
+
 /// "50", "99", "99.9".
 std::string percentText(int perMille) {
   return perMille % 10 == 0 ? std::to_string(perMille / 10)
@@ -54,13 +57,13 @@ constexpr auto percentileFields = []<class Io>(Io& io, auto& percentiles) {
       const std::string key = percentText(perMille);
       std::optional<Duration> value;
       if (io.has(key.c_str(), value)) {
-        io.milliseconds(key.c_str(), *value);
+        io.milliseconds(key.c_str(), *value, kMostMs);
         percentiles.push_back({perMille, *value});
       }
     }
   } else {
     for (const trace::Percentile& percentile : percentiles) {
-      io.milliseconds(percentText(percentile.perMille).c_str(), percentile.value);
+      io.milliseconds(percentText(percentile.perMille).c_str(), percentile.value, kMostMs);
     }
   }
 };
@@ -74,14 +77,14 @@ constexpr auto seriesFields = [](auto& io, auto& series) {
   if (series.shotsMade == 0) {
     return;
   }
-  io.milliseconds("min_ms", series.min);
-  io.milliseconds("mean_ms", series.mean);
+  io.milliseconds("min_ms", series.min, kMostMs);
+  io.milliseconds("mean_ms", series.mean, kMostMs);
   io.number("deviation_ms", series.deviationMs, 0.0, kJsonPlaceMax);
   io.ifThere().object("percentiles_ms", series.percentiles, percentileFields);
-  io.milliseconds("max_ms", series.max);
+  io.milliseconds("max_ms", series.max, kMostMs);
   io.object("histogram", series.histogram, [](auto& inner, auto& histogram) {
-    inner.milliseconds("from_ms", histogram.from);
-    inner.milliseconds("width_ms", histogram.width);
+    inner.milliseconds("from_ms", histogram.from, kMostMs);
+    inner.milliseconds("width_ms", histogram.width, kMostMs);
     inner.counts("counts", histogram.counts);
     inner.count("above", histogram.above);
   });

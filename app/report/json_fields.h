@@ -62,13 +62,14 @@ class FieldWriter {
   void text(const char* key, const std::string& value) { put(key, value); }
   void seconds(const char* key, base::Duration value) { put(key, base::toSeconds(value)); }
   void seconds(const char* key, base::Instant value) { put(key, base::toSeconds(value)); }
-  void milliseconds(const char* key, base::Duration value) {
+  void milliseconds(const char* key, base::Duration value, double /*max*/ = 0.0) {
     put(key, base::toMilliseconds(value));
   }
   void feed(const char* key, double mmPerS) { put(key, base::mmPerMinFromMmPerS(mmPerS)); }
   void place(const char* key, const base::Vec3& mm) { m_json[key] = {mm.x, mm.y, mm.z}; }
   template <std::size_t size>
-  void numbers(const char* key, const std::array<double, size>& values) {
+  void numbers(const char* key, const std::array<double, size>& values, double /*min*/,
+               double /*max*/) {
     m_json[key] = values;
   }
   void counts(const char* key, const std::vector<std::size_t>& values) { m_json[key] = values; }
@@ -156,8 +157,8 @@ class FieldReader {
     seconds(key, since);
     value = base::Instant{since};
   }
-  void milliseconds(const char* key, base::Duration& value) {
-    duration(key, value, kJsonMillisecondsMax, 1000.0);
+  void milliseconds(const char* key, base::Duration& value, double max = kJsonMillisecondsMax) {
+    duration(key, value, max, 1000.0);
   }
   void feed(const char* key, double& mmPerS) {
     double mmPerMin = base::mmPerMinFromMmPerS(mmPerS);
@@ -170,13 +171,14 @@ class FieldReader {
       mm.set(axis, m_members.number(at.c_str(), -kJsonPlaceMax, kJsonPlaceMax));
     }
   }
-  /// What is missing keeps its value.
+  /// @param min, max  of each of them
   template <std::size_t size>
-  void numbers(const char* key, std::array<double, size>& values) {
+  void numbers(const char* key, std::array<double, size>& values, double min, double max) {
+    const bool mayBeMissing = std::exchange(m_mayBeMissing, false);
     for (std::size_t i = 0; i < size; ++i) {
-      if (const std::string at = pointer(key) + '/' + std::to_string(i);
-          m_members.has(at.c_str())) {
-        values[i] = m_members.number(at.c_str(), -kJsonPlaceMax, kJsonPlaceMax);
+      const std::string at = pointer(key) + '/' + std::to_string(i);
+      if (!mayBeMissing || m_members.has(at.c_str())) {
+        values[i] = m_members.number(at.c_str(), min, max);
       }
     }
   }

@@ -131,6 +131,9 @@ base::Result<streaming::RunSummary> summaryOf(const nlohmann::json& json, const 
   Members members(json);
   members.integer<int>((std::string("/") + kFinishedFormatKey).c_str(), 1, kFinishedFormat);
   streaming::RunSummary summary = knownOf(members);
+  if (!members.has("/started_by")) {
+    members.refuse("/started_by");
+  }
   FieldReader io(members);
   summaryFields(io, summary);
   return members.bad().empty() ? base::Result<streaming::RunSummary>(std::move(summary))

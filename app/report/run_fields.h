@@ -94,7 +94,7 @@ inline constexpr auto checkpointFields = []<class Io>(Io& io, auto& checkpoint) 
   io.ifThere().flag("granted", checkpoint.granted);
   io.ifThere().flag("pauses_placed", checkpoint.pausesPlaced);
   io.place("start_mm", checkpoint.startMm);
-  io.ifThere().numbers("start_deg", checkpoint.startDeg);
+  io.ifThere().numbers("start_deg", checkpoint.startDeg, -kJsonPlaceMax, kJsonPlaceMax);
   io.ifThere().count("points", checkpoint.pointCount);
   io.ifThere().hexadecimal("points_hash", checkpoint.pointsHash);
 };
@@ -155,7 +155,7 @@ inline constexpr auto toolFields = []<class Io>(Io& io, auto& use) {
   io.seconds("turning_s", use.turning);
   io.seconds("coolant_s", use.cooling);
   std::array<double, 2> perMin{use.perMinLeast, use.perMinMost};
-  io.numbers("per_min", perMin);
+  io.numbers("per_min", perMin, 0.0, kJsonCountMax);
   io.flag("clockwise", use.clockwise);
   io.flag("counterclockwise", use.counterclockwise);
   io.flag("flood", use.flood);

@@ -186,7 +186,8 @@ class TestMachineStore : public QObject {
   void onlyChecksCount() {
     for (const char* section :
          {R"({"passed":true})", R"({"passed":true,"checks":[]})", R"({"checks":"all"})",
-          R"({"checks":[{"name":"a","passed":"yes"}]})", R"({"checks":[7],"server":3})"}) {
+          R"({"checks":[{"name":"a","passed":"yes"}]})", R"({"checks":[7],"server":3})",
+          R"({"checks":[{"name":"a","passed":true,"message":5},{"name":"b","passed":false}]})"}) {
       const CreditTest test = report::creditTestOf(nlohmann::ordered_json::parse(section));
       QVERIFY2(!test.result.passed(), section);
     }
