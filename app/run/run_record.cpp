@@ -36,14 +36,35 @@ bool canBeResumed(const RunFacts& facts) {
          facts.dryRunMm == 0.0;
 }
 
+/// Of a whole job that cannot be resumed itself. Once it streams, the control has forgotten the job
+/// that was left before; until then that one can still go on.
+class Forgetter final : public streaming::CheckpointKeeper {
+ public:
+  explicit Forgetter(std::string endpoint) : m_endpoint(std::move(endpoint)) {}
+  base::Result<void> keep(const streaming::Checkpoint& /*checkpoint*/,
+                          const streaming::RunSettings& /*settings*/,
+                          std::span<const gcode::StreamPoint> /*points*/) override {
+    if (std::exchange(m_isDone, true)) {
+      return {};
+    }
+    const report::RunStore store = storeOf(RunKind::WholeJob);
+    if (const auto left = store.leftOn(m_endpoint)) {
+      store.remove(*left);
+    }
+    return {};
+  }
+
+ private:
+  std::string m_endpoint;
+  bool m_isDone = false;
+};
+
 }  // namespace
 
 RunRecord::RunRecord(RunFacts facts)
     : m_facts(std::move(facts)), m_ownsRecording(m_facts.recording.empty()) {
 }
 RunRecord::~RunRecord() = default;
-RunRecord::RunRecord(RunRecord&&) noexcept = default;
-RunRecord& RunRecord::operator=(RunRecord&&) noexcept = default;
 
 base::Result<void> RunRecord::open() {
   if (base::Result<void> opened = openRecording(); !opened) {
@@ -52,13 +73,13 @@ base::Result<void> RunRecord::open() {
   if (canBeResumed(m_facts)) {
     m_keeper.emplace(storeOf(m_facts.kind), savedRun(m_facts));
   } else if (m_facts.kind == RunKind::WholeJob && !m_facts.isSimulated) {
-    // The control forgets what it has run before.
-    const report::RunStore store = storeOf(m_facts.kind);
-    if (const auto left = store.leftOn(m_facts.endpoint)) {
-      store.remove(*left);
-    }
+    m_forgetter = std::make_unique<Forgetter>(m_facts.endpoint);
   }
   return {};
+}
+
+streaming::CheckpointKeeper* RunRecord::keeper() {
+  return m_keeper ? &*m_keeper : m_forgetter.get();
 }
 
 base::Result<void> RunRecord::openRecording() {

@@ -56,8 +56,8 @@ class RunRecord {
  public:
   explicit RunRecord(RunFacts facts);
   ~RunRecord();
-  RunRecord(RunRecord&&) noexcept;
-  RunRecord& operator=(RunRecord&&) noexcept;
+  RunRecord(const RunRecord&) = delete;
+  RunRecord& operator=(const RunRecord&) = delete;
 
   /// Right before the start. @return why the recording that was asked for cannot be made; without
   /// one of the history's own a run starts all the same: see `notRecorded`
@@ -66,8 +66,8 @@ class RunRecord {
   /// Null: nothing is recorded.
   [[nodiscard]] trace::RecordingWriter* writer() { return m_writer ? &*m_writer : nullptr; }
   [[nodiscard]] trace::RunStart start() const;
-  /// Null: the run cannot be resumed from a file.
-  [[nodiscard]] streaming::CheckpointKeeper* keeper() { return m_keeper ? &*m_keeper : nullptr; }
+  /// Null: nothing is kept.
+  [[nodiscard]] streaming::CheckpointKeeper* keeper();
 
   /// After the run, once: its files are finished, and the history has it.
   void finish(const streaming::RunReport& report, const RunResult& result);
@@ -91,7 +91,8 @@ class RunRecord {
   bool m_ownsRecording = false;
   std::unique_ptr<recorder::RecordingFile> m_file;
   std::optional<trace::RecordingWriter> m_writer;
-  std::optional<report::RunKeeper> m_keeper;
+  std::optional<report::RunKeeper> m_keeper;  ///< nothing: it cannot be resumed from a file
+  std::unique_ptr<streaming::CheckpointKeeper> m_forgetter;
   bool m_isRecorded = false;
   base::Error m_notRecorded{};
   base::Error m_notKept{};

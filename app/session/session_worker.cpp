@@ -633,6 +633,7 @@ SessionWorker::Done SessionWorker::runWholeJob(const StartCommand& command,
   if (!programs) {
     Done done;
     done.report.error = programs.error();
+    done.report.programName = command.program->name;
     done.report.settings = settings;
     return done;
   }

@@ -12,6 +12,7 @@
 #include "base/file.h"
 #include "report/report_json.h"
 #include "report/run_store.h"
+#include "run/run_record.h"
 #include "streaming/recovery/resume.h"
 #include "support/test_program.h"
 
@@ -94,6 +95,26 @@ class TestRunStore : public QObject {
   void init() {
     fs::remove_all(fs::path(m_folder.path().toStdString()) / "runs");
     QVERIFY(store().save(someRun(), somePoints()).has_value());
+  }
+
+  /// A job that goes on takes the place of the one that was left, once it streams: a start that
+  /// does not come about loses nothing.
+  void whatWasLeftStaysUntilSomethingStreams() {
+    qputenv("XDG_STATE_HOME", m_folder.path().toUtf8());
+    const report::RunStore jobs(report::RunStore::folderOfJobs());
+    QVERIFY(jobs.save(someRun(), somePoints()).has_value());
+    run::RunFacts facts;
+    facts.kind = run::RunKind::WholeJob;
+    facts.programName = "rows one.nc";
+    facts.endpoint = someRun().endpoint;
+    facts.startedAtUtc = "2026-11-22T06:00:00Z";
+    facts.isFromStart = false;
+    run::RunRecord record(facts);
+    QVERIFY(record.open().has_value());
+    QVERIFY(jobs.leftOn(facts.endpoint).has_value());
+    QVERIFY(record.keeper()->keep({}, {}, {}).has_value());
+    QVERIFY(!jobs.leftOn(facts.endpoint).has_value());
+    QVERIFY(!record.left().has_value());
   }
 
   void readsWhatWasSaved() {
