@@ -343,12 +343,11 @@ void MachineModel::takeSeen(const session::MachineSeen& seen) {
   if (seen.channelStatus && seen.programStatus && seen.alarm) {
     m_stateAtS = nowS;
   }
-  if (seen.positionMm) {
+  const bool isRotaryKnown = seen.rotaryDeg || !base::any(seen.rotaryAxes);
+  if (seen.positionMm && isRotaryKnown) {
     m_view.positionMm = seen.positionMm;
-    m_positionRead.take(nowS, false);
-  }
-  if (seen.rotaryDeg) {
     m_view.rotaryDeg = seen.rotaryDeg;
+    m_positionRead.take(nowS, false);
   }
   if (seen.feedMmPerS) {
     m_view.feedMmPerS = seen.feedMmPerS;
