@@ -16,6 +16,7 @@
 #include "base/units.h"
 #include "cli/console.h"
 #include "gcode/program.h"
+#include "job/plan.h"
 #include "live/setup.h"
 #include "machine/config.h"
 
@@ -39,6 +40,10 @@ struct LoadingOptions {
 /// @param isForControl  the result is for a real control, whose settings decide what is left open
 /// @return error Ambiguous, with the options that answer it
 [[nodiscard]] base::Result<void> requireMeaning(const gcode::Program& program, bool isForControl);
+
+/// What a whole job may take for granted. @param isVirtualAlone  it is made for a virtual machine
+/// that is set up for it, and for nothing else
+[[nodiscard]] job::Profile jobProfile(const std::string& endpoint, bool isVirtualAlone);
 
 /// Fewer or more points on the same path.
 struct ResamplingOptions {

@@ -13,7 +13,6 @@
 
 #include "base/file.h"
 #include "base/units.h"
-#include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/found_run.h"
@@ -262,8 +261,7 @@ base::Result<job::Profile> JobCommand::profileOfMachine() const {
   if (!given) {
     return base::fail(given.error());
   }
-  job::Profile profile = report::MachineStore().jobProfile(m_options.endpoint, isVirtualAlone());
-  profile.assumesTool = isVirtualAlone();
+  job::Profile profile = jobProfile(m_options.endpoint, isVirtualAlone());
   given->merge(profile.functions);  // what is said now comes before what was said once
   profile.functions = *std::move(given);
   return profile;
@@ -426,21 +424,11 @@ base::Result<void> JobCommand::confirm() const {
                           "then give --yes. Nothing has moved.");
 }
 
-/// All that is known of the job before it starts.
 run::RunFacts JobCommand::facts() const {
-  run::RunFacts facts;
+  run::RunFacts facts = factsOf(m_options, m_plan.program, m_connection.name);
   facts.kind = run::RunKind::WholeJob;
-  facts.programName = m_plan.program.name;
-  facts.programHash = m_plan.program.hash;
-  facts.programFile = absolutePath(m_options.file);
-  facts.reading = m_options.loading.loadOptions();
-  facts.endpoint = m_connection.name;
-  facts.startedAtUtc = utcNow();
-  facts.command = m_options.command;
-  facts.recording = m_options.record;
   facts.isFromStart = !m_restart;
   facts.dryRunMm = m_options.dryRunMm;
-  facts.isSimulated = m_options.simulate;
   return facts;
 }
 
@@ -619,6 +607,12 @@ Exit JobCommand::run() {
 }
 
 }  // namespace
+
+job::Profile jobProfile(const std::string& endpoint, bool isVirtualAlone) {
+  job::Profile profile = report::MachineStore().jobProfile(endpoint, isVirtualAlone);
+  profile.assumesTool = isVirtualAlone;
+  return profile;
+}
 
 base::Result<void> tryJob(const std::string& file, const LoadingOptions& loading) {
   JobOptions options;

@@ -6,18 +6,12 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/found_run.h"
 #include "platform/log.h"
 
 namespace rivulet::cli {
-
-std::string absolutePath(const std::string& file) {
-  std::error_code ignored;
-  return std::filesystem::absolute(file, ignored).string();
-}
 
 nlohmann::ordered_json filesJson(const run::RunRecord& record, const char* savedKey) {
   auto json = nlohmann::ordered_json::object();

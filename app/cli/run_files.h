@@ -5,16 +5,34 @@
 /// What the command line says of the files of a run. @threadsafety calls share nothing.
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <system_error>
 
+#include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "run/run_record.h"
 
 namespace rivulet::cli {
 
-/// Absolute, or empty if it is.
-[[nodiscard]] std::string absolutePath(const std::string& file);
+/// All that is known of a run of a file before it starts. @param options  of `stream` or `job`
+template <class Options>
+[[nodiscard]] run::RunFacts factsOf(const Options& options, const gcode::Program& program,
+                                    const std::string& endpoint) {
+  run::RunFacts facts;
+  std::error_code ignored;
+  facts.programName = program.name;
+  facts.programHash = program.hash;
+  facts.programFile = std::filesystem::absolute(options.file, ignored).string();
+  facts.reading = options.loading.loadOptions();
+  facts.endpoint = endpoint;
+  facts.startedAtUtc = utcNow();
+  facts.command = options.command;
+  facts.recording = options.record;
+  facts.isSimulated = options.simulate;
+  return facts;
+}
 
 /// The recording that was asked for, and the file to go on from, below `savedKey`.
 [[nodiscard]] nlohmann::ordered_json filesJson(const run::RunRecord& record, const char* savedKey);

@@ -283,7 +283,6 @@ class StreamCommand {
   base::Result<void> lookForRun();
   base::Result<void> judge();
   base::Result<void> findResume();
-  [[nodiscard]] run::RunFacts facts() const;
   [[nodiscard]] Exit show(const streaming::RunReport& done, const run::RunRecord& record) const;
 
   const StreamOptions& m_options;
@@ -516,23 +515,8 @@ base::Result<void> StreamCommand::findResume() {
   return {};
 }
 
-/// All that is known of the run before it starts.
-run::RunFacts StreamCommand::facts() const {
-  run::RunFacts facts;
-  facts.programName = m_program.name;
-  facts.programHash = m_program.hash;
-  facts.programFile = absolutePath(m_options.file);
-  facts.reading = m_options.loading.loadOptions();
-  facts.endpoint = m_connection.name;
-  facts.startedAtUtc = utcNow();
-  facts.command = m_options.command;
-  facts.recording = m_options.record;
-  facts.isSimulated = m_options.simulate;
-  return facts;
-}
-
 Exit StreamCommand::run() {
-  run::RunRecord record(facts());
+  run::RunRecord record(factsOf(m_options, m_program, m_connection.name));
   if (const base::Result<void> opened = record.open(); !opened) {
     return reportError(opened.error(), m_options.json);
   }
@@ -615,9 +599,8 @@ base::Result<bool> isWholeJob(const StreamOptions& options) {
   if (!program) {
     return false;  // said when it is loaded for its motion
   }
-  const auto plan =
-      job::makePlan(program->name, program->text, loading,
-                    report::MachineStore().jobProfile(options.endpoint, options.simulate));
+  const auto plan = job::makePlan(program->name, program->text, loading,
+                                  jobProfile(options.endpoint, options.simulate));
   const std::size_t blocks = plan ? plan->actionCount() : 0;
   if (blocks == 0) {
     return false;

@@ -162,8 +162,16 @@ class TestWholeJobs : public QObject {
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write("G21\nT2 M6\nG43 H5\nG0 X0 Y0 Z45\nG1 X5 F1000\nM30\n");
     file.close();
+    // A virtual machine that is set up for the program has the length; one with tools of its own
+    // does not say so. The motion alone needs none.
+    for (const char* const command : {"stream", "job"}) {
+      const Outcome simulated =
+          runCli({QLatin1String(command), file.fileName(), QStringLiteral("--simulate")});
+      QVERIFY2(simulated.exit == 0, simulated.errors.constData());
+    }
+    const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE));
     const QStringList arguments{QStringLiteral("stream"), file.fileName(),
-                                QStringLiteral("--simulate")};
+                                QStringLiteral("--endpoint"), machine.endpoint()};
     const Outcome refused = runCli(arguments);
     QCOMPARE(refused.exit, 2);
     QVERIFY2(refused.errors.contains("H5") && refused.errors.contains("--motion-only"),
