@@ -1841,6 +1841,17 @@
     </message>
 </context>
 <context>
+    <name>FileSheetTexts</name>
+    <message>
+        <source>%1 is already there. Replace it?</source>
+        <translation>%1 existe déjà. Le remplacer ?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+</context>
+<context>
     <name>FoundRunTexts</name>
     <message>
         <source>A program of Rivulet without a run</source>

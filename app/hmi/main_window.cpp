@@ -14,7 +14,6 @@
 #include <QMimeData>
 #include <QScrollArea>
 #include <QShortcut>
-#include <QStackedWidget>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -32,6 +31,7 @@
 #include "widgets/common/help_page.h"
 #include "widgets/common/notice_area.h"
 #include "widgets/common/number_field.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/side_tabs.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/machines_page.h"
@@ -151,7 +151,7 @@ void MainWindow::buildPages() {
   rows->addWidget(makeLoadBar(&m_document, central));
   rows->addWidget(makeFileBanner(&m_messages, &m_document, &m_runs, central));
 
-  m_centre = new QStackedWidget(central);
+  m_centre = new widgets::SheetArea(central);
   m_tabs = new widgets::SideTabs(m_centre);
   addPages();
   m_centre->addWidget(m_tabs);
@@ -177,6 +177,7 @@ void MainWindow::buildPages() {
     connect(key, &QShortcut::activated, this, [this, i] { openPage(i); });
   }
   connect(m_columns, &widgets::FoldingColumns::changed, this, &MainWindow::showColumns);
+  connect(m_centre, &widgets::SheetArea::opened, m_columns, &widgets::FoldingColumns::uncover);
   connect(&m_preflight, &Preflight::openChanged, this, &MainWindow::showCentre);
   connect(&m_machine, &MachineModel::linkChanged, this, &MainWindow::showQuestion);
 
@@ -361,11 +362,14 @@ void MainWindow::buildMenu() {
   menu->addSeparator();
   addItem(QT_TR_NOOP("&Help"), QKeySequence(Qt::Key_F1), [this] { toggleHelp(); });
   addItem(QT_TR_NOOP("&About Rivulet"), {}, [this] {
-    QMessageBox::about(this, tr("About Rivulet"),
-                       tr("Rivulet %1\nStreams a tool path to a CNC machine over OPC UA while the "
-                          "machine moves.\n\nStop ends the program at the end of its loop. It is "
-                          "not an emergency stop.\n\nGPL-3.0-or-later")
-                           .arg(QStringLiteral(RIVULET_VERSION)));
+    auto* about =
+        new QMessageBox(QMessageBox::NoIcon, tr("About Rivulet"),
+                        tr("Rivulet %1\nStreams a tool path to a CNC machine over OPC UA while the "
+                           "machine moves.\n\nStop ends the program at the end of its loop. It is "
+                           "not an emergency stop.\n\nGPL-3.0-or-later")
+                            .arg(QStringLiteral(RIVULET_VERSION)),
+                        QMessageBox::Ok);
+    widgets::openSheet(about, this);
   });
   menu->addSeparator();
   m_quitAction = addItem(QT_TR_NOOP("&Quit"), QKeySequence::Quit, [this] { close(); });
@@ -465,8 +469,10 @@ void MainWindow::showLock() {
                      : std::string());
   m_alarms.setUser(m_users.name().toStdString());
   const bool isOpen = !m_users.isLocked();
-  for (QWidget* part : std::initializer_list<QWidget*>{m_columns, m_machineButton, m_setUpButton,
-                                                       m_resumeBar, m_foundBar, m_menuButton}) {
+  m_columns->setColumnsEnabled(isOpen);
+  m_centre->setPagesEnabled(isOpen);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_machineButton, m_setUpButton, m_resumeBar,
+                                                       m_foundBar, m_menuButton}) {
     part->setEnabled(isOpen);
   }
   m_quitAction->setEnabled(isOpen);

@@ -39,7 +39,6 @@
 #include "widgets/common/parts.h"
 
 class QAction;
-class QStackedWidget;
 class QTabWidget;
 class QToolButton;
 
@@ -49,6 +48,7 @@ class CloseBar;
 class FoldingColumns;
 class HelpPage;
 class ProgramPage;
+class SheetArea;
 class SideTabs;
 class TracePage;
 }  // namespace rivulet::widgets
@@ -195,7 +195,7 @@ class MainWindow final : public QMainWindow {
   QWidget* m_resumeBar = nullptr;
   QWidget* m_foundBar = nullptr;
   widgets::FoldingColumns* m_columns = nullptr;
-  QStackedWidget* m_centre = nullptr;  ///< pages, preflight, what is asked, manual
+  widgets::SheetArea* m_centre = nullptr;  ///< pages, preflight, what is asked, manual
   widgets::HelpPage* m_help = nullptr;
   QWidget* m_trustSheet = nullptr;
   widgets::SideTabs* m_tabs = nullptr;

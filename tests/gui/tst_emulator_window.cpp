@@ -10,18 +10,16 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <QtTest>
 
 #include "base/file.h"
 #include "emulator/axis_model.h"
+#include "gui/file_sheet.h"
 #include "gui/look_check.h"
 #include "hmi/main_window.h"
 #include "machine/config.h"
@@ -119,21 +117,13 @@ class TestEmulatorWindow : public QObject {
   }
   void showTab(int tab) const { part<QTabWidget>("emulatorTabs")->setCurrentIndex(tab); }
 
-  /// Types names into the dialog that a click opens.
+  /// Types names into the sheet that a click opens.
   void choose(const char* button, const QStringList& paths) const {
-    QTimer dialogs;
-    connect(&dialogs, &QTimer::timeout, [&] {
-      if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
-        dialogs.stop();
-        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        name->setText(paths.size() == 1 ? paths.front()
-                                        : QLatin1Char('"') + paths.join(QStringLiteral("\" \"")) +
-                                              QLatin1Char('"'));
-        QTest::keyClick(name, Qt::Key_Return);
-      }
-    });
-    dialogs.start(20);
     click(button);
+    tests::typeFileName(
+        *m_window, paths.size() == 1
+                       ? paths.front()
+                       : QLatin1Char('"') + paths.join(QStringLiteral("\" \"")) + QLatin1Char('"'));
   }
   void waitUntilRead() const {
     QTRY_VERIFY_WITH_TIMEOUT(!note().contains(QStringLiteral("Reading")), kSoonMs);

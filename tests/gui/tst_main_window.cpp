@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
@@ -437,6 +438,50 @@ class TestMainWindow : public QObject {
     QVERIFY(finished.wait(kRunMs));
     QVERIFY(m_window->lastReport()->outcome == Outcome::Stopped);
     QVERIFY(m_window->lastReport()->integrity.isFaultless());
+  }
+
+  /// A question in the window, whichever it is, leaves Stop to the mouse.
+  void noQuestionCoversStop_data() {
+    QTest::addColumn<QString>("item");
+    QTest::addColumn<QString>("sheet");
+    QTest::newRow("about") << QStringLiteral("&About Rivulet") << QStringLiteral("QMessageBox");
+    QTest::newRow("a file") << QStringLiteral("&Open program …") << QStringLiteral("QFileDialog");
+    QTest::newRow("a source") << QStringLiteral("Li&ve points …")
+                              << QStringLiteral("rivulet::widgets::LiveDialog");
+  }
+
+  void noQuestionCoversStop() {
+    QFETCH(QString, item);
+    QFETCH(QString, sheet);
+    open(streamSettings(base::MethodKind::Window, 7, 0.3, 3000.0));
+    // Before the start, as an operator who opens it and then presses cycle start at the control.
+    for (QAction* action : m_window->findChildren<QAction*>()) {
+      if (action->text() == item) {
+        action->trigger();
+      }
+    }
+    const auto asked = [this, &sheet] {
+      const auto all = m_window->findChildren<QDialog*>();
+      const auto found = std::find_if(all.begin(), all.end(), [&sheet](const QDialog* dialog) {
+        return dialog->inherits(sheet.toLatin1()) && dialog->isVisible();
+      });
+      return found == all.end() ? nullptr : *found;
+    };
+    QVERIFY(asked() != nullptr);
+    QVERIFY(QApplication::activeModalWidget() == nullptr);
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->start());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed >= 7, kRunMs);
+    QVERIFY(asked() != nullptr);
+    QPushButton* stop = button(QStringLiteral("Stop"));
+    QVERIFY(m_window->childAt(stop->mapTo(m_window.get(), stop->rect().center())) == stop);
+    QTest::mouseClick(stop, Qt::LeftButton);
+    QVERIFY(finished.wait(kRunMs));
+    QVERIFY(m_window->lastReport()->outcome == Outcome::Stopped);
+    // Another page withdraws the question; nothing of it is left.
+    QTest::keyClick(m_window.get(), Qt::Key_2, Qt::AltModifier);
+    QVERIFY(asked() == nullptr);
+    QVERIFY(m_window->pages()->isVisible());
   }
 
   /// No setting anywhere in the window changes because a pointer hovers over it.

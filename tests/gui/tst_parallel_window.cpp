@@ -8,20 +8,18 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <QtTest>
 
 #include "base/file.h"
 #include "cnc/event_file.h"
+#include "gui/file_sheet.h"
 #include "gui/look_check.h"
 #include "hmi/main_window.h"
 #include "papers/parallel_cnc.h"
@@ -67,19 +65,10 @@ class TestParallelWindow : public QObject {
     const QAbstractItemModel* model = part<QTableView>("taskTable")->model();
     return model->index(row, column).data().toString();
   }
-  /// Types a name into the dialog that a click opens.
+  /// Types a name into the sheet that a click opens.
   void typeName(const char* button, const QString& path) const {
-    QTimer dialogs;
-    connect(&dialogs, &QTimer::timeout, [&] {
-      if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
-        dialogs.stop();
-        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        name->setText(path);
-        QTest::keyClick(name, Qt::Key_Return);
-      }
-    });
-    dialogs.start(20);
     click(button);
+    tests::typeFileName(*m_window, path);
   }
   void click(const char* name) const {
     auto* button = part<QPushButton>(name);

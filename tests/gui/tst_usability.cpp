@@ -7,20 +7,18 @@
 /// counted, and compared with what the same task takes in two other senders (see docs/hmi.md).
 
 #include <QDir>
-#include <QFileDialog>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTest>
-#include <QTimer>
 #include <QToolButton>
 #include <map>
 
 #include "base/units.h"
+#include "gui/file_sheet.h"
 #include "hmi/main_window.h"
 #include "support/fault_proxy.h"
 #include "support/kill_scene.h"
@@ -109,23 +107,12 @@ class Person {
     ++m_actions[m_task];
     QTest::keyClick(target(), key, modifiers);
   }
-  /// The file in the dialog that `open` brings up.
+  /// The file in the sheet that `open` brings up.
   template <class Open>
   void chooseFile(const QString& path, const Open& open) {
-    QTimer dialogs;
-    QObject::connect(&dialogs, &QTimer::timeout, [&] {
-      if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
-        dialogs.stop();
-        ++m_actions[m_task];
-        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        name->setText(path);
-        QTest::keyClick(name, Qt::Key_Return);
-      }
-    });
-    dialogs.start(50);
     open();
-    m_window.activateWindow();  // as a window manager does when the dialog is gone
-    QVERIFY(QTest::qWaitForWindowActive(&m_window));
+    ++m_actions[m_task];
+    tests::typeFileName(m_window, path);
   }
 
  private:

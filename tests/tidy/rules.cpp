@@ -469,6 +469,25 @@ Findings checkNoMachinePaths(const Sources& sources) {
   return findings;
 }
 
+Findings checkNothingModal(const Sources& sources) {
+  static const QRegularExpression modal(QStringLiteral(
+      R"re(\bQ(?:File|Input|Color|Font)Dialog::get|\bQMessageBox::(?:about|question|warning|information|critical)\b|\bsetWindowModality\b|\bsetModal\(true|\w*(?:[dD]ialog|box|menu|sheet)(?:->|\.)(?:exec|open)\(\)|\bnew QFileDialog\b)re"));
+  Findings findings;
+  for (const Source& source : sources) {
+    if (!isCpp(source.path) ||
+        !(source.path.startsWith(u"app/hmi/") || source.path.startsWith(u"widgets/"))) {
+      continue;
+    }
+    const QString code = codeOnly(source.text);
+    for (Matches match = modal.globalMatch(code); match.hasNext();) {
+      findings.append({source.path, lineOf(code, match.next().capturedStart()),
+                       QStringLiteral("a modal window keeps the mouse from Stop; ask with "
+                                      "openSheet, askForFile or askWhereToSave")});
+    }
+  }
+  return findings;
+}
+
 Findings checkNoIostreamInCore(const Sources& sources) {
   Findings findings;
   for (const Source& source : sources) {

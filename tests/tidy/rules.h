@@ -71,6 +71,9 @@ struct Module {
 [[nodiscard]] Findings checkNoTranslationInCore(const Sources& sources);
 /// No file outside tests names a folder of the machine it was written on.
 [[nodiscard]] Findings checkNoMachinePaths(const Sources& sources);
+/// Nothing in the window is modal: a question is a sheet in place of the page, so that Stop can be
+/// pressed. Only widgets/common/sheet_area makes dialogs of files.
+[[nodiscard]] Findings checkNothingModal(const Sources& sources);
 /// Core neither prints nor reads a terminal: no <iostream>.
 [[nodiscard]] Findings checkNoIostreamInCore(const Sources& sources);
 

@@ -68,6 +68,7 @@ class TestTidy : public QObject {
   void equationTags() { none(checkEquationTags(m_sources)); }
   void noTranslationInCore() { none(checkNoTranslationInCore(m_sources)); }
   void noMachinePaths() { none(checkNoMachinePaths(m_sources)); }
+  void nothingModal() { none(checkNothingModal(m_sources)); }
   void noIostreamInCore() { none(checkNoIostreamInCore(m_sources)); }
 
  private:

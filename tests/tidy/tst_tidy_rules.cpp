@@ -263,6 +263,20 @@ class TestTidyRules : public QObject {
     QVERIFY(checkNoMachinePaths({{QStringLiteral("tests/a.cpp"), line}}).isEmpty());
   }
 
+  void nothingKeepsTheMouseFromStop() {
+    const QString code = QStringLiteral(
+        "QFileDialog::getOpenFileName(this);\nQMessageBox::about(this, a, b);\n"
+        "dialog->setModal(true);\ndialog->exec();\ndialog->open();\n"
+        "dialog->setModal(false);\nfile->open(QIODevice::ReadOnly);\nQMessageBox::Cancel;\n");
+    QStringList expected;
+    for (int line = 1; line <= 5; ++line) {
+      expected.append(QStringLiteral("widgets/a.cpp:%1").arg(line));
+    }
+    QCOMPARE(places(checkNothingModal({{QStringLiteral("widgets/a.cpp"), code}})), expected);
+    QCOMPARE(checkNothingModal({{QStringLiteral("app/hmi/pages/a.cpp"), code}}).size(), 5);
+    QVERIFY(checkNothingModal({{QStringLiteral("tests/a.cpp"), code}}).isEmpty());
+  }
+
   void coreUsesNoTerminal() {
     QCOMPARE(places(checkNoIostreamInCore({file("core/base/a.cpp", "\n#include <iostream>\n")})),
              QStringList{QStringLiteral("core/base/a.cpp:2")});

@@ -4,7 +4,6 @@
 #include "widgets/audit/audit_page.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -13,6 +12,7 @@
 #include <QTableView>
 
 #include "widgets/alarms/alarm_text.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
 
@@ -151,11 +151,8 @@ AuditPage::AuditPage(QWidget* parent)
 }
 
 void AuditPage::chooseFile(const QString& suffix) {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Export the audit trail"),
-                                                    QStringLiteral("audit.") + suffix);
-  if (!path.isEmpty()) {
-    Q_EMIT exportRequested(path);
-  }
+  askWhereToSave(this, {tr("Export the audit trail"), QStringLiteral("audit.") + suffix, {}},
+                 [this](const QString& path, auto) { Q_EMIT exportRequested(path); });
 }
 
 void AuditPage::setAudit(const AuditView& audit) {

@@ -3,11 +3,11 @@
 
 #include "widgets/common/file_field.h"
 
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QPushButton>
 
 #include "widgets/common/page.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/theme.h"
 
 namespace rivulet::widgets {
@@ -42,10 +42,8 @@ QString FileField::file() const {
 }
 
 void FileField::choose() {
-  const QString file = QFileDialog::getOpenFileName(this, m_what, m_edit->text(), m_filter);
-  if (!file.isEmpty()) {
-    m_edit->setText(file);
-  }
+  askForFile(this, {m_what, m_edit->text(), m_filter},
+             [this](const QString& file) { m_edit->setText(file); });
 }
 
 }  // namespace rivulet::widgets

@@ -80,6 +80,12 @@ bool FoldingColumns::coversCentre() const {
   return m_room == Room::Page && (m_isOpen[First] || m_isOpen[Second]);
 }
 
+void FoldingColumns::setColumnsEnabled(bool areEnabled) {
+  for (QScrollArea* column : m_columns) {
+    column->setEnabled(areEnabled);
+  }
+}
+
 void FoldingColumns::uncover() {
   if (coversCentre()) {
     m_isOpen[First] = m_isOpen[Second] = false;

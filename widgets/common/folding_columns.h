@@ -32,6 +32,7 @@ class FoldingColumns final : public QWidget {
   [[nodiscard]] bool isOpen(Column column) const { return m_isOpen[column]; }
   /// An open column leaves no room for the page.
   [[nodiscard]] bool coversCentre() const;
+  void setColumnsEnabled(bool areEnabled);
   /// Closes what covers the page.
   void uncover();
   /// In a very low window the page gives way to what is above and below it.

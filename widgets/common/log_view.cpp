@@ -6,7 +6,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>
@@ -22,6 +21,7 @@
 
 #include "widgets/alarms/alarm_text.h"
 #include "widgets/common/diagnostic_text.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
 
@@ -128,11 +128,8 @@ LogView::LogView(QWidget* parent)
   connect(m_copy, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(toText()); });
   connect(m_save, &QPushButton::clicked, this, [this] {
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the messages"), QStringLiteral("rivulet.log"));
-    if (!path.isEmpty()) {
-      Q_EMIT saveRequested(path);
-    }
+    askWhereToSave(this, {tr("Save the messages"), QStringLiteral("rivulet.log"), {}},
+                   [this](const QString& path, auto) { Q_EMIT saveRequested(path); });
   });
   retranslate();
   onTheme([this] { m_model->setColors(palette()); });

@@ -3,7 +3,6 @@
 
 #include "widgets/connection/certificates_page.h"
 
-#include <QFileDialog>
 #include <QFontDatabase>
 #include <QGridLayout>
 #include <QGroupBox>
@@ -14,6 +13,7 @@
 
 #include "widgets/common/error_text.h"
 #include "widgets/common/hold_button.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
 #include "widgets/connection/certificate_text.h"
@@ -76,10 +76,11 @@ RejectedModel::RejectedModel(QObject* parent)
           parent) {
 }
 
-QString askForCertificateFile(QWidget* parent) {
-  return QFileDialog::getSaveFileName(parent,
-                                      CertificatesPage::tr("Save this computer's certificate"),
-                                      QStringLiteral("rivulet.der"));
+void askForCertificateFile(QWidget* asker, const std::function<void(const QString&)>& chosen) {
+  askWhereToSave(
+      asker,
+      {CertificatesPage::tr("Save this computer's certificate"), QStringLiteral("rivulet.der"), {}},
+      [chosen](const QString& path, auto) { chosen(path); });
 }
 
 CertificatesPage::CertificatesPage(QWidget* parent) : Page(parent) {
@@ -224,10 +225,7 @@ void CertificatesPage::setBlocked(const QString& reason) {
 }
 
 void CertificatesPage::chooseFile() {
-  const QString path = askForCertificateFile(this);
-  if (!path.isEmpty()) {
-    Q_EMIT exportRequested(path);
-  }
+  askForCertificateFile(this, [this](const QString& path) { Q_EMIT exportRequested(path); });
 }
 
 void CertificatesPage::showOwn() {

@@ -112,7 +112,7 @@ class CertificatesPage final : public Page {
   QPushButton* m_drop;
 };
 
-/// Asks where this computer's certificate is to be saved; empty: nowhere.
-[[nodiscard]] QString askForCertificateFile(QWidget* parent);
+/// Asks where this computer's certificate is to be saved.
+void askForCertificateFile(QWidget* asker, const std::function<void(const QString&)>& chosen);
 
 }  // namespace rivulet::widgets

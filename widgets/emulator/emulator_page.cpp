@@ -5,7 +5,6 @@
 
 #include <QComboBox>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHeaderView>
@@ -22,6 +21,7 @@
 
 #include "widgets/common/folding_tabs.h"
 #include "widgets/common/number_format.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
@@ -395,13 +395,13 @@ void EmulatorPage::showSaved(const QString& path) {
 
 void EmulatorPage::chooseRecordings() {
   forgetNews();
-  const QStringList paths = QFileDialog::getOpenFileNames(
-      this, tr("Add recordings"), QString(),
-      tr("Traces") + QStringLiteral(" (*.rivulet *.csv *.tsv *.txt *.xml *.zst *.dat *.log);;") +
-          tr("All files") + QStringLiteral(" (*)"));
-  if (!paths.isEmpty()) {
-    Q_EMIT addRequested(paths);
-  }
+  askForFiles(
+      this,
+      {tr("Add recordings"),
+       {},
+       tr("Traces") + QStringLiteral(" (*.rivulet *.csv *.tsv *.txt *.xml *.zst *.dat *.log);;") +
+           tr("All files") + QStringLiteral(" (*)")},
+      [this](const QStringList& paths) { Q_EMIT addRequested(paths); });
 }
 
 void EmulatorPage::chooseProgram() {
@@ -411,38 +411,38 @@ void EmulatorPage::chooseProgram() {
   }
   forgetNews();
   const RecordingView& recording = m_recordings[static_cast<std::size_t>(row)];
-  const QString path = QFileDialog::getOpenFileName(
-      this, tr("NC program of %1").arg(nameOfFile(recording.trace)),
-      QFileInfo(recording.trace).path(), tr("All files") + QStringLiteral(" (*)"));
-  if (!path.isEmpty()) {
-    Q_EMIT programChosen(row, path);
-  }
+  askForFile(this,
+             {tr("NC program of %1").arg(nameOfFile(recording.trace)),
+              QFileInfo(recording.trace).path(), tr("All files") + QStringLiteral(" (*)")},
+             [this, row](const QString& path) { Q_EMIT programChosen(row, path); });
 }
 
 void EmulatorPage::choosePreset(int index) {
-  QString preset = m_presets.value(index);
-  if (index == m_presets.size()) {
-    preset = QFileDialog::getOpenFileName(this, tr("Preset of the machine"), QString(),
-                                          tr("Presets") + QStringLiteral(" (*.toml)"));
-  }
+  const auto choose = [this](const QString& preset) {
+    if (!preset.isEmpty() && preset != m_preset) {
+      forgetNews();
+      Q_EMIT presetChosen(preset);
+    }
+  };
   m_presetList->setCurrentIndex(static_cast<int>(m_presets.indexOf(m_preset)));
-  if (!preset.isEmpty() && preset != m_preset) {
-    forgetNews();
-    Q_EMIT presetChosen(preset);
+  if (index == m_presets.size()) {
+    askForFile(this, {tr("Preset of the machine"), {}, tr("Presets") + QStringLiteral(" (*.toml)")},
+               choose);
+  } else {
+    choose(m_presets.value(index));
   }
 }
 
 void EmulatorPage::chooseFileToSave() {
-  QString path =
-      QFileDialog::getSaveFileName(this, tr("Save as preset"), QStringLiteral("machine.toml"),
-                                   tr("Presets") + QStringLiteral(" (*.toml)"));
-  if (path.isEmpty()) {
-    return;
-  }
-  if (QFileInfo(path).suffix().toLower() != QLatin1String("toml")) {
-    path += QStringLiteral(".toml");
-  }
-  Q_EMIT saveRequested(path);
+  askWhereToSave(this,
+                 {tr("Save as preset"), QStringLiteral("machine.toml"),
+                  tr("Presets") + QStringLiteral(" (*.toml)")},
+                 [this](QString path, auto) {
+                   if (QFileInfo(path).suffix().toLower() != QLatin1String("toml")) {
+                     path += QStringLiteral(".toml");
+                   }
+                   Q_EMIT saveRequested(path);
+                 });
 }
 
 void EmulatorPage::showChoice() {

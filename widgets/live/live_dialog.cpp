@@ -6,7 +6,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QGroupBox>
@@ -20,6 +19,7 @@
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/page.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
 
@@ -266,11 +266,9 @@ void LiveDialog::showKind() {
 }
 
 void LiveDialog::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("File of the source"), m_file->text(),
-                                                    tr("Sources (*.toml);;All files (*)"));
-  if (!file.isEmpty()) {
-    m_file->setText(file);
-  }
+  askForFile(this,
+             {tr("File of the source"), m_file->text(), tr("Sources (*.toml);;All files (*)")},
+             [this](const QString& file) { m_file->setText(file); });
 }
 
 live::Setup LiveDialog::setup() const {

@@ -5,7 +5,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QPushButton>
 #include <QTableView>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "widgets/common/number_format.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
 #include "widgets/pipeline/choice_list.h"
@@ -130,17 +130,13 @@ void TaskPanel::start() {
 }
 
 void TaskPanel::chooseRecording() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Open a recording of the tasks"));
-  if (!path.isEmpty()) {
-    Q_EMIT openRequested(path);
-  }
+  askForFile(this, {tr("Open a recording of the tasks"), {}, {}},
+             [this](const QString& path) { Q_EMIT openRequested(path); });
 }
 
 void TaskPanel::chooseFileToSave() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save what the scheduler did"));
-  if (!path.isEmpty()) {
-    Q_EMIT saveRequested(path);
-  }
+  askWhereToSave(this, {tr("Save what the scheduler did"), {}, {}},
+                 [this](const QString& path, auto) { Q_EMIT saveRequested(path); });
 }
 
 void TaskPanel::setView(PipelineView view) {

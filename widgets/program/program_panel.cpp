@@ -6,7 +6,6 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHeaderView>
@@ -29,6 +28,7 @@
 
 #include "base/units.h"
 #include "widgets/common/number_format.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
@@ -276,14 +276,12 @@ void ProgramPanel::setOpenEnabled(bool enabled) {
 void ProgramPanel::chooseFile() {
   const QString folder =
       m_recentFiles.isEmpty() ? QString() : QFileInfo(m_recentFiles.first()).absolutePath();
-  const QString path =
-      QFileDialog::getOpenFileName(this, tr("Open an NC program"), folder,
-                                   tr("NC programs (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap "
-                                      "*.cnc *.gcode *.h *.H *.txt)") +
-                                       QStringLiteral(";;") + tr("All files (*)"));
-  if (!path.isEmpty()) {
-    Q_EMIT openRequested(path);
-  }
+  askForFile(this,
+             {tr("Open an NC program"), folder,
+              tr("NC programs (*.mpf *.MPF *.spf *.SPF *.nc *.NC *.ngc *.tap "
+                 "*.cnc *.gcode *.h *.H *.txt)") +
+                  QStringLiteral(";;") + tr("All files (*)")},
+             [this](const QString& path) { Q_EMIT openRequested(path); });
 }
 
 void ProgramPanel::showTab(Tab tab) {
@@ -560,12 +558,11 @@ void ProgramPanel::askToAccept() {
          "has it, and the path is taken as if it were not there.\n\nIs it certain that %1 does not "
          "change the path of the tool?")
           .arg(name),
-      QMessageBox::Cancel, this);
+      QMessageBox::Cancel);
   QPushButton* accept = box->addButton(tr("Accept and read again"), QMessageBox::AcceptRole);
   box->setDefaultButton(QMessageBox::Cancel);
-  box->setAttribute(Qt::WA_DeleteOnClose);
   connect(accept, &QPushButton::clicked, this, [this, name] { Q_EMIT acceptRequested(name); });
-  box->open();
+  openSheet(box, this);
 }
 
 void ProgramPanel::followLink(const QString& link) {

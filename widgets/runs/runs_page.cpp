@@ -4,7 +4,6 @@
 #include "widgets/runs/runs_page.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -22,6 +21,7 @@
 #include "widgets/common/icons.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
@@ -285,21 +285,19 @@ void RunsPage::connectButtons() {
           &RunsPage::takeSelection);
   const auto save = [this](QPushButton* button, const char* ending, auto request) {
     connect(button, &QPushButton::clicked, this, [this, ending, request] {
-      const QString path = askPath(tr("Save"), QLatin1String(ending));
-      if (!path.isEmpty()) {
-        Q_EMIT(this->*request)(path);
-      }
+      askWhereToSave(this,
+                     {tr("Save"), suggestedFile(QLatin1String(ending)),
+                      QStringLiteral("*.%1").arg(QLatin1String(ending))},
+                     [this, request](const QString& path, auto) { Q_EMIT(this->*request)
+                                                                  (path); });
     });
   };
   save(m_sheet, "pdf", &RunsPage::sheetRequested);
   save(m_json, "json", &RunsPage::jsonRequested);
   save(m_csv, "csv", &RunsPage::csvRequested);
   connect(m_open, &QPushButton::clicked, this, [this] {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open a report"), QString(), tr("Reports (*.json)"));
-    if (!path.isEmpty()) {
-      Q_EMIT openRequested(path);
-    }
+    askForFile(this, {tr("Open a report"), {}, tr("Reports (*.json)")},
+               [this](const QString& path) { Q_EMIT openRequested(path); });
   });
   for (WholeNumberField* box : {m_keepRuns, m_keepSize}) {
     connect(box, &WholeNumberField::valueChanged, this, [this] {
@@ -509,11 +507,6 @@ QString RunsPage::suggestedFile(const QString& ending) const {
                                  startOf(*m_current).toString(QStringLiteral("yyyyMMdd-HHmmss")))
                            : QStringLiteral("runs");
   return name + QLatin1Char('.') + ending;
-}
-
-QString RunsPage::askPath(const QString& title, const QString& ending) {
-  return QFileDialog::getSaveFileName(this, title, suggestedFile(ending),
-                                      QStringLiteral("*.%1").arg(ending));
 }
 
 void RunsPage::retranslate() {

@@ -128,7 +128,6 @@ class RunsPage final : public Page {
   void showCount();
   void showActions();
   [[nodiscard]] QString suggestedFile(const QString& ending) const;
-  [[nodiscard]] QString askPath(const QString& title, const QString& ending);
 
   RunsModel* m_model;
   Filter* m_filter;

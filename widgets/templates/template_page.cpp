@@ -4,7 +4,6 @@
 #include "widgets/templates/template_page.h"
 
 #include <QClipboard>
-#include <QFileDialog>
 #include <QFontDatabase>
 #include <QGroupBox>
 #include <QGuiApplication>
@@ -13,6 +12,7 @@
 #include <QPushButton>
 #include <QTableView>
 
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
 #include "widgets/templates/cell_model.h"
@@ -46,11 +46,8 @@ TemplatePage::TemplatePage(QWidget* parent)
   connect(m_copy, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(text()); });
   connect(m_save, &QPushButton::clicked, this, [this] {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the template"), m_fileName,
-                                                      tr("NC programs (*.MPF *.mpf)"));
-    if (!path.isEmpty()) {
-      Q_EMIT saveRequested(path);
-    }
+    askWhereToSave(this, {tr("Save the template"), m_fileName, tr("NC programs (*.MPF *.mpf)")},
+                   [this](const QString& path, auto) { Q_EMIT saveRequested(path); });
   });
   onLanguage([this] { m_cells->refresh(); }, &TemplatePage::showState);
   onTheme([this] { m_highlighter->setColors(palette()); });

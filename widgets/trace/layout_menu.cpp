@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "widgets/trace/layout_menu.h"
+#include "widgets/common/sheet_area.h"
 
 #include <QActionGroup>
 #include <QInputDialog>
@@ -60,8 +61,7 @@ void LayoutMenu::fill() {
 }
 
 void LayoutMenu::askName() {
-  auto* dialog = new QInputDialog(this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  auto* dialog = new QInputDialog;
   dialog->setWindowTitle(tr("Keep the panes"));
   dialog->setLabelText(tr("Name of the layout; one of the same name is replaced"));
   connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& text) {
@@ -70,7 +70,7 @@ void LayoutMenu::askName() {
       Q_EMIT keepRequested(name);
     }
   });
-  dialog->open();
+  openSheet(dialog, parentWidget());
 }
 
 }  // namespace rivulet::widgets

@@ -4,7 +4,6 @@
 #include "widgets/trace/trace_page.h"
 
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHeaderView>
@@ -30,6 +29,7 @@
 #include "widgets/common/error_text.h"
 #include "widgets/common/folding_tabs.h"
 #include "widgets/common/number_format.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/table_style.h"
 #include "widgets/common/theme.h"
@@ -345,15 +345,15 @@ void TracePage::askForColumns(int table) {
     if (trace->table.columns.empty() || table-- > 0) {
       continue;
     }
-    if (findChild<ColumnsDialog*>() != nullptr) {
+    if (m_columns != nullptr) {
       return;
     }
-    auto* dialog = new ColumnsDialog(QString::fromStdString(trace->name), trace->table, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    auto* dialog = new ColumnsDialog(QString::fromStdString(trace->name), trace->table, nullptr);
+    m_columns = dialog;
     connect(dialog, &QDialog::accepted, this, [this, dialog, layout = trace->tableLayout] {
       Q_EMIT mappingChosen(layout, dialog->mapping());
     });
-    dialog->open();
+    openSheet(dialog, this);
     return;
   }
 }
@@ -505,22 +505,20 @@ void TracePage::chooseFileToSave() {
   for (const Choice& choice : choices) {
     filters.append(choice.filter);
   }
-  QString chosen;
-  QString path = QFileDialog::getSaveFileName(this, tr("Save what the panes show"), QString(),
-                                              filters.join(QStringLiteral(";;")), &chosen);
-  if (path.isEmpty()) {
-    return;
-  }
-  const QString suffix = QFileInfo(path).suffix().toLower();
-  const bool isKnown = trace::isSignalFile(path.toStdString()) ||
+  askWhereToSave(this, {tr("Save what the panes show"), {}, filters.join(QStringLiteral(";;"))},
+                 [this, choices, filters](QString path, const QString& chosen) {
+                   const QString suffix = QFileInfo(path).suffix().toLower();
+                   const bool isKnown =
+                       trace::isSignalFile(path.toStdString()) ||
                        std::any_of(choices.begin(), choices.end(), [&suffix](const Choice& choice) {
                          return choice.suffix == suffix;
                        });
-  if (!isKnown) {
-    const auto choice = std::max<qsizetype>(0, filters.indexOf(chosen));
-    path += QLatin1Char('.') + choices[static_cast<std::size_t>(choice)].suffix;
-  }
-  save(path);
+                   if (!isKnown) {
+                     const auto choice = std::max<qsizetype>(0, filters.indexOf(chosen));
+                     path += QLatin1Char('.') + choices[static_cast<std::size_t>(choice)].suffix;
+                   }
+                   save(path);
+                 });
 }
 
 void TracePage::save(const QString& path) {
@@ -609,14 +607,14 @@ void TracePage::showProblem(const QString& sentence) {
 }
 
 void TracePage::chooseFiles() {
-  const QStringList paths = QFileDialog::getOpenFileNames(
-      this, tr("Open traces"), QString(),
-      tr("Traces") +
-          QStringLiteral(" (*.rivulet *.csv *.tsv *.txt *.xml *.h5 *.hdf5 *.zst *.dat *.log);;") +
-          tr("All files") + QStringLiteral(" (*)"));
-  if (!paths.isEmpty()) {
-    Q_EMIT openRequested(paths);
-  }
+  askForFiles(
+      this,
+      {tr("Open traces"),
+       {},
+       tr("Traces") +
+           QStringLiteral(" (*.rivulet *.csv *.tsv *.txt *.xml *.h5 *.hdf5 *.zst *.dat *.log);;") +
+           tr("All files") + QStringLiteral(" (*)")},
+      [this](const QStringList& paths) { Q_EMIT openRequested(paths); });
 }
 
 void TracePage::dragEnterEvent(QDragEnterEvent* event) {

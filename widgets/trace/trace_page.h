@@ -8,6 +8,7 @@
 /// @threadsafety GUI thread.
 #pragma once
 
+#include <QPointer>
 #include <QStringList>
 #include <array>
 #include <memory>
@@ -28,6 +29,7 @@ class QTableView;
 
 namespace rivulet::widgets {
 
+class ColumnsDialog;
 class ComparePanel;
 class CursorPanel;
 class FoldingTabs;
@@ -179,6 +181,7 @@ class TracePage final : public Page {
                                   .name = QT_TR_NOOP("Panes"),
                                   .icon = "panes",
                                   .id = "traceLayout"});
+  QPointer<ColumnsDialog> m_columns;  ///< in which a table's columns are being named
   LayoutMenu* m_layoutMenu;
   QPushButton* m_save = button(
       {.tip = QT_TR_NOOP(

@@ -16,6 +16,7 @@
 #include "sources/open_source.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/live/live_dialog.h"
 #include "widgets/live/live_panel.h"
 #include "widgets/program/file_bars.h"
@@ -183,10 +184,9 @@ void connectLoading(ProgramPage* page, Settings* settings, Messages* messages, D
 
 /// Asks where live points come from, and what is agreed with their source.
 void askForLive(QWidget* page, LiveSource* live) {
-  auto* dialog = new widgets::LiveDialog(live->setup(), sources::inputBringsPoints(), page);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  auto* dialog = new widgets::LiveDialog(live->setup(), sources::inputBringsPoints(), nullptr);
   QObject::connect(dialog, &widgets::LiveDialog::openRequested, live, &LiveSource::open);
-  dialog->open();
+  widgets::openSheet(dialog, page);
 }
 
 void connectLive(ProgramPage* page, Document* document, RunController* runs, LiveSource* live) {

@@ -17,6 +17,7 @@
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/setup/profile_page.h"
@@ -271,13 +272,14 @@ QWidget* makePreflightSheet(RunController* runs, Preflight* preflight, QWidget* 
   QObject::connect(sheet, &PreflightSheet::closeRequested, preflight, &Preflight::dismiss);
   QObject::connect(sheet, &PreflightSheet::remedyRequested, preflight, &Preflight::remedy);
   QObject::connect(preflight, &Preflight::stretchRequested, sheet, [sheet, runs](int stretches) {
-    bool isChosen = false;
-    const int stretch =
-        QInputDialog::getInt(sheet, RunTexts::fromStretchTitle(), RunTexts::fromStretch(stretches),
-                             1, 1, stretches, 1, &isChosen);
-    if (isChosen) {
-      runs->askFromStretch(stretch);
-    }
+    auto* question = new QInputDialog;
+    question->setInputMode(QInputDialog::IntInput);
+    question->setWindowTitle(RunTexts::fromStretchTitle());
+    question->setLabelText(RunTexts::fromStretch(stretches));
+    question->setIntRange(1, stretches);
+    QObject::connect(question, &QInputDialog::intValueSelected, runs,
+                     &RunController::askFromStretch);
+    widgets::openSheet(question, sheet);
   });
   QObject::connect(preflight, &Preflight::liveRequested, sheet, [sheet] {
     if (auto* page = sheet->window()->findChild<widgets::ProgramPage*>()) {

@@ -35,13 +35,11 @@ void connectTrust(Services* services, Certificates* certificates, widgets::Servi
     services->decline(panel->endpoint());
     Q_EMIT panel->closeRequested();
   });
-  QObject::connect(&panel, &ServicePanel::exportRequested, certificates,
-                   [panel = &panel, certificates] {
-                     const QString path = widgets::askForCertificateFile(panel);
-                     if (!path.isEmpty()) {
-                       certificates->exportOwn(path);
-                     }
-                   });
+  QObject::connect(
+      &panel, &ServicePanel::exportRequested, certificates, [panel = &panel, certificates] {
+        widgets::askForCertificateFile(
+            panel, [certificates](const QString& path) { certificates->exportOwn(path); });
+      });
   QObject::connect(certificates, &Certificates::changed, &panel, [panel = &panel, certificates] {
     panel->setOwnCertificate(certificates->view().own);
   });

@@ -52,10 +52,8 @@ QWidget* makeTrustSheet(Users* users, MachineModel* machine, RunController* runs
   QObject::connect(sheet, &TrustSheet::choiceAllowed, machine, &MachineModel::allow);
   QObject::connect(sheet, &TrustSheet::declined, machine, &MachineModel::dropQuestion);
   QObject::connect(sheet, &TrustSheet::exportRequested, certificates, [sheet, certificates] {
-    const QString path = widgets::askForCertificateFile(sheet);
-    if (!path.isEmpty()) {
-      certificates->exportOwn(path);
-    }
+    widgets::askForCertificateFile(
+        sheet, [certificates](const QString& path) { certificates->exportOwn(path); });
   });
   const auto block = [sheet, users] { sheet->setBlocked(trustBlocked(users)); };
   QObject::connect(runs, &RunController::permissionsChanged, sheet, block);

@@ -11,6 +11,7 @@
 #include "hmi/users.h"
 #include "widgets/audit/audit_page.h"
 #include "widgets/common/error_text.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/users/users_page.h"
 
 namespace rivulet::hmi {
@@ -58,16 +59,12 @@ widgets::AuditView viewOf(const journal::AuditContent& content, const std::files
 }
 
 void askForPin(Users* users, QWidget* parent) {
-  auto* dialog = new widgets::LogInDialog(viewOf(*users), parent);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  auto* dialog = new widgets::LogInDialog(viewOf(*users), nullptr);
   QObject::connect(dialog, &widgets::LogInDialog::logInRequested, users, &Users::logIn);
   QObject::connect(users, &Users::loggedIn, dialog, &QDialog::accept);
   QObject::connect(users, &Users::logInFailed, dialog,
                    [dialog](const QString&, int waitS) { dialog->showFailure(waitS); });
-  // Not modal for the application: Stop has to stay within reach.
-  dialog->setModal(false);
-  dialog->show();
-  dialog->raise();
+  widgets::openSheet(dialog, parent);
 }
 
 }  // namespace
