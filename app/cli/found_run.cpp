@@ -116,13 +116,21 @@ std::string resumeCommand(const report::SavedRun& run, const std::filesystem::pa
 
 std::string adviceFor(const report::FoundRun& run, const std::string& endpoint) {
   const std::string asked = "rivulet-cli runs --endpoint " + shellWord(endpoint);
+  const std::string_view client = run.onControl.hasClient ? "is still at work" : "is gone";
   std::string text =
-      fmt::format("The control executes {}: {} windows of it are done, and its client {}.",
-                  report::describeRun(run), run.onControl.executed,
-                  run.onControl.hasClient ? "is still at work" : "is gone");
+      run.onControl.isNative
+          ? fmt::format("The control executes {}: blocks of its own, after stretch {}.",
+                        report::describeRun(run), run.onControl.stretch)
+      : run.onControl.job != 0
+          ? fmt::format(
+                "The control executes {}: stretch {}, {} windows of which are done, and "
+                "its client {}.",
+                report::describeRun(run), run.onControl.stretch, run.onControl.executed, client)
+          : fmt::format("The control executes {}: {} windows of it are done, and its client {}.",
+                        report::describeRun(run), run.onControl.executed, client);
   if (run.canResume()) {
     text += fmt::format("\n  resume: {}", resumeCommand(*run.saved, run.saved->file));
-  } else if (!run.onControl.hasClient && run.onControl.number != 0) {
+  } else if (!run.saved && !run.onControl.hasClient && run.onControl.number != 0) {
     text += " It can be resumed on the computer where it was started.";
   }
   return text + fmt::format("\n  watch:  {} --watch\n  stop:   {} --stop", asked, asked);

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -34,11 +36,17 @@ ordered_json savedJson(const report::SavedRun& run) {
 }
 
 ordered_json foundJson(const report::FoundRun& run) {
-  ordered_json json{
-      {"run_number", run.onControl.number},       {"flexible_program", run.onControl.programName},
-      {"base_cell", run.onControl.baseCell},      {"windows_delivered", run.onControl.delivered},
-      {"windows_latched", run.onControl.latched}, {"windows_executed", run.onControl.executed},
-      {"has_client", run.onControl.hasClient},    {"can_resume", run.canResume()}};
+  ordered_json json{{"run_number", run.onControl.number},
+                    {"flexible_program", run.onControl.programName},
+                    {"base_cell", run.onControl.baseCell},
+                    {"windows_delivered", run.onControl.delivered},
+                    {"job", run.onControl.job},
+                    {"stretch", run.onControl.stretch},
+                    {"is_native", run.onControl.isNative},
+                    {"windows_latched", run.onControl.latched},
+                    {"windows_executed", run.onControl.executed},
+                    {"has_client", run.onControl.hasClient},
+                    {"can_resume", run.canResume()}};
   if (run.onControl.origin) {
     json["started_by"] = originJson(*run.onControl.origin);
   }
@@ -87,14 +95,16 @@ Exit watch(const report::RunStore& store, const Connection& connection,
 }
 
 Exit stop(const Connection& connection, const report::FoundRun& run, const RunsOptions& options) {
-  if (const auto ended = streaming::endRun(*connection.link, run.onControl, {}); !ended) {
+  const auto goesOn = [] { return !interrupt::wasSeen(); };
+  if (const auto ended = streaming::endRun(*connection.link, run.onControl, {}, goesOn); !ended) {
     return reportError(ended.error(), options.json);
   }
   if (options.json) {
     printJson({{"stopped", foundJson(run)}});
   } else {
-    fmt::print("Stopped: {}. It executed the windows that it had copied.\n",
-               report::describeRun(run));
+    fmt::print("Stopped: {}. It executed {}.\n", report::describeRun(run),
+               run.onControl.isNative ? "the block of the control that it was in"
+                                      : "the windows that it had copied");
     if (run.saved) {
       fmt::print("To go on: {}\n", resumeCommand(*run.saved, run.saved->file));
     }
@@ -129,7 +139,9 @@ Exit runs(const RunsOptions& options) {
     store.remove(*run);
   }
   ordered_json json{{"runs", ordered_json::array()}};
-  const std::vector<report::SavedRun> kept = store.runs();
+  std::vector<report::SavedRun> kept = store.runs();
+  std::ranges::move(report::RunStore(report::RunStore::folderOfJobs()).runs(),
+                    std::back_inserter(kept));
   for (const report::SavedRun& run : kept) {
     json["runs"].push_back(savedJson(run));
   }

@@ -100,16 +100,11 @@ std::optional<FoundRunView> FoundRuns::view() const {
   return view;
 }
 
-bool FoundRuns::isStoppedByKey() const {
-  return isOnControl() && (m_isWatched || saved() != nullptr);
-}
-
 void FoundRuns::takeSeen(const session::RunsSeen& seen) {
-  const auto numberOf = [](const session::RunsSeen& runs) {
-    return runs.onControl ? runs.onControl->onControl.number : 0;
-  };
-  const bool isNew = seen.onControl && (!m_seen.onControl || numberOf(seen) != numberOf(m_seen));
-  if (m_isWatched && m_seen.onControl && numberOf(seen) != numberOf(m_seen)) {
+  const bool isSame = seen.onControl && m_seen.onControl &&
+                      seen.onControl->onControl.isSameAs(m_seen.onControl->onControl);
+  const bool isNew = seen.onControl && !isSame;
+  if (m_isWatched && m_seen.onControl && !isSame) {
     m_isWatched = false;
     m_messages.show(Severity::Note, [] { return tr("The run that was watched has ended."); });
   }

@@ -30,9 +30,6 @@ class FoundRuns final : public QObject {
   /// it.
   [[nodiscard]] std::optional<widgets::FoundRunView> view() const;
   [[nodiscard]] bool isOnControl() const { return m_seen.onControl.has_value(); }
-  /// Escape stops a run of this computer, or one that is being watched; nobody else's.
-  [[nodiscard]] bool isStoppedByKey() const;
-
   /// Shows program and progress. Nothing is written to the control.
   void watch(bool watch);
   /// Commands the run on the control to end.

@@ -89,12 +89,12 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
   // Before there are fields: they are polished as soon as a layout asks for their size.
   new InputGuard(
       [this] {
-        if (isRunning() && !std::exchange(m_isStopRequested, true)) {
+        // Whoever started it: the machine in the title stops.
+        if (isRunning() ? !std::exchange(m_isStopRequested, true)
+                        : !m_found.isOnControl() && m_machine.mayMove()) {
           m_runs.stop();
-        } else if (!isRunning() && m_found.isStoppedByKey()) {
+        } else if (!isRunning() && m_found.isOnControl()) {
           m_found.stop();
-        } else if (!isRunning() && !m_found.isOnControl() && m_machine.mayMove()) {
-          m_runs.stop();
         }
       },
       [this] { m_users.noticeInput(); }, this);

@@ -375,7 +375,8 @@ base::Result<std::optional<FoundRun>> findRun(const RunStore& store, opcua::Link
   }
   FoundRun run;
   run.onControl = std::move(**found);
-  run.saved = run.onControl.number != 0 ? store.find(run.onControl.number) : std::nullopt;
+  const RunStore& kept = run.onControl.job != 0 ? RunStore(RunStore::folderOfJobs()) : store;
+  run.saved = run.onControl.number != 0 ? kept.find(run.onControl.number) : std::nullopt;
   return run;
 }
 
@@ -398,7 +399,9 @@ std::vector<std::size_t> pointsAfterWindows(const RunStore& store, const SavedRu
 
 std::string describeRun(const FoundRun& run) {
   std::string text = run.onControl.number == 0 ? "a program without a run"
-                                               : fmt::format("run {}", run.onControl.number);
+                     : run.onControl.job != 0
+                         ? fmt::format("the whole job {}", run.onControl.number)
+                         : fmt::format("run {}", run.onControl.number);
   const std::optional<streaming::RunOrigin> origin = run.onControl.origin ? run.onControl.origin
                                                      : run.saved
                                                          ? std::optional(run.saved->settings.origin)

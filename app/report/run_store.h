@@ -108,7 +108,9 @@ struct FoundRun {
   std::optional<SavedRun> saved;  ///< nothing: it was not started from here
 
   /// It waits for a client that is gone, and can be resumed from here.
-  [[nodiscard]] bool canResume() const { return saved && !onControl.hasClient; }
+  [[nodiscard]] bool canResume() const {
+    return saved && !onControl.hasClient && !onControl.isNative;
+  }
 };
 
 /// Looks for a run on the control and in the store. @return nothing if there is none

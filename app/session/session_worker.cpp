@@ -498,8 +498,8 @@ void SessionWorker::takeFound(const std::optional<streaming::RunOnControl>& foun
     }
     if (!m_seen.onControl->saved && found->number != 0) {
       m_seen.onControl->saved = m_jobs.find(found->number);
-      m_seen.isJob = m_seen.onControl->saved.has_value();
     }
+    m_seen.isJob = found->job != 0;
     if (m_seen.onControl->saved && !m_seen.isJob) {
       m_seen.pointsAfter = std::make_shared<const std::vector<std::size_t>>(
           report::pointsAfterWindows(m_runs, *m_seen.onControl->saved));
@@ -515,10 +515,12 @@ void SessionWorker::endRun(const EndRunCommand& command) {
     return;
   }
   const base::Instant from = m_connection.link->now();
-  // What the machine does meanwhile is shown; a connection that is lost is noticed by the wait.
+  // What the machine does meanwhile is shown; a connection that is lost is noticed by the wait. A
+  // block of the control may take minutes: the wait ends with the program, or when something else
+  // is wanted.
   const auto ended = streaming::endRun(*m_connection.link, command.run, {}, [this] {
     static_cast<void>(lookAtControl());
-    return !m_quit.load();
+    return !m_quit.load() && m_commands.isEmpty();
   });
   tell(ended ? RunEnded{m_connection.link->now() - from, {}}
              : RunEnded{std::nullopt, ended.error()});

@@ -43,6 +43,11 @@ class SpscRing {
     return value;
   }
 
+  /// @threadsafety consumer only.
+  [[nodiscard]] bool isEmpty() const {
+    return m_tail.load(std::memory_order_relaxed) == m_head.load(std::memory_order_acquire);
+  }
+
   /// Values refused because the ring was full. @threadsafety any thread.
   [[nodiscard]] std::size_t lost() const { return m_lost.load(std::memory_order_relaxed); }
 

@@ -48,6 +48,8 @@ class Category final : public std::error_category {
 };
 
 /// Before a native block a client may stop or hold the job, except where blocks belong together.
+constexpr std::string_view kNamePrefix = "RIVJOB_";
+
 bool mayWaitBefore(NativeReason reason) {
   return reason >= NativeReason::Tool;
 }
@@ -503,6 +505,28 @@ Outline outlineOf(const Plan& plan, std::size_t untilPart) {
   return OutlineWriter(plan).write(untilPart);
 }
 
+std::string mainNameOf(const JobName& name) {
+  return fmt::format("{}{}B{}.MPF", kNamePrefix, name.number, name.baseCell);
+}
+
+std::optional<JobName> jobNameOf(std::string_view fileName) {
+  const std::string name = base::toUpper(fileName);
+  const std::size_t begin = name.rfind(kNamePrefix);
+  if (begin == std::string::npos) {
+    return std::nullopt;
+  }
+  const std::string_view rest = std::string_view(name).substr(begin + kNamePrefix.size());
+  const std::size_t cell = rest.find('B');
+  if (cell == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const std::string_view digits = rest.substr(cell + 1);
+  const auto number = base::parseInteger(rest.substr(0, cell));
+  const auto baseCell = base::parseInteger(
+      digits.substr(0, std::min(digits.size(), digits.find_first_not_of("0123456789"))));
+  return number && baseCell ? std::optional(JobName{*number, *baseCell}) : std::nullopt;
+}
+
 base::Result<JobPrograms> makePrograms(const Plan& plan,
                                        const templates::TemplateParameters& parameters) {
   if (base::Result<void> whole = requireWhole(plan); !whole) {
@@ -516,7 +540,7 @@ base::Result<JobPrograms> makePrograms(const Plan& plan,
   JobPrograms programs;
   const std::string unnumbered = MainWriter(plan, *loop, 0).write();
   programs.number = 1 + static_cast<int>(base::hashOf(unnumbered + loop->text) % kNumbers);
-  programs.mainName = fmt::format("RIVJOB_{}.MPF", programs.number);
+  programs.mainName = mainNameOf({programs.number, parameters.baseCell});
   programs.mainText = MainWriter(plan, *loop, programs.number).write();
   programs.loop = std::move(*loop);
   return programs;

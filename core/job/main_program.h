@@ -31,9 +31,18 @@ enum class JobError {
 };
 [[nodiscard]] std::error_code make_error_code(JobError code);
 
+/// What the name of a job's main program says, "RIVJOB_123B50.MPF".
+struct JobName {
+  int number = 0;    ///< of the job: a hash of both texts
+  int baseCell = 0;  ///< R number of the first cell of its loop
+};
+[[nodiscard]] std::string mainNameOf(const JobName& name);
+/// Inverse of `mainNameOf`, also as a control shows it; nothing for another program.
+[[nodiscard]] std::optional<JobName> jobNameOf(std::string_view fileName);
+
 struct JobPrograms {
-  int number = 0;        ///< of the job: a hash of both texts
-  std::string mainName;  ///< "RIVJOB_123.MPF"
+  int number = 0;        ///< see `JobName`
+  std::string mainName;  ///< see `mainNameOf`
   std::string mainText;
   templates::JobLoop loop;
 };

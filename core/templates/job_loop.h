@@ -30,6 +30,7 @@ struct JobProtocol {
   /// for each, so that a late write never ends the next stretch.
   [[nodiscard]] static constexpr int goOn(int stretch) { return 3 + stretch; }
   static constexpr int kStretchesMax = 9'999;
+  static constexpr int kJobMax = 1 << 24;
   /// @param job  from 1 to 2^24  @param stretch  from 0
   [[nodiscard]] static constexpr double callNumber(int job, int stretch) {
     return static_cast<double>(job) * (kStretchesMax + 1) + stretch;
@@ -37,6 +38,11 @@ struct JobProtocol {
   /// Stretch of a number in the call cell.
   [[nodiscard]] static int stretchOf(double callNumber) {
     return static_cast<int>(std::fmod(std::abs(callNumber), kStretchesMax + 1));
+  }
+  /// Job of a number in the call cell; not one of a job: 0.
+  [[nodiscard]] static int jobOf(double callNumber) {
+    const double job = std::floor(std::abs(callNumber) / (kStretchesMax + 1));
+    return job <= kJobMax ? static_cast<int>(job) : 0;  // NaN: none
   }
   /// Of the call number.
   [[nodiscard]] static constexpr int callCell(const CellMap& cells) {

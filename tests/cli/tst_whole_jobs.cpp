@@ -307,6 +307,60 @@ class TestWholeJobs : public QObject {
     QCOMPARE(movesMade(scene), kMoves);
   }
 
+  /// Somebody else finds a job whose client was killed, wherever it is, and ends it.
+  void foundAndStopped_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<bool>("isNative");
+    QByteArray stretch("G54\nT1 D1 M6\nS3000 M3\nG0 X0 Y0 Z20\n");
+    for (int i = 1; i <= 60; ++i) {
+      stretch += "G1 X" + QByteArray::number(i) + " F600\n";
+    }
+    QTest::newRow("in a stretch") << stretch + "M8\nG0 Z30\nM30\n" << false;
+    QTest::newRow("in a block of the control")
+        << QByteArray(
+               "G54\nG0 X0 Y0 Z50\nX5\nT1 D1 M6\nS3000 M3\nG4 F8\nM8\n"
+               "G0 X9\nM30\n")
+        << true;
+  }
+
+  void foundAndStopped() {
+    QFETCH(QByteArray, text);
+    QFETCH(bool, isNative);
+    tests::KillScene scene(QStringLiteral(RIVULET_MACHINE), QStringLiteral("dmu75-mill"),
+                           tests::KillScene::Kept::Jobs);
+    scene.switchOn();
+    QProcess killed;
+    killed.setProcessEnvironment(scene.environment());
+    killed.start(QStringLiteral(RIVULET_CLI), {QStringLiteral("job"), part(text.constData()),
+                                               QStringLiteral("--endpoint"), scene.endpoint()});
+    QByteArray said;
+    QTRY_VERIFY_WITH_TIMEOUT(isNative
+                                 ? (said += killed.readAllStandardOutput()).contains("line 4: T1")
+                                 : scene.isGranted() && lastX(scene) >= 5.0,
+                             kRunMs);
+    killed.kill();
+    killed.waitForFinished();
+    // On another computer: nothing of the job is kept there.
+    QProcessEnvironment elsewhere = scene.environment();
+    elsewhere.insert(QStringLiteral("XDG_STATE_HOME"), m_folder.filePath(QStringLiteral("other")));
+    const QStringList runs{QStringLiteral("runs"), QStringLiteral("--endpoint"), scene.endpoint(),
+                           QStringLiteral("--json")};
+    const Outcome seen = runCli(runs, elsewhere);
+    QVERIFY2(seen.exit == 0, seen.errors.constData());
+    const json found = json::parse(seen.output.toStdString())["on_control"];
+    QVERIFY2(!found.is_null(), seen.output.constData());
+    QVERIFY(found["job"].get<int>() > 0);
+    QCOMPARE(found["stretch"].get<int>(), 1);
+    QCOMPARE(found["is_native"].get<bool>(), isNative);
+    QVERIFY(!found["has_client"].get<bool>());
+    QVERIFY(!found["can_resume"].get<bool>());
+    QVERIFY(!found["started_by"]["user"].get<std::string>().empty());
+    const Outcome stopped = runCli(runs + QStringList{QStringLiteral("--stop")}, elsewhere);
+    QVERIFY2(stopped.exit == 0, (stopped.output + stopped.errors).constData());
+    QVERIFY(scene.isReset());
+    QVERIFY(lastX(scene) < (isNative ? 9.0 : 60.0));
+  }
+
   /// The machine loses its power while it changes the tool: the client says how to go on, and the
   /// tool is changed again before the rest of the job.
   void powerLossInAToolChange() {

@@ -268,6 +268,15 @@ class TestWholeJob : public QObject {
     const auto programs = job::makePrograms(planOf("T1 M6\nG0 X1 Y1\nG91 TRANS X1\nM8\nM30\n"),
                                             settingsOf().parameters);
     QVERIFY2(programs.has_value(), programs ? "" : programs.error().text().c_str());
+    // A client that finds it running knows it by its name, as the control shows it.
+    const auto name = job::jobNameOf("/_N_WKS_DIR/_N_" + programs->mainName);
+    QVERIFY(name);
+    QCOMPARE(name->number, programs->number);
+    QCOMPARE(name->baseCell, programs->loop.parameters.baseCell);
+    QVERIFY(!job::jobNameOf(programs->loop.name) && !job::jobNameOf("RIVJOB_7.MPF"));
+    QCOMPARE(
+        templates::JobProtocol::jobOf(-templates::JobProtocol::callNumber(programs->number, 12)),
+        programs->number);
     const QString text = QString::fromStdString(programs->mainText);
     const QString number = QString::number(programs->number);
     QVERIFY2(text.contains(QStringLiteral("T1 M6\n")), qPrintable(text));

@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "base/text.h"
+#include "job/main_program.h"
 #include "opcua/await.h"
 #include "templates/flexible_program.h"
+#include "templates/job_loop.h"
 
 namespace rivulet::streaming {
 
@@ -22,6 +24,7 @@ using base::Instant;
 using base::Result;
 using opcua::Variable;
 using opcua::VariableKind;
+using templates::JobProtocol;
 using templates::WindowProtocol;
 
 constexpr Duration kDeadline = kSetupDeadline;
@@ -104,9 +107,10 @@ Result<std::optional<RunOnControl>> RunWatch::look(opcua::Link& link, opcua::Con
   if (!shown) {
     return base::fail(shown.error());
   }
-  const std::optional<int> first = (*shown)[1].status
-                                       ? std::optional(baseCell)
-                                       : templates::baseCellOf((*shown)[1].text, baseCell);
+  const auto job = (*shown)[1].status ? std::nullopt : job::jobNameOf((*shown)[1].text);
+  const std::optional<int> first = (*shown)[1].status ? std::optional(baseCell)
+                                   : job              ? std::optional(job->baseCell)
+                                         : templates::baseCellOf((*shown)[1].text, baseCell);
   if ((*shown)[0].status || (*shown)[0].number == opcua::kChannelReset || !first) {
     *this = {};
     return std::nullopt;
@@ -114,10 +118,11 @@ Result<std::optional<RunOnControl>> RunWatch::look(opcua::Link& link, opcua::Con
   RunOnControl run;
   run.programName = (*shown)[1].text;
   run.baseCell = *first;
-  const std::array<Variable, 6> header{
+  const std::array<Variable, 7> header{
       cell(*first, WindowProtocol::Delivered), cell(*first, WindowProtocol::Latched),
       cell(*first, WindowProtocol::Executed),  cell(*first, WindowProtocol::State),
-      cell(*first, WindowProtocol::Owner),     cell(*first, WindowProtocol::Heartbeat)};
+      cell(*first, WindowProtocol::Owner),     cell(*first, WindowProtocol::Heartbeat),
+      cell(*first, WindowProtocol::Asked)};
   const auto numbers = opcua::readNumbers(link, header, kDeadline);
   if (!numbers) {
     return base::fail(numbers.error());
@@ -128,12 +133,18 @@ Result<std::optional<RunOnControl>> RunWatch::look(opcua::Link& link, opcua::Con
   run.state = static_cast<templates::WindowState>(countOf((*numbers)[3]));
   run.number = runNumberOf((*numbers)[4]);
   run.heartbeat = (*numbers)[5];
-  const bool isSame = m_last && m_last->number == run.number && m_last->baseCell == run.baseCell;
-  if (isSame) {
+  if (job && JobProtocol::jobOf((*numbers)[6]) == job->number) {
+    run.job = job->number;
+    run.stretch = JobProtocol::stretchOf((*numbers)[6]);
+    run.isNative = (*numbers)[6] < 0.0;
+  } else if (job) {
+    return std::nullopt;  // it has just begun: its cells are still those of another program
+  }
+  if (m_last && m_last->isSameAs(run)) {
     run.origin = m_last->origin;
   } else if (run.number != 0) {
     const Result<std::string> label = control.downloadProgram(runLabelName(*first));
-    run.origin = label ? runLabelOf(*label, run.number) : std::nullopt;
+    run.origin = label ? runLabelOf(*label, run.number - run.stretch) : std::nullopt;
   }
   takeHeartbeat(run, link.now());
   m_last = run;
@@ -141,7 +152,12 @@ Result<std::optional<RunOnControl>> RunWatch::look(opcua::Link& link, opcua::Con
 }
 
 void RunWatch::takeHeartbeat(RunOnControl& run, Instant now) {
-  const bool isSame = m_last && m_last->number == run.number && m_last->baseCell == run.baseCell;
+  const bool isSame = m_last && m_last->isSameAs(run);
+  if (run.isNative) {
+    m_since = now;
+    m_hasBeaten = run.hasClient = m_isClientKnown = false;
+    return;
+  }
   if (!isSame || m_last->heartbeat != run.heartbeat) {
     m_hasBeaten = isSame;
     m_since = now;
@@ -168,10 +184,10 @@ Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& c
 }
 
 Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunSettings& settings) {
-  std::vector<Variable> watched{{VariableKind::ChannelStatus, 0}};
+  std::vector<Variable> watched{{VariableKind::ChannelStatus, 0}, command.end.variable};
   watched.insert(watched.end(), command.identity.begin(), command.identity.end());
   const Instant until = link.now() + settings.stopDeadline;
-  for (bool told = false;; told = true) {
+  for (;;) {
     const auto numbers = opcua::readNumbers(link, watched, settings.setupDeadline);
     if (!numbers) {
       return base::fail(numbers.error());
@@ -179,16 +195,16 @@ Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunS
     if ((*numbers)[0] == opcua::kChannelReset) {
       return {};
     }
-    if (!command.isMeant(std::span(*numbers).subspan(1))) {
+    if (!command.isMeant(std::span(*numbers).subspan(2))) {
       return base::fail(StreamError::ChannelBusy, std::string(command.isAnother));
     }
-    if (link.now() >= until) {
+    if (!command.goesOn && link.now() >= until) {
       return base::fail(StreamError::StopNotConfirmed, std::string(command.doesNotEnd));
     }
     if (command.goesOn && !command.goesOn()) {
       return base::fail(StreamError::Cancelled, "The end of the program was not awaited.");
     }
-    if (!told) {
+    if ((*numbers)[1] != command.end.value) {
       if (Result<void> done = opcua::writeNow(link, {&command.end, 1}, settings.setupDeadline);
           !done) {
         return done;
@@ -205,9 +221,10 @@ Result<void> endRun(opcua::Link& link, const RunOnControl& run, const RunSetting
   return endProgram(
       link,
       {{cell(run.baseCell, WindowProtocol::Run), static_cast<double>(WindowProtocol::kEnd)},
-       {cell(run.baseCell, WindowProtocol::Owner)},
-       [&run](std::span<const double> owner) {
-         return owner[0] == static_cast<double>(run.number);
+       {cell(run.baseCell, run.job != 0 ? WindowProtocol::Asked : WindowProtocol::Owner)},
+       [&run](std::span<const double> identity) {
+         return run.job != 0 ? JobProtocol::jobOf(identity[0]) == run.job
+                             : identity[0] == static_cast<double>(run.number);
        },
        "Another run has begun on the control. Nothing was changed.",
        "The program on the control did not end. Reset the control.",

@@ -24,9 +24,12 @@ namespace rivulet::streaming {
 
 /// A flexible program that is active on the control.
 struct RunOnControl {
-  std::string programName;    ///< e.g. "RIVULET_WINDOW_7X2.MPF"
-  int baseCell = 0;           ///< R number of its first cell
-  int number = 0;             ///< number of the run it obeys; 0: it waits for the first client
+  std::string programName;  ///< e.g. "RIVULET_WINDOW_7X2.MPF"
+  int baseCell = 0;         ///< R number of its first cell
+  int number = 0;           ///< number of the run it obeys; 0: it waits for the first client
+  int job = 0;      ///< number of the whole job that it is, see `job::JobName`; 0: a single run
+  int stretch = 0;  ///< of a job: in progress, or the last; 0: none yet
+  bool isNative = false;      ///< of a job: the control executes blocks of its own
   std::size_t delivered = 0;  ///< windows
   std::size_t latched = 0;
   std::size_t executed = 0;
@@ -34,6 +37,11 @@ struct RunOnControl {
   double heartbeat = 0.0;           ///< as it was read last
   bool hasClient = false;           ///< its heartbeat changed while it was watched
   std::optional<RunOrigin> origin;  ///< nothing: not named, or not readable
+
+  /// A job has another number in each stretch.
+  [[nodiscard]] bool isSameAs(const RunOnControl& other) const {
+    return baseCell == other.baseCell && job == other.job && (job != 0 || number == other.number);
+  }
 };
 
 /// How long a heartbeat has to be watched to be sure that the client is gone, if the network is
@@ -50,7 +58,7 @@ class RunWatch {
                                                                opcua::Control& control,
                                                                int baseCell);
   /// `hasClient` of the last look is certain: its heartbeat has changed, or has not changed for
-  /// `kHeartbeatWatch`.
+  /// `kHeartbeatWatch`. While a job executes blocks of the control, its client gives no sign.
   [[nodiscard]] bool isClientKnown() const { return m_isClientKnown; }
 
  private:
@@ -84,14 +92,16 @@ struct EndCommand {
   std::function<bool()> goesOn = {};  ///< asked while waiting; false: give up. Empty: always true
 };
 
-/// Commands the program to end, unless the channel is in reset, and waits for that.
+/// Commands the program to end, unless the channel is in reset, and waits for that: as long as
+/// `goesOn` wants, or without it for the deadline of the settings. The command is given again
+/// whenever it is found overwritten.
 /// @return ChannelBusy if it is another program; StopNotConfirmed; Cancelled if `goesOn` gives up;
 ///         or a link error
 [[nodiscard]] base::Result<void> endProgram(opcua::Link& link, const EndCommand& command,
                                             const RunSettings& settings);
 
 /// Commands the program of this run to end, and waits for it. It executes only the windows it has
-/// copied. @param goesOn  see `EndCommand`
+/// copied, a job the block of the control that it is in. @param goesOn  see `EndCommand`
 /// @return StopNotConfirmed, ChannelBusy if it obeys another run by now, Cancelled, or a link error
 [[nodiscard]] base::Result<void> endRun(opcua::Link& link, const RunOnControl& run,
                                         const RunSettings& settings,
