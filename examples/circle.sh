@@ -11,4 +11,4 @@ awk 'BEGIN {
   for (i = 1; i <= 630; i++) {
     printf "X%.4f Y%.4f\n", 10 * (cos(i / 100) - 1), 10 * sin(i / 100)
   }
-}' | ${RIVULET_CLI:-rivulet-cli} stream --live - --box -25 5 -15 15 0 100 --points 14 "$@"
+}' | ${RIVULET_CLI:-rivulet-cli} stream --live - --box -25 5 -15 15 0 100 --points 13 "$@"

@@ -144,6 +144,10 @@ Exit makeTemplate(const TemplateOptions& options) {
                  {"owner", cells.owner},
                  {"heartbeat", cells.heartbeat},
                  {"windows", cells.windows}};
+      if (cells.hasFeedCell()) {
+        numbers["override"] = cells.overrideWanted;
+        numbers["override_acts"] = cells.overrideActs;
+      }
       if (cells.files > 0) {
         numbers["asked"] = cells.asked;
       } else {

@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "nc/nc_number.h"
+#include "templates/feed_cell.h"
 
 namespace rivulet::job {
 
@@ -207,6 +208,9 @@ class MainWriter final : public PlanWriter {
     line("; Nothing moves before the client has connected.");
     line("EXTERN {}(REAL,REAL,REAL)", subprogramName(m_loop));
     line("DEF REAL RIV_RUN");
+    for (const std::string& block : templates::feedCellBlocks(m_loop.cells)) {
+      line("{}", block);
+    }
     line("{}({},0,0)", subprogramName(m_loop), m_number);
     line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
          static_cast<int>(templates::WindowState::Done));

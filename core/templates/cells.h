@@ -128,14 +128,18 @@ struct WindowCells {
   /// Client: changes while it lives. Before the start of the program: who has claimed the cells;
   /// that also with the methods of [P1], at the same place.
   int heartbeat = 0;
-  int windows = 0;       ///< k; 0: another method
-  int windowStride = 0;  ///< from a cell of a window to that of the next
+  int overrideWanted = -1;  ///< client: path override in percent, see `FeedCell`; -1: no feed cell
+  int overrideActs = -1;    ///< NC, in every interpolation cycle: the override in force
+  int windows = 0;          ///< k; 0: another method
+  int windowStride = 0;     ///< from a cell of a window to that of the next
   /// Client: online correction of X, Y, Z, in mm; -1: none. After the last slot.
   std::array<int, base::kAxisCount> correction{-1, -1, -1};
 
   /// The last cell of each slot is the feed of the point, mm/min; the feed of the window is unused.
   bool feedPerPoint = false;
 
+  /// True if the program obeys an override by the client.
+  [[nodiscard]] bool hasFeedCell() const { return overrideWanted >= 0; }
   /// True if the program obeys corrections.
   [[nodiscard]] bool corrects() const { return correction != std::array{-1, -1, -1}; }
 };

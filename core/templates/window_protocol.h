@@ -23,7 +23,9 @@ struct WindowProtocol {
     Client,
     Owner,
     Heartbeat,
-    Asked,  ///< method file; free with the others
+    Asked,         ///< method file; free with the others
+    Override,      ///< the feed cell, see `FeedCell`
+    OverrideActs,  ///< what the main run makes of it
     HeaderCells,
   };
   /// Cells before the points of each window, counted from its first cell.
@@ -54,6 +56,26 @@ struct WindowProtocol {
   [[nodiscard]] static constexpr long long fileAnswer(long long window, bool isLast) {
     return -2 * window - (isLast ? 1 : 0);
   }
+};
+
+/// Path override by the client: a synchronized action reads the feed cell in every interpolation
+/// cycle, so that it acts at once, wherever the program is. A value that is not a number from 0 to
+/// 200 holds the axes. The override in force is written by one action alone, which also tells it in
+/// a cell of its own.
+struct FeedCell {
+  static constexpr double kHold = 0.0;
+  static constexpr double kProgrammed = 100.0;  ///< the value at the start of a program
+  static constexpr double kMax = 200.0;         ///< percent; the control's own limit of $AC_OVR
+};
+
+/// Numbers of the synchronized actions of all programs: the control executes them in this order in
+/// each interpolation cycle. Modal, they end with the program.
+struct ActionNumber {
+  static constexpr int kHeld = 1;    ///< feed cell: no override yet
+  static constexpr int kWanted = 2;  ///< that of the client, if it may be obeyed
+  static constexpr int kSlow = 3;    ///< method credit: while nothing follows the window in motion
+  static constexpr int kActs = 5;    ///< what has become of it acts
+  static constexpr int kCorrection = 11;  ///< online correction of X; Y and Z follow
 };
 
 /// Values of the state cell of methods window, credit and file.

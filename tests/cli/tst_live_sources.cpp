@@ -32,7 +32,7 @@ using Run = tests::LiveRun;
 namespace {
 
 using tests::kRunMs;
-const std::string kSimulated = "--simulate --preset dmu75-arrays --points 14";
+const std::string kSimulated = "--simulate --preset dmu75-arrays --points 13";
 
 /// The other end of a socket.
 class Sender {
@@ -252,7 +252,7 @@ class TestLiveSources : public QObject {
 
   void aPipeWithoutAControl() {
     Run run(m_folder.path(),
-            "--live - --simulate --preset dmu75-arrays --method credit --points 14");
+            "--live - --simulate --preset dmu75-arrays --method credit --points 13");
     run.send(circle(json{{"x", 0.0}, {"y", 0.0}}, 1, 200));
     QCOMPARE(run.finish(), 0);
     QVERIFY2(run.isRight(), run.report.dump(1).c_str());
@@ -284,7 +284,7 @@ class TestLiveSources : public QObject {
     return "unix:" + m_folder.filePath(QStringLiteral("points")).toStdString();
   }
   [[nodiscard]] std::string onMachine() const {
-    return "--points 14 --endpoint " + m_machine->endpoint().toStdString();
+    return "--points 13 --endpoint " + m_machine->endpoint().toStdString();
   }
   Run start(const std::string& source, const std::string& control = kSimulated) {
     return Run(m_folder.path(), "--live " + source + " " + control);

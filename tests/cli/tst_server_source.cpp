@@ -178,7 +178,7 @@ class TestServerSource : public QObject {
   const std::string kSimulated = " --simulate --preset dmu75-arrays";
 
   [[nodiscard]] static std::string arguments(const std::string& file) {
-    return "--points 14 --live opcua:" + file;
+    return "--points 13 --live opcua:" + file;
   }
   [[nodiscard]] std::string write(const PlainServer& server, const std::string& rest) const {
     return writeText("endpoint = \"" + server.endpoint() + "\"\n" + rest);

@@ -78,7 +78,7 @@ struct Bench {
                  machine::MachineConfig config = *machine::loadPreset("dmu75-arrays"))
       : machine(std::move(config), 1), link(machine), source(link), watcher(machine) {
     settings.parameters.method = method;
-    settings.parameters.pointsPerLoop = 14;
+    settings.parameters.pointsPerLoop = 13;
     settings.access = streaming::AccessChoice::Best;
     settings.feedMmPerS = 20.0;
     settings.isCommissioned = true;
@@ -173,7 +173,7 @@ class TestLive : public QObject {
     verifyFaultless(report, static_cast<std::size_t>(count));
     QVERIFY(!bench.watcher.wrong);
     // The queue, two windows in the cells, and those that the control has copied.
-    QVERIFY(bench.watcher.waiting <= 28 + (2 + 4) * 14);
+    QVERIFY(bench.watcher.waiting <= 28 + (2 + 4) * 13);
     qInfo("%zu windows, %zu short, delay %.0f %.0f %.0f %.0f ms, bound %.0f to %.0f ms",
           report.live->windows, report.live->shortWindows, ms(report.live->delay.p50),
           ms(report.live->delay.p90), ms(report.live->delay.p99), ms(report.live->delay.max),
@@ -198,7 +198,10 @@ class TestLive : public QObject {
     QFETCH(int, cycleMs);
     machine::MachineConfig config = *machine::loadPreset("dmu75-arrays");
     config.interpolationCycle = std::chrono::milliseconds{cycleMs};
+    config.rParameterCount = 102;
     Bench bench(MethodKind::Credit, config);
+    bench.settings.parameters.rParameterCount = config.rParameterCount;
+    bench.settings.parameters.pointsPerLoop = 14;
     bench.settings.feedMmPerS = cycleMs == 4 ? 11.0 : 8.0;
     const Duration end = cycleMs == 4 ? bench.legs(10'000, 5ms) : bench.spiral(10'000, 5ms, 0.03);
     bench.source.say(end, "end\n");

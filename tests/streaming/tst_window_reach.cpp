@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kPointDistanceMm = 0.15;
 constexpr double kPaperFeedMmPerMin = 500.0;
-constexpr int kPointsPerWindow = 14;  // two windows fill the usual 100 R-parameters
+constexpr int kPointsPerWindow = 13;  // two windows fill the usual 100 R-parameters
 constexpr std::size_t kPoints = 20 * kPointsPerWindow;
 
 /// The machine of [P1], but for what keeps it slow on short blocks: with the jerk limit and the

@@ -91,8 +91,8 @@ class TestCells : public QObject {
     parameters.pointsPerLoop = 3;
     const auto cells = templates::planCells(parameters);
     QVERIFY(cells.has_value());
-    QCOMPARE(cells->slotCells(0), (std::vector<int>{13, 14, 15, 16, 17}));
-    QCOMPARE(cells->slotCells(1), (std::vector<int>{18, 19, 20, 21, 22}));
+    QCOMPARE(cells->slotCells(0), (std::vector<int>{15, 16, 17, 18, 19}));
+    QCOMPARE(cells->slotCells(1), (std::vector<int>{20, 21, 22, 23, 24}));
     QCOMPARE(cells->windowStride, 3 + 5 * 3);
     const auto program = templates::makeProgram(parameters);
     QVERIFY(program.has_value());
@@ -103,7 +103,7 @@ class TestCells : public QObject {
       QVERIFY(program->text.find("*RIV_C[" + std::to_string(number) + "]") != std::string::npos);
     }
     QVERIFY(templates::chooseAxes(parameters, "A"));
-    QCOMPARE(templates::planCells(parameters)->slotCells(1), std::vector<int>{14});
+    QCOMPARE(templates::planCells(parameters)->slotCells(1), std::vector<int>{16});
   }
 
   void rotaryAxesAreRefusedWhereTheyCannotBe() {
@@ -164,12 +164,13 @@ class TestCells : public QObject {
         parameters.rParameterCount = 400;
         const auto cells = templates::planCells(parameters);
         QVERIFY(cells.has_value());
-        std::set<int> used{cells->run,    cells->delivered, cells->latched,
-                           cells->layout, cells->executed,  cells->state,
-                           cells->client, cells->owner,     cells->heartbeat};
-        QCOMPARE(used.size(), std::size_t{9});
-        QVERIFY(*used.begin() == 20 && *used.rbegin() < 30);
-        int next = 30;
+        std::set<int> used{
+            cells->run,       cells->delivered,      cells->latched,     cells->layout,
+            cells->executed,  cells->state,          cells->client,      cells->owner,
+            cells->heartbeat, cells->overrideWanted, cells->overrideActs};
+        QCOMPARE(used.size(), std::size_t{11});
+        QVERIFY(*used.begin() == 20 && *used.rbegin() < 32);
+        int next = 32;
         for (int number = 0; number < windows; ++number) {
           QCOMPARE(cells->windowCount(number), next++);
           QCOMPARE(cells->windowFeed(number), next++);

@@ -192,7 +192,7 @@ void TestLint::brokenTemplateIsCaught_data() {
       LintRule::HandshakeMissing, "RIV_K=R[RIV_B]");
   row("window: no stop check", window, "RIV_NEXT:", "IF R0>1 GOTOF RIV_STOPPED\n", "",
       LintRule::StopCheckMissing, "");
-  row("window: one window too many", window, "RIV_TAKE:", "RIV_B<=34", "RIV_B<=94",
+  row("window: one window too many", window, "RIV_TAKE:", "RIV_B<=36", "RIV_B<=96",
       LintRule::RParameterOutOfRange, "");
   row("window: motion from the cells", window, "RIV_MOVE:", "X=RIV_C[0]", "X=R[RIV_B+3]",
       LintRule::MotionFromCells, "X=R[RIV_B+3]");
@@ -217,8 +217,26 @@ void TestLint::brokenTemplateIsCaught_data() {
       LintRule::SignalAhead, "R3=RIV_L R5=2");
   row("credit: motion from the cells", credit, "RIV_MOVE:", "X=RIV_C[0]", "X=R[RIV_B+3]",
       LintRule::MotionFromCells, "X=R[RIV_B+3]");
-  row("credit: override above 100", credit, "ID=1", "$AC_OVR=40", "$AC_OVR=140",
-      LintRule::FeedRaised, "$AC_OVR=140");
+  row("credit: slow is faster", credit, "ID=3", "DO $R11=40", "DO $R11=240", LintRule::FeedRaised,
+      "$R11=240");
+  row("credit: slow whatever is wanted", credit, "ID=3", " AND ($R11>40)", "", LintRule::FeedRaised,
+      "DO $R11=40");
+  row("credit: a hold may be overtaken", credit, "ID=5", "$AC_OVR=$R11", "$AC_OVR=$R11+0.1",
+      LintRule::FeedRaised, "");
+  row("window: what is no override is obeyed", window, "ID=2", " AND ($R10<=200)", "",
+      LintRule::FeedRaised, "ID=5");
+  row("window: a negative override raises", window, "ID=2", "($R10>=0)", "(ABS($R10)>=0)",
+      LintRule::FeedCellIgnored, "ID=5");
+  row("window: not held in each cycle", window, "ID=1", "ID=1 DO $R11=0\n", "",
+      LintRule::FeedRaised, "ID=5");
+  row("window: written once", window, "ID=5", "ID=5 DO", "ID=5 WHEN TRUE DO", LintRule::FeedRaised,
+      "ID=5");
+  row("window: no override", window, "ID=5", "ID=5 DO $AC_OVR=$R11\n", "", LintRule::FeedRaised,
+      "ID=2");
+  row("window: half of it", window, "ID=2", "DO $R11=$R10", "DO $R11=0.5*$R10",
+      LintRule::FeedCellIgnored, "ID=5");
+  row("window: always held", window, "ID=2", "DO $R11=$R10", "DO $R11=0", LintRule::FeedCellIgnored,
+      "ID=5");
   row("credit: the main run writes a cell of the client", credit,
       "RIV_MOVE:", "DO $R3=", "DO $R1=", LintRule::ClientCellOverwritten, "DO $R1=");
   row("credit: wrong layout number", credit, "STOPRE\n", "R4=", "R4=1", LintRule::WrongLayoutNumber,
@@ -277,27 +295,27 @@ void TestLint::brokenCorrectionIsCaught_data() {
     QTest::newRow(name) << std::string(find) << std::string(replace) << rule << std::string(where);
   };
   const LintRule unbounded = LintRule::CorrectionUnbounded;
-  row("no limit", "ID=12 WHENEVER ($R59>=-0.100) AND ($R59<=0.100) DO", "ID=12 DO", unbounded,
-      "ID=12 DO $AA_OFF[Y]=$R59\nID=13");
-  row("no lower limit", "($R58>=-0.100) AND ", "", unbounded, "ID=11");
-  row("limit too high", "($R58<=0.100)", "($R58<=0.101)", unbounded, "ID=11");
-  row("either limit", "($R58>=-0.100) AND", "($R58>=-0.100) OR", unbounded, "ID=11");
-  row("limit of another cell", "($R58<=0.100)", "($R59<=0.100)", unbounded, "ID=11");
-  row("cell of another axis", "$AA_OFF[X]=$R58", "$AA_OFF[X]=$R59", unbounded, "ID=11");
-  row("doubled", "$AA_OFF[X]=$R58", "$AA_OFF[X]=2*$R58", unbounded, "ID=11");
-  row("halved", "$AA_OFF[X]=$R58", "$AA_OFF[X]=0.5*$R58", unbounded, "ID=11");
-  row("the other way", "$AA_OFF[X]=$R58", "$AA_OFF[X]=-$R58", unbounded, "ID=11");
-  row("beside the limit", "$AA_OFF[X]=$R58", "$AA_OFF[X]=$R58+1", unbounded, "ID=11");
+  row("no limit", "ID=12 WHENEVER ($R61>=-0.100) AND ($R61<=0.100) DO", "ID=12 DO", unbounded,
+      "ID=12 DO $AA_OFF[Y]=$R61\nID=13");
+  row("no lower limit", "($R60>=-0.100) AND ", "", unbounded, "ID=11");
+  row("limit too high", "($R60<=0.100)", "($R60<=0.101)", unbounded, "ID=11");
+  row("either limit", "($R60>=-0.100) AND", "($R60>=-0.100) OR", unbounded, "ID=11");
+  row("limit of another cell", "($R60<=0.100)", "($R61<=0.100)", unbounded, "ID=11");
+  row("cell of another axis", "$AA_OFF[X]=$R60", "$AA_OFF[X]=$R61", unbounded, "ID=11");
+  row("doubled", "$AA_OFF[X]=$R60", "$AA_OFF[X]=2*$R60", unbounded, "ID=11");
+  row("halved", "$AA_OFF[X]=$R60", "$AA_OFF[X]=0.5*$R60", unbounded, "ID=11");
+  row("the other way", "$AA_OFF[X]=$R60", "$AA_OFF[X]=-$R60", unbounded, "ID=11");
+  row("beside the limit", "$AA_OFF[X]=$R60", "$AA_OFF[X]=$R60+1", unbounded, "ID=11");
   row("a fixed overlay", "ID=11 DO $AA_OFF[X]=0\n", "ID=11 DO $AA_OFF[X]=0.01\n", unbounded,
       "ID=11 DO $AA_OFF[X]=0.01");
-  row("no action", "ID=13 WHENEVER ($R60>=-0.100) AND ($R60<=0.100) DO $AA_OFF[Z]=$R60\n", "",
+  row("no action", "ID=13 WHENEVER ($R62>=-0.100) AND ($R62<=0.100) DO $AA_OFF[Z]=$R62\n", "",
       LintRule::CorrectionIgnored, "M30");
   row("once only", "ID=13 WHENEVER", "ID=13 WHEN", unbounded, "ID=13 WHEN");
   row("the end waits for ever", "IF RIV_IDLE>500 GOTOF RIV_END\n", "", LintRule::StopCheckMissing,
       "IF (ABS($AA_OFF_VAL[X])>0.0005) OR (ABS($AA_OFF_VAL[Y])>0.0005) OR "
       "(ABS($AA_OFF_VAL[Z])>0.0005) GOTOB");
-  row("cells cleared too late", "RIV_NEXT:\n", "R58=0\nRIV_NEXT:\n",
-      LintRule::ClientCellOverwritten, "R58=0\nRIV_NEXT");
+  row("cells cleared too late", "RIV_NEXT:\n", "R60=0\nRIV_NEXT:\n",
+      LintRule::ClientCellOverwritten, "R60=0\nRIV_NEXT");
   row("layout number without correction", "R4=", "R4=1", LintRule::WrongLayoutNumber, "");
 }
 
@@ -377,10 +395,10 @@ void TestLint::boundsOfCellsAreFollowed() {
 
 void TestLint::rulesHaveNames() {
   std::set<std::string_view> names;
-  for (int rule = 1; rule <= static_cast<int>(LintRule::FeedRaised); ++rule) {
+  for (int rule = 1; rule <= static_cast<int>(LintRule::FeedCellIgnored); ++rule) {
     names.insert(templates::lintRuleName(static_cast<LintRule>(rule)));
   }
-  QCOMPARE(names.size(), static_cast<std::size_t>(LintRule::FeedRaised));
+  QCOMPARE(names.size(), static_cast<std::size_t>(LintRule::FeedCellIgnored));
   QVERIFY(!names.contains(""));
 }
 

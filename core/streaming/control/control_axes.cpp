@@ -105,12 +105,25 @@ Result<base::RotaryDeg> readAngles(opcua::Link& link, const ControlAxes& axes,
   return angles;
 }
 
+namespace {
+
+/// No more points in a window than have room beside the axes.
+templates::TemplateParameters fitted(templates::TemplateParameters parameters) {
+  const int most = templates::pointsPerLoopMax(parameters);
+  if (base::any(parameters.rotaryAxes) && most > 0) {
+    parameters.pointsPerLoop = std::min(parameters.pointsPerLoop, most);
+  }
+  return parameters;
+}
+
+}  // namespace
+
 templates::TemplateParameters withTurnedAxes(templates::TemplateParameters parameters,
                                              const gcode::Trajectory& trajectory) {
   if (base::streamsRotary(parameters.method)) {
     parameters.rotaryAxes = gcode::turnedAxes(trajectory);
   }
-  return parameters;
+  return fitted(std::move(parameters));
 }
 
 templates::TemplateParameters withTurnedAxes(templates::TemplateParameters parameters,
@@ -128,7 +141,7 @@ templates::TemplateParameters withTurnedAxes(templates::TemplateParameters param
       }
     }
   }
-  return parameters;
+  return fitted(std::move(parameters));
 }
 
 Result<void> requireRotaryAxes(const gcode::Trajectory& trajectory,

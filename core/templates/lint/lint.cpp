@@ -11,6 +11,7 @@
 #include <deque>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <set>
 #include <span>
@@ -22,6 +23,7 @@
 #include "base/text.h"
 #include "machine/main_run.h"
 #include "machine/motion_sink.h"
+#include "machine/sync_action.h"
 #include "nc/cycles/drilling.h"
 #include "nc/eval/evaluate.h"
 #include "nc/exec/block_reader.h"
@@ -59,6 +61,37 @@ class CorrectionProbe final : public nc::ValueSource {
   int m_cell;
   double m_value;
   double m_others;
+};
+
+/// A cycle of the main run with one value in the feed cell, everything else being `others`.
+class OverrideProbe final : public machine::MainRun {
+ public:
+  OverrideProbe(int cell, double value, double others) : m_others(others) { m_r[cell] = value; }
+  /// What is not written in a cycle is 100 %.
+  [[nodiscard]] double overridePercent() const { return m_overridePercent; }
+
+  [[nodiscard]] std::optional<double> systemValue(machine::SystemVariable, int) const override {
+    return m_others;
+  }
+  bool setSystemValue(machine::SystemVariable variable, int, double value) override {
+    if (variable == machine::SystemVariable::AcOvr) {
+      m_overridePercent = value;
+    }
+    return true;
+  }
+  [[nodiscard]] std::optional<double> rValue(int index) const override {
+    const auto found = m_r.find(index);
+    return found != m_r.end() ? found->second : m_others;
+  }
+  bool setRValue(int index, double value) override {
+    m_r[index] = value;
+    return true;
+  }
+
+ private:
+  std::map<int, double> m_r;
+  double m_others;
+  double m_overridePercent = 100.0;
 };
 
 /// The value of F, whatever it is made of.
@@ -315,7 +348,8 @@ class Linter {
     m_reports = false;
   }
 
-  /// Method credit has synchronized actions: one tells how far the axes are, one lowers the feed.
+  /// The override is that of the client, whatever else lowers it. Method credit tells besides how
+  /// far the axes are.
   void lookAtSync(base::LineNumber line, const nc::Synchronized& action) {
     for (const nc::Assignment& assignment : action.assignments) {
       const nc::Expression& target = assignment.target;
@@ -324,16 +358,12 @@ class Linter {
         continue;
       }
       const bool isR = target.op == nc::Op::MainR;
-      const ValueSet value = evaluate(*assignment.initial.values.front(), {}).result;
       const ValueSet index = isR ? evaluate(target.operands.front(), {}).result : ValueSet{};
       const bool isCertain = !index.isUnknown && index.values.size() == 1;
       const int cell = isCertain ? static_cast<int>(index.values.front()) : -1;
-      if (target.name == "$AC_OVR" && m_goesOn) {
-        if (value.isUnknown || value.values.back() > 100.0) {
-          error(LintRule::FeedRaised, line,
-                "The override may exceed 100 %: the axes would move faster than the client has "
-                "commanded. Write a number up to 100.");
-        }
+      if (m_cells.hasFeedCell() &&
+          (target.name == "$AC_OVR" || (isCertain && cell == m_cells.overrideActs))) {
+        m_overrideLine = line;  // looked at as a whole
       } else if (isR && isCertain && isClients(cell)) {
         error(LintRule::ClientCellOverwritten, line,
               fmt::format(
@@ -405,6 +435,79 @@ class Linter {
                         "there, in each cycle in which it is within the limit.",
                         cell, cell));
     }
+  }
+
+  /// What the actions make of the feed cell in a cycle. @param without  numbers of actions
+  [[nodiscard]] double overrideAt(double wanted, double others,
+                                  const std::set<int>& without) const {
+    machine::SyncActions actions;
+    const CorrectionProbe values(-1, 0.0, others);
+    for (const Statement& statement : m_statements) {
+      const auto* const action = std::get_if<nc::Synchronized>(&statement.what);
+      if (action == nullptr || action->id == 0 || without.contains(action->id)) {
+        continue;
+      }
+      if (auto made = machine::frozen(*action, values)) {
+        actions.add(std::make_shared<const machine::SyncAction>(std::move(*made)), 0);
+      }
+    }
+    OverrideProbe mainRun(m_cells.overrideWanted, wanted, others);
+    for (int cycle = 0; cycle < 2; ++cycle) {  // in every one
+      mainRun.setSystemValue(machine::SystemVariable::AcOvr, 0, 100.0);
+      // An action with an alarm, as for what is not a number, ends; the others go on.
+      static_cast<void>(actions.run(mainRun, 0));
+    }
+    return mainRun.overridePercent();
+  }
+
+  void lookAtFeedCell() {
+    // The main program of a whole job has the feed cell, its loop does not touch the override.
+    if (!m_program.parameters.empty()) {
+      if (std::any_of(m_statements.begin(), m_statements.end(), writesOverride)) {
+        error(LintRule::FeedCellIgnored, m_overrideLine,
+              "Only the main program of a whole job may write $AC_OVR. Remove this.");
+      }
+      return;
+    }
+    std::set<int> cancelled;
+    for (const Statement& statement : m_statements) {
+      if (const auto* const cancel = std::get_if<nc::Cancel>(&statement.what)) {
+        const ValueSet id = evaluate(cancel->id, {}).result;
+        cancelled.insert(
+            id.isUnknown || id.values.size() != 1 ? 0 : static_cast<int>(id.values.front()));
+      }
+    }
+    constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+    for (const double others : {0.0, 0.37, 1e6}) {
+      for (const double wanted : {0.0, 0.001, 40.0, 100.0, FeedCell::kMax, FeedCell::kMax + 0.001,
+                                  250.0, 1e9, -0.001, -1.0, kNoNumber}) {
+        const double allowed = wanted >= 0.0 && wanted <= FeedCell::kMax ? wanted : FeedCell::kHold;
+        const double lowered = overrideAt(wanted, others, {});
+        const double plain = overrideAt(wanted, others, cancelled);
+        if (!(lowered <= allowed) || !(plain <= allowed)) {
+          error(LintRule::FeedRaised, m_overrideLine,
+                fmt::format("With {} in R{} the override is not at most {:g} %: the axes would "
+                            "move faster than the client has commanded. Let the actions write "
+                            "$AC_OVR as in the generated program.",
+                            wanted, m_cells.overrideWanted, allowed));
+          return;
+        }
+        if (plain != allowed || (allowed > 0.0 && lowered <= 0.0)) {
+          error(LintRule::FeedCellIgnored, m_overrideLine,
+                fmt::format("With {} in R{} the override is {:g} % instead of {:g} %. Let the "
+                            "actions write $AC_OVR as in the generated program.",
+                            wanted, m_cells.overrideWanted, plain, allowed));
+          return;
+        }
+      }
+    }
+  }
+
+  static bool writesOverride(const Statement& statement) {
+    const auto* const action = std::get_if<nc::Synchronized>(&statement.what);
+    return action != nullptr &&
+           std::any_of(action->assignments.begin(), action->assignments.end(),
+                       [](const nc::Assignment& each) { return each.target.name == "$AC_OVR"; });
   }
 
   // --- along all paths --------------------------------------------------------------------
@@ -690,9 +793,9 @@ class Linter {
     if (m_slotCells.contains(cell) || isWindowCell(cell) || cell == m_cells.run) {
       return true;
     }
-    return m_isWindow
-               ? cell == m_cells.delivered || cell == m_cells.client || cell == m_cells.heartbeat
-               : cell == m_cells.stop || cell == m_cells.feed;
+    return m_isWindow ? cell == m_cells.delivered || cell == m_cells.client ||
+                            cell == m_cells.heartbeat || cell == m_cells.overrideWanted
+                      : cell == m_cells.stop || cell == m_cells.feed;
   }
 
   [[nodiscard]] static bool moves(const Statement& statement) {
@@ -889,6 +992,9 @@ class Linter {
     if (hasErrors) {
       return;  // what is not reached because of an error is not told again
     }
+    if (m_cells.hasFeedCell()) {
+      lookAtFeedCell();
+    }
     for (const int cell : m_slotCells) {
       if (!m_slotsRead.contains(cell)) {
         error(LintRule::SlotNotRead, last,
@@ -928,7 +1034,8 @@ class Linter {
   int m_stopCell = 0;
   std::set<int> m_slotCells;
   std::set<int> m_slotsRead;
-  std::set<int> m_corrected;  ///< cells an action lays over their axis
+  std::set<int> m_corrected;        ///< cells an action lays over their axis
+  base::LineNumber m_overrideLine;  ///< of the last action that has to do with the override
   bool m_usesClientFeed = false;
   bool m_reports = false;
   std::vector<State> m_before;
@@ -946,7 +1053,7 @@ std::error_code make_error_code(LintError code) {
 }
 
 std::string_view lintRuleName(LintRule rule) {
-  static constexpr std::array<std::string_view, 23> kNames{
+  static constexpr std::array<std::string_view, 24> kNames{
       "syntax",
       "unknown-name",
       "missing-label",
@@ -970,6 +1077,7 @@ std::string_view lintRuleName(LintRule rule) {
       "feed-raised",
       "correction-unbounded",
       "correction-ignored",
+      "feed-cell-ignored",
   };
   return kNames[static_cast<std::size_t>(rule) - 1];
 }

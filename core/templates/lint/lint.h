@@ -41,10 +41,11 @@ enum class LintRule {
   RapidMotion,          ///< G0: the feed has no effect
   NotChecked,           ///< another program is called, which is not checked
   NoEnd,                ///< the program has no end after its last line
-  FeedRaised,           ///< method credit: an override above 100 %
+  FeedRaised,           ///< an override above that of the client, or above 200 %
   CorrectionUnbounded,  ///< online correction: applied to an axis beyond the limit, or from the
                         ///< wrong cell
   CorrectionIgnored,    ///< online correction: a cell of the client is not applied to its axis
+  FeedCellIgnored,      ///< the override does not follow the feed cell in every cycle
 };
 
 /// "stopre-missing", ...

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "templates/feed_cell.h"
 #include "templates/methods/subprogram.h"
 
 namespace rivulet::templates {
@@ -36,8 +37,9 @@ void CreditTemplate::writeSlowDown(Listing& out, const CreditSettings& settings,
                                    const CellMap& cells) const {
   if (settings.slowDown) {
     out.line("; Slower while nothing is left after the window in motion.");
-    out.line("ID=1 WHENEVER ($R{}-$R{})<2 DO $AC_OVR={}", cells.latched, cells.executed,
-             WindowProtocol::kSlowPercent);
+    out.line("{}", feedLimitBlock(cells, ActionNumber::kSlow,
+                                  fmt::format("($R{}-$R{})<2", cells.latched, cells.executed),
+                                  WindowProtocol::kSlowPercent));
   }
 }
 
@@ -69,7 +71,7 @@ void CreditTemplate::writeTaken(Listing& out, const CellMap& cells) const {
 void CreditTemplate::writeLastTaken(Listing& out, const CreditSettings& settings) const {
   if (settings.slowDown) {
     out.line("IF RIV_K>0 GOTOF RIV_PART");
-    out.line("CANCEL(1)");
+    out.line("CANCEL({})", ActionNumber::kSlow);
     out.line("RIV_PART:");
   }
 }

@@ -79,6 +79,7 @@ std::string FileTemplate::program(const TemplateParameters& parameters, const Ce
   out.line("G90 G94 G64");
   out.line("STOPRE");
   out.line("RIV_BEAT=R{}", cells.heartbeat);
+  writeFeedCell(out, cells);
   out.line("R{}={}", cells.layout, layoutNumber);
   writeWaiting(out, cells);
   out.line("RIV_TAKE:");

@@ -30,6 +30,9 @@ class SubprogramTemplate final : public Base {
     out.line("; the run to be obeyed. Stretch 0 waits for the client and moves nothing.");
   }
 
+  /// The main program has done so: the override is that of the whole job.
+  void writeFeedCell(Listing&, const CellMap&) const override {}
+
   /// The number comes last: who sees it knows that the cells are those of this stretch.
   void writeReady(Listing& out, const CellMap& cells) const override {
     out.line("RIV_OWN=RIV_RUN");

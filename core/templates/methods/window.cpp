@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "templates/feed_cell.h"
 #include "templates/methods/subprogram.h"
 
 namespace rivulet::templates {
@@ -14,9 +15,6 @@ namespace {
 /// Beyond any control; keeps the arithmetic of cells small.
 constexpr int kRParametersMax = 1'000'000;
 constexpr int kStrideMax = 100;
-
-/// Numbers of the synchronized actions that apply the corrections to X, Y and Z.
-constexpr int kCorrectionAction = 11;
 
 /// Below this an overlay is gone, mm.
 constexpr double kOverlayGoneMm = 0.0005;
@@ -35,7 +33,7 @@ std::vector<Corrected> correctedAxes(const WindowCells& cells) {
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (cells.correction[axis] >= 0) {
       axes.push_back({base::kAxisNames[axis], cells.correction[axis],
-                      kCorrectionAction + static_cast<int>(axis)});
+                      ActionNumber::kCorrection + static_cast<int>(axis)});
     }
   }
   return axes;
@@ -180,6 +178,10 @@ CellMap WindowedTemplate::header(const TemplateParameters& parameters) const {
   cells.client = first + WindowProtocol::Client;
   cells.owner = first + WindowProtocol::Owner;
   cells.heartbeat = first + WindowProtocol::Heartbeat;
+  if (parameters.target == TargetControl::Sinumerik) {
+    cells.overrideWanted = first + WindowProtocol::Override;
+    cells.overrideActs = first + WindowProtocol::OverrideActs;
+  }
   // Not used here; `last` and the lists of cells must not find those of [P1].
   cells.signal = cells.stop = cells.feed = cells.run;
   cells.slotStride = parameters.slotStride > 0 ? parameters.slotStride : cellsPerPoint(parameters);
@@ -223,12 +225,22 @@ void WindowedTemplate::writeHeaderCells(Listing& out, const CellMap& cells,
   out.line("; R{}  number of the client's run, R{} number of the run this program obeys",
            cells.client, cells.owner);
   out.line("; R{}  heartbeat of the client", cells.heartbeat);
+  if (cells.hasFeedCell()) {
+    out.line("; R{}  path override in %, by the client: 0 holds at once; R{} the override in force",
+             cells.overrideWanted, cells.overrideActs);
+  }
 }
 
 void WindowedTemplate::writeResets(Listing& out, const CellMap& cells) const {
   // The layout number comes later: a client that sees it knows that these are done.
   out.line("R{}=0 R{}=0 R{}=0 R{}=0", cells.run, cells.delivered, cells.latched, cells.executed);
   out.line("R{}=0 R{}=0 R{}=0", cells.state, cells.client, cells.owner);
+}
+
+void WindowedTemplate::writeFeedCell(Listing& out, const CellMap& cells) const {
+  for (const std::string& block : feedCellBlocks(cells)) {
+    out.line("{}", block);
+  }
 }
 
 void WindowedTemplate::writeWaiting(Listing& out, const CellMap& cells) const {
@@ -401,6 +413,7 @@ void WindowTemplate::writeStart(Listing& out, const TemplateParameters& paramete
   out.line("G90 G94 G64");
   out.line("STOPRE");
   out.line("RIV_BEAT=R{}", cells.heartbeat);
+  writeFeedCell(out, cells);
   if (cells.corrects()) {
     writeOverlayCheck(out, cells);
     writeCorrections(out, limitMmOf(parameters), cells);

@@ -38,6 +38,8 @@ class WindowedTemplate : public MethodTemplate {
                   const Wording& wording) const;
   void writeHeaderCells(Listing& out, const CellMap& cells, const Wording& wording) const;
   void writeResets(Listing& out, const CellMap& cells) const;
+  /// Puts the feed cell into force, unless a program that calls this one has done so.
+  virtual void writeFeedCell(Listing& out, const CellMap& cells) const;
   /// The axes have stopped; the program checks for news, and ends if the client is gone.
   void writeWaiting(Listing& out, const CellMap& cells) const;
   /// Last block of the program, on each way.

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// The feed cell in the text of a program for SINUMERIK: see `FeedCell`. @threadsafety pure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "templates/cells.h"
+
+namespace rivulet::templates {
+
+/// The blocks that put it into force: before the first motion, and before the client is waited for.
+/// The main run executes the actions from the next block on, until the program ends.
+/// @return empty: the program has no feed cell
+[[nodiscard]] std::vector<std::string> feedCellBlocks(const CellMap& cells);
+
+/// The block that lowers the override in force to a limit while a condition holds.
+/// @param condition  of a synchronized action  @param percent  the limit
+[[nodiscard]] std::string feedLimitBlock(const CellMap& cells, int action,
+                                         const std::string& condition, int percent);
+
+}  // namespace rivulet::templates
