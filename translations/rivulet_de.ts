@@ -371,6 +371,10 @@
         <source>Trust</source>
         <translation>Vertrauen</translation>
     </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
 </context>
 <context>
     <name>BlockedTexts</name>
@@ -1463,6 +1467,10 @@
     <message>
         <source>The text leaves open what it means. Choose the dialect, the unit or the reading of numbers without a decimal point.</source>
         <translation>Der Text lässt offen, was er bedeutet. Den Dialekt, die Einheit oder die Lesart von Zahlen ohne Dezimalpunkt wählen.</translation>
+    </message>
+    <message>
+        <source>The control does not carry out the synchronized actions of the program: hold, stop and override would not act. Nothing was moved. Check that the control has synchronized actions.</source>
+        <translation>Die Steuerung führt die Synchronaktionen des Programms nicht aus: Halt, Stopp und Override würden nicht wirken. Es wurde nichts bewegt. Prüfen Sie, ob die Steuerung Synchronaktionen hat.</translation>
     </message>
 </context>
 <context>

@@ -371,6 +371,10 @@
         <source>Trust</source>
         <translation>Confianza</translation>
     </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
 </context>
 <context>
     <name>BlockedTexts</name>
@@ -1463,6 +1467,10 @@
     <message>
         <source>The text leaves open what it means. Choose the dialect, the unit or the reading of numbers without a decimal point.</source>
         <translation>El texto deja abierto lo que significa. Elija el dialecto, la unidad o la lectura de los números sin punto decimal.</translation>
+    </message>
+    <message>
+        <source>The control does not carry out the synchronized actions of the program: hold, stop and override would not act. Nothing was moved. Check that the control has synchronized actions.</source>
+        <translation>El control no ejecuta las acciones síncronas del programa: la espera, la parada y la corrección de avance no actuarían. No se ha movido nada. Compruebe que el control tiene acciones síncronas.</translation>
     </message>
 </context>
 <context>

@@ -371,6 +371,10 @@
         <source>Trust</source>
         <translation>Confiance</translation>
     </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
 </context>
 <context>
     <name>BlockedTexts</name>
@@ -1463,6 +1467,10 @@
     <message>
         <source>The text leaves open what it means. Choose the dialect, the unit or the reading of numbers without a decimal point.</source>
         <translation>Le texte laisse ouvert ce qu’il signifie. Choisissez le dialecte, l’unité ou la lecture des nombres sans point décimal.</translation>
+    </message>
+    <message>
+        <source>The control does not carry out the synchronized actions of the program: hold, stop and override would not act. Nothing was moved. Check that the control has synchronized actions.</source>
+        <translation>La commande n’exécute pas les actions synchrones du programme : maintien, arrêt et correction d’avance n’agiraient pas. Rien n’a bougé. Vérifiez que la commande a les actions synchrones.</translation>
     </message>
 </context>
 <context>

@@ -371,6 +371,10 @@
         <source>Trust</source>
         <translation>Fiducia</translation>
     </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
 </context>
 <context>
     <name>BlockedTexts</name>
@@ -1463,6 +1467,10 @@
     <message>
         <source>The text leaves open what it means. Choose the dialect, the unit or the reading of numbers without a decimal point.</source>
         <translation>Il testo lascia aperto il suo significato. Scegliere il dialetto, l’unità o la lettura dei numeri senza punto decimale.</translation>
+    </message>
+    <message>
+        <source>The control does not carry out the synchronized actions of the program: hold, stop and override would not act. Nothing was moved. Check that the control has synchronized actions.</source>
+        <translation>Il controllo non esegue le azioni sincrone del programma: arresto temporaneo, arresto e override non agirebbero. Nulla è stato mosso. Verificare che il controllo abbia le azioni sincrone.</translation>
     </message>
 </context>
 <context>

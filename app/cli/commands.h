@@ -125,6 +125,7 @@ struct StreamOptions {
   std::string transfer = "auto";      ///< auto, by-hand
   std::string programFile;            ///< by-hand: where the program is written; empty: its name
   std::string correct;                ///< source of corrections, - is standard input; empty: none
+  std::string orders;                 ///< source of hold and override; empty: keys on a terminal
   bool noMonitor = false;
   bool evenPauses = false;
   bool acceptInfeasible = false;
@@ -152,6 +153,7 @@ struct JobOptions {
   bool namesMachine = false;  ///< else one that is large enough takes the place of the preset
   std::uint64_t seed = 1;
   double stopAfterS = 0.0;             ///< 0: not
+  std::string orders;                  ///< source of hold and override; empty: keys on a terminal
   std::string record;                  ///< file; empty: none
   bool noMonitor = false;              ///< no reads for the display within stretches
   std::string resume;                  ///< file of a job that was left; empty: from the beginning

@@ -15,6 +15,7 @@
 #include "base/units.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "cli/feed_source.h"
 #include "cli/found_run.h"
 #include "cli/run_files.h"
 #include "forecast/job_forecast.h"
@@ -52,15 +53,18 @@ namespace {
 class JobConsole final : public streaming::WholeJobSink, public streaming::RunOrders {
  public:
   /// @param isAlone  nobody is at the control: it is simulated
-  JobConsole(double stopAfterS, bool isQuiet, bool isAlone)
-      : m_stopAfterS(stopAfterS), m_isQuiet(isQuiet), m_isAlone(isAlone) {}
+  JobConsole(double stopAfterS, bool isQuiet, bool isAlone, FeedSource& feed)
+      : m_stopAfterS(stopAfterS), m_isQuiet(isQuiet), m_isAlone(isAlone), m_feed(feed) {}
 
   bool stopRequested(base::Instant now) override {
     m_first = m_first.value_or(now);
     return interrupt::wasSeen() ||
            (m_stopAfterS > 0.0 && now - *m_first >= base::fromSeconds(m_stopAfterS));
   }
+  streaming::FeedOrder feed(base::Instant) override { return m_feed.order(); }
+  bool leaves(base::Instant) override { return interrupt::wasSeen(); }
   void update(const streaming::LiveUpdate& update) override {
+    m_feed.tell(update);
     if (update.waitingFor == "claim" && !m_saysClaim) {
       m_saysClaim = true;
       log::logger().warn(kClaimMayLapse);
@@ -105,6 +109,7 @@ class JobConsole final : public streaming::WholeJobSink, public streaming::RunOr
   double m_stopAfterS;
   bool m_isQuiet;
   bool m_isAlone;
+  FeedSource& m_feed;
   bool m_saysClaim = false;
   std::optional<base::Instant> m_first;
 };
@@ -564,7 +569,11 @@ Exit JobCommand::run() {
   if (const base::Result<void> opened = record.open(); !opened) {
     return reportError(opened.error(), m_options.json);
   }
-  JobConsole console(m_options.stopAfterS, m_options.json, m_options.simulate);
+  base::Result<FeedSource> feed = FeedSource::open(m_options.orders, false);
+  if (!feed) {
+    return reportError(feed.error(), m_options.json);
+  }
+  JobConsole console(m_options.stopAfterS, m_options.json, m_options.simulate, *feed);
   const streaming::WholeJobReport done = streaming::runWholeJob(
       *m_connection.link, *m_connection.control, m_plan, m_programs, m_settings, console, console,
       {m_restart ? m_restart->resume : std::nullopt, record.keeper(), record.writer(),

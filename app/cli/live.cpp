@@ -12,6 +12,7 @@
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "cli/feed_source.h"
 #include "cli/paced_link.h"
 #include "cli/run_files.h"
 #include "cli/run_settings.h"
@@ -34,7 +35,8 @@ using base::Result;
 /// Ctrl-C stops; a line on a terminal says how far the run is.
 class LiveConsole final : public streaming::RunSink, public streaming::RunOrders {
  public:
-  explicit LiveConsole(double stopAfterS) : m_stopAfterS(stopAfterS), m_isTerminal(isTerminal()) {}
+  LiveConsole(double stopAfterS, FeedSource& feed)
+      : m_stopAfterS(stopAfterS), m_feed(feed), m_isTerminal(isTerminal()) {}
   ~LiveConsole() override {
     if (m_isDrawn) {
       std::fputs("\r\x1b[K", stderr);
@@ -45,7 +47,10 @@ class LiveConsole final : public streaming::RunSink, public streaming::RunOrders
     return interrupt::wasSeen() ||
            (m_stopAfterS > 0.0 && now - *m_first >= base::fromSeconds(m_stopAfterS));
   }
+  streaming::FeedOrder feed(base::Instant) override { return m_feed.order(); }
+  bool leaves(base::Instant) override { return interrupt::wasSeen(); }
   void update(const streaming::LiveUpdate& update) override {
+    m_feed.tell(update);
     if (update.wrong && !m_saysWrong) {
       m_saysWrong = true;
       log::logger().error("Wrong motion: {}. Stop the run, then check workpiece and tool.",
@@ -66,6 +71,7 @@ class LiveConsole final : public streaming::RunSink, public streaming::RunOrders
 
  private:
   double m_stopAfterS;
+  FeedSource& m_feed;
   bool m_isTerminal;
   bool m_isDrawn = false;
   bool m_saysWrong = false;
@@ -178,12 +184,17 @@ Exit LiveCommand::run() {
   if (const Result<void> opened = record.open(); !opened) {
     return reportError(opened.error(), m_options.json);
   }
+  // The points may come from standard input.
+  base::Result<FeedSource> feed = FeedSource::open(m_options.orders, true);
+  if (!feed) {
+    return reportError(feed.error(), m_options.json);
+  }
   live::PointStream points(*m_source, m_setup.agreement, m_setup.limits);
   PacedLink paced(*m_connection.link);
   opcua::Link& link = m_options.simulate ? static_cast<opcua::Link&>(paced) : *m_connection.link;
   streaming::RunReport done;
   {
-    LiveConsole console(m_options.stopAfterS);
+    LiveConsole console(m_options.stopAfterS, *feed);
     done = streaming::runLive(link, *m_connection.control, m_source->name(), points, m_flexible,
                               m_settings, console, console,
                               {record.writer(), record.start(), nullptr});

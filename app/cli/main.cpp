@@ -361,6 +361,9 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
       ->capture_default_str();
   command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
+  command->add_option("--orders", options->orders,
+                      "File, pipe or - for standard input with lines: hold, continue, override 50. "
+                      "Without it: keys h, c, + and - on a terminal");
   command->add_option("--resume", options->resume,
                       "Resume the run of this file: one that runs lists, or a JSON report "
                       "(methods window and credit)");
@@ -453,6 +456,9 @@ void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   command->add_flag("--no-monitor", options->noMonitor, "No reads for the display in stretches");
   command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
+  command->add_option("--orders", options->orders,
+                      "File, pipe or - for standard input with lines: hold, continue, override 50. "
+                      "Without it: keys h, c, + and - on a terminal");
   command->add_option("--m", options->functions,
                       "What the control does for an M function of another machine: NUMBER=ignore, "
                       "NUMBER=pass, or NUMBER=\"LINE\". Kept for the machine of --endpoint "

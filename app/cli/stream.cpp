@@ -16,6 +16,7 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "cli/correction_source.h"
+#include "cli/feed_source.h"
 #include "cli/found_run.h"
 #include "cli/run_files.h"
 #include "cli/run_settings.h"
@@ -112,8 +113,8 @@ namespace {
 class ConsoleOrders final : public streaming::RunOrders {
  public:
   /// @param source  of corrections; null: none
-  ConsoleOrders(double stopAfterS, CorrectionSource* source)
-      : m_stopAfterS(stopAfterS), m_source(source) {}
+  ConsoleOrders(double stopAfterS, CorrectionSource* source, FeedSource& feed)
+      : m_stopAfterS(stopAfterS), m_source(source), m_feed(feed) {}
   bool stopRequested(base::Instant now) override {
     if (interrupt::wasSeen()) {
       return true;
@@ -129,23 +130,27 @@ class ConsoleOrders final : public streaming::RunOrders {
   base::Vec3 correctionMm(base::Instant) override {
     return m_source != nullptr ? m_source->valueMm() : base::Vec3{};
   }
+  streaming::FeedOrder feed(base::Instant) override { return m_feed.order(); }
+  bool leaves(base::Instant) override { return interrupt::wasSeen(); }
 
  private:
   double m_stopAfterS;
   CorrectionSource* m_source;
+  FeedSource& m_feed;
   std::optional<base::Instant> m_first;
 };
 
 /// A progress line on a terminal, nothing in a pipe.
 class ConsoleSink final : public streaming::RunSink {
  public:
-  ConsoleSink() : m_isTerminal(isTerminal()) {}
+  explicit ConsoleSink(FeedSource& feed) : m_feed(feed), m_isTerminal(isTerminal()) {}
   ~ConsoleSink() override {
     if (m_drawn) {
       std::fputs("\r\x1b[K", stderr);
     }
   }
   void update(const streaming::LiveUpdate& update) override {
+    m_feed.tell(update);
     const bool isOver =
         update.state == streaming::RunState::Aborted || update.state == streaming::RunState::Done;
     if (!isOver && (update.waitingFor == "network") != m_isSilent) {
@@ -181,6 +186,7 @@ class ConsoleSink final : public streaming::RunSink {
   void note(const trace::Note&) override {}
 
  private:
+  FeedSource& m_feed;
   bool m_isTerminal;
   bool m_drawn = false;
   bool m_isSilent = false;  ///< nothing comes from the control
@@ -520,10 +526,14 @@ Exit StreamCommand::run() {
   if (const base::Result<void> opened = record.open(); !opened) {
     return reportError(opened.error(), m_options.json);
   }
-  ConsoleOrders orders(m_options.stopAfterS, m_source ? &*m_source : nullptr);
+  base::Result<FeedSource> feed = FeedSource::open(m_options.orders, m_options.correct == "-");
+  if (!feed) {
+    return reportError(feed.error(), m_options.json);
+  }
+  ConsoleOrders orders(m_options.stopAfterS, m_source ? &*m_source : nullptr, *feed);
   streaming::RunReport done;
   {
-    ConsoleSink sink;  // takes its line away at the end
+    ConsoleSink sink(*feed);  // takes its line away at the end
     done = streaming::runJob(*m_connection.link, *m_connection.control, m_program, m_flexible,
                              m_settings, orders, sink,
                              {record.writer(), record.start(), record.keeper()});

@@ -109,6 +109,9 @@ ordered_json wholeJobJson(const job::Plan& plan, const streaming::WholeJobReport
                     {"times", jobTimesJson(report.times)},
                     {"runs", runs},
                     {"parts", parts}};
+  if (!report.feed.empty()) {
+    json["feed"] = feedJson(report.feed);
+  }
   if (report.controlTrace) {
     json["tools"] = toolsJson(report.tools);
   }

@@ -29,12 +29,25 @@ std::vector<trace::Pause> since(base::Instant origin, std::vector<trace::Pause> 
   return pauses;
 }
 
+/// By the client's clock, which is not that of the trace.
+std::vector<streaming::FeedEvent> sinceFirst(std::vector<streaming::FeedEvent> events) {
+  const base::Instant origin = events.empty() ? base::Instant{} : events.front().at;
+  for (streaming::FeedEvent& event : events) {
+    event.at = base::Instant{event.at - origin};
+  }
+  return events;
+}
+
 }  // namespace
 
 ordered_json errorJson(const base::Error& error) {
   return {{"code",
            std::string(error.code.category().name()) + ":" + std::to_string(error.code.value())},
           {"message", error.text()}};
+}
+
+ordered_json feedJson(const std::vector<streaming::FeedEvent>& events) {
+  return listOf(sinceFirst(events), feedFields);
 }
 
 ordered_json pausesJson(const std::vector<trace::Pause>& pauses, base::Instant origin) {
@@ -109,6 +122,8 @@ ordered_json runJson(const streaming::RunReport& report) {
              : (report.pauses.empty() ? base::Instant{} : report.pauses.front().start);
   streaming::RunReport shown = report;
   shown.pauses = since(origin, std::move(shown.pauses));
+  shown.holds = since(origin, std::move(shown.holds));
+  shown.feed = sinceFirst(std::move(shown.feed));
   ordered_json json{{"faultless", report.isFaultless()},
                     {"finding", streaming::runFindingName(report.finding())},
                     {"method", base::methodName(report.settings.parameters.method)}};

@@ -18,6 +18,9 @@
 
 namespace rivulet::report {
 
+/// Orders of the feed cell, the first at 0 s.
+[[nodiscard]] nlohmann::ordered_json feedJson(const std::vector<streaming::FeedEvent>& events);
+
 /// {"code": "category:number", "message": …}
 [[nodiscard]] nlohmann::ordered_json errorJson(const base::Error& error);
 [[nodiscard]] nlohmann::ordered_json pausesJson(const std::vector<trace::Pause>& pauses,

@@ -58,6 +58,16 @@ inline constexpr auto pauseFields = [](auto& io, auto& pause) {
                 trace::pauseOriginName));
 };
 
+/// An order of the feed cell. The first is at 0 s.
+inline constexpr auto feedFields = []<class Io>(Io& io, auto& event) {
+  io.seconds("at_s", event.at);
+  io.number("percent", event.percent, -1e9, 1e9);
+  io.ifSet().flag("foreign", event.isForeign);
+  io.seconds("lasted_s", event.lasted);
+  maybe(io, "stood", event.stoodAfter,
+        [](auto& inner, auto& after) { inner.seconds("after_s", after); });
+};
+
 inline constexpr auto formFields = [](auto& io, auto& proof) {
   io.named("form", proof.form, opcua::groupingName, opcua::groupingFromName);
   io.flag("writes", proof.writes);
@@ -115,6 +125,8 @@ void runFields(Io& io, Report& report) {
   io.ifThere().count("out_of_order", report.integrity.outOfOrder);
   io.seconds("duration_s", report.duration);
   io.ifThere().list("pauses", report.pauses, pauseFields);
+  io.ifThere().list("holds", report.holds, pauseFields);
+  io.ifThere().list("feed", report.feed, feedFields);
   io.object("access_ms", report.access.perNode, durationList);
   io.object("request_ms", report.access.perRequest, durationList);
   io.count("requests", report.access.requests);

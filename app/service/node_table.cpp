@@ -33,6 +33,11 @@ constexpr std::array kVariables{
                 &Snapshot::waitingFor},
     VariableRow{"Monitoring/Position", "X, Y and Z of the tool, mm; empty: not known.",
                 &Snapshot::positionMm},
+    VariableRow{"Monitoring/Override",
+                "Path override that the control obeys, %; 0: held; below 0: not known.",
+                &Snapshot::overridePercent},
+    VariableRow{"Monitoring/Stands", "The run is held, and the axes were seen to stand.",
+                &Snapshot::stands},
     VariableRow{"Monitoring/LateWindows",
                 "How often in this run the next points were due before they could be there.",
                 &Snapshot::lateWindows},
@@ -129,7 +134,7 @@ const std::vector<MethodRow>& methodRows() {
          return session.start(caller, inputs[0]);
        }},
       {"Hold",
-       "The machine waits before the next window.",
+       "The axes stand at once, on the path; without a feed cell before the next window.",
        {},
        [](ServiceSession& session, const Caller& caller, const Inputs&) {
          return session.hold(caller, true);
@@ -139,6 +144,12 @@ const std::vector<MethodRow>& methodRows() {
        {},
        [](ServiceSession& session, const Caller& caller, const Inputs&) {
          return session.hold(caller, false);
+       }},
+      {"SetOverride",
+       "Path override of the run. Percent: 0 to 100, for an engineer to 120.",
+       {"Percent"},
+       [](ServiceSession& session, const Caller& caller, const Inputs& inputs) {
+         return session.setOverride(caller, inputs[0]);
        }},
       {"Stop",
        "Ends the run after the window in motion. Always permitted.",

@@ -522,8 +522,31 @@ Answer ServiceSession::hold(const Caller& caller, bool hold) {
   m_worker.holdRun(hold);
   record(caller, hold ? Act::Hold : Act::Continue,
          {{"point", std::to_string(m_update.counters.executed)}});
-  m_message =
-      hold ? "Hold requested: the machine waits before the next window." : "Continue requested.";
+  m_message = !hold           ? "Continue requested."
+              : m_update.feed ? "Hold requested: the axes stand at once, on the path."
+                              : "Hold requested: the machine waits before the next window.";
+  return yes(m_message);
+}
+
+Answer ServiceSession::setOverride(const Caller& caller, const std::string& percent) {
+  if (auto answer = refused(caller, Act::Override)) {
+    return *answer;
+  }
+  if (!m_isRunning) {
+    return no("No run is in progress.");
+  }
+  if (!m_update.feed) {
+    return no("The program on the control has no feed cell: turn the override at the machine.");
+  }
+  const double max = permission::overridePercentMax(caller.standing.role);
+  const auto value = base::parseNumber(percent);
+  if (!value || !(*value >= 0.0) || *value > max) {
+    return no(fmt::format("\"{}\" is no override for you: choose 0 to {:g} %.", percent, max));
+  }
+  m_worker.overrideRun(*value);
+  record(caller, Act::Override,
+         {{"percent", percent}, {"point", std::to_string(m_update.counters.executed)}});
+  m_message = fmt::format("Override of {:g} % requested.", *value);
   return yes(m_message);
 }
 
@@ -534,7 +557,11 @@ Answer ServiceSession::stop(const Caller& caller) {
   m_worker.stopRun();
   record(caller, Act::Stop, {{"point", std::to_string(m_update.counters.executed)}});
   m_message = "Stop requested.";
-  return yes("Stop requested: the axes stand at the end of the window in motion.");
+  return yes(
+      m_isHeld && m_update.feed
+          ? "Stop requested: the axes are held. After Resume the rest of the window in motion "
+            "is executed, then the run ends."
+          : "Stop requested: the axes stand at the end of the window in motion.");
 }
 
 void ServiceSession::endForGood() {
@@ -752,6 +779,10 @@ Snapshot ServiceSession::snapshot() const {
     seen.hash = m_job->view->program->hash;
     seen.settings = m_job->released.settings;
     seen.points = static_cast<std::uint32_t>(m_job->view->points.points.size());
+  }
+  if (m_isRunning && m_update.feed) {
+    seen.overridePercent = m_update.feed->actsPercent.value_or(-1.0);
+    seen.stands = m_update.feed->holds && m_update.feed->stoodAfter && !m_update.feed->isIgnored;
   }
   seen.pointsDone = static_cast<std::uint32_t>(m_update.counters.executed);
   seen.progressPercent =

@@ -74,12 +74,14 @@ struct Snapshot {
   double leastMarginS = 0.0;      ///< the same
   std::uint32_t runNumber = 0;
   std::vector<double> positionMm;
-  bool canResume = false;  ///< a run was left
-  std::string leftRun;     ///< which one; empty: none
-  std::string alarm;       ///< why nothing goes on; empty: no alarm
-  std::string message;     ///< what happened last
-  std::string outcome;     ///< of the last run; empty: none has ended
-  std::string report;      ///< its file in the history
+  double overridePercent = -1.0;  ///< that the control obeys; 0: held; < 0: not known, or none
+  bool stands = false;            ///< held, and the axes were seen to stand
+  bool canResume = false;         ///< a run was left
+  std::string leftRun;            ///< which one; empty: none
+  std::string alarm;              ///< why nothing goes on; empty: no alarm
+  std::string message;            ///< what happened last
+  std::string outcome;            ///< of the last run; empty: none has ended
+  std::string report;             ///< its file in the history
 };
 
 class ServiceSession {
@@ -103,8 +105,11 @@ class ServiceSession {
   /// What Start would do now. Nothing moves.
   Answer preflight(const Caller& caller);
   Answer start(const Caller& caller, const std::string& confirmation);
-  /// The machine waits before the next window, or goes on.
+  /// The axes stand at once, where the program has a feed cell, else before the next window; or
+  /// they go on.
   Answer hold(const Caller& caller, bool hold);
+  /// @param percent  a number, up to that of the caller's role
+  Answer setOverride(const Caller& caller, const std::string& percent);
   Answer stop(const Caller& caller);
   /// Asks the control where the run was left; the answer is that of a later call.
   Answer preflightResume(const Caller& caller);

@@ -214,6 +214,10 @@ class SessionWorker::Requests final : public streaming::RunOrders {
     return m_worker.m_correctionMm;
   }
   bool holdRequested(base::Instant) override { return m_worker.m_holdRun.load(); }
+  streaming::FeedOrder feed(base::Instant) override {
+    return {m_worker.m_holdRun.load(), m_worker.m_overridePercent.load()};
+  }
+  bool leaves(base::Instant) override { return m_worker.m_quit.load(); }
 
  private:
   SessionWorker& m_worker;
@@ -238,6 +242,7 @@ bool SessionWorker::post(SessionCommand command) {
     m_stopRun.store(false);
     correct({});
     m_holdRun.store(false);
+    m_overridePercent.store(templates::FeedCell::kProgrammed);
   }
   if (!m_commands.tryPush(std::move(command))) {
     return false;
@@ -257,6 +262,10 @@ void SessionWorker::correct(base::Vec3 valueMm) {
 
 void SessionWorker::holdRun(bool hold) {
   m_holdRun.store(hold);
+}
+
+void SessionWorker::overrideRun(double percent) {
+  m_overridePercent.store(percent);
 }
 
 std::optional<SessionEvent> SessionWorker::take() {

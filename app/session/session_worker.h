@@ -5,8 +5,8 @@
 /// The streaming thread: owns the link and, during a run, driver and method. Requests come in and
 /// events go out through bounded rings; nothing but a full ring of events makes this side wait for
 /// the GUI.
-/// @threadsafety constructor, destructor, `post`, `stopRun`, `holdRun`, `correct` and `take`
-/// belong to the GUI thread.
+/// @threadsafety constructor, destructor, `post`, `stopRun`, `holdRun`, `overrideRun`, `correct`
+/// and `take` belong to the GUI thread.
 #pragma once
 
 #include <atomic>
@@ -45,8 +45,13 @@ class SessionWorker {
   void stopRun();
   /// Online correction of the run in progress, mm; a run begins with none.
   void correct(base::Vec3 valueMm);
-  /// Makes the run in progress wait before its next window, or continue (method window).
+  /// Makes the axes of the run or job in progress stand at once, by its feed cell, and wait before
+  /// its next window; or continue. After a stop as well: a run that is held then ends when it goes
+  /// on. A start takes it back.
   void holdRun(bool hold);
+  /// Path override of the run or job in progress, 0 to 200 %, at once; others are refused. A start
+  /// sets 100. `streaming::LiveUpdate::feed` says what has become of it.
+  void overrideRun(double percent);
   /// The oldest event not taken yet.
   std::optional<SessionEvent> take();
   /// Live updates that were dropped because nobody took them.
@@ -118,6 +123,7 @@ class SessionWorker {
   std::atomic<bool> m_quit{false};
   std::atomic<bool> m_stopRun{false};
   std::atomic<bool> m_holdRun{false};
+  std::atomic<double> m_overridePercent{templates::FeedCell::kProgrammed};
   std::atomic<std::size_t> m_lost{0};
   std::mutex m_correctionMutex;  // held for a copy
   base::Vec3 m_correctionMm;

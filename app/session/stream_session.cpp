@@ -18,9 +18,9 @@ constexpr int kDrainIntervalMs = 33;
 }  // namespace
 
 opcua::Attempt connectByOpcUa(const opcua::ConnectRequest& request) {
-  return trust::connect(
-      request, trust::trustFolder(),
-      [&](const opcua::ConnectOptions& asked) { return qtopcua::openLink(request.link, asked); });
+  return trust::connect(request, trust::trustFolder(), [&](const opcua::ConnectOptions& asked) {
+    return qtopcua::openLink(request.link, asked);
+  });
 }
 
 StreamSession::StreamSession(opcua::Connector connector, report::MachineStore machines,
@@ -84,6 +84,10 @@ void StreamSession::stop() {
 
 void StreamSession::hold(bool hold) {
   m_worker->holdRun(hold);
+}
+
+void StreamSession::setOverride(double percent) {
+  m_worker->overrideRun(percent);
 }
 
 void StreamSession::askResume(ResumeQuestion question) {

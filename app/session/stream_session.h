@@ -44,7 +44,11 @@ class StreamSession final : public QObject {
   void listen(const QString& address);
   /// Online correction of the run in progress, X Y Z, mm; every run begins with none.
   void correct(base::Vec3 valueMm);
+  /// The axes of the run in progress stand at once, where its program has a feed cell; else before
+  /// its next window. False: it goes on, also to its end if it has been stopped meanwhile.
   void hold(bool hold);
+  /// Path override of the run in progress, 0 to 200 %; every run begins with 100.
+  void setOverride(double percent);
   /// Answered by `resumeFound`. Ignored during a run.
   void askResume(ResumeQuestion question);
   /// Commands a run that was found on the control to end; answered by `runEnded`. Ignored during a

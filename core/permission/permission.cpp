@@ -19,10 +19,11 @@ struct Facts {
   bool worksLocked;
 };
 
-constexpr std::array<Facts, 23> kFacts{{
+constexpr std::array<Facts, 24> kFacts{{
     {Act::Stop, "stop", false, true},
     {Act::Hold, "hold", false, false},
     {Act::Continue, "continue", false, false},
+    {Act::Override, "override", false, false},
     {Act::Start, "start", false, false},
     {Act::Resume, "resume", false, false},
     {Act::Watch, "watch", false, false},

@@ -25,6 +25,7 @@ enum class Act {
   Stop,
   Hold,
   Continue,
+  Override,  ///< path override of a run
   Start,
   Resume,
   Watch,    ///< a run that another window or client streams
@@ -69,6 +70,12 @@ enum class Refusal {
 /// @return nothing if it is permitted
 [[nodiscard]] std::optional<Refusal> refusal(const Standing& standing, Act act,
                                              bool isReleased = true);
+
+/// The highest path override that somebody may set, percent. The highest of all is that of the
+/// machine's own switch.
+[[nodiscard]] constexpr double overridePercentMax(Role role) {
+  return role == Role::Engineer ? 120.0 : 100.0;
+}
 
 /// What exactly is released. A job that differs in anything is another one.
 struct Job {

@@ -15,7 +15,7 @@ constexpr std::array kActs{Act::Stop,           Act::Hold,        Act::Continue,
                            Act::Resume,         Act::Watch,       Act::Correct,    Act::OpenProgram,
                            Act::ChangeSettings, Act::Connect,     Act::Disconnect, Act::Calibrate,
                            Act::Release,        Act::Acknowledge, Act::Shelve,     Act::SetUpUsers,
-                           Act::Trust};
+                           Act::Trust,          Act::Override};
 
 }  // namespace
 
@@ -54,9 +54,11 @@ class TestPermission : public QObject {
          {Act::ChangeSettings, Act::Calibrate, Act::Release, Act::SetUpUsers, Act::Trust}) {
       QVERIFY(refusal(standing, act) == Refusal::NeedsEngineer);
     }
-    for (const Act act : {Act::Hold, Act::Continue, Act::OpenProgram, Act::Acknowledge}) {
+    for (const Act act :
+         {Act::Hold, Act::Continue, Act::Override, Act::OpenProgram, Act::Acknowledge}) {
       QVERIFY(!refusal(standing, act, false));
     }
+    QVERIFY(overridePercentMax(Role::Operator) < overridePercentMax(Role::Engineer));
   }
 
   void theLastWordOnAJobCounts() {

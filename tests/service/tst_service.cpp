@@ -111,6 +111,34 @@ class TestService : public QObject {
     QCOMPARE(service->end(SIGTERM), 0);
   }
 
+  /// By the feed cell: the axes stand in the middle of a window, and go on from there.
+  void holdsAndOverridesAtOnce() {
+    const std::size_t before = m_scene.executed().size();
+    const auto service = this->service();
+    QVERIFY(!service->call("SetOverride", {"50"}).accepted);  // nothing runs
+    QVERIFY(start(*service));
+    QVERIFY(awaitPoints(*service, 4));
+    for (const char* wrong : {"250", "-1", "nan", "121", "half", ""}) {
+      QVERIFY2(!service->call("SetOverride", {wrong}).accepted, wrong);
+    }
+    QVERIFY(service->call("SetOverride", {"50"}).accepted);
+    QVERIFY(service->await("Monitoring/Override", "50"));
+    QVERIFY(service->call("Hold").accepted);
+    QVERIFY(service->await("Monitoring/Stands", "true"));
+    QCOMPARE(service->value("Monitoring/Override"), "0");
+    QCOMPARE(service->value("Monitoring/State"), "holding");
+    const std::string place = service->value("Monitoring/Position");
+    const std::string points = service->value("Production/ActiveProgram/PointsDone");
+    QVERIFY(service->call("SetOverride", {"100"}).accepted);  // it stays held
+    QVERIFY(service->await("Monitoring/State", "holding"));
+    QCOMPARE(service->value("Production/ActiveProgram/PointsDone"), points);
+    QCOMPARE(service->value("Monitoring/Position"), place);
+    QVERIFY(service->call("Resume").accepted);
+    QVERIFY(service->await("Monitoring/Override", "100"));
+    QVERIFY(service->await("Session/LastOutcome", "completed"));
+    QVERIFY(m_scene.isWhole(before));
+  }
+
   void startsOnlyWhatWasConfirmed() {
     const std::size_t before = m_scene.executed().size();
     const auto service = this->service();

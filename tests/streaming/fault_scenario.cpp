@@ -36,11 +36,23 @@ class Operator final : public RunSink, public RunOrders {
   std::optional<Instant> stopAt;
   std::optional<Instant> holdAt;
   Instant holdUntil{};
-  void update(const LiveUpdate&) override {}
+  void update(const LiveUpdate& update) override {
+    // Whoever sees that somebody else has changed the override sets it again.
+    if (update.feed && update.feed->isForeign && update.at >= m_correctedAt + kCorrects) {
+      m_correctedAt = update.at;
+      m_percent = m_percent < 100.0 ? 100.0 : 99.0;
+    }
+  }
+  FeedOrder feed(Instant now) override { return {holdRequested(now), m_percent}; }
   void access(const trace::Access&) override {}
   void note(const trace::Note&) override {}
   bool stopRequested(Instant now) override { return stopAt && now >= *stopAt; }
   bool holdRequested(Instant now) override { return holdAt && now >= *holdAt && now < holdUntil; }
+
+ private:
+  static constexpr Duration kCorrects = std::chrono::seconds{5};
+  double m_percent = 100.0;
+  Instant m_correctedAt{};
 };
 
 double wayOf(const gcode::Program& program) {
@@ -141,8 +153,17 @@ class Exposure {
     return m_evidence.reports.back();
   }
 
+  [[nodiscard]] double overrideActs() const { return m_machine.ncRParameter(m_cells.overrideActs); }
+  /// Held, or as good as held by a value that was falsified on its way.
+  [[nodiscard]] bool isSlow() const {
+    constexpr double kSlowPercent = 20.0;
+    return m_cells.hasFeedCell() && m_machine.state().channel != machine::ChannelStatus::Reset &&
+           overrideActs() < kSlowPercent;
+  }
+
   /// The client is gone; nobody touches the machine. Delivered windows may still be executed; then
-  /// the axes stop, and the channel goes to reset by itself.
+  /// the axes stop, and the channel goes to reset by itself. Axes that the client has held stay
+  /// where they are, until an operator resets the control.
   void leaveAlone(const RunReport& report) {
     m_intrusionAt.reset();
     if (!m_isWindow ||
@@ -164,6 +185,17 @@ class Exposure {
         break;  // it is not ours: an operator has to reset it
       }
       m_link.wait(m_machine.now() + std::chrono::milliseconds{200});
+      if (isSlow()) {
+        m_link.wait(m_machine.now() + std::chrono::seconds{2});
+        break;
+      }
+    }
+    if (m_machine.state().channel != machine::ChannelStatus::Reset && isSlow()) {
+      if (overrideActs() == templates::FeedCell::kHold) {
+        watchStanding("while held");
+      }
+      m_machine.reset();
+      m_link.wait(m_machine.now() + std::chrono::seconds{2});
     }
     if (m_machine.state().channel != machine::ChannelStatus::Reset) {
       if (report.error.code != StreamError::WrongProgram) {
@@ -208,7 +240,10 @@ class Exposure {
       if (resume.error().code == StreamError::CannotResume) {
         return false;
       }
-      // A program without a client ends by itself after a while.
+      // A program without a client ends by itself after a while, unless the axes are held.
+      if (isSlow()) {
+        m_machine.reset();
+      }
       m_link.wait(m_machine.now() + std::chrono::seconds{5});
     }
     return false;

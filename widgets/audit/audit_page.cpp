@@ -33,6 +33,8 @@ struct AuditTexts {
         return tr("Hold");
       case Act::Continue:
         return tr("Continue");
+      case Act::Override:
+        return tr("Override");
       case Act::Start:
         return tr("Start");
       case Act::Resume:

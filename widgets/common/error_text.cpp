@@ -470,6 +470,11 @@ struct ErrorTexts {
         return tr("This method has one feed for all moves, as it was published.");
       case StreamError::BadOverride:
         return tr("The override is out of range: choose 1 to 200 %.");
+      case StreamError::FeedCellIgnored:
+        return tr(
+            "The control does not carry out the synchronized actions of the program: hold, stop "
+            "and override would not act. Nothing was moved. Check that the control has "
+            "synchronized actions.");
     }
     return {};
   }

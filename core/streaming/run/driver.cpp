@@ -16,7 +16,7 @@ using base::Instant;
 
 /// Orders of the operator are looked at this often while nothing else happens.
 constexpr Duration kOrderInterval = std::chrono::milliseconds{20};
-/// A live source is looked at this often.
+/// The same if orders act at once, and a live source.
 constexpr Duration kSourceInterval = std::chrono::milliseconds{4};
 /// Answers with a refused item in a row that are taken for faults of the transmission.
 constexpr int kRefusalsMax = 2;
@@ -39,7 +39,7 @@ constexpr Duration kStoreDeadline = std::chrono::seconds{10};
 }  // namespace
 
 Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
-               RunSink& sink, std::size_t total, const templates::CellMap& cells)
+               RunSink& sink, std::size_t total, const templates::CellMap& cells, FeedControl& feed)
     : m_link(link),
       m_method(method),
       m_settings(settings),
@@ -49,6 +49,7 @@ Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, R
       m_access(settings),
       m_reads(!method.readsPosition(), link.now()),
       m_correction(cells, settings.parameters),
+      m_feed(feed),
       m_pauses(settings.nominalPause) {
   m_counters.total = total;
 }
@@ -57,7 +58,12 @@ StreamEnd Driver::run() {
   m_turnedAt = m_link.now();
   while (!m_done) {
     turnSupplier();
+    if (m_progressSeen != m_method.progress().lastProgress) {
+      m_progressSeen = m_method.progress().lastProgress;
+      m_lostAtProgress = m_feed.lostTime(m_link.now());
+    }
     checkOrders();
+    submitFeed();
     if (m_ending.abandonedAt) {
       submitStop();
     }
@@ -78,6 +84,9 @@ StreamEnd Driver::run() {
       publish();
     }
   }
+  if (m_feedPending && m_feedPending->write) {
+    m_feed.lost(m_link.now());
+  }
   settlePauses(true);
   noteCorrection(true);
   noticeSlowness();
@@ -87,7 +96,8 @@ StreamEnd Driver::run() {
 
 Instant Driver::nextWakeUp() const {
   const Instant now = m_link.now();
-  Instant until = now + (m_supplier != nullptr ? kSourceInterval : kOrderInterval);
+  const bool isQuick = m_supplier != nullptr || m_feed.exists();
+  Instant until = now + (isQuick ? kSourceInterval : kOrderInterval);
   if (m_methodPending || m_monitorPending) {
     return until;
   }
@@ -118,6 +128,10 @@ void Driver::noticeOwnSilence() {
 void Driver::loseConnection(base::Error error) {
   m_end.error = std::move(error);
   m_end.error.message += " " + std::string(m_method.adviceWhenLost());
+  if (m_feed.holds()) {
+    m_end.error.message +=
+        " The override of the client is 0: the axes stand until the program is reset.";
+  }
   m_done = true;
 }
 
@@ -148,7 +162,7 @@ RunState Driver::state() const {
   if (m_ending.wantedAt) {
     return RunState::Stopping;
   }
-  return m_holding ? RunState::Holding : RunState::Running;
+  return m_holding || m_feed.holds() ? RunState::Holding : RunState::Running;
 }
 
 void Driver::turnSupplier() {
@@ -159,6 +173,8 @@ void Driver::turnSupplier() {
 }
 
 void Driver::checkOrders() {
+  m_feed.want(m_orders.feed(m_link.now()), m_link.now());
+  noteFeed();
   const bool isOrdered = m_orders.holdRequested(m_link.now());
   m_supplierHolds = !isOrdered && m_supplier != nullptr && m_supplier->wantsHold(m_link.now());
   const bool hold = isOrdered || m_supplierHolds;
@@ -176,10 +192,60 @@ void Driver::checkOrders() {
     return;
   }
   m_ending.wantedAt = m_link.now();
+  m_ending.lostBefore = m_feed.lostTime(m_link.now());
   m_end.stopped = true;
   m_method.requestStop();
   m_sink.note({m_link.now(), std::string(kStopNote)});
   publish();
+}
+
+void Driver::submitFeed() {
+  const Instant now = m_link.now();
+  const bool isWriting = m_feedPending && m_feedPending->write;
+  if (m_feed.mustWrite(now) && !isWriting) {
+    const auto cells = m_feed.write(now);  // the answer to a read in progress is of before
+    m_feedPending = FeedAccess{
+        m_link.write(cells, m_access.patient(m_settings.requestDeadline), opcua::Grouping::List),
+        true, static_cast<int>(cells.size())};
+    publish();
+  } else if (!m_feedPending && (m_feed.mustRead(now) || (m_feed.mayRead(now) && hasSlackFor(2) &&
+                                                         !m_methodPending && !m_monitorPending))) {
+    const auto cells = m_feed.read(now);
+    m_feedPending = FeedAccess{
+        m_link.read(cells, m_access.patient(m_settings.requestDeadline), opcua::Grouping::List),
+        false, static_cast<int>(cells.size())};
+  }
+}
+
+void Driver::takeFeed(const opcua::Event& event) {
+  const FeedAccess access = *m_feedPending;
+  m_feedPending.reset();
+  const bool isDone = event.kind != opcua::EventKind::RequestFailed;
+  if (isDone) {
+    noteAccess(event, {access.id, access.write, access.nodes, 0});
+  }
+  if (access.write && (!isDone || refusedItem(event))) {
+    m_feed.lost(event.at);
+  } else if (access.write) {
+    m_feed.written(event.at);
+  } else if (isDone) {
+    const FeedSeen before = m_feed.state();
+    m_feed.seen(event.readings, event.at);
+    noteFeed();
+    if (!(before == m_feed.state())) {
+      publish();
+    }
+  }
+}
+
+void Driver::noteFeed() {
+  for (const trace::Note& note : m_feed.takeNotes()) {
+    m_sink.note(note);
+  }
+}
+
+Duration Driver::lostSince(Duration since) const {
+  return m_feed.lostTime(m_link.now()) - since;
 }
 
 void Driver::noteCorrection(bool now) {
@@ -190,8 +256,10 @@ void Driver::noteCorrection(bool now) {
 }
 
 bool Driver::submitCorrection() {
-  // Behind a stop the program takes back by itself what is laid over the axes.
-  if (m_ending.wantedAt || m_ending.abandonedAt || !m_correction.isDue(m_link.now())) {
+  // Behind a stop the program takes back by itself what is laid over the axes. Axes that are held
+  // do not move for a correction.
+  if (m_ending.wantedAt || m_ending.abandonedAt || m_feed.holds() ||
+      !m_correction.isDue(m_link.now())) {
     return false;
   }
   const int nodes = m_correction.nodeCount();
@@ -208,11 +276,11 @@ bool Driver::submitCorrection() {
 }
 
 bool Driver::hasSlackFor(int nodes) const {
-  if (m_holding) {
+  if (m_holding || m_feed.holds()) {
     return true;  // the machine waits anyway
   }
   const Duration needed = kSlackFactor * m_access.expected(nodes + 1);
-  return m_method.progress().expected.isAhead(Expectation::Access, m_link.now() + needed);
+  return m_method.progress().expected.isAhead(Expectation::Access, m_link.now() + needed - late());
 }
 
 bool Driver::wantsStatus() const {
@@ -223,7 +291,7 @@ bool Driver::wantsStatus() const {
   // Once the program has been told to end, or once it is later than it could be, the channel is
   // asked whether it still runs; before that only where nobody waits.
   return m_ending.abandonedAt ||
-         !m_method.progress().expected.isAhead(Expectation::Progress, now) ||
+         !m_method.progress().expected.isAhead(Expectation::Progress, now - late()) ||
          hasSlackFor(m_reads.count(MonitorReads::Kind::Status));
 }
 
@@ -318,6 +386,10 @@ void Driver::handle(const opcua::Event& event) {
   }
   if (m_trace.pending() == event.request) {
     m_trace.answered(&event, m_link.now());
+    return;
+  }
+  if (m_feedPending && m_feedPending->id == event.request) {
+    takeFeed(event);
     return;
   }
   const bool forMethod = m_methodPending && m_methodPending->id == event.request;
@@ -529,6 +601,9 @@ void Driver::publishPause(const trace::Pause& pause) {
   if (m_correction.exists()) {
     update.correction = m_correction.value();
   }
+  if (m_feed.exists()) {
+    update.feed = m_feed.state();
+  }
   update.pause = pause;
   m_sink.update(update);
 }
@@ -541,10 +616,14 @@ void Driver::checkDeadlines() {
   const Progress& progress = m_method.progress();
   const std::optional<Instant> endingSince =
       m_ending.abandonedAt ? m_ending.abandonedAt : m_ending.wantedAt;
-  if (endingSince && now - *endingSince > m_settings.stopDeadline) {
-    const std::string unconfirmed =
-        fmt::format("The control did not confirm the stop within {:.0f} s. Stop it at the control.",
-                    base::toSeconds(m_settings.stopDeadline));
+  const Duration held = m_orders.leaves(now) ? Duration{} : lostSince(m_ending.lostBefore);
+  if (endingSince && now - *endingSince > m_settings.stopDeadline + held) {
+    const std::string unconfirmed = fmt::format(
+        "The control did not confirm the stop within {:.0f} s. Stop it at the control.{}",
+        base::toSeconds(m_settings.stopDeadline),
+        m_feed.holds() ? " The override of the client is 0: the axes stand until the program is "
+                         "reset."
+                       : "");
     if (m_end.error.code) {
       m_end.error.message += " " + unconfirmed;
     } else {
@@ -555,7 +634,8 @@ void Driver::checkDeadlines() {
   }
   const std::optional<Instant> expected = progress.expected.deadline(Expectation::Progress);
   // A window takes several accesses, however slow these are.
-  const Duration patience = m_settings.stallDeadline + 10 * m_access.slow().value_or(Duration{});
+  const Duration patience =
+      m_settings.stallDeadline + 10 * m_access.slow().value_or(Duration{}) + late();
   if (!m_ending.abandonedAt && progress.lastProgress && expected && now > *expected + patience) {
     abandon(base::makeError(StreamError::StreamStalled,
                             m_end.slowedBy.empty()
@@ -570,6 +650,7 @@ void Driver::abandon(base::Error error) {
   if (!m_ending.abandonedAt) {
     m_end.error = std::move(error);
     m_ending.abandonedAt = m_link.now();
+    m_ending.lostBefore = m_feed.lostTime(m_link.now());
   }
   m_methodPending.reset();
   m_reads.askStatusAt(m_link.now());
@@ -594,6 +675,9 @@ void Driver::publish(std::optional<trace::LiveSample> sample,
   if (m_correction.exists()) {
     update.correction = m_correction.value();
   }
+  if (m_feed.exists()) {
+    update.feed = m_feed.state();
+  }
   update.sample = std::move(sample);
   update.equipment = std::move(equipment);
   if (m_supplier != nullptr) {
@@ -610,8 +694,8 @@ void Driver::publish(std::optional<trace::LiveSample> sample,
   // nothing before it has taken the first window: nothing moves yet, so nothing is too late.
   const std::optional<Instant> needed = progress.expected.deadline(
       m_method.waitsForClient() ? Expectation::Points : Expectation::Access);
-  if (slow && needed && progress.lastProgress && !progress.allSent) {
-    const Duration margin = *needed - update.at - *slow;
+  if (slow && needed && progress.lastProgress && !progress.allSent && !m_feed.holds()) {
+    const Duration margin = *needed + late() - update.at - *slow;
     // Windows that are all there wait for a machine slower than planned: that is not too late.
     if (margin >= Duration{0} || !progress.hasNothingToBring) {
       update.margin = margin;

@@ -15,6 +15,7 @@
 #include "streaming/methods/method.h"
 #include "streaming/run/access_times.h"
 #include "streaming/run/correction.h"
+#include "streaming/run/feed_control.h"
 #include "streaming/run/monitor_reads.h"
 #include "streaming/run/path_watch.h"
 #include "streaming/run/pause_log.h"
@@ -50,8 +51,14 @@ class RunOrders {
   virtual ~RunOrders() = default;
   /// True from the moment the operator wants the run to stop. @param now the link's time
   [[nodiscard]] virtual bool stopRequested(base::Instant now) = 0;
-  /// True while the machine is to wait before its next window (method window only).
+  /// True while the machine is to wait before its next window (methods with windows).
   [[nodiscard]] virtual bool holdRequested(base::Instant /*now*/) { return false; }
+  /// What the feed cell is to say, if the program has one: it acts at once. By default the axes
+  /// stand while the machine is to wait.
+  [[nodiscard]] virtual FeedOrder feed(base::Instant now) { return {holdRequested(now)}; }
+  /// Nobody will order anything more: axes that are held at a stop are not waited for any longer
+  /// than others.
+  [[nodiscard]] virtual bool leaves(base::Instant /*now*/) { return false; }
   /// Online correction requested now, mm, X Y Z. It is clamped to the limit of the template; a
   /// value that is not a number leaves the axis unchanged. Called only if the template has a
   /// correction.
@@ -72,9 +79,9 @@ class Driver {
  public:
   /// @param total  points of the program, for the counters
   /// @param cells  for the online correction, and to end the program when the stream has to be
-  ///               abandoned
+  ///               abandoned  @param feed  of the program, outlives the driver
   Driver(opcua::Link& link, Method& method, const RunSettings& settings, RunOrders& orders,
-         RunSink& sink, std::size_t total, const templates::CellMap& cells);
+         RunSink& sink, std::size_t total, const templates::CellMap& cells, FeedControl& feed);
 
   /// The path, so that a tool that leaves it is noticed. Without it only the method's own signs of
   /// wrong motion are.
@@ -86,6 +93,7 @@ class Driver {
   /// Rotary axes to be shown beside X, Y and Z. @param axisOf  see `ControlAxes`
   void watchRotary(const std::array<int, base::kRotaryAxisCount>& axisOf) {
     m_reads.showRotary(axisOf);
+    m_feed.watchRotary(axisOf);
   }
 
   /// Streams until the program on the control has ended, or until nothing more can be done.
@@ -109,6 +117,13 @@ class Driver {
     std::optional<base::Instant> abandonedAt;  ///< because the stream cannot continue
     std::optional<base::RequestId> pending;
     bool isSent = false;
+    base::Duration lostBefore{};  ///< time lost by the override until then
+  };
+  /// An access to the feed cell, beside all others.
+  struct FeedAccess {
+    base::RequestId id;
+    bool write = false;
+    int nodes = 0;
   };
 
   void submitMethod();
@@ -121,6 +136,15 @@ class Driver {
   void loseConnection(base::Error error);
   void noticeSlowness();
   [[nodiscard]] base::Instant nextWakeUp() const;
+  /// The feed cell comes before everything else, whatever is outstanding.
+  void submitFeed();
+  void takeFeed(const opcua::Event& event);
+  void noteFeed();
+  /// Time that is lost by hold and override does not count. @param since  `FeedControl::lostTime`
+  ///        at the beginning
+  [[nodiscard]] base::Duration lostSince(base::Duration since) const;
+  /// What the method expects of the motion comes so much later than it knows.
+  [[nodiscard]] base::Duration late() const { return lostSince(m_lostAtProgress); }
   /// @return true if a correction has been sent
   bool submitCorrection();
   void noteCorrection(bool now);
@@ -175,8 +199,12 @@ class Driver {
   AccessTimes m_access;
   MonitorReads m_reads;
   CorrectionCells m_correction;
-  base::Instant m_nextSample{};  ///< of the positions that the method reads
-  base::Instant m_turnedAt{};    ///< when this program last had its turn
+  FeedControl& m_feed;
+  std::optional<FeedAccess> m_feedPending;
+  std::optional<base::Instant> m_progressSeen;  ///< last progress of the method
+  base::Duration m_lostAtProgress{};            ///< lost time at that moment
+  base::Instant m_nextSample{};                 ///< of the positions that the method reads
+  base::Instant m_turnedAt{};                   ///< when this program last had its turn
   base::Instant m_lastPublished{};
   int m_refusals = 0;       ///< answers in a row with a refused item
   bool m_isSilent = false;  ///< nothing comes from the control

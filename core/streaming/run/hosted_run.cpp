@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "base/hash.h"
 #include "opcua/await.h"
 #include "streaming/control/access_probe.h"
@@ -14,6 +16,14 @@ namespace rivulet::streaming {
 using base::Duration;
 using base::Instant;
 using base::Result;
+
+namespace {
+
+/// Synchronized actions run in every interpolation cycle, of some milliseconds.
+constexpr Duration kFeedCellDeadline = std::chrono::seconds{2};
+constexpr Duration kFeedCellInterval = std::chrono::milliseconds{10};
+
+}  // namespace
 
 HostedRun::HostedRun(opcua::Link& link, opcua::Control& control,
                      const templates::FlexibleProgram& flexible, const RunSettings& settings,
@@ -25,6 +35,7 @@ HostedRun::HostedRun(opcua::Link& link, opcua::Control& control,
       m_settings(settings),
       m_orders(orders),
       m_ledger(sink, writer),
+      m_feed(flexible.cells),
       m_claim(m_link, m_control, m_cells, m_settings) {
   m_settings.parameters = flexible.parameters;
 }
@@ -116,6 +127,75 @@ Result<void> HostedRun::cancel() {
   return {};
 }
 
+Result<void> HostedRun::requireFeedCell() {
+  if (!m_cells.hasFeedCell()) {
+    m_ledger.note({m_link.now(), "the program has no feed cell: hold acts before the next window"});
+    return {};
+  }
+  const std::array<opcua::Assignment, 1> programmed{
+      {{opcua::rParameter(m_cells.overrideWanted), templates::FeedCell::kProgrammed}}};
+  const std::array<opcua::Variable, 2> cells{opcua::rParameter(m_cells.overrideWanted),
+                                             opcua::rParameter(m_cells.overrideActs)};
+  if (Result<void> done = opcua::writeNow(m_claim.link(), programmed, m_settings.setupDeadline);
+      !done) {
+    return done;
+  }
+  // The program has begun with 0 there: only a synchronized action has written another value.
+  const Instant until = m_link.now() + kFeedCellDeadline;
+  double acts = 0.0;
+  for (;;) {
+    const auto numbers = opcua::readNumbers(m_claim.link(), cells, m_settings.setupDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
+    }
+    acts = (*numbers)[1];
+    if ((*numbers)[0] != templates::FeedCell::kProgrammed) {
+      return base::fail(StreamError::OtherClient,
+                        fmt::format("Another client has written {:g} into R{}, the feed cell. "
+                                    "Nothing was moved: find out who holds the machine.",
+                                    (*numbers)[0], m_cells.overrideWanted));
+    }
+    // Method credit is slower while nothing follows.
+    if (acts > templates::FeedCell::kHold && acts <= templates::FeedCell::kProgrammed) {
+      return {};
+    }
+    if (m_link.now() >= until) {
+      return base::fail(
+          StreamError::FeedCellIgnored,
+          fmt::format("The control does not carry out the synchronized actions of the program (R{} "
+                      "is {:g}): hold, stop and override would not act. Nothing was moved: check "
+                      "that the control has synchronized actions.",
+                      m_cells.overrideActs, acts));
+    }
+    pause(kFeedCellInterval);
+  }
+}
+
+Result<void> HostedRun::followFeed() {
+  opcua::Link& link = m_claim.link();
+  m_feed.want(m_orders.feed(m_link.now()), m_link.now());
+  if (m_feed.mustWrite(m_link.now())) {
+    if (Result<void> done =
+            opcua::writeNow(link, m_feed.write(m_link.now()), m_settings.setupDeadline);
+        !done) {
+      return done;
+    }
+    m_feed.written(m_link.now());
+  }
+  if (m_feed.mayRead(m_link.now())) {
+    const auto cells = m_feed.read(m_link.now());
+    const auto readings = opcua::readNow(link, cells, m_settings.setupDeadline);
+    if (!readings) {
+      return base::fail(readings.error());
+    }
+    m_feed.seen(*readings, m_link.now());
+  }
+  for (const trace::Note& note : m_feed.takeNotes()) {
+    m_ledger.note(note);
+  }
+  return {};
+}
+
 void HostedRun::pause(Duration duration) {
   const Instant until = m_link.now() + duration;
   while (m_link.now() < until) {
@@ -130,6 +210,9 @@ void HostedRun::publish(RunState state, const char* waitingFor) {
   update.state = state;
   update.at = m_link.now();
   update.waitingFor = waitingFor;
+  if (m_feed.exists()) {
+    update.feed = m_feed.state();
+  }
   describeTo(update);
   m_ledger.update(update);
 }

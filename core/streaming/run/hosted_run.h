@@ -54,6 +54,12 @@ class HostedRun {
   [[nodiscard]] base::Result<void> awaitStart(base::Duration interval,
                                               const std::function<base::Result<bool>()>& isOurs);
 
+  /// The program waits for its client, and nothing moves. Tries the feed cell: the control has to
+  /// carry out what makes hold and override act at once. @return FeedCellIgnored, OtherClient
+  [[nodiscard]] base::Result<void> requireFeedCell();
+  /// What the operator wants of the feed, where no driver does it.
+  [[nodiscard]] base::Result<void> followFeed();
+
   void pause(base::Duration duration);
   void publish(RunState state, const char* waitingFor);
   /// Completes what is published. Nothing here.
@@ -66,6 +72,7 @@ class HostedRun {
   RunSettings m_settings;
   RunOrders& m_orders;
   Ledger m_ledger;
+  FeedControl m_feed;  ///< of the program on the control
   StartClaim m_claim;
   bool m_isCancelled = false;  ///< stopped before anything has moved
   /// From the request to cancel to its confirmation by the control.

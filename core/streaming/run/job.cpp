@@ -210,7 +210,11 @@ class Job : public HostedRun {
         !done) {
       return done;
     }
-    return awaitStart(kStartPollInterval, [this] { return isStarted(); });
+    if (Result<void> started = awaitStart(kStartPollInterval, [this] { return isStarted(); });
+        !started || m_isCancelled || m_recorder.feed != nullptr) {
+      return started;
+    }
+    return requireFeedCell();
   }
 
   /// Stores the checkpoint: before the program is started with all points, and again before the
@@ -296,8 +300,9 @@ class Job : public HostedRun {
     MethodSetup setup{m_flight.points.points, m_flight.toolMm, m_cells, m_settings,
                       m_flight.toolDeg,       supplier()};
     const std::unique_ptr<Method> method = m_type.make(std::move(setup));
-    Driver driver(m_link, *method, m_settings, m_orders, m_ledger, m_report.counters.total,
-                  m_cells);
+    FeedControl& feed = m_recorder.feed != nullptr ? *m_recorder.feed : m_feed;
+    Driver driver(m_link, *method, m_settings, m_orders, m_ledger, m_report.counters.total, m_cells,
+                  feed);
     ControlAxes shown;
     for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
       if (m_cells.rotaryAxes[axis]) {
@@ -334,6 +339,7 @@ class Job : public HostedRun {
     m_report.error = end.error;
     m_report.slowedBy = end.slowedBy;
     m_report.wrong = end.wrong;
+    m_report.feed = feed.events(m_link.now());
     m_streamed = true;
     if (end.error.code || !end.programEnded) {
       m_report.outcome = Outcome::Failed;
@@ -381,6 +387,7 @@ class Job : public HostedRun {
   void finish() {
     if (m_streamed) {
       judge();
+      m_report.holds = takeHolds(m_report.pauses, m_report.feed);
     }
     if (m_report.outcome == Outcome::Completed) {
       m_report.counters.executed = m_report.counters.total;
@@ -432,6 +439,9 @@ class Job : public HostedRun {
   }
 
   void describeTo(LiveUpdate& update) const override {
+    if (m_recorder.feed != nullptr) {
+      update.feed = m_recorder.feed->state();
+    }
     update.counters = m_report.counters;
     update.stopConfirmedAfter = m_report.stopConfirmedAfter;
   }

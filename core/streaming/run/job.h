@@ -61,6 +61,8 @@ struct JobRecorder {
   CheckpointKeeper* keeper = nullptr;
   /// Takes the trace while the run lasts if the control keeps none of this run alone; null: nobody.
   TraceTaker* trace = nullptr;
+  /// The feed cell of the program that the run is a part of; null: the run has its own.
+  FeedControl* feed = nullptr;
 };
 
 /// Runs the whole job. Always returns a report; its error says why the job failed.

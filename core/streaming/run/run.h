@@ -26,6 +26,7 @@
 #include "streaming/control/access_forms.h"
 #include "streaming/methods/pause_placement.h"
 #include "streaming/run/equipment_watch.h"
+#include "streaming/run/feed_order.h"
 #include "streaming/start/program_transfer.h"
 #include "templates/cells.h"
 #include "trace/analysis/integrity.h"
@@ -64,6 +65,7 @@ enum class StreamError {
   FeedUnknown,               ///< a move of the program has no known feed
   OneFeedOnly,               ///< the method has one feed for all moves
   BadOverride,               ///< out of range
+  FeedCellIgnored,           ///< the control does not carry out the actions of the feed cell
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -233,6 +235,7 @@ struct LiveUpdate {
   std::optional<base::Duration> stopConfirmedAfter;
   std::optional<Correction> correction;  ///< nothing: the program has none
   std::optional<WrongMotion> wrong;      ///< the first that was seen; nothing: none so far
+  std::optional<FeedSeen> feed;          ///< nothing: the program has no feed cell
   std::optional<live::Level> source;     ///< nothing: all points were there before the start
 };
 
@@ -279,6 +282,8 @@ struct RunReport {
   /// Seen while the run was in progress. The trace of the control, if there is one, overrules it.
   std::optional<WrongMotion> wrong;
   std::optional<live::Summary> live;  ///< nothing: all points were there before the start
+  std::vector<FeedEvent> feed;        ///< what was ordered by the feed cell
+  std::vector<trace::Pause> holds;    ///< standstills of `pauses` that an order made; not in these
 
   /// A stopped run is judged by the points up to the stop.
   [[nodiscard]] RunFinding finding() const;

@@ -39,6 +39,7 @@ using templates::WindowProtocol;
 /// Where the axes stand and where they should are this close: servo and exact stop.
 constexpr double kStartToleranceMm = 0.05;
 constexpr Duration kPartPoll = std::chrono::milliseconds{20};
+constexpr Duration kOrderPoll = std::chrono::milliseconds{4};
 constexpr Duration kShowInterval = std::chrono::milliseconds{100};
 /// Of tool and spindle: now they change.
 constexpr Duration kEquipmentInterval = std::chrono::milliseconds{500};
@@ -222,6 +223,7 @@ class WholeJob : public HostedRun {
                              stretch.run.pauses.end());
     }
     m_report.access = m_ledger.statistics();
+    m_report.feed = m_feed.events(m_link.now());
     if (!m_trace || m_report.error.code == opcua::LinkError::ConnectionLost) {
       return;
     }
@@ -243,6 +245,7 @@ class WholeJob : public HostedRun {
     m_report.integrity = std::move(found.integrity);
     if (m_report.integrity.judged) {
       m_report.pauses = std::move(found.pauses);
+      m_report.holds = takeHolds(m_report.pauses, m_report.feed);
     }
   }
 
@@ -401,6 +404,9 @@ class WholeJob : public HostedRun {
       }
       pause(kPartPoll);
     }
+    if (Result<void> tried = requireFeedCell(); !tried) {
+      return tried;
+    }
     m_claim.release();
     m_lastGoOn = JobProtocol::goOn(0);
     return opcua::writeNow(m_link, {&go, 1}, m_settings.setupDeadline);
@@ -430,10 +436,11 @@ class WholeJob : public HostedRun {
       const bool isCalled =
           next < m_stretches.size() && state->call == call(m_stretches[next]->number);
       if (!isCalled) {
-        if (Result<void> done = followOrders(); !done) {
-          return done;
+        for (const auto step : {&WholeJob::followOrders, &WholeJob::waitAttentively}) {
+          if (Result<void> done = (this->*step)(); !done) {
+            return done;
+          }
         }
-        pause(kPartPoll);
         continue;
       }
       if (Result<void> done = stream(*m_stretches[next]); !done) {
@@ -529,10 +536,13 @@ class WholeJob : public HostedRun {
       return base::fail(numbers.error());
     }
     LiveUpdate update;
-    update.state = m_isStopped ? RunState::Stopping
-                   : m_isHeld  ? RunState::Holding
-                               : RunState::Running;
+    update.state = m_isStopped                  ? RunState::Stopping
+                   : m_isHeld || m_feed.holds() ? RunState::Holding
+                                                : RunState::Running;
     update.waitingFor = "native-blocks";
+    if (m_feed.exists()) {
+      update.feed = m_feed.state();
+    }
     update.at = m_link.now();
     update.sample = trace::LiveSample{};
     update.sample->at = update.at;
@@ -599,6 +609,18 @@ class WholeJob : public HostedRun {
     return writeRun(holds ? WindowProtocol::kHold : m_lastGoOn);
   }
 
+  /// Until it is time to look again. The feed cell does not wait for that.
+  Result<void> waitAttentively() {
+    const Instant until = m_link.now() + kPartPoll;
+    do {
+      if (Result<void> done = followFeed(); !done) {
+        return done;
+      }
+      pause(std::min(kOrderPoll, until - m_link.now()));
+    } while (m_link.now() < until);
+    return {};
+  }
+
   Result<void> end() {
     m_isStopped = true;
     publish(RunState::Stopping, "");
@@ -634,7 +656,7 @@ class WholeJob : public HostedRun {
     m_points.insert(m_points.end(), flight->points.points.begin(), flight->points.points.end());
     StretchReport report{stretch.number, flight->toolMm, flight->points.points, {}};
     report.run = runJob(link, link, program, m_flexible, settings, m_orders, m_ledger,
-                        {nullptr, {}, m_options.keeper, m_trace ? &*m_trace : nullptr});
+                        {nullptr, {}, m_options.keeper, m_trace ? &*m_trace : nullptr, &m_feed});
     const RunReport& run = m_report.stretches.emplace_back(std::move(report)).run;
     accountStretch(stretch, m_report.stretches.back());
     if (run.outcome == Outcome::Completed) {
@@ -701,13 +723,16 @@ class WholeJob : public HostedRun {
   }
 
   Result<void> awaitReset() {
-    const Instant until = m_link.now() + m_settings.stopDeadline;
-    while (m_link.now() < until) {
+    const Instant from = m_link.now();
+    const Duration lost = m_feed.lostTime(from);
+    while (m_link.now() < from + m_settings.stopDeadline + m_feed.lostTime(m_link.now()) - lost) {
       const Result<State> state = look();
       if (!state || state->isReset) {
         return state ? Result<void>() : base::fail(state.error());
       }
-      pause(kPartPoll);
+      if (Result<void> done = waitAttentively(); !done) {
+        return done;
+      }
     }
     return base::fail(StreamError::StopNotConfirmed,
                       "The control did not end the job. Stop it at the control.");

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cli/feed_source.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/file.h"
+#include "base/text.h"
+#include "permission/permission.h"
+#include "platform/log.h"
+
+namespace rivulet::cli {
+
+namespace {
+
+constexpr double kKeyStep = 5.0;  ///< percent
+/// Whoever has the command line has the machine: nobody has logged in.
+constexpr double kPercentMax = permission::overridePercentMax(permission::Role::Engineer);
+
+}  // namespace
+
+base::Result<FeedSource> FeedSource::open(const std::string& path, bool isInputTaken) {
+  if (path == "-") {
+    return FeedSource(STDIN_FILENO, false, false);
+  }
+  if (path.empty()) {
+    const bool hasKeys = !isInputTaken && ::isatty(STDIN_FILENO) != 0;
+    FeedSource source(hasKeys ? STDIN_FILENO : -1, false, hasKeys);
+    termios raw{};
+    if (hasKeys && source.mayRead() && ::tcgetattr(STDIN_FILENO, &raw) == 0) {
+      source.m_before = raw;
+      raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+      ::tcsetattr(STDIN_FILENO, TCSANOW, &raw);
+      fmt::print(stderr, "Keys: h hold, c continue, + and - override.\n");
+    }
+    return source;
+  }
+  // A pipe without a writer is opened at once.
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) {
+    return base::fail(base::FileError::Unreadable,
+                      "The source of orders cannot be opened. Check the path and its permissions.",
+                      path);
+  }
+  return FeedSource(descriptor, true, false);
+}
+
+FeedSource::FeedSource(FeedSource&& other) noexcept
+    : m_descriptor(std::exchange(other.m_descriptor, -1)),
+      m_isOwn(other.m_isOwn),
+      m_hasKeys(other.m_hasKeys),
+      m_before(std::exchange(other.m_before, std::nullopt)),
+      m_line(std::move(other.m_line)),
+      m_order(other.m_order),
+      m_told(other.m_told) {
+}
+
+FeedSource::~FeedSource() {
+  if (m_before && mayRead()) {
+    ::tcsetattr(STDIN_FILENO, TCSANOW, &*m_before);
+  }
+  if (m_isOwn && m_descriptor >= 0) {
+    ::close(m_descriptor);
+  }
+}
+
+bool FeedSource::mayRead() const {
+  return m_descriptor >= 0 && (!m_hasKeys || ::tcgetpgrp(m_descriptor) == ::getpgrp());
+}
+
+streaming::FeedOrder FeedSource::order() {
+  std::array<char, 256> bytes;
+  pollfd asked{m_descriptor, POLLIN, 0};
+  if (mayRead() && ::poll(&asked, 1, 0) > 0 && (asked.revents & (POLLIN | POLLHUP)) != 0) {
+    const ssize_t count = ::read(m_descriptor, bytes.data(), bytes.size());
+    for (ssize_t i = 0; i < count; ++i) {
+      const char byte = bytes[static_cast<std::size_t>(i)];
+      if (m_hasKeys) {
+        takeKey(byte);
+      } else if (byte == '\n') {
+        takeLine(base::trim(m_line));
+        m_line.clear();
+      } else if (m_line.size() < bytes.size()) {
+        m_line += byte;
+      }
+    }
+  }
+  return m_order;
+}
+
+void FeedSource::takeKey(char key) {
+  switch (key) {
+    case 'h':
+      m_order.holds = true;
+      break;
+    case 'c':
+      m_order.holds = false;
+      break;
+    case '+':
+    case '-':
+      change(m_order.percent + (key == '+' ? kKeyStep : -kKeyStep));
+      break;
+    default:
+      break;
+  }
+}
+
+void FeedSource::takeLine(std::string_view line) {
+  constexpr std::string_view kOverride = "override ";
+  const auto percent = line.starts_with(kOverride)
+                           ? base::parseNumber(base::trim(line.substr(kOverride.size())))
+                           : std::nullopt;
+  if (line == "hold" || line == "continue") {
+    m_order.holds = line == "hold";
+  } else if (percent && *percent >= 0.0 && *percent <= kPercentMax) {
+    m_order.percent = *percent;
+  } else if (!line.empty()) {
+    log::logger().warn(
+        "\"{}\" is no order: write hold, continue, or override and 0 to {:g}. It is ignored.", line,
+        kPercentMax);
+  }
+}
+
+void FeedSource::change(double percent) {
+  m_order.percent = std::clamp(percent, 0.0, kPercentMax);
+}
+
+void FeedSource::tell(const streaming::LiveUpdate& update) {
+  if (!update.feed || m_told == update.feed) {
+    return;
+  }
+  const streaming::FeedSeen before = m_told.value_or(streaming::FeedSeen{});
+  const streaming::FeedSeen& now = *update.feed;
+  m_told = now;
+  if (now.isIgnored && !before.isIgnored) {
+    log::logger().error("The axes do not obey the override. Stop them at the control.");
+  } else if (now.isForeign && !before.isForeign) {
+    log::logger().warn(
+        "Another client has set the override to {:g} %: it stays until you change it.",
+        now.wantedPercent);
+  } else if (now.stoodAfter && !before.stoodAfter) {
+    log::logger().info("Held: the axes stand, {:.3f} s after the order.",
+                       base::toSeconds(*now.stoodAfter));
+  } else if (now.wantedPercent != before.wantedPercent) {
+    log::logger().info(now.holds ? std::string("Hold.")
+                                 : fmt::format("Override {:g} %.", now.wantedPercent));
+  }
+}
+
+}  // namespace rivulet::cli

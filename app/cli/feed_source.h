@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// @file
+/// What the operator wants of the feed: by keys, if standard input is a terminal, or by lines of a
+/// file, a pipe or standard input. Asking never waits.
+/// @threadsafety one object, one thread.
+#pragma once
+
+#include <termios.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "streaming/run/feed_order.h"
+#include "streaming/run/run.h"
+
+namespace rivulet::cli {
+
+class FeedSource {
+ public:
+  /// @param path  file or pipe; "-": standard input; empty: keys, if it is a terminal that nobody
+  ///              else reads  @param isInputTaken  somebody else does  @return FileUnreadable
+  [[nodiscard]] static base::Result<FeedSource> open(const std::string& path, bool isInputTaken);
+  FeedSource(FeedSource&& other) noexcept;
+  FeedSource& operator=(FeedSource&&) = delete;
+  ~FeedSource();
+
+  /// Reads what is available. The last order stays.
+  [[nodiscard]] streaming::FeedOrder order();
+  /// Says on standard error what has become of it, when that changes.
+  void tell(const streaming::LiveUpdate& update);
+
+ private:
+  FeedSource(int descriptor, bool isOwn, bool hasKeys)
+      : m_descriptor(descriptor), m_isOwn(isOwn), m_hasKeys(hasKeys) {}
+  /// Only the job in the foreground may ask its terminal.
+  [[nodiscard]] bool mayRead() const;
+  void takeKey(char key);
+  void takeLine(std::string_view line);
+  void change(double percent);
+
+  int m_descriptor;  ///< < 0: there is none
+  bool m_isOwn;
+  bool m_hasKeys;
+  std::optional<termios> m_before;  ///< of the terminal
+  std::string m_line;
+  streaming::FeedOrder m_order;
+  std::optional<streaming::FeedSeen> m_told;
+};
+
+}  // namespace rivulet::cli
