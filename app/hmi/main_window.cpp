@@ -90,8 +90,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
   new InputGuard(
       [this] {
         // Whoever started it: the machine in the title stops.
-        if (isRunning() ? !std::exchange(m_isStopRequested, true)
-                        : !m_found.isOnControl() && m_machine.mayMove()) {
+        if (isRunning() || (!m_found.isOnControl() && m_machine.mayMove())) {
           m_runs.stop();
         } else if (!isRunning() && m_found.isOnControl()) {
           m_found.stop();
@@ -103,7 +102,6 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
   buildPages();
   buildMenu();
   showLock();
-  connect(&m_runs, &RunController::started, this, [this] { m_isStopRequested = false; });
   connect(&m_document, &Document::programLoaded, this, &MainWindow::showTitle);
   connect(&m_runs, &RunController::permissionsChanged, this, [this] {
     m_openAction->setEnabled(!isRunning() && !m_users.isLocked());
@@ -191,7 +189,7 @@ void MainWindow::buildPages() {
   notices->add(m_foundBar);
   notices->add(m_resumeBar);
   rows->addWidget(notices);
-  rows->addWidget(makeRunPanel(&m_machine, &m_document, &m_runs, &m_preflight, &m_found, central));
+  rows->addWidget(makeRunPanel(&m_users, &m_machine, &m_document, &m_runs, &m_preflight, &m_found, central));
   setCentralWidget(central);
   const auto complain = [this](const QString& reason) {
     m_messages.show(gcode::Severity::Warning, [reason] { return reason; });
@@ -327,7 +325,7 @@ void MainWindow::buildMenu() {
   };
   m_openAction = addItem(QT_TR_NOOP("&Open program …"), QKeySequence::Open,
                          [this] { programPage()->panel()->chooseFile(); });
-  m_liveAction = addItem(QT_TR_NOOP("Li&ve points …"), QKeySequence(Qt::CTRL | Qt::Key_L),
+  m_liveAction = addItem(QT_TR_NOOP("Li&ve points …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
                          [this] { Q_EMIT programPage()->panel()->liveRequested(); });
   menu->addSeparator();
   for (int i = 0; i < m_tabs->count(); ++i) {
@@ -523,21 +521,31 @@ void MainWindow::stopAndClose() {
     close();
     return;
   }
+  if (m_runs.isHeld()) {
+    m_runs.leave();
+    m_leavesHeld = true;
+    close();
+    return;
+  }
   m_closesAfterRun = true;
-  m_runs.stop();
+  m_runs.end();
 }
 
 void MainWindow::stopAndWait() {
   if (isRunning()) {
+    if (m_runs.isHeld()) {
+      m_runs.leave();
+      return;
+    }
     QEventLoop loop;
     connect(&m_runs, &RunController::finished, &loop, &QEventLoop::quit);
-    m_runs.stop();
+    m_runs.end();
     loop.exec(QEventLoop::ExcludeUserInputEvents);
   }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (isRunning()) {
+  if (isRunning() && !m_leavesHeld) {
     // Closing must neither leave the machine alone nor stop it by surprise.
     m_closeBar->ask();
     event->ignore();

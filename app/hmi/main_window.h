@@ -91,7 +91,7 @@ class MainWindow final : public QMainWindow {
   void setTheme(widgets::Theme theme);
   /// These four: see `RunController`.
   bool start() { return m_runs.start(); }
-  void stop() { m_runs.stop(); }
+  void stop() { m_runs.end(); }
   /// Shows what a start would do; nothing moves.
   void showPreflight() { m_preflight.open(); }
   /// Shows the manual at what is on the screen, or closes it.
@@ -185,8 +185,8 @@ class MainWindow final : public QMainWindow {
   const opcua::TrustQuestion* m_question = nullptr;  ///< shown; for comparison only
 
   bool m_closesAfterRun = false;
+  bool m_leavesHeld = false;  ///< closes although a run is in progress, whose axes are held
   bool m_isMachineChosen = false;  ///< the page Machines does not come first
-  bool m_isStopRequested = false;  ///< by Escape, of the run in progress
 
   widgets::Parts m_parts{this};
   std::vector<PageEntry> m_entries;  ///< of the tabs

@@ -189,15 +189,45 @@ void RunController::stop() {
     });
     return;
   }
-  m_session.stop();
-  m_messages.didAct(Act::Stop, {{"point", std::to_string(m_update.counters.executed)}});
-  m_messages.log(Severity::Note, Source::Run, [] { return tr("Stop requested."); });
+  const bool canHold =
+      m_update.feed && (m_update.state == RunState::Running || m_update.state == RunState::Holding);
+  if (!canHold) {
+    end();
+  } else if (!m_isHeld) {
+    m_isHeld = true;
+    m_session.hold(true);
+    m_messages.didAct(Act::Stop, {{"point", std::to_string(m_update.counters.executed)}});
+    m_messages.log(Severity::Note, Source::Run,
+                   [] { return tr("Stop: the axes are held on the path."); });
+  }
+}
+
+void RunController::leave() {
+  if (!std::exchange(m_isEnding, true)) {
+    m_session.stop();
+    m_messages.didAct(Act::Stop, {{"point", std::to_string(m_update.counters.executed)}});
+    m_messages.log(Severity::Note, Source::Run, [] { return tr("Stop requested."); });
+  }
+}
+
+void RunController::end() {
+  leave();
+  m_isHeld = false;
+  m_session.hold(false);
+}
+
+void RunController::setOverride(double percent) {
+  if (!refusal(Act::Override)) {
+    m_session.setOverride(percent);
+    m_messages.didAct(Act::Override, {{"percent", std::to_string(static_cast<int>(percent))}});
+  }
 }
 
 void RunController::hold(bool hold) {
   if (refusal(Act::Hold)) {
     return;
   }
+  m_isHeld = hold;
   m_session.hold(hold);
   m_messages.didAct(hold ? Act::Hold : Act::Continue,
                     {{"point", std::to_string(m_update.counters.executed)}});
@@ -449,6 +479,8 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
     m_document.followTool();
   }
   m_report.reset();
+  m_update.feed.reset();
+  m_isHeld = m_isEnding = false;
   m_firstMotion.reset();
   m_wrong.reset();
   m_hasWrongMotion = false;

@@ -43,6 +43,7 @@ class RunController final : public QObject {
   [[nodiscard]] bool hasRunToResume() const;
   /// The method of the settings can be held before a window.
   [[nodiscard]] bool canHold() const;
+  [[nodiscard]] bool canOverride() const { return !refusal(permission::Act::Override); }
   /// No run is in progress, and who is there may do it.
   [[nodiscard]] bool canChangeSettings() const;
 
@@ -52,9 +53,18 @@ class RunController final : public QObject {
 
   /// Starts if nothing stands in the way. @return false and says why otherwise
   bool start();
+  /// The axes stand at once, as with `hold`; without a feed cell the run ends before its next
+  /// window. May be called again and again.
   void stop();
-  /// The machine waits before the next window, or goes on.
+  /// The run ends before its next window. What is held goes on until there.
+  void end();
+  /// The axes stand at once, or without a feed cell before the next window; or they go on.
   void hold(bool hold);
+  [[nodiscard]] bool isHeld() const { return m_isHeld; }
+  /// The run ends; axes that are held stay so.
+  void leave();
+  /// Of the run in progress, percent.
+  void setOverride(double percent);
   /// Asks the control where the run was left. Nothing moves. `placeFound` answers.
   void askResume();
   /// Resumes at the place found. @return false and says why if something stands in the way
@@ -165,6 +175,8 @@ class RunController final : public QObject {
   std::optional<base::Instant> m_firstMotion;
   std::optional<streaming::WrongMotion> m_wrong;  ///< seen in the run in progress, or in the last
   bool m_hasWrongMotion = false;                  ///< and not acknowledged
+  bool m_isHeld = false;                          ///< by the operator
+  bool m_isEnding = false;                        ///< the run in progress has been told to end
   std::optional<session::JobUpdate> m_job;
   std::size_t m_firstPoint = 0;
   std::size_t m_runBegin = 0;

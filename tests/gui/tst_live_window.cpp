@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "base/file.h"
+#include "gui/end_by_hand.h"
 #include "hmi/main_window.h"
 #include "live/error.h"
 #include "opcua/error.h"
@@ -323,6 +324,7 @@ class TestLiveWindow : public QObject {
     QTest::mouseClick(hold, Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(hold->text(), QStringLiteral("Hold"), kRunMs);
     QTest::keyClick(m_window.get(), Qt::Key_Escape);
+    tests::endByHand(*m_window);
     const auto report = waitForEnd(finished);
     QVERIFY(report && report->outcome == Outcome::Stopped);
     QVERIFY(report->integrity.isFaultless());

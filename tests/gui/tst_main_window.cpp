@@ -29,6 +29,7 @@
 #include "base/file.h"
 #include "base/random.h"
 #include "base/units.h"
+#include "gui/end_by_hand.h"
 #include "hmi/main_window.h"
 #include "opcua/error.h"
 #include "report/run_history.h"
@@ -435,7 +436,8 @@ class TestMainWindow : public QObject {
       menu->popup(m_window->mapToGlobal(QPoint(10, 10)));
     }
     QTest::keyClick(target, Qt::Key_Escape);
-    QVERIFY(finished.wait(kRunMs));
+    tests::endByHand(*m_window);
+    QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
     QVERIFY(m_window->lastReport()->outcome == Outcome::Stopped);
     QVERIFY(m_window->lastReport()->integrity.isFaultless());
   }
@@ -476,7 +478,8 @@ class TestMainWindow : public QObject {
     QPushButton* stop = button(QStringLiteral("Stop"));
     QVERIFY(m_window->childAt(stop->mapTo(m_window.get(), stop->rect().center())) == stop);
     QTest::mouseClick(stop, Qt::LeftButton);
-    QVERIFY(finished.wait(kRunMs));
+    tests::endByHand(*m_window);
+    QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
     QVERIFY(m_window->lastReport()->outcome == Outcome::Stopped);
     // Another page withdraws the question; nothing of it is left.
     QTest::keyClick(m_window.get(), Qt::Key_2, Qt::AltModifier);
@@ -812,21 +815,13 @@ class TestMainWindow : public QObject {
     QTest::mouseClick(hold, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().state == streaming::RunState::Holding, kRunMs);
     QCOMPARE(hold->text(), QStringLiteral("Continue"));
-    // It comes to a stand in front of a window: for two seconds of the machine nothing is executed.
-    auto rests = [this, count = std::size_t{0}, since = base::Instant{}]() mutable {
-      if (const std::size_t executed = m_window->lastUpdate().counters.executed;
-          executed != count) {
-        count = executed;
-        since = m_machine->now();
-      }
-      return m_machine->now() - since > std::chrono::seconds{2};
-    };
-    QTRY_VERIFY_WITH_TIMEOUT(rests(), kRunMs);
+    // The axes stand at once, wherever they are on the path.
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().feed->stoodAfter, kRunMs);
+    QVERIFY(shows(strip, QStringLiteral("The axes stand")));
     const std::size_t held = m_window->lastUpdate().counters.executed;
     QVERIFY(held < kScorpionPoints);
-    // The axes stand at the end of a move, and the time that is left is known.
+    // The time that is left is known.
     auto* line = m_window->findChild<widgets::PositionLine*>();
-    QTRY_VERIFY_WITH_TIMEOUT(countOf(line, QStringLiteral("to go 0.000")) == 3, kRunMs);
     QVERIFY(shows(line, QStringLiteral("set 6,000")));
     const std::size_t at =
         gcode::streamPoints(m_window->program()->trajectory, {}).points[held - 1].line.value;
@@ -836,8 +831,19 @@ class TestMainWindow : public QObject {
     QTest::mouseClick(hold, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().counters.executed > held, kRunMs);
     QVERIFY(!resume->isVisible());
+    // Stop is the same, and the rest of the window comes only when somebody wants it. The override
+    // is set by the buttons, and is that of the control.
+    const auto percent = [this] { return m_window->lastUpdate().feed->actsPercent.value_or(-1.0); };
+    QTest::mouseClick(strip->findChild<QPushButton*>(QStringLiteral("override-less")),
+                      Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(percent(), 95.0, kRunMs);
     QTest::mouseClick(button(QStringLiteral("Stop")), Qt::LeftButton);
-    QVERIFY(finished.wait(kRunMs));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().feed->stoodAfter, kRunMs);
+    QCOMPARE(percent(), 0.0);
+    QVERIFY(finished.isEmpty());
+    picturePages(*m_window, QStringLiteral("held-by-stop"));
+    tests::endByHand(*m_window);
+    QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
     const auto first = m_window->lastReport();
     QVERIFY2(first->outcome == Outcome::Stopped, first->error.text().c_str());
     QVERIFY(first->accessForms.has_value());  // proved, not assumed

@@ -13,6 +13,7 @@
 #include "base/file.h"
 #include "base/units.h"
 #include "hmi/audit.h"
+#include "gui/end_by_hand.h"
 #include "hmi/main_window.h"
 #include "hmi/users.h"
 #include "journal/audit.h"
@@ -216,11 +217,12 @@ class TestOperator : public QObject {
     QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));
     QVERIFY(window.grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/locked-running.png")));
     QTest::mouseClick(stop, Qt::LeftButton);
+    tests::endByHand(window);
     QVERIFY(finished.count() == 1 || finished.wait(kSoonMs));
     QVERIFY(window.lastReport()->outcome == streaming::Outcome::Stopped);
     QCOMPARE(cell.closeAndReadActs(),
              QStringList({"program-start", "connect", "open-program", "log-in", "start", "lock",
-                          "stop", "program-end"}));
+                          "stop", "stop", "program-end"}));
   }
 
   /// An operator starts what is released, with the settings it was released with.

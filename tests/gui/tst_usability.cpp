@@ -56,7 +56,7 @@ const std::map<std::string, Peers> kPeers{
     {"open", {2, 2}},     {"judge", {1, 1}},
     {"start", {1, 1}},    {"hold", {1, 1}},
     {"continue", {1, 1}}, {"stop", {1, 1}},
-    {"resume", {3, 5}},   {"recover after power loss", {4, 6}},
+    {"end here", {}},     {"resume", {3, 5}},   {"recover after power loss", {4, 6}},
     {"find why slow", {}}};
 
 bool shows(const QWidget* widget, const QString& text) {
@@ -303,6 +303,9 @@ class TestUsability : public QObject {
     } else {
       person.press(button("stop"));
     }
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->lastUpdate().feed->stoodAfter, kRunMs);
+    person.begins("end here");
+    QVERIFY(person.hold(button("end-here"), [this] { return !canPress("end-here"); }));
     QVERIFY(finished.count() > 0 || finished.wait(kRunMs));
     QVERIFY(m_window->lastReport()->outcome == Outcome::Stopped);
 

@@ -20,6 +20,7 @@
 #include <thread>
 
 #include "base/units.h"
+#include "gui/end_by_hand.h"
 #include "hmi/main_window.h"
 #include "report/run_history.h"
 #include "support/machine_process.h"
@@ -253,6 +254,7 @@ class TestWindowOverOpcua : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(state->accessibleName(),
                               QStringLiteral("Running: the control, line 8"), kRunMs);
     QTest::keyClick(&window, Qt::Key_Escape);
+    tests::endByHand(window);
     QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
     const auto report = window.lastReport();
     QVERIFY2(report->outcome == streaming::Outcome::Stopped, report->error.text().c_str());

@@ -17,6 +17,7 @@
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
 #include "widgets/common/theme.h"
+#include "widgets/streaming/override_control.h"
 
 namespace rivulet::widgets {
 
@@ -107,6 +108,13 @@ RunPanel::RunPanel(QWidget* parent)
       m_right(new QWidget(this)),
       m_rightLayout(new QHBoxLayout(m_right)),
       m_start(say(new HoldButton(m_right), {.icon = "play", .id = "start"})),
+      m_end(say(new HoldButton(m_right),
+                {.text = QT_TR_NOOP("End here"),
+                 .tip = QT_TR_NOOP("Hold for one second: the run ends. First the axes execute what "
+                                   "the control still has of the window, with this override."),
+                 .icon = "stop",
+                 .id = "end-here"})),
+      m_override(new OverrideControl(m_right)),
       m_figures(new QWidget(this)),
       m_progress(new QProgressBar(m_figures)),
       m_title(say(new ElidedLabel(1, m_figures), {.isMuted = true})) {
@@ -127,6 +135,11 @@ RunPanel::RunPanel(QWidget* parent)
     }
   });
   connect(m_start, &HoldButton::held, this, &RunPanel::startRequested);
+  connect(m_end, &HoldButton::held, this, &RunPanel::endRequested);
+  connect(m_override, &OverrideControl::percentRequested, this, [this](double percent) {
+    m_askedPercent = percent;
+    Q_EMIT overrideRequested(percent);
+  });
   connect(m_hold, &QPushButton::clicked, this,
           [this] { Q_EMIT holdRequested(m_update.state != RunState::Holding); });
   arrange();
@@ -135,7 +148,8 @@ RunPanel::RunPanel(QWidget* parent)
 }
 
 void RunPanel::buildButtons() {
-  for (QPushButton* button : {static_cast<QPushButton*>(m_start), m_stop, m_hold, m_resume}) {
+  for (QPushButton* button : {static_cast<QPushButton*>(m_start), static_cast<QPushButton*>(m_end),
+                              m_stop, m_hold, m_resume}) {
     button->setFixedHeight(kRunButtonHeightPx);
     button->setIconSize(QSize(24, 24));
   }
@@ -148,6 +162,8 @@ void RunPanel::buildButtons() {
   left->addWidget(m_hold);
   m_rightLayout->addWidget(m_resume);
   m_rightLayout->addWidget(m_start);
+  m_rightLayout->addWidget(m_override);
+  m_rightLayout->addWidget(m_end);
 }
 
 void RunPanel::buildFigures() {
@@ -184,7 +200,9 @@ void RunPanel::arrange() {
   QFont buttonFont = font();
   buttonFont.setPointSizeF(isNarrow ? 11.0 : 14.0);
   buttonFont.setBold(true);
-  for (QPushButton* button : {static_cast<QPushButton*>(m_start), m_stop, m_hold, m_resume}) {
+  m_override->setNarrow(isNarrow);
+  for (QPushButton* button : {static_cast<QPushButton*>(m_start), static_cast<QPushButton*>(m_end),
+                              m_stop, m_hold, m_resume}) {
     button->setFont(buttonFont);
     button->setIconSize(isNarrow ? QSize(16, 16) : QSize(24, 24));
     button->setMinimumWidth(isNarrow ? 0 : 130);
@@ -215,7 +233,7 @@ void RunPanel::resizeEvent(QResizeEvent* event) {
 }
 
 void RunPanel::requestStop() {
-  if (isActive() && m_stopState == StopState::None) {
+  if (isActive() && !hasFeedCell() && m_stopState == StopState::None) {
     m_stopState = StopState::Requested;
     showAll();
   }
@@ -231,6 +249,7 @@ void RunPanel::setUpdate(const streaming::LiveUpdate& update) {
     m_update.counters.total = total;
   }
   if (starts && !wasActive) {
+    m_askedPercent.reset();
     m_stopState = StopState::None;
   }
   if (update.state == RunState::Stopping && m_stopState == StopState::None) {
@@ -311,6 +330,16 @@ void RunPanel::setFound(const std::optional<FoundRunView>& found) {
   showAll();
 }
 
+void RunPanel::setOverrideAllowed(bool isAllowed, double maxPercent) {
+  m_override->setEnabled(isAllowed);
+  m_override->setMax(maxPercent);
+}
+
+bool RunPanel::hasFeedCell() const {
+  return m_update.feed &&
+         (m_update.state == RunState::Running || m_update.state == RunState::Holding);
+}
+
 void RunPanel::setWrongMotion(bool hasWrongMotion) {
   m_hasWrongMotion = hasWrongMotion;
   showAll();
@@ -335,7 +364,32 @@ bool RunPanel::isHeldBySource() const {
   return m_update.state == RunState::Holding && m_update.source && m_update.source->holdsRun;
 }
 
+QString RunPanel::feedSentence() const {
+  if (!hasFeedCell()) {
+    return {};
+  }
+  const streaming::FeedSeen& feed = *m_update.feed;
+  if (feed.isIgnored) {
+    return tr("What moves now does not obey the override. Press NC STOP at the machine.");
+  }
+  if (feed.isForeign) {
+    return tr("Another client has set the override to %1 %")
+        .arg(numberText(feed.wantedPercent, 0));
+  }
+  if (feed.holds) {
+    return feed.stoodAfter
+               ? tr("The axes stand since %1 after the order. Continue goes on, End here ends the "
+                    "run")
+                     .arg(secondsText(base::toSeconds(*feed.stoodAfter), 2))
+               : tr("The axes are braking");
+  }
+  return feed.wantedPercent == 0.0 ? tr("Override 0 %: the axes stand") : QString();
+}
+
 QString RunPanel::waitingSentence() const {
+  if (const QString feed = feedSentence(); !feed.isEmpty()) {
+    return feed;
+  }
   const QString key = QString::fromStdString(m_update.waitingFor);
   if (isHeldBySource()) {
     return tr("The live source is silent or wants a hold. The run goes on with its next point.");
@@ -369,7 +423,7 @@ QString RunPanel::nativeText() const {
   if (m_job->waitsForCycleStart) {
     return tr("The program waits for cycle start at the control");
   }
-  if (m_update.state == RunState::Holding) {
+  if (m_update.state == RunState::Holding && !hasFeedCell()) {
     return tr("The job waits before the next block until you press Continue.");
   }
   const QString what = m_job->stretch <= m_job->stretches
@@ -377,7 +431,9 @@ QString RunPanel::nativeText() const {
                                  .arg(countText(m_job->stretch), countText(m_job->stretches))
                            : tr("After the last stretch");
   const QString block = m_job->block.isEmpty() ? what : what + QStringLiteral(": ") + m_job->block;
-  return block + QStringLiteral(". ") + tr("Stop and Hold act at the end of the block");
+  return hasFeedCell() ? block
+                       : block + QStringLiteral(". ") +
+                             tr("Stop and Hold act at the end of the block");
 }
 
 QString RunPanel::stopText() const {
@@ -414,6 +470,15 @@ void RunPanel::showButtons() {
   m_resume->setToolTip(m_resumeBlocked.isEmpty()
                            ? tr("Asks the control where the run was left. Nothing moves yet.")
                            : m_resumeBlocked);
+  m_override->setVisible(hasFeedCell());
+  m_end->setVisible(hasFeedCell() && m_update.state == RunState::Holding && !isHeldBySource());
+  m_start->setVisible(!hasFeedCell());
+  // What was asked for last is shown until the control has it.
+  if (const auto& feed = m_update.feed;
+      hasFeedCell() && !feed->holds &&
+      (feed->isForeign || m_askedPercent.value_or(feed->wantedPercent) == feed->wantedPercent)) {
+    m_override->setPercent(feed->wantedPercent);
+  }
   m_start->setNeedsHold(m_preflightPassed);
   m_stop->setEnabled(active || hasFound() || m_mayMove);
   const bool canStart = !active && m_startBlocked.isEmpty();
@@ -440,7 +505,9 @@ void RunPanel::showButtons() {
                              themeColors(palette()).text));
   m_hold->setEnabled(m_canHold && (canGoOn || m_update.state == RunState::Running));
   m_hold->setToolTip(m_canHold
-                         ? tr("The machine waits before the next window until you press Continue.")
+                         ? hasFeedCell() ? tr("The axes stand at once, until you press Continue.")
+                                         : tr("The machine waits before the next window until you "
+                                              "press Continue.")
                          : tr("Only method window can hold."));
 }
 
@@ -499,6 +566,7 @@ void RunPanel::showReason() {
   }
   if (const QString native = nativeText(); !native.isEmpty()) {
     sentences.append(native);
+    sentences.append(feedSentence());
   } else if (active) {
     sentences.append(waitingSentence());
   } else if (hasFound()) {
@@ -516,7 +584,8 @@ void RunPanel::showReason() {
     sentences.append(tr("Ready to start"));
   }
   sentences.removeAll(QString());
-  const bool isFault = m_stopState == StopState::Unconfirmed || (!active && m_hasWrongMotion);
+  const bool isFault = m_stopState == StopState::Unconfirmed || (!active && m_hasWrongMotion) ||
+                       (hasFeedCell() && m_update.feed->isIgnored);
   m_reason->setStatus(isFault                                               ? Status::Fault
                       : !active && !hasFound() && !m_startBlocked.isEmpty() ? Status::Attention
                                                                             : Status::Plain,

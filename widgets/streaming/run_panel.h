@@ -4,9 +4,11 @@
 /// @file
 /// The strip at the bottom of the window: Stop, Hold, the state of the run, Resume and Start. It
 /// has the same height whatever it shows, and it fits a window of 480 px. Stop is available in
-/// every state in which something may move, needs no confirmation, and shows when the control has
-/// confirmed it. It is a programmed stop at the end of a window, not a safety function. Start first
-/// asks for the preflight, and moves the machine only after it has been held.
+/// every state in which something may move, and needs no confirmation. A run whose program has a
+/// feed cell stands on its path at once, as with Hold; it then goes on (Continue) or ends (End
+/// here). Other runs end before their next window, and it is shown when the control has confirmed
+/// it. Stop is no safety function. Start first asks for the preflight, and moves the machine only
+/// after it has been held; while a run has an override, that has the place of Start.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -27,6 +29,7 @@ namespace rivulet::widgets {
 
 class ElidedLabel;
 class HoldButton;
+class OverrideControl;
 class StatusLabel;
 
 /// "Running", "Holding", … in the language of the operator.
@@ -72,6 +75,8 @@ class RunPanel final : public Page {
   void setFound(const std::optional<FoundRunView>& found);
   /// The control may move something, whoever has started it: Stop can be pressed.
   void setMayMove(bool mayMove);
+  /// Who is there may set the path override. @param maxPercent  the highest
+  void setOverrideAllowed(bool isAllowed, double maxPercent);
   /// The run in progress or the last one has executed wrong points, which nobody has acknowledged.
   void setWrongMotion(bool hasWrongMotion);
 
@@ -85,6 +90,9 @@ class RunPanel final : public Page {
   void stopRequested();
   /// @param hold  false: continue
   void holdRequested(bool hold);
+  /// A run that is held is to end: the axes execute what the control has of it.
+  void endRequested();
+  void overrideRequested(double percent);
   /// Nothing moves yet: the control is to be asked for the place.
   void resumeRequested();
 
@@ -123,6 +131,10 @@ class RunPanel final : public Page {
   /// Why a figure of a run that another computer streams is not known.
   [[nodiscard]] static QString elsewhereText();
   [[nodiscard]] QString waitingSentence() const;
+  /// What there is to say of the feed cell; empty: nothing.
+  [[nodiscard]] QString feedSentence() const;
+  /// Hold and override act at once.
+  [[nodiscard]] bool hasFeedCell() const;
   /// The run holds because of its live source, not of the operator.
   [[nodiscard]] bool isHeldBySource() const;
   /// "Running: stretch 3 of 12".
@@ -146,6 +158,7 @@ class RunPanel final : public Page {
   StopState m_stopState = StopState::None;
   bool m_mayMove = false;
   std::size_t m_runBegin{0};
+  std::optional<double> m_askedPercent;  ///< as override of this run, last
   bool m_canHold = false;
   bool m_preflightPassed = false;
   bool m_canResume = false;
@@ -160,11 +173,14 @@ class RunPanel final : public Page {
   QWidget* m_right;
   QBoxLayout* m_rightLayout;
   HoldButton* m_start;
+  HoldButton* m_end;
+  OverrideControl* m_override;
   QPushButton* m_stop = button(
       {.text = QT_TR_NOOP("Stop"),
        .tip =
-           QT_TR_NOOP("Ends the run at the end of the loop. Escape does the same, from anywhere in "
-                      "the window. It does not replace the machine's emergency stop."),
+           QT_TR_NOOP("The axes stand at once if the program has a feed cell, else at the end of "
+                      "its window. Escape does the same, from anywhere in the window. It does not "
+                      "replace the machine's emergency stop."),
        .icon = "stop",
        .id = "stop"},
       &RunPanel::requestStop);

@@ -111,7 +111,7 @@ void connectServices(Users* users, RunController* runs, Services* services,
                                           QWidget* parent);
 [[nodiscard]] QWidget* makeTrustSheet(Users* users, MachineModel* machine, RunController* runs,
                                       Certificates* certificates, QWidget* parent);
-[[nodiscard]] QWidget* makeRunPanel(MachineModel* machine, Document* document, RunController* runs,
+[[nodiscard]] QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, RunController* runs,
                                     Preflight* preflight, FoundRuns* found, QWidget* parent);
 
 /// The simulation among the findings, as pages show it.

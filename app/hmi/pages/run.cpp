@@ -294,7 +294,7 @@ QWidget* makePreflightSheet(RunController* runs, Preflight* preflight, QWidget* 
   return sheet;
 }
 
-QWidget* makeRunPanel(MachineModel* machine, Document* document, RunController* runs,
+QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, RunController* runs,
                       Preflight* preflight, FoundRuns* found, QWidget* parent) {
   auto* panel = new RunPanel(parent);
   QObject::connect(panel, &RunPanel::preflightRequested, preflight, &Preflight::openForStart);
@@ -312,6 +312,8 @@ QWidget* makeRunPanel(MachineModel* machine, Document* document, RunController* 
   QObject::connect(machine, &MachineModel::seen, panel, showMotion);
   QObject::connect(machine, &MachineModel::viewChanged, panel, showMotion);
   QObject::connect(panel, &RunPanel::holdRequested, runs, &RunController::hold);
+  QObject::connect(panel, &RunPanel::endRequested, runs, &RunController::end);
+  QObject::connect(panel, &RunPanel::overrideRequested, runs, &RunController::setOverride);
   QObject::connect(panel, &RunPanel::resumeRequested, runs, &RunController::askResume);
   QObject::connect(runs, &RunController::updated, panel, &RunPanel::setUpdate);
   QObject::connect(runs, &RunController::jobChanged, panel,
@@ -322,10 +324,12 @@ QWidget* makeRunPanel(MachineModel* machine, Document* document, RunController* 
                    [panel](const std::shared_ptr<const streaming::RunReport>& report) {
                      panel->setReport(*report);
                    });
-  QObject::connect(runs, &RunController::permissionsChanged, panel, [panel, runs, document] {
+  QObject::connect(runs, &RunController::permissionsChanged, panel, [panel, users, runs, document] {
     panel->setStartBlocked(widgets::blockedText(runs->startBlocked()));
     panel->setResume(runs->hasRunToResume(), widgets::blockedText(runs->resumeBlocked()));
     panel->setCanHold(runs->canHold());
+    panel->setOverrideAllowed(runs->canOverride(),
+                              permission::overridePercentMax(users->standing().role));
     if (document->program()) {
       panel->setTitle(RunTexts::title(*document, runs->isRunning()));
     }

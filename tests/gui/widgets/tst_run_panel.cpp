@@ -197,6 +197,52 @@ class TestRunPanel : public QObject {
     QVERIFY(!buttons.stop->isEnabled());
   }
 
+  /// With a feed cell the axes stand at once; then the run goes on, or ends when somebody wants it.
+  void theFeedCellActsAtOnce() {
+    RunPanel panel;
+    const Buttons buttons(panel);
+    static_cast<void>(test::picture(panel, {1280, 110}));
+    auto* end = panel.findChild<QPushButton*>("end-here");
+    auto* less = panel.findChild<QPushButton*>("override-less");
+    auto* more = panel.findChild<QPushButton*>("override-more");
+    QSignalSpy percents(&panel, &RunPanel::overrideRequested);
+    streaming::LiveUpdate update = updateOf(RunState::Running);
+    panel.setUpdate(update);
+    QVERIFY(buttons.start->isVisible() && !less->isVisible() && !end->isVisible());
+    update.feed.emplace();
+    panel.setUpdate(update);
+    QVERIFY(!buttons.start->isVisible() && less->isVisible() && !end->isVisible());
+    QVERIFY(!more->isEnabled());  // an operator may not set more than 100 %
+    less->click();
+    QCOMPARE(percents.takeFirst().at(0).toDouble(), 95.0);
+    panel.setOverrideAllowed(true, 120.0);
+    for (const double percent : {100.0, 105.0}) {
+      more->click();
+      QCOMPARE(percents.takeFirst().at(0).toDouble(), percent);
+    }
+    buttons.stop->click();
+    QVERIFY(!test::visibleText(panel).contains("not yet confirmed"));
+    update.state = RunState::Holding;
+    update.feed->holds = true;
+    update.feed->wantedPercent = 0.0;
+    panel.setUpdate(update);
+    QVERIFY(test::visibleText(panel).contains("The axes are braking"));
+    QVERIFY(test::visibleText(panel).contains("Override 105 %"));  // with which it goes on
+    QVERIFY(end->isVisible() && buttons.stop->isEnabled());
+    update.feed->stoodAfter = std::chrono::milliseconds{210};
+    panel.setUpdate(update);
+    QVERIFY(test::visibleText(panel).contains("The axes stand"));
+    update.feed->isIgnored = true;
+    panel.setUpdate(update);
+    QVERIFY(test::visibleText(panel).contains("Press NC STOP"));
+    static_cast<void>(test::picture(panel, {480, 180}));
+    for (const QWidget* part : {static_cast<QWidget*>(buttons.stop), end, static_cast<QWidget*>(less),
+                                static_cast<QWidget*>(more)}) {
+      QVERIFY(part->isVisible() &&
+              panel.rect().contains(QRect(part->mapTo(&panel, QPoint()), part->size())));
+    }
+  }
+
   void stopSaysWhenItIsConfirmed() {
     test::Language language;
     RunPanel panel;
