@@ -132,9 +132,10 @@ constexpr std::array<std::string_view, 41> kTransformation{
 constexpr std::array<std::string_view, 14> kProbing{
     "MEAS",   "MEAW",       "MEASA",    "MEAWA",    "GETT",     "GETDNO",   "READ",
     "ISFILE", "GETFREELOC", "CYCLE976", "CYCLE977", "CYCLE978", "CYCLE979", "DELETE"};
-constexpr std::array<std::string_view, 17> kOtherMotion{
-    "ANG",   "ANG1",  "INVCW",  "INVCCW", "ASPLINE", "CSPLINE", "POLY",    "PO", "DISR",
-    "DISCL", "DISRP", "OSCILL", "POS",    "POSA",    "POSP",    "TRAILON", "FXS"};
+constexpr std::array<std::string_view, 23> kOtherMotion{
+    "BAUTO", "BNAT",   "BTAN",    "EAUTO",   "ENAT", "ETAN",    "ANG",  "ANG1",
+    "INVCW", "INVCCW", "ASPLINE", "CSPLINE", "POLY", "PO",      "DISR", "DISCL",
+    "DISRP", "OSCILL", "POS",     "POSA",    "POSP", "TRAILON", "FXS"};
 constexpr std::array<std::string_view, 8> kCorners{"RND", "RNDM", "FRC", "FRCM",
                                                    "CHF", "CHR",  ",R",  ",C"};
 constexpr std::array<std::string_view, 1> kRetract{"M140"};

@@ -61,6 +61,12 @@ bool swivelsBack(const nc::Call& call) {
                       [](const auto& argument) { return argument.has_value(); });
 }
 
+/// ASPLINE and CSPLINE go through the points that are programmed. How the control bends the way
+/// between them is not modelled: this machine goes straight.
+bool isSplineThroughPoints(std::string_view name) {
+  return name == "ASPLINE" || name == "CSPLINE";
+}
+
 template <class... Callables>
 struct Overload : Callables... {
   using Callables::operator()...;
@@ -568,8 +574,12 @@ Prepared Interpreter::inOrder(Prepared prepared, base::LineNumber line) {
   return first;
 }
 
-/// RND, RNDM, CHF, CHR, OFFN and TOFFL. @return false: another word
+/// RND, RNDM, CHF, CHR, OFFN and TOFFL, ASPLINE and CSPLINE. @return false: another word
 bool Interpreter::readValue(const nc::Token& token) {
+  if (token.kind == nc::TokenKind::Name && isSplineThroughPoints(base::toUpper(token.text))) {
+    m_executor.state().motion = nc::Motion::Line;
+    return true;
+  }
   const bool isNamed =
       token.kind == nc::TokenKind::NamedValue || token.kind == nc::TokenKind::Assignment;
   const std::string name = isNamed ? base::toUpper(nc::tokenName(token)) : std::string();

@@ -98,6 +98,7 @@ class BlockReader {
   void readBlockEnd(const GRow& row, const Token& token, BlockWords& words);
   void beginCannedCycle(int key, BlockWords& words);
   void readForeignMotion(GEffect effect, const Token& token, BlockWords& words);
+  void beginForeignMotion(BlockWords& words);
   void readTurningCycle(const Token& token, BlockWords& words);
 
   // Names.

@@ -349,6 +349,10 @@ void BlockReader::readForeignMotion(GEffect effect, const Token& token, BlockWor
   m_to.faults.error(token,
                     effect == GEffect::Cycle ? FaultCode::CycleNotRun : FaultCode::UnsupportedGCode,
                     wordText(token));
+  beginForeignMotion(words);
+}
+
+void BlockReader::beginForeignMotion(BlockWords& words) {
   if (m_state.motion != Motion::Unsupported) {
     m_state.motionBeforeUnsupported = m_state.motion;
   }

@@ -75,6 +75,10 @@ void BlockReader::readName(const Token& token, BlockWords& words) {
     case NameEffect::Spline:
       words.rareWords().bSpline = true;
       break;
+    case NameEffect::OtherCurve:
+      m_to.faults.error(token, FaultCode::UnsupportedGCode, name);
+      beginForeignMotion(words);
+      break;
     case NameEffect::MachineMove:
       words.machineToken = &token;
       break;

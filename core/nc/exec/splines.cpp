@@ -4,6 +4,7 @@
 // Moves along splines: BSPLINE over several blocks, G5, G5.1 and G5.2.
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "nc/exec/executor.h"
@@ -46,6 +47,20 @@ void Executor::selectSpline(G function) {
   }
 }
 
+namespace {
+
+/// An axis that nobody has named yet stays where it is; along any other the curve is known.
+bool isCurveKnown(Vec3 from, Vec3 target) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (std::isnan(from[axis]) && !std::isnan(target[axis])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 /// G6.2: K is the next knot, P the order of the curve. Blocks without axes name the last knots.
 void Executor::takeKnot(const BlockWords& words) {
   if (words.centre.has(2)) {
@@ -58,7 +73,7 @@ void Executor::takeKnot(const BlockWords& words) {
 
 void Executor::addControlPoint(const BlockWords& words, Vec3 target, const Move& move) {
   const Vec3 from = programmed();
-  if (!base::isFinite(from)) {
+  if (!isCurveKnown(from, target)) {
     error(words, FaultCode::ArcFromUnknownPosition, "X Y Z");
     unknownWay(target, move);
     return;
@@ -135,6 +150,9 @@ void Executor::spline(const Spline& spline, const Move& move) {
   for (std::size_t i = control.size() - 1; i-- > 0 && base::norm(direction) == 0.0;) {
     direction = control.back() - control[i];
   }
+  if (!base::isFinite(direction)) {
+    direction = {};
+  }
   arrive(control.back(), direction, move);
 }
 
@@ -150,7 +168,7 @@ double centreOf(const BlockWords& words, std::size_t axis) {
 void Executor::moveBezier(const BlockWords& words, Vec3 target, const Move& move) {
   const Vec3 from = m_position.programmedMm;
   const bool isCubic = m_state.motion == Motion::CubicSpline;
-  if (!base::isFinite(from) || m_state.planeFirstAxis != 0) {
+  if (!isCurveKnown(from, target) || m_state.planeFirstAxis != 0) {
     error(words, FaultCode::ArcFromUnknownPosition, "X Y Z");
     unknownWay(target, move);
     return;

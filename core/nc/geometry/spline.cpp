@@ -43,6 +43,16 @@ class Flattener {
   std::vector<Vec3>& m_points;
 };
 
+/// The point with `value` along the axes that the other one does not know.
+Vec3 withKnown(Vec3 point, Vec3 unknownMm, double value) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (std::isnan(unknownMm[axis])) {
+      point.set(axis, value);
+    }
+  }
+  return point;
+}
+
 }  // namespace
 
 std::vector<double> clampedKnots(std::size_t points, int degree) {
@@ -94,6 +104,19 @@ Vec3 splinePoint(const Spline& spline, double parameter) {
 
 double flattenSpline(const Spline& spline, double chordToleranceMm, std::vector<Vec3>& points) {
   RIVULET_ASSERT(chordToleranceMm > 0.0);
+  const Vec3 unknownMm = spline.controlMm.front();
+  if (!base::isFinite(unknownMm)) {
+    Spline flat = spline;
+    for (Vec3& point : flat.controlMm) {
+      point = withKnown(point, unknownMm, 0.0);
+    }
+    const std::size_t first = points.size();
+    const double lengthMm = flattenSpline(flat, chordToleranceMm, points);
+    for (std::size_t i = first; i < points.size(); ++i) {
+      points[i] = withKnown(points[i], unknownMm, std::nan(""));
+    }
+    return lengthMm;
+  }
   const auto degree = static_cast<std::size_t>(spline.degree);
   RIVULET_ASSERT(spline.degree >= 1 && spline.controlMm.size() > degree);
   RIVULET_ASSERT(spline.weights.size() == spline.controlMm.size());

@@ -13,10 +13,11 @@ namespace rivulet::nc {
 
 /// A rational B-spline. Workpiece frame or any other: the curve is where its points are.
 struct Spline {
-  int degree = 3;                     ///< >= 1
-  std::vector<base::Vec3> controlMm;  ///< at least degree + 1
-  std::vector<double> weights;        ///< one per control point, > 0
-  std::vector<double> knots;          ///< control points + degree + 1, ascending
+  int degree = 3;  ///< >= 1
+  /// At least degree + 1. NaN along an axis in all of them: there the curve stays where it is.
+  std::vector<base::Vec3> controlMm;
+  std::vector<double> weights;  ///< one per control point, > 0
+  std::vector<double> knots;    ///< control points + degree + 1, ascending
 };
 
 /// Knots of equal distance with the ends repeated, so that the curve begins at the first control

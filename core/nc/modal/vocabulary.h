@@ -267,6 +267,7 @@ enum class NameEffect : unsigned char {
   Frame,           ///< TRANS, ROT, SCALE, MIRROR and their additive forms
   Motion,          ///< CIP, CT: modal, as G2
   Spline,          ///< BSPLINE: modal, as G1
+  OtherCurve,      ///< not supported: modal, replaces G0 to G3
   MachineMove,     ///< SUPA
   Diameter,        ///< DIAMON, DIAMOF, DIAM90
   Transformation,  ///< TRAORI, TRAFOOF: X, Y, Z stay those of the tool's tip

@@ -24,6 +24,7 @@ constexpr std::string_view kTool = "Fundamentals, Tool offsets";
 constexpr std::string_view kAuxiliary = "Fundamentals, Auxiliary function outputs, M functions";
 constexpr std::string_view kFrames = "Fundamentals, Coordinate transformations (frames)";
 constexpr std::string_view kJob = "Programming Manual Job Planning, List of statements";
+constexpr std::string_view kSplines = "Programming Manual Job Planning, Spline interpolation";
 constexpr std::string_view kCycles = "Programming Manual Cycles, List of cycles";
 constexpr std::string_view kIsoMode = "ISO Milling; of that language alone";
 constexpr std::string_view kIso = "DIN 66025-2, miscellaneous functions";
@@ -293,9 +294,12 @@ NameTable sharedNames() {
   table.add(NameEffect::End, kJob, {"RET"});
   // Another form of the path in a block that moves.
   table.add(NameEffect::Mode, kMotion,
-            {"RND",   "RNDM",   "FRC",     "FRCM",    "CHF",  "CHR", "ANG",  "ANG1",
-             "INVCW", "INVCCW", "ASPLINE", "CSPLINE", "POLY", "PO",  "DISR", "DISCL",
-             "DISRP", "OSCILL", "POS",     "POSA",    "POSP", "G290"});
+            {"RND", "RNDM", "FRC", "FRCM", "CHF", "CHR", "ANG", "ANG1", "PO", "DISR", "DISCL",
+             "DISRP", "OSCILL", "POS", "POSA", "POSP", "G290"});
+  // Group 1, as G0 to G3 and BSPLINE: in force until another of them.
+  table.add(NameEffect::OtherCurve, kMotion, {"INVCW", "INVCCW", "ASPLINE", "CSPLINE", "POLY"});
+  // Groups 19 and 20: how ASPLINE and CSPLINE begin and end; no other motion heeds them.
+  table.add(NameEffect::None, kSplines, {"BAUTO", "BNAT", "BTAN", "EAUTO", "ENAT", "ETAN"});
   // A text that becomes a block while the program runs; axes that follow others, or get another
   // place; blocks that stand in a text of another control.
   table.add(NameEffect::TakesBlock, kJob,
