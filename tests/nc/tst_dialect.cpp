@@ -41,6 +41,10 @@ class TestDialect : public QObject {
     add("O<part> sub\nO<part> endsub", Dialect::LinuxCnc, "O<");
     add("#<depth>=3\nG1 Z-#<depth> F100", Dialect::LinuxCnc, "#<");
     add("$H\nG0 X1", Dialect::Grbl, "$H");
+    // LinuxCNC refuses a comment there.
+    add("o1 (why) if [1]\nG0 X1\no1 endif\n", Dialect::FluidNc, "On (...)");
+    add("o1 if [1] (why)\nG0 X1\no1 endif\n", Dialect::LinuxCnc, "ENDIF");
+    add("(for FluidNC)\n#<x>=1\nG0 X#<x>\n", Dialect::FluidNc, "FLUIDNC");
     add("0 BEGIN PGM A MM\n1 L X+0 Y+0 FMAX\n2 END PGM A MM", Dialect::Heidenhain, "BEGIN PGM");
   }
 

@@ -24,8 +24,8 @@ std::size_t indexOf(Dialect dialect) {
 
 const DialectWords& wordsOf(Dialect dialect) {
   static const std::array<DialectWords, kDialects.size()> words{
-      sinumerik::words(), fanuc::words(), haas::words(),
-      linuxcnc::words(),  grbl::words(),  heidenhain::words()};
+      sinumerik::words(), fanuc::words(),      haas::words(), linuxcnc::words(),
+      grbl::words(),      heidenhain::words(), grbl::words()};
   return words[indexOf(dialect)];
 }
 
@@ -33,8 +33,8 @@ const DialectWords& wordsOf(Dialect dialect) {
 
 const Language& languageOf(Dialect dialect) {
   static const std::array<Language, kDialects.size()> languages{
-      sinumerik::language(), fanuc::language(), haas::language(),
-      linuxcnc::language(),  grbl::language(),  heidenhain::language()};
+      sinumerik::language(), fanuc::language(),      haas::language(),       linuxcnc::language(),
+      grbl::language(),      heidenhain::language(), grbl::fluidNcLanguage()};
   return languages[indexOf(dialect)];
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "base/contract.h"
 #include "base/text.h"
@@ -359,14 +360,32 @@ constexpr std::array kMentions{
     Mention{"SINUMERIK", Dialect::Sinumerik}, Mention{"840D", Dialect::Sinumerik},
     Mention{"FANUC", Dialect::Fanuc},         Mention{"HAAS", Dialect::Haas},
     Mention{"LINUXCNC", Dialect::LinuxCnc},   Mention{"EMC2", Dialect::LinuxCnc},
-    Mention{"GRBL", Dialect::Grbl},           Mention{"FLUIDNC", Dialect::Grbl}};
+    Mention{"GRBL", Dialect::Grbl},           Mention{"FLUIDNC", Dialect::FluidNc}};
 constexpr std::size_t kLinesOfHeader = 30;
 constexpr int kMentionWeight = 6;
 
 /// Dialects whose words do not contradict each other: one has those of the other.
 bool areRelated(Dialect a, Dialect b) {
   const auto isOf = [&](Dialect x, Dialect y) { return (a == x && b == y) || (a == y && b == x); };
-  return isOf(Dialect::Fanuc, Dialect::Haas) || isOf(Dialect::LinuxCnc, Dialect::Grbl);
+  return isOf(Dialect::Fanuc, Dialect::Haas) || isOf(Dialect::LinuxCnc, Dialect::Grbl) ||
+         isOf(Dialect::LinuxCnc, Dialect::FluidNc) || isOf(Dialect::Grbl, Dialect::FluidNc);
+}
+
+/// "o160 (why) if [1]", which LinuxCNC refuses and FluidNC reads.
+bool hasCommentBehindOWord(std::string_view line) {
+  line = base::trim(line);
+  if (line.empty() || base::toUpper(line.front()) != 'O') {
+    return false;
+  }
+  std::size_t at = line.find_first_not_of("0123456789", 1);
+  at = at == 1 || at == std::string_view::npos ? at : line.find_first_not_of(" \t", at);
+  if (at == std::string_view::npos || line[at] != '(') {
+    return false;
+  }
+  const std::size_t close = line.find(')', at);
+  const std::string_view behind =
+      close == std::string_view::npos ? "" : base::trim(line.substr(close + 1));
+  return behind.size() >= 2 && isLetter(behind[0]) && isLetter(behind[1]);
 }
 
 std::string shownEvidence(std::string_view text, Dialect dialect) {
@@ -391,6 +410,8 @@ std::string_view dialectName(Dialect dialect) {
       return "grbl";
     case Dialect::Heidenhain:
       return "heidenhain";
+    case Dialect::FluidNc:
+      return "fluidnc";
   }
   base::contractViolated("every dialect has a name", __FILE__, __LINE__);
 }
@@ -442,6 +463,9 @@ DialectGuess detectDialect(std::string_view text, std::string_view fileName) {
     if (isPlain(front) && !hasTellingG(front)) {
       continue;
     }
+    if (hasCommentBehindOWord(front)) {
+      count({Dialect::FluidNc, "O# (...)", 20});
+    }
     const std::string line = relevantPart(front);
     if (line.size() < 2) {
       continue;
@@ -459,6 +483,11 @@ DialectGuess detectDialect(std::string_view text, std::string_view fileName) {
     if (mentioned[i]) {
       count({kMentions[i].dialect, kMentions[i].text, kMentionWeight});
     }
+  }
+  // Its O words and calculations are those of RS-274/NGC.
+  auto& ofFluidNc = weight[static_cast<std::size_t>(Dialect::FluidNc)];
+  if (ofFluidNc > 0) {
+    ofFluidNc += std::exchange(weight[static_cast<std::size_t>(Dialect::LinuxCnc)], 0);
   }
   DialectGuess guess;
   guess.lathe = turningCycle;

@@ -14,18 +14,21 @@
 namespace rivulet::nc {
 
 enum class Dialect : unsigned char {
-  Sinumerik,   ///< Siemens 840D, 828D, ONE
-  Fanuc,       ///< and what follows it: Mitsubishi, Mazak EIA, Mach3
-  Haas,        ///< follows Fanuc, with rules of its own
-  LinuxCnc,    ///< RS-274/NGC with O words
-  Grbl,        ///< GRBL and FluidNC
+  Sinumerik,  ///< Siemens 840D, 828D, ONE
+  Fanuc,      ///< and what follows it: Mitsubishi, Mazak EIA, Mach3
+  Haas,       ///< follows Fanuc, with rules of its own
+  LinuxCnc,   ///< RS-274/NGC with O words
+  Grbl,
   Heidenhain,  ///< plain text (Klartext): read by a language of its own
+  FluidNc,     ///< follows GRBL, with the O words and calculations of RS-274/NGC
 };
 
 inline constexpr std::array kDialects{Dialect::Sinumerik, Dialect::Fanuc, Dialect::Haas,
-                                      Dialect::LinuxCnc,  Dialect::Grbl,  Dialect::Heidenhain};
+                                      Dialect::LinuxCnc,  Dialect::Grbl,  Dialect::Heidenhain,
+                                      Dialect::FluidNc};
 
-/// "sinumerik", "fanuc", "haas", "linuxcnc", "grbl", "heidenhain": for files and options.
+/// "sinumerik", "fanuc", "haas", "linuxcnc", "grbl", "heidenhain", "fluidnc": for files and
+/// options.
 [[nodiscard]] std::string_view dialectName(Dialect dialect);
 /// @param name  as above; "iso" is "fanuc"
 [[nodiscard]] std::optional<Dialect> dialectOfName(std::string_view name);

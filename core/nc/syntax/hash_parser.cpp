@@ -33,14 +33,15 @@ std::string takeTrailingDigits(std::string& word) {
 /// Structures become branches; those with a number or name close by it.
 class HashParser final : public BlockParser {
  public:
-  HashParser(Tree& tree, const Notation& notation) : BlockParser(tree), m_notation(notation) {}
+  HashParser(Tree& tree, const Language& language)
+      : BlockParser(tree), m_language(language), m_notation(language.notation) {}
 
   std::string_view steer(std::string_view text, Place place) override {
     m_place = place;
-    // The text of an alarm stands behind its value.
     const bool isO = text.starts_with('O') || text.starts_with('o');
-    std::string_view rest = text.substr(0, text.find_first_of(isO ? ";(" : ";"));
+    std::string_view rest = text;
     if (!isO) {
+      rest = text.substr(0, text.find(';'));  // the text of an alarm stands behind its value
       Reader reader(rest, m_notation, place);
       m_in = &reader;
       read(kWords, reader.name());
@@ -52,6 +53,11 @@ class HashParser final : public BlockParser {
       return {};
     }
     m_id = *id;
+    for (std::string_view behind = base::trim(rest);
+         m_language.hasCommentsBehindOWords && behind.starts_with('('); behind = base::trim(rest)) {
+      rest = behind.substr(std::min(behind.find(')'), behind.size() - 1) + 1);
+    }
+    rest = rest.substr(0, rest.find_first_of(";("));
     Reader reader(rest, m_notation, place);
     m_in = &reader;
     read(kOWords, reader.name());
@@ -352,6 +358,7 @@ class HashParser final : public BlockParser {
     append(std::move(made));
   }
 
+  const Language& m_language;
   const Notation& m_notation;
   std::string m_id;  ///< "O100", "O<NAME>", "DO1"
   std::string m_word;
@@ -387,7 +394,7 @@ const std::array<HashParser::Word, 14> HashParser::kOWords{{
 }  // namespace
 
 std::unique_ptr<BlockParser> hashParser(Tree& tree, const Language& language, Detail /*detail*/) {
-  return std::make_unique<HashParser>(tree, language.notation);
+  return std::make_unique<HashParser>(tree, language);
 }
 
 }  // namespace rivulet::nc

@@ -50,10 +50,11 @@ struct Language {
   // How it is written.
   bool isKlartext = false;
   bool hasBracketComments = true;
-  bool hasIndexedWords = false;        ///< M[1]=3, G[6]=2, AX[1]=5
-  bool hasOWords = true;               ///< O100 begins a program
-  bool hasOStatements = false;         ///< O100 IF, O100 CALL
-  bool comparesNumbersAsText = false;  ///< N010 and N10 are two labels
+  bool hasIndexedWords = false;          ///< M[1]=3, G[6]=2, AX[1]=5
+  bool hasOWords = true;                 ///< O100 begins a program
+  bool hasOStatements = false;           ///< O100 IF, O100 CALL
+  bool hasCommentsBehindOWords = false;  ///< O100 (why) IF
+  bool comparesNumbersAsText = false;    ///< N010 and N10 are two labels
   /// Blanks mean nothing, within a number too: X1 0 is X10. Else such a number is refused.
   bool ignoresBlanksInNumbers = false;
   bool hasRepeatedSigns = false;  ///< X--5 is X5

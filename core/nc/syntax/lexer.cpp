@@ -483,12 +483,21 @@ class LineReader {
       ++at;
     }
     const bool hasNumber = at != m_at;
-    while (at != m_end && classOf(*at) == kBlank) {
-      ++at;
+    at = behindBlanks(at);
+    while (m_language.hasCommentsBehindOWords && at != m_end && *at == '(') {
+      const char* const close = std::find(at, m_end, ')');
+      at = close == m_end ? m_end : behindBlanks(close + 1);
     }
     // O1 G17 is the number of a program and a word.
     return hasNumber && at != m_end && classOf(*at) == kLetter && at + 1 != m_end &&
            classOf(at[1]) == kLetter;
+  }
+
+  [[nodiscard]] const char* behindBlanks(const char* at) const {
+    while (at != m_end && classOf(*at) == kBlank) {
+      ++at;
+    }
+    return at;
   }
 
   /// True if what was read is not the beginning of a calculation: at the end of the statement, and

@@ -11,6 +11,7 @@
 namespace rivulet::nc::grbl {
 
 [[nodiscard]] Language language();
+[[nodiscard]] Language fluidNcLanguage();
 [[nodiscard]] DialectWords words();
 
 }  // namespace rivulet::nc::grbl

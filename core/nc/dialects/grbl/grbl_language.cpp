@@ -15,4 +15,31 @@ Language language() {
   return made;
 }
 
+namespace {
+
+/// TOLERANCE_EQUAL in Expression.cpp of FluidNC.
+const Semantics& fluidNcSemantics() {
+  static const Semantics semantics = [] {
+    Semantics made = hashSemantics();
+    made.equalAbsolute = 1e-5;
+    return made;
+  }();
+  return semantics;
+}
+
+}  // namespace
+
+/// Expression.cpp, Parameters.cpp and Flowcontrol.cpp of FluidNC: calculations, parameters that are
+/// set behind their block, and O words as in RS-274/NGC.
+Language fluidNcLanguage() {
+  Language made = rs274Language(Dialect::FluidNc, hashNotation(), fluidNcSemantics());
+  made.hasOStatements = true;
+  made.hasCommentsBehindOWords = true;
+  made.assignsBehindBlock = true;
+  made.cycleOffEndsMotion = true;
+  made.arcsNameEnd = true;
+  made.dwellNeedsP = true;
+  return made;
+}
+
 }  // namespace rivulet::nc::grbl
