@@ -33,10 +33,12 @@ inline constexpr std::size_t kLevelsMax = 16;
 inline constexpr double kRoundsMax = 9999.0;
 /// Statements executed again by loops and calls before a program counts as endless.
 inline constexpr std::size_t kRepeatedLinesMax = 5'000'000;
+/// The same of plain text, whose blocks take four times as long.
+inline constexpr std::size_t kRepeatedPlainTextMax = 1'250'000;
 /// Those of them that a job leaves to the control.
 inline constexpr std::size_t kRepeatedNativeBlocksMax = 100'000;
 /// Points of one trajectory, where its loops and calls repeat blocks.
-inline constexpr std::size_t kRepeatedPointsMax = 6'000'000;
+inline constexpr std::size_t kRepeatedPointsMax = 3'000'000;
 /// Points of one trajectory.
 inline constexpr std::size_t kTrajectoryPointsMax = 32'000'000;
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "nc/flow/cursor.h"
-#include "nc/dialects/heidenhain/control.h"
 
 #include <fmt/format.h>
 
@@ -247,6 +246,13 @@ bool Cursor::readKlartextBlock() {
       return false;
     }
     ++m_executed;
+    m_isAtHeading =
+        m_hasWords && !m_block.tokens.empty() && headingOf(m_block, m_language) != Heading::None;
+    if (m_isAtHeading) {  // another program: the one before has no end
+      m_line = m_block.line;
+      return false;
+    }
+    m_hasWords = m_hasWords || !m_block.tokens.empty();
     m_readPlace = {m_block.line, 0, 1};
   } else {
     const Statement* const statement = m_flow->due();
@@ -272,7 +278,8 @@ bool Cursor::readKlartextBlock() {
     if (m_readPlace.file == 0) {
       m_reached[m_readPlace.line.value] = true;
     }
-    if (++m_executed > m_sources.front().programs.lines + m_options.repeatedLinesMax) {
+    if (++m_executed > m_sources.front().programs.lines +
+                           std::min(m_options.repeatedLinesMax, kRepeatedPlainTextMax)) {
       m_endless = m_jumpedFrom;
       return false;
     }

@@ -34,6 +34,8 @@ bool isComment(const Token& token) {
          (token.kind == TokenKind::UnexpectedCharacter && token.text == ")");
 }
 
+constexpr std::string_view kPlainBegin = "BEGIN PGM";
+
 /// N=5 sets a variable N.
 bool isBlockNumber(const Token& token) {
   return token.kind == TokenKind::Word && token.address == 'N' &&
@@ -197,6 +199,12 @@ class Splitter {
         name(procedureName(statement.text));
         m_parts.back().parser->steer(statement.text, {block.line, m_file, statement.column});
         return;
+      }
+      case Heading::PlainText: {
+        beginProgram(Heading::PlainText, place);
+        const std::string_view text = base::trim(front.text.substr(kPlainBegin.size()));
+        m_parts.back().program.name = text.substr(0, text.find_last_of(' '));
+        break;
       }
       case Heading::None:
         break;
@@ -390,6 +398,11 @@ Heading headingOf(const Words& block, const Language& language) {
   }
   if (front.kind == TokenKind::Tape) {
     return front.text.starts_with("%_N_") ? Heading::Archive : Heading::Tape;
+  }
+  if (language.isKlartext) {
+    return front.kind == TokenKind::Statement && front.text.starts_with(kPlainBegin)
+               ? Heading::PlainText
+               : Heading::None;
   }
   const bool isNumber = front.kind == TokenKind::Word &&
                         (front.address == 'O' || (front.address == 'N' && front.text[0] == ':'));

@@ -30,6 +30,7 @@ enum class Heading : std::uint8_t {
   Archive,    ///< %_N_NAME_MPF
   Number,     ///< O1234, :1234
   Procedure,  ///< PROC NAME
+  PlainText,  ///< BEGIN PGM NAME MM
 };
 
 /// One of the programs that stand one after another in a text.
