@@ -88,6 +88,7 @@ class Interpreter final : private nc::CallObserver {
         m_findings(options.accepted),
         m_variables(
             m_language.comparison, [this](char axis) { return m_executor.positionOf(axis); },
+            [this](char axis) { return machinePosition(axis); },
             [this](int number) { return knownNumber(number); },
             [this] { return m_executor.state().lengthFactor != 1.0; }),
         m_cursorOptions(cursorOptions()),
@@ -193,6 +194,27 @@ class Interpreter final : private nc::CallObserver {
     return m_language.knownNumber != nullptr
                ? m_language.knownNumber(number, m_executor.state(), position)
                : std::nullopt;
+  }
+
+  /// Known where each part of the chain is: place, frame, work offset, and no tool.
+  [[nodiscard]] std::optional<double> machinePosition(char axis) {
+    const nc::ModalState& state = m_executor.state();
+    const bool isFollowed = state.lengthFactor == 1.0 && state.tipWord.empty() &&
+                            !m_path.namesTool() && !m_variables.setsControl() &&
+                            (m_observer == nullptr || m_observer->knowsFrame());
+    const std::optional<double> place = m_executor.positionOf(axis);
+    if (!isFollowed || !m_options.workOffsetMm || !place || state.diameter) {
+      return std::nullopt;
+    }
+    const nc::Position& at = m_executor.start();
+    const auto index = static_cast<std::size_t>(axis - 'X');
+    if (*place != at.programmedMm[index]) {
+      return std::nullopt;  // within a spline
+    }
+    const double workpieceMm = at.frame.toWorkpiece(at.programmedMm)[index];
+    const std::optional<base::Vec3> offsetMm = m_options.workOffsetMm(state.workOffset);
+    return offsetMm && !std::isnan(workpieceMm) ? std::optional(workpieceMm + (*offsetMm)[index])
+                                                : std::nullopt;
   }
 
   [[nodiscard]] nc::Sinks sinks() {

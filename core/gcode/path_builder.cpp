@@ -179,6 +179,10 @@ void PathBuilder::feed(double mmPerMin) {
 }
 
 void PathBuilder::machineWord(nc::MachineWord kind, double value, base::LineNumber line) {
+  constexpr double kChangesTool = 6.0;
+  m_namesTool = m_namesTool || kind == nc::MachineWord::Tool ||
+                kind == nc::MachineWord::NamedTool || kind == nc::MachineWord::Edge ||
+                (kind == nc::MachineWord::M && value == kChangesTool);
   if (kind != nc::MachineWord::Edge) {  // its length is not on the path
     m_trajectory.events.push_back({m_trajectory.points.size(), value, line, kind});
   }

@@ -32,6 +32,8 @@ class PathBuilder final : public nc::PathSink {
   void feed(double mmPerMin) override;
   void machineWord(nc::MachineWord kind, double value, base::LineNumber line) override;
   void toolName(std::string_view name, base::LineNumber line) override;
+  /// A tool, a cutting edge or a change: which length holds, the control knows.
+  [[nodiscard]] bool namesTool() const { return m_namesTool; }
 
  private:
   void begin(const nc::Position& from, const nc::Move& move);
@@ -62,6 +64,7 @@ class PathBuilder final : public nc::PathSink {
   base::Vec3 m_toolDirection{0.0, 0.0, 1.0};
   std::vector<base::Vec3> m_chords;
 
+  bool m_namesTool = false;
   bool m_hasRotary = false;
   bool m_hasToolDirections = false;
 };

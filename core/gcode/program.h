@@ -85,6 +85,9 @@ struct LoadOptions : TextReading {
   std::function<std::optional<nc::LoadedText>(std::string_view name)> subprogram;
   /// The radius of a tool of the machine, see `nc::CursorOptions::toolRadiusMm`. May be empty.
   nc::heidenhain::ToolRadius toolRadiusMm;
+  /// Where the machine that runs it has the zero of a work offset (by key of its G function, -1:
+  /// none named), without a tool's length. Nothing, or empty: only the control knows.
+  std::function<std::optional<base::Vec3>(int workOffset)> workOffsetMm;
   /// Told now and then how much has been read, 0 to 1. False: give up (GcodeError::Cancelled).
   std::function<bool(double share)> progress;
 

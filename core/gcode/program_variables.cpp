@@ -13,9 +13,11 @@
 namespace rivulet::gcode {
 
 ProgramVariables::ProgramVariables(const nc::Semantics& semantics, PositionOf positionOf,
-                                   KnownNumber knownNumber, std::function<bool()> countsInches)
+                                   MachinePositionOf machinePositionOf, KnownNumber knownNumber,
+                                   std::function<bool()> countsInches)
     : Variables(semantics),
       m_positionOf(std::move(positionOf)),
+      m_machinePositionOf(std::move(machinePositionOf)),
       m_knownNumber(std::move(knownNumber)),
       m_countsInches(std::move(countsInches)) {
 }
@@ -23,14 +25,22 @@ ProgramVariables::ProgramVariables(const nc::Semantics& semantics, PositionOf po
 nc::Expected<nc::Value> ProgramVariables::system(std::string_view name,
                                                  std::span<const nc::Value> indices) const {
   const std::string axis = indices.size() == 1 ? nc::textOf(indices[0]) : std::string();
-  if (axis.size() == 1 && (name == "$AA_IW" || name == "$P_EP")) {
-    if (const std::optional<double> known = m_positionOf(axis[0])) {
+  const bool isInMachine = name == "$AA_IM";
+  if (axis.size() == 1 && (isInMachine || name == "$AA_IW" || name == "$P_EP")) {
+    if (const std::optional<double> known =
+            isInMachine ? m_machinePositionOf(axis[0]) : m_positionOf(axis[0])) {
       noteChange();
       return *known;
     }
   }
   return nc::fail(nc::FaultCode::OnlyOnControl,
                   axis.empty() ? std::string(name) : fmt::format("{}[{}]", name, axis));
+}
+
+nc::Expected<void> ProgramVariables::setSystem(std::string_view name,
+                                               std::span<const nc::Value> indices, double value) {
+  m_setsControl = true;
+  return Variables::setSystem(name, indices, value);
 }
 
 nc::Expected<nc::Value> ProgramVariables::variable(std::string_view name,

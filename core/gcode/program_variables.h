@@ -18,9 +18,12 @@ namespace rivulet::gcode {
 class ProgramVariables final : public nc::Variables {
  public:
   using PositionOf = std::function<std::optional<double>(char axis)>;
+  /// In machine coordinates; nothing: only the control knows it.
+  using MachinePositionOf = std::function<std::optional<double>(char axis)>;
   /// Of a # variable of the control.
   using KnownNumber = std::function<std::optional<double>(int number)>;
-  ProgramVariables(const nc::Semantics& semantics, PositionOf positionOf, KnownNumber knownNumber,
+  ProgramVariables(const nc::Semantics& semantics, PositionOf positionOf,
+                   MachinePositionOf machinePositionOf, KnownNumber knownNumber,
                    std::function<bool()> countsInches);
 
   [[nodiscard]] nc::Expected<nc::Value> system(std::string_view name,
@@ -31,12 +34,21 @@ class ProgramVariables final : public nc::Variables {
   /// Of the control's, what its dialect knows.
   [[nodiscard]] nc::Expected<nc::Value> numbered(int number) const override;
 
+  /// Variables of the control are not followed: a fault, as without a control.
+  [[nodiscard]] nc::Expected<void> setSystem(std::string_view name,
+                                             std::span<const nc::Value> indices,
+                                             double value) override;
+  /// The program has written to one, which may be an offset.
+  [[nodiscard]] bool setsControl() const { return m_setsControl; }
+
   [[nodiscard]] double leastIncrement() const override { return m_countsInches() ? 1e-4 : 1e-3; }
 
  private:
   PositionOf m_positionOf;
+  MachinePositionOf m_machinePositionOf;
   KnownNumber m_knownNumber;
   std::function<bool()> m_countsInches;
+  bool m_setsControl = false;
 };
 
 }  // namespace rivulet::gcode

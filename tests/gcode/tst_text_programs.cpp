@@ -6,6 +6,7 @@
 
 #include <QtTest>
 
+#include "base/text.h"
 #include "gcode_text.h"
 #include "support/test_program.h"
 
@@ -194,6 +195,17 @@ class TestTextPrograms : public QObject {
         "4:1 warning never-called PART (lines 4 to 5)");
     add("procedure without an end before it", sinumerik, "G0 X5\nPROC PART\nX1\nM17", "5",
         "3:1 warning never-called PART (lines 3 to 4)");
+    // A file of a TNC holds one program.
+    add("two programs of a TNC", Dialect::Heidenhain,
+        "BEGIN PGM A MM\nL X+1 F100\nEND PGM A MM\nBEGIN PGM B MM\nL X+2 F100\nEND PGM B MM\n", "1",
+        "4:1 error another-main-program B (lines 4 to 5)");
+    add("two programs of a TNC, one without an end", Dialect::Heidenhain,
+        "BEGIN PGM A MM\nL X+1 F100\nBEGIN PGM B MM\nL X+2 F100\nEND PGM B MM\n", "1",
+        "3:1 error another-main-program B (lines 3 to 4)");
+    add("two programs of a TNC with labels", Dialect::Heidenhain,
+        "BEGIN PGM A MM\nLBL 1\nL IX+1 F100\nCALL LBL 1 REP 1\nEND PGM A MM\nBEGIN PGM B MM\nLBL "
+        "1\nL X+2 F100\nCALL LBL 1 REP 1\nEND PGM B MM\n",
+        "", "6:1 error another-main-program B (lines 6 to 9)");
     add("a subprogram alone", sinumerik, "%_N_A_SPF\nG0 X5\nM17\n", "5", "");
   }
 
@@ -233,6 +245,35 @@ class TestTextPrograms : public QObject {
     QCOMPARE(
         pathOf(read("G0 X0\nAA: G91 X1\nG90\nIF $AA_IW[X]<3 GOTOB AA\nX9", Dialect::Sinumerik)),
         std::string("0 1 2 3 9"));
+  }
+
+  /// $AA_IM is known where the whole chain is: offset and frame, and no tool whose length counts.
+  void positionInTheMachine() {
+    const auto resultOf = [](const char* text, bool isVirtual) {
+      gcode::LoadOptions options;
+      options.dialect = Dialect::Sinumerik;
+      if (isVirtual) {
+        options.workOffsetMm = [](int key) {
+          return key == 540 ? std::nullopt : std::optional(base::Vec3{0, 0, key < 0 ? 7.0 : 0.0});
+        };
+      }
+      const gcode::Program program = gcode::interpretProgram("A.MPF", text, options).value();
+      return program.isUnderstood()
+                 ? base::formatNumber(program.trajectory.points.back().positionMm.y)
+                 : std::string("refused");
+    };
+    const char* const program = "G1 X0 Y0 Z10 F100\nTRANS Z100\nY=$AA_IM[Z]\nM30\n";
+    QCOMPARE(resultOf(program, true), std::string("17"));
+    QCOMPARE(resultOf(program, false), std::string("refused"));
+    QCOMPARE(resultOf("G1 X0 Y0 Z10 F100\nTRANS Z100\nG1 Z10\nY=$AA_IM[Z]\nM30\n", true),
+             std::string("117"));
+    for (const char* const unknown :
+         {"G1 X0 Y0 F100\nY=$AA_IM[Z]\nM30\n", "G54\nG1 X0 Y0 Z10 F100\nY=$AA_IM[Z]\nM30\n",
+          "T1 D1\nG1 X0 Y0 Z10 F100\nY=$AA_IM[Z]\nM30\n",
+          "G700\nG1 X0 Y0 Z10 F100\nY=$AA_IM[Z]\nM30\n",
+          "TRAORI\nG1 X0 Y0 Z10 F100\nY=$AA_IM[Z]\nM30\n"}) {
+      QCOMPARE(resultOf(unknown, true), std::string("refused"));
+    }
   }
 };
 

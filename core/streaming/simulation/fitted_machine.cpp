@@ -236,8 +236,7 @@ std::optional<base::LineNumber> lineBeforeFeed(const job::Plan& plan) {
   }
   for (const job::Part& part : plan.parts) {
     const auto* const native = std::get_if<job::NativeBlock>(&part);
-    if (native != nullptr && native->moves && native->before.feedIsDefault &&
-        native->before.motion != nc::Motion::Rapid) {
+    if (native != nullptr && native->usesDefaultFeed) {
       return native->place.line;
     }
   }
@@ -308,6 +307,18 @@ nc::heidenhain::ToolRadius toolRadii(const std::optional<machine::ToolTable>& to
       return tool->edges.front().radiusMm;
     }
     return isFitted ? std::optional(0.0) : std::nullopt;
+  };
+}
+
+std::function<std::optional<base::Vec3>(int)> workOffsets(const machine::MachineConfig& config,
+                                                          std::shared_ptr<bool> areRead) {
+  const bool hasTool = config.tools && config.tools->inSpindle.exists();
+  return [offsetsMm = config.workOffsetsMm, hasTool,
+          areRead = std::move(areRead)](int key) -> std::optional<base::Vec3> {
+    *areRead = true;
+    const auto found = offsetsMm.find(key < 0 ? machine::kNoWorkOffsetKey : key);
+    return hasTool ? std::nullopt
+                   : std::optional(found == offsetsMm.end() ? base::Vec3{} : found->second);
   };
 }
 

@@ -6,6 +6,9 @@
 /// the workpiece where the program fits into the travel. @threadsafety pure.
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,5 +35,11 @@ struct FittedMachine {
 /// @param isFitted  the machine will be fitted: a tool that is not in its table has radius 0 there
 [[nodiscard]] nc::heidenhain::ToolRadius toolRadii(const std::optional<machine::ToolTable>& tools,
                                                    bool isFitted);
+
+/// The work offsets of a machine for `gcode::LoadOptions::workOffsetMm`; nothing while a tool is in
+/// its spindle, whose length would count.
+/// @param areRead  becomes true when a program asks for one
+[[nodiscard]] std::function<std::optional<base::Vec3>(int)> workOffsets(
+    const machine::MachineConfig& config, std::shared_ptr<bool> areRead);
 
 }  // namespace rivulet::streaming
