@@ -461,7 +461,8 @@ void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
                       "Without it: keys h, c, + and - on a terminal");
   command->add_option("--m", options->functions,
                       "What the control does for an M function of another machine: NUMBER=ignore, "
-                      "NUMBER=pass, or NUMBER=\"LINE\". Kept for the machine of --endpoint "
+                      "NUMBER=pass, or NUMBER=\"LINE\"; for its axis W: W=ignore or W=pass. Kept "
+                      "for the machine of --endpoint "
                       "(repeatable)");
   auto* resume = command->add_option("--resume", options->resume,
                                      "Go on with a job that was left: the file that it named");

@@ -308,11 +308,11 @@ PreflightItem Preflight::readingItem() const {
 }
 
 PreflightItem Preflight::functionsItem() const {
-  PreflightItem item{Status::Plain, tr("M functions of another machine"), {}, {}, 0};
+  PreflightItem item{Status::Plain, tr("M functions and axes of another machine"), {}, {}, 0};
   QStringList lines;
   for (const job::FunctionUse& use : m_document.foreignFunctions()) {
-    const QString call = tr("M%1 (line %2, %Ln times)", nullptr, static_cast<int>(use.count))
-                             .arg(use.number)
+    const QString call = tr("%1 (line %2, %Ln times)", nullptr, static_cast<int>(use.count))
+                             .arg(QString::fromStdString(job::textOf(use.name)))
                              .arg(use.line.value);
     if (!use.text.empty()) {
       lines.append(tr("%1: the control executes %2").arg(call, QString::fromStdString(use.text)));

@@ -42,7 +42,8 @@ ordered_json jobTimesJson(const streaming::JobTimes& times) {
 ordered_json functionsJson(const std::vector<job::FunctionUse>& uses) {
   ordered_json json = ordered_json::array();
   for (const job::FunctionUse& use : uses) {
-    json.push_back({{"number", use.number},
+    json.push_back({{"name", job::textOf(use.name)},
+                    {"number", use.name.number},
                     {"line", use.line.value},
                     {"count", use.count},
                     {"text", use.text},

@@ -68,13 +68,13 @@ std::optional<ordered_json> findEarlier(const fs::path& folder, Pick pick) {
   return std::nullopt;
 }
 
-/// {"163": "", "164": "M50"}; what is no such member is passed over.
+/// {"163": "", "164": "M50", "W": "W"}; what is no such member is passed over.
 job::Functions functionsOf(const ordered_json& lines) {
   job::Functions functions;
   for (const auto& [name, line] : lines.items()) {
-    const std::optional<int> number = base::parseInteger(name);
-    if (number && line.is_string()) {
-      functions[*number] = line.get<std::string>();
+    const std::optional<job::FunctionName> known = job::functionNameOf(name);
+    if (known && line.is_string()) {
+      functions[*known] = line.get<std::string>();
     }
   }
   return functions;
@@ -82,8 +82,8 @@ job::Functions functionsOf(const ordered_json& lines) {
 
 ordered_json linesJson(const job::Functions& functions) {
   ordered_json lines = ordered_json::object();
-  for (const auto& [number, line] : functions) {
-    lines[std::to_string(number)] = line;
+  for (const auto& [name, line] : functions) {
+    lines[name.axis != 0 ? job::textOf(name) : std::to_string(name.number)] = line;
   }
   return lines;
 }

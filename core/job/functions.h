@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// What a machine does for M functions of other machines, as people write it. @threadsafety pure.
+/// What a machine does for M functions and axes of other machines, as people write it.
+/// @threadsafety pure.
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,9 +18,11 @@
 namespace rivulet::job {
 
 /// As `Profile::functions`.
-using Functions = std::map<int, std::string>;
+using Functions = std::map<FunctionName, std::string>;
 
-/// "163=ignore", "M163=pass", "163=M50 M51". @return error FunctionMalformed
+/// "M163", "163", "W". @return nothing: no such word
+[[nodiscard]] std::optional<FunctionName> functionNameOf(std::string_view text);
+/// "163=ignore", "M163=pass", "163=M50 M51", "W=pass". @return error FunctionMalformed
 [[nodiscard]] base::Result<Functions> functionsOf(const std::vector<std::string>& texts);
 /// The same, all in one text with semicolons between them; it may be empty.
 [[nodiscard]] base::Result<Functions> functionsOfText(std::string_view text);

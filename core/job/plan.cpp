@@ -29,8 +29,8 @@ const RefusalText& textOf(RefusalCode code) {
       {"cycle-incomplete",
        "The canned cycle %1 lacks a value, or has one that does not fit: write it into the block."},
       {"function-unknown",
-       "%1 is a function of another machine: say what the control does for it, nothing (--m "
-       "%1=ignore), the same function (--m %1=pass), or a line (--m %1=\"M50\")."},
+       "%1 belongs to another machine: say what the control does for it, nothing (--m %1=ignore), "
+       "the same (--m %1=pass), or for an M function a line (--m %1=\"M50\")."},
       {"length-of-other-tool",
        "%1 is no length of the tool in the spindle: the control has that of its own tool alone. "
        "Write the number of the tool after H, or take the length of the tool in the spindle, edge "

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -52,6 +53,8 @@ struct NativeBlock {
   std::vector<std::string> frame;
   bool moves = false;      ///< it names an axis
   bool setsFrame = false;  ///< TRANS, ROT and the like
+  /// It may move with the feed that the machine begins with: the program has named none.
+  bool usesDefaultFeed = false;
   /// Of X, Y, Z: a change of the tool length does not concern the others.
   std::array<bool, base::kAxisCount> shifts{true, true, true};
   /// Of X, Y, Z: it names the axis with an absolute value, or with an increment.
@@ -72,7 +75,7 @@ enum class RefusalCode : unsigned char {
   CurveInterrupted,   ///< a native block within a spline
   StartUnknown,       ///< argument: the block; only the control knows where its move begins
   CycleIncomplete,    ///< argument: the cycle and what it lacks, "G82 (Z)"
-  FunctionUnknown,    ///< argument: the M function of another machine, "M163"
+  FunctionUnknown,    ///< argument: what belongs to another machine, "M163", "W"
   LengthOfOtherTool,  ///< argument: the offset and the tool in the spindle, "H12 (T2)"
   ToolNotCalled,      ///< argument: an offset before any tool has been called, "H5"
   LengthKept,         ///< argument: the offset of the tool before, and the tool, "H1 (T2)"
@@ -90,9 +93,19 @@ struct Refusal {
 /// One English sentence.
 [[nodiscard]] std::string describe(const Refusal& refusal);
 
-/// An M function of another machine that the program calls, and what the control gets for it.
+/// What belongs to another machine: an M function of its builder, or an axis beside X Y Z A B C.
+struct FunctionName {
+  int number = 0;  ///< of the M function
+  char axis = 0;   ///< U, V or W; 0: an M function
+
+  friend auto operator<=>(const FunctionName&, const FunctionName&) = default;
+};
+/// "M163", "W"
+[[nodiscard]] std::string textOf(const FunctionName& name);
+
+/// Such a word of the program, and what the control gets for it.
 struct FunctionUse {
-  int number = 0;
+  FunctionName name;
   base::LineNumber line;  ///< of the first call
   std::size_t count = 0;
   std::string text;        ///< line for the control; empty: it is left out
@@ -112,7 +125,7 @@ struct Plan {
   gcode::Program program;
   std::vector<Part> parts;
   std::vector<Refusal> refusals;            ///< at most `gcode::kDiagnosticsMax`
-  std::vector<FunctionUse> functions;       ///< by number
+  std::vector<FunctionUse> functions;       ///< by name
   AssumedTool assumedTool;                  ///< before any tool change: `Profile::assumesTool`
   std::vector<AssumedTool> assumedLengths;  ///< of other tools, each once: the same
   int lastEdge = 0;                         ///< greatest D of a SINUMERIK
@@ -137,8 +150,8 @@ struct Profile {
   std::string home = "SUPA G0 X0 Y0";
   /// With the number of the tool in place of "%1".
   std::string toolChange = "T%1 M6";
-  /// For M functions of another machine, by number: a line for the control; empty: left out.
-  std::map<int, std::string> functions{};
+  /// What the control does for such a word: a line, of an axis its word alone; empty: left out.
+  std::map<FunctionName, std::string> functions{};
   /// Those that are not listed are left out too, else they are refused. For a machine that moves
   /// nothing but a picture.
   bool leavesOutFunctions = false;

@@ -59,6 +59,13 @@ bool isSeparable(NativeReason reason) {
   return reason >= NativeReason::Tool;
 }
 
+std::string placeWord(char axis, double value) {
+  return fmt::format("{}={}", axis, nc::ncNumber(value));
+}
+std::string incrementWord(char axis, double value) {
+  return fmt::format("{}=IC({})", axis, nc::ncNumber(value));
+}
+
 /// A curve that goes over several blocks.
 bool isLongCurve(Motion motion) {
   return motion == Motion::BSpline || motion == Motion::Nurbs;
@@ -167,6 +174,7 @@ struct BlockNotes {
   const nc::Variables* variables = nullptr;
   /// It moves the axis by an increment from where only the control knows it to stand.
   std::array<bool, base::kAxisCount> isUnknown{};
+  std::array<bool, base::kRotaryAxisCount> isUnknownTurn{};
   std::vector<Heard> heard;
   std::vector<Stand> values;
 
@@ -191,6 +199,7 @@ class Splitter final : public gcode::BlockObserver,
         m_each(std::move(each)) {}
 
   [[nodiscard]] std::size_t nativeBlocks() const override { return m_parts.size(); }
+  [[nodiscard]] bool knowsFrame() const override { return m_knowsFrame; }
 
   nc::Sinks observe(const nc::Language& language, nc::Sinks own) override {
     m_language = &language;
@@ -258,6 +267,12 @@ class Splitter final : public gcode::BlockObserver,
         }
       }
     }
+    for (std::size_t axis = nc::kFirstFurther; block.home && axis < nc::kProgrammedAxisCount;
+         ++axis) {
+      if (words.axes.has(axis)) {
+        addMachineAxis(*words.axisTokens[axis]);
+      }
+    }
     block.region = regionReason();
     m_regions.blockExecuted(words, executor.state());
     constexpr std::size_t kToolAxis = 2;
@@ -293,6 +308,10 @@ class Splitter final : public gcode::BlockObserver,
       }
     }
     if (reason) {
+      constexpr std::array kMayChangeFrame{NativeReason::Transformation, NativeReason::Subprogram,
+                                           NativeReason::Probing, NativeReason::Other};
+      m_knowsFrame = m_knowsFrame && std::find(kMayChangeFrame.begin(), kMayChangeFrame.end(),
+                                               *reason) == kMayChangeFrame.end();
       forgetPosition(*reason);
     }
     if (isForeign() && block.home && block.home->targetMm[2]) {
@@ -311,7 +330,7 @@ class Splitter final : public gcode::BlockObserver,
     for (const gcode::TrajectoryPoint& point : plan.program.trajectory.points) {
       reach(point.positionMm);
     }
-    for (auto& [number, use] : m_functions) {
+    for (auto& [name, use] : m_functions) {
       plan.functions.push_back(std::move(use));
     }
     plan.lastEdge = m_lastEdge;
@@ -456,7 +475,15 @@ class Splitter final : public gcode::BlockObserver,
       return;
     }
     const nc::ModalState& state = executor.state();
-    if (std::find(block.isUnknown.begin(), block.isUnknown.end(), true) == block.isUnknown.end()) {
+    const auto any = [](const auto& of) {
+      return std::find(of.begin(), of.end(), true) != of.end();
+    };
+    const bool turns = any(block.isUnknownTurn);
+    if (!turns && !any(block.isUnknown)) {
+      return;
+    }
+    if (turns && !words.movesLinear() && !state.polar && !m_regions.reason()) {
+      keepTurns(words, executor);
       return;
     }
     std::array<std::optional<double>, base::kAxisCount> incrementsMm;
@@ -473,6 +500,28 @@ class Splitter final : public gcode::BlockObserver,
                                    incrementsMm,
                                    isRapid ? std::nullopt : std::optional(executor.feedMmPerS()))
                    : std::nullopt);
+  }
+
+  /// A turn of rotary axes alone, some by increments.
+  void keepTurns(const nc::BlockWords& words, nc::Executor& executor) {
+    const nc::ModalState& state = executor.state();
+    const bool isRapid = state.motion == Motion::Rapid;
+    std::string line = isRapid ? "G0" : "G1";
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      const std::size_t word = axis + nc::kFirstRotary;
+      if (words.axes.has(word)) {
+        line +=
+            ' ' + (m_block->isUnknownTurn[axis]
+                       ? incrementWord(base::kRotaryAxisNames[axis], words.axes.value[word])
+                       : placeWord(base::kRotaryAxisNames[axis], executor.start().rotaryDeg[axis]));
+      }
+    }
+    const double degPerMin = 60.0 * state.feedDegPerS * state.feedOverride;
+    const bool hasFeed = state.feedMode == nc::FeedMode::PerMinute && degPerMin > 0.0;
+    if (!isRapid && hasFeed) {
+      line += " F" + nc::ncNumber(degPerMin);
+    }
+    keepMotion(isRapid || hasFeed ? std::optional(std::move(line)) : std::nullopt);
   }
 
   /// Its centre counts from there, and so the control can make it.
@@ -925,9 +974,10 @@ class Splitter final : public gcode::BlockObserver,
     add(NativeReason::Transformation);
     m_block->words.push_back({ForeignWord::Kind::Line, 0.0, isOn ? "TRAORI" : "TRAFOOF"});
   }
-  [[nodiscard]] bool movesHere() const {
-    return std::any_of(m_block->tokens.begin(), m_block->tokens.end(), [](const Token& token) {
-      return token.kind == TokenKind::Word &&
+  /// @param but  not counted
+  [[nodiscard]] bool movesHere(const std::optional<Token>& but = {}) const {
+    return std::any_of(m_block->tokens.begin(), m_block->tokens.end(), [&](const Token& token) {
+      return token.kind == TokenKind::Word && (!but || token.column != but->column) &&
              std::find(nc::kProgrammedAxes.begin(), nc::kProgrammedAxes.end(), token.address) !=
                  nc::kProgrammedAxes.end();
     });
@@ -950,7 +1000,7 @@ class Splitter final : public gcode::BlockObserver,
       }
       if (m_language->isKlartext &&
           std::find(kSwitchOff.begin(), kSwitchOff.end(), number) != kSwitchOff.end()) {
-        ++m_functions.try_emplace(number, FunctionUse{number, line, 0, {}, false})
+        ++m_functions.try_emplace({number}, FunctionUse{{number}, line, 0, {}, false})
               .first->second.count;
         return;
       }
@@ -958,21 +1008,63 @@ class Splitter final : public gcode::BlockObserver,
       m_block->words.push_back({ForeignWord::Kind::Other, 0.0, name});
       return;
     }
-    const auto given = m_profile.functions.find(number);
+    const std::optional<std::string> text = meaningOf({number}, line);
+    if (!text) {
+      add(NativeReason::Other);
+    } else if (!text->empty()) {
+      add(NativeReason::Other);
+      m_block->words.push_back({ForeignWord::Kind::Line, 0.0, *text});
+    }
+  }
+
+  /// What the control gets for a word of another machine. @return nothing: it is refused
+  std::optional<std::string> meaningOf(FunctionName name, base::LineNumber line) {
+    const auto given = m_profile.functions.find(name);
     const bool isGiven = given != m_profile.functions.end();
     if (!isGiven && !m_profile.leavesOutFunctions) {
-      add(NativeReason::Other);
-      refuse(RefusalCode::FunctionUnknown, name);
+      refuse(RefusalCode::FunctionUnknown, textOf(name));
+      return std::nullopt;
+    }
+    std::string text = isGiven ? given->second : std::string();
+    ++m_functions.try_emplace(name, FunctionUse{name, line, 0, text, !isGiven}).first->second.count;
+    return text;
+  }
+
+  /// U, V or W as a word of this block.
+  [[nodiscard]] const Token* furtherAxis(std::string_view word) const {
+    const auto token = std::find_if(
+        m_block->tokens.begin(), m_block->tokens.end(),
+        [word](const Token& each) { return each.text == word && each.kind != TokenKind::Comment; });
+    return token != m_block->tokens.end() && token->address >= 'U' && token->address <= 'W'
+               ? &*token
+               : nullptr;
+  }
+
+  /// An axis of the source's own machine. Where a program of another control is to move it, it does
+  /// so alone: beside X, Y and Z nobody knows its share of the feed.
+  void addMachineAxis(const Token& token) {
+    if (!isForeign()) {
+      add(NativeReason::OtherMotion);
       return;
     }
-    const std::string text = isGiven ? given->second : std::string();
-    FunctionUse& use =
-        m_functions.try_emplace(number, FunctionUse{number, line, 0, text, !isGiven}).first->second;
-    ++use.count;
-    if (!text.empty()) {
-      add(NativeReason::Other);
-      m_block->words.push_back({ForeignWord::Kind::Line, 0.0, text});
+    const std::optional<std::string> text = meaningOf({0, token.address}, m_block->place.line);
+    if (text && text->empty()) {
+      return;
     }
+    add(NativeReason::Other);
+    const std::optional<double> value = numberOf(token);
+    const nc::ModalState& state = m_executor->state();
+    if (!text) {
+      return;
+    }
+    if (movesHere(token) || !value || state.motion != Motion::Rapid) {
+      m_block->words.push_back({ForeignWord::Kind::Other, 0.0, nc::wordText(token)});
+      return;
+    }
+    const double mm = *value * state.lengthFactor;
+    m_block->words.push_back({ForeignWord::Kind::Line, 0.0,
+                              "G0 " + (state.relative ? incrementWord(token.address, mm)
+                                                      : placeWord(token.address, mm))});
   }
 
   void toolName(std::string_view name, base::LineNumber line) override {
@@ -993,6 +1085,11 @@ class Splitter final : public gcode::BlockObserver,
         isAccepted(gcode::acceptableName({severity, {}, column, code, argument}));
     if (m_language->isKlartext && argument == "M128" && !isLeftOut && !movesHere()) {
       switchTip(true);
+      return;
+    }
+    if (const Token* const axis =
+            code == FaultCode::UnknownWord && !isLeftOut ? furtherAxis(argument) : nullptr) {
+      addMachineAxis(*axis);
       return;
     }
     const bool turnsFromUnknown =
@@ -1022,6 +1119,9 @@ class Splitter final : public gcode::BlockObserver,
     } else if (isForeign() && code == FaultCode::RelativeFromUnknownPosition && isStraight() &&
                argument.size() == 1 && argument.front() >= 'X' && argument.front() <= 'Z') {
       m_block->isUnknown[static_cast<std::size_t>(argument.front() - 'X')] = true;
+    } else if (isForeign() && code == FaultCode::RelativeFromUnknownPosition && isStraight() &&
+               argument.size() == 1 && argument.front() >= 'A' && argument.front() <= 'C') {
+      m_block->isUnknownTurn[static_cast<std::size_t>(argument.front() - 'A')] = true;
     } else if (isForeign() && *reason == NativeReason::UnknownPosition && isArc() &&
                !m_regions.reason()) {
       m_block->beginsUnknown = true;
@@ -1207,6 +1307,10 @@ class Splitter final : public gcode::BlockObserver,
     native.frame = block.frame;
     native.moves = block.moves;
     native.setsFrame = block.setsFrame;
+    const nc::ModalState& now = m_executor->state();
+    const bool isRapid =
+        now.motion == Motion::Rapid || block.toFixedPoint || (isForeign() && block.home);
+    native.usesDefaultFeed = block.moves && !isRapid && now.feedIsDefault;
     native.shifts = block.forgetsAll || !hasLength(block) ? allAxes() : block.forgetsLength;
     native.increments = block.increments;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
@@ -1401,6 +1505,7 @@ class Splitter final : public gcode::BlockObserver,
   std::array<bool, base::kAxisCount> m_isSetUnknown{};  ///< by G92, from where is not known
   std::vector<std::string> m_frame;
   bool m_curveIsStreamed = false;
+  bool m_knowsFrame = true;
   bool m_tipIsOn = false;       ///< M128 of a TNC
   bool m_hasAllowance = false;  ///< OFFN, until G40
   std::size_t m_points = 0;
@@ -1411,7 +1516,7 @@ class Splitter final : public gcode::BlockObserver,
   std::function<void(const Part&)> m_each;  ///< gets the parts; empty: they are kept
   std::vector<Part> m_parts;
   std::vector<Refusal> m_refusals;
-  std::map<int, FunctionUse> m_functions;
+  std::map<FunctionName, FunctionUse> m_functions;
   int m_lastEdge = 0;
   std::string m_keptLength;  ///< refused last
   AssumedTool m_assumedTool;

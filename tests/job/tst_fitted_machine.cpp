@@ -55,6 +55,20 @@ class TestFittedMachine : public QObject {
              8.0 + made.config.workOffsetMm(machine::kNoWorkOffsetKey).y);
   }
 
+  /// Of the feed that a program does not name, a rapid needs none.
+  void namesNoRapidForItsFeed() {
+    const auto notesOf = [](const char* text) {
+      QString all;
+      for (const std::string& note : fitted(text).notes) {
+        all += QString::fromStdString(note) + QLatin1Char('\n');
+      }
+      return all;
+    };
+    QVERIFY(!notesOf("G0 SUPA Z100 D0\nG0 X1 Y1 Z10\nG1 Z5 F100\nM30\n").contains("before any F"));
+    QVERIFY(notesOf("G0 X1 Y1 Z10\nG1 SUPA Z100 D0\nM30\n").contains("Line 2 comes before any F"));
+    QVERIFY(notesOf("G0 X1 Y1 Z10\nG1 Z5\nM30\n").contains("Line 2 comes before any F"));
+  }
+
   /// H of a tool that the program does not call: it is in the spindle.
   void hasTheAssumedTool() {
     gcode::LoadOptions options;

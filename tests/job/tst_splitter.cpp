@@ -409,7 +409,7 @@ class TestSplitter : public QObject {
              QStringLiteral("2 function-unknown M163 | 4 function-unknown M11 | 5 function-unknown "
                             "M163"));
     job::Profile profile;
-    profile.functions = {{163, ""}, {11, "M21"}};
+    profile.functions = {{{163}, ""}, {{11}, "M21"}};
     const job::Plan plan = planOf(program, gcode::Dialect::Fanuc, profile);
     QCOMPARE(refusals(plan), QString());
     // What is left out does not part the motion; what the control does may move the axes.
@@ -417,7 +417,7 @@ class TestSplitter : public QObject {
              QStringLiteral("stretch 1 1-3: 2 points from ? | native 4 other M21 | settings 5 | "
                             "native 6 unknown-position G0 X=IC(1)"));
     QCOMPARE(plan.functions.size(), std::size_t{2});
-    QCOMPARE(plan.functions.back().number, 163);
+    QCOMPARE(plan.functions.back().name.number, 163);
     QCOMPARE(plan.functions.back().count, std::size_t{2});
     QVERIFY(!plan.functions.back().isAssumed);
     job::Profile pictured;
@@ -824,6 +824,68 @@ class TestSplitter : public QObject {
     const job::Plan plan =
         planOf("G1 X0 Y0 Z0 F100\nBSPLINE X1 Y1\nX2 Y0\nM8\nX3 Y1\nX4 Y0\nG1 X5\n");
     QCOMPARE(refusals(plan), QStringLiteral("4 curve-interrupted M8"));
+  }
+
+  /// ASPLINE ends a B-spline, as G1 does, and is the control's until another motion.
+  void splineThroughPointsIsTheControls() {
+    const job::Plan plan = planOf(
+        "G1 X0 Y0 F100\nBSPLINE SD=2\nX1 Y1 PW=2\nX2 Y0\nASPLINE BNAT ETAN\nX3 Y1\nX4 Y0\nG1 X5 "
+        "Y0\nX6\nM30\n");
+    QCOMPARE(refusals(plan), QString());
+    QVERIFY(plan.isWhole());
+    QCOMPARE(nativeLines(plan), QStringLiteral("ASPLINE BNAT ETAN;X3 Y1;X4 Y0;G1 X5 Y0;M30"));
+    const auto& points = plan.program.trajectory.points;
+    double xMmMax = 0.0;
+    for (const gcode::TrajectoryPoint& point : points) {
+      xMmMax = point.line.value < 6 ? std::max(xMmMax, point.positionMm.x) : xMmMax;
+    }
+    QCOMPARE(xMmMax, 2.0);
+    QCOMPARE(points.back().positionMm.x, 6.0);
+  }
+
+  /// Where a rotary axis stands after a move to a fixed point, the control knows: it turns by the
+  /// increment itself.
+  void turnsFromUnknown() {
+    const auto linesOf = [](const char* program) {
+      const job::Plan plan = planOf(program, gcode::Dialect::Fanuc);
+      return refusals(plan) + nativeLines(plan);
+    };
+    QCOMPARE(linesOf("G0 X0. Y0. Z5.\nG91 G28 Z0. B0.\nG0 B-37.5 C45.\n").section(';', -1),
+             QStringLiteral("G0 B=IC(-37.5) C=IC(45)"));
+    QCOMPARE(linesOf("G0 X0. Y0. Z5.\nG91 G28 B0.\nG94 G1 B-37.5 F100.\n").section(';', -1),
+             QStringLiteral("G1 B=IC(-37.5) F100"));
+    // Beside X the feed is no feed of the angle.
+    QVERIFY(linesOf("G0 X0. Y0. Z5.\nG91 G28 B0.\nG1 X5. B-37.5 F100.\n").contains("B-37.5"));
+  }
+
+  /// An axis that the source's machine has beside X Y Z A B C: as an M function of its builder.
+  void axesOfAnotherMachine() {
+    const char* const program = "G0 X0. Y0. Z5.\nW5.\nG91 W-1.\nG90 X1.\n";
+    QCOMPARE(refusals(planOf(program, gcode::Dialect::Fanuc)),
+             QStringLiteral("2 function-unknown W | 3 function-unknown W"));
+    job::Profile profile;
+    profile.functions = {{{0, 'W'}, "W"}};
+    const job::Plan passed = planOf(program, gcode::Dialect::Fanuc, profile);
+    QCOMPARE(refusals(passed), QString());
+    QCOMPARE(nativeLines(passed), QStringLiteral("G0 W=5;G0 W=IC(-1)"));
+    QCOMPARE(refusals(planOf("G0 X0. Y0. Z5.\nX1. W5.\n", gcode::Dialect::Fanuc, profile)),
+             QStringLiteral("2 not-translated W5"));
+    QCOMPARE(refusals(planOf("G0 X0. Y0. Z5.\nG1 W5. F100.\n", gcode::Dialect::Fanuc, profile)),
+             QStringLiteral("2 not-translated W5"));
+    // Home with the others, it is no move of its own.
+    QCOMPARE(refusals(planOf("G0 X0. Y0. Z5.\nG91 G28 Z0. W0.\n", gcode::Dialect::Fanuc, profile)),
+             QStringLiteral("2 not-translated W0"));
+    profile.functions = {{{0, 'W'}, ""}};
+    QVERIFY(planOf("G0 X0. Y0. Z5.\nG91 G28 Z0. W0.\n", gcode::Dialect::Fanuc, profile).isWhole());
+    QCOMPARE(nativeLines(planOf(program, gcode::Dialect::Fanuc, profile)), QString());
+    job::Profile pictured;
+    pictured.leavesOutFunctions = true;
+    const job::Plan left = planOf(program, gcode::Dialect::Fanuc, pictured);
+    QVERIFY(left.isWhole());
+    QCOMPARE(left.functions.front().name.axis, 'W');
+    QVERIFY(left.functions.front().isAssumed);
+    // The control of the program has the axis.
+    QVERIFY(nativeLines(planOf("G0 X0 Y0 Z5\nG0 W5\nX1\n")).startsWith("G0 W5"));
   }
 };
 

@@ -43,10 +43,17 @@ void Executor::executeMotion(BlockWords& words) {
     }
     return;
   }
+  const bool hasFurther = words.axes.hasAny(kFirstFurther, kProgrammedAxisCount);
   for (std::size_t axis = kFirstFurther; axis < kProgrammedAxisCount; ++axis) {
     if (words.axes.has(axis)) {
       m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);
     }
+  }
+  if (hasFurther && !words.axes.hasAny(0, kFirstFurther)) {
+    if (motion == Motion::Rapid || motion == Motion::Line) {
+      m_to.words.motion(motionNumber(), words.axes);
+    }
+    return;  // nothing of the path moves
   }
   const bool hasKnots = motion == Motion::Nurbs && m_hasKnots;
   if (hasKnots) {

@@ -55,6 +55,8 @@ constexpr std::array kG{
     GRow{610, G::ExactPath, Changes::Nothing, "PQ", kFeed},
     GRow{611, G::ExactPath, Changes::Nothing, "PQ", kFeed},
     GRow{640, G::Continuous, Changes::Nothing, "PQ", kFeed},
+    // Slower at inner corners while the radius of the tool is compensated, and as G64 else.
+    GRow{620, G::Continuous, Changes::Nothing, {}, "B-63944EN, Automatic corner override (G62)"},
     GRow{430, G::ToolLength, Changes::Tool, "H", kCompensation},
     GRow{440, G::ToolLength, Changes::Tool, "H", kCompensation},
     GRow{431, G::TakesBlock, Changes::Tool, {}, kCompensation},
