@@ -197,10 +197,12 @@ constexpr std::array kExamples{
     Example{"haas",
             "G17 G21 G40 G80 G90 G94 G54\nT3 M6\nS3000 M3\nG0 X0. Y0. Z50.\nG1 Z-2. F2000.\nM8\nG3 "
             "X20. Y0. I10.\nM9\n#101=3.\nG91 G1 X[#101*2.] Y#101\nG90 G0 Z60.\nM30\n"},
-    Example{"linuxcnc",
-            "G17 G21 G40 G49 G54 G90 G94\nT3 M6\nS3000 M3\nG0 X0 Y0 Z50\nG1 Z-2 F2000\nM8\no100 "
-            "repeat [3]\nG91 G1 X5 Y2\no100 endrepeat\nG90 G2 X25 Y16 I5 J5\nM9\nG92 X0\nG1 X-5 "
-            "Y20\nG92.1\nG20 G1 X1 Y1\nG21 G0 Z60\nM2\n"},
+    Example{
+        "linuxcnc",
+        "G17 G21 G40 G49 G54 G90 G94\nT3 M6\nS3000 M3\nG0 X0 Y0 Z50\nG1 Z-2 F2000\nM8\n#1=0\no100 "
+        "while [#1 LT 3]\nG91 G1 X5 Y2\n#1=[#1+1]\no100 endwhile\nG90 G2 X25 Y16 I5 J5\nM9\nG92 "
+        "X0\nG1 X-5 "
+        "Y20\nG92.1\nG20 G1 X1 Y1\nG21 G0 Z60\nM2\n"},
     Example{"grbl",
             "G17 G21 G90 G94\nS3000 M3\nG0 X0 Y0 Z50\nG1 Z-2 F2000\nM8\nX20\nG2 X30 Y-10 I0 "
             "J-10\nM9\nG91 G1 X-5 Y-5\nG90 G0 Z60\nM30\n"},

@@ -84,10 +84,6 @@ std::optional<double> valueOf(const Words& words, std::string_view name) {
 std::size_t axisOf(const Word& word, std::string_view axes = kAxes) {
   return word.name.size() == 1 ? axes.find(word.name[0]) : std::string_view::npos;
 }
-std::string_view axisName(std::size_t axis) {
-  return kAxes.substr(axis, 1);
-}
-
 /// Of one program: the last one has the structure "%".
 struct Line {
   std::size_t number = 0;
@@ -131,7 +127,7 @@ struct Frame {
   }
 };
 
-/// What PROC SAVE and M70 keep.
+/// What G functions set.
 struct Modal {
   double unit = 1.0;
   double feedUnit = 1.0;
@@ -150,9 +146,7 @@ struct Modal {
 struct Level {
   std::size_t at = 0;  ///< the next line
   Values variables;
-  bool saves = false;
-  bool shares = false;                     ///< M98: the variables are those of the caller
-  std::map<std::size_t, double> counters;  ///< of loops, by their line
+  bool shares = false;  ///< M98: the variables are those of the caller
 };
 
 class Evaluator {
@@ -284,17 +278,14 @@ class Evaluator {
     const bool jumps = line.text.find("GOTO") != std::string::npos ||
                        line.text.find("THEN") != std::string::npos ||
                        (m_isSinumerik && word == "REPEAT" && to < line.text.size());
-    const bool begins =
-        isIn(word, m_isLinux ? "IF WHILE REPEAT DO SUB" : "IF WHILE FOR LOOP REPEAT DO");
+    const bool begins = isIn(word, m_isLinux ? "IF WHILE" : "IF WHILE LOOP REPEAT");
     const bool goesOn = isIn(word, "ELSE ELSEIF");
-    bool ends = isIn(word, "END ENDIF ENDFOR ENDWHILE ENDLOOP UNTIL ENDREPEAT ENDSUB");
+    const bool ends = isIn(word, "END ENDIF ENDWHILE ENDLOOP UNTIL");
     if (jumps || m_isPlain || (m_isLinux && key == 0) || !(begins || goesOn || ends)) {
       return;
     }
     line.behind = to;
     line.structure = word;
-    ends |=
-        m_isLinux && word == "WHILE" && !m_open.empty() && m_lines[m_open.back()].structure == "DO";
     if (goesOn || ends) {
       check(!m_open.empty(), line.text);
       m_lines[m_open.back()].next = m_lines.size();
@@ -303,10 +294,6 @@ class Evaluator {
     }
     if (!ends) {
       m_open.push_back(m_lines.size());
-    }
-    if (word == "SUB") {
-      check(m_open.size() == 1, "a subprogram inside another");
-      m_programs[line.text.substr(0, key)] = m_lines.size() + 1;
     }
   }
 
@@ -405,18 +392,6 @@ class Evaluator {
   }
 
   Value function(const std::string& name) {
-    struct Function {
-      double (*of)(double);
-      double in = 1.0;  ///< what its argument is multiplied with, and its result
-      double out = 1.0;
-    };
-    static const std::map<std::string, Function> kFunctions{
-        {"SIN", {std::sin, kDegree}}, {"COS", {std::cos, kDegree}},
-        {"TAN", {std::tan, kDegree}}, {"ASIN", {std::asin, 1.0, 1.0 / kDegree}},
-        {"SQRT", {std::sqrt}},        {"ACOS", {std::acos, 1.0, 1.0 / kDegree}},
-        {"ABS", {std::abs}},          {"EXP", {std::exp}},
-        {"LN", {std::log}},           {"TRUNC", {std::trunc}},
-        {"ROUNDUP", {std::ceil}},     {"POT", {[](double x) { return x * x; }}}};
     std::vector<double> a;
     if (m_isPlain) {
       a.push_back(primary().number);
@@ -427,11 +402,13 @@ class Evaluator {
       } while (accept(","));
       expect(m_isSinumerik ? ")" : "]");
     }
-    if (const auto found = kFunctions.find(name); found != kFunctions.end()) {
-      return {found->second.of(a[0] * found->second.in) * found->second.out};
+    if (isIn(name, "SIN COS TAN")) {
+      const double angle = a[0] * kDegree;
+      return {name == "SIN" ? std::sin(angle) : name == "COS" ? std::cos(angle) : std::tan(angle)};
     }
-    if (name == "ROUND") {  // in a word of Fanuc to the least input increment
-      return {std::round(a[0] / m_step) * m_step};
+    if (isIn(name, "ABS SQRT ROUND")) {  // in a word of Fanuc to the least input increment
+      check(name != "ROUND" || !m_isInWord, "ROUND in a word");
+      return {name == "ABS" ? std::abs(a[0]) : name == "SQRT" ? std::sqrt(a[0]) : std::round(a[0])};
     }
     if (name == "FIX" || name == "FUP") {  // towards and from zero, LinuxCNC down and up
       const bool down = (name == "FIX") == (m_isLinux || a[0] >= 0.0);
@@ -467,10 +444,6 @@ class Evaluator {
     check(!name.empty(), "value in " + m_rest);
     if (m_isSinumerik && isIn(name, "NOT TRUE FALSE")) {
       return {name == "TRUE" || (name == "NOT" && primary().number == 0.0) ? 1.0 : 0.0};
-    }
-    if (name == "R" && accept("[")) {
-      name += std::to_string(whole(expression()));
-      expect("]");
     }
     check(peek() != '[' || m_hasBrackets, name + "[]");
     blanks();
@@ -557,14 +530,10 @@ class Evaluator {
     at = isAhead ? ahead : back - 1;
   }
 
-  void call(std::size_t at, const Values variables, int times, bool saves = false,
-            bool shares = false) {
+  void call(std::size_t at, const Values& variables, int times, bool shares = false) {
     check(m_levels.size() < 1000, "calls too deep");
     for (; times > 0; --times) {
-      m_levels.push_back({at, variables, saves, shares, {}});
-    }
-    if (saves) {
-      m_saved.push_back(m_modal);
+      m_levels.push_back({at, variables, shares});
     }
   }
 
@@ -576,24 +545,6 @@ class Evaluator {
     const Level left = std::move(level());
     m_levels.pop_back();
     level().variables = left.shares ? left.variables : level().variables;
-    if (left.saves) {
-      restore();
-    }
-  }
-
-  void restore() {
-    check(!m_saved.empty(), "nothing saved");
-    const Modal now = std::exchange(m_modal, m_saved.back());
-    const Frame frame = std::exchange(m_modal.frame, now.frame);
-    // rs274 writes what has changed into a block: F with one decimal, S with none.
-    const auto written = [this](double value, double before, double digits) {
-      return m_isLinux && value != before ? std::nearbyint(value * digits) / digits : value;
-    };
-    m_modal.feed = written(m_modal.feed / m_modal.feedUnit, now.feed / m_modal.feedUnit, 10.0) *
-                   m_modal.feedUnit;
-    m_modal.speed = written(m_modal.speed, now.speed, 1.0);
-    setFrame(m_isSinumerik ? frame : now.frame);
-    m_saved.pop_back();
   }
 
   bool condition() { return (m_hasBrackets ? primary() : expression()).number != 0.0; }
@@ -602,49 +553,23 @@ class Evaluator {
   bool structured(const Line& line) {
     const std::string& word = line.structure;
     const bool arrives = std::exchange(m_arrives, false);  // from an IF that does not hold
-    const bool endsDo = word == "WHILE" && line.next == 0;
     std::size_t& at = level().at;
-    bool enters = word != "SUB";
+    bool enters = true;
     if (word.starts_with("ELSE")) {
       enters = arrives && (word == "ELSE" || condition());
     } else if (isIn(word, "IF WHILE UNTIL")) {
       enters = condition();
-    } else if (word == "FOR") {
-      const std::string name = identifier();
-      const double from = (expect("="), expression().number);
-      Value& counter = variable(name);
-      counter.number = level().counters.erase(at - 1) != 0 ? counter.number + 1.0 : from;
-      expect("TO");
-      enters = counter.number <= expression().number;
-    } else if (word == "REPEAT" && m_isLinux) {
-      enters = isAgain(whole(primary()));
-    } else if (word == "ENDSUB") {
-      returnLinux();
-      return true;
     } else if (word.starts_with("END") && word != "ENDIF") {
       at = line.back;
-      if (word == "ENDFOR") {
-        level().counters[line.back] = 1.0;
-      }
     }
-    if (endsDo || word == "UNTIL") {
-      at = enters == endsDo ? line.back + 1 : at;
+    if (word == "UNTIL") {
+      at = enters ? at : line.back + 1;
     } else if (!enters) {
       const bool goesOn = m_lines[line.next].structure.starts_with("ELSE");
       m_arrives = goesOn && (word == "IF" || arrives);
       at = line.next + (goesOn ? 0 : 1);
     }
     return !word.empty();
-  }
-
-  /// True so many times, then false, in the line that has just been read.
-  bool isAgain(double times) {
-    double& left = level().counters.try_emplace(level().at - 1, times).first->second;
-    const bool again = left-- >= 1.0;
-    if (!again) {
-      level().counters.erase(level().at - 1);
-    }
-    return again;
   }
 
   /// Jumps, calls and definitions. @return true if the line was one
@@ -655,7 +580,8 @@ class Evaluator {
       expect(":");
     }
     if (m_isLinux || m_letter == 'G') {
-      return keyEnd(line.text) > 0 && steersLinux(line.text);
+      check(keyEnd(line.text) == 0, line.text);
+      return false;
     }
     const bool decides = accept("IF");
     const bool holds = !decides || condition();
@@ -669,98 +595,31 @@ class Evaluator {
       if (holds) {
         jump(label, direction);
       }
-    } else if (decides) {
-      expect("THEN");
-      if (holds) {
-        execute(wordsOf(restOfLine()));
-      }
     } else {
-      return m_isSinumerik ? steersSinumerik() : m_isPlain && steersPlain(line);
+      check(!decides, line.text);
+      check(!m_isSinumerik || !accept("REPEAT"), line.text);
+      if (m_isSinumerik && accept("DEF")) {
+        const std::string type = identifier();
+        do {
+          const std::string name = identifier();
+          check(isIn(type, "REAL INT BOOL") && !accept("["), "DEF " + type);
+          const double value = accept("=") ? expression().number : 0.0;
+          level().variables[name] = {type == "INT" ? std::round(value) : value};
+        } while (accept(","));
+        return true;
+      }
+      return m_isSinumerik ? accept("EXTERN") || accept("PROC") : m_isPlain && steersPlain(line);
     }
     return true;
   }
 
-  bool steersSinumerik() {
-    if (accept("REPEAT")) {
-      const std::string label = identifier();
-      const bool again = isAgain(accept("P") ? (accept("="), expression().number) : 1.0);
-      check(!blanks(), "REPEAT between labels");
-      if (again) {
-        jump(label, -1);
-      }
-    } else if (accept("DEF")) {
-      const std::string type = identifier();
-      do {
-        declare(type, level().variables, {0.0, true});
-      } while (accept(","));
-    } else {
-      return accept("EXTERN") || accept("PROC");
-    }
-    return true;
-  }
-
-  /// DEF REAL A = 5, PROC NAME(INT N = 2): behind the type.
-  void declare(const std::string& type, Values& variables, Value given) {
-    const std::string name = identifier();
-    check(isIn(type, "REAL INT BOOL") && !accept("["), "DEF " + type);
-    variables[name] = {};
-    const double otherwise = accept("=") ? expression().number : 0.0;
-    const double value = given.vacant ? otherwise : given.number;
-    variables[name] = {type == "INT" ? std::round(value) : value};
-  }
-
-  /// NAME, NAME(1,2), L100, with P3 behind.
+  /// NAME, L100, with P3 behind.
   void callSinumerik(const std::string& name) {
     const auto program = findProgram(name);
-    check(program.has_value(), name);
-    std::vector<Value> given;
-    if (accept("(")) {
-      while (!accept(")")) {
-        blanks();
-        given.push_back(peek() == ',' || peek() == ')' ? Value{0.0, true} : expression());
-        accept(",");
-      }
-    }
-    const int times = accept("P") ? (accept("="), whole(expression())) : 1;
-    const std::string rest = std::exchange(m_rest, m_lines[*program].text);
-    const std::size_t at = std::exchange(m_i, 0);
-    Values variables;
-    const bool isProc = accept("PROC");
-    const bool saves = isProc && m_rest.find("SAVE") != std::string::npos;
-    identifier();
-    for (std::size_t i = 0; isProc && accept(i == 0 ? "(" : ","); ++i) {
-      declare(identifier(), variables, i < given.size() ? given[i] : Value{0.0, true});
-    }
-    begin(rest, at);
-    call(*program, variables, times, saves);
-  }
-
-  /// O100 CALL [1] [2], and O100 RETURN.
-  bool steersLinux(const std::string& line) {
-    m_i = keyEnd(line);
-    const std::string key = line.substr(0, m_i);
-    check(key.size() > 1, "O with a calculated number");
-    if (accept("RETURN")) {
-      returnLinux();
-      return true;
-    }
-    check(accept("CALL"), line);
-    Values variables;
-    for (int i = 1; accept("["); ++i) {
-      variables["#" + std::to_string(i)] = expression();
-      expect("]");
-    }
-    if (!findProgram(key)) {
-      findProgram(key[1] == '<' ? key.substr(2, key.size() - 3) : key.substr(1));
-    }
-    check(findProgram(key).has_value(), key + " CALL");
-    call(*findProgram(key), variables, 1);
-    return true;
-  }
-
-  void returnLinux() {
-    m_globals["#<_VALUE>"] = peek() == '[' ? primary() : Value{};
-    leave();
+    check(program.has_value() && !accept("("), name);
+    const std::string head = m_lines[*program].text;
+    check(!head.starts_with("PROC") || (head.find('(') & head.find(" SAVE")) == head.npos, head);
+    call(*program, {}, accept("P") ? (accept("="), whole(expression())) : 1);
   }
 
   /// Labels of plain text, and calculations.
@@ -770,14 +629,9 @@ class Evaluator {
         leave();
       }
     } else if (accept("CALL LBL")) {
-      const std::size_t rep = m_rest.find("REP");
-      const std::string label = trimmed(m_rest.substr(m_i, rep - std::min(m_i, rep)));
-      if (rep == std::string::npos) {
-        call(level().at, {}, 1);
-        jump(label);
-      } else if (m_i = rep + 3; isAgain(number())) {
-        jump(label, -1);
-      }
+      check(m_rest.find("REP") == std::string::npos, "REP");
+      call(level().at, {}, 1);
+      jump(restOfLine());
     } else if (blanks() && peek() == 'Q' && isDigit(peek(1))) {
       const std::string name = identifier();
       expect("=");
@@ -806,9 +660,9 @@ class Evaluator {
         m_deferred.emplace_back(name, expression());  // holds behind the block
       } else {
         word.name = m_rest[m_i++];
-        m_step = m_isFanuc ? (m_modal.unit == 1.0 ? 0.001 : 0.0001) : 1.0;
+        m_isInWord = m_isFanuc;
         word.value = primary();
-        m_step = 1.0;
+        m_isInWord = false;
       }
       if (!word.name.empty() && (!m_isFanuc || !word.value.vacant || word.name == "G")) {
         words.push_back(word);
@@ -847,8 +701,7 @@ class Evaluator {
       ++m_i;
     }
     std::string name = m_rest.substr(from, m_i - from);
-    const bool isName =
-        isIn(name, kFrames) || isIn(name, "CIP CT RET DIAMON DIAMOF CR AR AP RP RPL I1 J1 K1");
+    const bool isName = isIn(name, kFrames) || isIn(name, "RET DIAMON DIAMOF CR AR AP RP RPL");
     if (accept("=")) {
       for (const std::string reference : {"ACP", "ACN", "AC", "IC", "DC"}) {
         if (word.reference == 0 && accept(reference + "(")) {
@@ -893,7 +746,7 @@ class Evaluator {
     using E = Evaluator;
     using W = const std::string&;
     static const std::vector<Row> kRows{
-        {"G0 G1 G2 G3 CIP CT", "SFLG", [](E& e, W w, auto&) { e.m_motion = w; }},
+        {"G0 G1 G2 G3", "SFLG", [](E& e, W w, auto&) { e.m_motion = w; }},
         {"G17 G18 G19", "SFLG", [](E& e, W w, auto&) { e.m_modal.across = kAcross.find(w[2]); }},
         {"G90 G91", "SFLG", [](E& e, W w, auto&) { e.m_modal.relative = w == "G91"; }},
         {"G90.1 G91.1", "L", [](E& e, W w, auto&) { e.m_modal.centreAbsolute = w == "G90.1"; }},
@@ -904,15 +757,13 @@ class Evaluator {
         {"G7 G8", "L", [](E& e, W w, auto&) { e.m_modal.diameter = w == "G7"; }},
         {"DIAMON DIAMOF", "S", [](E& e, W w, auto&) { e.m_modal.diameter = w == "DIAMON"; }},
         {"G15 G16", "F", [](E& e, W w, auto&) { e.m_modal.polar = w == "G16"; }},
-        {"G54 G55 G56 G57 G58 G59", "SFLG", [](E& e, W w, auto&) { e.setWorkOffset(w); }},
         {"G110 G111 G112", "S", [](E& e, W w, auto& all) { e.setPole(w, all); }, true},
         {"G52 G92", "FLG", [](E& e, W w, auto& all) { e.setOffset(w, all); }, true},
-        {"G92.1 G92.2 G92.3", "LG", [](E& e, W w, auto& all) { e.setOffset(w, all); }, true},
-        {"G68 G69 G51 G50 G51.1 G50.1", "F", [](E& e, W w, auto& a) { e.setOffset(w, a); }, true},
+        {"G92.1", "LG", [](E& e, W w, auto& all) { e.setOffset(w, all); }, true},
         {kFrames, "S", [](E& e, W w, auto& all) { e.frameStatement(w, all); }, true},
         {"G65", "F", [](E& e, W, auto& all) { e.callMacro(all); }, true},
         {"G4", "SFG", [](E&, W, auto&) {}, true},
-        {"G9 G40 G49 G60 G61 G64 G80", "SFLG", [](E&, W, auto&) {}},
+        {"G9 G40 G49 G54 G60 G61 G64 G80", "SFLG", [](E&, W, auto&) {}},
         {"G500 G601 G602 G603 G641 G642 G643 G450", "S", [](E&, W, auto&) {}},
         {"G43 G91.1", "FLG", [](E&, W, auto&) {}},
         {"G67", "F", [](E&, W, auto&) {}},
@@ -922,9 +773,7 @@ class Evaluator {
         {"M2 M30", "SFLGH", [](E& e, W, auto&) { e.m_ended = true; }},
         {"M17 RET", "S", [](E& e, W, auto&) { e.leave(); }},
         {"M98", "F", [](E& e, W, auto& all) { e.callNumber(all, e.level().variables, true); }},
-        {"M99", "F", [](E& e, W, auto& all) { e.leaveTo(all); }},
-        {"M70 M73", "L", [](E& e, W w, auto&) { e.save(w == "M73"); }},
-        {"M72", "L", [](E& e, W, auto&) { e.restore(); }}};
+        {"M99", "F", [](E& e, W, auto& all) { check(!find(all, "P"), "M99 P"), e.leave(); }}};
     return kRows;
   }
 
@@ -989,47 +838,24 @@ class Evaluator {
     m_modal.feed = mode == m_modal.feedMode ? m_modal.feed : 0.0;
     m_modal.feedMode = mode;
   }
-  void setWorkOffset(const std::string& g) {
-    check(m_moves.empty() || m_workOffset == g, g);  // its values are not in the program
-    m_workOffset = g;
-  }
-  void save(bool untilEnd) {
-    m_saved.push_back(m_modal);
-    level().saves = untilEnd;
-  }
-
   /// M98 and G65.
   void callNumber(const Words& words, const Values& variables, bool shares) {
     const Word* const p = find(words, "P");
     const auto program = p == nullptr ? std::nullopt : findProgram(std::to_string(whole(p->value)));
     check(program.has_value(), "a call without its program");
     const int times = static_cast<int>(valueOf(words, "L").value_or(1.0));
-    call(*program, variables, times, false, shares);
+    call(*program, variables, times, shares);
   }
 
-  /// M99, M99 P10.
-  void leaveTo(const Words& words) {
-    check(m_levels.size() > 1, "M99");
-    leave();
-    if (const Word* const p = find(words, "P")) {
-      jump("N" + std::to_string(whole(p->value)));
-    }
-  }
-
-  /// G65: A B C … are #1 #2 #3 …, the second I J K are #7 #8 #9.
+  /// G65: A B C … are #1 #2 #3 ….
   void callMacro(const Words& words) {
     static const std::string kLetters = "ABCIJKDEF_H_M___QRSTUVWXYZ";
     Values variables;
-    char last = 0;
-    int triple = 0;
     for (const Word& word : words) {
       const std::size_t at = kLetters.find(word.name);
-      const bool isTriple = isIn(word.name, "I J K");
-      triple += isTriple && word.name[0] <= last ? 3 : 0;
-      last = isTriple ? word.name[0] : last;
       if (at != std::string::npos) {
-        const int index = static_cast<int>(at) + 1 + (isTriple ? triple : 0);
-        variables["#" + std::to_string(index)] = word.value;
+        const bool isNew = variables.emplace("#" + std::to_string(at + 1), word.value).second;
+        check(isNew, "a second " + word.name);
       }
     }
     callNumber(words, variables, false);
@@ -1042,18 +868,6 @@ class Evaluator {
     m_at = frame.from(m_modal.frame.to(m_at));
     m_modal.frame = frame;
     m_stale.fill(m_isSinumerik);
-  }
-
-  /// Of controls that know which offset, scale and turn hold, about which place.
-  void rebuildFrame() {
-    Frame frame;
-    frame.shift(m_set + m_local + m_centre);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      frame.scale(axis, m_scale[axis]);
-    }
-    frame.turn(m_modal.across, m_turnedBy);
-    frame.shift(-1.0 * m_centre);
-    setFrame(frame);
   }
 
   template <class Each>
@@ -1092,47 +906,23 @@ class Evaluator {
     return value * m_modal.unit * (axis == 0 && m_modal.diameter ? 0.5 : 1.0);
   }
 
-  /// G52, G92 to G92.3 of controls that follow RS-274, G68 to G50.1 of Fanuc.
+  /// G52, G92 and G92.1 of controls that follow RS-274.
   void setOffset(const std::string& g, const Words& words) {
     check(!find(words, "A") && !find(words, "B") && !find(words, "C"), g);
     Vec3& local = m_isFanuc ? m_local : m_set;
     forAxes(words, [&](std::size_t axis, const Word& word) {
       const double value = length(axis, word.value.number);
-      check(g != "G92" || (m_known[axis] && !m_changes), "G92");
+      check(g != "G92" || m_known[axis], "G92");
       if (g == "G52") {
         local.set(axis, value);
       } else if (g == "G92") {
         m_set.set(axis, m_set[axis] + m_at[axis] - value);
       }
     });
-    if (isIn(g, "G68 G51 G51.1")) {
-      takeChange(g, words);
-    } else if (isIn(g, "G69 G50 G50.1")) {
-      m_changes = false;
-      m_scale = Vec3{1, 1, 1};
-      m_turnedBy = 0.0;
-    }
-    m_kept = g == "G92.2" ? m_set : g == "G92.1" ? Vec3{} : m_kept;
-    m_set = isIn(g, "G92.1 G92.2") ? Vec3{} : g == "G92.3" ? m_kept : m_set;
-    rebuildFrame();
-  }
-
-  /// G68 X Y R, G51 X Y Z P1.5, G51.1 X Y of Fanuc, about a place in the coordinates of the
-  /// program.
-  void takeChange(const std::string& g, const Words& words) {
-    const auto amount = valueOf(words, g == "G68" ? "R" : "P");
-    const bool hasPoint = m_rest.find('.', m_rest.find('P')) != std::string::npos;
-    check(!m_changes && !m_modal.relative && (g != "G51" || hasPoint), g);
-    check(g == "G51.1" || amount.has_value(), g);
-    m_changes = true;
-    m_turnedBy = g == "G68" ? *amount : 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto named = valueOf(words, axisName(axis));
-      const bool counts = g == "G51" || (g == "G68" && axis != m_modal.across);
-      check(named || !counts || m_known[axis], g);
-      m_centre.set(axis, named ? *named * m_modal.unit : counts ? m_at[axis] : 0.0);
-      m_scale.set(axis, g == "G51" ? *amount : g == "G51.1" && named ? -1.0 : 1.0);
-    }
+    m_set = g == "G92.1" ? Vec3{} : m_set;
+    Frame frame;
+    frame.shift(m_set + m_local);
+    setFrame(frame);
   }
 
   /// G110 counts from the tool, G111 from the zero, G112 from the pole before.
@@ -1238,16 +1028,10 @@ class Evaluator {
     const Vec3 end = target(words);
     turnAxes(words);
     const bool counter = valueOf(words, "DR").value_or(m_motion == "G3" ? 1.0 : -1.0) > 0.0;
-    if (m_motion == "C" || m_motion == "CP") {
-      const Word* const angle = find(words, "AP");
-      const bool counts = angle != nullptr && angle->reference == 'I';
-      const double sweep = counts ? std::abs(angle->value.number) : 0.0;
-      check(sweep <= 360.0, "more than a turn");
-      arcAbout(flat(m_pole), end, counter, sweep == 360.0);
+    if (m_motion == "C") {
+      arcAbout(flat(m_pole), end, counter);
     } else if (isArc || m_motion == "CR") {
       arc(words, end, counter);
-    } else if (m_motion == "CIP" || m_motion == "CT") {
-      spaceArc(words, end);
     } else {
       straight(end, m_motion == "G0" || find(words, "FMAX") != nullptr);
     }
@@ -1257,7 +1041,6 @@ class Evaluator {
     EvaluatedMove made;
     made.kind = rapid ? EvaluatedMove::Kind::Rapid : EvaluatedMove::Kind::Line;
     const double way = base::distance(m_modal.frame.to(end), m_modal.frame.to(m_at));
-    m_direction = way > 0.0 ? end - m_at : m_direction;
     finish(made, end, way);
   }
 
@@ -1280,7 +1063,7 @@ class Evaluator {
   /// G2 and G3, from the words that say where the centre is.
   void arc(const Words& words, Vec3 end, bool counter) {
     const auto r = valueOf(words, m_isSinumerik ? "CR" : "R");
-    const auto angle = valueOf(words, "AR");
+    check(!find(words, "AR"), "AR");
     check(!find(words, "TURN") && !find(words, "P"), "more than a turn");
     check(m_known[first()] && m_known[second()], "an arc from an unknown place");
     Vec3 given = m_at;
@@ -1298,69 +1081,41 @@ class Evaluator {
     const Flat way = flat(end) - start;
     const double half = std::abs(way) / 2.0;
     const double sign = counter ? 1.0 : -1.0;
-    if (r || (angle && !isGiven)) {
-      const double radius = r ? *r * m_modal.unit : half / std::sin(*angle * kDegree / 2.0);
+    if (r) {
+      const double radius = *r * m_modal.unit;
       check(half > 0.0 && std::abs(radius) >= half - 0.01, "R");
-      const bool large = r ? radius < 0.0 : *angle > 180.0;
       const double up = std::sqrt(std::max(0.0, radius * radius - half * half));
-      centre = start + way * Flat(0.5, (large ? -sign : sign) * up / half / 2.0);
+      centre = start + way * Flat(0.5, (radius < 0.0 ? -sign : sign) * up / half / 2.0);
     } else if (find(words, "AP") != nullptr && !isGiven) {
       centre = flat(m_pole);
     } else {
       check(isGiven, "an arc without a centre");
-      const Flat turned = (start - centre) * std::polar(1.0, sign * angle.value_or(0.0) * kDegree);
-      end = angle ? lifted(centre + turned, end) : end;
     }
     arcAbout(centre, end, counter);
   }
 
-  /// In the plane, from where the tool stands.
-  void arcAbout(Flat centre, Vec3 end, bool counter, bool isFull = false) {
-    isFull |= std::abs(flat(end) - flat(m_at)) < 1e-9;
-    Vec3 axis;
-    axis.set(m_modal.across, counter ? 1.0 : -1.0);
-    circle(lifted(centre, m_at), axis, isFull ? lifted(flat(m_at), end) : end, isFull);
-  }
-
-  /// About an axis through the centre; the end may stand higher along it.
-  void circle(Vec3 centre, Vec3 axis, Vec3 end, bool isFull) {
+  /// In the plane, from where the tool stands; the end may stand higher.
+  void arcAbout(Flat centre, Vec3 end, bool counter) {
     const Frame& frame = m_modal.frame;
     check(frame.isEven(), "an arc that becomes an ellipse");
     const double scale = base::norm(frame.columns[0]);
-    const Vec3 arm = m_at - centre;
-    const double rise = base::dot(end - m_at, axis);
-    const Vec3 to = end - centre - rise * axis;
+    const double sign = counter ? 1.0 : -1.0;
+    const bool isFull = std::abs(flat(end) - flat(m_at)) < 1e-9;
+    const Flat arm = flat(m_at) - centre;
+    const Flat to = isFull ? arm : flat(end) - centre;
     EvaluatedMove made;
     made.kind = EvaluatedMove::Kind::Arc;
-    made.sweepDeg = std::atan2(base::dot(base::cross(arm, to), axis), base::dot(arm, to)) / kDegree;
-    made.sweepDeg = isFull ? 360.0 : made.sweepDeg + (made.sweepDeg <= 0.0 ? 360.0 : 0.0);
-    made.mismatch = std::abs(base::norm(arm) - base::norm(to));
-    made.centre = frame.to(centre);
+    made.sweepDeg = isFull ? 360.0 : sign * std::arg(to / arm) / kDegree;
+    made.sweepDeg += made.sweepDeg <= 0.0 ? 360.0 : 0.0;
+    made.mismatch = std::abs(std::abs(arm) - std::abs(to));
+    made.centre = frame.to(lifted(centre, m_at));
     const Vec3 hand = base::cross(frame.columns[0], frame.columns[1]);
-    made.axis = (base::dot(hand, frame.columns[2]) > 0.0 ? 1.0 : -1.0) / scale * frame.linear(axis);
-    m_direction = base::cross(axis, to);
-    finish(made, end, scale * std::hypot(base::norm(arm) * made.sweepDeg * kDegree, rise));
-  }
-
-  /// CIP and CT: a circle in space, through a third point or tangent to the move before.
-  void spaceArc(const Words& words, Vec3 end) {
-    const Vec3 way = end - m_at;
-    Vec3 middle = m_at;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (const Word* const word = find(words, std::string(1, "IJK"[i]) + "1")) {
-        middle.set(i, word->value.number * m_modal.unit + (isIncrement(*word) ? m_at[i] : 0.0));
-      }
-    }
-    const Vec3 a = m_motion == "CIP" ? middle - m_at : m_direction;
-    const Vec3 axis = base::cross(a, way);
-    check(base::norm(axis) > 0.0, m_motion + " without a circle");
-    const Vec3 normal = base::cross(axis, a);
-    const Vec3 centre =
-        m_motion == "CIP"
-            ? 1.0 / (2.0 * base::dot(axis, axis)) *
-                  (base::dot(a, a) * base::cross(way, axis) + base::dot(way, way) * normal)
-            : base::dot(way, way) / (2.0 * base::dot(normal, way)) * normal;
-    circle(m_at + centre, 1.0 / base::norm(axis) * axis, end, false);
+    Vec3 axis;
+    axis.set(m_modal.across, base::dot(hand, frame.columns[2]) > 0.0 ? sign : -sign);
+    made.axis = 1.0 / scale * frame.linear(axis);
+    const double rise = end[m_modal.across] - m_at[m_modal.across];
+    finish(made, isFull ? lifted(flat(m_at), end) : end,
+           scale * std::hypot(std::abs(arm) * made.sweepDeg * kDegree, rise));
   }
 
   // --- Heidenhain --------------------------------------------------------------------------------
@@ -1377,15 +1132,13 @@ class Evaluator {
         begin(line, feed + 2);
         m_modal.feed = number();
       }
-    } else if (line.starts_with("CYCL DEF")) {
-      plainFrame(trimmed(line.substr(8)));
     } else if (head == "CC") {
       const Words words = wordsOf(rest);
       m_pole = words.empty() ? m_at : m_pole;
       forAxes(words, [this](std::size_t axis, const Word& word) {
         m_pole.set(axis, word.value.number + (word.reference == 'I' ? m_at[axis] : 0.0));
       });
-    } else if (isIn(head, "L LP C CP CR CT")) {
+    } else if (isIn(head, "L LP C CR")) {
       m_motion = head;
       execute(wordsOf(rest));
     } else if (isIn(head, "M30 M2 M02 END")) {
@@ -1393,28 +1146,6 @@ class Evaluator {
     } else {
       check(isIn(head, "BLK STOP M0 M1 M3 M4 M5 M8 M9") || head[0] == '*', head);
     }
-  }
-
-  /// CYCL DEF 7 (datum shift), 8 (mirror image), 10 (rotation): each holds until it is set again.
-  void plainFrame(const std::string& text) {
-    const std::string cycle = text.substr(0, digitsEnd(text, 0));
-    check(isIn(cycle, "7 8 10"), "CYCL DEF " + cycle);
-    m_scale = cycle == "8" ? Vec3{1, 1, 1} : m_scale;
-    const bool isHead = text.starts_with(cycle + ".0");
-    for (const Word& word :
-         wordsOf(text.substr(isHead ? text.size() : std::min(text.size(), text.find(' '))))) {
-      const std::size_t axis = axisOf(word);
-      const bool adds = word.reference == 'I';
-      check(axis < 3 || word.name == "ROT", "CYCL DEF " + word.name);
-      if (cycle == "10") {
-        m_turnedBy = word.value.number + (adds ? m_turnedBy : 0.0);
-      } else if (cycle == "8") {
-        m_scale.set(axis, -1.0);
-      } else {
-        m_local.set(axis, word.value.number + (adds ? m_local[axis] : 0.0));
-      }
-    }
-    rebuildFrame();
   }
 
   char m_letter;
@@ -1429,34 +1160,26 @@ class Evaluator {
   std::vector<std::size_t> m_open;                ///< structures that have not ended
   bool m_arrives = false;                         ///< at ELSE, from its IF
   std::vector<Level> m_levels;
-  std::vector<Modal> m_saved;
   Values m_globals;
   Value m_vacant;
   std::vector<std::pair<std::string, Value>> m_deferred;
   std::string m_rest;
   std::size_t m_i = 0;
   std::size_t m_line = 0;
-  double m_step = 1.0;
+  bool m_isInWord = false;
   bool m_ended = false;
   // The machine.
   Modal m_modal;
-  std::string m_motion;  ///< "G0" to "G3", "CIP", "CT"
+  std::string m_motion;  ///< "G0" to "G3", "L" to "CR"
   Vec3 m_at;             ///< programmed coordinates
   std::array<bool, 3> m_known{};
   std::array<bool, 3> m_stale{};  ///< an increment would count from before a change of the frame
   std::array<double, 3> m_turned{kNaN, kNaN, kNaN};
   std::array<bool, 3> m_modulo{};
-  Vec3 m_direction;
   Vec3 m_pole;
   double m_polarAngle = kNaN;
-  Vec3 m_set;              ///< G92, and G52 of LinuxCNC
-  Vec3 m_kept;             ///< of G92.2
-  Vec3 m_local;            ///< G52, CYCL DEF 7
-  bool m_changes = false;  ///< G68, G51 or G51.1 holds
-  Vec3 m_centre;
-  Vec3 m_scale{1, 1, 1};
-  double m_turnedBy = 0.0;
-  std::string m_workOffset;
+  Vec3 m_set;    ///< G92, and G52 of LinuxCNC
+  Vec3 m_local;  ///< G52 of Fanuc
   double m_blockFeed = 0.0;
   std::vector<EvaluatedMove> m_moves;
 };
@@ -1465,7 +1188,9 @@ class Evaluator {
 
 Evaluation evaluate(std::string_view control, std::string_view text,
                     const std::function<std::optional<std::string>(std::string_view)>& beside) {
-  const char letter = control == "haas" ? 'F' : base::toUpper(control.front());
+  const char letter = control == "haas"      ? 'F'
+                      : control == "fluidnc" ? 'L'
+                                             : base::toUpper(control.front());
   return Evaluator(letter, beside).run(text);
 }
 

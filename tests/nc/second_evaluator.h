@@ -3,9 +3,10 @@
 
 /// @file
 /// A second reader of NC programs, to judge the first one: written from the controls' manuals
-/// alone, it shares no line with core/nc and core/gcode. It follows the words that the cases of
-/// tests/nc/meaning are about; at any other word it stops and names it. mm, degrees, mm/min.
-/// @threadsafety pure.
+/// alone, it shares no line with core/nc and core/gcode. It follows what is worth its lines: moves
+/// and arcs in the plane, poles, feeds, units, offsets and frames of SINUMERIK, rotary axes,
+/// conditions, loops and jumps, calls without O words, expressions. At any other word it stops and
+/// names it, and whoever asks counts that. mm, degrees, mm/min. @threadsafety pure.
 ///
 /// Sources: SINUMERIK Programming Manual Fundamentals and Job Planning; Fanuc B-63944EN; Haas Mill
 /// Operator's Manual; LinuxCNC docs/src/gcode; the source of Grbl 1.1; Heidenhain iTNC 530 User's
