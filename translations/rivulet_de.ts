@@ -574,6 +574,45 @@
     </message>
 </context>
 <context>
+    <name>ControlSettings</name>
+    <message>
+        <source>R plane of a cycle without R: below the height before it, mm</source>
+        <translation>R-Ebene eines Zyklus ohne R: unter der Höhe davor, mm</translation>
+    </message>
+    <message>
+        <source>peck depth of G73 and G83 without Q, mm (0: in one stroke)</source>
+        <translation>Zustelltiefe von G73 und G83 ohne Q, mm (0: in einem Zug)</translation>
+    </message>
+    <message>
+        <source>spindle speed of tapping without S, 1/min</source>
+        <translation>Spindeldrehzahl beim Gewindebohren ohne S, 1/min</translation>
+    </message>
+    <message>
+        <source>direction in which a boring tool lifts off (X, -X, Y, -Y, Z, -Z)</source>
+        <translation>Richtung, in der ein Ausdrehwerkzeug abhebt (X, -X, Y, -Y, Z, -Z)</translation>
+    </message>
+    <message>
+        <source>lift-off of a boring tool without Q, mm</source>
+        <translation>Abheben eines Ausdrehwerkzeugs ohne Q, mm</translation>
+    </message>
+    <message>
+        <source>angle of the spindle when a boring tool lifts off, degrees</source>
+        <translation>Winkel der Spindel beim Abheben eines Ausdrehwerkzeugs, Grad</translation>
+    </message>
+    <message>
+        <source>an arc without centre and radius is a straight line</source>
+        <translation>Ein Kreis ohne Mittelpunkt und Radius ist eine Gerade</translation>
+    </message>
+    <message>
+        <source>settable work offset for G54.1 P1 (507: G507)</source>
+        <translation>Einstellbare Nullpunktverschiebung für G54.1 P1 (507: G507)</translation>
+    </message>
+    <message>
+        <source>retraction of G73 and G83 within the hole, mm</source>
+        <translation>Rückzug von G73 und G83 in der Bohrung, mm</translation>
+    </message>
+</context>
+<context>
     <name>DiagnosticTexts</name>
     <message>
         <source>Note</source>
@@ -4386,17 +4425,6 @@ GPL-3.0-or-later</translation>
         <translation>ganze Einheiten, wo eine Zahl keinen Dezimalpunkt hat, wie gewählt</translation>
     </message>
     <message>
-        <source>M functions of another machine</source>
-        <translation>M-Funktionen einer anderen Maschine</translation>
-    </message>
-    <message numerus="yes">
-        <source>M%1 (line %2, %Ln times)</source>
-        <translation>
-            <numerusform>M%1 (Zeile %2, einmal)</numerusform>
-            <numerusform>M%1 (Zeile %2, %Ln-mal)</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>%1: the control executes %2</source>
         <translation>%1: Die Steuerung führt %2 aus</translation>
     </message>
@@ -4419,6 +4447,17 @@ GPL-3.0-or-later</translation>
     <message>
         <source>what it leaves out as chosen (%1)</source>
         <translation>was es weglässt, wie gewählt (%1)</translation>
+    </message>
+    <message>
+        <source>M functions and axes of another machine</source>
+        <translation>M-Funktionen und Achsen einer anderen Maschine</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (line %2, %Ln times)</source>
+        <translation>
+            <numerusform>%1 (Zeile %2, einmal)</numerusform>
+            <numerusform>%1 (Zeile %2, %Ln-mal)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8574,12 +8613,12 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Tausendstel</translation>
     </message>
     <message>
-        <source>The program leaves values to settings of the control. A virtual machine has these (mm): %1. Take them on every machine?</source>
-        <translation>Das Programm überlässt Werte den Einstellungen der Steuerung. Eine virtuelle Maschine hat diese (mm): %1. Auf jeder Maschine so annehmen?</translation>
-    </message>
-    <message>
         <source>Take them</source>
         <translation>So annehmen</translation>
+    </message>
+    <message>
+        <source>The program leaves values to settings of the control. Enter those of the machine, or take those of a virtual machine.</source>
+        <translation>Das Programm überlässt Werte den Einstellungen der Steuerung. Tragen Sie die der Maschine ein, oder nehmen Sie die einer virtuellen Maschine.</translation>
     </message>
 </context>
 <context>

@@ -140,10 +140,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>M%1 (line %2, %Ln times)</source>
+        <source>%1 (line %2, %Ln times)</source>
         <translation>
-            <numerusform>M%1 (line %2, once)</numerusform>
-            <numerusform>M%1 (line %2, %Ln times)</numerusform>
+            <numerusform>%1 (line %2, once)</numerusform>
+            <numerusform>%1 (line %2, %Ln times)</numerusform>
         </translation>
     </message>
 </context>

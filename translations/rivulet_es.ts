@@ -574,6 +574,45 @@
     </message>
 </context>
 <context>
+    <name>ControlSettings</name>
+    <message>
+        <source>R plane of a cycle without R: below the height before it, mm</source>
+        <translation>Plano R de un ciclo sin R: bajo la altura anterior, mm</translation>
+    </message>
+    <message>
+        <source>peck depth of G73 and G83 without Q, mm (0: in one stroke)</source>
+        <translation>Profundidad de pasada de G73 y G83 sin Q, mm (0: de una vez)</translation>
+    </message>
+    <message>
+        <source>spindle speed of tapping without S, 1/min</source>
+        <translation>Velocidad del husillo al roscar sin S, 1/min</translation>
+    </message>
+    <message>
+        <source>direction in which a boring tool lifts off (X, -X, Y, -Y, Z, -Z)</source>
+        <translation>Dirección en que se separa una herramienta de mandrinar (X, -X, Y, -Y, Z, -Z)</translation>
+    </message>
+    <message>
+        <source>lift-off of a boring tool without Q, mm</source>
+        <translation>Separación de una herramienta de mandrinar sin Q, mm</translation>
+    </message>
+    <message>
+        <source>angle of the spindle when a boring tool lifts off, degrees</source>
+        <translation>Ángulo del husillo al separarse una herramienta de mandrinar, grados</translation>
+    </message>
+    <message>
+        <source>an arc without centre and radius is a straight line</source>
+        <translation>Un arco sin centro ni radio es una recta</translation>
+    </message>
+    <message>
+        <source>settable work offset for G54.1 P1 (507: G507)</source>
+        <translation>Decalaje de origen ajustable para G54.1 P1 (507: G507)</translation>
+    </message>
+    <message>
+        <source>retraction of G73 and G83 within the hole, mm</source>
+        <translation>Retirada de G73 y G83 dentro del agujero, mm</translation>
+    </message>
+</context>
+<context>
     <name>DiagnosticTexts</name>
     <message>
         <source>Note</source>
@@ -4386,17 +4425,6 @@ GPL-3.0-or-later</translation>
         <translation>unidades enteras donde un número no tiene punto decimal, como se eligió</translation>
     </message>
     <message>
-        <source>M functions of another machine</source>
-        <translation>Funciones M de otra máquina</translation>
-    </message>
-    <message numerus="yes">
-        <source>M%1 (line %2, %Ln times)</source>
-        <translation>
-            <numerusform>M%1 (línea %2, una vez)</numerusform>
-            <numerusform>M%1 (línea %2, %Ln veces)</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>%1: the control executes %2</source>
         <translation>%1: el control ejecuta %2</translation>
     </message>
@@ -4419,6 +4447,17 @@ GPL-3.0-or-later</translation>
     <message>
         <source>what it leaves out as chosen (%1)</source>
         <translation>lo que omite según lo elegido (%1)</translation>
+    </message>
+    <message>
+        <source>M functions and axes of another machine</source>
+        <translation>Funciones M y ejes de otra máquina</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (line %2, %Ln times)</source>
+        <translation>
+            <numerusform>%1 (línea %2, una vez)</numerusform>
+            <numerusform>%1 (línea %2, %Ln veces)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8574,12 +8613,12 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Milésimas</translation>
     </message>
     <message>
-        <source>The program leaves values to settings of the control. A virtual machine has these (mm): %1. Take them on every machine?</source>
-        <translation>El programa deja valores a los ajustes del control. Una máquina virtual tiene estos (mm): %1. ¿Tomarlos en todas las máquinas?</translation>
-    </message>
-    <message>
         <source>Take them</source>
         <translation>Tomarlos</translation>
+    </message>
+    <message>
+        <source>The program leaves values to settings of the control. Enter those of the machine, or take those of a virtual machine.</source>
+        <translation>El programa deja valores a los ajustes del control. Introduzca los de la máquina, o tome los de una máquina virtual.</translation>
     </message>
 </context>
 <context>

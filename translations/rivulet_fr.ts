@@ -574,6 +574,45 @@
     </message>
 </context>
 <context>
+    <name>ControlSettings</name>
+    <message>
+        <source>R plane of a cycle without R: below the height before it, mm</source>
+        <translation>Plan R d’un cycle sans R&#xa0;: sous la hauteur qui précède, mm</translation>
+    </message>
+    <message>
+        <source>peck depth of G73 and G83 without Q, mm (0: in one stroke)</source>
+        <translation>Profondeur de passe de G73 et G83 sans Q, mm (0&#xa0;: en une fois)</translation>
+    </message>
+    <message>
+        <source>spindle speed of tapping without S, 1/min</source>
+        <translation>Vitesse de broche du taraudage sans S, 1/min</translation>
+    </message>
+    <message>
+        <source>direction in which a boring tool lifts off (X, -X, Y, -Y, Z, -Z)</source>
+        <translation>Direction dans laquelle un outil d’alésage se dégage (X, -X, Y, -Y, Z, -Z)</translation>
+    </message>
+    <message>
+        <source>lift-off of a boring tool without Q, mm</source>
+        <translation>Dégagement d’un outil d’alésage sans Q, mm</translation>
+    </message>
+    <message>
+        <source>angle of the spindle when a boring tool lifts off, degrees</source>
+        <translation>Angle de la broche quand un outil d’alésage se dégage, degrés</translation>
+    </message>
+    <message>
+        <source>an arc without centre and radius is a straight line</source>
+        <translation>Un arc sans centre ni rayon est une droite</translation>
+    </message>
+    <message>
+        <source>settable work offset for G54.1 P1 (507: G507)</source>
+        <translation>Décalage d’origine réglable pour G54.1 P1 (507&#xa0;: G507)</translation>
+    </message>
+    <message>
+        <source>retraction of G73 and G83 within the hole, mm</source>
+        <translation>Retrait de G73 et G83 dans le trou, mm</translation>
+    </message>
+</context>
+<context>
     <name>DiagnosticTexts</name>
     <message>
         <source>Note</source>
@@ -4386,17 +4425,6 @@ GPL-3.0-or-later</translation>
         <translation>unités entières là où un nombre n’a pas de point décimal, comme choisi</translation>
     </message>
     <message>
-        <source>M functions of another machine</source>
-        <translation>Fonctions M d’une autre machine</translation>
-    </message>
-    <message numerus="yes">
-        <source>M%1 (line %2, %Ln times)</source>
-        <translation>
-            <numerusform>M%1 (ligne %2, une fois)</numerusform>
-            <numerusform>M%1 (ligne %2, %Ln fois)</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>%1: the control executes %2</source>
         <translation>%1&#xa0;: la commande exécute %2</translation>
     </message>
@@ -4419,6 +4447,17 @@ GPL-3.0-or-later</translation>
     <message>
         <source>what it leaves out as chosen (%1)</source>
         <translation>ce qu’il omet selon le choix (%1)</translation>
+    </message>
+    <message>
+        <source>M functions and axes of another machine</source>
+        <translation>Fonctions M et axes d’une autre machine</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (line %2, %Ln times)</source>
+        <translation>
+            <numerusform>%1 (ligne %2, une fois)</numerusform>
+            <numerusform>%1 (ligne %2, %Ln fois)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8574,12 +8613,12 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Millièmes</translation>
     </message>
     <message>
-        <source>The program leaves values to settings of the control. A virtual machine has these (mm): %1. Take them on every machine?</source>
-        <translation>Le programme laisse des valeurs aux réglages de la commande. Une machine virtuelle a ceux-ci (mm)&#xa0;: %1. Les prendre sur toutes les machines&#xa0;?</translation>
-    </message>
-    <message>
         <source>Take them</source>
         <translation>Les prendre</translation>
+    </message>
+    <message>
+        <source>The program leaves values to settings of the control. Enter those of the machine, or take those of a virtual machine.</source>
+        <translation>Le programme laisse des valeurs aux réglages de la commande. Saisissez ceux de la machine, ou prenez ceux d’une machine virtuelle.</translation>
     </message>
 </context>
 <context>

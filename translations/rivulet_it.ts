@@ -574,6 +574,45 @@
     </message>
 </context>
 <context>
+    <name>ControlSettings</name>
+    <message>
+        <source>R plane of a cycle without R: below the height before it, mm</source>
+        <translation>Piano R di un ciclo senza R: sotto la quota precedente, mm</translation>
+    </message>
+    <message>
+        <source>peck depth of G73 and G83 without Q, mm (0: in one stroke)</source>
+        <translation>Profondità di passata di G73 e G83 senza Q, mm (0: in una sola corsa)</translation>
+    </message>
+    <message>
+        <source>spindle speed of tapping without S, 1/min</source>
+        <translation>Velocità del mandrino in maschiatura senza S, 1/min</translation>
+    </message>
+    <message>
+        <source>direction in which a boring tool lifts off (X, -X, Y, -Y, Z, -Z)</source>
+        <translation>Direzione in cui un utensile per alesare si stacca (X, -X, Y, -Y, Z, -Z)</translation>
+    </message>
+    <message>
+        <source>lift-off of a boring tool without Q, mm</source>
+        <translation>Distacco di un utensile per alesare senza Q, mm</translation>
+    </message>
+    <message>
+        <source>angle of the spindle when a boring tool lifts off, degrees</source>
+        <translation>Angolo del mandrino quando un utensile per alesare si stacca, gradi</translation>
+    </message>
+    <message>
+        <source>an arc without centre and radius is a straight line</source>
+        <translation>Un arco senza centro e raggio è una retta</translation>
+    </message>
+    <message>
+        <source>settable work offset for G54.1 P1 (507: G507)</source>
+        <translation>Spostamento origine impostabile per G54.1 P1 (507: G507)</translation>
+    </message>
+    <message>
+        <source>retraction of G73 and G83 within the hole, mm</source>
+        <translation>Arretramento di G73 e G83 nel foro, mm</translation>
+    </message>
+</context>
+<context>
     <name>DiagnosticTexts</name>
     <message>
         <source>Note</source>
@@ -4386,17 +4425,6 @@ GPL-3.0-or-later</translation>
         <translation>unità intere dove un numero non ha il punto decimale, come scelto</translation>
     </message>
     <message>
-        <source>M functions of another machine</source>
-        <translation>Funzioni M di un’altra macchina</translation>
-    </message>
-    <message numerus="yes">
-        <source>M%1 (line %2, %Ln times)</source>
-        <translation>
-            <numerusform>M%1 (riga %2, una volta)</numerusform>
-            <numerusform>M%1 (riga %2, %Ln volte)</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>%1: the control executes %2</source>
         <translation>%1: il controllo esegue %2</translation>
     </message>
@@ -4419,6 +4447,17 @@ GPL-3.0-or-later</translation>
     <message>
         <source>what it leaves out as chosen (%1)</source>
         <translation>ciò che omette come scelto (%1)</translation>
+    </message>
+    <message>
+        <source>M functions and axes of another machine</source>
+        <translation>Funzioni M e assi di un’altra macchina</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (line %2, %Ln times)</source>
+        <translation>
+            <numerusform>%1 (riga %2, una volta)</numerusform>
+            <numerusform>%1 (riga %2, %Ln volte)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8574,12 +8613,12 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Millesimi</translation>
     </message>
     <message>
-        <source>The program leaves values to settings of the control. A virtual machine has these (mm): %1. Take them on every machine?</source>
-        <translation>Il programma lascia valori alle impostazioni del controllo. Una macchina virtuale ha queste (mm): %1. Usarle su ogni macchina?</translation>
-    </message>
-    <message>
         <source>Take them</source>
         <translation>Usarle</translation>
+    </message>
+    <message>
+        <source>The program leaves values to settings of the control. Enter those of the machine, or take those of a virtual machine.</source>
+        <translation>Il programma lascia valori alle impostazioni del controllo. Inserite quelle della macchina, o usate quelle di una macchina virtuale.</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 
 #include "base/axes.h"
 #include "base/contract.h"
+#include "base/sentence.h"
 #include "base/text.h"
 
 namespace rivulet::gcode {
@@ -18,6 +19,7 @@ namespace {
 struct Row {
   ControlSetting setting;
   std::string_view name;
+  std::string_view title;
   double machineDefault;
   double smallest;
   double largest;
@@ -26,16 +28,39 @@ struct Row {
 // A Fanuc as delivered lifts off along +X (parameter 5101 RD1 and RD2, 5148), as setting 27 of a
 // Haas says too.
 constexpr std::array kRows{
-    Row{ControlSetting::RetractPlane, "plane", 0.0, 0.0, 1e4},
-    Row{ControlSetting::Stroke, "stroke", 0.0, 0.0, 1e4},
-    Row{ControlSetting::TapSpeed, "tap-speed", 500.0, 1.0, 1e5},
-    Row{ControlSetting::Lift, "lift", 1.0, -3.0, 3.0},
-    Row{ControlSetting::LiftBy, "lift-by", 0.0, 0.0, 100.0},
-    Row{ControlSetting::LiftAngle, "lift-angle", 0.0, 0.0, 360.0},
-    Row{ControlSetting::Arc, "arc", 0.0, 0.0, 0.0},  // Fanuc, parameter 3403 (CIR)
+    Row{ControlSetting::RetractPlane, "plane",
+        RIVULET_SENTENCE("ControlSettings",
+                         "R plane of a cycle without R: below the height before it, mm"),
+        0.0, 0.0, 1e4},
+    Row{ControlSetting::Stroke, "stroke",
+        RIVULET_SENTENCE("ControlSettings",
+                         "peck depth of G73 and G83 without Q, mm (0: in one stroke)"),
+        0.0, 0.0, 1e4},
+    Row{ControlSetting::TapSpeed, "tap-speed",
+        RIVULET_SENTENCE("ControlSettings", "spindle speed of tapping without S, 1/min"), 500.0,
+        1.0, 1e5},
+    Row{ControlSetting::Lift, "lift",
+        RIVULET_SENTENCE("ControlSettings",
+                         "direction in which a boring tool lifts off (X, -X, Y, -Y, Z, -Z)"),
+        1.0, -3.0, 3.0},
+    Row{ControlSetting::LiftBy, "lift-by",
+        RIVULET_SENTENCE("ControlSettings", "lift-off of a boring tool without Q, mm"), 0.0, 0.0,
+        100.0},
+    Row{ControlSetting::LiftAngle, "lift-angle",
+        RIVULET_SENTENCE("ControlSettings",
+                         "angle of the spindle when a boring tool lifts off, degrees"),
+        0.0, 0.0, 360.0},
+    // Fanuc, parameter 3403 (CIR)
+    Row{ControlSetting::Arc, "arc",
+        RIVULET_SENTENCE("ControlSettings", "an arc without centre and radius is a straight line"),
+        0.0, 0.0, 0.0},
     // G58 and G59 are G505 and G506; SINUMERIK ISO Milling has 93 more, which end at G599.
-    Row{ControlSetting::Offset, "offset", 507.0, 505.0, 599.0},
-    Row{ControlSetting::Clearance, "clearance", 0.25, 0.0, 100.0},
+    Row{ControlSetting::Offset, "offset",
+        RIVULET_SENTENCE("ControlSettings", "settable work offset for G54.1 P1 (507: G507)"), 507.0,
+        505.0, 599.0},
+    Row{ControlSetting::Clearance, "clearance",
+        RIVULET_SENTENCE("ControlSettings", "retraction of G73 and G83 within the hole, mm"), 0.25,
+        0.0, 100.0},
 };
 
 const Row& rowOf(ControlSetting setting) {
@@ -59,7 +84,7 @@ std::optional<double> axisOf(std::string_view text) {
   return isNegative ? -axis : axis;
 }
 
-std::optional<double> valueOf(ControlSetting setting, std::string_view text) {
+std::optional<double> numberOf(ControlSetting setting, std::string_view text) {
   switch (setting) {
     case ControlSetting::Lift:
       return axisOf(text);
@@ -70,7 +95,13 @@ std::optional<double> valueOf(ControlSetting setting, std::string_view text) {
   }
 }
 
-std::string textOf(ControlSetting setting, double value) {
+}  // namespace
+
+std::string_view settingTitle(ControlSetting setting) {
+  return rowOf(setting).title;
+}
+
+std::string valueText(ControlSetting setting, double value) {
   switch (setting) {
     case ControlSetting::Lift:
       return std::string(value < 0.0 ? "-" : "") +
@@ -82,7 +113,11 @@ std::string textOf(ControlSetting setting, double value) {
   }
 }
 
-}  // namespace
+std::optional<double> settingValueOf(ControlSetting setting, std::string_view text) {
+  const Row& row = rowOf(setting);
+  const std::optional<double> value = numberOf(setting, text);
+  return value && *value >= row.smallest && *value <= row.largest ? value : std::nullopt;
+}
 
 double machineDefault(ControlSetting setting) {
   return rowOf(setting).machineDefault;
@@ -91,8 +126,8 @@ double machineDefault(ControlSetting setting) {
 std::string textOf(const ControlSettings& settings) {
   std::string text;
   for (const auto& [setting, value] : settings) {
-    text +=
-        (text.empty() ? "" : " ") + std::string(rowOf(setting).name) + '=' + textOf(setting, value);
+    text += (text.empty() ? "" : " ") + std::string(rowOf(setting).name) + '=' +
+            valueText(setting, value);
   }
   return text;
 }
@@ -109,8 +144,8 @@ std::optional<ControlSettings> controlSettingsOf(std::string_view text) {
     if (row == kRows.end()) {
       return std::nullopt;
     }
-    const std::optional<double> value = valueOf(row->setting, word.substr(sign + 1));
-    if (!value || !(*value >= row->smallest && *value <= row->largest)) {
+    const std::optional<double> value = settingValueOf(row->setting, word.substr(sign + 1));
+    if (!value) {
       return std::nullopt;
     }
     settings[row->setting] = *value;

@@ -33,6 +33,13 @@ using ControlSettings = std::map<ControlSetting, double>;
 /// unless it is given.
 [[nodiscard]] double machineDefault(ControlSetting setting);
 
+/// What a machinist calls it, in English with its unit (translated in context "ControlSettings").
+[[nodiscard]] std::string_view settingTitle(ControlSetting setting);
+/// Its value alone: "0", "-X", "line".
+[[nodiscard]] std::string valueText(ControlSetting setting, double value);
+/// Inverse. @return nothing: the setting cannot have it
+[[nodiscard]] std::optional<double> settingValueOf(ControlSetting setting, std::string_view text);
+
 /// "plane=0 lift=-X", in the order of the settings.
 [[nodiscard]] std::string textOf(const ControlSettings& settings);
 /// Inverse. @return nothing: a name or value is none

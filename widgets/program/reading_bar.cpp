@@ -3,8 +3,11 @@
 
 #include "widgets/program/reading_bar.h"
 
+#include <QCoreApplication>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
@@ -53,17 +56,23 @@ QString controlName(gcode::Dialect dialect) {
       return QStringLiteral("LinuxCNC");
     case gcode::Dialect::Grbl:
       return QStringLiteral("GRBL");
+    case gcode::Dialect::FluidNc:
+      return QStringLiteral("FluidNC");
     case gcode::Dialect::Heidenhain:
       break;
   }
   return QStringLiteral("HEIDENHAIN");
 }
 
-ReadingBar::ReadingBar(QWidget* parent) : Page(parent), m_row(new QHBoxLayout) {
-  m_row->setContentsMargins(12, 4, 12, 4);
+ReadingBar::ReadingBar(QWidget* parent)
+    : Page(parent), m_row(new QHBoxLayout), m_values(new QGridLayout) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 4, 12, 4);
+  column->addLayout(m_row);
+  column->addLayout(m_values);
+  m_values->setColumnStretch(0, 1);
   m_row->addWidget(m_icon);
   m_row->addWidget(m_text, 1);
-  setLayout(m_row);
   hide();
   restyle();
 }
@@ -77,6 +86,9 @@ void ReadingBar::setAnswerable(bool answerable) {
   m_isAnswerable = answerable;
   for (QPushButton* answer : m_answers) {
     answer->setEnabled(answerable);
+  }
+  for (const Value& each : m_fields) {
+    each.field->setEnabled(answerable);
   }
 }
 
@@ -106,9 +118,9 @@ QString ReadingBar::question() const {
         .arg(*sizes);
   }
   if (const gcode::ControlSettings open = gcode::openSettings(*m_program); !open.empty()) {
-    return tr("The program leaves values to settings of the control. A virtual machine has these "
-              "(mm): %1. Take them on every machine?")
-        .arg(QString::fromStdString(gcode::textOf(open)));
+    return tr(
+        "The program leaves values to settings of the control. Enter those of the machine, "
+        "or take those of a virtual machine.");
   }
   return {};
 }
@@ -122,12 +134,50 @@ void ReadingBar::addAnswer(const QString& text, std::function<void()> choose) {
   m_answers.push_back(answer);
 }
 
-void ReadingBar::makeAnswers() {
-  for (QPushButton* answer : m_answers) {
-    answer->hide();
-    answer->deleteLater();
+void ReadingBar::addValue(gcode::ControlSetting setting, double value) {
+  const QString title = QCoreApplication::translate(
+      "ControlSettings", std::string(gcode::settingTitle(setting)).c_str());
+  const int row = static_cast<int>(m_fields.size());
+  auto* name = new QLabel(title, this);
+  auto* field = new QLineEdit(QString::fromStdString(gcode::valueText(setting, value)), this);
+  field->setAccessibleName(title);
+  field->setMinimumHeight(kTouchHeightPx);
+  field->setEnabled(m_isAnswerable);
+  field->setVisible(setting != gcode::ControlSetting::Arc);  // it has no other value
+  name->setBuddy(field);
+  m_values->addWidget(name, row, 0, Qt::AlignRight | Qt::AlignVCenter);
+  m_values->addWidget(field, row, 1);
+  m_fields.push_back({setting, name, field});
+}
+
+/// As they stand in the fields; nothing is taken while one of them is no value of its setting.
+void ReadingBar::takeValues() {
+  gcode::ControlSettings settings;
+  for (const Value& each : m_fields) {
+    const std::optional<double> value =
+        gcode::settingValueOf(each.setting, each.field->text().trimmed().toStdString());
+    if (!value) {
+      each.field->setFocus();
+      each.field->selectAll();
+      return;
+    }
+    settings[each.setting] = *value;
   }
+  Q_EMIT settingsChosen(settings);
+}
+
+void ReadingBar::makeAnswers() {
+  const auto remove = [](QWidget* widget) {
+    widget->hide();
+    widget->deleteLater();
+  };
+  std::for_each(m_answers.begin(), m_answers.end(), remove);
   m_answers.clear();
+  for (const Value& each : m_fields) {
+    remove(each.name);
+    remove(each.field);
+  }
+  m_fields.clear();
   if (!m_program) {
     return;
   }
@@ -143,7 +193,10 @@ void ReadingBar::makeAnswers() {
     addAnswer(tr("Whole units"), [this] { Q_EMIT noPointChosen(gcode::NoPoint::Units); });
     addAnswer(tr("Thousandths"), [this] { Q_EMIT noPointChosen(gcode::NoPoint::Increments); });
   } else if (const gcode::ControlSettings open = gcode::openSettings(*m_program); !open.empty()) {
-    addAnswer(tr("Take them"), [this, open] { Q_EMIT settingsChosen(open); });
+    for (const auto& [setting, value] : open) {
+      addValue(setting, value);
+    }
+    addAnswer(tr("Take them"), [this] { takeValues(); });
   }
 }
 

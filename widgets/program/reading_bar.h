@@ -17,7 +17,9 @@
 #include "widgets/common/page.h"
 
 class QHBoxLayout;
+class QGridLayout;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 
 namespace rivulet::widgets {
@@ -52,6 +54,8 @@ class ReadingBar final : public Page {
   [[nodiscard]] QString question() const;
   void makeAnswers();
   void addAnswer(const QString& text, std::function<void()> choose);
+  void addValue(gcode::ControlSetting setting, double value);
+  void takeValues();
 
   std::shared_ptr<const gcode::Program> m_program;
   bool m_isAnswerable = true;
@@ -59,6 +63,13 @@ class ReadingBar final : public Page {
   QLabel* m_text = value({.wraps = true});
   QHBoxLayout* m_row;
   std::vector<QPushButton*> m_answers;
+  struct Value {
+    gcode::ControlSetting setting;
+    QLabel* name;
+    QLineEdit* field;
+  };
+  QGridLayout* m_values;
+  std::vector<Value> m_fields;  ///< of the settings that are open
 };
 
 }  // namespace rivulet::widgets

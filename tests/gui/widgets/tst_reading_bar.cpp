@@ -3,6 +3,7 @@
 
 /// The bar asks what a program leaves open, one question at a time, and tells the answer on.
 
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -84,13 +85,39 @@ class TestReadingBar : public QObject {
     const char* const text = "G21 G90 G0 X1. Y1.\nG2 X2. F100.\n";
     ReadingBar bar;
     bar.setProgram(programOf(text, options));
-    QVERIFY(test::visibleText(bar).contains("arc=line"));
+    QVERIFY(test::visibleText(bar).contains("an arc without centre and radius"));
     QSignalSpy chosen(&bar, &ReadingBar::settingsChosen);
     button(bar, "Take them")->click();
     options.settings = chosen.last().first().value<gcode::ControlSettings>();
     QCOMPARE(QString::fromStdString(gcode::textOf(options.settings)), "arc=line");
     bar.setProgram(programOf(text, options));
     QVERIFY(bar.isHidden());
+  }
+
+  /// A setting has the name that a machinist knows, and may have another value on the machine.
+  void takesAnotherValue() {
+    test::Language language;
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Fanuc;
+    options.accepted = {"G83"};
+    auto program = std::make_shared<gcode::Program>(
+        gcode::interpretProgram("part.txt", "G21 G90 G0 X1. Y1.\n", options).value());
+    program->diagnostics.push_back({gcode::Severity::Warning, base::LineNumber{2}, 1,
+                                    gcode::DiagnosticCode::ControlSettingOpen, "G83: stroke=0"});
+    ReadingBar bar;
+    bar.setProgram(program);
+    QVERIFY(test::visibleText(bar).contains("peck depth of G73 and G83 without Q"));
+    auto* const field = bar.findChild<QLineEdit*>();
+    QCOMPARE(field->text(), "0");
+    QSignalSpy chosen(&bar, &ReadingBar::settingsChosen);
+    field->setText("deep");
+    button(bar, "Take them")->click();
+    QVERIFY(chosen.isEmpty());
+    field->setText("2.5");
+    button(bar, "Take them")->click();
+    QCOMPARE(QString::fromStdString(
+                 gcode::textOf(chosen.last().first().value<gcode::ControlSettings>())),
+             "stroke=2.5");
   }
 
   /// Where two controls would move differently, each button is one of them.
