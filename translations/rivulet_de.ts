@@ -4583,6 +4583,10 @@ GPL-3.0-or-later</translation>
         <source>Rivulet cannot stop what the control executes now. Press NC STOP at the machine.</source>
         <translation>Rivulet kann nicht anhalten, was die Steuerung jetzt ausführt. An der Maschine NC-STOP drücken.</translation>
     </message>
+    <message>
+        <source>Stop: the axes are held on the path.</source>
+        <translation>Stopp: Die Achsen werden auf der Bahn gehalten.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AdvicePanel</name>
@@ -7700,6 +7704,29 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::OverrideControl</name>
+    <message>
+        <source>Path override of this run, in percent of the programmed feed. The override of the machine&apos;s own switch multiplies. Ctrl++ and Ctrl+- are a step of 5 %.</source>
+        <translation>Bahn-Override dieses Laufs, in Prozent des programmierten Vorschubs. Der Override-Schalter der Maschine wirkt zusätzlich. Strg++ und Strg+- sind ein Schritt von 5 %.</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
+    <message>
+        <source>Override: 5 % less</source>
+        <translation>Override: 5 % weniger</translation>
+    </message>
+    <message>
+        <source>Override: 5 % more</source>
+        <translation>Override: 5 % mehr</translation>
+    </message>
+    <message>
+        <source>Override %1 %</source>
+        <translation>Override %1 %</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ParallelPage</name>
     <message>
         <source>Petri net</source>
@@ -9038,10 +9065,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Noch bewegt sich nichts.</translation>
     </message>
     <message>
-        <source>Ends the run at the end of the loop. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
-        <translation>Beendet den Lauf am Ende der Schleife. Escape tut dasselbe, von überall im Fenster. Ersetzt nicht den Not-Halt der Maschine.</translation>
-    </message>
-    <message>
         <source>Waiting for the test of the template on the virtual machine</source>
         <translation>Wartet auf die Prüfung der Vorlage an der virtuellen Maschine</translation>
     </message>
@@ -9302,6 +9325,42 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>A live source does not say when it ends.</source>
         <translation>Eine Live-Quelle sagt nicht, wann sie endet.</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Hier beenden</translation>
+    </message>
+    <message>
+        <source>Hold for one second: the run ends. First the axes execute what the control still has of the window, with this override.</source>
+        <translation>Eine Sekunde halten: Der Lauf endet. Zuvor fahren die Achsen mit diesem Override ab, was die Steuerung vom Fenster noch hat.</translation>
+    </message>
+    <message>
+        <source>What moves now does not obey the override. Press NC STOP at the machine.</source>
+        <translation>Was jetzt fährt, folgt dem Override nicht. NC-STOPP an der Maschine drücken.</translation>
+    </message>
+    <message>
+        <source>Another client has set the override to %1 %</source>
+        <translation>Ein anderer Client hat den Override auf %1 % gestellt</translation>
+    </message>
+    <message>
+        <source>The axes are braking</source>
+        <translation>Die Achsen bremsen</translation>
+    </message>
+    <message>
+        <source>Override 0 %: the axes stand</source>
+        <translation>Override 0 %: Die Achsen stehen</translation>
+    </message>
+    <message>
+        <source>The axes stand at once, until you press Continue.</source>
+        <translation>Die Achsen stehen sofort, bis Sie Weiter drücken.</translation>
+    </message>
+    <message>
+        <source>The axes stand at once if the program has a feed cell, else at the end of its window. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Die Achsen stehen sofort, wenn das Programm eine Vorschubzelle hat, sonst am Ende seines Fensters. Escape tut dasselbe, überall in diesem Fenster. Es ersetzt nicht den Not-Halt der Maschine.</translation>
+    </message>
+    <message>
+        <source>The axes stand (%1 after the order). Continue goes on, End here ends the run</source>
+        <translation>Die Achsen stehen (%1 nach dem Befehl). Weiter fährt fort, Hier beenden beendet den Lauf</translation>
     </message>
 </context>
 <context>

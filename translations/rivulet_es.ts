@@ -4583,6 +4583,10 @@ GPL-3.0-or-later</translation>
         <source>Rivulet cannot stop what the control executes now. Press NC STOP at the machine.</source>
         <translation>Rivulet no puede parar lo que el control ejecuta ahora. Pulse NC STOP en la máquina.</translation>
     </message>
+    <message>
+        <source>Stop: the axes are held on the path.</source>
+        <translation>Parada: los ejes quedan retenidos en la trayectoria.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AdvicePanel</name>
@@ -7700,6 +7704,29 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::OverrideControl</name>
+    <message>
+        <source>Path override of this run, in percent of the programmed feed. The override of the machine&apos;s own switch multiplies. Ctrl++ and Ctrl+- are a step of 5 %.</source>
+        <translation>Override de trayectoria de esta ejecución, en porcentaje del avance programado. El override del interruptor de la máquina multiplica. Ctrl++ y Ctrl+- son un paso del 5 %.</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
+    <message>
+        <source>Override: 5 % less</source>
+        <translation>Override: 5 % menos</translation>
+    </message>
+    <message>
+        <source>Override: 5 % more</source>
+        <translation>Override: 5 % más</translation>
+    </message>
+    <message>
+        <source>Override %1 %</source>
+        <translation>Override %1 %</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ParallelPage</name>
     <message>
         <source>Petri net</source>
@@ -9038,10 +9065,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Pregunta al control dónde se interrumpió la ejecución. Todavía no se mueve nada.</translation>
     </message>
     <message>
-        <source>Ends the run at the end of the loop. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
-        <translation>Termina la ejecución al final del bucle. Esc hace lo mismo, desde cualquier lugar de la ventana. No sustituye la parada de emergencia de la máquina.</translation>
-    </message>
-    <message>
         <source>Waiting for the test of the template on the virtual machine</source>
         <translation>Esperando la prueba de la plantilla en la máquina virtual</translation>
     </message>
@@ -9302,6 +9325,42 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>A live source does not say when it ends.</source>
         <translation>Una fuente en vivo no dice cuándo termina.</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Terminar aquí</translation>
+    </message>
+    <message>
+        <source>Hold for one second: the run ends. First the axes execute what the control still has of the window, with this override.</source>
+        <translation>Mantener un segundo: la ejecución termina. Antes los ejes ejecutan con este override lo que el control aún tiene de la ventana.</translation>
+    </message>
+    <message>
+        <source>What moves now does not obey the override. Press NC STOP at the machine.</source>
+        <translation>Lo que se mueve ahora no obedece al override. Pulse NC STOP en la máquina.</translation>
+    </message>
+    <message>
+        <source>Another client has set the override to %1 %</source>
+        <translation>Otro cliente ha puesto el override al %1 %</translation>
+    </message>
+    <message>
+        <source>The axes are braking</source>
+        <translation>Los ejes están frenando</translation>
+    </message>
+    <message>
+        <source>Override 0 %: the axes stand</source>
+        <translation>Override 0 %: los ejes están parados</translation>
+    </message>
+    <message>
+        <source>The axes stand at once, until you press Continue.</source>
+        <translation>Los ejes se paran enseguida, hasta que pulse Continuar.</translation>
+    </message>
+    <message>
+        <source>The axes stand at once if the program has a feed cell, else at the end of its window. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Los ejes se paran enseguida si el programa tiene una celda de avance; si no, al final de su ventana. Escape hace lo mismo desde cualquier lugar. No sustituye la parada de emergencia de la máquina.</translation>
+    </message>
+    <message>
+        <source>The axes stand (%1 after the order). Continue goes on, End here ends the run</source>
+        <translation>Los ejes están parados (%1 después de la orden). Continuar sigue, Terminar aquí termina la ejecución</translation>
     </message>
 </context>
 <context>

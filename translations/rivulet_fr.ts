@@ -4583,6 +4583,10 @@ GPL-3.0-or-later</translation>
         <source>Rivulet cannot stop what the control executes now. Press NC STOP at the machine.</source>
         <translation>Rivulet ne peut pas arrêter ce que la commande exécute maintenant. Appuyer sur NC STOP à la machine.</translation>
     </message>
+    <message>
+        <source>Stop: the axes are held on the path.</source>
+        <translation>Arrêt : les axes sont retenus sur la trajectoire.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AdvicePanel</name>
@@ -7700,6 +7704,29 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::OverrideControl</name>
+    <message>
+        <source>Path override of this run, in percent of the programmed feed. The override of the machine&apos;s own switch multiplies. Ctrl++ and Ctrl+- are a step of 5 %.</source>
+        <translation>Correction d&apos;avance de cette exécution, en pour cent de l&apos;avance programmée. Le potentiomètre de la machine multiplie. Ctrl++ et Ctrl+- font un pas de 5 %.</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Correction d&apos;avance</translation>
+    </message>
+    <message>
+        <source>Override: 5 % less</source>
+        <translation>Correction d&apos;avance : 5 % de moins</translation>
+    </message>
+    <message>
+        <source>Override: 5 % more</source>
+        <translation>Correction d&apos;avance : 5 % de plus</translation>
+    </message>
+    <message>
+        <source>Override %1 %</source>
+        <translation>Avance %1 %</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ParallelPage</name>
     <message>
         <source>Petri net</source>
@@ -9038,10 +9065,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Demande à la commande où l’exécution s’est interrompue. Rien ne bouge encore.</translation>
     </message>
     <message>
-        <source>Ends the run at the end of the loop. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
-        <translation>Termine l’exécution à la fin de la boucle. Échap fait de même, de partout dans la fenêtre. Ne remplace pas l’arrêt d’urgence de la machine.</translation>
-    </message>
-    <message>
         <source>Waiting for the test of the template on the virtual machine</source>
         <translation>Attend le test du modèle sur la machine virtuelle</translation>
     </message>
@@ -9302,6 +9325,42 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>A live source does not say when it ends.</source>
         <translation>Une source en direct ne dit pas quand elle se termine.</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Terminer ici</translation>
+    </message>
+    <message>
+        <source>Hold for one second: the run ends. First the axes execute what the control still has of the window, with this override.</source>
+        <translation>Maintenir une seconde : l&apos;exécution se termine. Auparavant, les axes exécutent avec cette avance ce que la commande a encore de la fenêtre.</translation>
+    </message>
+    <message>
+        <source>What moves now does not obey the override. Press NC STOP at the machine.</source>
+        <translation>Ce qui bouge maintenant n&apos;obéit pas à la correction d&apos;avance. Appuyez sur NC STOP à la machine.</translation>
+    </message>
+    <message>
+        <source>Another client has set the override to %1 %</source>
+        <translation>Un autre client a mis l&apos;avance à %1 %</translation>
+    </message>
+    <message>
+        <source>The axes are braking</source>
+        <translation>Les axes freinent</translation>
+    </message>
+    <message>
+        <source>Override 0 %: the axes stand</source>
+        <translation>Avance 0 % : les axes sont arrêtés</translation>
+    </message>
+    <message>
+        <source>The axes stand at once, until you press Continue.</source>
+        <translation>Les axes s&apos;arrêtent aussitôt, jusqu&apos;à ce que vous appuyiez sur Continuer.</translation>
+    </message>
+    <message>
+        <source>The axes stand at once if the program has a feed cell, else at the end of its window. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Les axes s&apos;arrêtent aussitôt si le programme a une cellule d&apos;avance, sinon à la fin de sa fenêtre. Échap fait de même, partout dans la fenêtre. Cela ne remplace pas l&apos;arrêt d&apos;urgence de la machine.</translation>
+    </message>
+    <message>
+        <source>The axes stand (%1 after the order). Continue goes on, End here ends the run</source>
+        <translation>Les axes sont arrêtés (%1 après l&apos;ordre). Continuer reprend, Terminer ici termine l&apos;exécution</translation>
     </message>
 </context>
 <context>

@@ -4583,6 +4583,10 @@ GPL-3.0-or-later</translation>
         <source>Rivulet cannot stop what the control executes now. Press NC STOP at the machine.</source>
         <translation>Rivulet non può fermare ciò che il controllo esegue ora. Premere NC STOP sulla macchina.</translation>
     </message>
+    <message>
+        <source>Stop: the axes are held on the path.</source>
+        <translation>Stop: gli assi sono trattenuti sul percorso.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::AdvicePanel</name>
@@ -7700,6 +7704,29 @@ GPL-3.0-or-later</translation>
     </message>
 </context>
 <context>
+    <name>rivulet::widgets::OverrideControl</name>
+    <message>
+        <source>Path override of this run, in percent of the programmed feed. The override of the machine&apos;s own switch multiplies. Ctrl++ and Ctrl+- are a step of 5 %.</source>
+        <translation>Override di percorso di questa esecuzione, in percento dell&apos;avanzamento programmato. L&apos;override dell&apos;interruttore della macchina moltiplica. Ctrl++ e Ctrl+- sono un passo del 5 %.</translation>
+    </message>
+    <message>
+        <source>Override</source>
+        <translation>Override</translation>
+    </message>
+    <message>
+        <source>Override: 5 % less</source>
+        <translation>Override: 5 % in meno</translation>
+    </message>
+    <message>
+        <source>Override: 5 % more</source>
+        <translation>Override: 5 % in più</translation>
+    </message>
+    <message>
+        <source>Override %1 %</source>
+        <translation>Override %1 %</translation>
+    </message>
+</context>
+<context>
     <name>rivulet::widgets::ParallelPage</name>
     <message>
         <source>Petri net</source>
@@ -9038,10 +9065,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Chiede al controllo dove l’esecuzione si è interrotta. Ancora non si muove nulla.</translation>
     </message>
     <message>
-        <source>Ends the run at the end of the loop. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
-        <translation>Termina l’esecuzione alla fine del loop. Esc fa lo stesso, da ogni punto della finestra. Non sostituisce l’arresto d’emergenza della macchina.</translation>
-    </message>
-    <message>
         <source>Waiting for the test of the template on the virtual machine</source>
         <translation>Attende il test del modello sulla macchina virtuale</translation>
     </message>
@@ -9302,6 +9325,42 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>A live source does not say when it ends.</source>
         <translation>Una sorgente in diretta non dice quando finisce.</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Termina qui</translation>
+    </message>
+    <message>
+        <source>Hold for one second: the run ends. First the axes execute what the control still has of the window, with this override.</source>
+        <translation>Tenere premuto un secondo: l&apos;esecuzione termina. Prima gli assi eseguono con questo override ciò che il controllo ha ancora della finestra.</translation>
+    </message>
+    <message>
+        <source>What moves now does not obey the override. Press NC STOP at the machine.</source>
+        <translation>Ciò che si muove ora non segue l&apos;override. Premere NC STOP sulla macchina.</translation>
+    </message>
+    <message>
+        <source>Another client has set the override to %1 %</source>
+        <translation>Un altro client ha impostato l&apos;override al %1 %</translation>
+    </message>
+    <message>
+        <source>The axes are braking</source>
+        <translation>Gli assi frenano</translation>
+    </message>
+    <message>
+        <source>Override 0 %: the axes stand</source>
+        <translation>Override 0 %: gli assi sono fermi</translation>
+    </message>
+    <message>
+        <source>The axes stand at once, until you press Continue.</source>
+        <translation>Gli assi si fermano subito, finché non si preme Continua.</translation>
+    </message>
+    <message>
+        <source>The axes stand at once if the program has a feed cell, else at the end of its window. Escape does the same, from anywhere in the window. It does not replace the machine&apos;s emergency stop.</source>
+        <translation>Gli assi si fermano subito se il programma ha una cella di avanzamento, altrimenti alla fine della sua finestra. Esc fa lo stesso, da qualsiasi punto. Non sostituisce l&apos;arresto di emergenza della macchina.</translation>
+    </message>
+    <message>
+        <source>The axes stand (%1 after the order). Continue goes on, End here ends the run</source>
+        <translation>Gli assi sono fermi (%1 dopo l&apos;ordine). Continua prosegue, Termina qui termina l&apos;esecuzione</translation>
     </message>
 </context>
 <context>

@@ -115,13 +115,15 @@ void FeedSource::takeKey(char key) {
 
 void FeedSource::takeLine(std::string_view line) {
   constexpr std::string_view kOverride = "override ";
-  const auto percent = line.starts_with(kOverride)
-                           ? base::parseNumber(base::trim(line.substr(kOverride.size())))
-                           : std::nullopt;
+  constexpr double kNone = -1.0;
+  const double percent =
+      line.starts_with(kOverride)
+          ? base::parseNumber(base::trim(line.substr(kOverride.size()))).value_or(kNone)
+          : kNone;
   if (line == "hold" || line == "continue") {
     m_order.holds = line == "hold";
-  } else if (percent && *percent >= 0.0 && *percent <= kPercentMax) {
-    m_order.percent = *percent;
+  } else if (percent >= 0.0 && percent <= kPercentMax) {
+    m_order.percent = percent;
   } else if (!line.empty()) {
     log::logger().warn(
         "\"{}\" is no order: write hold, continue, or override and 0 to {:g}. It is ignored.", line,

@@ -189,7 +189,8 @@ void MainWindow::buildPages() {
   notices->add(m_foundBar);
   notices->add(m_resumeBar);
   rows->addWidget(notices);
-  rows->addWidget(makeRunPanel(&m_users, &m_machine, &m_document, &m_runs, &m_preflight, &m_found, central));
+  rows->addWidget(
+      makeRunPanel(&m_users, &m_machine, &m_document, &m_runs, &m_preflight, &m_found, central));
   setCentralWidget(central);
   const auto complain = [this](const QString& reason) {
     m_messages.show(gcode::Severity::Warning, [reason] { return reason; });
@@ -325,8 +326,9 @@ void MainWindow::buildMenu() {
   };
   m_openAction = addItem(QT_TR_NOOP("&Open program …"), QKeySequence::Open,
                          [this] { programPage()->panel()->chooseFile(); });
-  m_liveAction = addItem(QT_TR_NOOP("Li&ve points …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
-                         [this] { Q_EMIT programPage()->panel()->liveRequested(); });
+  m_liveAction =
+      addItem(QT_TR_NOOP("Li&ve points …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
+              [this] { Q_EMIT programPage()->panel()->liveRequested(); });
   menu->addSeparator();
   for (int i = 0; i < m_tabs->count(); ++i) {
     if (!m_tabs->isTabVisible(i)) {

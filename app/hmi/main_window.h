@@ -185,7 +185,7 @@ class MainWindow final : public QMainWindow {
   const opcua::TrustQuestion* m_question = nullptr;  ///< shown; for comparison only
 
   bool m_closesAfterRun = false;
-  bool m_leavesHeld = false;  ///< closes although a run is in progress, whose axes are held
+  bool m_leavesHeld = false;       ///< closes although a run is in progress, whose axes are held
   bool m_isMachineChosen = false;  ///< the page Machines does not come first
 
   widgets::Parts m_parts{this};

@@ -189,8 +189,8 @@ void RunController::stop() {
     });
     return;
   }
-  const bool canHold =
-      m_update.feed && (m_update.state == RunState::Running || m_update.state == RunState::Holding);
+  // Also while the rest of a window is executed, behind an end.
+  const bool canHold = m_update.feed && m_update.state != streaming::RunState::Armed;
   if (!canHold) {
     end();
   } else if (!m_isHeld) {

@@ -53,9 +53,8 @@ struct Peers {
   int ugs = 0;
 };
 const std::map<std::string, Peers> kPeers{
-    {"open", {2, 2}},     {"judge", {1, 1}},
-    {"start", {1, 1}},    {"hold", {1, 1}},
-    {"continue", {1, 1}}, {"stop", {1, 1}},
+    {"open", {2, 2}},     {"judge", {1, 1}},    {"start", {1, 1}},
+    {"hold", {1, 1}},     {"continue", {1, 1}}, {"stop", {1, 1}},
     {"end here", {}},     {"resume", {3, 5}},   {"recover after power loss", {4, 6}},
     {"find why slow", {}}};
 

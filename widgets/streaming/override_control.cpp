@@ -51,8 +51,10 @@ OverrideControl::OverrideControl(QWidget* parent)
   middle->setSpacing(0);
   inRow({m_less, middle, m_more}, this, QMargins(0, 0, 0, 0));
   connect(m_slider, &QSlider::valueChanged, this, [this](int percent) {
-    const int stepped = kStepPercent * static_cast<int>(std::lround(percent / double{kStepPercent}));
-    request(std::abs(percent - kProgrammedPercent) <= kDetentPercent ? kProgrammedPercent : stepped);
+    const int stepped =
+        kStepPercent * static_cast<int>(std::lround(percent / double{kStepPercent}));
+    request(std::abs(percent - kProgrammedPercent) <= kDetentPercent ? kProgrammedPercent
+                                                                     : stepped);
   });
   const auto onKey = [this](Qt::Key key, int steps) {
     connect(new QShortcut(QKeySequence(Qt::CTRL | key), this), &QShortcut::activated, this,

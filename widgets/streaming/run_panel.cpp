@@ -336,8 +336,7 @@ void RunPanel::setOverrideAllowed(bool isAllowed, double maxPercent) {
 }
 
 bool RunPanel::hasFeedCell() const {
-  return m_update.feed &&
-         (m_update.state == RunState::Running || m_update.state == RunState::Holding);
+  return m_update.feed && isActive() && m_update.state != RunState::Armed;
 }
 
 void RunPanel::setWrongMotion(bool hasWrongMotion) {
@@ -373,12 +372,11 @@ QString RunPanel::feedSentence() const {
     return tr("What moves now does not obey the override. Press NC STOP at the machine.");
   }
   if (feed.isForeign) {
-    return tr("Another client has set the override to %1 %")
-        .arg(numberText(feed.wantedPercent, 0));
+    return tr("Another client has set the override to %1 %").arg(numberText(feed.wantedPercent, 0));
   }
   if (feed.holds) {
     return feed.stoodAfter
-               ? tr("The axes stand since %1 after the order. Continue goes on, End here ends the "
+               ? tr("The axes stand (%1 after the order). Continue goes on, End here ends the "
                     "run")
                      .arg(secondsText(base::toSeconds(*feed.stoodAfter), 2))
                : tr("The axes are braking");
@@ -431,9 +429,9 @@ QString RunPanel::nativeText() const {
                                  .arg(countText(m_job->stretch), countText(m_job->stretches))
                            : tr("After the last stretch");
   const QString block = m_job->block.isEmpty() ? what : what + QStringLiteral(": ") + m_job->block;
-  return hasFeedCell() ? block
-                       : block + QStringLiteral(". ") +
-                             tr("Stop and Hold act at the end of the block");
+  return hasFeedCell()
+             ? block
+             : block + QStringLiteral(". ") + tr("Stop and Hold act at the end of the block");
 }
 
 QString RunPanel::stopText() const {
@@ -471,7 +469,7 @@ void RunPanel::showButtons() {
                            ? tr("Asks the control where the run was left. Nothing moves yet.")
                            : m_resumeBlocked);
   m_override->setVisible(hasFeedCell());
-  m_end->setVisible(hasFeedCell() && m_update.state == RunState::Holding && !isHeldBySource());
+  m_end->setVisible(hasFeedCell() && m_update.feed->holds && !isHeldBySource());
   m_start->setVisible(!hasFeedCell());
   // What was asked for last is shown until the control has it.
   if (const auto& feed = m_update.feed;
@@ -504,11 +502,11 @@ void RunPanel::showButtons() {
   m_hold->setIcon(themedIcon(isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
                              themeColors(palette()).text));
   m_hold->setEnabled(m_canHold && (canGoOn || m_update.state == RunState::Running));
-  m_hold->setToolTip(m_canHold
-                         ? hasFeedCell() ? tr("The axes stand at once, until you press Continue.")
-                                         : tr("The machine waits before the next window until you "
-                                              "press Continue.")
-                         : tr("Only method window can hold."));
+  m_hold->setToolTip(m_canHold ? hasFeedCell()
+                                     ? tr("The axes stand at once, until you press Continue.")
+                                     : tr("The machine waits before the next window until you "
+                                          "press Continue.")
+                               : tr("Only method window can hold."));
 }
 
 void RunPanel::showFoundState() {
