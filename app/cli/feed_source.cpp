@@ -149,11 +149,12 @@ void FeedSource::tell(const streaming::LiveUpdate& update) {
         "Another client has set the override to {:g} %: it stays until you change it.",
         now.wantedPercent);
   } else if (now.stoodAfter && !before.stoodAfter) {
-    log::logger().info("Held: the axes stand, {:.3f} s after the order.",
-                       base::toSeconds(*now.stoodAfter));
+    fmt::print(stderr, "\r\x1b[KHeld: the axes stand, {:.3f} s after the order.\n",
+               base::toSeconds(*now.stoodAfter));
   } else if (now.wantedPercent != before.wantedPercent) {
-    log::logger().info(now.holds ? std::string("Hold.")
-                                 : fmt::format("Override {:g} %.", now.wantedPercent));
+    fmt::print(
+        stderr, "\r\x1b[K{}\n",
+        now.holds ? std::string("Hold.") : fmt::format("Override {:g} %.", now.wantedPercent));
   }
 }
 

@@ -114,18 +114,6 @@ class TestSyncAction : public QObject {
     QVERIFY(machine.ncRParameter(5) > machine.ncRParameter(4));
   }
 
-  /// A timer runs by itself, and can be set.
-  void timersCount() {
-    for (const char* const trigger : {"WHENEVER", "EVERY"}) {
-      Machine machine(config(), 1);
-      start(machine, std::string("ID=1 ") + trigger +
-                         " $AC_TIMER[3]>0.1 DO $R5=$R5+1 $AC_TIMER[3]=0\nG4 F2\nM30\n");
-      finish(machine);
-      QVERIFY2(machine.ncRParameter(5) >= 17.0 && machine.ncRParameter(5) <= 20.0,
-               (trigger + std::to_string(machine.ncRParameter(5))).c_str());
-    }
-  }
-
   void overlayMovesTheAxisBesideThePath() {
     Machine machine(config(), 1);
     start(machine, "IDS=1 DO $AA_OFF[Y]=$R1\nG1 X60 F600\nM30\n");

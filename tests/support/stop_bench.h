@@ -69,7 +69,8 @@ class Operator final : public streaming::WholeJobSink, public streaming::RunOrde
   }
   void update(const streaming::LiveUpdate& update) override {
     seen = update.feed;
-    if (update.waitingFor == "trace") {  // before it is fetched, and forgotten by the machine
+    if (machine != nullptr &&
+        update.waitingFor == "trace") {  // before it is fetched, and forgotten by the machine
       trace = machine->trace();
     }
     if (update.feed && update.feed->isIgnored) {
