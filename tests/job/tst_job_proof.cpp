@@ -42,8 +42,8 @@ Proved prove(job::Plan plan, const machine::MachineConfig& machine) {
   streaming::RunSettings settings;
   settings.parameters.method = base::MethodKind::Window;
   settings.parameters.pointsPerLoop = 7;
-  settings.parameters = streaming::withTurnedAxes(settings.parameters, plan);
   settings.parameters.feedPerPoint = true;
+  settings.parameters = streaming::withTurnedAxes(settings.parameters, plan);
   settings.isCommissioned = true;
   settings.programFeeds = gcode::ProgramFeeds{};
   settings.programFeeds->rapidMmPerS = machine.rapidMmPerS;
