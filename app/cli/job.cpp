@@ -30,6 +30,7 @@
 #include "platform/log.h"
 #include "report/job_json.h"
 #include "report/known_machine.h"
+#include "report/load_machine.h"
 #include "report/machine_store.h"
 #include "report/operating_point.h"
 #include "report/plan_json.h"
@@ -206,25 +207,40 @@ base::Result<void> JobCommand::prepare() {
   gcode::LoadOptions options = m_options.loading.loadOptions();
   options.subprogram = gcode::subprogramsBeside(m_options.file);
   const bool isVirtual = m_options.simulate || m_options.verify;
-  if (isVirtualAlone()) {
-    options.defaultFeedMmPerS = streaming::kFittedFeedMmPerS;
-  }
-  if (isVirtual || m_options.namesMachine) {
-    options.toolRadiusMm = streaming::toolRadii(m_machine.tools, isVirtualAlone());
-  }
-  const auto profile = profileOfMachine();
+  auto profile = profileOfMachine();
   if (!profile) {
     return base::fail(profile.error());
   }
-  auto plan = job::makePlan(std::move(program->name), std::move(program->text), options, *profile);
+  report::LoadMachine known{*std::move(profile), std::nullopt, isVirtualAlone()};
+  if (isVirtual || m_options.namesMachine) {
+    known.tools = m_machine.tools;
+  }
+  known.tell(options);
+  const auto makePlan = [&]() -> base::Result<job::Plan> {
+    auto plan = job::makePlan(program->name, program->text, options, known.words);
+    return plan && m_options.dryRunMm > 0.0 ? job::dryPlan(std::move(*plan), m_options.dryRunMm)
+                                            : std::move(plan);
+  };
+  const auto areOffsetsRead = std::make_shared<bool>(false);
+  if (isVirtualAlone()) {
+    options.workOffsetMm = streaming::workOffsets(m_machine, areOffsetsRead);
+  }
+  auto plan = makePlan();
+  // Where the workpiece lies may depend on the program, and the program on that ($AA_IM): if it
+  // does not come to rest, nobody knows it.
+  for (int round = 0; plan && *areOffsetsRead && round < 2; ++round) {
+    const machine::MachineConfig fitted = streaming::fitMachine(m_machine, *plan).config;
+    options.workOffsetMm = round == 0 ? streaming::workOffsets(fitted, areOffsetsRead) : nullptr;
+    auto again = makePlan();
+    if (again &&
+        streaming::fitMachine(m_machine, *again).config.workOffsetsMm == fitted.workOffsetsMm) {
+      plan = std::move(again);
+      break;
+    }
+    plan = std::move(again);
+  }
   if (!plan) {
     return base::fail(plan.error());
-  }
-  if (m_options.dryRunMm > 0.0) {
-    plan = job::dryPlan(std::move(*plan), m_options.dryRunMm);
-    if (!plan) {
-      return base::fail(plan.error());
-    }
   }
   m_plan = std::move(*plan);
   if (base::Result<void> meant = requireMeaning(m_plan.program, !m_options.output.empty());

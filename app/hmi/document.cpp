@@ -183,7 +183,7 @@ void Document::followJob() {
   // A file that has changed is read when the operator says so.
   const double dryRunMm = wantsJob() ? m_settings.dryRunMm : 0.0;
   const bool differs = m_reading.asJob != wantsJob() || m_reading.dryRunMm != dryRunMm ||
-                       m_reading.machine != m_jobProfile;
+                       !(m_reading.machine == m_loadMachine);
   const bool concerns = outline() != nullptr || !foreignFunctions().empty();
   if (concerns && differs && !m_isRunning && !m_isHeld && !hasFileChanged() && !m_loader.isBusy()) {
     read(m_path, m_reading);
@@ -228,7 +228,7 @@ void Document::read(const QString& path, const session::Reading& reading) {
   session::Reading whole = reading;
   whole.asJob = wantsJob();
   whole.dryRunMm = whole.asJob ? m_settings.dryRunMm : 0.0;
-  whole.machine = m_jobProfile;
+  whole.machine = m_loadMachine;
   Q_EMIT readingProgressed(0.0);
   m_loader.load({path, std::move(whole), m_toolMm, std::max(2, m_settings.parameters.pointsPerLoop),
                  m_machineFeeds});
@@ -392,8 +392,8 @@ void Document::setJobMachine(std::shared_ptr<const machine::MachineConfig> machi
   judge();
 }
 
-void Document::setJobProfile(const job::Profile& profile) {
-  m_jobProfile = profile;
+void Document::setLoadMachine(const report::LoadMachine& machine) {
+  m_loadMachine = machine;
   followJob();
 }
 

@@ -125,7 +125,7 @@ class Document final : public QObject {
   /// not known
   void setJobMachine(std::shared_ptr<const machine::MachineConfig> machine);
   /// What the machine that jobs are for does for words of other machines.
-  void setJobProfile(const job::Profile& profile);
+  void setLoadMachine(const report::LoadMachine& machine);
   [[nodiscard]] const std::shared_ptr<const machine::MachineConfig>& jobMachine() const {
     return m_jobMachine;
   }
@@ -212,7 +212,7 @@ class Document final : public QObject {
 
   std::shared_ptr<const machine::MachineConfig> m_machine;     ///< null: that of the paper
   std::shared_ptr<const machine::MachineConfig> m_jobMachine;  ///< null: not known
-  job::Profile m_jobProfile;
+  report::LoadMachine m_loadMachine;
   std::shared_ptr<const job::Plan> m_checkedPlan;     ///< of `m_hazards`, or in progress
   std::shared_ptr<const session::Hazards> m_hazards;  ///< null: not known (yet)
   gcode::ProgramFeeds m_machineFeeds;                 ///< limits, at 100 %

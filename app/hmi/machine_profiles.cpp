@@ -59,14 +59,17 @@ void MachineProfiles::apply() {
       report::knownMachine(m_machine.link().server, m_profile ? &*m_profile : nullptr);
   m_document.setJobMachine(known ? std::make_shared<const machine::MachineConfig>(*known)
                                  : nullptr);
+  followFunctions();
   Q_EMIT changed();
 }
 
 void MachineProfiles::followFunctions() {
   const bool isConnected = m_machine.isConnected();
-  m_document.setJobProfile(
-      m_store.jobProfile(isConnected ? m_machine.endpoint().trimmed().toStdString() : std::string(),
-                         !isConnected || m_machine.view().isVirtualMachine));
+  m_document.setLoadMachine(report::loadMachineOf(
+      m_store, isConnected ? m_machine.endpoint().trimmed().toStdString() : std::string(),
+      isConnected ? m_machine.link().server : opcua::ServerIdentity{},
+      !isConnected || m_machine.view().isVirtualMachine,
+      isConnected && m_profile ? &*m_profile : nullptr));
 }
 
 job::Functions MachineProfiles::functions() const {

@@ -77,7 +77,7 @@ base::Result<MachineFacts> factsOf(const report::MachineStore& store, const std:
   facts.endpoint = endpoint;
   facts.server = server;
   facts.runsJobs = isVirtual;
-  facts.words = store.jobProfile(endpoint, isVirtual);
+  facts.load = report::loadMachineOf(store, endpoint, server, isVirtual, limits);
   facts.feeds = report::programFeedsOf(report::configOf(limits), 1.0);
   if (const auto known = report::knownMachine(server, limits)) {
     facts.known = std::make_shared<const machine::MachineConfig>(*known);
@@ -166,10 +166,11 @@ base::Result<LoadedJob> loadJob(
   std::error_code ignored;
   job.file = std::filesystem::absolute(file, ignored);
   job.reading = reading;
+  machine.load.tell(job.reading);
   // Taken before the text is read: anything written meanwhile counts as a change.
   job.fileBytes = std::filesystem::file_size(job.file, ignored);
   job.fileTime = std::filesystem::last_write_time(job.file, ignored);
-  auto program = gcode::loadProgram(job.file, reading);
+  auto program = gcode::loadProgram(job.file, job.reading);
   if (!program) {
     return base::fail(program.error());
   }
@@ -189,7 +190,7 @@ base::Result<LoadedJob> loadJob(
                      base::hasWindows(job.settings.parameters.method) &&
                      job.settings.parameters.correctionLimitMm == 0.0;
   preparation::SplitProgram split = preparation::splitProgram(
-      *std::move(program), job.reading, job.file, asJob, job.settings.dryRunMm, machine.words);
+      *std::move(program), job.reading, job.file, asJob, job.settings.dryRunMm, machine.load.words);
   if (split.dryRunError) {
     return base::fail(*split.dryRunError);
   }

@@ -20,6 +20,7 @@
 #include "permission/permission.h"
 #include "preparation/judged.h"
 #include "preparation/settings_facts.h"
+#include "report/load_machine.h"
 #include "report/machine_store.h"
 #include "session/hazards.h"
 #include "streaming/run/run.h"
@@ -31,7 +32,7 @@ struct MachineFacts {
   std::string endpoint;
   opcua::ServerIdentity server;
   bool runsJobs = false;      ///< whole jobs; so far only virtual machines
-  job::Profile words;         ///< what it does for words of other machines
+  report::LoadMachine load;   ///< what loading a program asks of it
   gcode::ProgramFeeds feeds;  ///< its limits, at 100 %
   std::shared_ptr<const machine::MachineConfig> known;  ///< null: jobs are not compared with it
   /// What access costs; null: not measured with this version of its server.

@@ -65,6 +65,7 @@ void ProgramLoader::load(LoadRequest request) {
     };
     gcode::LoadOptions options;
     options.setReading(request.reading);
+    request.reading.machine.tell(options);
     options.progress = [&](double share) { return progress(kReadShare * share); };
     // Taken before the text is read: anything written meanwhile counts as a change.
     const FileStamp stamp = fileStamp(request.path);
@@ -83,7 +84,7 @@ void ProgramLoader::load(LoadRequest request) {
     options.progress = [&](double share) { return progress(kReadShare + kSplitShare * share); };
     preparation::SplitProgram read = preparation::splitProgram(
         *std::move(program), options, request.path.toStdString(), request.reading.asJob,
-        request.reading.dryRunMm, request.reading.machine);
+        request.reading.dryRunMm, request.reading.machine.words);
     auto view = overview::makeProgramView(
         std::move(read.program), request.startMm, request.pointsPerLoop,
         [&](double share) {

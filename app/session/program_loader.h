@@ -16,8 +16,8 @@
 
 #include "base/result.h"
 #include "gcode/program.h"
-#include "job/plan.h"
 #include "overview/program_view.h"
+#include "report/load_machine.h"
 #include "session/file_watch.h"
 
 namespace rivulet::session {
@@ -27,8 +27,8 @@ struct Reading : gcode::TextReading {
   /// Stream what is left beside the blocks that the control executes itself; false: all motion.
   /// Programs without such blocks, and those that cannot be a job, are the same with both.
   bool asJob = false;
-  double dryRunMm = 0.0;  ///< > 0: a job is to run dry, so much higher (`job::dryPlan`)
-  job::Profile machine;   ///< that is to run it
+  double dryRunMm = 0.0;        ///< > 0: a job is to run dry, so much higher (`job::dryPlan`)
+  report::LoadMachine machine;  ///< that is to run it
 };
 
 struct LoadRequest {

@@ -13,6 +13,7 @@
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
 #include "report/known_machine.h"
+#include "report/load_machine.h"
 #include "report/machine_store.h"
 #include "streaming/run/run.h"
 #include "support/test_program.h"
@@ -300,6 +301,44 @@ class TestMachineStore : public QObject {
     // A simulation leaves out what nobody has spoken of, a control gets no job with it.
     QVERIFY(!store().jobProfile(kEndpoint, false).leavesOutFunctions);
     QVERIFY(store().jobProfile("", true).leavesOutFunctions);
+  }
+
+  /// The preset that stands for a control has its limits, not its tools: a radius that nobody has
+  /// entered is not known.
+  void radiiOfTools() {
+    const auto radiusOf = [](const report::LoadMachine& machine, int number) {
+      gcode::LoadOptions options;
+      machine.tell(options);
+      return options.toolRadiusMm(number, "");
+    };
+    opcua::ServerIdentity server;
+    server.buildNumber = "dmu75-mill";
+    const report::LoadMachine pictured =
+        report::loadMachineOf(store(), kEndpoint, server, true, nullptr);
+    const auto table = machine::loadPreset("dmu75-mill")->tools;
+    const int known = table->tools.front().number;
+    QCOMPARE(radiusOf(pictured, known), std::optional(table->tools.front().edges.front().radiusMm));
+    QCOMPARE(radiusOf(pictured, 9999), std::optional<double>());
+    QVERIFY(report::loadMachineOf(store(), kEndpoint, server, true, nullptr) == pictured);
+
+    streaming::MachineProfile limits = *report::profileOfPreset("dmu75-mill");
+    limits.tools.clear();
+    const report::LoadMachine unknown =
+        report::loadMachineOf(store(), kEndpoint, server, false, &limits);
+    QCOMPARE(radiusOf(unknown, known), std::optional<double>());
+    QCOMPARE(radiusOf(report::loadMachineOf(store(), "", {}, true, nullptr), known),
+             std::optional<double>());
+    limits.tools = {{7, "MILL", 50.0, 4.0}};
+    const report::LoadMachine entered =
+        report::loadMachineOf(store(), kEndpoint, server, false, &limits);
+    QCOMPARE(radiusOf(entered, 7), std::optional(4.0));
+    QVERIFY(!(entered == unknown));
+    report::LoadMachine larger = entered;
+    larger.tools->tools.front().edges.front().radiusMm = 5.0;
+    QVERIFY(!(larger == entered));
+    // One that is set up for the program.
+    const report::LoadMachine fitted{{}, std::nullopt, true};
+    QCOMPARE(radiusOf(fitted, 5), std::optional(0.0));
   }
 };
 

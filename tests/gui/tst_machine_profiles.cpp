@@ -39,9 +39,10 @@ class TestMachineProfiles : public QObject {
   std::unique_ptr<tests::SimulatedControl> m_machine;
   std::unique_ptr<MainWindow> m_window;
 
-  void openWindow() {
+  void openWindow(const QString& program = kScorpion) {
     m_window.reset();
     hmi::Settings settings;
+    settings.stream.wholeJob = program != kScorpion;
     settings.language = QStringLiteral("en");
     settings.stream.parameters.method = base::MethodKind::Window;
     settings.stream.programFeeds = true;
@@ -49,7 +50,7 @@ class TestMachineProfiles : public QObject {
         settings, false, [this](const auto& asked) { return m_machine->connect(asked.endpoint); });
     m_window->resize(1440, 900);
     m_window->show();
-    m_window->openProgram(kScorpion);
+    m_window->openProgram(program);
     m_window->connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
     QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
   }
@@ -175,6 +176,22 @@ class TestMachineProfiles : public QObject {
     openWindow();
     m_window->openProgram(file);
     QTRY_VERIFY_WITH_TIMEOUT(preflightText().contains(QStringLiteral("executes M8")), kSoonMs);
+  }
+
+  /// The tools of a virtual machine are known: a pocket of plain text gets their radius.
+  void radiusOfATool() {
+    QFile pocket(m_folder.filePath(QStringLiteral("pocket.h")));
+    QVERIFY(pocket.open(QIODevice::WriteOnly));
+    pocket.write(
+        "BEGIN PGM POCKET MM\nTOOL CALL 3 Z S1000 F500\nL X+0 Y+0 Z+50 R0 FMAX M3\n"
+        "CYCL DEF 252 CIRCULAR POCKET Q215=+0 Q223=+60 Q368=+0 Q207=+500 Q351=+1 Q201=-2 Q202=+2 "
+        "Q369=+0 Q206=+150 Q338=+0 Q200=+2 Q203=+0 Q204=+50 Q370=+1 Q366=+0 Q385=+500\n"
+        "CYCL CALL POS X+0 Y+0 Z+0 FMAX\nEND PGM POCKET MM\n");
+    pocket.close();
+    m_machine = std::make_unique<tests::SimulatedControl>("dmu75-mill");
+    openWindow(pocket.fileName());
+    m_window.reset();
+    m_machine = std::make_unique<tests::SimulatedControl>("dmu75");
   }
 
   /// With several machines, the window begins with them; a click goes to one.

@@ -307,6 +307,30 @@ class TestService : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!isFound(endpoint), tests::kSoonMs);
   }
 
+  /// The tools of a virtual machine are known: a pocket of plain text gets their radius.
+  void knowsTheToolsOfTheMachine() {
+    m_scene.switchOff();
+    tests::KillScene mill{QStringLiteral(RIVULET_MACHINE), QStringLiteral("dmu75-mill")};
+    mill.switchOn();
+    QFile pocket(mill.path("pocket.h"));
+    QVERIFY(pocket.open(QIODevice::WriteOnly));
+    pocket.write(
+        "BEGIN PGM POCKET MM\nTOOL CALL 3 Z S1000 F500\nL X+0 Y+0 Z+50 R0 FMAX M3\n"
+        "CYCL DEF 252 CIRCULAR POCKET Q215=+0 Q223=+60 Q368=+0 Q207=+500 Q351=+1 Q201=-2 Q202=+2 "
+        "Q369=+0 Q206=+150 Q338=+0 Q200=+2 Q203=+0 Q204=+50 Q370=+1 Q366=+0 Q385=+500\n"
+        "CYCL CALL POS X+0 Y+0 Z+0 FMAX\nEND PGM POCKET MM\n");
+    pocket.close();
+    {
+      ServiceProcess service(QStringLiteral(RIVULET_SERVICE), mill.endpoint(), mill.environment(),
+                             {QStringLiteral("--jobs"), mill.path("")});
+      QVERIFY(service.await("Monitoring/IsConnected", "true"));
+      const service::Answer loaded = service.call("LoadJob", {"pocket.h", ""});
+      QVERIFY2(loaded.accepted, loaded.message.c_str());
+    }
+    mill.switchOff();
+    m_scene.switchOn();
+  }
+
   /// Two stretches, and between them what only the control can do; each is a program on it.
   void runsAWholeJob() {
     QFile job(m_scene.path("part.mpf"));
