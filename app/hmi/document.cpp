@@ -184,7 +184,9 @@ void Document::followJob() {
   const double dryRunMm = wantsJob() ? m_settings.dryRunMm : 0.0;
   const bool differs = m_reading.asJob != wantsJob() || m_reading.dryRunMm != dryRunMm ||
                        !(m_reading.machine == m_loadMachine);
-  const bool concerns = outline() != nullptr || !foreignFunctions().empty();
+  // The cycles of a TNC need the radius of the tool.
+  const bool hasCycles = m_view && m_view->program->dialect == gcode::Dialect::Heidenhain;
+  const bool concerns = outline() != nullptr || !foreignFunctions().empty() || hasCycles;
   if (concerns && differs && !m_isRunning && !m_isHeld && !hasFileChanged() && !m_loader.isBusy()) {
     read(m_path, m_reading);
   }
