@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
+#include "cli/run_settings.h"
 #include "forecast/path_time.h"
 #include "gcode/program.h"
 #include "machine/config.h"
@@ -202,18 +203,12 @@ base::Result<void> readProgram(const FeasibilityOptions& options,
   if (!machine) {
     return base::fail(machine.error());
   }
-  std::optional<gcode::ProgramFeeds>& feeds = question.settings.programFeeds;
-  if (options.point.feedMmPerMin == 0.0) {
-    feeds = report::programFeedsOf(*machine, options.point.overridePercent / 100.0,
-                                   base::mmPerSFromMmPerMin(options.point.rapidMmPerMin));
-    if (auto known = streaming::requireFeeds(program->trajectory, question.settings); !known) {
-      known.error().context = program->name;
-      known.error().message += " (--feed 500)";
-      return known;
-    }
+  if (auto taken = takeFeeds(question.settings, options.point, *machine, *program); !taken) {
+    return taken;
   }
-  const gcode::PointList list =
-      gcode::streamPoints(program->trajectory, kOriginMm, {}, feeds ? &*feeds : nullptr);
+  const gcode::PointList list = gcode::streamPoints(
+      program->trajectory, kOriginMm, {},
+      question.settings.programFeeds ? &*question.settings.programFeeds : nullptr);
   if (list.points.size() < 2) {
     return base::fail(gcode::GcodeError::NoMotion,
                       "The program has fewer than two points. Choose another.", program->name);
@@ -222,11 +217,7 @@ base::Result<void> readProgram(const FeasibilityOptions& options,
     question.settings.parameters =
         streaming::withTurnedAxes(question.settings.parameters, program->trajectory);
   }
-  const std::string& cells = options.point.feedCells;
-  streaming::planFeeds(question.settings, list.points, access,
-                       cells == "window"  ? streaming::FeedCells::PerWindow
-                       : cells == "point" ? streaming::FeedCells::PerPoint
-                                          : streaming::FeedCells::Best);
+  streaming::planFeeds(question.settings, list.points, access, feedCellsOf(options.point));
   const feasibility::OperatingPoint point = report::operatingPointOf(question.settings);
   question.distances = feasibility::programDistances(list.points, point.pointsPerLoop);
   question.points = list.points;

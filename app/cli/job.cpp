@@ -18,6 +18,7 @@
 #include "cli/feed_source.h"
 #include "cli/found_run.h"
 #include "cli/run_files.h"
+#include "cli/run_settings.h"
 #include "forecast/job_forecast.h"
 #include "forecast/large_machine.h"
 #include "gcode/block_observer.h"
@@ -32,14 +33,12 @@
 #include "report/known_machine.h"
 #include "report/load_machine.h"
 #include "report/machine_store.h"
-#include "report/operating_point.h"
 #include "report/plan_json.h"
 #include "report/report_json.h"
 #include "report/run_store.h"
 #include "run/resume.h"
 #include "streaming/control/access_policy.h"
 #include "streaming/control/control_axes.h"
-#include "streaming/methods/feed_plan.h"
 #include "streaming/run/job_count.h"
 #include "streaming/run/whole_job.h"
 #include "streaming/simulation/fitted_machine.h"
@@ -304,26 +303,15 @@ base::Result<void> JobCommand::keepFunctions() {
 }
 
 base::Result<void> JobCommand::planFeeds() {
-  if (m_options.point.feedMmPerMin > 0.0) {
-    m_settings.feedMmPerS = base::mmPerSFromMmPerMin(m_options.point.feedMmPerMin);
-    return {};
+  if (base::Result<void> taken = takeFeeds(m_settings, m_options.point, m_machine, m_plan.program);
+      !taken) {
+    return taken;
   }
-  m_settings.programFeeds =
-      report::programFeedsOf(m_machine, m_options.point.overridePercent / 100.0,
-                             base::mmPerSFromMmPerMin(m_options.point.rapidMmPerMin));
-  const gcode::Trajectory& trajectory = m_plan.program.trajectory;
-  if (base::Result<void> known = streaming::requireFeeds(trajectory, m_settings); !known) {
-    known.error().context = m_plan.program.name;
-    known.error().message += " (--feed 500)";
-    return known;
-  }
-  if (!trajectory.points.empty()) {
-    const std::string& cells = m_options.point.feedCells;
+  if (m_settings.programFeeds) {
     streaming::planFeeds(
-        m_settings, gcode::streamPoints(trajectory, {}, {}, &*m_settings.programFeeds).points, {},
-        cells == "window"  ? streaming::FeedCells::PerWindow
-        : cells == "point" ? streaming::FeedCells::PerPoint
-                           : streaming::FeedCells::Best);
+        m_settings,
+        gcode::streamPoints(m_plan.program.trajectory, {}, {}, &*m_settings.programFeeds).points,
+        {}, feedCellsOf(m_options.point));
   }
   return {};
 }

@@ -8,13 +8,23 @@
 
 #include "cli/commands.h"
 #include "cli/connection.h"
-#include "gcode/trajectory.h"
+#include "gcode/program.h"
+#include "machine/config.h"
+#include "streaming/methods/feed_plan.h"
 #include "streaming/run/run.h"
 
 namespace rivulet::cli {
 
 [[nodiscard]] streaming::RunSettings settingsOf(const StreamOptions& options,
                                                 const gcode::Trajectory& trajectory);
+
+/// One feed for all moves, or those of the program within the limits of the machine.
+/// @return as `streaming::requireFeeds`
+[[nodiscard]] base::Result<void> takeFeeds(streaming::RunSettings& settings,
+                                           const OperatingOptions& options,
+                                           const machine::MachineConfig& machine,
+                                           const gcode::Program& program);
+[[nodiscard]] streaming::FeedCells feedCellsOf(const OperatingOptions& options);
 
 /// Method credit only if its test has been passed. In virtual time the test is made now.
 [[nodiscard]] base::Result<void> requireTest(const StreamOptions& options,

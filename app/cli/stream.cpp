@@ -80,6 +80,28 @@ streaming::RunSettings settingsOf(const StreamOptions& options,
   return settings;
 }
 
+base::Result<void> takeFeeds(streaming::RunSettings& settings, const OperatingOptions& options,
+                             const machine::MachineConfig& machine, const gcode::Program& program) {
+  if (options.feedMmPerMin > 0.0) {
+    settings.feedMmPerS = base::mmPerSFromMmPerMin(options.feedMmPerMin);
+    return {};
+  }
+  settings.programFeeds = report::programFeedsOf(machine, options.overridePercent / 100.0,
+                                                 base::mmPerSFromMmPerMin(options.rapidMmPerMin));
+  base::Result<void> known = streaming::requireFeeds(program.trajectory, settings);
+  if (!known) {
+    known.error().context = program.name;
+    known.error().message += " (--feed 500)";
+  }
+  return known;
+}
+
+streaming::FeedCells feedCellsOf(const OperatingOptions& options) {
+  return options.feedCells == "window"  ? streaming::FeedCells::PerWindow
+         : options.feedCells == "point" ? streaming::FeedCells::PerPoint
+                                        : streaming::FeedCells::Best;
+}
+
 base::Result<void> requireTest(const StreamOptions& options, const Connection& connection) {
   if (options.point.parameters().target == templates::TargetControl::LinuxCnc) {
     return {};  // its interpreter reads a pin when it passes the block, see docs/linuxcnc.md
@@ -280,7 +302,6 @@ class StreamCommand {
 
  private:
   base::Result<void> load();
-  base::Result<void> takeFeeds();
   [[nodiscard]] std::vector<gcode::StreamPoint> points() const;
   void planFeeds();
   [[nodiscard]] feasibility::AccessModel access();
@@ -339,31 +360,15 @@ base::Result<void> StreamCommand::load() {
   }
   m_program.trajectory = m_options.resampling.resampled(std::move(m_program.trajectory));
   m_settings = settingsOf(m_options, m_program.trajectory);
-  if (base::Result<void> taken = takeFeeds(); !taken) {
-    return taken;
-  }
-  return templates::requireProgram(m_settings.parameters);
-}
-
-/// One feed for all moves, or those of the program within the limits of the machine.
-base::Result<void> StreamCommand::takeFeeds() {
   const auto machine = machine::loadPreset(m_options.preset);
   if (!machine) {
     return base::fail(machine.error());
   }
-  if (m_options.point.feedMmPerMin > 0.0) {
-    return {};
+  if (base::Result<void> taken = takeFeeds(m_settings, m_options.point, *machine, m_program);
+      !taken) {
+    return taken;
   }
-  m_settings.programFeeds =
-      report::programFeedsOf(*machine, m_options.point.overridePercent / 100.0,
-                             base::mmPerSFromMmPerMin(m_options.point.rapidMmPerMin));
-  if (base::Result<void> known = streaming::requireFeeds(m_program.trajectory, m_settings);
-      !known) {
-    known.error().context = m_program.name;
-    known.error().message += " (--feed 500)";
-    return known;
-  }
-  return {};
+  return templates::requireProgram(m_settings.parameters);
 }
 
 /// As far as they are known before the control is asked where the tool is.
@@ -374,11 +379,7 @@ std::vector<gcode::StreamPoint> StreamCommand::points() const {
 }
 
 void StreamCommand::planFeeds() {
-  const std::string& cells = m_options.point.feedCells;
-  streaming::planFeeds(m_settings, points(), access(),
-                       cells == "window"  ? streaming::FeedCells::PerWindow
-                       : cells == "point" ? streaming::FeedCells::PerPoint
-                                          : streaming::FeedCells::Best);
+  streaming::planFeeds(m_settings, points(), access(), feedCellsOf(m_options.point));
 }
 
 feasibility::AccessModel StreamCommand::access() {
