@@ -15,8 +15,10 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -32,6 +34,8 @@ namespace rivulet::report {
 
 inline constexpr double kJsonSecondsMax = 1e9;
 inline constexpr double kJsonMillisecondsMax = 1e12;
+/// The smallest of what has to be more than nothing.
+inline constexpr double kJsonAbove0 = std::numeric_limits<double>::min();
 
 template <class Record, class Fields>
 [[nodiscard]] nlohmann::ordered_json jsonOf(const Record& record, Fields fields);
@@ -65,7 +69,9 @@ class FieldWriter {
   void milliseconds(const char* key, base::Duration value, double /*max*/ = 0.0) {
     put(key, base::toMilliseconds(value));
   }
-  void feed(const char* key, double mmPerS) { put(key, base::mmPerMinFromMmPerS(mmPerS)); }
+  void feed(const char* key, double mmPerS, double /*min*/ = 0.0) {
+    put(key, base::mmPerMinFromMmPerS(mmPerS));
+  }
   void place(const char* key, const base::Vec3& mm) { m_json[key] = {mm.x, mm.y, mm.z}; }
   template <std::size_t size>
   void numbers(const char* key, const std::array<double, size>& values, double /*min*/,
@@ -160,9 +166,10 @@ class FieldReader {
   void milliseconds(const char* key, base::Duration& value, double max = kJsonMillisecondsMax) {
     duration(key, value, max, 1000.0);
   }
-  void feed(const char* key, double& mmPerS) {
+  /// @param min  mm/min
+  void feed(const char* key, double& mmPerS, double min = 0.0) {
     double mmPerMin = base::mmPerMinFromMmPerS(mmPerS);
-    number(key, mmPerMin, 0.0, kJsonCountMax);
+    number(key, mmPerMin, min, kJsonCountMax);
     mmPerS = base::mmPerSFromMmPerMin(mmPerMin);
   }
   void place(const char* key, base::Vec3& mm) {
@@ -201,6 +208,8 @@ class FieldReader {
   void words(const char* key, std::vector<std::string>& values) {
     values = m_members.words(pointer(key).c_str());
   }
+  /// The whole record.
+  void refuse() { m_members.refuse(m_at.c_str()); }
   /// For a value that a field cannot have.
   void refuse(const char* key) { m_members.refuse(pointer(key).c_str()); }
   void hexadecimal(const char* key, std::uint64_t& value);
@@ -303,6 +312,20 @@ template <class Record, class Fields>
   for (const Record& record : records) {
     json.push_back(jsonOf(record, fields));
   }
+  return json;
+}
+
+/// As `jsonOf`, with what the text that it replaces has besides: a later version wrote it.
+template <class Record, class Fields>
+[[nodiscard]] nlohmann::ordered_json jsonInPlaceOf(const nlohmann::json& replaced,
+                                                   const Record& record, Fields fields) {
+  std::set<std::string> asked;
+  Members members(replaced, &asked);
+  FieldReader io(members);
+  Record unused;
+  fields(io, unused);
+  nlohmann::ordered_json json = jsonOf(record, fields);
+  keepUnknown(json, replaced, asked);
   return json;
 }
 

@@ -8,10 +8,9 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
-
-#include "streaming/run/run.h"
 
 namespace rivulet::report {
 
@@ -25,7 +24,9 @@ inline constexpr double kJsonPlaceMax = 1e9;  ///< mm or degrees
 /// or is out of range is remembered.
 class Members {
  public:
-  explicit Members(const nlohmann::json& root) : m_root(root) {}
+  /// @param asked  gets the pointers that are asked for; null: nobody needs them
+  explicit Members(const nlohmann::json& root, std::set<std::string>* asked = nullptr)
+      : m_root(root), m_asked(asked) {}
 
   [[nodiscard]] bool has(const char* pointer) const { return find(pointer) != nullptr; }
 
@@ -93,19 +94,23 @@ class Members {
   /// The first member that cannot be used; empty: none.
   [[nodiscard]] const std::string& bad() const { return m_bad; }
   [[nodiscard]] const nlohmann::json* find(const char* pointer) const {
+    if (m_asked != nullptr) {
+      m_asked->insert(pointer);
+    }
     const nlohmann::json::json_pointer at(pointer);
     return m_root.is_object() && m_root.contains(at) ? &m_root.at(at) : nullptr;
   }
 
  private:
   const nlohmann::json& m_root;
+  std::set<std::string>* m_asked;
   std::string m_bad;
 };
 
-/// Settings as `settingsJson` writes them, below "/settings", with the origin below "/started_by".
-/// Refuses those from which no flexible program can be made.
-[[nodiscard]] streaming::RunSettings runSettingsOf(Members& members);
-/// As `checkpointJson` writes it, below "/checkpoint".
-[[nodiscard]] streaming::Checkpoint checkpointOf(Members& members);
+/// Puts into a record what the one that it replaces has besides: a later version wrote it. Within
+/// lists nothing is kept.
+/// @param asked  what a reader of this version asks for (`Members`)
+void keepUnknown(nlohmann::ordered_json& record, const nlohmann::json& replaced,
+                 const std::set<std::string>& asked);
 
 }  // namespace rivulet::report

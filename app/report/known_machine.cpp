@@ -38,8 +38,7 @@ constexpr auto profileToolFields = [](auto& io, auto& tool) {
   io.number("radius_mm", tool.radiusMm, -kMost, kMost);
 };
 
-template <class Io, class Profile>
-void profileFields(Io& io, Profile& profile) {
+constexpr auto profileFields = [](auto& io, auto& profile) {
   io.text("endpoint", profile.endpoint);
   io.object("server", profile.server, serverFields);
   io.text("entered_at_utc", profile.enteredAtUtc);
@@ -58,15 +57,12 @@ void profileFields(Io& io, Profile& profile) {
   io.number("rapid_mm_per_s", profile.rapidMmPerS, 0.0, kMost);
   io.number("spindle_per_min_max", profile.spindlePerMinMax, 0.0, kMost);
   io.list("tools", profile.tools, profileToolFields);
-}
+};
 
 }  // namespace
 
-ordered_json profileJson(const MachineProfile& profile) {
-  auto json = ordered_json::object();
-  FieldWriter io(json);
-  profileFields(io, profile);
-  return json;
+ordered_json profileJson(const MachineProfile& profile, const ordered_json& replaced) {
+  return jsonInPlaceOf(replaced, profile, profileFields);
 }
 
 base::Result<MachineProfile> profileOf(const ordered_json& from, const std::string& origin) {

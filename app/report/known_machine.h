@@ -17,7 +17,9 @@ namespace rivulet::report {
 /// What simulations are made with while nobody has entered the limits of a machine: the paper's.
 inline constexpr const char* kAssumedPreset = machine::kDefaultPreset;
 
-[[nodiscard]] nlohmann::ordered_json profileJson(const streaming::MachineProfile& profile);
+/// @param replaced  the limits that these take the place of: what a later version wrote there stays
+[[nodiscard]] nlohmann::ordered_json profileJson(const streaming::MachineProfile& profile,
+                                                 const nlohmann::ordered_json& replaced);
 /// @param origin  named in the error @return Damaged
 [[nodiscard]] base::Result<streaming::MachineProfile> profileOf(const nlohmann::ordered_json& json,
                                                                 const std::string& origin);

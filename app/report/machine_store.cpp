@@ -322,14 +322,15 @@ std::map<std::string, base::UtcMs> MachineStore::removed() const {
 
 base::Result<void> MachineStore::saveMember(const std::string& endpoint,
                                             const opcua::ServerIdentity& server, const char* key,
-                                            ordered_json value) const {
+                                            const Make& make) const {
   const auto changing = lock();
   base::Result<ordered_json> machine =
       changing ? read(endpoint, server) : base::fail(changing.error());
   if (!machine) {
     return base::fail(machine.error());
   }
-  (*machine)[key] = std::move(value);
+  ordered_json& member = (*machine)[key];
+  member = make(member);
   // What a server says of itself may hold bytes that are not UTF-8.
   return base::writeFile(
       pathOf(endpoint, server),
@@ -337,24 +338,28 @@ base::Result<void> MachineStore::saveMember(const std::string& endpoint,
 }
 
 base::Result<void> MachineStore::save(const streaming::CalibrationRecord& record) const {
-  return saveMember(record.endpoint, record.server, kCalibrationKey, calibrationJson(record));
+  return saveMember(record.endpoint, record.server, kCalibrationKey,
+                    [&record](const auto&) { return calibrationJson(record); });
 }
 
 base::Result<void> MachineStore::save(const streaming::CreditTest& test) const {
-  return saveMember(test.endpoint, test.server, kCreditTestKey, creditTestJson(test));
+  return saveMember(test.endpoint, test.server, kCreditTestKey,
+                    [&test](const auto&) { return creditTestJson(test); });
 }
 
 base::Result<void> MachineStore::save(const std::string& endpoint,
                                       const opcua::ServerIdentity& server,
                                       const job::Functions& functions) const {
-  return saveMember(endpoint, server, kFunctionsKey,
-                    {{"endpoint", endpoint},
-                     {"server", {{"application_uri", server.applicationUri}}},
-                     {"lines", linesJson(functions)}});
+  return saveMember(endpoint, server, kFunctionsKey, [&](const auto&) {
+    return ordered_json{{"endpoint", endpoint},
+                        {"server", {{"application_uri", server.applicationUri}}},
+                        {"lines", linesJson(functions)}};
+  });
 }
 
 base::Result<void> MachineStore::save(const streaming::MachineProfile& profile) const {
-  return saveMember(profile.endpoint, profile.server, kProfileKey, profileJson(profile));
+  return saveMember(profile.endpoint, profile.server, kProfileKey,
+                    [&profile](const auto& was) { return profileJson(profile, was); });
 }
 
 }  // namespace rivulet::report

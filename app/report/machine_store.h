@@ -8,6 +8,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -99,9 +100,11 @@ class MachineStore {
   [[nodiscard]] base::Result<base::FileLock> lock() const;
   [[nodiscard]] base::Result<nlohmann::ordered_json> read(
       const std::string& endpoint, const opcua::ServerIdentity& server) const;
+  /// Makes a member of the file from the one that was there; null: none.
+  using Make = std::function<nlohmann::ordered_json(const nlohmann::ordered_json& was)>;
   [[nodiscard]] base::Result<void> saveMember(const std::string& endpoint,
                                               const opcua::ServerIdentity& server, const char* key,
-                                              nlohmann::ordered_json value) const;
+                                              const Make& make) const;
 
   MachineFolders m_folders;
 };

@@ -81,40 +81,6 @@ ordered_json accessFormsJson(const streaming::AccessForms& forms) {
   return listOf(forms.proofs, formFields);
 }
 
-ordered_json settingsJson(const streaming::RunSettings& settings) {
-  ordered_json json{{"method", base::methodName(settings.parameters.method)},
-                    {"points_per_loop", settings.parameters.pointsPerLoop},
-                    {"windows", settings.parameters.windows},
-                    {"base_cell", settings.parameters.baseCell},
-                    {"slot_stride", settings.parameters.slotStride},
-                    {"r_parameters", settings.parameters.rParameterCount},
-                    {"correction_limit_mm", settings.parameters.correctionLimitMm},
-                    {"windows_ahead", settings.parameters.windowsAhead},
-                    {"slow_down", settings.parameters.slowDown},
-                    {"layout", templates::layoutName(settings.parameters.layout)},
-                    {"control", templates::targetName(settings.parameters.target)},
-                    {"axes", templates::axisLetters(settings.parameters)},
-                    {"delta_mm", settings.deltaMm},
-                    {"passed_by", streaming::passedByName(settings.passedBy)},
-                    {"feed_mm_per_min", base::mmPerMinFromMmPerS(settings.feedMmPerS)},
-                    {"grouping", opcua::groupingName(settings.grouping)},
-                    {"monitor", settings.monitor},
-                    {"feed", settings.programFeeds ? "program" : "fixed"},
-                    {"feed_per_point", settings.parameters.feedPerPoint}};
-  if (const auto& feeds = settings.programFeeds) {
-    // In mm/s: a run is resumed with exactly the same feeds.
-    json["program_feeds"] = {{"override_percent", 100.0 * feeds->overrideFactor},
-                             {"override", feeds->overrideFactor},
-                             {"rapid_mm_per_s", feeds->rapidMmPerS},
-                             {"limit_mm_per_s", feeds->feedMmPerSMax}};
-  }
-  return json;
-}
-
-ordered_json checkpointJson(const streaming::Checkpoint& checkpoint) {
-  return jsonOf(checkpoint, checkpointFields);
-}
-
 ordered_json runJson(const streaming::RunReport& report) {
   const bool traced = report.controlTrace && !report.controlTrace->samples.empty();
   const base::Instant origin =
@@ -129,7 +95,7 @@ ordered_json runJson(const streaming::RunReport& report) {
                     {"method", base::methodName(report.settings.parameters.method)}};
   FieldWriter io(json);
   runFields(io, std::as_const(shown));
-  json["settings"] = settingsJson(report.settings);
+  json["settings"] = jsonOf(report.settings, settingsFields);
   if (report.wrong) {
     json["wrong_motion_seen"] = streaming::describe(*report.wrong);
   }

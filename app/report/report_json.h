@@ -30,8 +30,6 @@ namespace rivulet::report {
                                                 base::Instant origin);
 /// Every form that was tried, the best first.
 [[nodiscard]] nlohmann::ordered_json accessFormsJson(const streaming::AccessForms& forms);
-[[nodiscard]] nlohmann::ordered_json settingsJson(const streaming::RunSettings& settings);
-[[nodiscard]] nlohmann::ordered_json checkpointJson(const streaming::Checkpoint& checkpoint);
 [[nodiscard]] nlohmann::ordered_json runJson(const streaming::RunReport& report);
 [[nodiscard]] nlohmann::ordered_json verdictJson(const feasibility::Verdict& verdict);
 /// The largest override and the block that limits it.

@@ -29,7 +29,8 @@ streaming::RunReport reportOf(Members& members) {
   io.ifThere().count("judged_executed", report.integrity.executed);
   report.access.perNode.count = report.access.requests;
   report.access.perRequest.count = report.access.requests;
-  report.settings = runSettingsOf(members);
+  io.object("settings", report.settings, settingsFields);
+  io.ifThere().object("started_by", report.settings.origin, originFields);
   if (members.has("/resumed_from")) {
     io.count("resumed_from", report.settings.resume.emplace().point);
   }

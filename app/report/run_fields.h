@@ -18,6 +18,7 @@
 #include "report/json_fields.h"
 #include "streaming/run/run.h"
 #include "streaming/run/run_summary.h"
+#include "templates/flexible_program.h"
 
 namespace rivulet::report {
 
@@ -109,7 +110,67 @@ inline constexpr auto checkpointFields = []<class Io>(Io& io, auto& checkpoint) 
   io.ifThere().hexadecimal("points_hash", checkpoint.pointsHash);
 };
 
-/// All but settings and origin, which `settingsJson` writes. The pauses begin with the trace.
+inline constexpr auto originFields = [](auto& io, auto& origin) {
+  io.text("user", origin.user);
+  io.text("computer", origin.computer);
+  io.text("at_utc", origin.startedAtUtc);
+};
+
+template <class Io, class Parameters>
+void cellFields(Io& io, Parameters& parameters) {
+  io.number("points_per_loop", parameters.pointsPerLoop, 1, kJsonCellMax);
+  io.number("windows", parameters.windows, 1, templates::WindowProtocol::kWindowsMax);
+  io.number("base_cell", parameters.baseCell, 0, kJsonCellMax);
+  io.ifThere().number("slot_stride", parameters.slotStride, 0, kJsonCellMax);
+  io.ifThere().number("r_parameters", parameters.rParameterCount, 0, kJsonCellMax);
+  io.ifThere().number("correction_limit_mm", parameters.correctionLimitMm, 0.0,
+                      templates::kCorrectionLimitMmMax);
+  io.ifThere().number("windows_ahead", parameters.windowsAhead, 0, kJsonCellMax);
+  io.ifThere().flag("slow_down", parameters.slowDown);
+  io.ifThere().named("layout", parameters.layout, templates::layoutName, templates::layoutFromName);
+}
+
+/// Refuses settings from which no flexible program can be made.
+inline constexpr auto settingsFields = []<class Io>(Io& io, auto& settings) {
+  auto& parameters = settings.parameters;
+  io.ifThere().named("method", parameters.method, base::methodName, base::methodFromName);
+  cellFields(io, parameters);
+  io.ifThere().named("control", parameters.target, templates::targetName,
+                     templates::targetFromName);
+  std::string axes = templates::axisLetters(parameters);
+  io.ifThere().text("axes", axes);
+  if constexpr (Io::kReads) {
+    if (!templates::chooseAxes(parameters, axes)) {
+      io.refuse("axes");
+    }
+  }
+  io.ifThere().number("delta_mm", settings.deltaMm, kJsonAbove0, kJsonCountMax);
+  io.ifThere().named("passed_by", settings.passedBy, streaming::passedByName,
+                     streaming::passedByFromName);
+  io.ifThere().feed("feed_mm_per_min", settings.feedMmPerS, kJsonAbove0);
+  io.ifThere().named("grouping", settings.grouping, opcua::groupingName, opcua::groupingFromName);
+  io.ifThere().flag("monitor", settings.monitor);
+  if constexpr (!Io::kReads) {
+    io.text("feed", settings.programFeeds ? "program" : "fixed");
+  }
+  io.ifThere().flag("feed_per_point", parameters.feedPerPoint);
+  // In mm/s: a run is resumed with exactly the same feeds.
+  maybe(io, "program_feeds", settings.programFeeds, [](auto& inner, auto& feeds) {
+    if constexpr (!Io::kReads) {
+      inner.count("override_percent", 100.0 * feeds.overrideFactor);
+    }
+    inner.number("override", feeds.overrideFactor, gcode::kOverrideMin, gcode::kOverrideMax);
+    inner.number("rapid_mm_per_s", feeds.rapidMmPerS, kJsonAbove0, kJsonCountMax);
+    inner.number("limit_mm_per_s", feeds.feedMmPerSMax, kJsonAbove0, kJsonCountMax);
+  });
+  if constexpr (Io::kReads) {
+    if (!templates::requireProgram(parameters)) {
+      io.refuse();
+    }
+  }
+};
+
+/// All but settings and origin. The pauses begin with the trace.
 template <class Io, class Report>
 void runFields(Io& io, Report& report) {
   io.named("outcome", report.outcome, streaming::outcomeName, outcomeOfName());
@@ -198,11 +259,7 @@ void knownFields(Io& io, Summary& known) {
   io.ifThere().text("program_file", known.programFile);
   io.ifThere().text("program_hash", known.programHash);
   io.ifThere().text("endpoint", known.endpoint);
-  io.ifThere().object("started_by", known.origin, [](auto& inner, auto& origin) {
-    inner.text("user", origin.user);
-    inner.text("computer", origin.computer);
-    inner.text("at_utc", origin.startedAtUtc);
-  });
+  io.ifThere().object("started_by", known.origin, originFields);
   io.ifThere().text("tool_version", known.toolVersion);
   io.ifThere().text("recording", known.recording);
   io.ifThere().flag("owns_recording", known.ownsRecording);

@@ -15,7 +15,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "journal/line_file.h"
-#include "report/json_members.h"
+#include "report/json_fields.h"
 #include "report/run_store.h"
 
 namespace rivulet::report {
@@ -29,6 +29,11 @@ constexpr std::string_view kReportEnding = ".report.json";
 constexpr std::string_view kIndexEnding = ".index.json";
 constexpr const char* kLimitsFile = "limits.json";
 constexpr double kBytesMax = 1e15;
+
+constexpr auto limitsFields = [](auto& io, auto& limits) {
+  io.number("runs_max", limits.runsMax, 1, kJsonCountMax);
+  io.number("bytes_max", limits.bytesMax, 0, kBytesMax);
+};
 
 base::Result<void> writeJson(const fs::path& file, const ordered_json& root) {
   return base::writeFile(file,
@@ -209,16 +214,20 @@ HistoryLimits RunHistory::limits() const {
   }
   const nlohmann::json root = nlohmann::json::parse(*text, nullptr, false);
   Members members(root);
-  const HistoryLimits read{members.integer<std::size_t>("/runs_max", 1, kJsonCountMax),
-                           members.integer<std::uintmax_t>("/bytes_max", 0, kBytesMax)};
+  HistoryLimits read;
+  FieldReader io(members);
+  limitsFields(io, read);
   return members.bad().empty() ? read : limits;
 }
 
 base::Result<void> RunHistory::setLimits(const HistoryLimits& limits) const {
   std::error_code ignored;
   fs::create_directories(m_folder, ignored);
-  const auto written = writeJson(m_folder / kLimitsFile,
-                                 {{"runs_max", limits.runsMax}, {"bytes_max", limits.bytesMax}});
+  const fs::path file = m_folder / kLimitsFile;
+  const auto was = base::readFile(file);
+  const auto written = writeJson(
+      file, jsonInPlaceOf(was ? nlohmann::json::parse(*was, nullptr, false) : nlohmann::json(),
+                          limits, limitsFields));
   if (written) {
     prune({});
   }

@@ -24,8 +24,7 @@
 #include "base/units.h"
 #include "gcode/facts.h"
 #include "journal/line_file.h"
-#include "report/json_members.h"
-#include "report/report_json.h"
+#include "report/run_fields.h"
 #include "streaming/methods/pause_placement.h"
 
 namespace rivulet::report {
@@ -44,66 +43,46 @@ constexpr std::size_t kRunsMax = 20;
 static_assert(std::endian::native == std::endian::little,
               "points are stored as they are in memory");
 
-gcode::LoadOptions readingOf(Members& members) {
-  gcode::LoadOptions reading;
-  const auto text = [&members](const char* at) { return members.text(at); };
-  std::string dialect;
-  members.ifThere("/reading/dialect", dialect, text);
-  reading.dialect = gcode::dialectOfName(dialect);
-  std::string centres;
-  members.ifThere("/reading/centres", centres, text);
-  reading.centres = gcode::centreReadingOfName(centres).value_or(reading.centres);
-  std::string units;
-  members.ifThere("/reading/units", units, text);
-  reading.units = gcode::saidUnitsOfName(units);
-  std::string noPoint;
-  members.ifThere("/reading/no_point", noPoint, text);
-  reading.noPoint = gcode::noPointOfName(noPoint);
-  std::string settings;
-  members.ifThere("/reading/settings", settings, text);
-  reading.settings = gcode::controlSettingsOf(settings).value_or(reading.settings);
-  members.ifThere("/reading/chord_tolerance_mm", reading.chordToleranceMm,
-                  [&members](const char* at) {
-                    return members.number(at, 1e-6, gcode::TextReading::kChordToleranceMmMax);
-                  });
-  reading.accepted = members.words("/reading/accepted");
-  return reading;
-}
+constexpr auto readingFields = []<class Io>(Io& io, auto& reading) {
+  io.ifThere().named("centres", reading.centres, gcode::centreReadingName,
+                     gcode::centreReadingOfName);
+  io.ifThere().number("chord_tolerance_mm", reading.chordToleranceMm, 1e-6,
+                      gcode::TextReading::kChordToleranceMmMax);
+  io.words("accepted", reading.accepted);
+  if (io.has("dialect", reading.dialect)) {
+    io.named("dialect", *reading.dialect, gcode::dialectName, gcode::dialectOfName);
+  }
+  if (io.has("units", reading.units)) {
+    io.named("units", *reading.units, gcode::fileUnitsName, gcode::saidUnitsOfName);
+  }
+  if (io.has("no_point", reading.noPoint)) {
+    io.named("no_point", *reading.noPoint, gcode::noPointName, gcode::noPointOfName);
+  }
+  std::string settings = gcode::textOf(reading.settings);
+  io.ifSet().text("settings", settings);
+  if constexpr (Io::kReads) {
+    const auto known = gcode::controlSettingsOf(settings);
+    reading.settings = known.value_or(reading.settings);
+    if (!known) {
+      io.refuse("settings");
+    }
+  }
+};
 
-ordered_json readingJson(const gcode::LoadOptions& reading) {
-  ordered_json text{{"centres", gcode::centreReadingName(reading.centres)},
-                    {"chord_tolerance_mm", reading.chordToleranceMm},
-                    {"accepted", reading.accepted}};
-  if (reading.dialect) {
-    text["dialect"] = gcode::dialectName(*reading.dialect);
-  }
-  if (reading.units) {
-    text["units"] = gcode::fileUnitsName(*reading.units);
-  }
-  if (reading.noPoint) {
-    text["no_point"] = gcode::noPointName(*reading.noPoint);
-  }
-  if (!reading.settings.empty()) {
-    text["settings"] = gcode::textOf(reading.settings);
-  }
-  return text;
-}
-
-ordered_json savedRunJson(const SavedRun& run) {
-  const streaming::RunOrigin& origin = run.settings.origin;
-  return {{kRunFormatKey, kRunFormat},
-          {"program", run.programName},
-          {"program_file", run.programFile},
-          {"endpoint", run.endpoint},
-          {"started_by",
-           {{"user", origin.user}, {"computer", origin.computer}, {"at_utc", origin.startedAtUtc}}},
-          {"tool_version", run.toolVersion},
-          {"recording", run.recording},
-          {"command", run.command},
-          {"reading", readingJson(run.reading)},
-          {"settings", settingsJson(run.settings)},
-          {"checkpoint", checkpointJson(run.checkpoint)}};
-}
+constexpr auto savedRunFields = [](auto& io, auto& run) {
+  int format = kRunFormat;
+  io.ifThere().number(kRunFormatKey, format, 1, kJsonCellMax);
+  io.ifThere().text("program", run.programName);
+  io.ifThere().text("program_file", run.programFile);
+  io.ifThere().text("endpoint", run.endpoint);
+  io.ifThere().object("started_by", run.settings.origin, originFields);
+  io.ifThere().text("tool_version", run.toolVersion);
+  io.ifThere().text("recording", run.recording);
+  io.words("command", run.command);
+  io.ifThere().object("reading", run.reading, readingFields);
+  io.object("settings", run.settings, settingsFields);
+  io.object("checkpoint", run.checkpoint, checkpointFields);
+};
 
 /// "rivulet-points 2\n", then per point six coordinates and its own feed, its line, and whether its
 /// move is a rapid. Version 1 has no feeds.
@@ -209,22 +188,14 @@ base::Result<SavedRun> savedRunOf(const nlohmann::json& json, const fs::path& fi
                       file.string());
   }
   SavedRun run;
-  const auto text = [&members](const char* at) { return members.text(at); };
+  FieldReader io(members);
+  savedRunFields(io, run);
   run.file = file;
-  run.settings = runSettingsOf(members);
   if (!base::hasWindows(run.settings.parameters.method)) {
     members.refuse("/settings/method");
   }
-  run.checkpoint = checkpointOf(members);
   run.settings.runNumber = run.checkpoint.runNumber;
   run.settings.placePauses = run.checkpoint.pausesPlaced;
-  members.ifThere("/program", run.programName, text);
-  members.ifThere("/program_file", run.programFile, text);
-  members.ifThere("/endpoint", run.endpoint, text);
-  members.ifThere("/tool_version", run.toolVersion, text);
-  members.ifThere("/recording", run.recording, text);
-  run.command = members.words("/command");
-  run.reading = readingOf(members);
   if (!members.bad().empty()) {
     return base::fail(StreamError::CannotResume,
                       fmt::format("The file of the run is damaged: its member {} is missing or "
@@ -267,8 +238,11 @@ base::Result<void> RunStore::save(const SavedRun& run,
       return written;
     }
   }
-  return base::writeFile(
-      path, savedRunJson(run).dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
+  const auto was = base::readFile(path, kJsonBytesMax);
+  const ordered_json json = jsonInPlaceOf(
+      was ? nlohmann::json::parse(*was, nullptr, false) : nlohmann::json(), run, savedRunFields);
+  return base::writeFile(path,
+                         json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
 }
 
 std::vector<SavedRun> RunStore::runs() const {

@@ -132,6 +132,23 @@ class TestMachineStore : public QObject {
     QVERIFY(!json["credit_test"]["passed"].get<bool>());
   }
 
+  /// Limits that are entered anew leave alone what a later version has entered besides.
+  void whatALaterVersionEnteredStays() {
+    auto profile = report::profileOfPreset("dmu75-5axis").value();
+    profile.endpoint = kEndpoint;
+    profile.server = kServer;
+    QVERIFY(store().save(profile).has_value());
+    const std::filesystem::path path = store().pathOf(kEndpoint, kServer);
+    auto json = nlohmann::json::parse(base::readFile(path).value());
+    json["profile"]["coolant_bar_max"] = 70;
+    json["profile"]["axes"]["X"]["backlash_mm"] = 0.002;
+    write(path, json.dump());
+    profile.rapidMmPerS = 123.0;
+    QVERIFY(store().save(profile).has_value());
+    json["profile"]["rapid_mm_per_s"] = 123.0;
+    QVERIFY(nlohmann::json::parse(base::readFile(path).value()) == json);
+  }
+
   void numbersThatCannotBeAreLeftOut() {
     write(store().pathOf(kEndpoint, kServer),
           R"({"rivulet_machine":1,"credit_test":{"asked":1e300,"slowest_answer_ms":1e300}})");

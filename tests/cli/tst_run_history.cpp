@@ -209,6 +209,13 @@ class RunHistoryTest : public QObject {
     QVERIFY(history().setLimits({1, 1'000'000'000}));
     QCOMPARE(history().list().runs.size(), std::size_t{1});
     QCOMPARE(history().limits().runsMax, std::size_t{1});
+    const fs::path file = folder() / "limits.json";
+    auto later = nlohmann::json::parse(base::readFile(file).value());
+    later["days_max"] = 30;
+    QVERIFY(base::writeFile(file, later.dump()).has_value());
+    QVERIFY(history().setLimits({3, 1'000'000'000}));
+    later["runs_max"] = 3;
+    QVERIFY(nlohmann::json::parse(base::readFile(file).value()) == later);
   }
 
   /// Recordings count and go with their runs, unless the user named the file.

@@ -216,6 +216,39 @@ class TestRunStore : public QObject {
     }
   }
 
+  /// A later version wrote the record and this one writes it again: nothing of it is lost, and
+  /// nothing that is over comes back.
+  void keepsWhatALaterVersionWrote() {
+    const fs::path path = store().pathOf(someRun());
+    json later = saved();
+    later["shift"] = "night";
+    later["reading"]["tool_table"] = {{"7", "END_MILL"}};
+    later["settings"]["damping"] = 0.5;
+    later["settings"]["program_feeds"] = {
+        {"override", 1.0}, {"rapid_mm_per_s", 100.0}, {"limit_mm_per_s", 50.0}, {"ramp", 2.0}};
+    later["checkpoint"]["load"] = json::array({1, 2});
+    QVERIFY(base::writeFile(path, later.dump()).has_value());
+    report::SavedRun run = *report::readSavedRun(path);
+    run.checkpoint.firstPoint = 20;
+    run.settings.programFeeds.reset();
+    QVERIFY(store().save(run, {}).has_value());
+    json expected = later;
+    expected["checkpoint"]["first_point"] = 20;
+    expected["settings"].erase("program_feeds");
+    QCOMPARE(saved(), expected);
+    QVERIFY(report::readSavedRun(path).has_value());
+  }
+
+  /// How the text was read is not guessed: with another meaning of it, the run would go on on
+  /// another path.
+  void anUnknownReadingIsRefused() {
+    for (const char* name : {"dialect", "centres", "units", "no_point", "settings"}) {
+      json later = saved();
+      later["reading"][name] = "of a later version";
+      QVERIFY2(!report::savedRunOf(later, {}), name);
+    }
+  }
+
   /// A file that is cut off or damaged is left out of the list, and its points are not used.
   void damageIsNoticed() {
     const fs::path path = store().pathOf(someRun());
