@@ -301,7 +301,7 @@ class TestMachineStore : public QObject {
   void keepsFunctions() {
     const auto given = job::functionsOf({"163=ignore", "M11=pass", "51= M8 "});
     QVERIFY(given.has_value());
-    QCOMPARE(*given, (job::Functions{{11, "M11"}, {51, "M8"}, {163, ""}}));
+    QCOMPARE(*given, (job::Functions{{{11}, "M11"}, {{51}, "M8"}, {{163}, ""}}));
     for (const char* wrong : {"163", "=ignore", "X=ignore", "163=", "163=M1\nM2"}) {
       QVERIFY(!job::functionsOf({std::string(wrong)}));
     }

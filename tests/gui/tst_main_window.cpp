@@ -98,13 +98,6 @@ bool shows(const QWidget* widget, const QString& text) {
   });
 }
 
-int countOf(const QWidget* widget, const QString& text) {
-  const auto labels = widget->findChildren<QLabel*>();
-  return static_cast<int>(std::count_if(labels.begin(), labels.end(), [&](const QLabel* label) {
-    return label->isVisible() && label->text() == text;
-  }));
-}
-
 /// A picture of the whole window on every page; blank ones fail.
 void picturePages(MainWindow& window, const QString& prefix) {
   QDir().mkpath(QStringLiteral(RIVULET_SCREENSHOTS));

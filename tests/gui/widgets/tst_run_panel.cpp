@@ -236,8 +236,7 @@ class TestRunPanel : public QObject {
     panel.setUpdate(update);
     QVERIFY(test::visibleText(panel).contains("Press NC STOP"));
     static_cast<void>(test::picture(panel, {480, 180}));
-    for (const QWidget* part : {static_cast<QWidget*>(buttons.stop), end,
-                                static_cast<QWidget*>(less), static_cast<QWidget*>(more)}) {
+    for (const QPushButton* part : {buttons.stop, end, less, more}) {
       QVERIFY(part->isVisible() &&
               panel.rect().contains(QRect(part->mapTo(&panel, QPoint()), part->size())));
     }
