@@ -191,7 +191,7 @@ class TestMainWindow : public QObject {
 
   void beginCalibration() {
     confirmCells();
-    open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
+    open(streamSettings(base::MethodKind::Window, 13, 0.3, 3000.0));
     QTest::mouseClick(button(QStringLiteral("Calibrate")), Qt::LeftButton);
   }
 
@@ -918,7 +918,7 @@ class TestMainWindow : public QObject {
     confirmCells();
     QVERIFY(!calibrate->isEnabled());
     QVERIFY(shows(m_window->calibrationPage(), QStringLiteral("Connect to a control first.")));
-    open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
+    open(streamSettings(base::MethodKind::Window, 13, 0.3, 3000.0));
     QVERIFY(!m_window->accessSource().record);
     QVERIFY(!m_window->verdict()->accessMeasured);
     QVERIFY(calibrate->isEnabled());
@@ -957,7 +957,7 @@ class TestMainWindow : public QObject {
   /// A window costs as much as a cell now: the machine is kept up with at many times the feed.
   void verdictUsesTheCalibration() {
     openCalibration();
-    open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
+    open(streamSettings(base::MethodKind::Window, 13, 0.3, 3000.0));
     const double assumedMmPerS = m_window->verdict()->feedMmPerSMax;
     calibrate();
     QVERIFY(m_window->verdict()->accessMeasured);
@@ -974,7 +974,7 @@ class TestMainWindow : public QObject {
     QVERIFY(m_window->accessSource().isUsed());
     const std::string measuredAt = m_window->accessSource().record->measuredAtUtc;
     openWindow();
-    open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
+    open(streamSettings(base::MethodKind::Window, 13, 0.3, 3000.0));
     QVERIFY(m_window->accessSource().isUsed());
     QCOMPARE(m_window->accessSource().record->measuredAtUtc, measuredAt);
     QVERIFY(m_window->verdict()->accessMeasured);
@@ -983,13 +983,13 @@ class TestMainWindow : public QObject {
   /// Another version at the same address: shown, not used.
   void anotherServerDoesNotUseTheCalibration() {
     openCalibration();
-    open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
+    open(streamSettings(base::MethodKind::Window, 13, 0.3, 3000.0));
     const double assumedMmPerS = m_window->verdict()->feedMmPerSMax;
     calibrate();
     m_window.reset();
     startMachine("dmu75");
     openWindow();
-    open(streamSettings(base::MethodKind::Window, 14, 0.3, 3000.0));
+    open(streamSettings(base::MethodKind::Window, 13, 0.3, 3000.0));
     QVERIFY(m_window->accessSource().record && !m_window->accessSource().isUsed());
     QVERIFY(!m_window->verdict()->accessMeasured);
     QVERIFY(std::abs(m_window->verdict()->feedMmPerSMax / assumedMmPerS - 1.0) < 1e-9);

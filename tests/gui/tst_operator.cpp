@@ -132,7 +132,7 @@ class TestOperator : public QObject {
                   QFileDevice::WriteOther),
              QFileDevice::Permissions());
     const auto text = base::readFile(file);
-    QVERIFY(text && text->find("4711") == std::string::npos);
+    QVERIFY(text && text->find("\"4711\"") == std::string::npos);
 
     Users users(file, QStringLiteral("cell"));
     QVERIFY(users.isLocked());
