@@ -124,7 +124,7 @@ class TestCli : public QObject {
     QCOMPARE(run({QStringLiteral("job"), silent, QStringLiteral("--simulate")}).exit, 0);
     // Files are for a control, also if the same job is tried on a virtual machine first.
     const struct {
-      const char* name;      ///< word of the message
+      const char* name;  ///< word of the message
       const char* folder;
       QByteArray beginning;  ///< what a virtual machine has, and a control may not have
       QByteArray feed;
@@ -676,7 +676,7 @@ class TestCli : public QObject {
   void correctsFromALiveSource() {
     const json made = run(words("template --correction-limit 0.05 --json")).parsed();
     QCOMPARE(made["name"].get<std::string>(), std::string("RIVULET_WINDOW_7X2K50.MPF"));
-    QCOMPARE(made["cells"]["correction"].get<std::vector<int>>(), (std::vector<int>{58, 59, 60}));
+    QCOMPARE(made["cells"]["correction"].get<std::vector<int>>(), (std::vector<int>{60, 61, 62}));
     const QString source =
         file("live.txt", "X 0.01\nwhat\n{\"y\": -0.02, \"x\": 0.9}\nneither\nZ 0.");
     const QString recording = m_folder.filePath(QStringLiteral("corrected.rivulet"));

@@ -178,22 +178,6 @@ class TestMachineProfiles : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(preflightText().contains(QStringLiteral("executes M8")), kSoonMs);
   }
 
-  /// The tools of a virtual machine are known: a pocket of plain text gets their radius.
-  void radiusOfATool() {
-    QFile pocket(m_folder.filePath(QStringLiteral("pocket.h")));
-    QVERIFY(pocket.open(QIODevice::WriteOnly));
-    pocket.write(
-        "BEGIN PGM POCKET MM\nTOOL CALL 3 Z S1000 F500\nL X+0 Y+0 Z+50 R0 FMAX M3\n"
-        "CYCL DEF 252 CIRCULAR POCKET Q215=+0 Q223=+60 Q368=+0 Q207=+500 Q351=+1 Q201=-2 Q202=+2 "
-        "Q369=+0 Q206=+150 Q338=+0 Q200=+2 Q203=+0 Q204=+50 Q370=+1 Q366=+0 Q385=+500\n"
-        "CYCL CALL POS X+0 Y+0 Z+0 FMAX\nEND PGM POCKET MM\n");
-    pocket.close();
-    m_machine = std::make_unique<tests::SimulatedControl>("dmu75-mill");
-    openWindow(pocket.fileName());
-    m_window.reset();
-    m_machine = std::make_unique<tests::SimulatedControl>("dmu75");
-  }
-
   /// With several machines, the window begins with them; a click goes to one.
   void severalMachinesAreTheFirstPage() {
     auto other = report::profileOfPreset("dmu75").value();
@@ -240,6 +224,25 @@ class TestMachineProfiles : public QObject {
     QTRY_COMPARE(connects().size(), 1);
     QVERIFY(connects().front().startsWith(QStringLiteral("Open ")));
     QVERIFY(!report::MachineStore().profile(other.endpoint, other.server).value());
+  }
+
+  /// The tools of a virtual machine are known: a pocket of plain text gets their radius.
+  void radiusOfATool() {
+    m_window.reset();
+    // What earlier tests have kept of this machine has no tools.
+    QDir(m_folder.filePath(QStringLiteral("rivulet/machines"))).removeRecursively();
+    QFile pocket(m_folder.filePath(QStringLiteral("pocket.h")));
+    QVERIFY(pocket.open(QIODevice::WriteOnly));
+    pocket.write(
+        "BEGIN PGM POCKET MM\nTOOL CALL 3 Z S1000 F500\nL X+0 Y+0 Z+50 R0 FMAX M3\n"
+        "CYCL DEF 252 CIRCULAR POCKET Q215=+0 Q223=+60 Q368=+0 Q207=+500 Q351=+1 Q201=-2 Q202=+2 "
+        "Q369=+0 Q206=+150 Q338=+0 Q200=+2 Q203=+0 Q204=+50 Q370=+1 Q366=+0 Q385=+500\n"
+        "CYCL CALL POS X+0 Y+0 Z+0 FMAX\nEND PGM POCKET MM\n");
+    pocket.close();
+    m_machine = std::make_unique<tests::SimulatedControl>("dmu75-mill");
+    openWindow(pocket.fileName());
+    m_window.reset();
+    m_machine = std::make_unique<tests::SimulatedControl>("dmu75");
   }
 };
 

@@ -24,7 +24,7 @@ RECORDER_S = 30.0  # more than the sampler holds
 SKIPPED = 77
 
 WINDOW = ["--method", "window", "--points", "8", "--windows", "3"]
-CREDIT = ["--method", "credit", "--points", "4", "--windows", "6", "--windows-ahead", "8"]
+CREDIT = ["--method", "credit", "--points", "4", "--windows", "5", "--windows-ahead", "8"]
 
 FEED_MM_PER_S = 50.0
 FEED = ["--feed", "3000"]
