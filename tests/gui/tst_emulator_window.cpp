@@ -10,6 +10,8 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
+#include <QFileDialog>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTabWidget>
@@ -25,6 +27,7 @@
 #include "machine/config.h"
 #include "support/patience.h"
 #include "support/test_program.h"
+#include "widgets/common/sheet_area.h"
 #include "widgets/common/status_label.h"
 #include "widgets/emulator/emulator_page.h"
 #include "widgets/emulator/emulator_text.h"
@@ -335,6 +338,15 @@ class TestEmulatorWindow : public QObject {
     QVERIFY(std::abs((*machine->axisLaw(1))[P::PositionGain] - kYGain) < 0.1);
     const auto text = base::readFile(path.toStdString() + ".toml");
     QVERIFY(text->find("# Tested on design2: position ") != std::string::npos);
+    // Nothing is replaced without a question, by the name that the file will have.
+    choose("emulatorSave", {path});
+    auto* question = m_window->findChild<QMessageBox*>();
+    QVERIFY(question != nullptr && question->isVisible());
+    QTest::mouseClick(question->button(QMessageBox::Cancel), Qt::LeftButton);
+    auto* sheet =
+        m_window->findChild<widgets::SheetArea*>()->currentWidget()->findChild<QFileDialog*>();
+    QVERIFY(sheet != nullptr && sheet->isVisible());
+    sheet->reject();
     // Where nobody may write.
     choose("emulatorSave", {m_folder.filePath(QStringLiteral("state/none/mine.toml"))});
     QTRY_VERIFY_WITH_TIMEOUT(

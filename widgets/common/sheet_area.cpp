@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <algorithm>
 #include <utility>
 
@@ -51,6 +52,12 @@ class FileSheet final : public QFileDialog {
   }
 
   void accept() override {
+    // As the file will be named: else another one would be replaced without a question.
+    static const QRegularExpression suffix(QStringLiteral(R"(\*\.(\w+))"));
+    if (const auto named = suffix.match(selectedNameFilter());
+        acceptMode() == AcceptSave && named.hasMatch()) {
+      setDefaultSuffix(named.captured(1));
+    }
     const QStringList files = selectedFiles();
     const auto isThere = [](const QString& file) { return QFileInfo::exists(file); };
     if (files.isEmpty() ||
