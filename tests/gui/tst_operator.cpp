@@ -12,8 +12,8 @@
 
 #include "base/file.h"
 #include "base/units.h"
-#include "hmi/audit.h"
 #include "gui/end_by_hand.h"
+#include "hmi/audit.h"
 #include "hmi/main_window.h"
 #include "hmi/users.h"
 #include "journal/audit.h"
@@ -121,10 +121,10 @@ class TestOperator : public QObject {
       // The first one must be an engineer, and a PIN has four characters.
       QVERIFY(!put(users, QStringLiteral("otto"), Role::Operator, QStringLiteral("1234")));
       QVERIFY(!put(users, QStringLiteral("anna"), Role::Engineer, QStringLiteral("123")));
-      QVERIFY(put(users, QStringLiteral("anna"), Role::Engineer, QStringLiteral("4711")));
+      QVERIFY(put(users, QStringLiteral("anna"), Role::Engineer, QStringLiteral("47110815")));
       QVERIFY(put(users, QStringLiteral("otto"), Role::Operator, QStringLiteral("1234")));
       QCOMPARE(users.name(), QString("anna"));
-      QVERIFY(!put(users, QStringLiteral("anna"), Role::Operator, QStringLiteral("4711")));
+      QVERIFY(!put(users, QStringLiteral("anna"), Role::Operator, QStringLiteral("47110815")));
       QVERIFY(!users.remove(QStringLiteral("anna")));
     }
     QCOMPARE(QFileInfo(QString::fromStdString(file.string())).permissions() &
@@ -132,12 +132,12 @@ class TestOperator : public QObject {
                   QFileDevice::WriteOther),
              QFileDevice::Permissions());
     const auto text = base::readFile(file);
-    QVERIFY(text && text->find("\"4711\"") == std::string::npos);
+    QVERIFY(text && text->find("47110815") == std::string::npos);
 
     Users users(file, QStringLiteral("cell"));
     QVERIFY(users.isLocked());
     QVERIFY(users.refusal(Act::Start) == Refusal::Locked && !users.refusal(Act::Stop));
-    QVERIFY(!logIn(users, "otto", "4711"));
+    QVERIFY(!logIn(users, "otto", "47110815"));
     QVERIFY(!logIn(users, "nobody", "1234"));
     QVERIFY(logIn(users, "otto", "1234"));
     QVERIFY(users.refusal(Act::ChangeSettings) == Refusal::NeedsEngineer);
@@ -145,7 +145,7 @@ class TestOperator : public QObject {
     QVERIFY(!users.refusal(Act::Start, true));
     users.lock();
     QVERIFY(users.isLocked());
-    QVERIFY(logIn(users, "anna", "4711"));
+    QVERIFY(logIn(users, "anna", "47110815"));
     QVERIFY(!users.refusal(Act::ChangeSettings));
   }
 
