@@ -878,6 +878,10 @@
         <source>What the program leaves out is taken from the settings of a virtual machine: %1. Load it as the control is set (--setting).</source>
         <translation>Was das Programm weglässt, kommt aus den Einstellungen einer virtuellen Maschine: %1. So laden, wie die Steuerung eingestellt ist (--setting).</translation>
     </message>
+    <message>
+        <source>The number of the last F may mean another feed here, because mm, inch, G94 or G95 was chosen behind it: program F again.</source>
+        <translation>Die Zahl des letzten F kann hier einen anderen Vorschub bedeuten, weil danach mm, Zoll, G94 oder G95 gewählt wurde: F erneut programmieren.</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>
@@ -1885,6 +1889,10 @@
     <message>
         <source>the file holds two programs of the name %1: rename or remove one of them</source>
         <translation>die Datei enthält zwei Programme mit dem Namen %1: eines umbenennen oder entfernen</translation>
+    </message>
+    <message>
+        <source>the unit of the feed was chosen behind the last F</source>
+        <translation>Die Einheit des Vorschubs wurde nach dem letzten F gewählt</translation>
     </message>
 </context>
 <context>

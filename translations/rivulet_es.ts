@@ -878,6 +878,10 @@
         <source>What the program leaves out is taken from the settings of a virtual machine: %1. Load it as the control is set (--setting).</source>
         <translation>Lo que el programa omite se toma de los ajustes de una máquina virtual: %1. Cárguelo como está ajustado el control (--setting).</translation>
     </message>
+    <message>
+        <source>The number of the last F may mean another feed here, because mm, inch, G94 or G95 was chosen behind it: program F again.</source>
+        <translation>El número del último F puede significar aquí otro avance, porque después se eligió mm, pulgadas, G94 o G95: programe F de nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>
@@ -1885,6 +1889,10 @@
     <message>
         <source>the file holds two programs of the name %1: rename or remove one of them</source>
         <translation>el archivo contiene dos programas con el nombre %1: cambie el nombre de uno o elimínelo</translation>
+    </message>
+    <message>
+        <source>the unit of the feed was chosen behind the last F</source>
+        <translation>la unidad del avance se eligió después del último F</translation>
     </message>
 </context>
 <context>

@@ -878,6 +878,10 @@
         <source>What the program leaves out is taken from the settings of a virtual machine: %1. Load it as the control is set (--setting).</source>
         <translation>Ce que le programme omet est pris des réglages d’une machine virtuelle&#xa0;: %1. Chargez-le selon les réglages de la commande (--setting).</translation>
     </message>
+    <message>
+        <source>The number of the last F may mean another feed here, because mm, inch, G94 or G95 was chosen behind it: program F again.</source>
+        <translation>Le nombre du dernier F peut signifier ici une autre avance, parce que mm, pouces, G94 ou G95 ont été choisis après : programmez F de nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>
@@ -1885,6 +1889,10 @@
     <message>
         <source>the file holds two programs of the name %1: rename or remove one of them</source>
         <translation>le fichier contient deux programmes du nom %1&#xa0;: renommez ou supprimez l’un d’eux</translation>
+    </message>
+    <message>
+        <source>the unit of the feed was chosen behind the last F</source>
+        <translation>l&apos;unité de l&apos;avance a été choisie après le dernier F</translation>
     </message>
 </context>
 <context>

@@ -878,6 +878,10 @@
         <source>What the program leaves out is taken from the settings of a virtual machine: %1. Load it as the control is set (--setting).</source>
         <translation>Ciò che il programma omette è preso dalle impostazioni di una macchina virtuale: %1. Caricarlo come è impostato il controllo (--setting).</translation>
     </message>
+    <message>
+        <source>The number of the last F may mean another feed here, because mm, inch, G94 or G95 was chosen behind it: program F again.</source>
+        <translation>Il numero dell&apos;ultimo F può significare qui un altro avanzamento, perché dopo sono stati scelti mm, pollici, G94 o G95: programmare di nuovo F.</translation>
+    </message>
 </context>
 <context>
     <name>EmulatorPageTexts</name>
@@ -1885,6 +1889,10 @@
     <message>
         <source>the file holds two programs of the name %1: rename or remove one of them</source>
         <translation>il file contiene due programmi di nome %1: rinominarne o eliminarne uno</translation>
+    </message>
+    <message>
+        <source>the unit of the feed was chosen behind the last F</source>
+        <translation>l&apos;unità dell&apos;avanzamento è stata scelta dopo l&apos;ultimo F</translation>
     </message>
 </context>
 <context>

@@ -104,6 +104,11 @@ constexpr std::array kTexts{
              RIVULET_SENTENCE("DiagnosticTexts",
                               "A block moves with G1, G2 or G3 before a feed F is programmed: only "
                               "a fixed feed can be used.")},
+    CodeText{
+        DiagnosticCode::FeedLost, "feed-lost",
+        RIVULET_SENTENCE("DiagnosticTexts",
+                         "The number of the last F may mean another feed here, because mm, inch, "
+                         "G94 or G95 was chosen behind it: program F again.")},
     CodeText{DiagnosticCode::FeedNotPositive, "feed-not-positive",
              RIVULET_SENTENCE("DiagnosticTexts", "The feed F%1 is not greater than 0.")},
     CodeText{DiagnosticCode::ValueOutOfRange, "value-out-of-range",

@@ -55,6 +55,7 @@ int numberOf(nc::FaultCode code) {
     case FeedNotPositive:
       return 14800;
     case FeedMissing:
+    case FeedLost:
       return 10860;
     case TargetMissing:
       return 14080;

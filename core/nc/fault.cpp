@@ -38,6 +38,7 @@ constexpr std::array kClauses{
     Clause{FaultCode::ArcFromUnknownPosition, RIVULET_SENTENCE("FaultTexts", "the arc starts at an unknown position: %1")},
     Clause{FaultCode::RelativeFromUnknownPosition, RIVULET_SENTENCE("FaultTexts", "the increment of %1 starts at an unknown position")},
     Clause{FaultCode::FeedMissing, RIVULET_SENTENCE("FaultTexts", "no feed is programmed")},
+    Clause{FaultCode::FeedLost, RIVULET_SENTENCE("FaultTexts", "the unit of the feed was chosen behind the last F")},
     Clause{FaultCode::FeedNotPositive, RIVULET_SENTENCE("FaultTexts", "the programmed path speed %1 is not positive")},
     Clause{FaultCode::ValueOutOfRange, RIVULET_SENTENCE("FaultTexts", "the value of %1 is out of range")},
     Clause{FaultCode::CentreOutsidePlane, RIVULET_SENTENCE("FaultTexts", "circle end-point error: %1 is not in the plane of the arc")},

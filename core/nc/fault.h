@@ -47,6 +47,7 @@ enum class FaultCode : std::uint8_t {
   RelativeFromUnknownPosition,  ///< argument: the axis
   WordMissing,                  ///< argument: a word, and the words it needs: "G4 P"
   FeedMissing,                  ///< G1/G2/G3 before any F
+  FeedLost,                     ///< its unit was chosen behind the last F
   FeedNotPositive,              ///< argument: the value
   ValueOutOfRange,              ///< argument: the word
   NeverExecuted,                ///< argument: the lines of the blocks

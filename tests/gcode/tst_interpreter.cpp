@@ -64,13 +64,13 @@ class TestInterpreter : public QObject {
     add("integers are mm", "G0 X10", "1 R X10 Y? Z?");
     add("relative", "G90 G0 X1 Y1 Z1\nG91 X1\nG1 Y-2 F60\nG90 X0",
         "1 R X1 Y1 Z1 | 2 R X2 Y1 Z1 | 3 L X2 Y-1 Z1 F60 | 4 L X0 Y-1 Z1 F60");
-    add("inches", "G20 G0 X1\nG1 X2 F10\nG21 X1",
+    add("inches", "G20 G0 X1\nG1 X2 F10\nG21 X1 F5",
         "1 R X25.4 Y? Z? | 2 L X50.8 Y? Z? F254 | "
-        "3 L X1 Y? Z? F254");
-    add("G700", "G700 G1 X1 F10\nG710 X1", "1 L X25.4 Y? Z? F254 | 2 L X1 Y? Z? F254");
+        "3 L X1 Y? Z? F5");
+    add("G700", "G700 G1 X1 F10\nG710 X1 F5", "1 L X25.4 Y? Z? F254 | 2 L X1 Y? Z? F5");
     add("G70 of a SINUMERIK leaves the feed", "STOPRE\nG70 G1 X1 F10\nG71 X1",
         "2 L X25.4 Y? Z? F10 | 3 L X1 Y? Z? F10");
-    add("G70 elsewhere", "G70 G1 X1 F10\nG71 X1", "1 L X25.4 Y? Z? F254 | 2 L X1 Y? Z? F254");
+    add("G70 elsewhere", "G70 G1 X1 F10\nG71 X1 F5", "1 L X25.4 Y? Z? F254 | 2 L X1 Y? Z? F5");
     add("repeated position", "G0 X1 Y1 Z1\nX1", "1 R X1 Y1 Z1 | 2 R X1 Y1 Z1");
     add("G2 quarter", "G0 X0 Y10\nG2 X10 Y0 I0 J-10 F60", "1 R X0 Y10 Z? | 2 A X10 Y0 Z? F60");
     add("G3 three quarters", "G0 X0 Y10\nG3 X10 Y0 J-10 F60",

@@ -799,6 +799,7 @@ class Evaluator {
   void execute(const Words& words) {
     static constexpr std::string_view kAddresses = "G F S T D H M N X Y Z A B C I J K R @ ^ L";
     m_blockFeed = 0.0;
+    const double formerUnit = m_modal.feedUnit;
     bool taken = false;
     bool hasP = false;
     for (const Word& word : words) {
@@ -816,8 +817,10 @@ class Evaluator {
     }
     if (!taken) {
       m_blockFeed = valueOf(words, "F").value_or(0.0);
-      const double unit = m_modal.feedMode == '3' ? 1.0 : m_modal.feedUnit;
-      m_modal.feed = find(words, "F") != nullptr ? m_blockFeed * unit : m_modal.feed;
+      const double unit = m_isLinux ? formerUnit : m_modal.feedUnit;
+      m_modal.feed = find(words, "F") != nullptr
+                         ? m_blockFeed * (m_modal.feedMode == '3' ? 1.0 : unit)
+                         : m_modal.feed;
       move(words);
     }
     for (const auto& [name, value] : std::exchange(m_deferred, {})) {

@@ -37,7 +37,8 @@ Executor::Executor(const Language& language, const ExecutorOptions& options, Var
     : m_language(language),
       m_options(options),
       m_to(to),
-      m_reader(language, options.runsCannedCycles, m_state, variables, to) {
+      m_reader(language, options.runsCannedCycles, m_state, variables, to),
+      m_unitIsSaid(options.unitIsSaid || !language.unitIsOfMachine) {
 }
 
 std::optional<double> Executor::positionOf(char axis) const {
@@ -58,6 +59,12 @@ void Executor::execute(BlockWords& words) {
   if (words.turning != nullptr && words.motion == nullptr && words.movesLinear()) {
     executeTurningCycle(words);
   }
+  const bool hasFeedBefore =
+      words.units != nullptr && m_language.feedComesBeforeUnits && !words.taken;
+  if (hasFeedBefore) {
+    setSpindle(words);
+    takeFeed(words);
+  }
   setModes(words);
   if (m_state.workOffset != m_frameOffset) {
     m_frameOffset = m_state.workOffset;
@@ -69,7 +76,7 @@ void Executor::execute(BlockWords& words) {
   if (m_options.knowsMachineCoordinates) {
     takeZero();
   }
-  if (words.spindle != nullptr || words.rare) {
+  if (!hasFeedBefore && (words.spindle != nullptr || words.rare)) {
     setSpindle(words);
   }
   if (words.rare) {
@@ -87,11 +94,8 @@ void Executor::execute(BlockWords& words) {
     executeDwell(words);
   }
   if (!words.dwell || m_language.dwellsBesideMove) {
-    if (words.feed != nullptr && !(words.taken && words.rare && words.rare->isMacro())) {
-      setFeed(words);
-      if (!(words.feed->value > 0.0)) {
-        words.feed = nullptr;  // reported; with G93, no motion takes it
-      }
+    if (!hasFeedBefore) {
+      takeFeed(words);
     }
     if (!words.taken) {
       executeMotion(words);
@@ -142,11 +146,7 @@ bool Executor::hasUnusedParameter(const BlockWords& words) const {
 
 void Executor::setModes(const BlockWords& words) {
   if (words.units != nullptr) {
-    const G units = words.units->function;
-    const bool inches = units == G::Inches || units == G::InchesOfLengths;
-    m_state.lengthFactor = inches ? base::kMmPerInch : 1.0;
-    m_state.feedFactor = units == G::InchesOfLengths ? 1.0 : m_state.lengthFactor;
-    m_to.words.units(inches);
+    setUnits(words.units->function);
   }
   if (words.plane != nullptr) {
     const G plane = words.plane->function;
@@ -169,6 +169,19 @@ void Executor::setModes(const BlockWords& words) {
   if (words.compensationMode != nullptr) {
     setCompensation(words);
   }
+}
+
+void Executor::setUnits(G units) {
+  const bool inches = units == G::Inches || units == G::InchesOfLengths;
+  const double feedFactor = inches && units != G::InchesOfLengths ? base::kMmPerInch : 1.0;
+  const bool isKept = m_language.keepsFeedOverUnits || feedFactor == m_state.feedFactor;
+  if (!m_state.feedIsDefault && !(m_unitIsSaid && isKept)) {
+    m_state.loseFeed();
+  }
+  m_unitIsSaid = true;
+  m_state.lengthFactor = inches ? base::kMmPerInch : 1.0;
+  m_state.feedFactor = feedFactor;
+  m_to.words.units(inches);
 }
 
 /// Whoever takes the path offsets it.
@@ -342,6 +355,16 @@ void Executor::rejectArcWords(const BlockWords& words) {
     if (words.centre.has(axis)) {
       m_to.faults.error(*words.centreTokens[axis], FaultCode::UnknownWord);
     }
+  }
+}
+
+void Executor::takeFeed(BlockWords& words) {
+  if (words.feed == nullptr || (words.taken && words.rare && words.rare->isMacro())) {
+    return;
+  }
+  setFeed(words);
+  if (!(words.feed->value > 0.0)) {
+    words.feed = nullptr;  // reported; with G93, no motion takes it
   }
 }
 

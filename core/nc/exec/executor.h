@@ -39,6 +39,7 @@ struct ExecutorOptions {
   bool knowsMachineCoordinates = false;
   /// Of the machine: S beyond it is cut down to it.
   double spindlePerMinMax = std::numeric_limits<double>::infinity();
+  bool unitIsSaid = false;         ///< by who loads it, else by the first G20, G21 or the like
   bool runsCannedCycles = false;   ///< of RS-274; else whoever takes the path makes them
   bool compensatesRadius = false;  ///< else G41 and G42 are refused
   bool knowsWorkOffsets = false;   ///< else the one active at the control holds for the whole path
@@ -117,6 +118,8 @@ class Executor {
   void executeTurningCycle(BlockWords& words);
   [[nodiscard]] bool hasUnusedParameter(const BlockWords& words) const;
   void executeDwell(const BlockWords& words);
+  void setUnits(G units);
+  void takeFeed(BlockWords& words);
   void setFeed(const BlockWords& words);
   void rejectArcWords(const BlockWords& words);
 
@@ -251,6 +254,8 @@ class Executor {
   std::vector<double> m_knots;   ///< as far as they have been named
   double m_nurbsFirstWeight = 1.0;
   base::Vec3 m_lastTangent;  ///< P Q of the last G5
+
+  bool m_unitIsSaid = false;  ///< mm or inch, by the program or by who loads it
 
   // Findings made once.
   bool m_feedMissingReported = false;

@@ -204,9 +204,8 @@ void Executor::noteMissingFeed(const BlockWords& words) {
     }
   } else if (!m_feedMissingReported) {
     // A number whose meaning G94 has taken is no feed, and not one that a stream may choose.
-    const bool isLost = m_feedIsNamed && m_state.feedMode == FeedMode::PerMinute;
-    m_to.faults.report(isLost ? Severity::Error : Severity::Warning, column, FaultCode::FeedMissing,
-                       {});
+    m_to.faults.report(m_feedIsNamed ? Severity::Error : Severity::Warning, column,
+                       m_feedIsNamed ? FaultCode::FeedLost : FaultCode::FeedMissing, {});
     m_feedMissingReported = true;
   }
 }

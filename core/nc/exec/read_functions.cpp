@@ -273,9 +273,7 @@ void BlockReader::setFeedMode(FeedMode mode) {
   if (mode != m_state.feedMode) {
     m_state.feedMode = mode;
     m_state.feedIsDefault = false;
-    m_state.feedMmPerS = 0.0;
-    m_state.feedMmPerRev = 0.0;
-    m_state.feedDegPerRev = 0.0;
+    m_state.loseFeed();
   }
 }
 

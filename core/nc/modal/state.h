@@ -97,6 +97,8 @@ struct ModalState {
   double feedOverride = 1.0;           ///< OVR=
   double feedMmPerRev = 0.0;           ///< with G95
   double feedDegPerRev = 0.0;          ///< the same number
+  /// The number of F means something else from now on.
+  void loseFeed() { feedMmPerS = feedDegPerS = feedMmPerRev = feedDegPerRev = 0.0; }
 
   CannedCycle cycle;
   std::optional<bool> retractsToR;  ///< G99; else G98, to where the cycle began

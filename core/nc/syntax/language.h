@@ -79,6 +79,8 @@ struct Language {
 
   // What words mean.
   bool unitIsOfMachine = false;        ///< mm or inch is the control's setting until G20 or G21
+  bool feedComesBeforeUnits = false;   ///< F and S beside G20 count in the unit that held before
+  bool keepsFeedOverUnits = false;     ///< else the number of F means another feed behind G20
   bool mayCountIncrements = false;     ///< X10 is 0.01 mm if the control is set so
   bool lettersMayBeVariables = false;  ///< DEF INT I: then I=5 is no centre
   bool namesAreCalls = false;          ///< PART, L123 and M17; M30 of a subprogram returns

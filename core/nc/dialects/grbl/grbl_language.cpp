@@ -9,6 +9,7 @@ Language language() {
   Language made = rs274Language(Dialect::Grbl);
   // gcode.c of Grbl 1.1: a line is letters with numbers; errors 26, 28, 31 and 32.
   made.hasCalculations = false;
+  made.keepsFeedOverUnits = true;  // in mm/min
   made.cycleOffEndsMotion = true;
   made.arcsNameEnd = true;
   made.dwellNeedsP = true;
@@ -33,6 +34,7 @@ const Semantics& fluidNcSemantics() {
 /// set behind their block, and O words as in RS-274/NGC.
 Language fluidNcLanguage() {
   Language made = rs274Language(Dialect::FluidNc, hashNotation(), fluidNcSemantics());
+  made.keepsFeedOverUnits = true;  // as Grbl
   made.hasOStatements = true;
   made.hasCommentsBehindOWords = true;
   made.assignsBehindBlock = true;

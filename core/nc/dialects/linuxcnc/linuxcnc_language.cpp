@@ -18,7 +18,9 @@ std::optional<double> knownNumber(int number, const ModalState& /*state*/,
 
 Language language() {
   Language made = rs274Language(Dialect::LinuxCnc);
-  made.unitIsOfMachine = true;  // [TRAJ] LINEAR_UNITS
+  made.unitIsOfMachine = true;       // [TRAJ] LINEAR_UNITS
+  made.feedComesBeforeUnits = true;  // G-code overview, "Order of Execution"
+  made.keepsFeedOverUnits = true;
   made.hasRepeatedSigns = true;
   made.hasOStatements = true;
   made.assignsBehindBlock = true;
