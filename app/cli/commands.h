@@ -134,6 +134,7 @@ struct StreamOptions {
   bool json = false;
   LiveOptions live;
   bool namesMachine = false;  ///< `preset` was given
+  bool fromStart = false;     ///< see `JobOptions`
   bool motionOnly = false;    ///< leaves out what the control executes itself
   std::string motionOption;   ///< one that was given and is for the motion alone; empty: none
 };
@@ -158,6 +159,7 @@ struct JobOptions {
   bool noMonitor = false;              ///< no reads for the display within stretches
   std::string resume;                  ///< file of a job that was left; empty: from the beginning
   int fromStretch = 0;                 ///< 0: from the beginning
+  bool fromStart = false;              ///< although a job was left on this control
   double dryRunMm = 0.0;               ///< > 0: a dry run, so much higher
   std::vector<std::string> functions;  ///< M functions of another machine, see --m
   bool confirmed = false;              ///< what is done before a job goes on has been checked

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "base/units.h"
 #include "gcode/facts.h"
 
@@ -29,7 +32,7 @@ namespace {
 std::vector<std::string> commandOf(const report::SavedRun& run) {
   const templates::TemplateParameters& parameters = run.settings.parameters;
   std::vector<std::string> command{"rivulet-cli",
-                                   "stream",
+                                   run.job ? "job" : "stream",
                                    run.programFile.empty() ? run.programName : run.programFile,
                                    "--method",
                                    std::string(base::methodName(parameters.method)),
@@ -100,14 +103,23 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
 
 std::string resumeCommand(const report::SavedRun& run, const std::filesystem::path& file) {
   constexpr std::string_view kResume = "--resume";
+  // Options for the earlier run are replaced; what was confirmed was that run only.
+  constexpr std::array<std::string_view, 2> kWithValue{kResume, "--from-stretch"};
+  constexpr std::array<std::string_view, 3> kAlone{"--accept-changes", "--yes", "--from-start"};
   const std::vector<std::string> command = run.command.empty() ? commandOf(run) : run.command;
   std::string text;
   for (std::size_t i = 0; i < command.size(); ++i) {
-    // The option for the earlier run is replaced; what was confirmed was that run only.
     const std::string& word = command[i];
-    if (word == kResume) {
+    const auto isWord = [&word](std::string_view option) { return word == option; };
+    if (std::any_of(kWithValue.begin(), kWithValue.end(), isWord)) {
       ++i;
-    } else if (word != "--accept-changes" && word != "--yes" && !word.starts_with("--resume=")) {
+      continue;
+    }
+    const bool isInOne =
+        std::any_of(kWithValue.begin(), kWithValue.end(), [&word](std::string_view option) {
+          return word.starts_with(option) && word[option.size()] == '=';
+        });
+    if (!isInOne && std::none_of(kAlone.begin(), kAlone.end(), isWord)) {
       text += shellWord(word) + ' ';
     }
   }
@@ -119,8 +131,10 @@ std::string adviceFor(const report::FoundRun& run, const std::string& endpoint) 
   const std::string_view client = run.onControl.hasClient ? "is still at work" : "is gone";
   std::string text =
       run.onControl.isNative
-          ? fmt::format("The control executes {}: blocks of its own, after stretch {}.",
-                        report::describeRun(run), run.onControl.stretch)
+          ? fmt::format("The control executes {}: blocks of its own, {}.", report::describeRun(run),
+                        run.onControl.stretch > 0
+                            ? fmt::format("after stretch {}", run.onControl.stretch)
+                            : "before its first stretch")
       : run.onControl.job != 0
           ? fmt::format(
                 "The control executes {}: stretch {}, {} windows of which are done, and "

@@ -151,6 +151,8 @@ class JobCommand {
   base::Result<void> connect();
   /// What was said of M functions, for the next job on this machine.
   base::Result<void> keepFunctions();
+  /// What is on the control, and what was left there: neither is lost without a word.
+  base::Result<void> lookForRun();
   /// Where a job is to go on: what is done first is shown, and has to be confirmed.
   base::Result<void> restart();
   /// Compares the job with the machine, and estimates its time.
@@ -175,6 +177,7 @@ class JobCommand {
   base::Result<run::JobRestart> findRestart(const machine::MachineConfig& machine);
   base::Result<void> confirm() const;
   [[nodiscard]] run::RunFacts facts() const;
+  [[nodiscard]] std::vector<base::Duration> expected() const;
   void archive(const streaming::WholeJobReport& done, run::RunRecord& record) const;
   void print(const streaming::WholeJobReport& done) const;
   void printNotes() const;
@@ -376,6 +379,36 @@ base::Result<std::optional<machine::MachineConfig>> JobCommand::machine() {
   return report::knownMachine(*identity, *profile ? &**profile : nullptr);
 }
 
+base::Result<void> JobCommand::lookForRun() {
+  if (m_options.simulate) {
+    return {};
+  }
+  const bool goesOn = !m_options.resume.empty();
+  const auto found = report::findRun(report::RunStore(), *m_connection.link, *m_connection.control,
+                                     m_settings.parameters.baseCell);
+  if (!found) {
+    return base::fail(found.error());
+  }
+  if (*found && !(goesOn && !(*found)->onControl.hasClient)) {
+    return base::fail(streaming::StreamError::ChannelBusy, adviceFor(**found, m_connection.name));
+  }
+  if (goesOn || m_options.fromStretch > 0 || m_options.fromStart) {
+    return {};
+  }
+  const auto left = report::RunStore(report::RunStore::folderOfJobs()).leftOn(m_connection.name);
+  if (!left || left->isUntouched()) {
+    return {};
+  }
+  return base::fail(
+      streaming::StreamError::CannotResume,
+      fmt::format("A whole job was left on this control: {} of {}, started by {} on {} at {}. To "
+                  "go on with it:\n  {}\nTo begin {} at its beginning instead, give --from-start: "
+                  "then the other one cannot be resumed. Nothing has moved.",
+                  left->number(), left->programName, left->settings.origin.user,
+                  left->settings.origin.computer, left->settings.origin.startedAtUtc,
+                  resumeCommand(*left, left->file), m_plan.program.name));
+}
+
 base::Result<void> JobCommand::restart() {
   if (m_options.resume.empty() && m_options.fromStretch == 0) {
     return {};
@@ -413,11 +446,13 @@ base::Result<run::JobRestart> JobCommand::findRestart(const machine::MachineConf
   m_settings.parameters = run->settings.parameters;
   m_settings.programFeeds = run->settings.programFeeds;
   m_settings.feedMmPerS = run->settings.feedMmPerS;
-  return run::askJob(*m_connection.link, m_plan, machine, m_settings, run->checkpoint);
+  return run::askJob(*m_connection.link, m_plan, machine, m_settings, run->checkpoint, run->job);
 }
 
 base::Result<void> JobCommand::confirm() const {
-  if (!m_options.json) {
+  if (!m_options.json && m_restart->restart.steps.empty()) {
+    fmt::print("nothing of the job has been executed: it begins at its beginning\n");
+  } else if (!m_options.json) {
     fmt::print("before the job goes on, the control does:\n");
     for (const std::string& step : m_restart->restart.steps) {
       fmt::print("  {}\n", step);
@@ -436,7 +471,8 @@ base::Result<void> JobCommand::confirm() const {
 run::RunFacts JobCommand::facts() const {
   run::RunFacts facts = factsOf(m_options, m_plan.program, m_connection.name);
   facts.kind = run::RunKind::WholeJob;
-  facts.isFromStart = !m_restart;
+  facts.job =
+      m_restart ? m_restart->kept(m_programs.number) : report::SavedJob{m_programs.number, 0, {}};
   facts.dryRunMm = m_options.dryRunMm;
   return facts;
 }
@@ -562,6 +598,18 @@ void JobCommand::archive(const streaming::WholeJobReport& done, run::RunRecord& 
                 {view->points.points, done.times, done.tools});
 }
 
+/// How long each part takes.
+std::vector<base::Duration> JobCommand::expected() const {
+  std::vector<base::Duration> times;
+  if (m_forecast) {
+    times.resize(m_plan.parts.size());
+    for (const forecast::PartTimes& part : m_forecast->parts) {
+      times[part.part] = part.times.total();
+    }
+  }
+  return times;
+}
+
 Exit JobCommand::run() {
   if (!m_options.json) {
     printNotes();
@@ -581,7 +629,7 @@ Exit JobCommand::run() {
   const streaming::WholeJobReport done = streaming::runWholeJob(
       *m_connection.link, *m_connection.control, m_plan, m_programs, m_settings, console, console,
       {m_restart ? m_restart->resume : std::nullopt, record.keeper(), record.writer(),
-       record.start()});
+       record.start(), expected()});
   archive(done, record);
   if (m_options.json) {
     nlohmann::ordered_json json = report::wholeJobJson(m_plan, done);
@@ -654,7 +702,8 @@ Exit job(const JobOptions& options) {
   const bool runs = options.simulate || !options.endpoint.empty();
   if (done && runs) {
     done = command.connect();
-    for (const auto step : {&JobCommand::keepFunctions, &JobCommand::restart, &JobCommand::look}) {
+    for (const auto step : {&JobCommand::keepFunctions, &JobCommand::lookForRun,
+                            &JobCommand::restart, &JobCommand::look}) {
       done = done ? (command.*step)() : done;
     }
   }

@@ -390,6 +390,8 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
           "--correct", options->correct,
           "Live source of corrections, with lines like X 0.01 Y -0.02; - is standard input")
       ->needs(command->get_option("--correction-limit"));
+  command->add_flag("--from-start", options->fromStart,
+                    "Begin a whole job at its beginning although a job was left on this control");
   command->add_flag("--motion-only", options->motionOnly,
                     "Without tools, spindle, coolant and all else that the control executes "
                     "itself: set them there");
@@ -466,11 +468,16 @@ void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
                       "(repeatable)");
   auto* resume = command->add_option("--resume", options->resume,
                                      "Go on with a job that was left: the file that it named");
+  auto* fromStretch =
+      command->add_option("--from-stretch", options->fromStretch,
+                          "Begin with this stretch, in the state that the program has there");
+  fromStretch->check(CLI::PositiveNumber)->excludes(resume);
   command
-      ->add_option("--from-stretch", options->fromStretch,
-                   "Begin with this stretch, in the state that the program has there")
-      ->check(CLI::PositiveNumber)
-      ->excludes(resume);
+      ->add_flag("--from-start", options->fromStart,
+                 "Begin at the beginning although a job was left on this control: it cannot be "
+                 "resumed then")
+      ->excludes(resume)
+      ->excludes(fromStretch);
   resume->excludes(simulate);
   resume->excludes(dry);
   command->add_flag("--yes", options->confirmed,

@@ -29,9 +29,13 @@ ordered_json originJson(const streaming::RunOrigin& origin) {
 }
 
 ordered_json savedJson(const report::SavedRun& run) {
-  return {{"run_number", run.checkpoint.runNumber},        {"program", run.programName},
-          {"points", run.checkpoint.pointCount},           {"endpoint", run.endpoint},
-          {"started_by", originJson(run.settings.origin)}, {"file", run.file.string()},
+  return {{"run_number", run.number()},
+          {"program", run.programName},
+          {"job", run.job ? run.job->number : 0},
+          {"points", run.checkpoint.pointCount},
+          {"endpoint", run.endpoint},
+          {"started_by", originJson(run.settings.origin)},
+          {"file", run.file.string()},
           {"resume", resumeCommand(run, run.file)}};
 }
 
@@ -69,7 +73,8 @@ Exit watch(const report::RunStore& store, const Connection& connection,
       return reportError(found.error(), options.json);
     }
     if (!*found) {
-      fmt::print("{}\n", shown ? "The run has ended." : "There is no run on the control.");
+      fmt::print("{}\n",
+                 shown ? "The run has ended." : "There is no run and no whole job on the control.");
       return Exit::Done;
     }
     const report::FoundRun& run = **found;
@@ -112,15 +117,28 @@ Exit stop(const Connection& connection, const report::FoundRun& run, const RunsO
   return Exit::Done;
 }
 
+/// Of a whole job that is kept; what was executed since is asked of the control when it goes on.
+std::string howFar(const report::SavedRun& run) {
+  if (run.isUntouched()) {
+    return "nothing of it executed";
+  }
+  return run.checkpoint.pointCount == 0
+             ? "in the blocks of the control before its next stretch"
+             : fmt::format("in a stretch of {} points, or the blocks after it",
+                           run.checkpoint.pointCount);
+}
+
 void printList(const std::vector<report::SavedRun>& runs) {
   if (runs.empty()) {
     fmt::print("No run of this computer is left to be resumed.\n");
   }
   for (const report::SavedRun& run : runs) {
     const streaming::RunOrigin& origin = run.settings.origin;
-    fmt::print("run {}: {}, {} points, {}\n  started by {} on {} at {}\n  resume: {}\n",
-               run.checkpoint.runNumber, run.programName, run.checkpoint.pointCount, run.endpoint,
-               origin.user, origin.computer, origin.startedAtUtc, resumeCommand(run, run.file));
+    fmt::print("{} {}: {}, {}, {}\n  started by {} on {} at {}\n  resume: {}\n",
+               run.job ? "whole job" : "run", run.number(), run.programName,
+               run.job ? howFar(run) : fmt::format("{} points", run.checkpoint.pointCount),
+               run.endpoint, origin.user, origin.computer, origin.startedAtUtc,
+               resumeCommand(run, run.file));
   }
 }
 
@@ -129,19 +147,20 @@ void printList(const std::vector<report::SavedRun>& runs) {
 Exit runs(const RunsOptions& options) {
   interrupt::watch();
   const report::RunStore store;
+  const report::RunStore jobs(report::RunStore::folderOfJobs());
   if (options.forget != 0) {
     const auto run = store.find(options.forget);
-    if (!run) {
+    const auto job = run ? run : jobs.find(options.forget);
+    if (!job) {
       return reportError(base::makeError(streaming::StreamError::CannotResume,
                                          "No run of this number is kept. See rivulet-cli runs."),
                          options.json);
     }
-    store.remove(*run);
+    (run ? store : jobs).remove(*job);
   }
   ordered_json json{{"runs", ordered_json::array()}};
   std::vector<report::SavedRun> kept = store.runs();
-  std::ranges::move(report::RunStore(report::RunStore::folderOfJobs()).runs(),
-                    std::back_inserter(kept));
+  std::ranges::move(jobs.runs(), std::back_inserter(kept));
   for (const report::SavedRun& run : kept) {
     json["runs"].push_back(savedJson(run));
   }
@@ -164,13 +183,20 @@ Exit runs(const RunsOptions& options) {
   if (options.stop && *found) {
     return stop(*connection, **found, options);
   }
+  if (options.stop) {
+    return reportError(
+        base::makeError(streaming::StreamError::CannotResume,
+                        "No run and no whole job of Rivulet is on this control: nothing was "
+                        "stopped. If it executes another program, stop it at the control."),
+        options.json);
+  }
   json["on_control"] = *found ? foundJson(**found) : ordered_json(nullptr);
   if (options.json) {
     printJson(json);
   } else {
     printList(kept);
     fmt::print("{}\n", *found ? adviceFor(**found, connection->name)
-                              : std::string("There is no run on the control."));
+                              : std::string("There is no run and no whole job on the control."));
   }
   return Exit::Done;
 }

@@ -580,6 +580,7 @@ JobOptions jobOf(const StreamOptions& options) {
   job.stopAfterS = options.stopAfterS;
   job.record = options.record;
   job.noMonitor = options.noMonitor;
+  job.fromStart = options.fromStart;
   job.command = options.command;
   std::replace(job.command.begin(), job.command.end(), std::string("stream"), std::string("job"));
   job.json = options.json;

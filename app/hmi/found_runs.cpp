@@ -243,6 +243,7 @@ void FoundRuns::takeLoaded() {
   if (m_document.isJob()) {
     question.plan = m_document.view()->plan;
     question.machine = m_document.jobMachine();
+    question.job = m_resuming->job;
   }
   m_resuming.reset();
   m_asksSoon = true;

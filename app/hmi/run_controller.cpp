@@ -713,6 +713,11 @@ void RunController::takeFinished(const session::RunFinished& finished) {
   m_job.reset();
   if (m_report->outcome == streaming::Outcome::Completed) {
     m_left.reset();
+  } else if (wasJob && finished.left) {
+    m_left = session::ResumeQuestion{m_document.program(),      m_report->settings,
+                                     finished.left->checkpoint, m_document.view()->plan,
+                                     m_document.jobMachine(),   0,
+                                     finished.left->job};
   } else if (m_report->checkpoint) {
     m_left = session::ResumeQuestion{m_document.program(), m_report->settings,
                                      *m_report->checkpoint, m_plan, m_document.jobMachine()};

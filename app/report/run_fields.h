@@ -107,7 +107,9 @@ inline constexpr auto checkpointFields = []<class Io>(Io& io, auto& checkpoint) 
   io.place("start_mm", checkpoint.startMm);
   io.ifThere().numbers("start_deg", checkpoint.startDeg, -kJsonPlaceMax, kJsonPlaceMax);
   io.ifThere().count("points", checkpoint.pointCount);
-  io.ifThere().hexadecimal("points_hash", checkpoint.pointsHash);
+  if (Io::kReads || checkpoint.pointsHash != 0) {
+    io.ifThere().hexadecimal("points_hash", checkpoint.pointsHash);
+  }
 };
 
 inline constexpr auto originFields = [](auto& io, auto& origin) {

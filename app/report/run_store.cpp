@@ -69,6 +69,24 @@ constexpr auto readingFields = []<class Io>(Io& io, auto& reading) {
   }
 };
 
+constexpr auto restFields = []<class Io>(Io& io, auto& rest) {
+  io.count("part", rest.part);
+  maybe(io, "resume", rest.resume, [](auto& inner, auto& resume) {
+    inner.count("point", resume.point);
+    inner.place("start_mm", resume.startMm);
+    inner.numbers("start_deg", resume.startDeg, -kJsonPlaceMax, kJsonPlaceMax);
+  });
+  if (io.has("tool_mm", rest.toolMm)) {
+    io.place("tool_mm", *rest.toolMm);
+  }
+};
+
+constexpr auto savedJobFields = [](auto& io, auto& job) {
+  io.number("number", job.number, 1, templates::JobProtocol::kJobMax);
+  io.number("first_run", job.firstRun, 0, streaming::kRunNumberMax);
+  maybe(io, "rest", job.rest, restFields);
+};
+
 constexpr auto savedRunFields = [](auto& io, auto& run) {
   int format = kRunFormat;
   io.ifThere().number(kRunFormatKey, format, 1, kJsonCellMax);
@@ -82,6 +100,7 @@ constexpr auto savedRunFields = [](auto& io, auto& run) {
   io.ifThere().object("reading", run.reading, readingFields);
   io.object("settings", run.settings, settingsFields);
   io.object("checkpoint", run.checkpoint, checkpointFields);
+  maybe(io, "job", run.job, savedJobFields);
 };
 
 /// "rivulet-points 2\n", then per point six coordinates and its own feed, its line, and whether its
@@ -158,8 +177,14 @@ std::string plainName(std::string_view name) {
 }
 
 std::string SavedRun::name() const {
-  return fmt::format("{}-{}", plainName(fs::path(programName).filename().string()),
-                     checkpoint.runNumber);
+  return fmt::format("{}-{}", plainName(fs::path(programName).filename().string()), number());
+}
+
+bool SavedRun::isUntouched() const {
+  const bool isAtBeginning =
+      !job || !job->rest || (job->rest->part == 0 && !job->rest->resume.has_value());
+  return isAtBeginning && (job ? streaming::isBeforeFirstBlock(checkpoint)
+                               : !checkpoint.granted && checkpoint.firstPoint == 0);
 }
 
 streaming::RunOrigin thisUser() {
@@ -265,7 +290,21 @@ std::vector<SavedRun> RunStore::runs() const {
 
 std::optional<SavedRun> RunStore::find(int runNumber) const {
   for (SavedRun& run : runs()) {
-    if (run.checkpoint.runNumber == runNumber) {
+    if (run.number() == runNumber) {
+      return std::move(run);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<SavedRun> RunStore::findJob(const streaming::RunOnControl& onControl) const {
+  for (SavedRun& run : runs()) {
+    // The numbers of its stretches follow each other. One that waits for its client has none yet.
+    const int number = run.checkpoint.runNumber;
+    const bool isThisRun =
+        onControl.number == 0 ||
+        (number >= onControl.number - onControl.stretch && number <= onControl.number);
+    if (isThisRun && (!run.job || run.job->number == onControl.job)) {
       return std::move(run);
     }
   }
@@ -298,13 +337,16 @@ base::Result<void> RunKeeper::keep(const streaming::Checkpoint& checkpoint,
                                    std::span<const gcode::StreamPoint> points) {
   m_run.checkpoint = checkpoint;
   m_run.settings = settings;
+  if (m_run.job && m_run.job->firstRun == 0) {
+    m_run.job->firstRun = checkpoint.runNumber;
+  }
   if (base::Result<void> saved = m_store.save(m_run, points); !saved) {
     return saved;
   }
   m_isKept = true;
   std::size_t kept = 0;
   for (const SavedRun& other : m_store.runs()) {
-    const bool isThis = other.checkpoint.runNumber == checkpoint.runNumber;
+    const bool isThis = m_store.pathOf(other) == m_store.pathOf(m_run);
     // Once this run has its program, the cells of earlier runs on this control are gone.
     const bool isReplaced = checkpoint.granted && other.endpoint == m_run.endpoint &&
                             other.settings.parameters.baseCell == settings.parameters.baseCell &&
@@ -320,20 +362,26 @@ void RunKeeper::finish(const streaming::RunReport& report) {
   if (!m_isKept) {
     return;
   }
-  // Nothing moves for a run that was not granted.
-  const bool isUnused =
-      report.checkpoint && !report.checkpoint->granted && report.checkpoint->firstPoint == 0;
-  if (report.outcome == streaming::Outcome::Completed || isUnused) {
+  // Of a job, what was kept last is where it goes on.
+  const bool isNewer = !m_run.job && report.checkpoint;
+  if (isNewer) {
+    m_run.checkpoint = *report.checkpoint;
+  }
+  if (report.outcome == streaming::Outcome::Completed || m_run.isUntouched()) {
     m_store.remove(m_run);
     m_isKept = false;
-  } else if (report.checkpoint) {
-    m_run.checkpoint = *report.checkpoint;
+  } else if (isNewer) {
     static_cast<void>(m_store.save(m_run, {}));  // what is there already is not wrong
   }
 }
 
-std::optional<fs::path> RunKeeper::file() const {
-  return m_isKept ? std::optional(m_store.pathOf(m_run)) : std::nullopt;
+std::optional<SavedRun> RunKeeper::left() const {
+  if (!m_isKept) {
+    return std::nullopt;
+  }
+  SavedRun left = m_run;
+  left.file = m_store.pathOf(m_run);
+  return left;
 }
 
 base::Result<std::optional<FoundRun>> findRun(const RunStore& store, opcua::Link& link,
@@ -349,8 +397,9 @@ base::Result<std::optional<FoundRun>> findRun(const RunStore& store, opcua::Link
   }
   FoundRun run;
   run.onControl = std::move(**found);
-  const RunStore& kept = run.onControl.job != 0 ? RunStore(RunStore::folderOfJobs()) : store;
-  run.saved = run.onControl.number != 0 ? kept.find(run.onControl.number) : std::nullopt;
+  run.saved = run.onControl.job != 0 ? RunStore(RunStore::folderOfJobs()).findJob(run.onControl)
+              : run.onControl.number != 0 ? store.find(run.onControl.number)
+                                          : std::nullopt;
   return run;
 }
 
@@ -372,10 +421,11 @@ std::vector<std::size_t> pointsAfterWindows(const RunStore& store, const SavedRu
 }
 
 std::string describeRun(const FoundRun& run) {
-  std::string text = run.onControl.number == 0 ? "a program without a run"
-                     : run.onControl.job != 0
-                         ? fmt::format("the whole job {}", run.onControl.number)
-                         : fmt::format("run {}", run.onControl.number);
+  // A job has another number in each stretch.
+  const int number = run.saved ? run.saved->number() : run.onControl.number - run.onControl.stretch;
+  std::string text = run.onControl.job != 0      ? fmt::format("the whole job {}", number)
+                     : run.onControl.number == 0 ? "a program without a run"
+                                                 : fmt::format("run {}", number);
   const std::optional<streaming::RunOrigin> origin = run.onControl.origin ? run.onControl.origin
                                                      : run.saved
                                                          ? std::optional(run.saved->settings.origin)

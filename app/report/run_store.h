@@ -16,10 +16,21 @@
 #include <vector>
 
 #include "base/result.h"
+#include "streaming/recovery/job_resume.h"
 #include "streaming/recovery/run_on_control.h"
 #include "streaming/run/job.h"
 
 namespace rivulet::report {
+
+/// What is kept of a whole job beside its checkpoint.
+struct SavedJob {
+  int number = 0;  ///< of its programs on the control, see `job::JobName`
+  /// Number of its run when it began at its beginning: however often it has been resumed since, it
+  /// stays in the file of this number. 0: it has not begun yet.
+  int firstRun = 0;
+  /// Where it went on last, in the plan of its source; nothing: it began at its beginning.
+  std::optional<streaming::JobRest> rest{};
+};
 
 /// A run as it is kept.
 struct SavedRun {
@@ -33,8 +44,15 @@ struct SavedRun {
   std::vector<std::string> command;  ///< words that started it; empty: it was started in the HMI
   streaming::RunSettings settings;   ///< with `origin`: who started it
   streaming::Checkpoint checkpoint;
-  std::filesystem::path file;  ///< where it was read from; empty: not from a file
+  std::optional<SavedJob> job{};  ///< nothing: the motion alone
+  std::filesystem::path file;     ///< where it was read from; empty: not from a file
 
+  /// Under which it is kept.
+  [[nodiscard]] int number() const {
+    return job && job->firstRun != 0 ? job->firstRun : checkpoint.runNumber;
+  }
+  /// Nothing has been executed of it: there is nothing to go on with.
+  [[nodiscard]] bool isUntouched() const;
   /// "rows.nc-123456": program and number of the run.
   [[nodiscard]] std::string name() const;
 };
@@ -69,8 +87,10 @@ class RunStore {
                                         std::span<const gcode::StreamPoint> points) const;
   /// The newest first. Files that cannot be read are left out.
   [[nodiscard]] std::vector<SavedRun> runs() const;
-  /// The run of this number; nothing if it is not kept here.
+  /// The run that is kept under this number; nothing if it is not kept here.
   [[nodiscard]] std::optional<SavedRun> find(int runNumber) const;
+  /// The whole job that is on a control; nothing if it is not kept here.
+  [[nodiscard]] std::optional<SavedRun> findJob(const streaming::RunOnControl& onControl) const;
   /// The newest run that was left on this control; nothing if there is none.
   [[nodiscard]] std::optional<SavedRun> leftOn(const std::string& endpoint) const;
   /// The points of the whole program as the run had them; empty if they are not kept.
@@ -93,8 +113,8 @@ class RunKeeper final : public streaming::CheckpointKeeper {
   /// After the run: removes it from the store if nothing of it is left.
   void finish(const streaming::RunReport& report);
 
-  /// File of the run; nothing if it is not kept.
-  [[nodiscard]] std::optional<std::filesystem::path> file() const;
+  /// The run as it can be resumed; nothing if it is not kept.
+  [[nodiscard]] std::optional<SavedRun> left() const;
 
  private:
   RunStore m_store;

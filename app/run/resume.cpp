@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "report/run_store.h"
+#include "job/main_program.h"
 #include "streaming/recovery/job_resume.h"
 
 namespace rivulet::run {
@@ -22,10 +22,18 @@ int firstStretch(const job::Plan& plan) {
   return 0;
 }
 
+base::Error jobChanged(const job::Plan& plan) {
+  return base::makeError(
+      streaming::StreamError::ProgramChanged,
+      "The program, or an option or setting that changes its blocks, is not that of the job that "
+      "was left. Restore it, or choose a stretch to begin with (--from-stretch).",
+      plan.program.name);
+}
+
 JobRestart restartOf(forecast::Restart restart, const machine::MachineConfig& machine,
                      const std::optional<streaming::Resume>& resume,
                      const std::optional<base::Vec3>& toolMm) {
-  JobRestart found{std::move(restart), resume, 0, toolMm, {}};
+  JobRestart found{std::move(restart), resume, 0, toolMm, {}, 0};
   found.stretch = firstStretch(found.restart.plan);
   found.hazards = forecast::hazardsOf(found.restart.plan, machine, {machine.start()});
   return found;
@@ -45,18 +53,48 @@ base::Result<streaming::Resume> askResume(opcua::Link& link, const gcode::Progra
 base::Result<JobRestart> askJob(opcua::Link& link, const job::Plan& plan,
                                 const machine::MachineConfig& machine,
                                 const streaming::RunSettings& settings,
-                                const streaming::Checkpoint& checkpoint) {
-  const auto rest = streaming::whereJobWasLeft(
-      link, plan, settings, checkpoint,
-      [&](std::size_t part) { return forecast::zeroAt(plan, machine, part); });
-  if (!rest) {
-    return base::fail(rest.error());
+                                const streaming::Checkpoint& checkpoint,
+                                const std::optional<report::SavedJob>& kept) {
+  // What the control executed last: the job of the source, or one that went on already.
+  std::optional<forecast::Restart> before;
+  if (kept && kept->rest) {
+    if (kept->rest->part >= plan.parts.size()) {
+      return base::fail(jobChanged(plan));
+    }
+    auto made = forecast::restartAt(plan, machine, *kept->rest);
+    if (!made) {
+      return base::fail(made.error());
+    }
+    before = *std::move(made);
   }
-  auto restart = forecast::restartAt(plan, machine, *rest);
+  const job::Plan& left = before ? before->plan : plan;
+  if (kept) {
+    const auto programs = job::makePrograms(left, settings.parameters);
+    if (!programs) {
+      return base::fail(programs.error());
+    }
+    if (programs->number != kept->number) {
+      return base::fail(jobChanged(plan));
+    }
+  }
+  const auto inSource = [&](const streaming::JobRest& rest) {
+    return before ? forecast::restInSource(*before, rest) : rest;
+  };
+  const auto found =
+      streaming::whereJobWasLeft(link, left, settings, checkpoint, [&](std::size_t part) {
+        return forecast::zeroAt(plan, machine, inSource({part, {}, {}}).part);
+      });
+  if (!found) {
+    return base::fail(found.error());
+  }
+  const streaming::JobRest rest = inSource(*found);
+  auto restart = forecast::restartAt(plan, machine, rest);
   if (!restart) {
     return base::fail(restart.error());
   }
-  return restartOf(*std::move(restart), machine, rest->resume, rest->toolMm);
+  JobRestart job = restartOf(*std::move(restart), machine, rest.resume, rest.toolMm);
+  job.firstRun = kept ? kept->firstRun : 0;
+  return job;
 }
 
 base::Result<JobRestart> beginWith(int stretch, const job::Plan& plan,

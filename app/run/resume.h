@@ -12,6 +12,7 @@
 #include "base/result.h"
 #include "forecast/job_forecast.h"
 #include "forecast/job_restart.h"
+#include "report/run_store.h"
 #include "streaming/recovery/resume.h"
 
 namespace rivulet::run {
@@ -23,6 +24,10 @@ struct JobRestart {
   int stretch = 0;                          ///< with which it goes on, or that comes next; 0: none
   std::optional<base::Vec3> toolMm;         ///< to which the tool goes first; nothing: nowhere
   std::vector<forecast::Hazard> hazards;    ///< of what is left
+  int firstRun = 0;                         ///< see `report::SavedJob`; 0: a job of its own
+
+  /// What is kept of the job while it goes on. @param number  of its programs
+  [[nodiscard]] report::SavedJob kept(int number) const { return {number, firstRun, restart.rest}; }
 };
 
 /// Of a motion. With its points at hand, a program that differs where nothing was executed can be
@@ -32,11 +37,14 @@ struct JobRestart {
                                                         const streaming::RunSettings& settings,
                                                         const streaming::Checkpoint& checkpoint);
 
-/// Of a whole job. @return CannotResume
+/// Of a whole job. @param plan  of its source, whole
+/// @param kept  what was kept of it; nothing: by an earlier version
+/// @return CannotResume, ProgramChanged, ChannelBusy
 [[nodiscard]] base::Result<JobRestart> askJob(opcua::Link& link, const job::Plan& plan,
                                               const machine::MachineConfig& machine,
                                               const streaming::RunSettings& settings,
-                                              const streaming::Checkpoint& checkpoint);
+                                              const streaming::Checkpoint& checkpoint,
+                                              const std::optional<report::SavedJob>& kept);
 
 /// A job that begins with a stretch of the operator's choice. @return CannotResume
 [[nodiscard]] base::Result<JobRestart> beginWith(int stretch, const job::Plan& plan,

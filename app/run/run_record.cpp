@@ -21,6 +21,7 @@ report::SavedRun savedRun(const RunFacts& facts) {
   saved.toolVersion = RIVULET_VERSION;
   saved.recording = facts.recording;
   saved.command = facts.command;
+  saved.job = facts.job;
   return saved;
 }
 
@@ -29,22 +30,20 @@ report::RunStore storeOf(RunKind kind) {
                                                     : report::RunStore::folderOfUser());
 }
 
-/// A live run ends with its source. A job that goes on, and a dry run, have other programs than
-/// those that the source is found again by.
+/// A live run ends with its source, and nobody goes on in the middle of a dry run.
 bool canBeResumed(const RunFacts& facts) {
-  return !facts.isSimulated && facts.kind != RunKind::Live && facts.isFromStart &&
-         facts.dryRunMm == 0.0;
+  return !facts.isSimulated && facts.kind != RunKind::Live && facts.dryRunMm == 0.0;
 }
 
-/// Of a whole job that cannot be resumed itself. Once it streams, the control has forgotten the job
+/// Of a dry run, which cannot be resumed itself. Once it begins, the control has forgotten the job
 /// that was left before; until then that one can still go on.
 class Forgetter final : public streaming::CheckpointKeeper {
  public:
   explicit Forgetter(std::string endpoint) : m_endpoint(std::move(endpoint)) {}
-  base::Result<void> keep(const streaming::Checkpoint& /*checkpoint*/,
+  base::Result<void> keep(const streaming::Checkpoint& checkpoint,
                           const streaming::RunSettings& /*settings*/,
                           std::span<const gcode::StreamPoint> /*points*/) override {
-    if (std::exchange(m_isDone, true)) {
+    if (!checkpoint.granted || std::exchange(m_isDone, true)) {
       return {};
     }
     const report::RunStore store = storeOf(RunKind::WholeJob);
@@ -112,9 +111,7 @@ trace::RunStart RunRecord::start() const {
 }
 
 void RunRecord::finish(const streaming::RunReport& report, const RunResult& result) {
-  // Of a job that has not ended, what was kept last is where it goes on.
-  const bool isOver = report.outcome == streaming::Outcome::Completed;
-  if (m_keeper && (isOver || m_facts.kind != RunKind::WholeJob)) {
+  if (m_keeper) {
     m_keeper->finish(report);
   }
   if (m_file) {
@@ -143,16 +140,7 @@ void RunRecord::finish(const streaming::RunReport& report, const RunResult& resu
 }
 
 std::optional<report::SavedRun> RunRecord::left() const {
-  if (!m_keeper) {
-    return std::nullopt;
-  }
-  const auto file = m_keeper->file();
-  if (!file) {
-    return std::nullopt;
-  }
-  report::SavedRun saved = savedRun(m_facts);
-  saved.file = *file;
-  return saved;
+  return m_keeper ? m_keeper->left() : std::nullopt;
 }
 
 }  // namespace rivulet::run

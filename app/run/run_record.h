@@ -39,8 +39,8 @@ struct RunFacts {
   std::vector<std::string> command{};  ///< see `report::SavedRun`
   /// File to record to. Empty: one of the history's own, which a run does not depend on.
   std::string recording{};
-  bool isFromStart = true;  ///< false: a whole job that goes on; its program is not the source's
-  double dryRunMm = 0.0;    ///< > 0: a dry run of a whole job
+  std::optional<report::SavedJob> job{};  ///< of a whole job
+  double dryRunMm = 0.0;                  ///< > 0: a dry run of a whole job
   /// A simulation in virtual time leaves nothing but a recording that was asked for.
   bool isSimulated = false;
 };

@@ -615,6 +615,7 @@ Answer ServiceSession::preflightResume(const Caller& caller) {
     if (m_job->view->isJob()) {
       m_question->plan = m_job->view->plan;
       m_question->machine = m_machine->known;
+      m_question->job = run->job;
     }
     m_found.reset();
     m_isAsking = m_worker.post(*m_question);

@@ -82,6 +82,7 @@ struct RunFinished {
   base::Error notKept{};      ///< why the history does not have the run; code clear: it has it
   std::optional<streaming::JobTimes> jobTimes{};  ///< of a whole job
   std::vector<trace::ToolUse> tools{};            ///< of a whole job
+  std::optional<report::SavedRun> left{};         ///< as it is kept; nothing: it is not
 };
 
 /// The answer to a `ResumeQuestion`.
@@ -162,6 +163,7 @@ struct ResumeQuestion {
   std::shared_ptr<const job::Plan> plan{};
   std::shared_ptr<const machine::MachineConfig> machine{};
   int fromStretch = 0;  ///< > 0: the job is to begin with it, wherever it was left
+  std::optional<report::SavedJob> job{};  ///< what was kept of it
 };
 /// Listens for points from now on, in place of the source before. @param address  empty: no longer
 struct ListenCommand {

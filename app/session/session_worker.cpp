@@ -505,8 +505,8 @@ void SessionWorker::takeFound(const std::optional<streaming::RunOnControl>& foun
         m_seen.onControl->saved->checkpoint.granted) {
       m_seen.onControl->saved.reset();  // a program that waits for its first run is not that one's
     }
-    if (!m_seen.onControl->saved && found->number != 0) {
-      m_seen.onControl->saved = m_jobs.find(found->number);
+    if (found->job != 0) {
+      m_seen.onControl->saved = m_jobs.findJob(*found);
     }
     m_seen.isJob = found->job != 0;
     if (m_seen.onControl->saved && !m_seen.isJob) {
@@ -582,7 +582,7 @@ base::Result<run::JobRestart> SessionWorker::askJob(const ResumeQuestion& questi
   return question.fromStretch > 0
              ? run::beginWith(question.fromStretch, *question.plan, *question.machine)
              : run::askJob(*m_connection.link, *question.plan, *question.machine, question.settings,
-                           question.checkpoint);
+                           question.checkpoint, question.job);
 }
 
 base::Result<void> SessionWorker::askAgain(const StartCommand& command) {
@@ -701,7 +701,12 @@ run::RunFacts SessionWorker::factsOf(const StartCommand& command) const {
   facts.reading = command.source.reading;
   facts.endpoint = m_request.endpoint;
   facts.startedAtUtc = command.startedAtUtc;
-  facts.isFromStart = command.restart == nullptr;
+  if (command.plan) {
+    // Of a plan that is no job, the start says so.
+    const auto programs = job::makePrograms(*command.plan, command.settings.parameters);
+    const int number = programs ? programs->number : 0;
+    facts.job = command.restart ? command.restart->kept(number) : report::SavedJob{number, 0, {}};
+  }
   facts.dryRunMm = command.dryRunMm;
   return facts;
 }
@@ -751,7 +756,7 @@ void SessionWorker::start(const StartCommand& command) {
   }
   tell(RunFinished{std::make_shared<const streaming::RunReport>(std::move(done.report)),
                    record.isRecorded() ? record.recording() : std::string(), record.notRecorded(),
-                   record.notKept(), done.jobTimes, done.tools});
+                   record.notKept(), done.jobTimes, done.tools, record.left()});
   if (command.live) {
     // For the next run, at the port that was taken.
     const bool isInput = command.live->address == "-";

@@ -89,15 +89,33 @@ bool isPlacedBefore(const job::Plan& plan, std::size_t until) {
   return std::all_of(isPlaced.begin(), isPlaced.end(), [](bool placed) { return placed; });
 }
 
+int firstStretchOf(const job::Plan& plan) {
+  for (const job::Part& part : plan.parts) {
+    const auto* const stretch = std::get_if<job::Stretch>(&part);
+    if (stretch != nullptr && stretch->number > 0) {
+      return stretch->number;
+    }
+  }
+  return 0;
+}
+
 class Restarter {
  public:
   Restarter(const job::Plan& plan, const machine::DryRun& state, const streaming::JobRest& rest)
-      : m_plan(plan), m_state(state.equipment), m_rest(rest) {
+      : m_plan(plan),
+        m_state(state.equipment),
+        m_rest(rest),
+        m_moves(rest.resume.has_value() || hasMoved()) {
     m_restart.plan.program = plan.program;
     m_restart.plan.refusals = plan.refusals;
   }
 
   Restart make() {
+    m_restart.rest = m_rest;
+    if (m_rest.part == 0 && !m_rest.resume) {
+      m_restart.plan = m_plan;
+      return std::move(m_restart);
+    }
     setOffset();
     rise();
     setTool();
@@ -154,6 +172,17 @@ class Restarter {
                        });
   }
 
+  /// A block before the part has moved an axis, or may have.
+  [[nodiscard]] bool hasMoved() const {
+    return std::any_of(
+        m_plan.parts.begin(), m_plan.parts.begin() + static_cast<std::ptrdiff_t>(m_rest.part),
+        [](const job::Part& part) {
+          const auto* const native = std::get_if<job::NativeBlock>(&part);
+          return native == nullptr ? std::get<job::Stretch>(part).number > 0
+                                   : native->moves || native->reason < NativeReason::Tool;
+        });
+  }
+
   static std::string number(char axis, double mm) {
     return fmt::format("{}{}", axis, base::formatFixed(mm, 6));
   }
@@ -169,7 +198,7 @@ class Restarter {
 
   /// A tool that stands higher stays there. The control knows how long the tool in it is.
   void rise() {
-    if (safeMm() == std::numeric_limits<double>::lowest()) {
+    if (safeMm() == std::numeric_limits<double>::lowest() || !m_moves) {
       return;  // the program streams no height
     }
     const std::string height = base::formatFixed(safeMm(), 6);
@@ -225,7 +254,7 @@ class Restarter {
   }
 
   void approach() {
-    if (m_rest.toolMm) {
+    if (m_rest.toolMm && m_moves) {
       add(NativeReason::OtherMotion,
           "G0 G90 " + number('X', m_rest.toolMm->x) + ' ' + number('Y', m_rest.toolMm->y));
     }
@@ -235,7 +264,7 @@ class Restarter {
     if (m_state.flood) {
       add(NativeReason::Coolant, "M8");
     }
-    if (m_rest.toolMm) {
+    if (m_rest.toolMm && m_moves) {
       const double z = m_rest.toolMm->z;
       add(NativeReason::OtherMotion,
           z < safeMm() ? fmt::format("G1 G90 G94 {} F{}", number('Z', z), kApproachFeed)
@@ -246,6 +275,7 @@ class Restarter {
   const job::Plan& m_plan;
   const machine::EquipmentState m_state;
   const streaming::JobRest& m_rest;
+  bool m_moves;  ///< the tool has to be brought to its place
   Restart m_restart;
 };
 
@@ -264,6 +294,24 @@ Result<Restart> restartAt(const job::Plan& plan, const machine::MachineConfig& m
     return base::fail(state.error());
   }
   return Restarter(plan, *state, rest).make();
+}
+
+streaming::JobRest restInSource(const Restart& job, const streaming::JobRest& rest) {
+  const auto& parts = job.plan.parts;
+  const auto inserted =
+      static_cast<std::size_t>(std::find_if(parts.begin(), parts.end(),
+                                            [](const job::Part& part) {
+                                              const auto* const native =
+                                                  std::get_if<job::NativeBlock>(&part);
+                                              return native == nullptr || !native->isInserted;
+                                            }) -
+                               parts.begin());
+  if (rest.part <= inserted && !rest.resume) {
+    return job.rest;  // nothing of the source has been executed since
+  }
+  streaming::JobRest found = rest;
+  found.part = rest.part - inserted + job.rest.part;
+  return found;
 }
 
 Result<Restart> restartAtStretch(const job::Plan& plan, const machine::MachineConfig& machine,
@@ -293,11 +341,13 @@ Result<Restart> restartAtStretch(const job::Plan& plan, const machine::MachineCo
     const bool isPlaced = isPlacedBefore(plan, rest.part);
     if (!isPlaced &&
         !base::isFinite(plan.program.trajectory.points[begins.firstPoint].positionMm)) {
-      return base::fail(StreamError::CannotResume,
-                        fmt::format("Where the tool stands before stretch {} is not known. Choose "
-                                    "an earlier stretch.",
-                                    stretch),
-                        plan.program.name);
+      return base::fail(
+          StreamError::CannotResume,
+          fmt::format("Where the tool stands before stretch {} is not known. {}", stretch,
+                      stretch == firstStretchOf(plan) ? "Start the job from the beginning, without "
+                                                        "--from-stretch."
+                                                      : "Choose an earlier stretch."),
+          plan.program.name);
     }
     if (isPlaced) {
       rest.toolMm = state->axesMm - state->zeroMm;

@@ -23,6 +23,7 @@ struct Restart {
   std::vector<std::string> steps;
   /// Blocks before the part whose effect cannot be computed, as "line 5: M123".
   std::vector<std::string> notRestored;
+  streaming::JobRest rest;  ///< what `plan` goes on with: enough to make it again
 };
 
 /// Zero of the workpiece frame when the part begins, with work offset and tool length.
@@ -31,13 +32,19 @@ struct Restart {
                                               const machine::MachineConfig& machine,
                                               std::size_t part);
 
-/// The work offset is set, and the tool rises to the greatest height of the program's points,
+/// From the beginning of the plan: the plan itself, and nothing is done first.
+/// Else the work offset is set, and the tool rises to the greatest height of the program's points,
 /// unless it is above, and so does the tool of the program when it is in; dynamics, spindle and
-/// coolant are set; the tool goes over the place where the part begins, and down to it.
+/// coolant are set; the tool goes over the place where the part begins, and down to it. Before the
+/// program has moved an axis, none is moved.
 /// @return CannotResume, see `zeroAt`  @pre plan.isWhole(); rest.part is a part
 [[nodiscard]] base::Result<Restart> restartAt(const job::Plan& plan,
                                               const machine::MachineConfig& machine,
                                               const streaming::JobRest& rest);
+
+/// Where a job goes on that was a restart itself. @param rest  in its plan
+/// @return the same in the plan that it was made of
+[[nodiscard]] streaming::JobRest restInSource(const Restart& job, const streaming::JobRest& rest);
 
 /// From the beginning of a stretch.
 /// @return CannotResume if there is no such stretch, or it is not known where the tool stands

@@ -108,13 +108,29 @@ class TestRunStore : public QObject {
     facts.programName = "rows one.nc";
     facts.endpoint = someRun().endpoint;
     facts.startedAtUtc = "2026-11-22T06:00:00Z";
-    facts.isFromStart = false;
+    facts.job = report::SavedJob{4711, 0, streaming::JobRest{3, {}, base::Vec3{1.0, 2.0, 3.0}}};
     run::RunRecord record(facts);
     QVERIFY(record.open().has_value());
     QVERIFY(jobs.leftOn(facts.endpoint).has_value());
-    QVERIFY(record.keeper()->keep({}, {}, {}).has_value());
-    QVERIFY(!jobs.leftOn(facts.endpoint).has_value());
-    QVERIFY(!record.left().has_value());
+    streaming::Checkpoint checkpoint;
+    checkpoint.runNumber = 200;
+    const auto& settings = someRun().settings;
+    QVERIFY(record.keeper()->keep(checkpoint, settings, {}).has_value());
+    QCOMPARE(jobs.runs().size(), std::size_t{2});
+    checkpoint.granted = true;
+    QVERIFY(record.keeper()->keep(checkpoint, settings, {}).has_value());
+    const auto left = jobs.runs();
+    QCOMPARE(left.size(), std::size_t{1});
+    QVERIFY(left.front().job && left.front().job->rest);
+    QCOMPARE(left.front().job->number, 4711);
+    QCOMPARE(left.front().job->rest->part, std::size_t{3});
+    QVERIFY(left.front().job->rest->toolMm == (base::Vec3{1.0, 2.0, 3.0}));
+    // However far it comes, it stays in its file.
+    checkpoint.runNumber = 203;
+    QVERIFY(record.keeper()->keep(checkpoint, settings, {}).has_value());
+    QCOMPARE(jobs.runs().size(), std::size_t{1});
+    QCOMPARE(jobs.runs().front().file, left.front().file);
+    QVERIFY(record.left() && record.left()->number() == 200);
   }
 
   void readsWhatWasSaved() {
@@ -278,7 +294,7 @@ class TestRunStore : public QObject {
       checkpoint.runNumber = number;
       checkpoint.granted = false;
       checkpoint.firstPoint = firstPoint;
-      if (!keeper.keep(checkpoint, run.settings, somePoints()) || !keeper.file()) {
+      if (!keeper.keep(checkpoint, run.settings, somePoints()) || !keeper.left()) {
         qFatal("the store cannot be written");
       }
       checkpoint.granted = granted;

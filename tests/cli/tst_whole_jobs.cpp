@@ -307,6 +307,87 @@ class TestWholeJobs : public QObject {
     QCOMPARE(movesMade(scene), kMoves);
   }
 
+  /// A client that is killed while the first tool is changed, then while the job goes on, and once
+  /// more: the same command goes on with it each time, and no other begins it anew unasked.
+  void killedBeforeTheFirstStretchAndAgain() {
+    constexpr int kMoves = 60;
+    tests::KillScene scene(QStringLiteral(RIVULET_MACHINE), QStringLiteral("dmu75-mill"),
+                           tests::KillScene::Kept::Jobs);
+    scene.switchOn();
+    QByteArray text("G54\nT1 D1 M6\nS3000 M3\nM8\nG4 F12\nG0 X0 Y0 Z20\n");
+    for (int i = 1; i <= kMoves; ++i) {
+      text += "G1 X" + QByteArray::number(i) + " Y" + QByteArray::number(i % 2) + " F1200\n";
+    }
+    const QString file = part((text + "G0 Z30\nM5 M9\nM30\n").constData());
+    const QStringList job{QStringLiteral("job"), file, QStringLiteral("--endpoint"),
+                          scene.endpoint()};
+    const auto startAndKill = [&](const QStringList& arguments, const auto& when) {
+      QProcess killed;
+      killed.setProcessEnvironment(scene.environment());
+      killed.start(QStringLiteral(RIVULET_CLI), arguments);
+      QByteArray said;
+      const bool came = QTest::qWaitFor(
+          [&] {
+            said += killed.readAllStandardOutput();
+            return when(said) || killed.state() == QProcess::NotRunning;
+          },
+          kRunMs);
+      const bool ran = came && killed.state() == QProcess::Running;
+      killed.kill();
+      killed.waitForFinished();
+      if (!ran) {
+        qWarning() << said << killed.readAllStandardError();
+      }
+      return ran;
+    };
+    QVERIFY(startAndKill(job, [](const QByteArray& said) { return said.contains("line 2: T1"); }));
+    QCOMPARE(scene.savedRuns().size(), 1);
+    const QString kept = scene.savedRuns().front();
+    const QStringList runs{QStringLiteral("runs"), QStringLiteral("--endpoint"), scene.endpoint()};
+    const Outcome seen = runCli(runs, scene.environment());
+    QVERIFY2(seen.output.contains("The control executes the whole job") &&
+                 seen.output.contains("whole job "),
+             seen.output.constData());
+    // Neither while the control goes on with its blocks nor afterwards.
+    const Outcome anew = runCli(job, scene.environment());
+    QCOMPARE(anew.exit, 2);
+    QVERIFY2(anew.errors.contains("--stop"), anew.errors.constData());
+    const auto isNative = [&] {
+      const Outcome found =
+          runCli(runs + QStringList{QStringLiteral("--json")}, scene.environment());
+      const json control = json::parse(found.output.toStdString())["on_control"];
+      return !control.is_null() && control["is_native"].get<bool>();
+    };
+    const QStringList resume = job + QStringList{QStringLiteral("--resume"), kept};
+    const Outcome busy = runCli(resume + QStringList{QStringLiteral("--yes")}, scene.environment());
+    QVERIFY2(busy.exit == 2 && busy.errors.contains("still executes"), busy.errors.constData());
+    QTRY_VERIFY_WITH_TIMEOUT(!isNative(), kRunMs);
+
+    const QStringList confirmed = resume + QStringList{QStringLiteral("--yes")};
+    QVERIFY(startAndKill(confirmed, [&](const QByteArray&) { return lastX(scene) >= 5.0; }));
+    QCOMPARE(scene.savedRuns(), QStringList{kept});
+    scene.awaitStandstill();
+    // In the approach: the tool is changed once more.
+    QVERIFY(startAndKill(confirmed, [](const QByteArray& said) { return said.contains(": T1"); }));
+    QCOMPARE(scene.savedRuns(), QStringList{kept});
+    QTRY_VERIFY_WITH_TIMEOUT(!isNative(), kRunMs);
+    const Outcome stopped =
+        runCli(runs + QStringList{QStringLiteral("--stop")}, scene.environment());
+    QVERIFY2(stopped.exit == 0 && stopped.output.contains("--resume"), stopped.errors.constData());
+    const Outcome nothing =
+        runCli(runs + QStringList{QStringLiteral("--stop")}, scene.environment());
+    QCOMPARE(nothing.exit, 2);
+    const Outcome refused = runCli(job, scene.environment());
+    QCOMPARE(refused.exit, 2);
+    QVERIFY2(refused.errors.contains("--from-start") && refused.errors.contains(kept.toUtf8()),
+             refused.errors.constData());
+    const Outcome done =
+        runCli(confirmed + QStringList{QStringLiteral("--json")}, scene.environment());
+    QVERIFY2(done.exit == 0, (done.output + done.errors).constData());
+    QCOMPARE(movesMade(scene), kMoves);
+    QVERIFY(scene.savedRuns().isEmpty());
+  }
+
   /// Somebody else finds a job whose client was killed, wherever it is, and ends it.
   void foundAndStopped_data() {
     QTest::addColumn<QByteArray>("text");

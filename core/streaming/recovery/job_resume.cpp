@@ -69,9 +69,18 @@ class FrameLink final : public opcua::ForwardingLink {
 bool isRepeatable(const job::NativeBlock& native) {
   using job::NativeReason;
   const bool moves = native.increments != decltype(native.increments){};
-  return (native.reason == NativeReason::Retract && !moves) ||
+  return native.isInserted || (native.reason == NativeReason::Retract && !moves) ||
          (native.reason >= NativeReason::Tool && native.reason <= NativeReason::Mode);
 }
+
+/// What the control tells of the job.
+struct Told {
+  bool isReset = false;
+  double call = 0.0;
+  int owner = 0;          ///< number of the run that it obeys
+  double block = 0.0;     ///< see `job::blockCell`
+  bool hasMoved = false;  ///< of the windows of a stretch
+};
 
 class Search {
  public:
@@ -84,33 +93,32 @@ class Search {
     if (!programs) {
       return base::fail(programs.error());
     }
-    const templates::JobLoop& loop = programs->loop;
-    const std::array<Variable, 4> watched{{opcua::rParameter(loop.callCell),
-                                           opcua::rParameter(loop.cells.owner),
-                                           opcua::rParameter(job::blockCell(loop)),
-                                           {VariableKind::ChannelStatus, 0}}};
-    const auto numbers = opcua::readNumbers(m_link, watched, m_settings.setupDeadline);
-    if (!numbers) {
-      return base::fail(numbers.error());
+    const int job = programs->number;
+    const Result<Told> first = ask(programs->loop);
+    if (!first) {
+      return base::fail(first.error());
     }
-    const double call = (*numbers)[0];
-    const int stretch = JobProtocol::stretchOf(call);
-    const int owner = runNumberOf((*numbers)[1]);
-    const int begun = m_last.runNumber - (owner - stretch);
-    if (std::abs(call) != JobProtocol::callNumber(programs->number, stretch) || begun < 1 ||
-        begun > stretch || partOfStretch(stretch) == m_plan.parts.size()) {
-      return base::fail(StreamError::CannotResume,
-                        std::string("The control does not know this job: it was switched off since "
-                                    "then, or has run another program.") +
-                            kFromStretch,
-                        m_plan.program.name);
+    Told told = *first;
+    if (JobProtocol::jobOf(told.call) != job) {
+      return ofUnknownJob(told);
     }
-    const std::size_t part = partOfStretch(stretch);
-    if (call < 0.0) {
-      return (*numbers)[3] == opcua::kChannelReset ? afterStretch(part, (*numbers)[2], owner)
-                                                   : base::fail(channelBusy());
+    const bool waits = !told.isReset && told.call >= 0.0;
+    const bool isBegun =
+        begunIn(told) == JobProtocol::stretchOf(told.call) && JobProtocol::stretchOf(told.call) > 0;
+    if (waits && !isBegun) {  // in a stretch that has begun, what it executes meanwhile counts
+      RunOnControl onControl;
+      onControl.baseCell = m_settings.parameters.baseCell;
+      onControl.job = job;
+      if (Result<void> ended = endRun(m_link, onControl, m_settings); !ended) {
+        return base::fail(ended.error());
+      }
+      const Result<Told> then = ask(programs->loop);
+      if (!then) {
+        return base::fail(then.error());
+      }
+      told = *then;
     }
-    return begun == stretch ? inStretch(part) : beforeStretch(part, owner);
+    return place(told, job);
   }
 
  private:
@@ -121,6 +129,68 @@ class Search {
     };
     return static_cast<std::size_t>(std::find_if(m_plan.parts.begin(), m_plan.parts.end(), is) -
                                     m_plan.parts.begin());
+  }
+
+  [[nodiscard]] Result<Told> ask(const templates::JobLoop& loop) {
+    const std::array<Variable, 6> watched{{{VariableKind::ChannelStatus, 0},
+                                           opcua::rParameter(loop.callCell),
+                                           opcua::rParameter(loop.cells.owner),
+                                           opcua::rParameter(job::blockCell(loop)),
+                                           opcua::rParameter(loop.cells.latched),
+                                           opcua::rParameter(loop.cells.executed)}};
+    const auto numbers = opcua::readNumbers(m_link, watched, m_settings.setupDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
+    }
+    return Told{(*numbers)[0] == opcua::kChannelReset, (*numbers)[1], runNumberOf((*numbers)[2]),
+                (*numbers)[3], (*numbers)[4] != 0.0 || (*numbers)[5] != 0.0};
+  }
+
+  /// The stretch that `m_last` is of; 0: none.
+  [[nodiscard]] int begunIn(const Told& told) const {
+    return m_last.runNumber - (told.owner - JobProtocol::stretchOf(told.call));
+  }
+
+  Result<JobRest> ofUnknownJob(const Told& told) {
+    if (!isBeforeFirstBlock(m_last)) {
+      return base::fail(StreamError::CannotResume,
+                        std::string("The control does not know this job: it was switched off since "
+                                    "then, or has run another program.") +
+                            kFromStretch,
+                        m_plan.program.name);
+    }
+    return told.isReset ? rest(0, {}) : base::fail(channelBusy());
+  }
+
+  Result<JobRest> place(const Told& told, int job) {
+    const int stretch = JobProtocol::stretchOf(told.call);
+    const int begun = begunIn(told);
+    const bool isOurs = stretch == 0 ? told.owner == 0 || begun == 0
+                                     : begun >= 0 && begun <= stretch &&
+                                           partOfStretch(stretch) < m_plan.parts.size();
+    if (!isOurs || std::abs(told.call) != JobProtocol::callNumber(job, stretch)) {
+      return base::fail(StreamError::CannotResume,
+                        std::string("The control has run this job once more since then: what it "
+                                    "has done is not known here.") +
+                            kFromStretch,
+                        m_plan.program.name);
+    }
+    const std::size_t part = stretch > 0 ? partOfStretch(stretch) : 0;
+    if (told.call < 0.0) {
+      const std::size_t from = stretch > 0 ? part + 1 : 0;
+      return told.isReset ? afterStretch(from, told)
+                          : base::fail(StreamError::ChannelBusy, stillExecutes(stretch));
+    }
+    return stretch == 0       ? rest(0, {})
+           : begun == stretch ? inStretch(part)
+                              : beforeStretch(part, told);
+  }
+
+  [[nodiscard]] std::string stillExecutes(int stretch) const {
+    return fmt::format(
+        "The control still executes blocks of the job, {}. Wait until it has come to the next "
+        "stretch or to the end, or end it with rivulet-cli runs --stop. Then resume.",
+        stretch > 0 ? fmt::format("after stretch {}", stretch) : "before its first stretch");
   }
 
   /// The control was executing the windows of a stretch, or waiting for them.
@@ -140,24 +210,27 @@ class Search {
   }
 
   /// The control has executed all native blocks before a stretch of which no window was sent.
-  Result<JobRest> beforeStretch(std::size_t part, int owner) {
-    RunOnControl run;
-    run.baseCell = m_settings.parameters.baseCell;
-    run.number = owner;
-    if (Result<void> ended = endRun(m_link, run, m_settings); !ended) {
-      return base::fail(ended.error());
+  Result<JobRest> beforeStretch(std::size_t part, const Told& told) {
+    if (told.hasMoved) {
+      return base::fail(StreamError::CannotResume,
+                        std::string("The control has executed points of which nothing was kept "
+                                    "here.") +
+                            kFromStretch,
+                        m_plan.program.name);
     }
     return rest(part, {});
   }
 
-  /// The control was executing the native blocks after a stretch. @param block  see `blockCell`
-  /// @param owner  number of the run; the client's, in the same cell, until the loop has returned
-  Result<JobRest> afterStretch(std::size_t part, double block, int owner) {
-    if (block == 0.0) {
-      return rest(part + 1, {});
+  /// The control was executing native blocks. @param from  the first part that may be one of them
+  Result<JobRest> afterStretch(std::size_t from, const Told& told) {
+    const double block = told.block;
+    // Until the loop has returned, the same cell has the number of the run. It could be that of a
+    // block: no block is taken for known then.
+    const bool isRun = block == told.owner;
+    if (block == 0.0 || (isRun && block > static_cast<double>(m_plan.nativeCount()))) {
+      return rest(from, {});
     }
-    // The number of a run could be that of a block: no block is taken for known then.
-    const double sought = block == owner ? 0.0 : std::abs(block);
+    const double sought = isRun ? 0.0 : std::abs(block);
     double number = 0.0;
     for (std::size_t at = 0; at < m_plan.parts.size(); ++at) {
       const auto* const native = std::get_if<job::NativeBlock>(&m_plan.parts[at]);
@@ -166,9 +239,12 @@ class Search {
         continue;
       }
       if (block < 0.0) {
-        return rest(std::max(at, part) + 1, {});  // none has begun since, or since the stretch
+        return rest(std::max(at + 1, from), {});  // none has begun since, or since the stretch
       }
-      if (at < part || !isRepeatable(*native)) {
+      if (native->reason == job::NativeReason::End) {
+        return rest(m_plan.parts.size(), {});
+      }
+      if (at < from || !isRepeatable(*native)) {
         return base::fail(
             StreamError::CannotResume,
             fmt::format("The job ended within line {} ({}): what that block has done is not known.",
@@ -188,6 +264,9 @@ class Search {
     if (part >= m_plan.parts.size()) {
       return base::fail(StreamError::CannotResume, "Every block has been executed already.",
                         m_plan.program.name);
+    }
+    if (part == 0 && !resume) {
+      return JobRest{};  // the job begins at its beginning, wherever the tool stands
     }
     const Result<base::Vec3> zero = m_zeroAt(part);
     if (!zero) {
@@ -211,6 +290,10 @@ class Search {
 };
 
 }  // namespace
+
+bool isBeforeFirstBlock(const Checkpoint& last) {
+  return !last.granted && last.pointCount == 0;
+}
 
 Result<JobRest> whereJobWasLeft(opcua::Link& link, const job::Plan& plan,
                                 const RunSettings& settings, const Checkpoint& last,

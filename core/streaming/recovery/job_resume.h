@@ -25,9 +25,14 @@ struct JobRest {
       toolMm;  ///< where the tool stands, frame of that part; nothing: unknown
 };
 
-/// Finds the first part and point that have not been executed. A stretch whose program still waits
-/// is first commanded to end.
-/// @param settings  of the job  @param last  checkpoint of the stretch that was begun last
+/// The checkpoint of a job that the control has not been allowed to begin: nothing of it has been
+/// executed. One that has begun has the checkpoint of a stretch, or one that was granted.
+[[nodiscard]] bool isBeforeFirstBlock(const Checkpoint& last);
+
+/// Finds the first part and point that have not been executed. A program that still waits for its
+/// client is first commanded to end. A part that is inserted (`NativeBlock::isInserted`) stands for
+/// all of them: a job that goes on re-establishes its state from the beginning.
+/// @param settings  of the job  @param last  its checkpoint
 /// @param zeroAt    zero of the workpiece frame at a part, machine coordinates: after the end of a
 ///                  program the control tells positions in these
 /// @return error CannotResume if the control has run another program since, was switched off, or

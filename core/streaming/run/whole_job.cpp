@@ -195,6 +195,10 @@ class WholeJob : public HostedRun {
     if (!result) {
       m_report.outcome = Outcome::Failed;
       m_report.error = result.error();
+      if (m_isNative && m_report.error.code == opcua::LinkError::ConnectionLost) {
+        m_report.error.message +=
+            ' ' + describeUnattended(m_plan, m_due, m_report.reached.stretch, m_options.expected);
+      }
       if (m_isStarted && !m_isOver && m_report.error.code != opcua::LinkError::ConnectionLost) {
         (void)writeRun(WindowProtocol::kEnd);  // else the control waits until it ends by itself
       }
@@ -346,8 +350,34 @@ class WholeJob : public HostedRun {
     }
     const Result<ProgramTransfer> main =
         transferProgram(m_control, m_programs.mainName, m_programs.mainText, m_settings.transfer);
+    if (!main) {
+      return base::fail(main.error());
+    }
+    if (Result<void> kept = keep(false); !kept) {
+      return kept;
+    }
     // Programs take a while to be transferred, and nothing can be repeated meanwhile.
-    return main ? renewClaim() : base::fail(main.error());
+    return renewClaim();
+  }
+
+  /// From the first block on, what was executed is not known without the control's cells. A job of
+  /// which this computer keeps less than that could be begun once more: it does not start.
+  /// @param isGranted  the control may begin
+  Result<void> keep(bool isGranted) {
+    if (m_options.keeper == nullptr) {
+      return {};
+    }
+    Checkpoint checkpoint;
+    checkpoint.runNumber = m_firstRun;
+    checkpoint.granted = isGranted;
+    Result<void> kept = m_options.keeper->keep(checkpoint, m_settings, {});
+    if (!kept) {
+      kept.error().message =
+          "The job cannot be kept on this computer, so it could not be resumed after a crash. "
+          "Nothing has moved. " +
+          kept.error().message;
+    }
+    return kept;
   }
 
   Result<void> start() {
@@ -407,8 +437,12 @@ class WholeJob : public HostedRun {
     if (Result<void> tried = requireFeedCell(); !tried) {
       return tried;
     }
+    if (Result<void> kept = keep(true); !kept) {
+      return kept;
+    }
     m_claim.release();
     m_lastGoOn = JobProtocol::goOn(0);
+    m_isNative = true;
     return opcua::writeNow(m_link, {&go, 1}, m_settings.setupDeadline);
   }
 
@@ -633,6 +667,7 @@ class WholeJob : public HostedRun {
   }
 
   Result<void> stream(const job::Stretch& stretch) {
+    m_isNative = false;
     RunSettings settings = m_settings;
     settings.runNumber = JobProtocol::runNumber(m_firstRun, stretch.number);
     settings.origin = {};
@@ -719,6 +754,7 @@ class WholeJob : public HostedRun {
   Result<void> goOn(int stretch) {
     m_lastGoOn = JobProtocol::goOn(stretch);
     m_isHeld = false;
+    m_isNative = true;
     return writeRun(m_lastGoOn);
   }
 
@@ -792,6 +828,7 @@ class WholeJob : public HostedRun {
   bool m_isStopped = false;
   bool m_isHeld = false;
   bool m_isInterrupted = false;
+  bool m_isNative = false;  ///< the control may execute blocks of its own
   Instant m_nextShown{};
   EquipmentWatch m_equipment;
   Instant m_nextEquipment{};
@@ -817,6 +854,54 @@ std::string describe(const JobPlace& place) {
   }
   return fmt::format("in stretch {}, after {} of {} points{}", place.stretch, place.executed,
                      place.total, place.line.value > 0 ? ", at " + line : "");
+}
+
+std::string describeUnattended(const job::Plan& plan, int due, int stretch,
+                               const std::vector<Duration>& expected) {
+  int number = 0;
+  int next = 0;
+  bool moves = false;
+  bool cycles = false;
+  Duration lasts{};
+  const job::NativeBlock* first = nullptr;
+  const job::NativeBlock* last = nullptr;
+  bool isAfter = stretch == 0;
+  for (std::size_t part = 0; part < plan.parts.size() && next == 0; ++part) {
+    const auto* const native = std::get_if<job::NativeBlock>(&plan.parts[part]);
+    if (native == nullptr) {
+      const int each = std::get<job::Stretch>(plan.parts[part]).number;
+      next = isAfter ? each : 0;
+      isAfter = isAfter || each == stretch;
+      continue;
+    }
+    ++number;
+    if (!isAfter || number < due) {
+      continue;
+    }
+    first = first == nullptr ? native : first;
+    last = native;
+    cycles = cycles || native->reason == job::NativeReason::Cycle;
+    moves = moves || native->moves || native->reason < job::NativeReason::Tool;
+    lasts += part < expected.size() ? expected[part] : Duration{};
+  }
+  const std::string what =
+      first == nullptr
+          ? "the blocks that follow"
+          : fmt::format("lines {} to {} ({}, {})", first->place.line.value, last->place.line.value,
+                        !moves   ? "no axis moves"
+                        : cycles ? "the axes move, drilling and other cycles included"
+                                 : "the axes move",
+                        expected.empty() ? std::string("how long is not known")
+                                         : fmt::format("about {:.0f} s", base::toSeconds(lasts)));
+  return fmt::format(
+      "The control goes on by itself: it executes {}. {} Feed stop, reset and emergency stop at "
+      "the "
+      "control act as always.",
+      what,
+      next > 0
+          ? fmt::format("At stretch {} it waits for a client, and ends the program if none comes.",
+                        next)
+          : "Then the program ends.");
 }
 
 gcode::Program programOf(const job::Plan& plan, const job::Stretch& stretch) {

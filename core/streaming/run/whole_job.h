@@ -83,11 +83,21 @@ struct WholeJobReport {
 };
 
 struct WholeJobOptions {
-  std::optional<Resume> resume{};      ///< of the first stretch of the plan; nothing: all of it
-  CheckpointKeeper* keeper = nullptr;  ///< of the stretch in progress; null: nothing is kept
+  std::optional<Resume> resume{};  ///< of the first stretch of the plan; nothing: all of it
+  /// Keeps the job before its first block, then the stretch in progress; null: nothing is kept.
+  CheckpointKeeper* keeper = nullptr;
   trace::RecordingWriter* writer = nullptr;  ///< of the whole job; null: nothing is recorded
   trace::RunStart start{};  ///< tool version, endpoint and time; the rest is completed
+  /// How long each part of the plan takes; empty: not known.
+  std::vector<base::Duration> expected{};
 };
+
+/// What a control does that executes native blocks and has lost its client.
+/// @param due  number of the native block in progress, from 1; 0: the first after `stretch`
+/// @param stretch  that was executed last; 0: none
+/// @param expected  see `WholeJobOptions`
+[[nodiscard]] std::string describeUnattended(const job::Plan& plan, int due, int stretch,
+                                             const std::vector<base::Duration>& expected = {});
 
 /// Runs a job. Nothing moves before every check has passed. A stop ends it at the next window or
 /// native block; a hold waits there. With an origin in the settings the cells are claimed first.
