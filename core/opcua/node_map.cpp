@@ -4,6 +4,7 @@
 #include "opcua/node_map.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <array>
 
@@ -181,7 +182,8 @@ std::optional<std::string> programNameOf(std::string_view path) {
     }
   }
   if (name.empty() || name.size() > kProgramNameLengthMax ||
-      name.find('/') != std::string_view::npos) {
+      name.find('/') != std::string_view::npos || name == "." || name == ".." ||
+      std::any_of(name.begin(), name.end(), [](char c) { return c >= 0 && c < ' '; })) {
     return std::nullopt;
   }
   return std::string(name);

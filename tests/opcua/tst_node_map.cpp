@@ -134,6 +134,11 @@ class TestNodeMap : public QObject {
     QCOMPARE(programNameOf(programPath("A.SPF")).value_or(""), std::string("A.SPF"));
     QVERIFY(!programNameOf("Sinumerik/FileSystem/Work Pieces/A.SPF"));
     QVERIFY(!programNameOf("Sinumerik/FileSystem/Part Program/"));
+    // What is kept under its name must not be a folder, or another name where it is cut.
+    for (const std::string name : {".", "..", "A/B.MPF", "A\nB.MPF"}) {
+      QVERIFY2(!programNameOf(programPath(name)), name.c_str());
+    }
+    QVERIFY(!programNameOf(programPath(std::string("A\0B.MPF", 7))));
     QVERIFY(!programNameOf("Sinumerik/FileSystem/Part Program/DIR/A.MPF"));
     QVERIFY(!programNameOf(programPath(std::string(33, 'A'))));
     QVERIFY(programNameOf(programPath(std::string(32, 'A'))));

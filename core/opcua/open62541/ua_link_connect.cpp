@@ -33,8 +33,9 @@ constexpr UA_UInt32 kSessionTimeoutMs = 60'000;
 constexpr int kConnectDeadlines = 6;
 /// Reconnections that belong to connecting: another name of the endpoint, another security policy.
 constexpr int kHandshakesMax = 4;
-/// Pause before a server that closed the connection is tried again; each is twice as long.
-constexpr Duration kRetryPause = milliseconds(100);
+/// Pause before a server that closed the connection is tried again; each is twice as long. It is
+/// tried three times in the first second at most.
+constexpr Duration kRetryPause = milliseconds(400);
 /// For closing the session.
 constexpr Duration kCloseDeadline = std::chrono::seconds(1);
 constexpr UA_UInt32 kCloseStepMs = 10;
@@ -179,7 +180,6 @@ base::Result<SecureEndpoint> UaLink::Impl::discover() {
     UA_ClientConfig* config = UA_Client_getConfig(m_client);
     config->timeout =
         static_cast<UA_UInt32>(std::chrono::ceil<milliseconds>(m_options.connectDeadline).count());
-    config->noReconnect = false;
     // With an endpoint of its own, the library does not look for one that it can open a session on.
     config->endpoint.securityMode = UA_MESSAGESECURITYMODE_NONE;
     const UA_String none = borrow(kNoneUri);
@@ -188,7 +188,11 @@ base::Result<SecureEndpoint> UaLink::Impl::discover() {
     UA_String_copy(&url, &config->endpoint.endpointUrl);
     status =
         UA_Client_getEndpoints(m_client, m_options.endpoint.c_str(), &found.count, &found.list);
-  } while (status == UA_STATUSCODE_BADCONNECTIONCLOSED && pauseBefore(deadline));
+    // The pauses are ours: left alone, the library asks a server that closes at once some ten
+    // thousand times a second.
+  } while (
+      (status == UA_STATUSCODE_BADCONNECTIONCLOSED || status == UA_STATUSCODE_BADNOTCONNECTED) &&
+      pauseBefore(deadline));
   deleteClient();
   if (isBad(status)) {
     return base::fail(connectError(status));
