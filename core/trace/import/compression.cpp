@@ -15,6 +15,29 @@ namespace {
 
 constexpr std::string_view kMagic = "\x28\xB5\x2F\xFD";
 
+/// @param take  gets the text in pieces; false: no more is wanted
+/// @return the archive is whole
+template <class Take>
+bool unpackInto(std::string_view bytes, Take take) {
+  const std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream(ZSTD_createDStream(),
+                                                                             ZSTD_freeDStream);
+  RIVULET_ASSERT(stream != nullptr);
+  std::string chunk(ZSTD_DStreamOutSize(), '\0');
+  ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
+  for (;;) {
+    ZSTD_outBuffer out{chunk.data(), chunk.size(), 0};
+    const std::size_t before = in.pos;
+    const std::size_t missing = ZSTD_decompressStream(stream.get(), &out, &in);
+    if (ZSTD_isError(missing) != 0 || !take(std::string_view(chunk).substr(0, out.pos))) {
+      return false;
+    }
+    const bool isAtEnd = in.pos == in.size && out.pos < out.size;
+    if (isAtEnd || (in.pos == before && out.pos == 0)) {
+      return missing == 0;  // the end of a frame
+    }
+  }
+}
+
 }  // namespace
 
 bool isCompressed(std::string_view bytes) {
@@ -22,34 +45,23 @@ bool isCompressed(std::string_view bytes) {
 }
 
 Unpacked unpack(std::string_view bytes) {
+  // What the archive says of its size need not be true. Counted first, it is unpacked where it
+  // stays: a text that grows is copied, and needs up to three times its size.
   Unpacked unpacked;
-  const std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream(ZSTD_createDStream(),
-                                                                             ZSTD_freeDStream);
-  RIVULET_ASSERT(stream != nullptr);
-  std::string chunk(ZSTD_DStreamOutSize(), '\0');
-  ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
-  std::size_t missing = 1;  // 0 at the end of a frame
-  for (;;) {
-    ZSTD_outBuffer out{chunk.data(), chunk.size(), 0};
-    const std::size_t before = in.pos;
-    missing = ZSTD_decompressStream(stream.get(), &out, &in);
-    if (ZSTD_isError(missing) != 0) {
-      unpacked.whole = false;
-      return unpacked;
-    }
-    unpacked.text.append(chunk.data(), out.pos);
-    if (unpacked.text.size() > kUnpackedBytesMax) {
-      unpacked.whole = false;
-      return unpacked;
-    }
-    if (in.pos == in.size && out.pos < out.size) {
-      break;
-    }
-    if (in.pos == before && out.pos == 0) {
-      break;
-    }
+  std::size_t size = 0;
+  unpackInto(bytes, [&size](std::string_view chunk) {
+    return (size += chunk.size()) <= kUnpackedBytesMax;
+  });
+  if (size > kUnpackedBytesMax) {
+    unpacked.whole = false;
+    unpacked.isTooLarge = true;
+    return unpacked;
   }
-  unpacked.whole = missing == 0;
+  unpacked.text.reserve(size);
+  unpacked.whole = unpackInto(bytes, [&unpacked](std::string_view chunk) {
+    unpacked.text += chunk;
+    return true;
+  });
   return unpacked;
 }
 

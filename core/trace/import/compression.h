@@ -12,13 +12,14 @@
 namespace rivulet::trace {
 
 /// A file may not become larger than this: a few bytes can stand for any amount.
-inline constexpr std::size_t kUnpackedBytesMax = std::size_t{4} << 30U;
+inline constexpr std::size_t kUnpackedBytesMax = std::size_t{1} << 30U;
 
 [[nodiscard]] bool isCompressed(std::string_view bytes);
 
 struct Unpacked {
   std::string text;
-  bool whole = true;  ///< false: the archive is cut or damaged; `text` is what came before
+  bool whole = true;        ///< false: the archive is cut or damaged; `text` is what came before
+  bool isTooLarge = false;  ///< larger than `kUnpackedBytesMax`; `text` is empty
 };
 
 /// @param bytes  of which `isCompressed` is true

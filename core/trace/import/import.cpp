@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/median.h"
 #include "base/text.h"
 #include "trace/hdf5.h"
@@ -599,6 +600,12 @@ base::Result<ImportedTrace> importTrace(std::string_view bytes, const TableMappi
   if (isCompressed(bytes)) {
     unpacked = unpack(bytes);
     bytes = unpacked.text;
+    if (unpacked.isTooLarge) {
+      return base::fail(base::FileError::Unreadable,
+                        fmt::format("Unpacked, this archive is larger than {} MB. Unpack it "
+                                    "yourself and give a part of it.",
+                                    kUnpackedBytesMax >> 20U));
+    }
   }
   if (isHdf5(bytes)) {
     return importDatasets(bytes, mapping);

@@ -242,6 +242,48 @@ struct OddRows {
 
 }  // namespace
 
+namespace {
+
+/// Bytes beyond ASCII come in sequences as UTF-8 has them.
+bool isUtf8(std::string_view bytes) {
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const auto first = static_cast<unsigned char>(bytes[i]);
+    const int more = first < 0x80                    ? 0
+                     : first >= 0xC2 && first < 0xE0 ? 1
+                     : first >= 0xE0 && first < 0xF0 ? 2
+                     : first >= 0xF0 && first < 0xF5 ? 3
+                                                     : -1;
+    if (more < 0) {
+      return false;
+    }
+    // A file may be cut within its last character.
+    for (int left = more; left > 0 && i + 1 < bytes.size(); --left) {
+      if ((static_cast<unsigned char>(bytes[++i]) & 0xC0U) != 0x80U) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Each byte is a character, as tools on old computers write it.
+std::string fromLatin1(std::string_view bytes) {
+  std::string text;
+  text.reserve(bytes.size());
+  for (const char c : bytes) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x80) {
+      text += c;
+    } else {
+      text += static_cast<char>(0xC0U | code >> 6U);
+      text += static_cast<char>(0x80U | (code & 0x3FU));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string toUtf8(std::string_view bytes) {
   constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
   if (bytes.substr(0, 3) == kUtf8Mark) {
@@ -249,7 +291,7 @@ std::string toUtf8(std::string_view bytes) {
   }
   const bool isLittle = bytes.substr(0, 2) == "\xFF\xFE";
   if (!isLittle && bytes.substr(0, 2) != "\xFE\xFF") {
-    return std::string(bytes);
+    return isUtf8(bytes) ? std::string(bytes) : fromLatin1(bytes);
   }
   std::string text;
   for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {

@@ -22,7 +22,7 @@ struct TextTable {
   std::vector<Remark> remarks;               ///< what could not be read
 };
 
-/// UTF-8 of a text that may be UTF-16 or begin with a byte order mark.
+/// UTF-8 of a text that may be UTF-16 or Latin-1, or begin with a byte order mark.
 [[nodiscard]] std::string toUtf8(std::string_view bytes);
 
 /// Columns are recognised by the rows that hold numbers. A time of day, with or without a date,
