@@ -381,7 +381,10 @@ base::Result<void> writeTrend(const AnalyseOptions& options,
     fmt::print("\n{}", report::trendText(trends));
   }
   if (suffix == ".json") {
-    return base::writeFile(options.trend, report::trendJson(trends).dump(2) + "\n");
+    return base::writeFile(options.trend,
+                           report::trendJson(trends).dump(
+                               2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                               "\n");
   }
 #ifdef RIVULET_WITH_REPORTS
   const report::TrendTexts texts = trace_report::trendTexts(options.language);

@@ -209,7 +209,9 @@ Exit finish(const std::vector<papers::Experiment>& results,
     return path.empty() ? base::Result<void>{} : base::writeFile(path, text);
   };
   for (const auto& done :
-       {write(options.json, json.dump(2) + "\n"), write(options.csv, csv),
+       {write(options.json,
+              json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"),
+        write(options.csv, csv),
         options.report.empty() ? base::Result<void>{} : writeReport(options.report, results)}) {
     if (!done) {
       return reportError(done.error(), false);

@@ -105,7 +105,9 @@ void MachineProfiles::save(streaming::MachineProfile profile) {
   }
   m_messages.didAct(
       permission::Act::ChangeSettings,
-      {{"machine", profile.endpoint}, {"limits", report::profileJson(profile, {}).dump()}});
+      {{"machine", profile.endpoint},
+       {"limits", report::profileJson(profile, {})
+                      .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)}});
   m_messages.log(Severity::Note, Source::Computer, [endpoint = m_machine.endpoint()] {
     return tr("The limits of %1 have been saved.").arg(endpoint);
   });

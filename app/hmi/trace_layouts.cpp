@@ -120,7 +120,7 @@ base::Result<void> saveTraceLayouts(const std::filesystem::path& file,
   return base::writeFile(
       file,
       ordered_json{{"standard", layouts.standard.toStdString()}, {"layouts", std::move(list)}}.dump(
-          2) +
+          2, ' ', false, ordered_json::error_handler_t::replace) +
           "\n");
 }
 

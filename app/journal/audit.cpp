@@ -76,7 +76,9 @@ std::optional<Parsed> parsed(const std::string& line) {
   if (const auto details = json.find("details"); details != json.end() && details->is_object()) {
     for (const auto& [name, value] : details->items()) {
       result.entry.details.emplace_back(
-          name, value.is_string() ? value.get<std::string>() : value.dump());
+          name, value.is_string()
+                    ? value.get<std::string>()
+                    : value.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
     }
   }
   return result;

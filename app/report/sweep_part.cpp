@@ -45,7 +45,7 @@ std::string sweepPartText(const SweepPart& part) {
                                 {"jobs", part.numbers.jobs},
                                 {"numbers_each", part.numbers.width},
                                 {"numbers", std::move(numbers)}}
-             .dump() +
+             .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
          "\n";
 }
 

@@ -98,7 +98,9 @@ base::Result<void> rememberMapping(const std::string& layout, const std::string&
                       "A damaged file is in the way and cannot be renamed. Move it away.",
                       layoutsFile().string());
   }
-  return base::writeFile(layoutsFile(), layouts.dump(2) + "\n");
+  return base::writeFile(
+      layoutsFile(),
+      layouts.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 void TraceSource::cut(double fromS, double untilS) {

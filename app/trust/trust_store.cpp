@@ -391,7 +391,9 @@ base::Result<void> TrustStore::save(const std::vector<KnownServer>& servers) con
     list.push_back(entry);
   }
   const json file{{"format", kFormat}, {"version", kVersion}, {"servers", list}};
-  return base::writeFile(m_folder / kFile, file.dump(2) + "\n");
+  return base::writeFile(
+      m_folder / kFile,
+      file.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace rivulet::trust

@@ -24,7 +24,7 @@ std::string progressLine(const Progress& progress) {
   if (!progress.end->error.empty()) {
     json["error"] = progress.end->error;
   }
-  return json.dump() + "\n";
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace rivulet::live

@@ -335,6 +335,23 @@ Findings checkPragmaOnce(const Sources& sources) {
   return findings;
 }
 
+Findings checkJsonText(const Sources& sources) {
+  static const QRegularExpression bare = pattern(QStringLiteral(R"re(\.dump\(\s*-?\d*\s*\))re"));
+  Findings findings;
+  for (const Source& source : sources) {
+    const bool isOurs = source.path.startsWith(u"core/") || source.path.startsWith(u"app/") ||
+                        source.path.startsWith(u"widgets/");
+    const QString code = codeOnly(source.text);
+    for (auto found = bare.globalMatch(code); isOurs && found.hasNext();) {
+      findings.append({source.path,
+                       1 + static_cast<int>(code.left(found.next().capturedStart()).count(u'\n')),
+                       QStringLiteral("text that is no UTF-8 would end the program; give dump "
+                                      "error_handler_t::replace")});
+    }
+  }
+  return findings;
+}
+
 Findings checkOwnHeaderFirst(const Sources& sources) {
   static const QRegularExpression include =
       pattern(QStringLiteral(R"re(^#include [<"]([^>"]+)[>"])re"));

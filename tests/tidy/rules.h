@@ -56,6 +56,9 @@ struct Module {
 [[nodiscard]] Findings checkNoQtInCore(const Sources& sources);
 /// Each source, CMake file and script names its copyright and licence.
 [[nodiscard]] Findings checkSpdx(const Sources& sources);
+/// JSON is written with bytes that are no UTF-8 replaced: else a file name or a program in another
+/// encoding ends the whole program.
+[[nodiscard]] Findings checkJsonText(const Sources& sources);
 /// Each header has `#pragma once`.
 [[nodiscard]] Findings checkPragmaOnce(const Sources& sources);
 /// A source includes the header of its own name first, so that building it shows that the header

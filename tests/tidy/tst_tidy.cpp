@@ -62,6 +62,7 @@ class TestTidy : public QObject {
   void edges() { none(checkEdges(m_sources)); }
   void noQtInCore() { none(checkNoQtInCore(m_sources)); }
   void spdx() { none(checkSpdx(m_sources)); }
+  void jsonText() { none(checkJsonText(m_sources)); }
   void pragmaOnce() { none(checkPragmaOnce(m_sources)); }
   void ownHeaderFirst() { none(checkOwnHeaderFirst(m_sources)); }
   void bannedWords() { none(checkBannedWords(m_sources)); }

@@ -184,6 +184,11 @@ class TestTidyRules : public QObject {
   void aHeaderHasPragmaOnce() {
     QVERIFY(checkPragmaOnce({file("core/base/a.h", "// why\n#pragma once\n")}).isEmpty());
     QVERIFY(checkPragmaOnce({file("core/base/a.cpp", "int a;\n")}).isEmpty());
+    QCOMPARE(
+        checkJsonText({file("app/cli/a.cpp", "f(json.dump(2) + x);\ng(json.dump());\n")}).size(),
+        2);
+    QVERIFY(
+        checkJsonText({file("app/cli/a.cpp", "json.dump(2, ' ', false, replace);\n")}).isEmpty());
     QCOMPARE(places(checkPragmaOnce({file("widgets/a.h", "// #pragma once\nint a;\n")})),
              QStringList{QStringLiteral("widgets/a.h:1")});
   }
