@@ -51,7 +51,8 @@ struct ResamplingOptions {
   double splitMm = 0.0;  ///< 0: not
 
   /// Prints on standard error what was left out.
-  [[nodiscard]] gcode::Trajectory resampled(gcode::Trajectory trajectory) const;
+  /// @return error ProgramNotStreamable: more points than memory holds
+  [[nodiscard]] base::Result<gcode::Trajectory> resampled(gcode::Trajectory trajectory) const;
 };
 
 struct CheckOptions {

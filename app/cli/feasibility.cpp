@@ -198,7 +198,11 @@ base::Result<void> readProgram(const FeasibilityOptions& options,
   if (!program) {
     return base::fail(program.error());
   }
-  program->trajectory = options.resampling.resampled(std::move(program->trajectory));
+  auto resampled = options.resampling.resampled(std::move(program->trajectory));
+  if (!resampled) {
+    return base::fail(resampled.error());
+  }
+  program->trajectory = *std::move(resampled);
   const auto machine = machine::loadPreset(options.preset);
   if (!machine) {
     return base::fail(machine.error());

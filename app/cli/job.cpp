@@ -30,13 +30,13 @@
 #include "platform/interrupt.h"
 #include "platform/log.h"
 #include "report/job_json.h"
-#include "report/known_machine.h"
 #include "report/load_machine.h"
 #include "report/machine_store.h"
 #include "report/plan_json.h"
 #include "report/report_json.h"
 #include "report/run_store.h"
 #include "run/resume.h"
+#include "run/travel.h"
 #include "streaming/control/access_policy.h"
 #include "streaming/control/control_axes.h"
 #include "streaming/run/job_count.h"
@@ -327,7 +327,9 @@ base::Result<void> JobCommand::writeFiles() const {
       {{m_programs.mainName, m_programs.mainText},
        {m_programs.loop.name, m_programs.loop.text},
        {"README.txt", readMe(m_plan, m_programs)},
-       {"job.json", report::planJson(m_plan).dump(2) + "\n"}}};
+       {"job.json", report::planJson(m_plan).dump(
+                        2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                        "\n"}}};
   for (const auto& [name, text] : files) {
     if (const auto written = base::writeFile((folder / name).string(), text); !written) {
       return written;
@@ -368,15 +370,7 @@ base::Result<std::optional<machine::MachineConfig>> JobCommand::machine() {
   if (m_options.simulate) {
     return std::optional(m_machine);
   }
-  const auto identity = m_connection.control->identity();
-  if (!identity) {
-    return base::fail(identity.error());
-  }
-  const auto profile = report::MachineStore().profile(m_connection.name, *identity);
-  if (!profile) {
-    return base::fail(profile.error());
-  }
-  return report::knownMachine(*identity, *profile ? &**profile : nullptr);
+  return run::machineOf(*m_connection.control, m_connection.name);
 }
 
 base::Result<void> JobCommand::lookForRun() {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -102,6 +103,7 @@ class LiveCommand {
  private:
   Result<void> plan();
   Result<void> connect();
+  Result<void> checkTravel();
   [[nodiscard]] run::RunFacts facts() const;
   [[nodiscard]] Exit show(const streaming::RunReport& done, const run::RunRecord& record) const;
 
@@ -114,7 +116,7 @@ class LiveCommand {
 };
 
 Result<void> LiveCommand::prepare() {
-  for (const auto step : {&LiveCommand::plan, &LiveCommand::connect}) {
+  for (const auto step : {&LiveCommand::plan, &LiveCommand::connect, &LiveCommand::checkTravel}) {
     if (Result<void> done = (this->*step)(); !done) {
       return done;
     }
@@ -177,6 +179,16 @@ run::RunFacts LiveCommand::facts() const {
   facts.recording = m_options.record;
   facts.isSimulated = m_options.simulate;
   return facts;
+}
+
+/// Of the box in which all points lie.
+Result<void> LiveCommand::checkTravel() {
+  gcode::StreamPoint least;
+  gcode::StreamPoint most;
+  least.positionMm = m_setup.agreement.lowestMm;
+  most.positionMm = m_setup.agreement.highestMm;
+  return requireTravel(m_connection, m_options.simulate ? m_options.preset : std::string(),
+                       std::array{least, most});
 }
 
 Exit LiveCommand::run() {

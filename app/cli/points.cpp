@@ -14,6 +14,7 @@
 #include "gcode/program.h"
 #include "gcode/thinning.h"
 #include "platform/log.h"
+#include "streaming/run/run.h"
 
 namespace rivulet::cli {
 
@@ -66,7 +67,7 @@ void print(const gcode::Trajectory& trajectory, std::FILE* out) {
 
 }  // namespace
 
-gcode::Trajectory ResamplingOptions::resampled(gcode::Trajectory trajectory) const {
+base::Result<gcode::Trajectory> ResamplingOptions::resampled(gcode::Trajectory trajectory) const {
   if (thinMm > 0.0) {
     gcode::ThinnedTrajectory thinned = gcode::thin(trajectory, thinMm);
     log::logger().warn("{} points left out; the path moves by at most {:.6f} mm.", thinned.leftOut,
@@ -74,6 +75,20 @@ gcode::Trajectory ResamplingOptions::resampled(gcode::Trajectory trajectory) con
     trajectory = std::move(thinned.trajectory);
   }
   if (splitMm > 0.0) {
+    // Some 100 bytes each: a gigabyte.
+    constexpr double kPointsMax = 1e7;
+    double points = static_cast<double>(trajectory.points.size());
+    for (std::size_t i = 1; i < trajectory.points.size(); ++i) {
+      const double moveMm =
+          base::distance(trajectory.points[i - 1].positionMm, trajectory.points[i].positionMm);
+      points += std::isfinite(moveMm) ? moveMm / splitMm : 0.0;
+    }
+    if (points > kPointsMax) {
+      return base::fail(streaming::StreamError::ProgramNotStreamable,
+                        fmt::format("--split {:g} would make {:.0f} points of this program, more "
+                                    "than {:.0f}. Give a longer move.",
+                                    splitMm, points, kPointsMax));
+    }
     return gcode::split(trajectory, splitMm);
   }
   return trajectory;
@@ -86,7 +101,11 @@ Exit points(const PointsOptions& options) {
   if (!program) {
     return reportError(program.error(), false);
   }
-  const gcode::Trajectory trajectory = options.resampling.resampled(std::move(program->trajectory));
+  const auto resampled = options.resampling.resampled(std::move(program->trajectory));
+  if (!resampled) {
+    return reportError(resampled.error(), false);
+  }
+  const gcode::Trajectory& trajectory = *resampled;
   if (options.output.empty()) {
     print(trajectory, stdout);
   } else {

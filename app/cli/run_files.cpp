@@ -10,8 +10,33 @@
 
 #include "cli/found_run.h"
 #include "platform/log.h"
+#include "run/travel.h"
 
 namespace rivulet::cli {
+
+base::Result<void> requireTravel(const Connection& connection, const std::string& preset,
+                                 std::span<const gcode::StreamPoint> points) {
+  base::Result<std::optional<machine::MachineConfig>> machine =
+      std::optional<machine::MachineConfig>();
+  if (preset.empty()) {
+    machine = run::machineOf(*connection.control, connection.name);
+  } else if (auto loaded = machine::loadPreset(preset)) {
+    machine = std::optional(*std::move(loaded));
+  } else {
+    machine = base::fail(loaded.error());
+  }
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  const auto checked = run::checkTravel(*connection.link, *connection.control, *machine, points);
+  if (!checked) {
+    return base::fail(checked.error());
+  }
+  if (!checked->empty()) {
+    log::logger().warn(*checked);
+  }
+  return {};
+}
 
 nlohmann::ordered_json filesJson(const run::RunRecord& record, const char* savedKey) {
   auto json = nlohmann::ordered_json::object();

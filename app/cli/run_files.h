@@ -7,11 +7,13 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <system_error>
 
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
+#include "cli/connection.h"
 #include "run/run_record.h"
 
 namespace rivulet::cli {
@@ -33,6 +35,12 @@ template <class Options>
   facts.isSimulated = options.simulate;
   return facts;
 }
+
+/// Refuses a motion that would leave the travel, and warns of what could not be checked.
+/// @param preset  of a simulation; empty: the machine of the connection
+[[nodiscard]] base::Result<void> requireTravel(const Connection& connection,
+                                               const std::string& preset,
+                                               std::span<const gcode::StreamPoint> points);
 
 /// The recording that was asked for, and the file to go on from, below `savedKey`.
 [[nodiscard]] nlohmann::ordered_json filesJson(const run::RunRecord& record, const char* savedKey);

@@ -310,6 +310,7 @@ class StreamCommand {
   base::Result<void> lookForRun();
   base::Result<void> judge();
   base::Result<void> findResume();
+  base::Result<void> checkTravel();
   [[nodiscard]] Exit show(const streaming::RunReport& done, const run::RunRecord& record) const;
 
   const StreamOptions& m_options;
@@ -324,9 +325,9 @@ class StreamCommand {
 };
 
 base::Result<void> StreamCommand::prepare() {
-  for (const auto step :
-       {&StreamCommand::load, &StreamCommand::openSource, &StreamCommand::connect,
-        &StreamCommand::lookForRun, &StreamCommand::judge, &StreamCommand::findResume}) {
+  for (const auto step : {&StreamCommand::load, &StreamCommand::openSource, &StreamCommand::connect,
+                          &StreamCommand::lookForRun, &StreamCommand::judge,
+                          &StreamCommand::findResume, &StreamCommand::checkTravel}) {
     if (base::Result<void> done = (this->*step)(); !done) {
       return done;
     }
@@ -358,7 +359,11 @@ base::Result<void> StreamCommand::load() {
     error.context = m_program.name;
     return base::fail(error);
   }
-  m_program.trajectory = m_options.resampling.resampled(std::move(m_program.trajectory));
+  auto resampled = m_options.resampling.resampled(std::move(m_program.trajectory));
+  if (!resampled) {
+    return base::fail(resampled.error());
+  }
+  m_program.trajectory = *std::move(resampled);
   m_settings = settingsOf(m_options, m_program.trajectory);
   const auto machine = machine::loadPreset(m_options.preset);
   if (!machine) {
@@ -520,6 +525,15 @@ base::Result<void> StreamCommand::findResume() {
   }
   m_settings.resume = *resume;
   return {};
+}
+
+/// The way of all points that are left.
+base::Result<void> StreamCommand::checkTravel() {
+  // What else stands in the way of a start, the run says itself.
+  const auto flight = streaming::preflight(*m_connection.link, m_program, m_settings);
+  return flight ? requireTravel(m_connection, m_options.simulate ? m_options.preset : std::string(),
+                                flight->points.points)
+                : base::Result<void>();
 }
 
 Exit StreamCommand::run() {

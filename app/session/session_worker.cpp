@@ -17,6 +17,7 @@
 #include "opcua/await.h"
 #include "opcua/machinery.h"
 #include "platform/recording_file.h"
+#include "run/travel.h"
 #include "sources/open_source.h"
 #include "streaming/recovery/job_resume.h"
 #include "streaming/recovery/resume.h"
@@ -621,7 +622,40 @@ base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
     }
     m_proven = flexible.text;
   }
+  if (base::Result<void> within = checkTravel(command); !within) {
+    return within;
+  }
   return command.resumes ? askAgain(command) : base::Result<void>();
+}
+
+base::Result<void> SessionWorker::checkTravel(const StartCommand& command) {
+  if (command.plan) {
+    return {};  // compared with the machine as a whole
+  }
+  std::vector<gcode::StreamPoint> points;
+  if (command.live) {
+    points.resize(2);
+    points.front().positionMm = command.live->agreement.lowestMm;
+    points.back().positionMm = command.live->agreement.highestMm;
+  } else if (auto flight =
+                 streaming::preflight(*m_connection.link, *command.program, command.settings)) {
+    points = std::move(flight->points.points);
+  } else {
+    return {};  // the run says what stands in its way
+  }
+  const auto machine = run::machineOf(*m_connection.control, m_request.endpoint, m_machines);
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  const auto checked =
+      run::checkTravel(*m_connection.link, *m_connection.control, *machine, points);
+  if (!checked) {
+    return base::fail(checked.error());
+  }
+  if (!checked->empty()) {
+    tell(trace::Note{m_connection.link->now(), *checked});
+  }
+  return {};
 }
 
 SessionWorker::Done SessionWorker::runMotion(const StartCommand& command,

@@ -89,6 +89,8 @@ class SessionWorker {
   [[nodiscard]] run::RunFacts factsOf(const StartCommand& command) const;
   void answer(const ResumeQuestion& question);
   [[nodiscard]] base::Result<run::JobRestart> askJob(const ResumeQuestion& question);
+  /// The way of a run of points, before it starts.
+  [[nodiscard]] base::Result<void> checkTravel(const StartCommand& command);
   [[nodiscard]] base::Result<void> askAgain(const StartCommand& command);
   /// Checks that are possible only now, right before a start. The template is proved once per kind.
   [[nodiscard]] base::Result<void> checkBefore(const StartCommand& command,

@@ -4,11 +4,19 @@
 /// Whole jobs by the programs themselves: rivulet-cli in virtual time, and against a live
 /// rivulet-machine over OPC UA, in real time.
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
 #include <QDir>
+#include <QElapsedTimer>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <atomic>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "report/run_history.h"
 #include "support/kill_scene.h"
@@ -178,6 +186,96 @@ class TestWholeJobs : public QObject {
              refused.errors.constData());
     const Outcome motion = runCli(arguments + QStringList{QStringLiteral("--motion-only")});
     QVERIFY2(motion.exit == 0, motion.errors.constData());
+  }
+
+  /// A motion without its blocks is compared with the machine, too: it does not end in an alarm
+  /// with the tool in the cut.
+  void streamRefusesWhatLeavesTheTravel() {
+    tests::KillScene scene(QStringLiteral(RIVULET_MACHINE), QStringLiteral("dmu75-mill"));
+    scene.switchOn();
+    const QByteArray inside("G0 X0 Y0 Z45\nG1 X5 F1000\nX9\n");
+    const auto stream = [&](const QByteArray& text) {
+      return runCli({QStringLiteral("stream"), part(text.constData()), QStringLiteral("--endpoint"),
+                     scene.endpoint(), QStringLiteral("--motion-only")},
+                    scene.environment());
+    };
+    const Outcome refused = stream(inside + "X5000\n");
+    QCOMPARE(refused.exit, 2);
+    QVERIFY2(refused.errors.contains("Line 4") && refused.errors.contains("beyond its limit"),
+             refused.errors.constData());
+    QVERIFY(scene.executed().empty());
+    const Outcome done = stream(inside);
+    QVERIFY2(done.exit == 0 && !done.errors.contains("not checked"), done.errors.constData());
+    // Simulations and live runs as well.
+    const Outcome simulated =
+        runCli({QStringLiteral("stream"), part((inside + "X5000\n").constData()),
+                QStringLiteral("--simulate"), QStringLiteral("--motion-only")});
+    QCOMPARE(simulated.exit, 2);
+    const Outcome live =
+        runCli({QStringLiteral("stream"), QStringLiteral("--live"), QStringLiteral("-"),
+                QStringLiteral("--box"), QStringLiteral("0"), QStringLiteral("5000"),
+                QStringLiteral("0"), QStringLiteral("1"), QStringLiteral("0"), QStringLiteral("1"),
+                QStringLiteral("--endpoint"), scene.endpoint()},
+               scene.environment());
+    QVERIFY2(live.exit == 2 && live.errors.contains("beyond its limit"), live.errors.constData());
+  }
+
+  /// Programs of old computers have letters that are no UTF-8. They go to the control in their
+  /// bytes.
+  void writesLettersOfOtherEncodings() {
+    const QString folder = m_folder.filePath(QStringLiteral("latin"));
+    const Outcome outcome = run({part("G0 X0 Y0 Z2\nMSG(\"L\xE4ngs\")\nG1 X5 F1000\nM30\n"),
+                                 QStringLiteral("-o"), folder, QStringLiteral("--json")});
+    QVERIFY2(outcome.exit == 0, outcome.errors.constData());
+    const QStringList mains = QDir(folder).entryList({QStringLiteral("RIVJOB_*.MPF")}, QDir::Files);
+    QCOMPARE(mains.size(), 1);
+    QFile main(folder + QLatin1Char('/') + mains.front());
+    QVERIFY(main.open(QIODevice::ReadOnly));
+    QVERIFY(main.readAll().contains("MSG(\"L\xE4ngs\")"));
+  }
+
+  /// What would need more memory than a computer has is refused, with the option.
+  void refusesTooManyPoints() {
+    const Outcome outcome = runCli({QStringLiteral("points"), part("G0 X0 Y0 Z2\nG1 X100 F1000\n"),
+                                    QStringLiteral("--split"), QStringLiteral("0.000001")});
+    QCOMPARE(outcome.exit, 2);
+    QVERIFY2(outcome.errors.contains("--split"), outcome.errors.constData());
+  }
+
+  /// A server that closes each connection at once is asked three times a second at most.
+  void aServerThatClosesAtOnce() {
+    const int listening = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    auto* const place = reinterpret_cast<sockaddr*>(&address);
+    QVERIFY(bind(listening, place, size) == 0 && listen(listening, 128) == 0);
+    QVERIFY(getsockname(listening, place, &size) == 0);
+    std::atomic<int> connections = 0;
+    std::thread server([&] {
+      for (int one = accept(listening, nullptr, nullptr); one >= 0;
+           one = accept(listening, nullptr, nullptr)) {
+        ++connections;
+        close(one);
+      }
+    });
+    QElapsedTimer time;
+    time.start();
+    QProcess client;
+    client.start(QStringLiteral(RIVULET_CLI),
+                 {QStringLiteral("runs"), QStringLiteral("--endpoint"),
+                  QStringLiteral("opc.tcp://127.0.0.1:%1").arg(ntohs(address.sin_port))});
+    const bool hasEnded = client.waitForFinished(kRunMs);
+    shutdown(listening, SHUT_RDWR);
+    server.join();
+    close(listening);
+    QVERIFY(hasEnded);
+    const qint64 seconds = 1 + time.elapsed() / 1000;
+    QCOMPARE(client.exitCode(), 3);
+    QVERIFY2(
+        connections >= 1 && connections <= 3 * seconds,
+        qPrintable(QStringLiteral("%1 connections in %2 s").arg(connections.load()).arg(seconds)));
   }
 
   void refusesWhatIsNoJob() {
