@@ -200,6 +200,9 @@ Motion motionOf(const ControlTrace& trace) {
   motion.hasSet = motion.hasActual = motion.hasSpeed = motion.hasLine = true;
   motion.samples.reserve(trace.samples.size());
   for (const ControlSample& sample : trace.samples) {
+    if (!motion.samples.empty() && sample.at <= motion.samples.back().at) {
+      continue;  // a file that was changed, or put together
+    }
     motion.samples.push_back({sample.at, sample.commandMm, sample.actualMm, sample.feedMmPerS,
                               kNoValue, 1.0, sample.line.value});
   }

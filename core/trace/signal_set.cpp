@@ -223,6 +223,18 @@ void addRemarks(ShownTrace& shown, const TraceSubject& subject, const TraceAnaly
   if (trace != nullptr && trace->truncated) {
     shown.remarks.push_back({RemarkCode::TraceTruncated});
   }
+  if (trace != nullptr) {
+    std::size_t leftOut = 0;  // of the motion
+    const ControlSample* latest = nullptr;
+    for (const ControlSample& sample : trace->samples) {
+      const bool isLater = latest == nullptr || sample.at > latest->at;
+      latest = isLater ? &sample : latest;
+      leftOut += isLater ? 0 : 1;
+    }
+    if (leftOut > 0) {
+      shown.remarks.push_back({RemarkCode::ValuesBackwards, {std::to_string(leftOut)}});
+    }
+  }
   if (analysis != nullptr && analysis->path.departure) {
     const double atS =
         base::toSeconds(analysis->path.departure->at - originOf(subject, analysis->motion));

@@ -147,6 +147,19 @@ class TestSignalSet : public QObject {
     QVERIFY(!Formula::parse(std::string(100'000, '-')));
   }
 
+  /// A file that was changed, or put together: what runs backwards is left out, and that is said.
+  void timesThatRunBackwards() {
+    ControlTrace trace = straight();
+    std::swap(trace.samples[4].at, trace.samples[7].at);
+    TraceSubject subject;
+    subject.controlTrace = &trace;
+    const TraceAnalysis analysis = analyseTrace(subject);
+    const ShownTrace shown = makeShownTrace(subject, analysis.motion, &analysis);
+    QCOMPARE(analysis.motion.samples.size(), trace.samples.size() - 3);
+    QCOMPARE(shown.remarks.size(), std::size_t{1});
+    QVERIFY(shown.remarks.front().code == RemarkCode::ValuesBackwards);
+  }
+
   void offersWhatIsThere() {
     const ControlTrace trace = straight();
     TraceSubject subject;
