@@ -214,6 +214,36 @@ class TestRunOnControl : public QObject {
     }
   }
 
+  /// A run was interrupted within a move, resumed, and its client died before the control obeyed
+  /// it: the tool stands where the first run was left, which is at no point.
+  void aResumedRunThatWasNeverObeyed() {
+    const auto resumeFrom = [](const char* place, std::size_t firstPoint) {
+      World world;
+      streaming::Checkpoint begun;
+      begun.runNumber = 999;
+      begun.firstPoint = firstPoint;
+      begun.startMm = world.machine.state().actualMm;
+      const std::string text = std::string("G90 G1 ") + place + " F20000\nM30\n";
+      if (!world.link.uploadProgram("JOG.MPF", text, true) ||
+          !world.link.selectProgram("JOG.MPF") || !world.link.cycleStart()) {
+        qFatal("the tool cannot be moved");
+      }
+      while (world.machine.state().channel != machine::ChannelStatus::Reset) {
+        static_cast<void>(world.link.wait(world.link.now() + std::chrono::milliseconds{20}));
+      }
+      return streaming::resumeFrom(world.link, zigzag(), windowSettings(), begun);
+    };
+    // The 20th point is at X100 Y3, the next one at X105 Y0.
+    for (const char* const place : {"X100 Y3", "X102.5 Y1.5", "X104.9 Y0.06"}) {
+      const auto resume = resumeFrom(place, 20);
+      QVERIFY2(resume, resume ? "" : (place + (": " + resume.error().text())).c_str());
+      QCOMPARE(resume->point, std::size_t{20});
+    }
+    for (const char* const place : {"X95 Y0", "X102.5 Y2", "X107.5 Y1.5"}) {
+      QVERIFY2(!resumeFrom(place, 20), place);
+    }
+  }
+
   void findsTheRunAndItsClient() {
     World world;
     QVERIFY(!streaming::findRun(world.link, world.link, 0, std::chrono::seconds{3})->has_value());

@@ -267,7 +267,7 @@ class Resumption {
       return withinWindows(next, pointOf(latched));
     }
     // Cells can be written by others; the place of the tool cannot.
-    return stands(placeBefore(next)) ? Result<std::size_t>(next) : beside(placeBefore(next));
+    return standsBefore(next) ? Result<std::size_t>(next) : beside(placeBefore(next));
   }
 
  private:
@@ -283,6 +283,15 @@ class Resumption {
   }
   [[nodiscard]] bool stands(const base::AxisPosition& expected) const {
     return distance(expected, m_remains.tool) <= kBesideMm;
+  }
+  /// The tool is where the run has to be before this point. One that was resumed may begin within
+  /// the move to its first point: there the run before it was interrupted.
+  [[nodiscard]] bool standsBefore(std::size_t point) const {
+    if (stands(placeBefore(point))) {
+      return true;
+    }
+    return point > 0 && point == m_last.firstPoint && point < m_points.size() &&
+           pointAhead({placeBefore(point), placeOf(point)}, m_remains.tool) == 1;
   }
   [[nodiscard]] bool isCorrected() const { return m_remains.correction.mm != Vec3{}; }
 
@@ -300,7 +309,7 @@ class Resumption {
     if (first >= m_points.size()) {
       return base::fail(StreamError::CannotResume, kMoved);
     }
-    if (first > 0 && !stands(placeBefore(first))) {
+    if (first > 0 && !standsBefore(first)) {
       return beside(placeBefore(first));
     }
     return first;
