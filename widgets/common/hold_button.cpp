@@ -70,7 +70,7 @@ void HoldButton::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   const QRect bar(4, height() - kBarHeightPx - 3, static_cast<int>((width() - 8) * share),
                   kBarHeightPx);
-  painter.fillRect(bar, themeColors(palette()).accent);
+  painter.fillRect(bar, palette().color(QPalette::ButtonText));
 }
 
 }  // namespace rivulet::widgets

@@ -18,7 +18,8 @@ constexpr int kIndicatorPx = 22;
 constexpr int kSliderHandlePx = 28;
 constexpr int kScrollBarPx = 18;
 constexpr int kMenuRowPx = 36;
-constexpr qreal kRadiusPx = 3.0;
+constexpr qreal kRadiusPx = 6.0;
+constexpr qreal kBoxRadiusPx = 4.0;
 constexpr int kSelectedTabLinePx = 3;
 constexpr int kCheckedLinePx = 4;
 
@@ -38,6 +39,26 @@ void drawBorder(QPainter& painter, const QRect& rect, const QPen& pen) {
   painter.drawRoundedRect(QRectF(rect).adjusted(inset, inset, -inset, -inset), kRadiusPx,
                           kRadiusPx);
   painter.restore();
+}
+
+/// Flat, in the colour of the button; darker while it is pressed, a little while a pointer is over
+/// it.
+void drawButton(QPainter& painter, const QStyleOption& option) {
+  constexpr int kPressedPercent = 118;
+  constexpr int kHoverPercent = 105;
+  const bool isEnabled = option.state.testFlag(QStyle::State_Enabled);
+  const bool isPressed = isEnabled && option.state.testFlag(QStyle::State_Sunken);
+  const bool isUnder = isEnabled && option.state.testFlag(QStyle::State_MouseOver);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(option.palette.color(QPalette::Button)
+                       .darker(isPressed ? kPressedPercent
+                               : isUnder ? kHoverPercent
+                                         : 100));
+  painter.drawRoundedRect(option.rect, kRadiusPx, kRadiusPx);
+  painter.restore();
+  drawBorder(painter, option.rect, border(option));
 }
 
 /// A button that stays pressed: the shade alone is not seen in every theme.
@@ -62,7 +83,7 @@ void drawCheckBox(QPainter& painter, const QStyleOption& option) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(isOn || isPartly ? mark : border(option).color(), 2.0));
   painter.setBrush(isOn ? mark : colors.surface);
-  painter.drawRoundedRect(box, kRadiusPx, kRadiusPx);
+  painter.drawRoundedRect(box, kBoxRadiusPx, kBoxRadiusPx);
   painter.setBrush(Qt::NoBrush);
   if (isOn) {
     painter.setPen(QPen(colors.surface, 0.14 * side, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
@@ -130,6 +151,10 @@ void OperatorStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* 
     case PE_IndicatorRadioButton:
       drawRadioButton(*painter, *option);
       return;
+    case PE_PanelButtonCommand:
+      drawButton(*painter, *option);
+      markChecked(*painter, *option);
+      return;
     case PE_FrameFocusRect:
       return;  // FocusFrame shows it
     default:
@@ -139,10 +164,6 @@ void OperatorStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* 
   switch (element) {
     case PE_FrameLineEdit:
       drawBorder(*painter, option->rect, border(*option));
-      break;
-    case PE_PanelButtonCommand:
-      drawBorder(*painter, option->rect, border(*option));
-      markChecked(*painter, *option);
       break;
     case PE_PanelButtonTool:
       if (!option->state.testFlag(State_AutoRaise) || option->state.testFlag(State_On)) {

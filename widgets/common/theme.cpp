@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QPushButton>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -21,23 +22,30 @@ constexpr std::array<const char*, 4> kThemeNames{"light", "dark", "contrast", "s
 ThemeColors lightColors() {
   ThemeColors colors;
   colors.isDark = false;
-  colors.window = QColor(0xe8, 0xea, 0xec);
-  colors.surface = QColor(0xfb, 0xfb, 0xfc);
-  colors.button = QColor(0xf0, 0xf1, 0xf3);
-  colors.text = QColor(0x1b, 0x1f, 0x23);
-  colors.mutedText = QColor(0x4d, 0x55, 0x5d);
-  colors.line = QColor(0x9a, 0xa2, 0xaa);
-  colors.outline = QColor(0x73, 0x7b, 0x83);
-  colors.grid = QColor(0xdd, 0xe0, 0xe3);
-  colors.accent = QColor(0x1a, 0x5c, 0x97);
-  colors.attention = QColor(0x8f, 0x5a, 0x00);
-  colors.fault = QColor(0x96, 0x0c, 0x14);
+  colors.window = QColor(0xee, 0xf0, 0xf3);
+  colors.surface = QColor(0xff, 0xff, 0xff);
+  colors.button = QColor(0xff, 0xff, 0xff);
+  colors.text = QColor(0x15, 0x19, 0x1f);
+  colors.mutedText = QColor(0x53, 0x5d, 0x69);
+  colors.line = QColor(0xc4, 0xcb, 0xd4);
+  colors.outline = QColor(0x7a, 0x84, 0x90);
+  colors.grid = QColor(0xe7, 0xea, 0xef);
+  colors.accent = QColor(0x15, 0x60, 0xd4);
+  colors.attention = QColor(0x8f, 0x54, 0x00);
+  colors.fault = QColor(0xa8, 0x12, 0x18);
+  colors.stop = QColor(0xc8, 0x1e, 0x1e);
+  colors.start = QColor(0x0b, 0x7a, 0x4b);
+  colors.onFill = Qt::white;
+  colors.rail = QColor(0x22, 0x29, 0x32);
+  colors.railText = QColor(0xc4, 0xcc, 0xd6);
+  colors.railChosen = QColor(0x15, 0x60, 0xd4);
+  colors.railHover = QColor(0x34, 0x3d, 0x49);
   colors.path = QColor(0x7d, 0x86, 0x8f);
   colors.rapid = QColor(0x9a, 0x7b, 0x3c);
   colors.native = QColor(0x77, 0x33, 0xcc);
   colors.trace = QColor(0x2f, 0x4b, 0x66);
-  colors.equations = {QColor(0x1a, 0x5c, 0x97), QColor(0x56, 0x10, 0x52), QColor(0x34, 0x57, 0x4a),
-                      QColor(0x95, 0x57, 0x31), QColor(0x1a, 0x5c, 0x97)};
+  colors.equations = {colors.accent, QColor(0x56, 0x10, 0x52), QColor(0x34, 0x57, 0x4a),
+                      QColor(0x95, 0x57, 0x31), colors.accent};
   colors.feasibleFill = QColor(0x5b, 0x7d, 0x9b, 46);
   colors.safetyFill = QColor(0xd0, 0x94, 0x2b, 60);
   colors.pauseFill = QColor(0x6b, 0x74, 0x7d, 70);
@@ -47,23 +55,30 @@ ThemeColors lightColors() {
 ThemeColors darkColors() {
   ThemeColors colors;
   colors.isDark = true;
-  colors.window = QColor(0x26, 0x2a, 0x2e);
-  colors.surface = QColor(0x1b, 0x1e, 0x21);
-  colors.button = QColor(0x33, 0x38, 0x3d);
-  colors.text = QColor(0xe6, 0xe9, 0xec);
-  colors.mutedText = QColor(0xae, 0xb6, 0xbe);
-  colors.line = QColor(0x6a, 0x73, 0x7c);
-  colors.outline = QColor(0x8a, 0x93, 0x9c);
-  colors.grid = QColor(0x34, 0x39, 0x3e);
-  colors.accent = QColor(0x74, 0xb5, 0xee);
-  colors.attention = QColor(0xff, 0xb8, 0x4d);
+  colors.window = QColor(0x14, 0x18, 0x1d);
+  colors.surface = QColor(0x1c, 0x22, 0x29);
+  colors.button = QColor(0x26, 0x2e, 0x37);
+  colors.text = QColor(0xee, 0xf2, 0xf6);
+  colors.mutedText = QColor(0xa6, 0xb1, 0xbe);
+  colors.line = QColor(0x45, 0x50, 0x5c);
+  colors.outline = QColor(0x7c, 0x88, 0x95);
+  colors.grid = QColor(0x26, 0x2e, 0x37);
+  colors.accent = QColor(0x6a, 0xa6, 0xff);
+  colors.attention = QColor(0xff, 0xc5, 0x6b);
   colors.fault = QColor(0xff, 0x8d, 0x83);
+  colors.stop = QColor(0xd6, 0x2f, 0x2f);
+  colors.start = QColor(0x12, 0x80, 0x50);
+  colors.onFill = Qt::white;
+  colors.rail = QColor(0x0c, 0x0f, 0x13);
+  colors.railText = QColor(0xb4, 0xbe, 0xca);
+  colors.railChosen = QColor(0x1f, 0x5f, 0xc4);
+  colors.railHover = QColor(0x26, 0x2e, 0x37);
   colors.path = QColor(0x86, 0x90, 0x9a);
   colors.rapid = QColor(0xa8, 0x8c, 0x55);
   colors.native = QColor(0xb8, 0x73, 0xff);
   colors.trace = QColor(0xa9, 0xc4, 0xdd);
-  colors.equations = {QColor(0x74, 0xb5, 0xee), QColor(0xc0, 0x8f, 0xb8), QColor(0xb4, 0xf0, 0xdc),
-                      QColor(0xe9, 0xa0, 0x4d), QColor(0x74, 0xb5, 0xee)};
+  colors.equations = {colors.accent, QColor(0xc0, 0x8f, 0xb8), QColor(0xb4, 0xf0, 0xdc),
+                      QColor(0xe9, 0xa0, 0x4d), colors.accent};
   colors.feasibleFill = QColor(0x74, 0xa5, 0xd0, 48);
   colors.safetyFill = QColor(0xe0, 0xa4, 0x3b, 56);
   colors.pauseFill = QColor(0xa0, 0xa9, 0xb2, 64);
@@ -85,6 +100,13 @@ ThemeColors contrastColors() {
   colors.accent = QColor(0x4c, 0xc9, 0xff);
   colors.attention = QColor(0xff, 0xd4, 0x00);
   colors.fault = QColor(0xff, 0x9a, 0x90);
+  colors.stop = QColor(0xc8, 0x1e, 0x1e);
+  colors.start = QColor(0x0b, 0x7a, 0x4b);
+  colors.onFill = Qt::white;
+  colors.rail = Qt::black;
+  colors.railText = Qt::white;
+  colors.railChosen = QColor(0x15, 0x60, 0xd4);
+  colors.railHover = QColor(0x30, 0x30, 0x30);
   colors.path = QColor(0xc8, 0xc8, 0xc8);
   colors.rapid = QColor(0xd0, 0xb0, 0x70);
   colors.native = QColor(0xff, 0x4f, 0xb0);
@@ -164,8 +186,7 @@ QPalette themePalette(Theme theme) {
   palette.setColor(QPalette::BrightText, colors.fault);
   palette.setColor(QPalette::ToolTipBase, colors.surface);
   palette.setColor(QPalette::ToolTipText, colors.text);
-  palette.setColor(QPalette::Highlight,
-                   colors.isContrast ? colors.attention : QColor(0x1a, 0x5c, 0x97));
+  palette.setColor(QPalette::Highlight, colors.isContrast ? colors.attention : colors.railChosen);
   palette.setColor(QPalette::HighlightedText, colors.isContrast ? Qt::black : Qt::white);
   palette.setColor(QPalette::Link, colors.accent);
   palette.setColor(QPalette::LinkVisited, colors.accent);
@@ -205,6 +226,26 @@ void applyTheme(Theme theme) {
     font.setPointSizeF(10.0);  // readable at arm's length
     QApplication::setFont(font);
   }
+}
+
+void fillButton(QPushButton& button, const QColor& fill) {
+  constexpr float kPaleShare = 0.45F;
+  QPalette own = QApplication::palette();
+  const ThemeColors& colors = themeColors(own);
+  const auto pale = [&colors](const QColor& color) {
+    const auto mixed = [](auto a, auto b) {
+      return kPaleShare * static_cast<float>(a) + (1.0F - kPaleShare) * static_cast<float>(b);
+    };
+    return QColor::fromRgbF(mixed(color.redF(), colors.window.redF()),
+                            mixed(color.greenF(), colors.window.greenF()),
+                            mixed(color.blueF(), colors.window.blueF()));
+  };
+  own.setColor(QPalette::Button, fill);
+  own.setColor(QPalette::ButtonText, colors.onFill);
+  own.setColor(QPalette::Disabled, QPalette::Button, pale(fill));
+  own.setColor(QPalette::Disabled, QPalette::ButtonText,
+               colors.isDark ? pale(colors.onFill) : colors.onFill);
+  button.setPalette(own);
 }
 
 double contrastRatio(const QColor& first, const QColor& second) {

@@ -4,8 +4,7 @@
 /// @file
 /// The colours of the HMI. The screen is calm grey; colour means "look here". Every colour is a
 /// function of the palette, so a page needs no setting: it calls `themeColors(palette())` and is
-/// notified of a change by `QEvent::PaletteChange`. Start is never red, Stop never green: both stay
-/// neutral and differ by shape and text.
+/// notified of a change by `QEvent::PaletteChange`. Red is Stop and alarms, green may start.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -13,6 +12,8 @@
 #include <QPalette>
 #include <QString>
 #include <array>
+
+class QPushButton;
 
 namespace rivulet::widgets {
 
@@ -44,7 +45,14 @@ struct ThemeColors {
   QColor accent;     ///< the current thing: state, executed path, tool
   QColor attention;  ///< text and icons of warnings
   QColor fault;      ///< text and icons of faults
-  QColor path;       ///< path still to be cut
+  QColor stop;       ///< filled, of the button Stop alone
+  QColor start;      ///< filled, of the button Start alone
+  QColor onFill;     ///< text on these two, and on what is chosen in the rail
+  QColor rail;       ///< behind the places of the window
+  QColor railText;
+  QColor railChosen;
+  QColor railHover;
+  QColor path;  ///< path still to be cut
   QColor rapid;
   QColor native;                    ///< what the control executes itself
   QColor trace;                     ///< measured curves
@@ -63,6 +71,10 @@ struct ThemeColors {
 /// `OperatorStyle`, palette and touch-friendly font for the whole application. Reaches every open
 /// window at once.
 void applyTheme(Theme theme);
+
+/// Gives a button a colour of its own, with `ThemeColors::onFill` for its text; pale while it
+/// cannot be pressed.
+void fillButton(QPushButton& button, const QColor& fill);
 
 /// Contrast of two opaque colours as WCAG defines it, 1 to 21.
 [[nodiscard]] double contrastRatio(const QColor& first, const QColor& second);
