@@ -621,9 +621,10 @@ PreflightItem Preflight::programFeedItem() const {
 PreflightItem Preflight::originItem() const {
   const streaming::RunOrigin origin = report::thisUser();
   PreflightItem item{Status::Plain, tr("Who starts"), {}, {}, 0};
-  item.text =
-      tr("%1 on %2")
-          .arg(QString::fromStdString(origin.user), QString::fromStdString(origin.computer));
+  const bool hasUsers = m_users != nullptr && m_users->isSetUp();
+  item.text = tr("%1 on %2")
+                  .arg(hasUsers ? m_users->name() : QString::fromStdString(origin.user),
+                       QString::fromStdString(origin.computer));
   return item;
 }
 

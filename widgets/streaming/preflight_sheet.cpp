@@ -6,6 +6,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 
 namespace rivulet::widgets {
 
@@ -41,8 +42,13 @@ void PreflightSheet::showItems() {
     }
     delete item;
   }
+  // What is not right comes first.
+  std::vector<PreflightItem> items = m_items;
+  std::stable_partition(items.begin(), items.end(), [](const PreflightItem& item) {
+    return item.status == Status::Attention || item.status == Status::Fault;
+  });
   int row = 0;
-  for (const PreflightItem& item : m_items) {
+  for (const PreflightItem& item : items) {
     auto* name = new QLabel(item.name, this);
     setMuted(name, palette());
     auto* text = new StatusLabel(this);

@@ -3,7 +3,8 @@
 
 /// @file
 /// What will happen if Start is held now: one line for each thing an operator checks before a run,
-/// with its state and, where something is in the way, a button that leads to the remedy.
+/// with its state and, where something is in the way, a button that leads to the remedy. What is
+/// not right or unusual comes first.
 /// @threadsafety GUI thread.
 #pragma once
 
