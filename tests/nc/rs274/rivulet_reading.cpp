@@ -62,6 +62,7 @@ PathReading readAsRivulet(std::string_view text) {
   gcode::LoadOptions options;
   options.keepArcs = true;
   options.dialect = gcode::Dialect::LinuxCnc;
+  options.units = gcode::FileUnits::Millimetres;  // as `rs274` begins
   options.repeatedLinesMax = 20'000;
   const gcode::Interpretation read = gcode::interpret(text, options);
   PathReading reading;
