@@ -276,10 +276,6 @@
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>Halt</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>Weiter</translation>
     </message>
@@ -374,6 +370,10 @@
     <message>
         <source>Override</source>
         <translation>Override</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
     </message>
 </context>
 <context>
@@ -3266,16 +3266,16 @@
         <translation>Werkzeugwechsel oder Hilfsfunktion</translation>
     </message>
     <message>
-        <source>Hold: override 0</source>
-        <translation>Halt: Override 0</translation>
-    </message>
-    <message>
         <source>Waiting for data of the client</source>
         <translation>Warten auf Daten des Clients</translation>
     </message>
     <message>
         <source>Preprocessor stop</source>
         <translation>Vorlaufstopp</translation>
+    </message>
+    <message>
+        <source>Pause: override 0</source>
+        <translation>Pause: Override 0</translation>
     </message>
 </context>
 <context>
@@ -3967,10 +3967,6 @@ GPL-3.0-or-later</translation>
         <translation>Verfahren, Vorschub und Urteil</translation>
     </message>
     <message>
-        <source>&amp;Set-up</source>
-        <translation>&amp;Einrichten</translation>
-    </message>
-    <message>
         <source>&amp;Menu</source>
         <translation>&amp;Menü</translation>
     </message>
@@ -3981,6 +3977,22 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Li&amp;ve points …</source>
         <translation>&amp;Live-Punkte …</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Arbeiten</translation>
+    </message>
+    <message>
+        <source>Analyse</source>
+        <translation>Auswerten</translation>
+    </message>
+    <message>
+        <source>Set up</source>
+        <translation>Einrichten</translation>
+    </message>
+    <message>
+        <source>&amp;Settings</source>
+        <translation>&amp;Einstellungen</translation>
     </message>
 </context>
 <context>
@@ -4475,10 +4487,6 @@ GPL-3.0-or-later</translation>
         <translation>Stopp angefordert.</translation>
     </message>
     <message>
-        <source>Hold requested.</source>
-        <translation>Halt angefordert.</translation>
-    </message>
-    <message>
         <source>Continue requested.</source>
         <translation>Weiter angefordert.</translation>
     </message>
@@ -4594,6 +4602,25 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Stop: the axes are held on the path.</source>
         <translation>Stopp: Die Achsen werden auf der Bahn gehalten.</translation>
+    </message>
+    <message>
+        <source>Pause requested.</source>
+        <translation>Pause angefordert.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::VirtualMachine</name>
+    <message>
+        <source>The virtual machine cannot be started: %1</source>
+        <translation>Die virtuelle Maschine lässt sich nicht starten: %1</translation>
+    </message>
+    <message>
+        <source>The virtual machine has ended.</source>
+        <translation>Die virtuelle Maschine wurde beendet.</translation>
+    </message>
+    <message>
+        <source>The program rivulet-machine is missing. Install it beside this window.</source>
+        <translation>Das Programm rivulet-machine fehlt. Installieren Sie es neben diesem Fenster.</translation>
     </message>
 </context>
 <context>
@@ -8601,6 +8628,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>Points that another program computes while the machine moves</source>
         <translation>Punkte, die ein anderes Programm berechnet, während die Maschine fährt</translation>
     </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProgramTextView</name>
@@ -9057,10 +9088,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>Halt</translation>
-    </message>
-    <message>
         <source>The machine waits before the next window until you press Continue.</source>
         <translation>Die Maschine wartet vor dem nächsten Fenster, bis Weiter gedrückt wird.</translation>
     </message>
@@ -9281,10 +9308,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Nach dem letzten Abschnitt</translation>
     </message>
     <message>
-        <source>Stop and Hold act at the end of the block</source>
-        <translation>Stopp und Halt wirken am Ende des Satzes</translation>
-    </message>
-    <message>
         <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not included.</source>
         <translation>Gestreamt %1, Pausen %2, Werkzeugwechsel %3, andere Sätze der Steuerung %4. Zyklen, Messen und Halte sind nicht enthalten.</translation>
     </message>
@@ -9369,6 +9392,14 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>The axes stand (%1 after the order). Continue goes on, End here ends the run</source>
         <translation>Die Achsen stehen (%1 nach dem Befehl). Weiter fährt fort, Hier beenden beendet den Lauf</translation>
+    </message>
+    <message>
+        <source>Stop and Pause act at the end of the block</source>
+        <translation>Stopp und Pause wirken am Ende des Satzes</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
     </message>
 </context>
 <context>
@@ -9727,10 +9758,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>Halt</translation>
-    </message>
-    <message>
         <source>Hold to resume</source>
         <translation>Gedrückt halten</translation>
     </message>
@@ -9845,6 +9872,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>These buttons act on %1. Those at the bottom of the window act on the machine that the window is connected with.</source>
         <translation>Diese Tasten wirken auf %1. Die am unteren Rand des Fensters wirken auf die Maschine, mit der das Fenster verbunden ist.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
     </message>
 </context>
 <context>
@@ -9962,6 +9993,65 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Peaks of the spectrum</source>
         <translation>Spitzen des Spektrums</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::StartSteps</name>
+    <message>
+        <source>Start a virtual machine</source>
+        <translation>Virtuelle Maschine starten</translation>
+    </message>
+    <message>
+        <source>Connect to a control …</source>
+        <translation>Mit einer Steuerung verbinden …</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Live …</source>
+        <translation>Live …</translation>
+    </message>
+    <message>
+        <source>Points from a program or a sensor, while they are made</source>
+        <translation>Punkte aus einem Programm oder von einem Sensor, während sie entstehen</translation>
+    </message>
+    <message>
+        <source>Three steps to a moving machine</source>
+        <translation>In drei Schritten zur laufenden Maschine</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Your control by its address, or a virtual machine on this computer: the same program, and nothing real moves.</source>
+        <translation>Ihre Steuerung mit ihrer Adresse, oder eine virtuelle Maschine auf diesem Computer: dasselbe Programm, und nichts Wirkliches bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Open a program</source>
+        <translation>Programm öffnen</translation>
+    </message>
+    <message>
+        <source>Any CAM program: SINUMERIK, ISO, LinuxCNC, Grbl, Heidenhain. Or the sample.</source>
+        <translation>Ein CAM-Programm: SINUMERIK, ISO, LinuxCNC, Grbl, Heidenhain. Oder das Beispiel.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Start, below at the right, checks travel, tools and data rate, shows the first move, and waits for you.</source>
+        <translation>Start, unten rechts, prüft Verfahrwege, Werkzeuge und Datenrate, zeigt die erste Bewegung und wartet auf Sie.</translation>
+    </message>
+    <message>
+        <source>Nothing moves before you hold Start.</source>
+        <translation>Nichts bewegt sich, bevor Sie Start halten.</translation>
+    </message>
+    <message>
+        <source>Sample: %1</source>
+        <translation>Beispiel: %1</translation>
     </message>
 </context>
 <context>

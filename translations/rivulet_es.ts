@@ -276,10 +276,6 @@
         <translation>Parada</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>Suspensión</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>Continuar</translation>
     </message>
@@ -374,6 +370,10 @@
     <message>
         <source>Override</source>
         <translation>Override</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
     </message>
 </context>
 <context>
@@ -3266,16 +3266,16 @@
         <translation>Cambio de herramienta o función auxiliar</translation>
     </message>
     <message>
-        <source>Hold: override 0</source>
-        <translation>Suspensión: override 0</translation>
-    </message>
-    <message>
         <source>Waiting for data of the client</source>
         <translation>Espera de datos del cliente</translation>
     </message>
     <message>
         <source>Preprocessor stop</source>
         <translation>Parada de preprocesamiento</translation>
+    </message>
+    <message>
+        <source>Pause: override 0</source>
+        <translation>Pausa: override 0</translation>
     </message>
 </context>
 <context>
@@ -3967,10 +3967,6 @@ GPL-3.0-or-later</translation>
         <translation>Método, avance y veredicto</translation>
     </message>
     <message>
-        <source>&amp;Set-up</source>
-        <translation>A&amp;justes</translation>
-    </message>
-    <message>
         <source>&amp;Menu</source>
         <translation>&amp;Menú</translation>
     </message>
@@ -3981,6 +3977,22 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Li&amp;ve points …</source>
         <translation>Puntos en &amp;vivo…</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Trabajo</translation>
+    </message>
+    <message>
+        <source>Analyse</source>
+        <translation>Análisis</translation>
+    </message>
+    <message>
+        <source>Set up</source>
+        <translation>Preparar</translation>
+    </message>
+    <message>
+        <source>&amp;Settings</source>
+        <translation>A&amp;justes</translation>
     </message>
 </context>
 <context>
@@ -4475,10 +4487,6 @@ GPL-3.0-or-later</translation>
         <translation>Parada solicitada.</translation>
     </message>
     <message>
-        <source>Hold requested.</source>
-        <translation>Suspensión solicitada.</translation>
-    </message>
-    <message>
         <source>Continue requested.</source>
         <translation>Continuación solicitada.</translation>
     </message>
@@ -4594,6 +4602,25 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Stop: the axes are held on the path.</source>
         <translation>Parada: los ejes quedan retenidos en la trayectoria.</translation>
+    </message>
+    <message>
+        <source>Pause requested.</source>
+        <translation>Pausa solicitada.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::VirtualMachine</name>
+    <message>
+        <source>The virtual machine cannot be started: %1</source>
+        <translation>No se puede iniciar la máquina virtual: %1</translation>
+    </message>
+    <message>
+        <source>The virtual machine has ended.</source>
+        <translation>La máquina virtual ha terminado.</translation>
+    </message>
+    <message>
+        <source>The program rivulet-machine is missing. Install it beside this window.</source>
+        <translation>Falta el programa rivulet-machine. Instálelo junto a esta ventana.</translation>
     </message>
 </context>
 <context>
@@ -8601,6 +8628,10 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>Points that another program computes while the machine moves</source>
         <translation>Puntos que otro programa calcula mientras la máquina se mueve</translation>
     </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProgramTextView</name>
@@ -9057,10 +9088,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Continuar</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>Suspender</translation>
-    </message>
-    <message>
         <source>The machine waits before the next window until you press Continue.</source>
         <translation>La máquina espera antes de la ventana siguiente hasta que se pulse Continuar.</translation>
     </message>
@@ -9281,10 +9308,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Después del último tramo</translation>
     </message>
     <message>
-        <source>Stop and Hold act at the end of the block</source>
-        <translation>Parada y Suspender actúan al final de la secuencia</translation>
-    </message>
-    <message>
         <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not included.</source>
         <translation>Transmitido %1, pausas %2, cambios de herramienta %3, otras secuencias del control %4. Los ciclos, las mediciones y las paradas no están incluidos.</translation>
     </message>
@@ -9369,6 +9392,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>The axes stand (%1 after the order). Continue goes on, End here ends the run</source>
         <translation>Los ejes están parados (%1 después de la orden). Continuar sigue, Terminar aquí termina la ejecución</translation>
+    </message>
+    <message>
+        <source>Stop and Pause act at the end of the block</source>
+        <translation>Parada y Pausa actúan al final del bloque</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
     </message>
 </context>
 <context>
@@ -9727,10 +9758,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Continuar</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>Suspensión</translation>
-    </message>
-    <message>
         <source>Hold to resume</source>
         <translation>Mantener pulsado</translation>
     </message>
@@ -9845,6 +9872,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>These buttons act on %1. Those at the bottom of the window act on the machine that the window is connected with.</source>
         <translation>Estos botones actúan sobre %1. Los de la parte inferior de la ventana actúan sobre la máquina con la que está conectada la ventana.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
     </message>
 </context>
 <context>
@@ -9962,6 +9993,65 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Peaks of the spectrum</source>
         <translation>Picos del espectro</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::StartSteps</name>
+    <message>
+        <source>Start a virtual machine</source>
+        <translation>Iniciar una máquina virtual</translation>
+    </message>
+    <message>
+        <source>Connect to a control …</source>
+        <translation>Conectar con un control …</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Abrir …</translation>
+    </message>
+    <message>
+        <source>Live …</source>
+        <translation>En vivo …</translation>
+    </message>
+    <message>
+        <source>Points from a program or a sensor, while they are made</source>
+        <translation>Puntos de un programa o de un sensor, mientras se generan</translation>
+    </message>
+    <message>
+        <source>Three steps to a moving machine</source>
+        <translation>Tres pasos hasta una máquina en movimiento</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Conectar</translation>
+    </message>
+    <message>
+        <source>Your control by its address, or a virtual machine on this computer: the same program, and nothing real moves.</source>
+        <translation>Su control por su dirección, o una máquina virtual en este ordenador: el mismo programa, y nada real se mueve.</translation>
+    </message>
+    <message>
+        <source>Open a program</source>
+        <translation>Abrir un programa</translation>
+    </message>
+    <message>
+        <source>Any CAM program: SINUMERIK, ISO, LinuxCNC, Grbl, Heidenhain. Or the sample.</source>
+        <translation>Cualquier programa CAM: SINUMERIK, ISO, LinuxCNC, Grbl, Heidenhain. O el ejemplo.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Iniciar</translation>
+    </message>
+    <message>
+        <source>Start, below at the right, checks travel, tools and data rate, shows the first move, and waits for you.</source>
+        <translation>Iniciar, abajo a la derecha, comprueba recorridos, herramientas y flujo de datos, muestra el primer movimiento y le espera.</translation>
+    </message>
+    <message>
+        <source>Nothing moves before you hold Start.</source>
+        <translation>Nada se mueve antes de que mantenga pulsado Iniciar.</translation>
+    </message>
+    <message>
+        <source>Sample: %1</source>
+        <translation>Ejemplo: %1</translation>
     </message>
 </context>
 <context>

@@ -276,10 +276,6 @@
         <translation>Arrêt</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>Suspension</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>Continuer</translation>
     </message>
@@ -374,6 +370,10 @@
     <message>
         <source>Override</source>
         <translation>Override</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
     </message>
 </context>
 <context>
@@ -3266,16 +3266,16 @@
         <translation>Changement d’outil ou fonction auxiliaire</translation>
     </message>
     <message>
-        <source>Hold: override 0</source>
-        <translation>Suspension&#xa0;: override 0</translation>
-    </message>
-    <message>
         <source>Waiting for data of the client</source>
         <translation>Attente de données du client</translation>
     </message>
     <message>
         <source>Preprocessor stop</source>
         <translation>Arrêt du prétraitement</translation>
+    </message>
+    <message>
+        <source>Pause: override 0</source>
+        <translation>Pause : correction 0</translation>
     </message>
 </context>
 <context>
@@ -3967,10 +3967,6 @@ GPL-3.0-or-later</translation>
         <translation>Méthode, avance et verdict</translation>
     </message>
     <message>
-        <source>&amp;Set-up</source>
-        <translation>&amp;Réglages</translation>
-    </message>
-    <message>
         <source>&amp;Menu</source>
         <translation>&amp;Menu</translation>
     </message>
@@ -3981,6 +3977,22 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Li&amp;ve points …</source>
         <translation>Points en &amp;direct…</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Travail</translation>
+    </message>
+    <message>
+        <source>Analyse</source>
+        <translation>Analyse</translation>
+    </message>
+    <message>
+        <source>Set up</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>&amp;Settings</source>
+        <translation>Paramètre&amp;s</translation>
     </message>
 </context>
 <context>
@@ -4475,10 +4487,6 @@ GPL-3.0-or-later</translation>
         <translation>Arrêt demandé.</translation>
     </message>
     <message>
-        <source>Hold requested.</source>
-        <translation>Suspension demandée.</translation>
-    </message>
-    <message>
         <source>Continue requested.</source>
         <translation>Suite demandée.</translation>
     </message>
@@ -4594,6 +4602,25 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Stop: the axes are held on the path.</source>
         <translation>Arrêt : les axes sont retenus sur la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Pause requested.</source>
+        <translation>Pause demandée.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::VirtualMachine</name>
+    <message>
+        <source>The virtual machine cannot be started: %1</source>
+        <translation>La machine virtuelle ne peut pas être démarrée : %1</translation>
+    </message>
+    <message>
+        <source>The virtual machine has ended.</source>
+        <translation>La machine virtuelle s&apos;est arrêtée.</translation>
+    </message>
+    <message>
+        <source>The program rivulet-machine is missing. Install it beside this window.</source>
+        <translation>Le programme rivulet-machine manque. Installez-le à côté de cette fenêtre.</translation>
     </message>
 </context>
 <context>
@@ -8601,6 +8628,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <source>Points that another program computes while the machine moves</source>
         <translation>Points qu’un autre programme calcule pendant que la machine bouge</translation>
     </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProgramTextView</name>
@@ -9057,10 +9088,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Continuer</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>Suspendre</translation>
-    </message>
-    <message>
         <source>The machine waits before the next window until you press Continue.</source>
         <translation>La machine attend avant la fenêtre suivante jusqu’à l’appui sur Continuer.</translation>
     </message>
@@ -9281,10 +9308,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Après le dernier tronçon</translation>
     </message>
     <message>
-        <source>Stop and Hold act at the end of the block</source>
-        <translation>Arrêt et Suspendre agissent à la fin du bloc</translation>
-    </message>
-    <message>
         <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not included.</source>
         <translation>Transmis %1, pauses %2, changements d’outil %3, autres blocs de la commande %4. Les cycles, les mesures et les arrêts n’y sont pas.</translation>
     </message>
@@ -9369,6 +9392,14 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>The axes stand (%1 after the order). Continue goes on, End here ends the run</source>
         <translation>Les axes sont arrêtés (%1 après l&apos;ordre). Continuer reprend, Terminer ici termine l&apos;exécution</translation>
+    </message>
+    <message>
+        <source>Stop and Pause act at the end of the block</source>
+        <translation>Stop et Pause agissent à la fin du bloc</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
     </message>
 </context>
 <context>
@@ -9727,10 +9758,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Continuer</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>Suspension</translation>
-    </message>
-    <message>
         <source>Hold to resume</source>
         <translation>Maintenir appuyé</translation>
     </message>
@@ -9845,6 +9872,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>These buttons act on %1. Those at the bottom of the window act on the machine that the window is connected with.</source>
         <translation>Ces boutons agissent sur %1. Ceux du bas de la fenêtre agissent sur la machine à laquelle la fenêtre est connectée.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
     </message>
 </context>
 <context>
@@ -9962,6 +9993,65 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Peaks of the spectrum</source>
         <translation>Pics du spectre</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::StartSteps</name>
+    <message>
+        <source>Start a virtual machine</source>
+        <translation>Démarrer une machine virtuelle</translation>
+    </message>
+    <message>
+        <source>Connect to a control …</source>
+        <translation>Connecter une commande …</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Ouvrir …</translation>
+    </message>
+    <message>
+        <source>Live …</source>
+        <translation>En direct …</translation>
+    </message>
+    <message>
+        <source>Points from a program or a sensor, while they are made</source>
+        <translation>Points d&apos;un programme ou d&apos;un capteur, au fur et à mesure</translation>
+    </message>
+    <message>
+        <source>Three steps to a moving machine</source>
+        <translation>Trois étapes vers une machine en mouvement</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Connecter</translation>
+    </message>
+    <message>
+        <source>Your control by its address, or a virtual machine on this computer: the same program, and nothing real moves.</source>
+        <translation>Votre commande par son adresse, ou une machine virtuelle sur cet ordinateur : le même programme, et rien de réel ne bouge.</translation>
+    </message>
+    <message>
+        <source>Open a program</source>
+        <translation>Ouvrir un programme</translation>
+    </message>
+    <message>
+        <source>Any CAM program: SINUMERIK, ISO, LinuxCNC, Grbl, Heidenhain. Or the sample.</source>
+        <translation>Tout programme FAO : SINUMERIK, ISO, LinuxCNC, Grbl, Heidenhain. Ou l&apos;exemple.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Start, below at the right, checks travel, tools and data rate, shows the first move, and waits for you.</source>
+        <translation>Démarrer, en bas à droite, vérifie les courses, les outils et le débit, montre le premier mouvement et vous attend.</translation>
+    </message>
+    <message>
+        <source>Nothing moves before you hold Start.</source>
+        <translation>Rien ne bouge avant que vous mainteniez Démarrer.</translation>
+    </message>
+    <message>
+        <source>Sample: %1</source>
+        <translation>Exemple : %1</translation>
     </message>
 </context>
 <context>

@@ -276,10 +276,6 @@
         <translation>Stop</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>Sospensione</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>Continua</translation>
     </message>
@@ -374,6 +370,10 @@
     <message>
         <source>Override</source>
         <translation>Override</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
     </message>
 </context>
 <context>
@@ -3266,16 +3266,16 @@
         <translation>Cambio utensile o funzione ausiliaria</translation>
     </message>
     <message>
-        <source>Hold: override 0</source>
-        <translation>Sospensione: override 0</translation>
-    </message>
-    <message>
         <source>Waiting for data of the client</source>
         <translation>Attesa di dati del client</translation>
     </message>
     <message>
         <source>Preprocessor stop</source>
         <translation>Arresto preelaborazione</translation>
+    </message>
+    <message>
+        <source>Pause: override 0</source>
+        <translation>Pausa: override 0</translation>
     </message>
 </context>
 <context>
@@ -3967,10 +3967,6 @@ GPL-3.0-or-later</translation>
         <translation>Metodo, avanzamento ed esito</translation>
     </message>
     <message>
-        <source>&amp;Set-up</source>
-        <translation>Im&amp;postazioni</translation>
-    </message>
-    <message>
         <source>&amp;Menu</source>
         <translation>&amp;Menu</translation>
     </message>
@@ -3981,6 +3977,22 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Li&amp;ve points …</source>
         <translation>Punti in &amp;diretta…</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Lavoro</translation>
+    </message>
+    <message>
+        <source>Analyse</source>
+        <translation>Analisi</translation>
+    </message>
+    <message>
+        <source>Set up</source>
+        <translation>Preparare</translation>
+    </message>
+    <message>
+        <source>&amp;Settings</source>
+        <translation>Imposta&amp;zioni</translation>
     </message>
 </context>
 <context>
@@ -4475,10 +4487,6 @@ GPL-3.0-or-later</translation>
         <translation>Stop richiesto.</translation>
     </message>
     <message>
-        <source>Hold requested.</source>
-        <translation>Sospensione richiesta.</translation>
-    </message>
-    <message>
         <source>Continue requested.</source>
         <translation>Ripartenza richiesta.</translation>
     </message>
@@ -4594,6 +4602,25 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Stop: the axes are held on the path.</source>
         <translation>Stop: gli assi sono trattenuti sul percorso.</translation>
+    </message>
+    <message>
+        <source>Pause requested.</source>
+        <translation>Pausa richiesta.</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::hmi::VirtualMachine</name>
+    <message>
+        <source>The virtual machine cannot be started: %1</source>
+        <translation>Impossibile avviare la macchina virtuale: %1</translation>
+    </message>
+    <message>
+        <source>The virtual machine has ended.</source>
+        <translation>La macchina virtuale è terminata.</translation>
+    </message>
+    <message>
+        <source>The program rivulet-machine is missing. Install it beside this window.</source>
+        <translation>Manca il programma rivulet-machine. Installarlo accanto a questa finestra.</translation>
     </message>
 </context>
 <context>
@@ -8601,6 +8628,10 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>Points that another program computes while the machine moves</source>
         <translation>Punti che un altro programma calcola mentre la macchina si muove</translation>
     </message>
+    <message>
+        <source>Text</source>
+        <translation>Testo</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProgramTextView</name>
@@ -9057,10 +9088,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Continua</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>Sospendi</translation>
-    </message>
-    <message>
         <source>The machine waits before the next window until you press Continue.</source>
         <translation>La macchina attende prima della finestra successiva finché non si preme Continua.</translation>
     </message>
@@ -9281,10 +9308,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Dopo l’ultimo tratto</translation>
     </message>
     <message>
-        <source>Stop and Hold act at the end of the block</source>
-        <translation>Stop e Sospendi agiscono alla fine del blocco</translation>
-    </message>
-    <message>
         <source>Streamed %1, pauses %2, tool changes %3, other blocks of the control %4. Cycles, measuring and stops are not included.</source>
         <translation>Trasmesso %1, pause %2, cambi utensile %3, altri blocchi del controllo %4. Cicli, misure e arresti non sono compresi.</translation>
     </message>
@@ -9369,6 +9392,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>The axes stand (%1 after the order). Continue goes on, End here ends the run</source>
         <translation>Gli assi sono fermi (%1 dopo l&apos;ordine). Continua prosegue, Termina qui termina l&apos;esecuzione</translation>
+    </message>
+    <message>
+        <source>Stop and Pause act at the end of the block</source>
+        <translation>Stop e Pausa agiscono alla fine del blocco</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
     </message>
 </context>
 <context>
@@ -9727,10 +9758,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Continua</translation>
     </message>
     <message>
-        <source>Hold</source>
-        <translation>Sospensione</translation>
-    </message>
-    <message>
         <source>Hold to resume</source>
         <translation>Tenere premuto</translation>
     </message>
@@ -9845,6 +9872,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>These buttons act on %1. Those at the bottom of the window act on the machine that the window is connected with.</source>
         <translation>Questi pulsanti agiscono su %1. Quelli in fondo alla finestra agiscono sulla macchina a cui è connessa la finestra.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
     </message>
 </context>
 <context>
@@ -9962,6 +9993,65 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Peaks of the spectrum</source>
         <translation>Picchi dello spettro</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::StartSteps</name>
+    <message>
+        <source>Start a virtual machine</source>
+        <translation>Avvia una macchina virtuale</translation>
+    </message>
+    <message>
+        <source>Connect to a control …</source>
+        <translation>Collega un controllo …</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Apri …</translation>
+    </message>
+    <message>
+        <source>Live …</source>
+        <translation>Dal vivo …</translation>
+    </message>
+    <message>
+        <source>Points from a program or a sensor, while they are made</source>
+        <translation>Punti da un programma o da un sensore, mentre nascono</translation>
+    </message>
+    <message>
+        <source>Three steps to a moving machine</source>
+        <translation>Tre passi verso una macchina in moto</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Collegare</translation>
+    </message>
+    <message>
+        <source>Your control by its address, or a virtual machine on this computer: the same program, and nothing real moves.</source>
+        <translation>Il controllo con il suo indirizzo, o una macchina virtuale su questo computer: lo stesso programma, e nulla di reale si muove.</translation>
+    </message>
+    <message>
+        <source>Open a program</source>
+        <translation>Aprire un programma</translation>
+    </message>
+    <message>
+        <source>Any CAM program: SINUMERIK, ISO, LinuxCNC, Grbl, Heidenhain. Or the sample.</source>
+        <translation>Qualsiasi programma CAM: SINUMERIK, ISO, LinuxCNC, Grbl, Heidenhain. O l&apos;esempio.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Avviare</translation>
+    </message>
+    <message>
+        <source>Start, below at the right, checks travel, tools and data rate, shows the first move, and waits for you.</source>
+        <translation>Avvia, in basso a destra, controlla corse, utensili e flusso di dati, mostra il primo movimento e aspetta.</translation>
+    </message>
+    <message>
+        <source>Nothing moves before you hold Start.</source>
+        <translation>Nulla si muove prima che si tenga premuto Avvia.</translation>
+    </message>
+    <message>
+        <source>Sample: %1</source>
+        <translation>Esempio: %1</translation>
     </message>
 </context>
 <context>

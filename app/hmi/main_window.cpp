@@ -9,9 +9,11 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QEventLoop>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QScrollArea>
 #include <QShortcut>
 #include <QTabWidget>
@@ -31,13 +33,14 @@
 #include "widgets/common/help_page.h"
 #include "widgets/common/notice_area.h"
 #include "widgets/common/number_field.h"
+#include "widgets/common/place_tabs.h"
 #include "widgets/common/sheet_area.h"
-#include "widgets/common/side_tabs.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/machines_page.h"
 #include "widgets/connection/trust_sheet.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
+#include "widgets/program/start_steps.h"
 #include "widgets/streaming/close_bar.h"
 #include "widgets/trace/trace_page.h"
 
@@ -128,7 +131,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       Qt::QueuedConnection);
   retranslate();
   m_document.judge();
-  resize(1440, 900);
+  resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
   if (!m_settings.geometry.isEmpty()) {
     restoreGeometry(m_settings.geometry);
   }
@@ -141,8 +144,9 @@ MainWindow::~MainWindow() {
 
 void MainWindow::buildPages() {
   auto* central = new QWidget(this);
-  auto* rows = new QVBoxLayout(central);
-  rows->setContentsMargins(0, 0, 0, 0);
+  auto* rows = new QVBoxLayout;
+  m_rail = new widgets::PlaceRail(central);
+  widgets::inRow({m_rail, widgets::InBox(rows, 1)}, central, QMargins())->setSpacing(0);
   rows->setSpacing(0);
   rows->addWidget(makeHeader(central));
   rows->addWidget(makePositionLine(&m_machine, central));
@@ -150,8 +154,17 @@ void MainWindow::buildPages() {
   rows->addWidget(makeFileBanner(&m_messages, &m_document, &m_runs, central));
 
   m_centre = new widgets::SheetArea(central);
-  m_tabs = new widgets::SideTabs(m_centre);
+  m_tabs = new widgets::PlaceTabs(m_centre);
+  m_parts.say(m_rail->addPlace("place-work"), {.text = QT_TR_NOOP("Work")});
+  m_parts.say(m_rail->addPlace("place-analyse"), {.text = QT_TR_NOOP("Analyse")});
+  m_parts.say(m_rail->addPlace("place-set-up"), {.text = QT_TR_NOOP("Set up")});
+  connect(m_tabs, &widgets::PlaceTabs::placeChanged, m_rail, &widgets::PlaceRail::setPlace);
+  connect(m_rail, &widgets::PlaceRail::placeChosen, this, [this](int place) {
+    leaveSheets();
+    m_tabs->openPlace(place);
+  });
   addPages();
+  connectSteps();
   m_centre->addWidget(m_tabs);
   m_centre->addWidget(widgets::makeColumn(makePreflightSheet(&m_runs, &m_preflight, nullptr)));
   m_trustSheet = makeTrustSheet(&m_users, &m_machine, &m_runs, &m_certificates, nullptr);
@@ -206,36 +219,61 @@ void MainWindow::buildPages() {
 void MainWindow::addPages() {
   const auto add = [this](const PageEntry& entry, QWidget* page) {
     m_entries.push_back(entry);
-    const int index = m_tabs->addTab(widgets::makeScrolling(page), QString());
-    m_tabs->setTabVisible(index, !entry.isInMenu);
+    m_tabs->addPage(widgets::makeScrolling(page), static_cast<int>(entry.place));
   };
   add({QT_TRANSLATE_NOOP("Pages", "Program"), "The program"},
       makeProgramPage(&m_settings, &m_messages, &m_machine, &m_document, &m_runs, &m_live, &m_found,
                       nullptr));
   add({QT_TRANSLATE_NOOP("Pages", "Feasibility"), "Feasibility"},
       makeFeasibilityPage(&m_messages, &m_document, &m_runs, nullptr));
-  add({QT_TRANSLATE_NOOP("Pages", "Traces"), "Traces"},
+  add({QT_TRANSLATE_NOOP("Pages", "Traces"), "Traces", Place::Analyse},
       makeTracePage(&m_alarms, &m_document, &m_runs, &m_pastRuns, &m_traces, nullptr));
-  add({QT_TRANSLATE_NOOP("Pages", "Runs"), "Runs"},
+  add({QT_TRANSLATE_NOOP("Pages", "Runs"), "Runs", Place::Analyse},
       makeRunsPage(&m_messages, &m_runs, &m_pastRuns, nullptr));
   add({QT_TRANSLATE_NOOP("Pages", "Alarms"), "Alarms"},
       makeAlarmPage(&m_alarms, &m_users, nullptr));
-  add({QT_TRANSLATE_NOOP("Pages", "Messages"), "Messages"}, makeLogPage(&m_messages, nullptr));
-  add({QT_TRANSLATE_NOOP("Pages", "Audit"), "Audit"},
+  add({QT_TRANSLATE_NOOP("Pages", "Messages"), "Messages", Place::SetUp},
+      makeLogPage(&m_messages, nullptr));
+  add({QT_TRANSLATE_NOOP("Pages", "Audit"), "Audit", Place::SetUp},
       makeAuditPage(&m_messages, &m_audit, nullptr));
-  add({QT_TRANSLATE_NOOP("Pages", "Users"), "Users"},
+  add({QT_TRANSLATE_NOOP("Pages", "Users"), "Users", Place::SetUp},
       makeUsersPage(&m_messages, &m_users, nullptr));
-  add({QT_TRANSLATE_NOOP("Pages", "Configure"), "Configure"},
+  add({QT_TRANSLATE_NOOP("Pages", "Configure"), "Configure", Place::SetUp},
       makeSetUpPage(&m_messages, &m_users, &m_machine, &m_document, &m_runs, &m_credit, &m_profiles,
                     &m_certificates, &m_logins, nullptr));
   auto* machines = makeMachinesPage(&m_messages, &m_alarms, &m_machine, &m_runs, &m_profiles,
                                     &m_machines, nullptr);
   connectServices(&m_users, &m_runs, &m_services, &m_certificates, *machines);
-  add({QT_TRANSLATE_NOOP("Pages", "Machines"), "Machines"}, machines);
-  add({QT_TRANSLATE_NOOP("Pages", "Emulator"), "Emulator"},
+  add({QT_TRANSLATE_NOOP("Pages", "Machines"), "Machines", Place::SetUp}, machines);
+  add({QT_TRANSLATE_NOOP("Pages", "Emulator"), "Emulator", Place::Analyse},
       makeEmulatorPage(&m_runs, &m_learning, nullptr));
-  add({QT_TRANSLATE_NOOP("Pages", "CNC tasks"), "CNC tasks", true},
+  add({QT_TRANSLATE_NOOP("Pages", "CNC tasks"), "CNC tasks", Place::Analyse},
       makeParallelPage(&m_document, &m_runs, &m_player, nullptr));
+}
+
+/// The first minute: a machine, a program.
+void MainWindow::connectSteps() {
+  using widgets::StartSteps;
+  const StartSteps* const steps = programPage()->steps();
+  programPage()->steps()->setSample(QFileInfo(sampleFile()).baseName());
+  connect(steps, &StartSteps::virtualMachineRequested, &m_virtualMachine, &VirtualMachine::start);
+  connect(&m_virtualMachine, &VirtualMachine::listens, this, &MainWindow::connectTo);
+  connect(&m_virtualMachine, &VirtualMachine::failed, this, [this](const QString& reason) {
+    m_messages.show(gcode::Severity::Warning, [reason] { return reason; });
+  });
+  connect(steps, &StartSteps::connectRequested, this, [this] {
+    m_columns->setOpen(widgets::FoldingColumns::First, true);
+    showColumns();
+  });
+  connect(steps, &StartSteps::openRequested, programPage()->panel(),
+          &widgets::ProgramPanel::chooseFile);
+  connect(steps, &StartSteps::liveRequested, programPage()->panel(),
+          &widgets::ProgramPanel::liveRequested);
+  connect(steps, &StartSteps::sampleRequested, this, [this] { openProgram(sampleFile()); });
+  connect(&m_machine, &MachineModel::linkChanged, steps,
+          [this] { programPage()->steps()->setConnection(m_machine.connectionState()); });
+  connect(&m_runs, &RunController::permissionsChanged, steps,
+          [this] { programPage()->steps()->setOpenEnabled(!isRunning()); });
 }
 
 QWidget* MainWindow::makeHeader(QWidget* parent) {
@@ -246,7 +284,7 @@ QWidget* MainWindow::makeHeader(QWidget* parent) {
   m_machineButton = makeMachineButton(&m_machine, header);
   m_setUpButton =
       m_parts.say(new QToolButton(header),
-                  {.text = QT_TR_NOOP("&Set-up"), .tip = QT_TR_NOOP("Method, feed and verdict")});
+                  {.text = QT_TR_NOOP("&Settings"), .tip = QT_TR_NOOP("Method, feed and verdict")});
   m_setUpButton->setCheckable(true);
   m_menuButton = m_parts.say(new QToolButton(header), {.text = QT_TR_NOOP("&Menu"), .id = "menu"});
   m_menuButton->setPopupMode(QToolButton::InstantPopup);
@@ -270,10 +308,15 @@ void MainWindow::openPage(int page) {
   if (m_users.isLocked()) {
     return;
   }
+  leaveSheets();
+  m_tabs->setCurrentIndex(page);
+}
+
+/// What covers the pages, except a question that has to be answered.
+void MainWindow::leaveSheets() {
   m_preflight.close();
   showCentre();
   m_columns->uncover();
-  m_tabs->setCurrentIndex(page);
 }
 
 void MainWindow::showColumns() {
@@ -330,12 +373,6 @@ void MainWindow::buildMenu() {
       addItem(QT_TR_NOOP("Li&ve points …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
               [this] { Q_EMIT programPage()->panel()->liveRequested(); });
   menu->addSeparator();
-  for (int i = 0; i < m_tabs->count(); ++i) {
-    if (!m_tabs->isTabVisible(i)) {
-      m_pageActions[i] = menu->addAction(QString(), this, [this, i] { openPage(i); });
-    }
-  }
-  menu->addSeparator();
   const auto addChoice = [this](QMenu* choices, QActionGroup* group, const QString& text,
                                 bool isChosen, auto chosen) {
     QAction* action = choices->addAction(text, this, chosen);
@@ -390,9 +427,6 @@ void MainWindow::retranslate() {
     titles.push_back(pageTitle(entry));
   }
   m_tabs->setTitles(titles, keys);
-  for (const auto& [page, action] : m_pageActions) {
-    action->setText(titles[page]);
-  }
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -471,8 +505,8 @@ void MainWindow::showLock() {
   const bool isOpen = !m_users.isLocked();
   m_columns->setColumnsEnabled(isOpen);
   m_centre->setPagesEnabled(isOpen);
-  for (QWidget* part : std::initializer_list<QWidget*>{m_machineButton, m_setUpButton, m_resumeBar,
-                                                       m_foundBar, m_menuButton}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{m_rail, m_machineButton, m_setUpButton,
+                                                       m_resumeBar, m_foundBar, m_menuButton}) {
     part->setEnabled(isOpen);
   }
   m_quitAction->setEnabled(isOpen);
@@ -485,9 +519,7 @@ void MainWindow::showAlarms() {
   const auto* page = m_tabs->findChild<widgets::AlarmPage*>();
   for (int i = 0; i < m_tabs->count(); ++i) {
     if (m_tabs->widget(i)->isAncestorOf(page)) {
-      m_preflight.close();
-      showCentre();
-      m_columns->uncover();
+      leaveSheets();
       m_tabs->setCurrentIndex(i);
     }
   }

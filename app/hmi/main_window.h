@@ -7,7 +7,6 @@
 #pragma once
 
 #include <QMainWindow>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -34,6 +33,7 @@
 #include "hmi/settings.h"
 #include "hmi/traces.h"
 #include "hmi/users.h"
+#include "hmi/virtual_machine.h"
 #include "language/translator.h"
 #include "session/stream_session.h"
 #include "widgets/common/parts.h"
@@ -47,9 +47,10 @@ class CalibrationPage;
 class CloseBar;
 class FoldingColumns;
 class HelpPage;
+class PlaceRail;
+class PlaceTabs;
 class ProgramPage;
 class SheetArea;
-class SideTabs;
 class TracePage;
 }  // namespace rivulet::widgets
 
@@ -140,9 +141,11 @@ class MainWindow final : public QMainWindow {
   void buildPages();
   void buildMenu();
   void addPages();
+  void connectSteps();
   [[nodiscard]] QWidget* makeHeader(QWidget* parent);
   /// Not while the window is locked.
   void openPage(int page);
+  void leaveSheets();
   void showColumns();
   void showCentre();
   /// What has to be decided comes to the front; what is safe has the focus.
@@ -160,6 +163,7 @@ class MainWindow final : public QMainWindow {
   Settings m_settings;
   bool m_persistent;
   language::Translator m_translator;
+  VirtualMachine m_virtualMachine;  ///< ends after the connection to it
   Messages m_messages;
   Alarms m_alarms;
   Users m_users;
@@ -198,11 +202,11 @@ class MainWindow final : public QMainWindow {
   widgets::SheetArea* m_centre = nullptr;  ///< pages, preflight, what is asked, manual
   widgets::HelpPage* m_help = nullptr;
   QWidget* m_trustSheet = nullptr;
-  widgets::SideTabs* m_tabs = nullptr;
+  widgets::PlaceRail* m_rail = nullptr;
+  widgets::PlaceTabs* m_tabs = nullptr;
   QToolButton* m_menuButton = nullptr;
   widgets::CloseBar* m_closeBar = nullptr;
   QAction* m_openAction = nullptr;
-  std::map<int, QAction*> m_pageActions;  ///< of the pages that are in the menu, by their index
   QAction* m_liveAction = nullptr;
   QAction* m_quitAction = nullptr;
 };

@@ -5,15 +5,14 @@
 
 #include <fmt/format.h>
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
-#include <QStandardPaths>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "base/file.h"
+#include "hmi/virtual_machine.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -37,19 +36,6 @@ std::string exampleProgram() {
         fmt::format("G1 X{:.3f} Y{:.3f}\n", radiusMm * std::cos(angle), radiusMm * std::sin(angle));
   }
   return text + "M5\nM30\n";
-}
-
-/// Beside this program, where it is built, or where the system finds programs.
-QString cncProgram() {
-  const QString name = QStringLiteral("rivulet-cnc");
-  const QString here = QCoreApplication::applicationDirPath();
-  for (const QString& folder : {here, here + QStringLiteral("/../cnc")}) {
-    const QString found = QStandardPaths::findExecutable(name, {folder});
-    if (!found.isEmpty()) {
-      return found;
-    }
-  }
-  return QStandardPaths::findExecutable(name);
 }
 
 QString policyName(pipeline::PolicyKind kind) {
@@ -109,7 +95,7 @@ void PipelineRun::start(const widgets::PipelineChoice& choice, const QString& pr
     }
   }
   begin(QFileInfo(file).fileName());
-  const QString cnc = cncProgram();
+  const QString cnc = programOfRivulet(QStringLiteral("rivulet-cnc"), QStringLiteral("cnc"));
   if (cnc.isEmpty()) {
     fail(cncMissing());
     return;

@@ -232,7 +232,7 @@ void RunController::hold(bool hold) {
   m_messages.didAct(hold ? Act::Hold : Act::Continue,
                     {{"point", std::to_string(m_update.counters.executed)}});
   m_messages.log(Severity::Note, Source::Run,
-                 [hold] { return hold ? tr("Hold requested.") : tr("Continue requested."); });
+                 [hold] { return hold ? tr("Pause requested.") : tr("Continue requested."); });
 }
 
 void RunController::calibrate(const streaming::CalibrationPlan& plan) {

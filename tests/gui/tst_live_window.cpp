@@ -294,7 +294,7 @@ class TestLiveWindow : public QObject {
                               qPrintable(state()), kSoonMs);
     // Continue would be a lie: it goes on by itself.
     QCOMPARE(m_window->findChild<QPushButton*>(QStringLiteral("hold"))->text(),
-             QStringLiteral("Hold"));
+             QStringLiteral("Pause"));
     send(circle(21, 20) + "end\n");
     const auto report = waitForEnd(finished);
     QVERIFY(report && report->isFaultless());
@@ -322,7 +322,7 @@ class TestLiveWindow : public QObject {
     QTest::mouseClick(hold, Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(hold->text(), QStringLiteral("Continue"), kRunMs);
     QTest::mouseClick(hold, Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(hold->text(), QStringLiteral("Hold"), kRunMs);
+    QTRY_COMPARE_WITH_TIMEOUT(hold->text(), QStringLiteral("Pause"), kRunMs);
     QTest::keyClick(m_window.get(), Qt::Key_Escape);
     tests::endByHand(*m_window);
     const auto report = waitForEnd(finished);

@@ -797,7 +797,7 @@ class TestMainWindow : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(m_window->programPage()->hasTimes(), kSoonMs);
     picturePages(*m_window, QStringLiteral("window-light-en"));
 
-    auto* hold = button(QStringLiteral("Hold"));
+    auto* hold = button(QStringLiteral("Pause"));
     // The bar of a run that was found has a button of the same text.
     auto* strip = m_window->findChild<widgets::RunPanel*>();
     auto* resume = strip->findChild<QPushButton*>(QStringLiteral("resume"));

@@ -30,7 +30,7 @@ struct AuditTexts {
       case Act::Stop:
         return tr("Stop");
       case Act::Hold:
-        return tr("Hold");
+        return tr("Pause");
       case Act::Continue:
         return tr("Continue");
       case Act::Override:

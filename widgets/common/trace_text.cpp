@@ -26,7 +26,7 @@ struct StopCauseTexts {
       case trace::StopCause::ToolChange:
         return tr("Tool change or auxiliary function");
       case trace::StopCause::Hold:
-        return tr("Hold: override 0");
+        return tr("Pause: override 0");
       case trace::StopCause::WaitingForData:
         return tr("Waiting for data of the client");
       case trace::StopCause::PreprocessorStop:

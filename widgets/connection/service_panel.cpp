@@ -315,7 +315,7 @@ void ServicePanel::showButtons() {
   const bool isHolding = m_view.isIn(streaming::RunState::Holding);
   const bool canHold = isHolding || m_view.isIn(streaming::RunState::Running);
   m_stop->setEnabled(m_view.link == ServiceLink::Silent || (m_view.isKnown() && m_view.isRunning));
-  m_hold->setText(isHolding ? tr("Continue") : tr("Hold"));
+  m_hold->setText(isHolding ? tr("Continue") : tr("Pause"));
   m_hold->setIcon(themedIcon(isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
                              themeColors(palette()).text));
   m_hold->setEnabled(isFree && canHold);

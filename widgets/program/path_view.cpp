@@ -30,6 +30,7 @@ constexpr double kStepsPerS = 1000.0;  // of the slider, by time
 PathView::PathView(QWidget* parent)
     : Page(parent),
       m_canvas(new PathCanvas(this)),
+      m_tools(new QBoxLayout(QBoxLayout::LeftToRight)),
       m_legend(new LegendStrip(this)),
       m_slider(
           say(new QSlider(Qt::Horizontal, this), {.hint = QT_TR_NOOP("Walk along the path")})) {
@@ -44,15 +45,9 @@ PathView::PathView(QWidget* parent)
   m_scale->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // the language may change
   m_slider->setMinimumHeight(32);
   auto* scrub = inRow({{m_slider, 1}, m_scale});
-  inColumn({inRow({{m_top, 1}, {m_isometric, 1}, m_fit}),
-            inRow({label({.text = QT_TR_NOOP("Colour by"), .isMuted = true}),
-                   {m_colour, 1},
-                   m_showPauses}),
-            m_legend,
-            {m_canvas, 1},
-            scrub,
-            m_place},
-           this);
+  m_tools->addLayout(inRow({{m_top, 1}, {m_isometric, 1}, m_fit}), 1);
+  m_tools->addLayout(inRow({{m_colour, 1}, m_showPauses}), 1);
+  inColumn({m_tools, m_legend, {m_canvas, 1}, scrub, m_place}, this);
   connect(m_top, &QPushButton::clicked, this, [this] { setIsometric(false); });
   connect(m_isometric, &QPushButton::clicked, this, [this] { setIsometric(true); });
   connect(m_colour, &QComboBox::activated, this,
@@ -451,6 +446,12 @@ void PathView::showPlace() {
                               .arg(numberText(point.positionMm.x, 3),
                                    numberText(point.positionMm.y, 3),
                                    lengthText(point.positionMm.z, 3)));
+}
+
+void PathView::resizeEvent(QResizeEvent* event) {
+  constexpr int kOneRowPx = 620;
+  Page::resizeEvent(event);
+  m_tools->setDirection(width() < kOneRowPx ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 }  // namespace rivulet::widgets

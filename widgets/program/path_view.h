@@ -75,6 +75,7 @@ class PathView final : public Page {
 
  protected:
   void retranslate() override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   [[nodiscard]] std::size_t pointCount() const;
@@ -112,10 +113,12 @@ class PathView final : public Page {
               .icon = "fit"},
              &PathView::fit);
   QComboBox* m_colour = list(
-      {.items = {QT_TR_NOOP("Kind of move"), QT_TR_NOOP("Feed"), QT_TR_NOOP("Margin of the method"),
+      {.hint = QT_TR_NOOP("Colour by"),
+       .items = {QT_TR_NOOP("Kind of move"), QT_TR_NOOP("Feed"), QT_TR_NOOP("Margin of the method"),
                  QT_TR_NOOP("Time"), QT_TR_NOOP("Density of pauses")}});
   QPushButton* m_showPauses =
       button({.text = QT_TR_NOOP("Pauses"), .tip = QT_TR_NOOP("Mark where the run will pause")});
+  QBoxLayout* m_tools;
   LegendStrip* m_legend;
   QSlider* m_slider;
   QComboBox* m_scale = list({.items = {QT_TR_NOOP("by point"), QT_TR_NOOP("by time")}});

@@ -11,6 +11,7 @@
 #include "widgets/program/program_panel.h"
 #include "widgets/program/program_text_view.h"
 #include "widgets/program/reading_bar.h"
+#include "widgets/program/start_steps.h"
 #include "widgets/program/text_pane.h"
 
 namespace rivulet::widgets {
@@ -34,9 +35,11 @@ ProgramPage::ProgramPage(QWidget* parent)
       m_panel(new ProgramPanel(this)),
       m_live(new LivePanel(this)),
       m_reading(new ReadingBar(this)),
+      m_steps(new StartSteps(this)),
+      m_all(new QStackedWidget(this)),
       m_side(new QStackedWidget(this)),
       m_halves(new QSplitter(Qt::Horizontal, this)) {
-  m_panel->placeAboveTabs(m_text);
+  m_panel->setTextPage(m_text);
   m_path->setMinimumWidth(kPathPx);
   m_halves->addWidget(m_path);
   m_side->addWidget(m_panel);
@@ -46,7 +49,9 @@ ProgramPage::ProgramPage(QWidget* parent)
   m_halves->setChildrenCollapsible(false);
   connect(m_halves, &QSplitter::splitterMoved, m_halves,
           [this] { m_halves->setProperty(kMoved, true); });
-  auto* layout = inColumn({m_reading, {m_halves, 1}}, this, QMargins(0, 0, 0, 0));
+  m_all->addWidget(m_steps);
+  m_all->addWidget(m_halves);
+  auto* layout = inColumn({m_reading, {m_all, 1}}, this, QMargins(0, 0, 0, 0));
   layout->setSpacing(0);
   connect(m_path, &PathView::pointChosen, this, &ProgramPage::showPoint);
   connect(m_text, &TextPane::lineChosen, this, &ProgramPage::showLine);
@@ -62,6 +67,11 @@ void ProgramPage::setProgram(const std::shared_ptr<const overview::ProgramView>&
   m_text->setProgram(view);
   m_panel->setProgram(view);
   m_reading->setProgram(view ? view->program : nullptr);
+  showSteps(view == nullptr);
+}
+
+void ProgramPage::showSteps(bool areShown) {
+  m_all->setCurrentWidget(areShown ? static_cast<QWidget*>(m_steps) : m_halves);
 }
 
 void ProgramPage::replaceProgram(const std::shared_ptr<const overview::ProgramView>& view) {
@@ -72,6 +82,7 @@ void ProgramPage::replaceProgram(const std::shared_ptr<const overview::ProgramVi
 void ProgramPage::setLive(const std::optional<live::Agreement>& agreed) {
   m_path->setBox(agreed);
   m_side->setCurrentWidget(agreed ? static_cast<QWidget*>(m_live) : m_panel);
+  showSteps(!agreed && m_program == nullptr);
 }
 
 void ProgramPage::setTimes(const std::shared_ptr<const overview::ProgramTimes>& times) {

@@ -23,6 +23,7 @@ class PathView;
 class ProgramPanel;
 class ProgramTextView;
 class ReadingBar;
+class StartSteps;
 class TextPane;
 
 class ProgramPage final : public Page {
@@ -57,6 +58,8 @@ class ProgramPage final : public Page {
   [[nodiscard]] ProgramPanel* panel() const { return m_panel; }
   [[nodiscard]] LivePanel* livePanel() const { return m_live; }
   [[nodiscard]] ReadingBar* readingBar() const { return m_reading; }
+  /// Shown while there is neither a program nor a live source.
+  [[nodiscard]] StartSteps* steps() const { return m_steps; }
 
   /// Shows a line in the text and its moves on the path.
   void showLine(std::size_t line);
@@ -67,6 +70,7 @@ class ProgramPage final : public Page {
 
  private:
   void showPoint(std::size_t point);
+  void showSteps(bool areShown);
 
   std::shared_ptr<const overview::ProgramView> m_program;
   bool m_hasTimes = false;
@@ -75,6 +79,8 @@ class ProgramPage final : public Page {
   ProgramPanel* m_panel;
   LivePanel* m_live;
   ReadingBar* m_reading;
+  StartSteps* m_steps;
+  QStackedWidget* m_all;   ///< steps, or the program
   QStackedWidget* m_side;  ///< one of both
   QSplitter* m_halves;
 };

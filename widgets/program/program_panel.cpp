@@ -18,7 +18,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSortFilterProxyModel>
-#include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
 #include <QUrl>
@@ -71,8 +70,7 @@ QString linkTo(base::LineNumber line, const QString& lines) {
 ProgramPanel::ProgramPanel(QWidget* parent)
     : Page(parent),
       m_recentMenu(new QMenu(this)),
-      m_rows(new QSplitter(Qt::Vertical, this)),
-      m_tabs(new QTabWidget(m_rows)),
+      m_tabs(new QTabWidget(this)),
       m_findings(new DiagnosticModel(this)),
       m_sorted(new QSortFilterProxyModel(this)),
       m_findingsTable(new QTableView(this)),
@@ -91,13 +89,16 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   for (std::size_t i = 0; i < gcode::kDialects.size(); ++i) {
     m_dialect->addItem(QString());
   }
-  m_tabs->addTab(makeFigures(), QString());
-  m_tabs->addTab(makeFindings(), QString());
+  m_pages[Tab::Figures] = makeFigures();
+  m_pages[Tab::Findings] = makeFindings();
+  m_tabs->addTab(m_pages[Tab::Figures], QString());
+  m_tabs->addTab(m_pages[Tab::Findings], QString());
 
-  inColumn(
-      {inRow({{m_open, 1}, {m_recent, 1}, {m_live, 1}}), m_name, m_hash, m_summary, {m_rows, 1}},
-      this);
-  m_rows->setChildrenCollapsible(false);
+  inColumn({inRow({{m_open, 1}, {m_recent, 1}, {m_live, 1}}),
+            inRow({{m_name, 1}, m_summary}),
+            {m_tabs, 1}},
+           this);
+  m_tabs->setDocumentMode(true);
 
   connect(m_findingsTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &ProgramPanel::showFinding);
@@ -108,7 +109,10 @@ ProgramPanel::ProgramPanel(QWidget* parent)
     }
   };
   connect(m_findingsTable, &QTableView::clicked, this, jump);
-  connect(m_findingsTable, &QTableView::activated, this, jump);
+  connect(m_findingsTable, &QTableView::activated, this, [this, jump] {
+    jump();
+    showTab(Tab::Text);
+  });
   connect(m_dialect, &QComboBox::activated, this, [this](int index) {
     std::optional<gcode::Dialect> wanted;
     if (index > 0) {
@@ -131,6 +135,7 @@ QWidget* ProgramPanel::makeFigures() {
   figures->addWidget(label({.text = QT_TR_NOOP("Dialect"), .isMuted = true}), 0, 0);
   figures->addWidget(m_dialect, 0, 1);
   figures->addWidget(m_evidence, 1, 0, 1, 2);
+  figures->addWidget(m_hash, 2, 0, 1, 2);
   constexpr std::array<const char*, FigureCount> kNames{QT_TR_NOOP("Lines"),
                                                         QT_TR_NOOP("Motions"),
                                                         QT_TR_NOOP("Points"),
@@ -151,7 +156,7 @@ QWidget* ProgramPanel::makeFigures() {
   constexpr const char* kDistanceTip = QT_TR_NOOP("Smallest distance of neighbouring points");
   constexpr const char* kWindowTip =
       QT_TR_NOOP("Smallest path length of half a loop (N/2 points, rounded down)");
-  constexpr int kFirstRow = 2;
+  constexpr int kFirstRow = 3;
   for (int figure = 0; figure < FigureCount; ++figure) {
     const int row = kFirstRow + figure;
     auto* value = this->value({.wraps = true});
@@ -214,11 +219,10 @@ QWidget* ProgramPanel::makeFindings() {
   return page;
 }
 
-void ProgramPanel::placeAboveTabs(QWidget* widget) {
-  m_rows->insertWidget(0, widget);
-  m_rows->setStretchFactor(0, 2);
-  m_rows->setStretchFactor(1, 3);
-  m_rows->setSizes({180, 260});
+void ProgramPanel::setTextPage(QWidget* page) {
+  m_pages[Tab::Text] = page;
+  m_tabs->insertTab(0, page, QString());
+  m_tabs->setCurrentIndex(0);
 }
 
 void ProgramPanel::setProgram(std::shared_ptr<const overview::ProgramView> view) {
@@ -234,7 +238,7 @@ void ProgramPanel::setProgram(std::shared_ptr<const overview::ProgramView> view)
                                                            : feasibility::DistanceHistogram{});
   showProgram();
   // Findings that prevent streaming are shown first.
-  showTab(m_program && !m_program->program->isStreamable() ? Tab::Findings : Tab::Figures);
+  showTab(m_program && !m_program->program->isStreamable() ? Tab::Findings : Tab::Text);
 }
 
 void ProgramPanel::setReading(std::optional<gcode::Dialect> dialect,
@@ -285,11 +289,14 @@ void ProgramPanel::chooseFile() {
 }
 
 void ProgramPanel::showTab(Tab tab) {
-  m_tabs->setCurrentIndex(static_cast<int>(tab));
+  m_tabs->setCurrentWidget(m_pages[tab] != nullptr ? m_pages[tab] : m_pages[Tab::Figures]);
 }
 
 void ProgramPanel::retranslate() {
-  m_tabs->setTabText(static_cast<int>(Tab::Figures), tr("Figures"));
+  m_tabs->setTabText(m_tabs->indexOf(m_pages[Tab::Figures]), tr("Figures"));
+  if (m_pages[Tab::Text] != nullptr) {
+    m_tabs->setTabText(0, tr("Text"));
+  }
   m_findings->refresh();
   showFinding();
   fillRecentMenu();
@@ -341,7 +348,7 @@ void ProgramPanel::showSummary() {
     }
   }
   const std::size_t findings = found[0] + found[1] + found[2];
-  m_tabs->setTabText(static_cast<int>(Tab::Findings),
+  m_tabs->setTabText(m_tabs->indexOf(m_pages[Tab::Findings]),
                      findings == 0 ? tr("Findings") : tr("Findings (%1)").arg(countText(findings)));
 }
 
@@ -570,6 +577,7 @@ void ProgramPanel::followLink(const QString& link) {
   const auto line = link.toULongLong(&isNumber);
   if (isNumber) {
     Q_EMIT lineChosen(static_cast<std::size_t>(line));
+    showTab(Tab::Text);
   }
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <QStringList>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,7 +22,6 @@ class QLabel;
 class QMenu;
 class QPushButton;
 class QSortFilterProxyModel;
-class QSplitter;
 class QTabWidget;
 class QTableView;
 class QVBoxLayout;
@@ -57,10 +57,10 @@ class ProgramPanel final : public Page {
   /// Asks for a file, as the button does.
   void chooseFile();
 
-  /// A widget above the tabs; its height can be changed by hand.
-  void placeAboveTabs(QWidget* widget);
+  /// The text of the program, as the first tab.
+  void setTextPage(QWidget* page);
 
-  enum class Tab { Figures, Findings };
+  enum Tab : std::size_t { Text, Figures, Findings };
   void showTab(Tab tab);
 
  Q_SIGNALS:
@@ -151,8 +151,8 @@ class ProgramPanel final : public Page {
   StatusLabel* m_summary = status({.wraps = true});
   QComboBox* m_dialect = list();
   QLabel* m_evidence = value({.isMuted = true, .wraps = true});
-  QSplitter* m_rows;
   QTabWidget* m_tabs;
+  std::array<QWidget*, 3> m_pages{};  ///< by Tab; null: not there
   std::vector<QLabel*> m_figureNames;
   std::vector<QLabel*> m_figureValues;
   DistanceChart* m_chart = nullptr;

@@ -10,6 +10,7 @@
 #include <QShortcut>
 #include <QToolButton>
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "widgets/common/number_format.h"
@@ -52,6 +53,7 @@ TextPane::TextPane(QWidget* parent)
               {.text = QT_TR_NOOP("Run from here …"),
                .tip = QT_TR_NOOP("Start at the chosen line. First it is shown what would move."),
                .isTouch = true})),
+      m_below(new QBoxLayout(QBoxLayout::LeftToRight)),
       m_text(new ProgramTextView(this)) {
   m_search->setClearButtonEnabled(true);
   m_search->setMinimumSize(90, kTouchHeightPx);
@@ -60,16 +62,24 @@ TextPane::TextPane(QWidget* parent)
   m_follow->setCheckable(true);
   m_follow->setChecked(true);
   m_found->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00 000+")));
-  auto* layout = inColumn({inRow({{m_search, 1}, m_found, m_previous, m_next}),
-                           inRow({label({.text = QT_TR_NOOP("Line"), .isMuted = true}), m_line,
-                                  m_previousPart, m_nextPart, spring(), m_follow}),
+  m_below->addLayout(inRow({m_previousPart, m_nextPart, {m_follow, 1}}));
+  m_below->addWidget(m_startHere, 1);
+  auto* layout = inColumn({inRow({{m_search, 1},
+                                  m_found,
+                                  m_previous,
+                                  m_next,
+                                  label({.text = QT_TR_NOOP("Line"), .isMuted = true}),
+                                  m_line}),
                            {m_text, 1},
-                           m_startHere},
-                          this, QMargins(0, 0, 0, 0));
+                           m_below},
+                          this, QMargins(0, 4, 0, 0));
   layout->setSpacing(4);
   m_startHere->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   m_startHere->setEnabled(false);
-  setTabOrder(m_text, m_startHere);
+  const std::array<QWidget*, 5> order{m_text, m_previousPart, m_nextPart, m_follow, m_startHere};
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    setTabOrder(order[i - 1], order[i]);
+  }
 
   connect(m_search, &QLineEdit::textChanged, this, [this](const QString& wanted) {
     m_text->setHighlighted(wanted);
@@ -182,6 +192,12 @@ void TextPane::showFound() {
   const bool hasMore = m_finder->isBusy() || lines.size() >= TextSearch::kFoundMax;
   m_found->setText(countText(lines.size()) + (hasMore ? QStringLiteral("+") : QString()));
   m_found->setToolTip(tr("Lines with this text"));
+}
+
+void TextPane::resizeEvent(QResizeEvent* event) {
+  constexpr int kOneRowPx = 440;
+  Page::resizeEvent(event);
+  m_below->setDirection(width() < kOneRowPx ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 }  // namespace rivulet::widgets

@@ -49,6 +49,9 @@ class TextPane final : public Page {
   /// The operator wants a run to begin at the chosen line.
   void startHereRequested(std::size_t line);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void findNext(bool isForward);
   void goToLine();
@@ -69,6 +72,7 @@ class TextPane final : public Page {
   QToolButton* m_nextPart;
   QToolButton* m_follow;
   QToolButton* m_startHere;
+  QBoxLayout* m_below;      ///< the text: one row, or two in a narrow pane
   ProgramTextView* m_text;  ///< made last: the focus comes to it from above
   std::shared_ptr<const overview::ProgramView> m_program;
   std::size_t m_runLine = 0;

@@ -345,7 +345,13 @@ void RunPanel::setWrongMotion(bool hasWrongMotion) {
 }
 
 void RunPanel::restyle() {
-  // The buttons stay neutral: shape and text distinguish them.
+  const ThemeColors& colors = themeColors(palette());
+  for (const auto& [button, fill] :
+       {std::pair(m_stop, colors.stop), std::pair<QPushButton*, QColor>(m_start, colors.start)}) {
+    fillButton(*button, fill);
+  }
+  m_stop->setIcon(themedIcon(QStringLiteral("stop"), colors.onFill));
+  m_start->setIcon(themedIcon(QStringLiteral("play"), colors.onFill));
   showButtons();
   update();
 }
@@ -431,7 +437,7 @@ QString RunPanel::nativeText() const {
   const QString block = m_job->block.isEmpty() ? what : what + QStringLiteral(": ") + m_job->block;
   return hasFeedCell()
              ? block
-             : block + QStringLiteral(". ") + tr("Stop and Hold act at the end of the block");
+             : block + QStringLiteral(". ") + tr("Stop and Pause act at the end of the block");
 }
 
 QString RunPanel::stopText() const {
@@ -498,7 +504,7 @@ void RunPanel::showButtons() {
   // One place for both, so that a hand finds it: Hold during a run, Continue during a hold.
   const bool canGoOn = m_update.state == RunState::Holding;
   const bool isHolding = canGoOn && !isHeldBySource();
-  m_hold->setText(isHolding ? tr("Continue") : tr("Hold"));
+  m_hold->setText(isHolding ? tr("Continue") : tr("Pause"));
   m_hold->setIcon(themedIcon(isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
                              themeColors(palette()).text));
   m_hold->setEnabled(m_canHold && (canGoOn || m_update.state == RunState::Running));

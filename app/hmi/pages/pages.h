@@ -42,11 +42,14 @@ class Users;
 struct Findings;
 struct Settings;
 
+/// What a page is for: the three places of the window.
+enum class Place : int { Work, Analyse, SetUp };
+
 /// A page of the tab widget.
 struct PageEntry {
   const char* title;                ///< to be translated in the context `Pages`
   const char* help = "The window";  ///< heading in docs/hmi.md
-  bool isInMenu = false;            ///< chosen there, not at the side: no work at a machine
+  Place place = Place::Work;
 };
 [[nodiscard]] QString pageTitle(const PageEntry& entry);
 
@@ -111,8 +114,9 @@ void connectServices(Users* users, RunController* runs, Services* services,
                                           QWidget* parent);
 [[nodiscard]] QWidget* makeTrustSheet(Users* users, MachineModel* machine, RunController* runs,
                                       Certificates* certificates, QWidget* parent);
-[[nodiscard]] QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, RunController* runs,
-                                    Preflight* preflight, FoundRuns* found, QWidget* parent);
+[[nodiscard]] QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document,
+                                    RunController* runs, Preflight* preflight, FoundRuns* found,
+                                    QWidget* parent);
 
 /// The simulation among the findings, as pages show it.
 [[nodiscard]] std::optional<widgets::RehearsalView> rehearsalView(const Findings& findings);
