@@ -94,10 +94,9 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   m_tabs->addTab(m_pages[Tab::Figures], QString());
   m_tabs->addTab(m_pages[Tab::Findings], QString());
 
-  inColumn({inRow({{m_open, 1}, {m_recent, 1}, {m_live, 1}}),
-            inRow({{m_name, 1}, m_summary}),
-            {m_tabs, 1}},
-           this);
+  inColumn({inRow({{m_open, 1}, {m_recent, 1}, {m_live, 1}}), m_name, m_summary, {m_tabs, 1}}, this,
+           QMargins(8, 4, 8, 2))
+      ->setSpacing(4);
   m_tabs->setDocumentMode(true);
 
   connect(m_findingsTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
