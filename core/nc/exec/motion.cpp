@@ -203,9 +203,12 @@ void Executor::noteMissingFeed(const BlockWords& words) {
       m_to.faults.report(Severity::Error, column, FaultCode::FeedMissing, {});
     }
   } else if (!m_feedMissingReported) {
-    // A number whose meaning G94 has taken is no feed, and not one that a stream may choose.
-    m_to.faults.report(m_feedIsNamed ? Severity::Error : Severity::Warning, column,
-                       m_feedIsNamed ? FaultCode::FeedLost : FaultCode::FeedMissing, {});
+    // A number whose meaning G94 has taken is no feed, and not one that a stream may choose. Where
+    // only S is missing, it may.
+    const bool isLost =
+        m_feedIsNamed && (m_state.feedMode == FeedMode::PerMinute || m_state.feedMmPerRev == 0.0);
+    m_to.faults.report(isLost ? Severity::Error : Severity::Warning, column,
+                       isLost ? FaultCode::FeedLost : FaultCode::FeedMissing, {});
     m_feedMissingReported = true;
   }
 }
