@@ -144,14 +144,18 @@ MainWindow::~MainWindow() {
 
 void MainWindow::buildPages() {
   auto* central = new QWidget(this);
-  auto* rows = new QVBoxLayout;
+  auto* above = new QVBoxLayout;
   m_rail = new widgets::PlaceRail(central);
-  widgets::inRow({m_rail, widgets::InBox(rows, 1)}, central, QMargins())->setSpacing(0);
-  rows->setSpacing(0);
-  rows->addWidget(makeHeader(central));
-  rows->addWidget(makePositionLine(&m_machine, central));
-  rows->addWidget(makeLoadBar(&m_document, central));
-  rows->addWidget(makeFileBanner(&m_messages, &m_document, &m_runs, central));
+  auto* beside = widgets::inRow({m_rail, widgets::InBox(above, 1)}, nullptr, QMargins());
+  // The strip with Stop has the whole width.
+  auto* rows = widgets::inColumn({widgets::InBox(beside, 1)}, central, QMargins());
+  for (QBoxLayout* each : std::initializer_list<QBoxLayout*>{above, beside, rows}) {
+    each->setSpacing(0);
+  }
+  above->addWidget(makeHeader(central));
+  above->addWidget(makePositionLine(&m_machine, central));
+  above->addWidget(makeLoadBar(&m_document, central));
+  above->addWidget(makeFileBanner(&m_messages, &m_document, &m_runs, central));
 
   m_centre = new widgets::SheetArea(central);
   m_tabs = new widgets::PlaceTabs(m_centre);
@@ -182,7 +186,7 @@ void MainWindow::buildPages() {
       m_centre, makeConnectionPanel(&m_machine, &m_runs, &m_logins), setUp, central);
   // The page takes what header, notices and strip leave.
   m_columns->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
-  rows->addWidget(m_columns, 1);
+  above->addWidget(m_columns, 1);
   for (int i = 0; i < m_tabs->count(); ++i) {
     auto* key = new QShortcut(pageKey(i), this);
     connect(key, &QShortcut::activated, this, [this, i] { openPage(i); });

@@ -124,7 +124,7 @@ PlaceRail::PlaceRail(QWidget* parent) : Page(parent), m_rows(new QVBoxLayout(thi
   m_rows->setContentsMargins(kRailMarginPx, kRailMarginPx, kRailMarginPx, kRailMarginPx);
   m_rows->setSpacing(kRailMarginPx);
   m_rows->addStretch();
-  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);  // in a low window it gives way
 }
 
 PlaceButton* PlaceRail::addPlace(const char* icon) {
