@@ -30,7 +30,7 @@ constexpr double kStepsPerS = 1000.0;  // of the slider, by time
 PathView::PathView(QWidget* parent)
     : Page(parent),
       m_canvas(new PathCanvas(this)),
-      m_tools(new QBoxLayout(QBoxLayout::LeftToRight)),
+      m_tools(new QBoxLayout(QBoxLayout::TopToBottom)),
       m_legend(new LegendStrip(this)),
       m_slider(
           say(new QSlider(Qt::Horizontal, this), {.hint = QT_TR_NOOP("Walk along the path")})) {

@@ -3,6 +3,8 @@
 
 #include "widgets/program/program_page.h"
 
+#include <QLineEdit>
+#include <QShortcut>
 #include <QSplitter>
 #include <QStackedWidget>
 
@@ -57,6 +59,15 @@ ProgramPage::ProgramPage(QWidget* parent)
   connect(m_text, &TextPane::lineChosen, this, &ProgramPage::showLine);
   connect(text(), &ProgramTextView::lineChosen, this, &ProgramPage::showLine);
   connect(m_panel, &ProgramPanel::lineChosen, this, &ProgramPage::showLine);
+  for (const auto& [key, field] :
+       {std::pair(QKeySequence(QKeySequence::Find), m_text->search()),
+        std::pair(QKeySequence(Qt::CTRL | Qt::Key_G), m_text->lineField())}) {
+    connect(new QShortcut(key, this), &QShortcut::activated, field, [this, field = field] {
+      m_panel->showTab(ProgramPanel::Text);
+      field->setFocus(Qt::ShortcutFocusReason);
+      field->selectAll();
+    });
+  }
   retranslate();
 }
 

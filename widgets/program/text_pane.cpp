@@ -103,14 +103,6 @@ TextPane::TextPane(QWidget* parent)
   // Who looks elsewhere is not pulled back.
   connect(m_text, &ProgramTextView::lineChosen, this, [this] { m_follow->setChecked(false); });
   connect(m_text, &ProgramTextView::scrolledByHand, this, [this] { m_follow->setChecked(false); });
-  const auto onKey = [this](const QKeySequence& key, QLineEdit* field) {
-    connect(new QShortcut(key, this), &QShortcut::activated, field, [field] {
-      field->setFocus(Qt::ShortcutFocusReason);
-      field->selectAll();
-    });
-  };
-  onKey(QKeySequence::Find, m_search);
-  onKey(QKeySequence(Qt::CTRL | Qt::Key_G), m_line);
   m_previousPart->hide();
   m_nextPart->hide();
   onLanguage(&TextPane::showFound);

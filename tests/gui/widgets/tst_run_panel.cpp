@@ -32,9 +32,11 @@ struct Buttons {
   explicit Buttons(const RunPanel& panel) {
     start = panel.findChild<QPushButton*>("start");
     stop = panel.findChild<QPushButton*>("stop");
+    hold = panel.findChild<QPushButton*>("hold");
   }
   QPushButton* start;
   QPushButton* stop;
+  QPushButton* hold;
 };
 
 }  // namespace
@@ -266,23 +268,22 @@ class TestRunPanel : public QObject {
     QVERIFY(!test::visibleText(panel).contains("confirmed"));
   }
 
-  void startIsNeverRedAndStopNeverGreen() {
-    for (const Theme theme : {Theme::Light, Theme::Dark}) {
+  void onlyStopIsRedAndOnlyStartIsGreen() {
+    for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Contrast}) {
       applyTheme(theme);
       RunPanel panel;
       const Buttons buttons(panel);
       panel.setUpdate(updateOf(RunState::Running));
-      for (QPushButton* button : {buttons.start, buttons.stop}) {
-        const QImage image = test::picture(*button, {200, 60});
-        int coloured = 0;
-        for (int y = 6; y < image.height() - 6; ++y) {
-          for (int x = 6; x < image.width() - 6; ++x) {
-            coloured += image.pixelColor(x, y).hsvSaturation() > 60 ? 1 : 0;
-          }
-        }
-        QCOMPARE(coloured, 0);
-        QVERIFY(button->minimumHeight() >= kTouchHeightPx);
-      }
+      const auto fill = [](QPushButton* button) {
+        return test::picture(*button, {200, 60}).pixelColor(10, 30);
+      };
+      const QColor stop = fill(buttons.stop);
+      QVERIFY(stop.hsvSaturation() > 100 && (stop.hsvHue() < 15 || stop.hsvHue() > 345));
+      const QColor start = fill(buttons.start);
+      QVERIFY(start.hsvSaturation() > 40 && start.hsvHue() > 120 && start.hsvHue() < 180);
+      QVERIFY(fill(buttons.hold).hsvSaturation() < 60);
+      QVERIFY(buttons.start->minimumHeight() >= kTouchHeightPx);
+      QVERIFY(buttons.stop->minimumHeight() >= kTouchHeightPx);
       for (const QString& text : {buttons.stop->text(), buttons.stop->toolTip()}) {
         QVERIFY(!text.startsWith("Emergency", Qt::CaseInsensitive));
       }
