@@ -147,12 +147,12 @@ void MainWindow::buildPages() {
   auto* above = new QVBoxLayout;
   m_rail = new widgets::PlaceRail(central);
   auto* beside = widgets::inRow({m_rail, widgets::InBox(above, 1)}, nullptr, QMargins());
-  // The strip with Stop has the whole width.
-  auto* rows = widgets::inColumn({widgets::InBox(beside, 1)}, central, QMargins());
+  // Header and the strip with Stop have the whole width: in a narrow window the rail would cut them.
+  auto* rows =
+      widgets::inColumn({makeHeader(central), widgets::InBox(beside, 1)}, central, QMargins());
   for (QBoxLayout* each : std::initializer_list<QBoxLayout*>{above, beside, rows}) {
     each->setSpacing(0);
   }
-  above->addWidget(makeHeader(central));
   above->addWidget(makePositionLine(&m_machine, central));
   above->addWidget(makeLoadBar(&m_document, central));
   above->addWidget(makeFileBanner(&m_messages, &m_document, &m_runs, central));
