@@ -143,7 +143,7 @@ std::optional<Event> FaultyLink::wait(Instant until) {
     if (std::optional<Event> event = giveUp(next)) {
       return event;
     }
-    if (std::optional<Event> event = m_inner.wait(next)) {
+    if (std::optional<Event> event = nextEvent(next)) {
       if (std::optional<Event> heard = hear(std::move(*event))) {
         return heard;
       }
@@ -217,11 +217,22 @@ std::optional<Event> FaultyLink::hear(Event event) {
   return event;
 }
 
+std::optional<Event> FaultyLink::nextEvent(Instant until) {
+  if (m_unheard.empty()) {
+    return m_inner.wait(until);
+  }
+  Event event = std::move(m_unheard.front());
+  m_unheard.pop_front();
+  return event;
+}
+
 void FaultyLink::stallClient() {
   // The machine continues, and requests in transit arrive.
   const Instant back = now() + drawn(m_faults.stallMax);
   while (now() < back) {
-    m_inner.wait(std::min(back, now() + kStep));
+    if (std::optional<Event> event = m_inner.wait(std::min(back, now() + kStep))) {
+      m_unheard.push_back(*std::move(event));
+    }
     if (onTime) {
       onTime();
     }

@@ -102,6 +102,8 @@ class FaultyLink final : public opcua::Link, public opcua::Control {
   [[nodiscard]] std::optional<opcua::Event> hear(opcua::Event event);
   /// The client does nothing for a while.
   void stallClient();
+  /// Of the link below; first what came while the client did nothing.
+  std::optional<opcua::Event> nextEvent(base::Instant until);
   [[nodiscard]] base::Error lost() const;
   [[nodiscard]] base::Duration drawn(base::Duration max);
 
@@ -110,6 +112,7 @@ class FaultyLink final : public opcua::Link, public opcua::Control {
   LinkFaults m_faults;
   base::Random m_random;
   base::RequestId m_lastId;
+  std::deque<opcua::Event> m_unheard;
   std::deque<Sent> m_requests;  ///< of this connection, in order
   std::deque<Sent> m_strays;    ///< of earlier ones
   base::Instant m_lastArrival{};
