@@ -147,6 +147,7 @@ Exit makeTemplate(const TemplateOptions& options) {
       if (cells.hasFeedCell()) {
         numbers["override"] = cells.overrideWanted;
         numbers["override_acts"] = cells.overrideActs;
+        numbers["silence_limit_s"] = cells.silenceLimitS;
       }
       if (cells.files > 0) {
         numbers["asked"] = cells.asked;

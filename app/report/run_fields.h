@@ -127,6 +127,8 @@ void cellFields(Io& io, Parameters& parameters) {
   io.ifThere().number("r_parameters", parameters.rParameterCount, 0, kJsonCellMax);
   io.ifThere().number("correction_limit_mm", parameters.correctionLimitMm, 0.0,
                       templates::kCorrectionLimitMmMax);
+  io.ifThere().number("silence_limit_s", parameters.silenceLimitS, 0.0,
+                      templates::kSilenceLimitSMax);
   io.ifThere().number("windows_ahead", parameters.windowsAhead, 0, kJsonCellMax);
   io.ifThere().flag("slow_down", parameters.slowDown);
   io.ifThere().named("layout", parameters.layout, templates::layoutName, templates::layoutFromName);

@@ -55,6 +55,11 @@ enum class SignalStop {
 /// Largest limit of the online correction: more would be another path, not a correction.
 inline constexpr double kCorrectionLimitMmMax = 1.0;
 
+/// Without a sign of the client for so long, the axes stand; and what may be chosen instead.
+inline constexpr double kSilenceLimitS = 1.0;
+inline constexpr double kSilenceLimitSMin = 0.2;
+inline constexpr double kSilenceLimitSMax = 60.0;
+
 /// Methods position and signal: their own settings.
 struct LoopSettings {
   Layout layout = Layout::Paper;
@@ -72,6 +77,10 @@ struct WindowSettings {
   /// Each point has a cell for its feed, after its coordinates; otherwise the feed is that of the
   /// window. Not for method file, whose blocks have their own
   bool feedPerPoint = false;
+  /// s. When the heartbeat of the client has not changed for longer, the override is 0 until it
+  /// does; 0: it is not watched, for a control without timers of the main run. Of a program with a
+  /// feed cell
+  double silenceLimitS = kSilenceLimitS;
 };
 
 /// Method credit, in addition to those of method window.
@@ -130,8 +139,9 @@ struct WindowCells {
   int heartbeat = 0;
   int overrideWanted = -1;  ///< client: path override in percent, see `FeedCell`; -1: no feed cell
   int overrideActs = -1;    ///< NC, in every interpolation cycle: the override in force
-  int windows = 0;          ///< k; 0: another method
-  int windowStride = 0;     ///< from a cell of a window to that of the next
+  double silenceLimitS = 0.0;  ///< NC: see `WindowSettings`; 0: it does not watch the heartbeat
+  int windows = 0;             ///< k; 0: another method
+  int windowStride = 0;        ///< from a cell of a window to that of the next
   /// Client: online correction of X, Y, Z, in mm; -1: none. After the last slot.
   std::array<int, base::kAxisCount> correction{-1, -1, -1};
 

@@ -12,6 +12,12 @@
 
 namespace rivulet::templates {
 
+/// The axes stand when the client gives no sign for `silenceLimitS`.
+[[nodiscard]] bool watchesClient(const CellMap& cells);
+
+/// A time after which they may stand: 0, or within the limits.
+[[nodiscard]] bool isSilenceLimit(double seconds);
+
 /// The blocks that put it into force: before the first motion, and before the client is waited for.
 /// The main run executes the actions from the next block on, until the program ends.
 /// @return empty: the program has no feed cell

@@ -60,12 +60,16 @@ struct WindowProtocol {
 
 /// Path override by the client: a synchronized action reads the feed cell in every interpolation
 /// cycle, so that it acts at once, wherever the program is. A value that is not a number from 0 to
-/// 200 holds the axes. The override in force is written by one action alone, which also tells it in
-/// a cell of its own.
+/// 200 holds the axes, and so does a client that gives no sign. The override in force is written by
+/// one action alone, which also tells it in a cell of its own.
 struct FeedCell {
   static constexpr double kHold = 0.0;
   static constexpr double kProgrammed = 100.0;  ///< the value at the start of a program
   static constexpr double kMax = 200.0;         ///< percent; the control's own limit of $AC_OVR
+
+  // The watch on the heartbeat: the time since it changed, and its value then.
+  static constexpr int kBeatTimer = 1;  ///< $AC_TIMER; negative before the first beat
+  static constexpr int kBeatSeen = 1;   ///< $AC_PARAM
 };
 
 /// Numbers of the synchronized actions of all programs: the control executes them in this order in
@@ -74,6 +78,7 @@ struct ActionNumber {
   static constexpr int kHeld = 1;    ///< feed cell: no override yet
   static constexpr int kWanted = 2;  ///< that of the client, if it may be obeyed
   static constexpr int kSlow = 3;    ///< method credit: while nothing follows the window in motion
+  static constexpr int kBeat = 4;    ///< a sign of the client: its time begins anew
   static constexpr int kActs = 5;    ///< what has become of it acts
   static constexpr int kCorrection = 11;  ///< online correction of X; Y and Z follow
 };

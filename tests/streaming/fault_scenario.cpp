@@ -26,6 +26,8 @@ constexpr int kAttemptsMax = 2000;
 /// Some windows at a slow feed, then the 1000 passes after which the program stops waiting for the
 /// client.
 constexpr Duration kAloneMax = std::chrono::minutes{30};
+/// A program that waits for its client ends before that.
+constexpr Duration kHeldMin = std::chrono::minutes{2};
 /// Long enough to see whether something moves that must not.
 constexpr Duration kWatched = std::chrono::seconds{30};
 constexpr double kStillMm = 1e-9;
@@ -154,7 +156,7 @@ class Exposure {
   }
 
   [[nodiscard]] double overrideActs() const { return m_machine.ncRParameter(m_cells.overrideActs); }
-  /// Held, or as good as held by a value that was falsified on its way.
+  /// Held, or as good as held by a value that was falsified on its way; or without a client.
   [[nodiscard]] bool isSlow() const {
     constexpr double kSlowPercent = 20.0;
     return m_cells.hasFeedCell() && m_machine.state().channel != machine::ChannelStatus::Reset &&
@@ -162,8 +164,8 @@ class Exposure {
   }
 
   /// The client is gone; nobody touches the machine. Delivered windows may still be executed; then
-  /// the axes stop, and the channel goes to reset by itself. Axes that the client has held stay
-  /// where they are, until an operator resets the control.
+  /// the axes stop, and the channel goes to reset by itself. Axes that the client has held, or that
+  /// stand because it is gone, stay where they are, until an operator resets the control.
   void leaveAlone(const RunReport& report) {
     m_intrusionAt.reset();
     if (!m_isWindow ||
@@ -180,13 +182,15 @@ class Exposure {
       m_link.reconnect();
     }
     const Instant until = m_machine.now() + kAloneMax;
+    Instant slowSince = m_machine.now();
     while (m_machine.now() < until && m_machine.state().channel != machine::ChannelStatus::Reset) {
       if (report.error.code == StreamError::WrongProgram) {
         break;  // it is not ours: an operator has to reset it
       }
       m_link.wait(m_machine.now() + std::chrono::milliseconds{200});
-      if (isSlow()) {
-        m_link.wait(m_machine.now() + std::chrono::seconds{2});
+      slowSince = isSlow() ? slowSince : m_machine.now();
+      // A program that waits for its client ends before that, and no late request lets it go on.
+      if (m_machine.now() - slowSince > kHeldMin) {
         break;
       }
     }
@@ -194,7 +198,7 @@ class Exposure {
       if (overrideActs() == templates::FeedCell::kHold) {
         watchStanding("while held");
       }
-      m_machine.reset();
+      reset();
       m_link.wait(m_machine.now() + std::chrono::seconds{2});
     }
     if (m_machine.state().channel != machine::ChannelStatus::Reset) {
@@ -205,6 +209,11 @@ class Exposure {
       m_link.wait(m_machine.now() + std::chrono::seconds{2});
     }
     watchStanding("in reset");
+  }
+
+  void reset() {
+    m_wasReset = m_wasReset || m_machine.state().channel != machine::ChannelStatus::Reset;
+    m_machine.reset();
   }
 
   void watchStanding(const char* where) {
@@ -242,7 +251,7 @@ class Exposure {
       }
       // A program without a client ends by itself after a while, unless the axes are held.
       if (isSlow()) {
-        m_machine.reset();
+        reset();
       }
       m_link.wait(m_machine.now() + std::chrono::seconds{5});
     }
@@ -301,8 +310,7 @@ class Exposure {
   void actUpon() {
     if (m_resetAt && m_machine.now() >= *m_resetAt) {
       m_resetAt.reset();
-      m_wasReset = m_wasReset || m_machine.state().channel != machine::ChannelStatus::Reset;
-      m_machine.reset();
+      reset();
     }
     if (m_intrusionAt && m_machine.now() >= *m_intrusionAt) {
       m_intrusionAt = m_machine.now() + base::fromSeconds(3.0 * m_random.exponential());

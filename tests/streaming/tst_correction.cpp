@@ -40,6 +40,7 @@ templates::TemplateParameters correctedParameters(int points = 7) {
   templates::TemplateParameters parameters;
   parameters.pointsPerLoop = points;
   parameters.correctionLimitMm = kLimitMm;
+  parameters.silenceLimitS = 0.0;  // nobody gives signs of life
   return parameters;
 }
 

@@ -22,6 +22,7 @@
 #include "streaming/run/whole_job.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/sleepy_link.h"
 #include "support/stop_bench.h"
 #include "support/test_program.h"
 #include "support/whole_trace_link.h"
@@ -195,6 +196,67 @@ Stopped judge(const World& world, const trace::ControlTrace& trace) {
     }
   }
   return stopped;
+}
+
+/// A client that is silent again and again at drawn times.
+class Naps {
+ public:
+  Naps(std::uint64_t seed, std::size_t most) : m_random(seed), m_most(most) {}
+  Duration operator()(Instant now) {
+    if (m_count == m_most) {
+      return {};
+    }
+    if (m_next == Instant{}) {
+      m_next = now + drawn(1.5);
+    }
+    if (now < m_next) {
+      return {};
+    }
+    ++m_count;
+    const Duration asleep = drawn(6.0);
+    m_next = now + asleep + drawn(3.0);
+    return asleep;
+  }
+
+ private:
+  Duration drawn(double mostS) { return base::fromSeconds(mostS * m_random.uniform()); }
+
+  base::Random m_random;
+  std::size_t m_most;
+  std::size_t m_count = 0;
+  Instant m_next{};
+};
+
+struct Silences {
+  std::size_t stood = 0;  ///< silences in which the axes had to stand, and did
+  double worstS = 0.0;    ///< from the beginning of a silence until they stood
+  std::string wrong;
+};
+
+/// No set point moves in a silence, once the limit and the braking are over.
+Silences judgeSilences(const World& world, const std::vector<tests::SleepyLink::Sleep>& sleeps,
+                       double limitS) {
+  Silences found;
+  const trace::ControlTrace& trace = world.person.trace;
+  for (const auto& sleep : sleeps) {
+    // A sign of life may have been on its way.
+    const Instant due = sleep.from + 2 * world.person.longest + base::fromSeconds(limitS) +
+                        brakingTime(world.config, 8000.0 / 60.0) + 3 * trace.cycle;
+    found.stood += sleep.to > due ? 1 : 0;
+    Instant last = sleep.from;
+    for (const trace::ControlSample& sample : trace.samples) {
+      if (sample.at < sleep.from || sample.at >= sleep.to || sample.feedMmPerS == 0.0) {
+        continue;
+      }
+      last = sample.at;
+      if (sample.at > due && found.wrong.empty()) {
+        found.wrong = fmt::format("moved {:.3f} s after the client had become silent",
+                                  base::toSeconds(sample.at - sleep.from));
+      }
+    }
+    found.worstS = std::max(found.worstS, base::toSeconds(last - sleep.from));
+  }
+  return found;
 }
 
 void show(const char* name, const Stopped& stopped) {
@@ -427,6 +489,127 @@ class TestFeedCell : public QObject {
     QVERIFY(report.counters.executed < 10);
     QVERIFY(*report.stopConfirmedAfter > 118s);
     QCOMPARE(report.holds.size(), std::size_t{1});
+  }
+
+  void aSilentClientStands_data() {
+    QTest::addColumn<int>("method");
+    QTest::addColumn<double>("limitS");
+    QTest::addColumn<double>("feedMmPerMin");
+    for (const MethodKind method : {MethodKind::Window, MethodKind::Credit, MethodKind::File}) {
+      for (const double limitS : {0.5, 1.0}) {
+        for (const double feed : {400.0, 8000.0}) {
+          QTest::addRow("%s, %.1f s, F %.0f", std::string(base::methodName(method)).c_str(), limitS,
+                        feed)
+              << static_cast<int>(method) << limitS << feed;
+        }
+      }
+    }
+  }
+
+  /// It stands within the set time, and goes on with the client: every point once.
+  void aSilentClientStands() {
+    QFETCH(int, method);
+    QFETCH(double, limitS);
+    QFETCH(double, feedMmPerMin);
+    World world(11);
+    const auto program = lines(feedMmPerMin > 1000.0 ? 60 : 12, 300.0);
+    RunSettings settings = settingsOf(static_cast<MethodKind>(method), feedMmPerMin, 3);
+    settings.parameters.silenceLimitS = limitS;
+    const auto flexible = templates::makeProgram(settings.parameters);
+    QVERIFY2(flexible.has_value(), flexible ? "" : flexible.error().text().c_str());
+    Naps drawn(2, 20);
+    tests::SleepyLink sleepy(world.link, [&](Instant now) {
+      return world.person.executed > 0 ? drawn(now) : Duration{};
+    });
+    tests::WholeTraceLink whole(sleepy);
+    const auto report = streaming::runJob(whole, world.link, *program, *flexible, settings,
+                                          world.person, world.person);
+    QVERIFY2(report.isFaultless() && report.outcome == Outcome::Completed,
+             report.error.text().c_str());
+    const Silences found = judgeSilences(world, sleepy.sleeps(), limitS);
+    qInfo("%zu silences, the axes stood in %zu; worst %.2f s", sleepy.sleeps().size(), found.stood,
+          found.worstS);
+    QVERIFY2(found.wrong.empty(), found.wrong.c_str());
+    QVERIFY(found.stood >= 8);
+    QVERIFY(world.person.hasNote("the axes have stood meanwhile"));
+  }
+
+  /// In native moves and cycles of a whole job, too; the same blocks are executed.
+  void aSilentClientStandsInAJob() {
+    std::string text = "G17 G90 G71 G94 F300\nT1 M6\nS1000 M3\nG0 X0 Y0 Z20\n";
+    for (int i = 0; i < 4; ++i) {
+      text += "SUPA G0 Z60\nG0 X0 Y0 Z20\nG1 Z0\nG1 X200 Y10\nG0 Z20\n";
+      text += "F100\nMCALL CYCLE81(20,0,2,-10)\nX5 Y5\nX30 Y5\nMCALL\nF300\n";
+    }
+    text += "M30\n";
+    gcode::LoadOptions options;
+    options.dialect = gcode::Dialect::Sinumerik;
+    const auto plan = job::makePlan("PART.MPF", text, options);
+    QVERIFY2(plan.has_value(), plan ? "" : plan.error().text().c_str());
+    std::vector<std::size_t> executed;
+    for (const std::size_t naps : {std::size_t{0}, std::size_t{40}}) {
+      World world(5, "dmu75-mill");
+      const RunSettings settings = settingsOf(MethodKind::Window, 1500.0, 5);
+      const auto programs = job::makePrograms(*plan, settings.parameters);
+      QVERIFY2(programs.has_value(), programs ? "" : programs.error().text().c_str());
+      Naps drawn(4, naps);
+      tests::SleepyLink sleepy(
+          world.link, [&](Instant now) { return world.person.seen ? drawn(now) : Duration{}; });
+      tests::WholeTraceLink whole(sleepy);
+      const auto report = streaming::runWholeJob(whole, world.link, *plan, *programs, settings,
+                                                 world.person, world.person);
+      QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+      QVERIFY(report.integrity.judged);
+      QCOMPARE(report.integrity.repeated + report.integrity.skipped + report.integrity.foreign,
+               std::size_t{0});
+      executed.push_back(static_cast<std::size_t>(
+          std::count_if(world.person.trace.blocks.begin(), world.person.trace.blocks.end(),
+                        [](const trace::ExecutedBlock& block) { return block.lengthMm > 0.01; })));
+      const Silences found = judgeSilences(world, sleepy.sleeps(), templates::kSilenceLimitS);
+      qInfo("%zu silences, the axes stood in %zu; worst %.2f s", sleepy.sleeps().size(),
+            found.stood, found.worstS);
+      QVERIFY2(found.wrong.empty(), found.wrong.c_str());
+      QVERIFY(naps == 0 || found.stood >= 15);
+    }
+    QCOMPARE(executed[0], executed[1]);
+  }
+
+  /// Written past every client: what is not a number is no sign of life, and an alarm where the
+  /// program asks for it.
+  void noNumberIsNoSignOfLife() {
+    World world;
+    const auto settings = settingsOf(MethodKind::Window, 400.0, 2);
+    const auto flexible = templates::makeProgram(settings.parameters);
+    tests::SleepyLink sleepy(world.link, [&, once = Duration(8s)](Instant now) mutable {
+      if (world.person.executed < 1 || once == Duration{}) {
+        return Duration{};
+      }
+      for (int beat = 0; beat < 40; ++beat) {
+        world.machine.writeRParameter(flexible->cells.heartbeat, std::nan(""));
+      }
+      static_cast<void>(now);
+      return std::exchange(once, Duration{});
+    });
+    tests::WholeTraceLink whole(sleepy);
+    const auto report = streaming::runJob(whole, world.link, *lines(8, 60.0), *flexible, settings,
+                                          world.person, world.person);
+    QVERIFY2(report.error.code == streaming::StreamError::ControlAlarm,
+             report.error.text().c_str());
+    const Silences found = judgeSilences(world, sleepy.sleeps(), templates::kSilenceLimitS);
+    QVERIFY2(found.wrong.empty(), found.wrong.c_str());
+    QCOMPARE(found.stood, std::size_t{1});
+  }
+
+  /// A machine that knows no timers, or whose timer stands: nothing moves.
+  void aControlThatDoesNotWatchIsNotStarted() {
+    World world;
+    MisreadLink link(world.link, "$AC_TIMER[1]=0", "$AC_TIMER[2]=0");
+    const auto settings = settingsOf(MethodKind::Window, 400.0);
+    const auto flexible = templates::makeProgram(settings.parameters);
+    const auto report = streaming::runJob(link, link, *lines(4, 10.0), *flexible, settings,
+                                          world.person, world.person);
+    QVERIFY(report.error.code == streaming::StreamError::FeedCellIgnored);
+    QVERIFY(world.machine.trace().samples.empty());
   }
 
   /// The synchronized actions are not carried out: nothing moves.

@@ -7,14 +7,13 @@
 #include <fmt/format.h>
 
 #include <QtTest>
-#include <deque>
 #include <utility>
 
 #include "base/units.h"
-#include "opcua/forwarding_link.h"
 #include "streaming/run/job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "support/silent_run.h"
+#include "support/sleepy_link.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -25,35 +24,6 @@ using base::MethodKind;
 using streaming::Outcome;
 
 namespace {
-
-/// Sleeps once.
-class SleepyLink final : public opcua::ForwardingLink {
- public:
-  SleepyLink(Link& link, Instant from, Duration duration)
-      : ForwardingLink(link), m_from(from), m_duration(duration) {}
-
-  std::optional<opcua::Event> wait(Instant until) override {
-    if (m_duration > Duration{} && now() >= m_from) {
-      const Instant awake = now() + std::exchange(m_duration, Duration{});
-      while (now() < awake) {
-        if (auto event = m_link.wait(awake)) {
-          m_kept.push_back(std::move(*event));
-        }
-      }
-    }
-    if (m_kept.empty()) {
-      return m_link.wait(until);
-    }
-    opcua::Event event = std::move(m_kept.front());
-    m_kept.pop_front();
-    return event;
-  }
-
- private:
-  Instant m_from;
-  Duration m_duration;
-  std::deque<opcua::Event> m_kept;
-};
 
 streaming::RunReport run(MethodKind method, Duration asleep) {
   std::string text = "G90 G1 F1000\n";
@@ -67,7 +37,9 @@ streaming::RunReport run(MethodKind method, Duration asleep) {
   settings.isCommissioned = true;
   machine::Machine machine(*machine::loadPreset("ideal"), 1);
   streaming::FaultyLink link(machine, {}, 1);
-  SleepyLink sleepy(link, Instant{} + 3s, asleep);
+  tests::SleepyLink sleepy(link, [once = asleep](Instant now) mutable {
+    return now >= Instant{} + 3s ? std::exchange(once, Duration{}) : Duration{};
+  });
   tests::SilentRun silent;
   return streaming::runJob(sleepy, link, *program, settings, silent, silent);
 }

@@ -247,7 +247,7 @@ class TestRunOnControl : public QObject {
   void findsTheRunAndItsClient() {
     World world;
     QVERIFY(!streaming::findRun(world.link, world.link, 0, std::chrono::seconds{3})->has_value());
-    // The client is killed in the middle: its program waits.
+    // The client is killed in the middle: its axes stand, until somebody else ends its program.
     streaming::RunReport report;
     {
       KilledClient client;
@@ -256,9 +256,19 @@ class TestRunOnControl : public QObject {
       client.stopAt = 20;
       report = streaming::runJob(world.link, world.link, zigzag(), settings, client, client);
     }
-    while (world.machine.state().channel != machine::ChannelStatus::Reset) {
-      static_cast<void>(world.link.wait(world.link.now() + std::chrono::milliseconds{20}));
-    }
+    const auto standsAt = [&world] {
+      static_cast<void>(world.link.wait(world.link.now() + std::chrono::seconds{30}));
+      return world.machine.state().commandMm;
+    };
+    const base::Vec3 stood = standsAt();
+    QVERIFY(world.machine.state().channel == machine::ChannelStatus::Active);
+    QCOMPARE(base::distance(standsAt(), stood), 0.0);
+    const auto left = streaming::findRun(world.link, world.link, 0, std::chrono::seconds{3});
+    QVERIFY(left.has_value() && left->has_value() && !(*left)->hasClient);
+    const auto ended = streaming::endRun(world.link, **left, windowSettings());
+    QVERIFY2(ended.has_value(), ended ? "" : ended.error().text().c_str());
+    QVERIFY(world.machine.state().channel == machine::ChannelStatus::Reset);
+    QVERIFY(base::distance(world.machine.state().commandMm, stood) > 0.0);
     QVERIFY(world.link.selectProgram("RIVULET_WINDOW_5X2.MPF").has_value());
     world.machine.writeRParameter(4, 0.0);
     QVERIFY(world.link.cycleStart().has_value());

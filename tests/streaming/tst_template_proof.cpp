@@ -132,7 +132,7 @@ void TestTemplateProof::brokenProgramShows_data() {
   row("window: the copy is reported too early", MethodKind::Window, "R2=RIV_L R3=RIV_L",
       "R2=RIV_L+1 R3=RIV_L", "late-client");
   row("window: never gives the client up", MethodKind::Window, "IF RIV_IDLE>1000",
-      "IF RIV_IDLE>100000000", "client-gone");
+      "IF RIV_IDLE>100000000", "bad-network");
 }
 
 void TestTemplateProof::brokenProgramShows() {

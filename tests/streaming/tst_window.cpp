@@ -42,10 +42,15 @@ templates::TemplateParameters windowParameters(int points, int windows = 2) {
   return parameters;
 }
 
-/// The flexible program on a machine, fed by hand.
+templates::TemplateParameters unwatched(templates::TemplateParameters parameters) {
+  parameters.silenceLimitS = 0.0;
+  return parameters;
+}
+
+/// The flexible program on a machine, fed by hand, without signs of life.
 struct Bench {
   explicit Bench(int points, machine::MachineConfig config = *machine::loadPreset("ideal"))
-      : parameters(windowParameters(points)),
+      : parameters(unwatched(windowParameters(points))),
         cells(templates::makeProgram(parameters)->cells),
         machine(std::move(config), 1) {
     const std::string name = templates::makeProgram(parameters)->name;

@@ -234,8 +234,11 @@ QString examineWindow(
       return QStringLiteral("the oracle found a fault that was none");
     }
   }
-  // Without an intruder an operator who goes on gets the whole program executed.
-  if (drawn.resumes && evidence.intrusions == 0 && !drawn.resetAfter &&
+  // Without an intruder an operator who goes on gets the whole program executed; behind a reset in
+  // mid-window only if it is certain where.
+  const bool wasReset = std::any_of(evidence.segments.begin(), evidence.segments.end(),
+                                    [](const FaultSegment& segment) { return segment.wasReset; });
+  if (drawn.resumes && evidence.intrusions == 0 && !wasReset &&
       follower.executed() < points.size()) {
     return QStringLiteral("not finished after %1 attempts: %2")
         .arg(evidence.reports.size())

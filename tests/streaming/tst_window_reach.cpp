@@ -42,6 +42,9 @@ RunReport run(machine::MachineConfig config, double feedMmPerMin, Grouping group
   scenario.program =
       streaming::programOf(streaming::drawContour({kPoints, kPointDistanceMm, 0.0}, random));
   scenario.settings.parameters.pointsPerLoop = kPointsPerWindow;
+  // Signs of life are seldom enough to leave the stream its time.
+  scenario.settings.parameters.silenceLimitS = std::max(
+      templates::kSilenceLimitS, 40.0 * base::toSeconds(scenario.machine.access.writeOverhead));
   scenario.settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
   scenario.settings.grouping = grouping;
   scenario.settings.monitor = monitor;

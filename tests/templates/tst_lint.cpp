@@ -232,11 +232,27 @@ void TestLint::brokenTemplateIsCaught_data() {
   row("window: written once", window, "ID=5", "ID=5 DO", "ID=5 WHEN TRUE DO", LintRule::FeedRaised,
       "ID=5");
   row("window: no override", window, "ID=5", "ID=5 DO $AC_OVR=$R11\n", "", LintRule::FeedRaised,
-      "ID=2");
+      "ID=4");
   row("window: half of it", window, "ID=2", "DO $R11=$R10", "DO $R11=0.5*$R10",
       LintRule::FeedCellIgnored, "ID=5");
   row("window: always held", window, "ID=2", "DO $R11=$R10", "DO $R11=0", LintRule::FeedCellIgnored,
       "ID=5");
+  row("window: the client is not watched", window, "ID=2", " AND ($AC_TIMER[1]<=1)", "",
+      LintRule::ClientNotWatched, "ID=5");
+  row("window: watched for too long", window, "ID=2", "($AC_TIMER[1]<=1)", "($AC_TIMER[1]<=1.5)",
+      LintRule::ClientNotWatched, "ID=5");
+  row("window: moves before the first sign", window, "ID=2", " AND ($AC_TIMER[1]>=0)", "",
+      LintRule::ClientNotWatched, "ID=5");
+  row("credit: the time goes on", credit, "ID=4", "$AC_TIMER[1]=0", "$AC_TIMER[1]=$AC_TIMER[1]",
+      LintRule::FeedCellIgnored, "");
+  row("window: always a sign", window, "ID=4", "$AC_PARAM[1]=$R8 ", "", LintRule::ClientNotWatched,
+      "ID=5");
+  row("window: only a rising number is a sign", window, "ID=4", " OR ($R8<$AC_PARAM[1])", "",
+      LintRule::ClientNotWatched, "ID=5");
+  row("window: another cell is watched", window, "ID=4", "($R8>$AC_PARAM[1])", "($R6>$AC_PARAM[1])",
+      LintRule::FeedCellIgnored, "ID=5");
+  row("window: never a sign", window, "ID=4", "$AC_TIMER[1]=0", "$AC_TIMER[1]=-1",
+      LintRule::FeedCellIgnored, "ID=5");
   row("credit: the main run writes a cell of the client", credit,
       "RIV_MOVE:", "DO $R3=", "DO $R1=", LintRule::ClientCellOverwritten, "DO $R1=");
   row("credit: wrong layout number", credit, "STOPRE\n", "R4=", "R4=1", LintRule::WrongLayoutNumber,
@@ -395,10 +411,10 @@ void TestLint::boundsOfCellsAreFollowed() {
 
 void TestLint::rulesHaveNames() {
   std::set<std::string_view> names;
-  for (int rule = 1; rule <= static_cast<int>(LintRule::FeedCellIgnored); ++rule) {
+  for (int rule = 1; rule <= static_cast<int>(LintRule::ClientNotWatched); ++rule) {
     names.insert(templates::lintRuleName(static_cast<LintRule>(rule)));
   }
-  QCOMPARE(names.size(), static_cast<std::size_t>(LintRule::FeedCellIgnored));
+  QCOMPARE(names.size(), static_cast<std::size_t>(LintRule::ClientNotWatched));
   QVERIFY(!names.contains(""));
 }
 

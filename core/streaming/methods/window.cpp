@@ -14,8 +14,6 @@ using base::Duration;
 using base::Instant;
 using templates::WindowProtocol;
 
-/// Interval of the heartbeat. Without one, the program ends after 20 s at the earliest.
-constexpr Duration kBeatInterval = std::chrono::seconds{1};
 /// Time in addition to the planned one before all header cells are read to find out why there is no
 /// progress.
 constexpr Duration kLookInterval = std::chrono::milliseconds{250};
@@ -50,7 +48,6 @@ WindowedMethod::WindowedMethod(MethodSetup&& setup, bool saysExecuted)
       m_saysExecuted(saysExecuted) {
   RIVULET_ASSERT(m_slots >= 1);
   RIVULET_ASSERT(m_plan.settings().runNumber > 0);
-  m_timers.set(Timer::Beat, Instant{});  // the first one at once
   m_timers.set(Timer::Look, Instant{});
   if (m_saysExecuted) {
     m_watched.push_back(opcua::rParameter(m_plan.cells().executed));
@@ -199,12 +196,6 @@ std::optional<Action> WindowedMethod::poll(Instant now) {
       return action;
     }
   }
-  // Over a slow network every access takes longer than the interval: the others have their turn.
-  if (m_step != Step::Beat && m_timers.isExpired(Timer::Beat, now)) {
-    m_beat += 1.0;
-    m_plan.addCell(cells.heartbeat, m_beat);
-    return write(Step::Beat);
-  }
   if (!m_progress.expected.isAhead(Expectation::Progress, now) &&
       m_timers.isExpired(Timer::Look, now)) {
     m_timers.set(Timer::Look, now + kLookInterval);
@@ -243,12 +234,6 @@ void WindowedMethod::handle(const Answer& answer, Instant now) {
       break;
     case Step::Run:
       confirmRun(now);
-      break;
-    case Step::Beat:
-      m_timers.set(Timer::Beat, now + kBeatInterval);
-      if (m_run == WindowProtocol::kHold) {
-        m_progress.expected.stop(Expectation::Progress);
-      }
       break;
     case Step::Watch:
       observe(answer.readings[0].number,
@@ -341,8 +326,8 @@ void WindowedMethod::observe(double latched, std::optional<double> executed, con
     // The machine waits for points.
     m_progress.expected.stop(Expectation::Progress);
     m_progress.expected.stop(Expectation::Access);
-  } else if (moreToBring && m_delivered == m_latched) {
-    m_progress.expected.stop(Expectation::Progress);  // the client has to deliver more
+  } else if (m_run == WindowProtocol::kHold || (moreToBring && m_delivered == m_latched)) {
+    m_progress.expected.stop(Expectation::Progress);  // the client has to deliver more, or go on
   } else {
     expectTaken(now);
   }
@@ -391,8 +376,9 @@ std::optional<base::Error> WindowedMethod::failure() const {
 }
 
 std::string_view WindowedMethod::adviceWhenLost() const {
-  return "The control executes the windows it has, then waits; it repeats nothing. Connect again "
-         "and resume the run, or reset the control.";
+  return "Without its client the program holds the axes where they are, at the latest when it has "
+         "executed its windows; it repeats nothing. Connect again and resume the run, or reset the "
+         "control.";
 }
 
 std::string_view WindowedMethod::adviceWhenStalled() const {

@@ -71,10 +71,9 @@ class WindowedMethod : public Method {
   std::size_t m_executed = 0;  ///< windows the axes have passed, as far as known
 
  private:
-  enum class Step { Claim, AwaitOwner, Content, Number, Run, Beat, Watch, Look };
+  enum class Step { Claim, AwaitOwner, Content, Number, Run, Watch, Look };
   enum class Trouble { None, OtherClient, Restarted, Ended };
   enum class Timer {
-    Beat,        ///< the next sign of life
     Look,        ///< all header cells are read again to find out why there is no progress
     WindowEnds,  ///< the window in motion, at the earliest
     Count,
@@ -134,7 +133,6 @@ class WindowedMethod : public Method {
   std::size_t m_delivered = 0;                        ///< windows whose number is confirmed
   base::Instant m_takenAt{};  ///< when the control was last seen to progress
   base::TimerTable<Timer> m_timers;
-  double m_beat = 0.0;
   Progress m_progress;
 };
 

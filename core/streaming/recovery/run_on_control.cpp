@@ -153,11 +153,6 @@ Result<std::optional<RunOnControl>> RunWatch::look(opcua::Link& link, opcua::Con
 
 void RunWatch::takeHeartbeat(RunOnControl& run, Instant now) {
   const bool isSame = m_last && m_last->isSameAs(run);
-  if (run.isNative) {
-    m_since = now;
-    m_hasBeaten = run.hasClient = m_isClientKnown = false;
-    return;
-  }
   if (!isSame || m_last->heartbeat != run.heartbeat) {
     m_hasBeaten = isSame;
     m_since = now;
@@ -186,6 +181,7 @@ Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& c
 Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunSettings& settings) {
   std::vector<Variable> watched{{VariableKind::ChannelStatus, 0}, command.end.variable};
   watched.insert(watched.end(), command.identity.begin(), command.identity.end());
+  double beats = 0.0;
   const Instant until = link.now() + settings.stopDeadline;
   for (;;) {
     const auto numbers = opcua::readNumbers(link, watched, settings.setupDeadline);
@@ -204,9 +200,15 @@ Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunS
     if (command.goesOn && !command.goesOn()) {
       return base::fail(StreamError::Cancelled, "The end of the program was not awaited.");
     }
+    std::vector<opcua::Assignment> due;
     if ((*numbers)[1] != command.end.value) {
-      if (Result<void> done = opcua::writeNow(link, {&command.end, 1}, settings.setupDeadline);
-          !done) {
+      due.push_back(command.end);
+    }
+    if (command.beat) {
+      due.push_back({*command.beat, beats += 1.0});
+    }
+    if (!due.empty()) {
+      if (Result<void> done = opcua::writeNow(link, due, settings.setupDeadline); !done) {
         return done;
       }
     }
@@ -222,6 +224,7 @@ Result<void> endRun(opcua::Link& link, const RunOnControl& run, const RunSetting
       link,
       {{cell(run.baseCell, WindowProtocol::Run), static_cast<double>(WindowProtocol::kEnd)},
        {cell(run.baseCell, run.job != 0 ? WindowProtocol::Asked : WindowProtocol::Owner)},
+       cell(run.baseCell, WindowProtocol::Heartbeat),
        [&run](std::span<const double> identity) {
          return run.job != 0 ? JobProtocol::jobOf(identity[0]) == run.job
                              : identity[0] == static_cast<double>(run.number);

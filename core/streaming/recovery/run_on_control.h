@@ -58,7 +58,7 @@ class RunWatch {
                                                                opcua::Control& control,
                                                                int baseCell);
   /// `hasClient` of the last look is certain: its heartbeat has changed, or has not changed for
-  /// `kHeartbeatWatch`. While a job executes blocks of the control, its client gives no sign.
+  /// `kHeartbeatWatch`.
   [[nodiscard]] bool isClientKnown() const { return m_isClientKnown; }
 
  private:
@@ -86,15 +86,18 @@ class RunWatch {
 struct EndCommand {
   opcua::Assignment end;
   std::vector<opcua::Variable> identity;  ///< cells that tell the program from others
+  /// The heartbeat: axes that stand because their client is gone come to the end only with another
+  /// one. Nothing: the program watches none.
+  std::optional<opcua::Variable> beat;
   std::function<bool(std::span<const double>)> isMeant;  ///< by the numbers in these cells
   std::string_view isAnother;                            ///< sentence if it is not
   std::string_view doesNotEnd;                           ///< sentence if it goes on
   std::function<bool()> goesOn = {};  ///< asked while waiting; false: give up. Empty: always true
 };
 
-/// Commands the program to end, unless the channel is in reset, and waits for that: as long as
-/// `goesOn` wants, or without it for the deadline of the settings. The command is given again
-/// whenever it is found overwritten.
+/// Commands the program to end, unless the channel is in reset, and waits for that, with a
+/// heartbeat of its own: as long as `goesOn` wants, or without it for the deadline of the settings.
+/// The command is given again whenever it is found overwritten.
 /// @return ChannelBusy if it is another program; StopNotConfirmed; Cancelled if `goesOn` gives up;
 ///         or a link error
 [[nodiscard]] base::Result<void> endProgram(opcua::Link& link, const EndCommand& command,

@@ -45,13 +45,20 @@ Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, R
       m_settings(settings),
       m_orders(orders),
       m_sink(sink),
-      m_ending{{opcua::rParameter(cells.endCell), static_cast<double>(cells.endValue)}, {}, {}, {}},
+      m_ending{
+          {opcua::rParameter(cells.endCell), static_cast<double>(cells.endValue)}, {}, {}, {}, {}},
       m_access(settings),
       m_reads(!method.readsPosition(), link.now()),
       m_correction(cells, settings.parameters),
       m_feed(feed),
       m_pauses(settings.nominalPause) {
   m_counters.total = total;
+}
+
+FeedOrder feedOrdered(RunOrders& orders, Instant now) {
+  FeedOrder order = orders.feed(now);
+  order.holds = order.holds || (orders.stopRequested(now) && !orders.letsEnd(now));
+  return order;
 }
 
 StreamEnd Driver::run() {
@@ -64,6 +71,7 @@ StreamEnd Driver::run() {
     }
     checkOrders();
     submitFeed();
+    submitBeat();
     if (m_ending.abandonedAt) {
       submitStop();
     }
@@ -173,7 +181,7 @@ void Driver::turnSupplier() {
 }
 
 void Driver::checkOrders() {
-  m_feed.want(m_orders.feed(m_link.now()), m_link.now());
+  m_feed.want(feedOrdered(m_orders, m_link.now()), m_link.now());
   noteFeed();
   const bool isOrdered = m_orders.holdRequested(m_link.now());
   m_supplierHolds = !isOrdered && m_supplier != nullptr && m_supplier->wantsHold(m_link.now());
@@ -217,12 +225,40 @@ void Driver::submitFeed() {
   }
 }
 
+void Driver::submitBeat() {
+  Heartbeat& beat = m_feed.beat();
+  if (!m_beatPending && beat.isDue(m_link.now())) {
+    // It is not repeated: the next one goes out soon enough.
+    m_beatPending = m_link.write(beat.next(m_link.now()), m_access.patient(2 * beat.interval()),
+                                 opcua::Grouping::List);
+  }
+}
+
+std::span<const opcua::Assignment> Driver::withBeats(std::span<const opcua::Assignment> cells) {
+  Heartbeat& beat = m_feed.beat();
+  const auto count = static_cast<double>(cells.size());
+  const double intervals = base::toSeconds(m_access.expected(static_cast<int>(cells.size()))) /
+                           base::toSeconds(beat.interval());
+  if (!beat.exists() || opcua::isArray(m_settings.grouping) || intervals <= 1.0) {
+    return cells;
+  }
+  const auto between = std::max<std::size_t>(1, static_cast<std::size_t>(count / intervals));
+  m_withBeats.clear();
+  for (const opcua::Assignment& cell : cells) {
+    m_withBeats.push_back(cell);
+    if (m_withBeats.size() % (between + 1) == between) {
+      m_withBeats.push_back(beat.next(m_link.now()).front());
+    }
+  }
+  return m_withBeats;
+}
+
 void Driver::takeFeed(const opcua::Event& event) {
   const FeedAccess access = *m_feedPending;
   m_feedPending.reset();
   const bool isDone = event.kind != opcua::EventKind::RequestFailed;
   if (isDone) {
-    noteAccess(event, {access.id, access.write, access.nodes, 0});
+    noteAccess(event, {access.id, access.write, access.nodes, 0, false});
   }
   if (access.write && (!isDone || refusedItem(event))) {
     m_feed.lost(event.at);
@@ -271,7 +307,7 @@ bool Driver::submitCorrection() {
   m_monitorPending =
       Pending{m_link.write(m_correction.take(m_link.now()),
                            m_access.patient(m_settings.requestDeadline), opcua::Grouping::List),
-              true, nodes, 0};
+              true, nodes, 0, false};
   return true;
 }
 
@@ -334,7 +370,7 @@ void Driver::submitMonitorRead(MonitorReads::Kind kind) {
   m_monitorPending =
       Pending{m_link.read(m_reads.variables(kind), m_access.patient(m_settings.requestDeadline),
                           opcua::Grouping::List),
-              false, m_reads.count(kind), 0};
+              false, m_reads.count(kind), 0, false};
 }
 
 void Driver::submitMethod() {
@@ -362,12 +398,14 @@ void Driver::submitMethod() {
                               m_access.patient(m_settings.requestDeadline) + kStoreDeadline);
     m_counters.sent += action->points;
   } else {
+    const auto cells = withBeats(action->assignments);
     pending.write = true;
-    pending.nodes = static_cast<int>(action->assignments.size());
+    pending.nodes = static_cast<int>(cells.size());
+    pending.beats = cells.size() > action->assignments.size();
     // A large fill at the start takes its time: the deadline grows with the number of nodes.
     const Duration deadline =
         m_settings.requestDeadline + 4 * m_settings.accessTime * pending.nodes;
-    pending.id = m_link.write(action->assignments, m_access.patient(deadline), m_settings.grouping);
+    pending.id = m_link.write(cells, m_access.patient(deadline), m_settings.grouping);
     m_counters.sent += action->points;
   }
   m_methodPending = pending;
@@ -382,6 +420,17 @@ void Driver::handle(const opcua::Event& event) {
     m_ending.pending.reset();
     // Whether it worked shows in the state of the channel; an order that was lost is given again.
     m_ending.isSent = event.kind != opcua::EventKind::RequestFailed;
+    return;
+  }
+  if (m_beatPending == event.request) {
+    m_beatPending.reset();
+    if (event.kind != opcua::EventKind::RequestFailed) {
+      noteAccess(event, {event.request, true, 1, 0, false});
+      if (!refusedItem(event)) {
+        m_feed.beaten(event.sent, event.at);
+        noteFeed();
+      }
+    }
     return;
   }
   if (m_trace.pending() == event.request) {
@@ -428,6 +477,9 @@ void Driver::handle(const opcua::Event& event) {
     return;
   }
   m_refusals = 0;
+  if (pending.beats) {
+    m_feed.beaten(event.sent, event.at);
+  }
   if (forMethod) {
     m_counters.accepted += pending.points;
     handleMethod(event);
@@ -568,6 +620,10 @@ void Driver::handleMonitor(const opcua::Event& event) {
         m_end.stopConfirmedAfter = event.at - *m_ending.wantedAt;
       }
       m_done = true;
+    } else if (isLeftHeld(event.sent)) {
+      m_end.leftHeld = true;
+      m_sink.note({m_link.now(), "stopped: the axes are held, and the program is left"});
+      m_done = true;
     } else if (const int alarm = static_cast<int>(event.readings[1].number); alarm != 0) {
       m_end.error = base::makeError(
           StreamError::ControlAlarm,
@@ -606,6 +662,16 @@ void Driver::publishPause(const trace::Pause& pause) {
   }
   update.pause = pause;
   m_sink.update(update);
+}
+
+bool Driver::isLeftHeld(Instant asked) {
+  const bool isTold = m_ending.wantedAt && m_method.progress().stopWritten;
+  if (!isTold || !m_feed.holds() || !m_feed.state().stoodAfter || !m_orders.leaves(asked)) {
+    m_ending.heldSince.reset();
+    return false;
+  }
+  m_ending.heldSince = m_ending.heldSince.value_or(asked);
+  return asked - *m_ending.heldSince >= kEndsAtOnce;
 }
 
 void Driver::checkDeadlines() {

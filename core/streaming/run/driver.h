@@ -33,6 +33,9 @@ inline constexpr std::string_view kRefusedNote = "refused: asked again";
 inline constexpr std::string_view kLostNote = "no answer in time: asked again";
 inline constexpr std::string_view kContinueNote = "continue requested";
 
+/// A program that waits for its client ends within this time after it has been told to.
+inline constexpr base::Duration kEndsAtOnce = std::chrono::milliseconds{300};
+
 /// Receives the reports of a run in progress. @threadsafety called on the streaming thread only
 class RunSink {
  public:
@@ -56,8 +59,11 @@ class RunOrders {
   /// What the feed cell is to say, if the program has one: it acts at once. By default the axes
   /// stand while the machine is to wait.
   [[nodiscard]] virtual FeedOrder feed(base::Instant now) { return {holdRequested(now)}; }
-  /// Nobody will order anything more: axes that are held at a stop are not waited for any longer
-  /// than others.
+  /// After a stop: somebody lets the program go on to its end, before its next window. Until then
+  /// the stop holds the axes, at once. By default nobody is there to be asked.
+  [[nodiscard]] virtual bool letsEnd(base::Instant /*now*/) { return true; }
+  /// Nobody will order anything more: a run that is held at a stop ends here when its axes stand,
+  /// and leaves its program held.
   [[nodiscard]] virtual bool leaves(base::Instant /*now*/) { return false; }
   /// Online correction requested now, mm, X Y Z. It is clamped to the limit of the template; a
   /// value that is not a number leaves the axis unchanged. Called only if the template has a
@@ -65,9 +71,13 @@ class RunOrders {
   [[nodiscard]] virtual base::Vec3 correctionMm(base::Instant /*now*/) { return {}; }
 };
 
+/// What the feed cell is to say: whatever stops a run holds its axes first.
+[[nodiscard]] FeedOrder feedOrdered(RunOrders& orders, base::Instant now);
+
 /// How the stream ended, as far as the client can know.
 struct StreamEnd {
   bool programEnded = false;  ///< the control's channel is in reset again
+  bool leftHeld = false;      ///< stopped: the axes stand, and the program is to end
   bool stopped = false;       ///< because the operator wanted it
   std::optional<base::Duration> stopConfirmedAfter;
   base::Error error;     ///< code clear: none
@@ -109,12 +119,14 @@ class Driver {
     bool write = false;
     int nodes = 0;
     std::size_t points = 0;
+    bool beats = false;  ///< with signs of life
   };
   /// The end of the program on the control, by command.
   struct Ending {
     opcua::Assignment stop;
     std::optional<base::Instant> wantedAt;     ///< by the operator
     std::optional<base::Instant> abandonedAt;  ///< because the stream cannot continue
+    std::optional<base::Instant> heldSince;    ///< it has been told, and the axes stand
     std::optional<base::RequestId> pending;
     bool isSent = false;
     base::Duration lostBefore{};  ///< time lost by the override until then
@@ -138,6 +150,10 @@ class Driver {
   [[nodiscard]] base::Instant nextWakeUp() const;
   /// The feed cell comes before everything else, whatever is outstanding.
   void submitFeed();
+  void submitBeat();
+  /// What takes longer than signs of life may be apart takes them along.
+  [[nodiscard]] std::span<const opcua::Assignment> withBeats(
+      std::span<const opcua::Assignment> cells);
   void takeFeed(const opcua::Event& event);
   void noteFeed();
   /// Time that is lost by hold and override does not count. @param since  `FeedControl::lostTime`
@@ -165,6 +181,8 @@ class Driver {
   /// Asks again for an item that has been refused. @return false if that makes no sense
   [[nodiscard]] bool repeats(const opcua::Event& event, bool forMethod);
   void checkDeadlines();
+  /// A stopped run whose axes are held, which nobody will let go on.
+  [[nodiscard]] bool isLeftHeld(base::Instant asked);
   [[nodiscard]] bool hasSlackFor(int nodes) const;
   [[nodiscard]] bool wantsStatus() const;
   [[nodiscard]] bool wantsDisplay() const;
@@ -201,6 +219,8 @@ class Driver {
   CorrectionCells m_correction;
   FeedControl& m_feed;
   std::optional<FeedAccess> m_feedPending;
+  std::optional<base::RequestId> m_beatPending;
+  std::vector<opcua::Assignment> m_withBeats;
   std::optional<base::Instant> m_progressSeen;  ///< last progress of the method
   base::Duration m_lostAtProgress{};            ///< lost time at that moment
   base::Instant m_nextSample{};                 ///< of the positions that the method reads

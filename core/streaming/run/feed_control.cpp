@@ -9,6 +9,8 @@
 #include <cmath>
 #include <utility>
 
+#include "templates/feed_cell.h"
+
 namespace rivulet::streaming {
 
 namespace {
@@ -40,6 +42,9 @@ constexpr Duration kStandDeadline = std::chrono::seconds{3};
 
 FeedControl::FeedControl(const templates::CellMap& cells)
     : m_exists(cells.hasFeedCell()),
+      m_beat(cells),
+      m_silenceLimit(
+          base::fromSeconds(templates::watchesClient(cells) ? cells.silenceLimitS : 0.0)),
       m_assignment{{{opcua::rParameter(std::max(0, cells.overrideWanted)), FeedCell::kProgrammed}}},
       m_cells{opcua::rParameter(std::max(0, cells.overrideWanted)),
               opcua::rParameter(std::max(0, cells.overrideActs))},
@@ -203,6 +208,22 @@ void FeedControl::takePlace(std::span<const opcua::Reading> readings, Instant at
   if (m_place.size() != place.size() || at - m_placeAt >= kLookInterval) {
     m_place = std::move(place);
     m_placeAt = at;
+  }
+}
+
+void FeedControl::beaten(Instant sent, Instant at) {
+  const Duration silence = m_beatenAt ? sent - *m_beatenAt : Duration{};
+  m_beatenAt = at;
+  m_beat.arrived(at);
+  if (m_silenceLimit == Duration{} || silence <= m_silenceLimit) {
+    return;
+  }
+  note(at,
+       fmt::format("feed: for {:.1f} s no sign of this client has reached the control: the axes "
+                   "have stood meanwhile",
+                   base::toSeconds(silence)));
+  if (m_seen.wantedPercent > FeedCell::kHold) {
+    m_lost += silence - m_silenceLimit;
   }
 }
 

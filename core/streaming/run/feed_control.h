@@ -3,8 +3,9 @@
 
 /// @file
 /// The client's side of the feed cell: when it is written and read, whether the control obeys, and
-/// when the axes stand. No I/O: whoever has the link asks what is due. One object lasts as long as
-/// the program on the control. @threadsafety one object, one thread.
+/// when the axes stand; and the sign of life without which they do. No I/O: whoever has the link
+/// asks what is due. One object lasts as long as the program on the control. @threadsafety one
+/// object, one thread.
 #pragma once
 
 #include <array>
@@ -18,6 +19,7 @@
 #include "base/vec3.h"
 #include "opcua/link.h"
 #include "streaming/run/feed_order.h"
+#include "streaming/run/heartbeat.h"
 #include "templates/cells.h"
 #include "trace/pause.h"
 #include "trace/recording.h"
@@ -52,6 +54,11 @@ class FeedControl {
   /// The answer, in the order of `read`. What could not be read is not known.
   void seen(std::span<const opcua::Reading> readings, base::Instant at);
 
+  /// Due whether the program has a feed cell or not. It is not waited for.
+  [[nodiscard]] Heartbeat& beat() { return m_beat; }
+  /// A sign of life has been confirmed. @param sent  when it was sent
+  void beaten(base::Instant sent, base::Instant at);
+
   /// No answer: nothing is known of the last access, and it is made again.
   void lost(base::Instant now);
 
@@ -73,6 +80,9 @@ class FeedControl {
   void account(base::Instant now);
 
   bool m_exists;
+  Heartbeat m_beat;
+  base::Duration m_silenceLimit;            ///< 0: signs of life are not watched
+  std::optional<base::Instant> m_beatenAt;  ///< the last one was there at the latest
   std::array<opcua::Assignment, 1> m_assignment;
   std::vector<opcua::Variable> m_cells;  ///< wanted, acting
   std::vector<opcua::Variable> m_all;    ///< the same, then the axes

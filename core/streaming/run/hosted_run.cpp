@@ -144,6 +144,9 @@ Result<void> HostedRun::requireFeedCell() {
   const Instant until = m_link.now() + kFeedCellDeadline;
   double acts = 0.0;
   for (;;) {
+    if (Result<void> done = beat(); !done) {
+      return done;
+    }
     const auto numbers = opcua::readNumbers(m_claim.link(), cells, m_settings.setupDeadline);
     if (!numbers) {
       return base::fail(numbers.error());
@@ -171,9 +174,26 @@ Result<void> HostedRun::requireFeedCell() {
   }
 }
 
+Result<void> HostedRun::beat() {
+  if (!m_feed.beat().isDue(m_link.now())) {
+    return {};
+  }
+  const Instant sent = m_link.now();
+  if (Result<void> done =
+          opcua::writeNow(m_claim.link(), m_feed.beat().next(sent), m_settings.setupDeadline);
+      !done) {
+    return done;
+  }
+  m_feed.beaten(sent, m_link.now());
+  return {};
+}
+
 Result<void> HostedRun::followFeed() {
+  if (Result<void> done = beat(); !done) {
+    return done;
+  }
   opcua::Link& link = m_claim.link();
-  m_feed.want(m_orders.feed(m_link.now()), m_link.now());
+  m_feed.want(feedOrdered(m_orders, m_link.now()), m_link.now());
   if (m_feed.mustWrite(m_link.now())) {
     if (Result<void> done =
             opcua::writeNow(link, m_feed.write(m_link.now()), m_settings.setupDeadline);

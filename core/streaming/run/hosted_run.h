@@ -57,7 +57,7 @@ class HostedRun {
   /// The program waits for its client, and nothing moves. Tries the feed cell: the control has to
   /// carry out what makes hold and override act at once. @return FeedCellIgnored, OtherClient
   [[nodiscard]] base::Result<void> requireFeedCell();
-  /// What the operator wants of the feed, where no driver does it.
+  /// What the operator wants of the feed, and the sign of life, where no driver does it.
   [[nodiscard]] base::Result<void> followFeed();
 
   void pause(base::Duration duration);
@@ -81,6 +81,7 @@ class HostedRun {
  private:
   [[nodiscard]] base::Result<void> unlessCancelled(base::Result<void> claimed);
   [[nodiscard]] base::Result<void> cancel();
+  [[nodiscard]] base::Result<void> beat();
 };
 
 }  // namespace rivulet::streaming

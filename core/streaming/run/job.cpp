@@ -341,7 +341,8 @@ class Job : public HostedRun {
     m_report.wrong = end.wrong;
     m_report.feed = feed.events(m_link.now());
     m_streamed = true;
-    if (end.error.code || !end.programEnded) {
+    m_report.leftHeld = end.leftHeld;
+    if (end.error.code || (!end.programEnded && !end.leftHeld)) {
       m_report.outcome = Outcome::Failed;
     } else if (end.stopped) {
       m_report.outcome = Outcome::Stopped;

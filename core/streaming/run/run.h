@@ -284,6 +284,9 @@ struct RunReport {
   std::optional<live::Summary> live;  ///< nothing: all points were there before the start
   std::vector<FeedEvent> feed;        ///< what was ordered by the feed cell
   std::vector<trace::Pause> holds;    ///< standstills of `pauses` that an order made; not in these
+  /// Stopped: the axes are held where they are, and the program ends before its next window when
+  /// somebody lets it (`endRun`), or with a reset.
+  bool leftHeld = false;
 
   /// A stopped run is judged by the points up to the stop.
   [[nodiscard]] RunFinding finding() const;

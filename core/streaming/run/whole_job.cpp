@@ -467,6 +467,9 @@ class WholeJob : public HostedRun {
       if (Result<void> done = passStop(state->isInterrupted); !done) {
         return done;
       }
+      if (isLeftHeld()) {
+        return leaveHeld();
+      }
       const bool isCalled =
           next < m_stretches.size() && state->call == call(m_stretches[next]->number);
       if (!isCalled) {
@@ -661,6 +664,21 @@ class WholeJob : public HostedRun {
     return writeRun(WindowProtocol::kEnd);
   }
 
+  /// Stopped in blocks of the control, which nobody will let go on.
+  [[nodiscard]] bool isLeftHeld() {
+    const bool isHeld =
+        m_isStopped && m_feed.holds() && m_feed.state().stoodAfter && m_orders.leaves(m_link.now());
+    m_heldSince = isHeld ? std::optional(m_heldSince.value_or(m_link.now())) : std::nullopt;
+    return isHeld && m_link.now() - *m_heldSince >= kEndsAtOnce;
+  }
+
+  Result<void> leaveHeld() {
+    m_isOver = true;
+    m_report.leftHeld = true;
+    m_report.outcome = Outcome::Stopped;
+    return {};
+  }
+
   Result<void> writeRun(int value) {
     const opcua::Assignment run{opcua::rParameter(m_cells.run), static_cast<double>(value)};
     return opcua::writeNow(m_link, {&run, 1}, m_settings.setupDeadline);
@@ -700,6 +718,9 @@ class WholeJob : public HostedRun {
     m_isStopped = run.outcome == Outcome::Stopped;
     if (run.error.code == opcua::LinkError::ConnectionLost) {
       return base::fail(run.error);
+    }
+    if (run.leftHeld) {
+      return leaveHeld();
     }
     // The loop has ended the job itself, or does so now.
     if (Result<void> done = writeRun(WindowProtocol::kEnd); !done) {
@@ -834,6 +855,7 @@ class WholeJob : public HostedRun {
   Instant m_nextEquipment{};
   int m_shownDue = 0;
   bool m_isOver = false;
+  std::optional<Instant> m_heldSince;
   int m_due = 0;            ///< native block that was due at the last look, from 1; 0: none yet
   Instant m_accountedTo{};  ///< all time before is in the report
   WholeJobReport m_report;

@@ -80,6 +80,7 @@ struct WholeJobReport {
   AccessStatistics access;
   std::vector<FeedEvent> feed;        ///< what was ordered by the feed cell
   std::vector<trace::Pause> holds{};  ///< standstills that an order made, if they are judged
+  bool leftHeld = false;              ///< see `RunReport`
 };
 
 struct WholeJobOptions {

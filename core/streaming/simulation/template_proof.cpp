@@ -13,6 +13,7 @@
 #include "streaming/run/job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/scenario.h"
+#include "templates/feed_cell.h"
 #include "templates/flexible_program.h"
 #include "trace/analysis/integrity.h"
 
@@ -33,6 +34,8 @@ constexpr double kStillMm = 1e-9;
 constexpr Duration kLimit = std::chrono::minutes{20};
 /// Without a client a program of method window has to end: 1000 passes of its waiting loop.
 constexpr Duration kAloneMax = std::chrono::minutes{30};
+/// A program that waits for its client ends before that.
+constexpr Duration kStandsMin = std::chrono::minutes{2};
 /// Long enough to see whether something moves that must not.
 constexpr Duration kWatched = std::chrono::seconds{20};
 
@@ -183,11 +186,24 @@ class Trial {
   }
 
   /// Nobody touches the control any more.
+  /// Until the program has ended, or the axes stand in the middle of a window, however long.
   void leaveAlone() {
     const Instant until = m_machine.now() + kAloneMax;
-    while (m_machine.now() < until && !hasEnded()) {
+    Instant movedAt = m_machine.now();
+    while (m_machine.now() < until && !hasEnded() && m_machine.now() - movedAt < kStandsMin) {
       m_link.wait(m_machine.now() + std::chrono::milliseconds{500});
+      const bool isHeld =
+          m_meant.cells.hasFeedCell() && m_machine.ncRParameter(m_meant.cells.overrideActs) == 0.0;
+      movedAt = isHeld ? movedAt : m_machine.now();
     }
+  }
+
+  /// Where a program that watches its client stands without it: not while it waits for a window.
+  [[nodiscard]] bool standsInWindow() {
+    const templates::CellMap& cells = m_meant.cells;
+    return templates::watchesClient(cells) &&
+           m_machine.ncRParameter(cells.executed) < m_machine.ncRParameter(cells.latched) &&
+           !movesOn();
   }
 
   [[nodiscard]] bool movesOn() {
@@ -311,7 +327,9 @@ class Prover {
       trial.run();
       trial.leaveAlone();
       return firstOf(trial.wrongMotion(),
-                     trial.hasEnded() ? "" : "the program does not end without its client");
+                     trial.hasEnded() || trial.standsInWindow()
+                         ? ""
+                         : "the program neither ends nor stands without its client");
     });
     if (m_cells.files > 0) {
       addWrongFile(m_cells);
@@ -331,7 +349,9 @@ class Prover {
       trial.run();
       trial.leaveAlone();
       return firstOf(trial.wrongMotion(),
-                     trial.hasEnded() ? "" : "the program does not end without its client");
+                     trial.hasEnded() || trial.standsInWindow()
+                         ? ""
+                         : "the program neither ends nor stands without its client");
     });
   }
 

@@ -28,6 +28,7 @@
 #include "nc/eval/evaluate.h"
 #include "nc/exec/block_reader.h"
 #include "nc/syntax/programs.h"
+#include "templates/feed_cell.h"
 #include "templates/flexible_program.h"
 #include "templates/lint/flow.h"
 
@@ -63,19 +64,40 @@ class CorrectionProbe final : public nc::ValueSource {
   double m_others;
 };
 
-/// A cycle of the main run with one value in the feed cell, everything else being `others`.
+/// Cycles of the main run with one value in the feed cell, everything else being `others` until an
+/// action writes it. Timers stand before they are started.
 class OverrideProbe final : public machine::MainRun {
  public:
   OverrideProbe(int cell, double value, double others) : m_others(others) { m_r[cell] = value; }
-  /// What is not written in a cycle is 100 %.
-  [[nodiscard]] double overridePercent() const { return m_overridePercent; }
-
-  [[nodiscard]] std::optional<double> systemValue(machine::SystemVariable, int) const override {
-    return m_others;
+  /// One cycle. What is not written in it is 100 %. @return the override
+  double cycle(machine::SyncActions& actions) {
+    m_overridePercent = 100.0;
+    // An action with an alarm, as for what is not a number, ends; the others go on.
+    static_cast<void>(actions.run(*this, 0));
+    return m_overridePercent;
   }
-  bool setSystemValue(machine::SystemVariable variable, int, double value) override {
+  void pass(double seconds) {
+    for (auto& [timer, value] : m_timers) {
+      value += value >= 0.0 ? seconds : 0.0;
+    }
+  }
+
+  [[nodiscard]] std::optional<double> systemValue(machine::SystemVariable variable,
+                                                  int index) const override {
+    if (variable == machine::SystemVariable::AcTimer) {
+      const auto timer = m_timers.find(index);
+      return timer != m_timers.end() ? timer->second : -1.0;
+    }
+    const auto written = m_written.find({variable, index});
+    return written != m_written.end() ? written->second : m_others;
+  }
+  bool setSystemValue(machine::SystemVariable variable, int index, double value) override {
     if (variable == machine::SystemVariable::AcOvr) {
       m_overridePercent = value;
+    } else if (variable == machine::SystemVariable::AcTimer) {
+      m_timers[index] = value;
+    } else {
+      m_written[{variable, index}] = value;
     }
     return true;
   }
@@ -90,6 +112,8 @@ class OverrideProbe final : public machine::MainRun {
 
  private:
   std::map<int, double> m_r;
+  std::map<int, double> m_timers;
+  std::map<std::pair<machine::SystemVariable, int>, double> m_written;
   double m_others;
   double m_overridePercent = 100.0;
 };
@@ -364,6 +388,9 @@ class Linter {
       if (m_cells.hasFeedCell() &&
           (target.name == "$AC_OVR" || (isCertain && cell == m_cells.overrideActs))) {
         m_overrideLine = line;  // looked at as a whole
+      } else if (watchesClient(m_cells) &&
+                 (target.name == "$AC_TIMER" || target.name == "$AC_PARAM")) {
+        m_overrideLine = std::max(m_overrideLine, line);  // the same
       } else if (isR && isCertain && isClients(cell)) {
         error(LintRule::ClientCellOverwritten, line,
               fmt::format(
@@ -437,9 +464,8 @@ class Linter {
     }
   }
 
-  /// What the actions make of the feed cell in a cycle. @param without  numbers of actions
-  [[nodiscard]] double overrideAt(double wanted, double others,
-                                  const std::set<int>& without) const {
+  /// @param others   values of all that the actions do not know  @param without  numbers of actions
+  [[nodiscard]] machine::SyncActions actionsOf(double others, const std::set<int>& without) const {
     machine::SyncActions actions;
     const CorrectionProbe values(-1, 0.0, others);
     for (const Statement& statement : m_statements) {
@@ -451,13 +477,55 @@ class Linter {
         actions.add(std::make_shared<const machine::SyncAction>(std::move(*made)), 0);
       }
     }
+    return actions;
+  }
+
+  /// What the actions make of the feed cell in a cycle while the client lives.
+  [[nodiscard]] double overrideAt(double wanted, double others,
+                                  const std::set<int>& without) const {
+    machine::SyncActions actions = actionsOf(others, without);
     OverrideProbe mainRun(m_cells.overrideWanted, wanted, others);
-    for (int cycle = 0; cycle < 2; ++cycle) {  // in every one
-      mainRun.setSystemValue(machine::SystemVariable::AcOvr, 0, 100.0);
-      // An action with an alarm, as for what is not a number, ends; the others go on.
-      static_cast<void>(actions.run(mainRun, 0));
+    mainRun.setRValue(m_cells.heartbeat, others + 1.0);
+    double percent = 0.0;
+    for (int cycle = 0; cycle < 3; ++cycle) {  // one to see the sign of life; then in every one
+      percent = mainRun.cycle(actions);
     }
-    return mainRun.overridePercent();
+    return percent;
+  }
+
+  /// What the axes do while the client gives no sign. @return empty: they stand; else what happens
+  [[nodiscard]] std::string lackOfWatch(double others, const std::set<int>& without) const {
+    constexpr double kAgo = 0.01;
+    constexpr int kCycles = 3;
+    const double limitS = m_cells.silenceLimitS;
+    machine::SyncActions actions = actionsOf(others, without);
+    OverrideProbe mainRun(m_cells.overrideWanted, FeedCell::kProgrammed, others);
+    const auto percent = [&](double afterS) {
+      mainRun.pass(afterS);
+      double last = 0.0;
+      for (int cycle = 0; cycle < kCycles; ++cycle) {
+        last = mainRun.cycle(actions);
+      }
+      return last;
+    };
+    const auto beat = [&](double value) { mainRun.setRValue(m_cells.heartbeat, value); };
+    if (percent(0.0) > FeedCell::kHold) {
+      return "the axes could move before its first one";
+    }
+    for (const double value : {others + 1.0, others - 3.5, 1e9}) {  // whatever it changes to
+      beat(value);
+      if (!(percent(0.0) > FeedCell::kHold) || !(percent(limitS - kAgo) > FeedCell::kHold)) {
+        return "the axes would stand although it lives";
+      }
+      if (percent(2.0 * kAgo) > FeedCell::kHold) {
+        return fmt::format("the axes would go on after {:g} s", limitS);
+      }
+    }
+    beat(std::numeric_limits<double>::quiet_NaN());
+    if (percent(kAgo) > FeedCell::kHold) {
+      return "what is not a number would count as one";
+    }
+    return {};
   }
 
   void lookAtFeedCell() {
@@ -499,6 +567,17 @@ class Linter {
                             wanted, m_cells.overrideWanted, plain, allowed));
           return;
         }
+      }
+    }
+    for (const double others : {0.0, 0.37, 1e6}) {
+      const std::string lack =
+          watchesClient(m_cells) ? lackOfWatch(others, cancelled) : std::string();
+      if (!lack.empty()) {
+        error(LintRule::ClientNotWatched, m_overrideLine,
+              fmt::format("Without a sign of the client in R{}, {}. Let the actions watch it as in "
+                          "the generated program.",
+                          m_cells.heartbeat, lack));
+        return;
       }
     }
   }
@@ -1053,7 +1132,7 @@ std::error_code make_error_code(LintError code) {
 }
 
 std::string_view lintRuleName(LintRule rule) {
-  static constexpr std::array<std::string_view, 24> kNames{
+  static constexpr std::array<std::string_view, 25> kNames{
       "syntax",
       "unknown-name",
       "missing-label",
@@ -1078,6 +1157,7 @@ std::string_view lintRuleName(LintRule rule) {
       "correction-unbounded",
       "correction-ignored",
       "feed-cell-ignored",
+      "client-not-watched",
   };
   return kNames[static_cast<std::size_t>(rule) - 1];
 }

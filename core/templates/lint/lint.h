@@ -46,6 +46,7 @@ enum class LintRule {
                         ///< wrong cell
   CorrectionIgnored,    ///< online correction: a cell of the client is not applied to its axis
   FeedCellIgnored,      ///< the override does not follow the feed cell in every cycle
+  ClientNotWatched,     ///< the axes would move on without a sign of the client
 };
 
 /// "stopre-missing", ...

@@ -4,6 +4,7 @@
 #include "templates/methods/window.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "templates/feed_cell.h"
 #include "templates/methods/subprogram.h"
@@ -145,6 +146,13 @@ base::Result<void> WindowedTemplate::check(const TemplateParameters& parameters)
     return base::fail(TemplateError::BadCells,
                       fmt::format("The cells cannot begin at R{}.", parameters.baseCell));
   }
+  if (!isSilenceLimit(parameters.silenceLimitS)) {
+    return base::fail(
+        TemplateError::BadCells,
+        fmt::format("The axes cannot stand after {} s without a sign of the client: choose {} to "
+                    "{} s, or 0 for not at all.",
+                    parameters.silenceLimitS, kSilenceLimitSMin, kSilenceLimitSMax));
+  }
   const int perPoint = cellsPerPoint(parameters);
   if (parameters.slotStride != 0 &&
       (parameters.slotStride < perPoint || parameters.slotStride > kStrideMax)) {
@@ -160,6 +168,9 @@ std::string WindowedTemplate::nameSuffix(const TemplateParameters& parameters) c
   std::string name = fmt::format("X{}", parameters.windows);
   name += parameters.baseCell != 0 ? fmt::format("B{}", parameters.baseCell) : "";
   name += parameters.slotStride != 0 ? fmt::format("S{}", parameters.slotStride) : "";
+  if (parameters.silenceLimitS != kSilenceLimitS && parameters.target == TargetControl::Sinumerik) {
+    name += fmt::format("T{}", std::lround(1000.0 * parameters.silenceLimitS));
+  }
   return name;
 }
 
@@ -181,6 +192,7 @@ CellMap WindowedTemplate::header(const TemplateParameters& parameters) const {
   if (parameters.target == TargetControl::Sinumerik) {
     cells.overrideWanted = first + WindowProtocol::Override;
     cells.overrideActs = first + WindowProtocol::OverrideActs;
+    cells.silenceLimitS = parameters.silenceLimitS;
   }
   // Not used here; `last` and the lists of cells must not find those of [P1].
   cells.signal = cells.stop = cells.feed = cells.run;
@@ -224,7 +236,10 @@ void WindowedTemplate::writeHeaderCells(Listing& out, const CellMap& cells,
   }
   out.line("; R{}  number of the client's run, R{} number of the run this program obeys",
            cells.client, cells.owner);
-  out.line("; R{}  heartbeat of the client", cells.heartbeat);
+  out.line("; R{}  heartbeat of the client{}", cells.heartbeat,
+           watchesClient(cells)
+               ? fmt::format(": unchanged for {:g} s, the override is 0", cells.silenceLimitS)
+               : std::string());
   if (cells.hasFeedCell()) {
     out.line("; R{}  path override in %, by the client: 0 holds at once; R{} the override in force",
              cells.overrideWanted, cells.overrideActs);

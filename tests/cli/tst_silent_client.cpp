@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// A client that is stopped, goes on, and is killed in mid-motion, over OPC UA in real time: the
+/// axes stand in the middle of a move or cycle, go on with the client, and stay where they are
+/// without it.
+
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <optional>
+
+#include "opcua/await.h"
+#include "opcua/open62541/ua_link.h"
+#include "support/machine_process.h"
+#include "support/patience.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+
+namespace {
+
+using rivulet::tests::kRunMs;
+/// Long enough that the axes move in between, and arrive nowhere.
+constexpr unsigned long kPollMs = 20;
+constexpr double kMovesMm = 1e-4;
+
+}  // namespace
+
+class TestSilentClient : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+
+  struct Look {
+    std::array<double, 3> place{};
+    bool isReset = false;
+  };
+
+  static Look look(opcua::Link& link) {
+    const std::array<opcua::Variable, 4> watched{{{opcua::VariableKind::ActualPosition, 0},
+                                                  {opcua::VariableKind::ActualPosition, 1},
+                                                  {opcua::VariableKind::ActualPosition, 2},
+                                                  {opcua::VariableKind::ChannelStatus, 0}}};
+    const auto numbers = opcua::readNumbers(link, watched, std::chrono::milliseconds(kRunMs));
+    if (!numbers) {
+      qFatal("%s", numbers.error().text().c_str());
+    }
+    return {{(*numbers)[0], (*numbers)[1], (*numbers)[2]}, (*numbers)[3] == opcua::kChannelReset};
+  }
+
+  static double movedMm(const Look& a, const Look& b) {
+    double most = 0.0;
+    for (std::size_t axis = 0; axis < a.place.size(); ++axis) {
+      most = std::max(most, std::abs(a.place[axis] - b.place[axis]));
+    }
+    return most;
+  }
+
+  /// Waits until the axes stand. @return where
+  static Look awaitRest(opcua::Link& link) {
+    constexpr int kReads = 15;
+    Look last = look(link);
+    for (int standing = 0; standing < kReads;) {
+      QThread::msleep(kPollMs);
+      const Look now = look(link);
+      standing = movedMm(now, last) < kMovesMm ? standing + 1 : 0;
+      last = now;
+    }
+    return last;
+  }
+
+  /// Waits until the tool is there. @param isThere  asked with each look
+  template <class Asked>
+  static bool awaitPlace(opcua::Link& link, QProcess& client, Asked isThere) {
+    const QDeadlineTimer until(kRunMs);
+    while (!until.hasExpired() && client.state() == QProcess::Running) {
+      if (isThere(look(link))) {
+        return true;
+      }
+      client.waitForFinished(static_cast<int>(kPollMs));
+    }
+    return false;
+  }
+
+ private Q_SLOTS:
+  void standsAndGoesOn_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("axis");
+    QTest::addColumn<double>("from");
+    QTest::addColumn<double>("to");
+    QTest::addColumn<double>("x");
+    // The tool is between both for seconds at this X or beyond, and in no other move.
+    QTest::newRow("long move") << QByteArray("G90 G1 X0 Y0 Z10 F3000\nX200 F1500\nY10\nX0\nM30\n")
+                               << QStringList{QStringLiteral("stream"),
+                                              QStringLiteral("--motion-only"),
+                                              QStringLiteral("--points"), QStringLiteral("2")}
+                               << 0 << 20.0 << 180.0 << 20.0;
+    QTest::newRow("native cycle")
+        << QByteArray(
+               "G17 G90 G71 G94 F1000\nT1 M6\nS1000 M3\nG0 X0 Y0 Z25\nG1 X5 F200\n"
+               "CYCLE81(25,0,2,-20)\nG0 Z25\nM30\n")
+        << QStringList{QStringLiteral("job")} << 2 << -15.0 << -1.0 << 4.99;
+  }
+
+  void standsAndGoesOn() {
+    QFETCH(QByteArray, text);
+    QFETCH(QStringList, arguments);
+    QFETCH(int, axis);
+    QFETCH(double, from);
+    QFETCH(double, to);
+    QFETCH(double, x);
+    QFile program(m_folder.filePath(QStringLiteral("part.mpf")));
+    QVERIFY(program.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    program.write(text);
+    program.close();
+    const bool isJob = arguments.front() == QLatin1String("job");
+    const tests::MachineProcess machine(
+        QStringLiteral(RIVULET_MACHINE),
+        isJob ? QStringList{QStringLiteral("--preset"), QStringLiteral("dmu75-mill")}
+              : QStringList());
+    opcua::ConnectOptions options;
+    options.security = opcua::unencrypted();
+    options.endpoint = machine.endpoint().toStdString();
+    options.connectDeadline = std::chrono::milliseconds(kRunMs);
+    const auto link = opcua::UaLink::connect(options);
+    QVERIFY2(link.has_value(), link ? "" : link.error().text().c_str());
+
+    QProcess client;
+    client.start(QStringLiteral(RIVULET_CLI),
+                 QStringList{arguments.front(), program.fileName()} + arguments.mid(1) +
+                     QStringList{QStringLiteral("--dialect"), QStringLiteral("sinumerik"),
+                                 QStringLiteral("--json"), QStringLiteral("--endpoint"),
+                                 machine.endpoint()});
+    QVERIFY(client.waitForStarted(kRunMs));
+    const auto isWithin = [&](const Look& at) {
+      const double place = at.place[static_cast<std::size_t>(axis)];
+      return place > from && place < to && at.place[0] >= x;
+    };
+    QVERIFY2(awaitPlace(**link, client, isWithin), client.readAllStandardError().constData());
+
+    // Silent, the axes stand where they are: not at an end of the move.
+    ::kill(static_cast<pid_t>(client.processId()), SIGSTOP);
+    const Look stopped = awaitRest(**link);
+    QVERIFY(!stopped.isReset && isWithin(stopped));
+    QVERIFY(movedMm(awaitRest(**link), stopped) < kMovesMm);
+
+    // They go on with the client.
+    ::kill(static_cast<pid_t>(client.processId()), SIGCONT);
+    const auto hasLeft = [&](const Look& at) { return movedMm(at, stopped) > 0.1; };
+    QVERIFY2(awaitPlace(**link, client, hasLeft), client.readAllStandardError().constData());
+    QVERIFY(isWithin(look(**link)));
+
+    // Killed, they stand for good.
+    ::kill(static_cast<pid_t>(client.processId()), SIGKILL);
+    client.waitForFinished(kRunMs);
+    const Look killed = awaitRest(**link);
+    QVERIFY(!killed.isReset && isWithin(killed));
+    QVERIFY(movedMm(awaitRest(**link), killed) < kMovesMm);
+
+    // Somebody else ends the run: the program comes to its next window or block, and no further.
+    QProcess other;
+    other.start(QStringLiteral(RIVULET_CLI),
+                {QStringLiteral("runs"), QStringLiteral("--stop"), QStringLiteral("--json"),
+                 QStringLiteral("--endpoint"), machine.endpoint()});
+    QVERIFY(other.waitForFinished(kRunMs));
+    QVERIFY2(other.exitCode() == 0, other.readAllStandardError().constData());
+    QVERIFY(look(**link).isReset);
+  }
+};
+
+RIVULET_TEST(TestSilentClient)
+#include "tst_silent_client.moc"
