@@ -2439,6 +2439,10 @@
         <source>Tool %1: every tool needs its own number above zero.</source>
         <translation>Werkzeug %1: Jedes Werkzeug braucht eine eigene Nummer über null.</translation>
     </message>
+    <message>
+        <source>Without this computer the axes stand after 0.2 to 60 s; 0: not at all.</source>
+        <translation>Ohne diesen Rechner stehen die Achsen nach 0,2 bis 60 s; 0: gar nicht.</translation>
+    </message>
 </context>
 <context>
     <name>ProgramTexts</name>
@@ -8339,6 +8343,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>What this machine does for the M functions of programs made for another: ignore leaves the function out, pass gives it to the control, anything else is a line for it.</source>
         <translation>Was diese Maschine für die M-Funktionen von Programmen tut, die für eine andere gemacht sind: ignore lässt die Funktion weg, pass gibt sie an die Steuerung, alles andere ist eine Zeile für sie.</translation>
+    </message>
+    <message>
+        <source>When nothing has come from this computer for so long, the axes stand on the path until it gives a sign again. 0: not at all.</source>
+        <translation>Kommt so lange nichts von diesem Rechner, stehen die Achsen auf der Bahn, bis er sich wieder meldet. 0: gar nicht.</translation>
+    </message>
+    <message>
+        <source>Without this computer the axes stand after, s</source>
+        <translation>Ohne diesen Rechner stehen die Achsen nach, s</translation>
     </message>
 </context>
 <context>

@@ -2439,6 +2439,10 @@
         <source>Tool %1: every tool needs its own number above zero.</source>
         <translation>Herramienta %1: cada herramienta necesita su propio número mayor que cero.</translation>
     </message>
+    <message>
+        <source>Without this computer the axes stand after 0.2 to 60 s; 0: not at all.</source>
+        <translation>Sin este ordenador, los ejes se detienen tras 0,2 a 60 s; 0: nunca.</translation>
+    </message>
 </context>
 <context>
     <name>ProgramTexts</name>
@@ -8339,6 +8343,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>What this machine does for the M functions of programs made for another: ignore leaves the function out, pass gives it to the control, anything else is a line for it.</source>
         <translation>Lo que hace esta máquina para las funciones M de programas hechos para otra: ignore omite la función, pass la entrega al control, cualquier otra cosa es una línea para él.</translation>
+    </message>
+    <message>
+        <source>When nothing has come from this computer for so long, the axes stand on the path until it gives a sign again. 0: not at all.</source>
+        <translation>Si durante este tiempo no llega nada de este ordenador, los ejes se detienen en la trayectoria hasta que vuelva a dar señal. 0: nunca.</translation>
+    </message>
+    <message>
+        <source>Without this computer the axes stand after, s</source>
+        <translation>Sin este ordenador, los ejes se detienen tras, s</translation>
     </message>
 </context>
 <context>

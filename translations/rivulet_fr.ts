@@ -2439,6 +2439,10 @@
         <source>Tool %1: every tool needs its own number above zero.</source>
         <translation>Outil %1&#xa0;: chaque outil a besoin de son propre numéro, supérieur à zéro.</translation>
     </message>
+    <message>
+        <source>Without this computer the axes stand after 0.2 to 60 s; 0: not at all.</source>
+        <translation>Sans cet ordinateur, les axes s&apos;arrêtent après 0,2 à 60 s ; 0 : jamais.</translation>
+    </message>
 </context>
 <context>
     <name>ProgramTexts</name>
@@ -8339,6 +8343,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>What this machine does for the M functions of programs made for another: ignore leaves the function out, pass gives it to the control, anything else is a line for it.</source>
         <translation>Ce que cette machine fait pour les fonctions M de programmes faits pour une autre&#xa0;: ignore omet la fonction, pass la donne à la commande, toute autre chose est une ligne pour elle.</translation>
+    </message>
+    <message>
+        <source>When nothing has come from this computer for so long, the axes stand on the path until it gives a sign again. 0: not at all.</source>
+        <translation>Si rien n&apos;est venu de cet ordinateur pendant ce temps, les axes s&apos;arrêtent sur la trajectoire jusqu&apos;à ce qu&apos;il se manifeste à nouveau. 0 : jamais.</translation>
+    </message>
+    <message>
+        <source>Without this computer the axes stand after, s</source>
+        <translation>Sans cet ordinateur, les axes s&apos;arrêtent après, s</translation>
     </message>
 </context>
 <context>

@@ -2439,6 +2439,10 @@
         <source>Tool %1: every tool needs its own number above zero.</source>
         <translation>Utensile %1: ogni utensile richiede un proprio numero maggiore di zero.</translation>
     </message>
+    <message>
+        <source>Without this computer the axes stand after 0.2 to 60 s; 0: not at all.</source>
+        <translation>Senza questo computer gli assi si fermano dopo 0,2 - 60 s; 0: mai.</translation>
+    </message>
 </context>
 <context>
     <name>ProgramTexts</name>
@@ -8339,6 +8343,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>What this machine does for the M functions of programs made for another: ignore leaves the function out, pass gives it to the control, anything else is a line for it.</source>
         <translation>Che cosa fa questa macchina per le funzioni M di programmi fatti per un’altra: ignore omette la funzione, pass la passa al controllo, qualsiasi altra cosa è una riga per esso.</translation>
+    </message>
+    <message>
+        <source>When nothing has come from this computer for so long, the axes stand on the path until it gives a sign again. 0: not at all.</source>
+        <translation>Se per questo tempo non arriva nulla da questo computer, gli assi si fermano sulla traiettoria finché non dà di nuovo segno. 0: mai.</translation>
+    </message>
+    <message>
+        <source>Without this computer the axes stand after, s</source>
+        <translation>Senza questo computer gli assi si fermano dopo, s</translation>
     </message>
 </context>
 <context>

@@ -56,6 +56,7 @@ templates::TemplateParameters OperatingOptions::parameters() const {
   parameters.windows = windows;
   parameters.baseCell = baseCell;
   parameters.correctionLimitMm = correctionLimitMm;
+  parameters.silenceLimitS = silenceLimitS.value_or(parameters.silenceLimitS);
   parameters.windowsAhead = windowsAhead;
   parameters.target = templates::targetFromName(control).value_or(parameters.target);
   // Others have no such thing; the planner of LinuxCNC brakes when its queue ends.

@@ -54,7 +54,8 @@ struct OperatingOptions {
   double rapidMmPerMin = 0.0;      ///< of the program's rapids; 0: that of the machine
   std::string feedCells = "auto";  ///< auto, window, point
   std::string layout = "paper";
-  double correctionLimitMm = 0.0;  ///< online correction; 0: none
+  double correctionLimitMm = 0.0;       ///< online correction; 0: none
+  std::optional<double> silenceLimitS;  ///< see `templates::WindowSettings`; nothing: the machine's
   std::string
       axes;  ///< letters; empty: X Y Z, and for a run also the rotary axes that the program moves
 

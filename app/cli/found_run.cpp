@@ -96,6 +96,10 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
     command.insert(command.end(),
                    {"--correction-limit", fmt::format("{:g}", parameters.correctionLimitMm)});
   }
+  if (parameters.silenceLimitS != templates::kSilenceLimitS) {
+    command.insert(command.end(),
+                   {"--silence-limit", fmt::format("{:g}", parameters.silenceLimitS)});
+  }
   return command;
 }
 
@@ -131,10 +135,12 @@ std::string adviceFor(const report::FoundRun& run, const std::string& endpoint) 
   const std::string_view client = run.onControl.hasClient ? "is still at work" : "is gone";
   std::string text =
       run.onControl.isNative
-          ? fmt::format("The control executes {}: blocks of its own, {}.", report::describeRun(run),
+          ? fmt::format("The control executes {}: blocks of its own, {}, and its client {}.",
+                        report::describeRun(run),
                         run.onControl.stretch > 0
                             ? fmt::format("after stretch {}", run.onControl.stretch)
-                            : "before its first stretch")
+                            : "before its first stretch",
+                        client)
       : run.onControl.job != 0
           ? fmt::format(
                 "The control executes {}: stretch {}, {} windows of which are done, and "

@@ -148,6 +148,7 @@ class JobCommand {
   explicit JobCommand(const JobOptions& options) : m_options(options) {}
   base::Result<void> prepare();
   base::Result<void> writeFiles() const;
+  base::Result<void> makePrograms();
   base::Result<void> connect();
   /// What was said of M functions, for the next job on this machine.
   base::Result<void> keepFunctions();
@@ -266,11 +267,9 @@ base::Result<void> JobCommand::prepare() {
   if (base::Result<void> feeds = planFeeds(); !feeds) {
     return feeds;
   }
-  auto programs = job::makePrograms(m_plan, m_settings.parameters);
-  if (!programs) {
-    return base::fail(programs.error());
+  if (base::Result<void> made = makePrograms(); !made) {
+    return made;
   }
-  m_programs = std::move(*programs);
   if (isVirtual && !m_options.namesMachine) {
     const std::vector<std::string> notes = forecast::enlarge(m_machine, m_plan);
     m_notes.insert(m_notes.end(), notes.begin(), notes.end());
@@ -341,6 +340,15 @@ base::Result<void> JobCommand::writeFiles() const {
   return {};
 }
 
+base::Result<void> JobCommand::makePrograms() {
+  auto programs = job::makePrograms(m_plan, m_settings.parameters);
+  if (!programs) {
+    return base::fail(programs.error());
+  }
+  m_programs = std::move(*programs);
+  return {};
+}
+
 base::Result<void> JobCommand::connect() {
   auto connection =
       m_options.simulate
@@ -355,6 +363,17 @@ base::Result<void> JobCommand::connect() {
                       "Whole jobs run on virtual machines only so far. Nothing was changed on the "
                       "control.",
                       m_connection.name);
+  }
+  const double silenceLimitS = m_settings.parameters.silenceLimitS;
+  if (base::Result<void> taken =
+          takeSilenceLimit(m_settings.parameters, m_options.point, m_connection);
+      !taken) {
+    return taken;
+  }
+  if (m_settings.parameters.silenceLimitS != silenceLimitS) {
+    if (base::Result<void> made = makePrograms(); !made) {
+      return made;
+    }
   }
   // Wrong motion of a virtual machine does no harm.
   m_settings.isCommissioned = true;
@@ -421,11 +440,9 @@ base::Result<void> JobCommand::restart() {
   m_restart = std::move(*found);
   m_whole = std::make_shared<const job::Plan>(std::move(m_plan));
   m_plan = m_restart->restart.plan;
-  auto programs = job::makePrograms(m_plan, m_settings.parameters);
-  if (!programs) {
-    return base::fail(programs.error());
+  if (base::Result<void> made = makePrograms(); !made) {
+    return made;
   }
-  m_programs = std::move(*programs);
   return confirm();
 }
 

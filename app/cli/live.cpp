@@ -142,12 +142,7 @@ Result<void> LiveCommand::plan() {
   if (m_options.point.feedMmPerMin <= 0.0) {
     m_settings.feedMmPerS = base::mmPerSFromMmPerMin(m_setup.agreement.feedMmPerMinMax);
   }
-  auto flexible = templates::makeProgram(m_settings.parameters);
-  if (!flexible) {
-    return base::fail(flexible.error());
-  }
-  m_flexible = std::move(*flexible);
-  return {};
+  return templates::requireProgram(m_settings.parameters);
 }
 
 Result<void> LiveCommand::connect() {
@@ -157,6 +152,15 @@ Result<void> LiveCommand::connect() {
     return base::fail(connection.error());
   }
   m_connection = std::move(*connection);
+  if (Result<void> taken = takeSilenceLimit(m_settings.parameters, m_options.point, m_connection);
+      !taken) {
+    return taken;
+  }
+  auto flexible = templates::makeProgram(m_settings.parameters);
+  if (!flexible) {
+    return base::fail(flexible.error());
+  }
+  m_flexible = std::move(*flexible);
   if (base::needsCommissioning(m_settings.parameters.method)) {
     if (Result<void> tested = requireTest(m_options, m_connection); !tested) {
       return tested;

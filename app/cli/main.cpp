@@ -120,6 +120,12 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
       ->add_option("--correction-limit", point.correctionLimitMm,
                    "Largest online correction of each linear axis, mm (methods window and credit)")
       ->check(CLI::Range(0.001, rivulet::templates::kCorrectionLimitMmMax));
+  command
+      ->add_option(
+          "--silence-limit", point.silenceLimitS,
+          "Without a sign of this program for so long, the axes stand on the path, s; 0: "
+          "not at all (methods window, credit and file). Default: that of the machine, or 1")
+      ->check(CLI::Range(0.0, rivulet::templates::kSilenceLimitSMax));
   command->add_option("--windows", point.windows, "Windows (methods window and credit)")
       ->capture_default_str();
   command

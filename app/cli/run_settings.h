@@ -26,6 +26,12 @@ namespace rivulet::cli {
                                            const gcode::Program& program);
 [[nodiscard]] streaming::FeedCells feedCellsOf(const OperatingOptions& options);
 
+/// What was entered for the machine, where nothing else is said. @return a file of the machine that
+/// cannot be read
+[[nodiscard]] base::Result<void> takeSilenceLimit(templates::TemplateParameters& parameters,
+                                                  const OperatingOptions& options,
+                                                  const Connection& connection);
+
 /// Method credit only if its test has been passed. In virtual time the test is made now.
 [[nodiscard]] base::Result<void> requireTest(const StreamOptions& options,
                                              const Connection& connection);

@@ -102,6 +102,20 @@ streaming::FeedCells feedCellsOf(const OperatingOptions& options) {
                                         : streaming::FeedCells::Best;
 }
 
+base::Result<void> takeSilenceLimit(templates::TemplateParameters& parameters,
+                                    const OperatingOptions& options, const Connection& connection) {
+  const auto identity = connection.control->identity();
+  if (options.silenceLimitS || !identity) {
+    return {};  // what does not say who it is has no limits
+  }
+  const auto profile = report::MachineStore().profile(connection.name, *identity);
+  if (!profile) {
+    return base::fail(profile.error());
+  }
+  parameters.silenceLimitS = streaming::silenceLimitS(*profile ? &**profile : nullptr);
+  return {};
+}
+
 base::Result<void> requireTest(const StreamOptions& options, const Connection& connection) {
   if (options.point.parameters().target == templates::TargetControl::LinuxCnc) {
     return {};  // its interpreter reads a pin when it passes the block, see docs/linuxcnc.md
@@ -429,6 +443,11 @@ base::Result<void> StreamCommand::connect() {
     if (const streaming::CalibrationRecord* record = m_calibrated.usable()) {
       m_settings.calibration = std::make_shared<const streaming::Calibration>(record->calibration);
     }
+  }
+  if (base::Result<void> taken =
+          takeSilenceLimit(m_settings.parameters, m_options.point, m_connection);
+      !taken) {
+    return taken;
   }
   planFeeds();
   auto flexible = templates::makeProgram(m_settings.parameters);

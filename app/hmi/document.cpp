@@ -318,6 +318,7 @@ void Document::chooseJob(bool isWhole) {
 
 templates::TemplateParameters Document::parameters() const {
   templates::TemplateParameters parameters = m_settings.parameters;
+  parameters.silenceLimitS = m_silenceLimitS;
   if (m_view && base::streamsRotary(parameters.method)) {
     parameters.rotaryAxes = m_live ? m_live->setup.rotaryAxes : m_view->turnedAxes;
   }
@@ -368,6 +369,13 @@ streaming::RunSettings Document::runSettings() const {
     settings.feedMmPerS = base::mmPerSFromMmPerMin(m_live->setup.agreement.feedMmPerMinMax);
   }
   return settings;
+}
+
+void Document::setSilenceLimit(double seconds) {
+  if (seconds != m_silenceLimitS) {
+    m_silenceLimitS = seconds;
+    judge();
+  }
 }
 
 void Document::setMachine(std::shared_ptr<const machine::MachineConfig> machine) {

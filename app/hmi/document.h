@@ -121,6 +121,8 @@ class Document final : public QObject {
   [[nodiscard]] const std::shared_ptr<const machine::MachineConfig>& machine() const {
     return m_machine;
   }
+  /// Part of the programs for the machine: see `streaming::silenceLimitS`.
+  void setSilenceLimit(double seconds);
   /// The machine that whole jobs are compared with before they start. @param machine  null: it is
   /// not known
   void setJobMachine(std::shared_ptr<const machine::MachineConfig> machine);
@@ -216,6 +218,7 @@ class Document final : public QObject {
   std::shared_ptr<const job::Plan> m_checkedPlan;     ///< of `m_hazards`, or in progress
   std::shared_ptr<const session::Hazards> m_hazards;  ///< null: not known (yet)
   gcode::ProgramFeeds m_machineFeeds;                 ///< limits, at 100 %
+  double m_silenceLimitS = templates::kSilenceLimitS;
   streaming::StreamSettings m_settings;
   /// What `parameters` was last completed for, and the result: it takes a pass over the program.
   struct FeedCells {

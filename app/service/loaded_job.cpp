@@ -78,6 +78,7 @@ base::Result<MachineFacts> factsOf(const report::MachineStore& store, const std:
   facts.server = server;
   facts.runsJobs = isVirtual;
   facts.load = report::loadMachineOf(store, endpoint, server, isVirtual, limits);
+  facts.silenceLimitS = streaming::silenceLimitS(limits);
   facts.feeds = report::programFeedsOf(report::configOf(limits), 1.0);
   if (const auto known = report::knownMachine(server, limits)) {
     facts.known = std::make_shared<const machine::MachineConfig>(*known);
@@ -144,6 +145,7 @@ void LoadedJob::place(base::Vec3 toolMm, const MachineFacts& machine) {
     parameters.rotaryAxes = view->turnedAxes;
   }
   parameters.feedPerPoint = false;
+  parameters.silenceLimitS = machine.silenceLimitS;
   const feasibility::AccessModel access = accessOf(settings, machine);
   runSettings = preparation::runSettings(settings, parameters, view.get(), machine.feeds,
                                          machine.calibration);

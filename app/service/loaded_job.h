@@ -31,9 +31,10 @@ namespace rivulet::service {
 struct MachineFacts {
   std::string endpoint;
   opcua::ServerIdentity server;
-  bool runsJobs = false;      ///< whole jobs; so far only virtual machines
-  report::LoadMachine load;   ///< what loading a program asks of it
-  gcode::ProgramFeeds feeds;  ///< its limits, at 100 %
+  bool runsJobs = false;                             ///< whole jobs; so far only virtual machines
+  report::LoadMachine load;                          ///< what loading a program asks of it
+  gcode::ProgramFeeds feeds;                         ///< its limits, at 100 %
+  double silenceLimitS = templates::kSilenceLimitS;  ///< see `streaming::silenceLimitS`
   std::shared_ptr<const machine::MachineConfig> known;  ///< null: jobs are not compared with it
   /// What access costs; null: not measured with this version of its server.
   std::shared_ptr<const streaming::CalibrationRecord> calibration;

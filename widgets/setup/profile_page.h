@@ -95,6 +95,7 @@ class ProfilePage final : public Page {
   std::array<std::array<NumberField*, LimitCount>, kAxes> m_limits{};
   NumberField* m_rapid;
   NumberField* m_spindle;
+  NumberField* m_silence;
   QLineEdit* m_functions = lineEdit(
       {.tip = QT_TR_NOOP(
            "What this machine does for the M functions of programs made for another: ignore leaves "

@@ -5,6 +5,8 @@
 
 #include <set>
 
+#include "templates/feed_cell.h"
+
 namespace rivulet::streaming {
 
 namespace {
@@ -45,6 +47,9 @@ std::optional<ProfileProblem> problemOf(const MachineProfile& profile) {
   if (!(profile.rapidMmPerS > 0.0)) {
     return ProfileProblem{What::Rapid, 0, 0};
   }
+  if (!templates::isSilenceLimit(profile.silenceLimitS)) {
+    return ProfileProblem{What::Silence, 0, 0};
+  }
   std::set<int> numbers;
   for (const ToolProfile& tool : profile.tools) {
     if (tool.number <= 0 || !numbers.insert(tool.number).second) {
@@ -52,6 +57,10 @@ std::optional<ProfileProblem> problemOf(const MachineProfile& profile) {
     }
   }
   return std::nullopt;
+}
+
+double silenceLimitS(const MachineProfile* profile) {
+  return profile != nullptr ? profile->silenceLimitS : templates::kSilenceLimitS;
 }
 
 }  // namespace rivulet::streaming

@@ -14,6 +14,7 @@
 #include "base/axes.h"
 #include "base/vec3.h"
 #include "opcua/server_identity.h"
+#include "templates/cells.h"
 
 namespace rivulet::streaming {
 
@@ -48,7 +49,8 @@ struct MachineProfile {
   std::array<AxisProfile, base::kAxisCount> axes;
   std::array<std::optional<AxisProfile>, base::kRotaryAxisCount> rotaryAxes;  ///< A B C
   double rapidMmPerS = 0.0;
-  double spindlePerMinMax = 0.0;  ///< 0: no spindle
+  double spindlePerMinMax = 0.0;                     ///< 0: no spindle
+  double silenceLimitS = templates::kSilenceLimitS;  ///< see `templates::WindowSettings`
   std::vector<ToolProfile> tools;
 
   friend bool operator==(const MachineProfile&, const MachineProfile&) = default;
@@ -62,6 +64,7 @@ struct ProfileProblem {
     Acceleration,
     Jerk,
     Rapid,
+    Silence,     ///< neither zero nor within the limits
     ToolNumber,  ///< not above zero, or given twice
   };
   What what = What::Travel;
@@ -70,5 +73,9 @@ struct ProfileProblem {
 };
 
 [[nodiscard]] std::optional<ProfileProblem> problemOf(const MachineProfile& profile);
+
+/// Without a sign of the client for so long, the axes of this machine stand, s; 0: not at all.
+/// @param profile  null: nobody has entered its limits
+[[nodiscard]] double silenceLimitS(const MachineProfile* profile);
 
 }  // namespace rivulet::streaming
