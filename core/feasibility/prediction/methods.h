@@ -6,11 +6,17 @@
 /// of the control in its own way. @threadsafety pure.
 #pragma once
 
+#include <chrono>
 #include <vector>
 
+#include "base/instant.h"
 #include "feasibility/probability.h"
 
 namespace rivulet::feasibility {
+
+/// Between two signs of life of the client, each an access of its own, where the axes stand after
+/// the usual time without one.
+inline constexpr base::Duration kUsualBeatInterval = std::chrono::milliseconds{250};
 
 /// [P1] Algorithm II. @param operatingPoint  N >= 1, δ > 0
 [[nodiscard]] Prediction predictPosition(const std::vector<gcode::StreamPoint>& points,

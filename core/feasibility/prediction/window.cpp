@@ -30,10 +30,13 @@ Prediction predictWindows(const std::vector<gcode::StreamPoint>& points,
   }
   const std::size_t count = begins.size();
   const double nodeMs = base::toMilliseconds(model.access.nodeMean);
-  const double pollMs = base::toMilliseconds(model.access.readOverhead) + nodeMs;
+  // Signs of life come between the other accesses.
+  const double beatMs = base::toMilliseconds(model.access.writeOverhead) + nodeMs;
+  const double slowdown = 1.0 + beatMs / base::toMilliseconds(kUsualBeatInterval);
+  const double pollMs = slowdown * (base::toMilliseconds(model.access.readOverhead) + nodeMs);
   const ClientTurn turn = turnOf(operatingPoint.turn());
-  const double bringMs = 2.0 * base::toMilliseconds(model.access.writeOverhead) +
-                         (turn.content + turn.number) * nodeMs;
+  const double bringMs = slowdown * (2.0 * base::toMilliseconds(model.access.writeOverhead) +
+                                     (turn.content + turn.number) * nodeMs);
   // Relatch, the decision, and the copy with its check: see the generator.
   constexpr double kBlocksPerPoint = 1.4;
   constexpr double kBlocks = 9.0;

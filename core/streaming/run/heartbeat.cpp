@@ -4,7 +4,9 @@
 #include "streaming/run/heartbeat.h"
 
 #include <algorithm>
+#include <chrono>
 
+#include "feasibility/prediction/methods.h"
 #include "templates/feed_cell.h"
 
 namespace rivulet::streaming {
@@ -15,6 +17,8 @@ namespace {
 constexpr base::Duration kIntervalMax = std::chrono::seconds{1};
 /// Signs within the time after which the axes stand.
 constexpr int kPerLimit = 4;
+static_assert(std::chrono::duration<double>(feasibility::kUsualBeatInterval).count() * kPerLimit ==
+              templates::kSilenceLimitS);
 
 }  // namespace
 
