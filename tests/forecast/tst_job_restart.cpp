@@ -14,10 +14,12 @@
 #include "forecast/job_restart.h"
 #include "job/dry_plan.h"
 #include "machine/machine.h"
+#include "streaming/recovery/run_on_control.h"
 #include "streaming/run/whole_job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
+#include "templates/window_protocol.h"
 
 using namespace rivulet;
 using streaming::Outcome;
@@ -273,10 +275,24 @@ struct LeftJob {
   [[nodiscard]] base::Result<base::Vec3> zeroAt(std::size_t part) const {
     return forecast::zeroAt(plan, mill(), inSource({part, {}, {}}).part);
   }
-  /// Asks the control where it is, and makes the rest of it.
-  base::Result<void> goOn(opcua::Link& link, const streaming::RunSettings& settings) {
-    const auto rest = streaming::whereJobWasLeft(link, inProgress(), settings, *keeper.last,
-                                                 [this](std::size_t part) { return zeroAt(part); });
+  /// Asks the control where it is, and makes the rest of it. If it stands in blocks of the control
+  /// without its client, it is ended first.
+  base::Result<void> goOn(streaming::SimulatedLink& link, const streaming::RunSettings& settings) {
+    const auto ask = [&] {
+      return streaming::whereJobWasLeft(link, inProgress(), settings, *keeper.last,
+                                        [this](std::size_t part) { return zeroAt(part); });
+    };
+    auto rest = ask();
+    if (!rest && rest.error().code == streaming::StreamError::ChannelBusy) {
+      const auto found = streaming::findRun(link, link, 0, std::chrono::seconds{3});
+      if (!found || !*found) {
+        return base::fail(rest.error());
+      }
+      if (base::Result<void> ended = streaming::endRun(link, **found, settings); !ended) {
+        return ended;
+      }
+      rest = ask();
+    }
     if (!rest) {
       return base::fail(rest.error());
     }
@@ -347,6 +363,25 @@ void awaitReset(machine::Machine& machine) {
   }
 }
 
+/// Until the program has ended, or its axes have stood so long without a client.
+void leaveAlone(machine::Machine& machine, base::Duration stands) {
+  streaming::SimulatedLink link(machine);
+  base::Instant movesAt = link.now();
+  while (machine.state().channel != machine::ChannelStatus::Reset &&
+         link.now() - movesAt < stands) {
+    (void)link.wait(link.now() + std::chrono::milliseconds{100});
+    if (machine.ncRParameter(templates::WindowProtocol::OverrideActs) !=
+        templates::FeedCell::kHold) {
+      movesAt = link.now();
+    }
+  }
+}
+
+/// Somebody comes soon; or so late that a program that waits for its client has ended.
+base::Duration standsBeforeSomebodyComes(int draw) {
+  return draw % 2 == 0 ? base::Duration(std::chrono::seconds{3}) : std::chrono::minutes{2};
+}
+
 }  // namespace
 
 class TestJobRestart : public QObject {
@@ -383,7 +418,6 @@ class TestJobRestart : public QObject {
       machine::Machine machine(mill(), 1);
       LeftJob left{m_plan};
       Judge judge(m_source, 4);
-      bool isCompleted = false;
       bool isRefused = false;
       for (const int interruption : {0, 1, 2}) {
         streaming::FaultyLink link(machine, {}, 1);
@@ -407,12 +441,11 @@ class TestJobRestart : public QObject {
         const streaming::WholeJobReport done =
             streaming::runWholeJob(link, link, left.inProgress(), settings(), watcher, watcher,
                                    {.resume = resume, .keeper = &left.keeper});
-        awaitReset(machine);
+        leaveAlone(machine, standsBeforeSomebodyComes(half));
         streaming::SimulatedLink again(machine);
         const std::string name = std::to_string(half) + "." + std::to_string(interruption) + ": ";
-        judge.add(motions(traceSince(again, from)));
-        isCompleted = done.outcome == Outcome::Completed;
-        if (isCompleted) {
+        if (done.outcome == Outcome::Completed) {
+          judge.add(motions(traceSince(again, from)));
           break;
         }
         QVERIFY2(interruption < 2, (name + done.error.text()).c_str());
@@ -424,6 +457,8 @@ class TestJobRestart : public QObject {
           qInfo("%s%s", name.c_str(), went.error().text().c_str());
           break;
         }
+        QCOMPARE(machine.state().channel, machine::ChannelStatus::Reset);
+        judge.add(motions(traceSince(again, from)));
       }
       if (isRefused) {
         ++refused;
@@ -541,24 +576,26 @@ class TestJobRestart : public QObject {
         const auto done =
             streaming::runWholeJob(link, link, left.inProgress(), run, watcher, watcher,
                                    {.resume = resume, .keeper = &left.keeper});
-        awaitReset(machine);
+        leaveAlone(machine, standsBeforeSomebodyComes(seed / 2));
         streaming::SimulatedLink again(machine);
-        const trace::ControlTrace trace = traceSince(again, from);
         const std::string name =
             "seed " + std::to_string(seed) + "." + std::to_string(interruption) + ": ";
+        const bool isCompleted = done.outcome == Outcome::Completed;
+        QVERIFY2(isCompleted || !isCertain, (name + done.error.text()).c_str());
+        // A fault before the job could be kept: nothing of it was to be executed.
+        const bool isKept = left.keeper.last.has_value();
+        const auto went = isCompleted || !isKept ? base::Result<void>() : left.goOn(again, run);
+        awaitReset(machine);
+        const trace::ControlTrace trace = traceSince(again, from);
         points += trace.blocks.size();
         tools.add(toolChanges(trace));
-        if (done.outcome == Outcome::Completed) {
+        if (isCompleted || !isKept) {
           judge.add(motions(trace));
-          break;
-        }
-        QVERIFY2(!isCertain, (name + done.error.text()).c_str());
-        // A fault before the job could be kept: nothing of it was to be executed.
-        if (!left.keeper.last) {
-          judge.add(motions(trace));
+          if (isCompleted) {
+            break;
+          }
           continue;
         }
-        const auto went = left.goOn(again, run);
         if (!went) {
           QVERIFY2(went.error().code == streaming::StreamError::CannotResume,
                    (name + went.error().text()).c_str());

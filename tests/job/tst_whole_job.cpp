@@ -14,6 +14,7 @@
 #include "machine/machine.h"
 #include "plan_text.h"
 #include "streaming/methods/feed_plan.h"
+#include "streaming/recovery/run_on_control.h"
 #include "streaming/run/job_trace.h"
 #include "streaming/run/whole_job.h"
 #include "streaming/simulation/faulty_link.h"
@@ -596,6 +597,7 @@ class TestWholeJob : public QObject {
   void drawnFaults() {
     int completed = 0;
     int failed = 0;
+    int held = 0;
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
       const std::string text = drawProgram(seed % 50 + 1);
       const job::Plan plan = planOf(text);
@@ -620,7 +622,8 @@ class TestWholeJob : public QObject {
       const streaming::WholeJobReport report =
           streaming::runWholeJob(link, link, plan, settings, watcher, watcher);
       (report.outcome == Outcome::Completed ? completed : failed) += 1;
-      // Without a client the machine comes to its end by itself, or stands where it is.
+      // Without a client the machine comes to its end by itself, or stands where it is until
+      // somebody ends the job.
       streaming::SimulatedLink observer(machine);
       const base::Instant until = observer.now() + std::chrono::minutes{2};
       while (machine.state().channel != machine::ChannelStatus::Reset && observer.now() < until) {
@@ -630,7 +633,13 @@ class TestWholeJob : public QObject {
         const base::Vec3 stood = machine.state().commandMm;
         (void)observer.wait(observer.now() + std::chrono::seconds{10});
         QCOMPARE(base::distance(machine.state().commandMm, stood), 0.0);
+        const auto left = streaming::findRun(observer, observer, 0, std::chrono::seconds{3});
+        QVERIFY2(left && *left, qPrintable(QString::number(seed)));
+        const auto ended = streaming::endRun(observer, **left, settings);
+        QVERIFY2(ended, ended ? "" : ended.error().text().c_str());
+        ++held;
       }
+      QCOMPARE(machine.state().channel, machine::ChannelStatus::Reset);
       const auto trace = observer.fetchTrace();
       QVERIFY(trace.has_value());
       const QStringList moved = motions(*trace);
@@ -640,8 +649,8 @@ class TestWholeJob : public QObject {
       QVERIFY2(report.outcome != Outcome::Completed || moved.size() == source.size(),
                qPrintable(QString::number(seed)));
     }
-    qInfo("%d completed, %d failed", completed, failed);
-    QVERIFY(completed > 20 && failed > 20);
+    qInfo("%d completed, %d failed, %d held without their client", completed, failed, held);
+    QVERIFY(completed > 20 && failed > 20 && held > 0);
   }
 
   /// Programs of a SINUMERIK written elsewhere, as a job and as they are: each end of a block of

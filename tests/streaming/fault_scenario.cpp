@@ -31,6 +31,7 @@ constexpr Duration kHeldMin = std::chrono::minutes{2};
 /// Long enough to see whether something moves that must not.
 constexpr Duration kWatched = std::chrono::seconds{30};
 constexpr double kStillMm = 1e-9;
+constexpr double kSlowPercent = 20.0;
 
 /// The operator's requests, and a limit so that every attempt ends.
 class Operator final : public RunSink, public RunOrders {
@@ -158,14 +159,22 @@ class Exposure {
   [[nodiscard]] double overrideActs() const { return m_machine.ncRParameter(m_cells.overrideActs); }
   /// Held, or as good as held by a value that was falsified on its way; or without a client.
   [[nodiscard]] bool isSlow() const {
-    constexpr double kSlowPercent = 20.0;
     return m_cells.hasFeedCell() && m_machine.state().channel != machine::ChannelStatus::Reset &&
            overrideActs() < kSlowPercent;
   }
+  /// Nothing but another client lets it go on: one that is gone has said so.
+  [[nodiscard]] bool isOrderedSlow() const {
+    if (!isSlow()) {
+      return false;
+    }
+    const double wanted = m_machine.ncRParameter(m_cells.overrideWanted);
+    return !(wanted >= kSlowPercent && wanted <= templates::FeedCell::kMax);
+  }
 
   /// The client is gone; nobody touches the machine. Delivered windows may still be executed; then
-  /// the axes stop, and the channel goes to reset by itself. Axes that the client has held, or that
-  /// stand because it is gone, stay where they are, until an operator resets the control.
+  /// the axes stop, and the channel goes to reset by itself. Axes that the client has held stay
+  /// where they are, until an operator resets the control; those that stand because it is gone go
+  /// on when the run is resumed.
   void leaveAlone(const RunReport& report) {
     m_intrusionAt.reset();
     if (!m_isWindow ||
@@ -198,6 +207,9 @@ class Exposure {
       if (overrideActs() == templates::FeedCell::kHold) {
         watchStanding("while held");
       }
+      if (m_scenario.resumes && !isOrderedSlow() && m_checkpoint) {
+        return;
+      }
       reset();
       m_link.wait(m_machine.now() + std::chrono::seconds{2});
     }
@@ -213,6 +225,7 @@ class Exposure {
 
   void reset() {
     m_wasReset = m_wasReset || m_machine.state().channel != machine::ChannelStatus::Reset;
+    m_evidence.wasResetWhileHeld = m_evidence.wasResetWhileHeld || isOrderedSlow();
     m_machine.reset();
   }
 
@@ -249,8 +262,10 @@ class Exposure {
       if (resume.error().code == StreamError::CannotResume) {
         return false;
       }
-      // A program without a client ends by itself after a while, unless the axes are held.
-      if (isSlow()) {
+      // A program without a client ends by itself after a while, unless the axes are held. What
+      // does not know our run any more ends with a reset only.
+      const bool isUnknown = resume.error().code == StreamError::ChannelBusy;
+      if (isOrderedSlow() || (isSlow() && isUnknown)) {
         reset();
       }
       m_link.wait(m_machine.now() + std::chrono::seconds{5});

@@ -42,6 +42,7 @@ struct FaultSegment {
 };
 
 struct FaultEvidence {
+  bool wasResetWhileHeld = false;  ///< by the operator, as the client that held the axes was gone
   std::vector<FaultSegment> segments;
   std::vector<RunReport> reports;       ///< of each attempt
   std::vector<std::string> violations;  ///< writes and motions that must not occur

@@ -345,8 +345,8 @@ class TestRotaryStream : public QObject {
         }
         const trace::Integrity whole =
             trace::judgeIntegrity(points, blocks, 1e-6, world.settings.parameters.rotaryAxes);
-        // Where a reset leaves the axes just before a point, or in the rounding of its corner, it
-        // counts as reached.
+        // A rounded path does not touch the point of its corner: where a reset leaves the axes in
+        // the rounding, the point counts as reached.
         constexpr double kRoundingMm = 0.03;
         constexpr double kRoundingDeg = 0.15;
         const gcode::StreamPoint& before = points[std::max<std::size_t>(resume->point, 1) - 1];

@@ -131,6 +131,7 @@ void TestTemplateProof::brokenProgramShows_data() {
       "IF ABS(RIV_S)>100000000", "damaged-window");
   row("window: the copy is reported too early", MethodKind::Window, "R2=RIV_L R3=RIV_L",
       "R2=RIV_L+1 R3=RIV_L", "late-client");
+  // A client that is gone in the middle leaves axes that stand, not a program that waits.
   row("window: never gives the client up", MethodKind::Window, "IF RIV_IDLE>1000",
       "IF RIV_IDLE>100000000", "bad-network");
 }

@@ -235,11 +235,9 @@ QString examineWindow(
     }
   }
   // Without an intruder an operator who goes on gets the whole program executed; behind a reset in
-  // mid-window only if it is certain where.
-  const bool wasReset = std::any_of(evidence.segments.begin(), evidence.segments.end(),
-                                    [](const FaultSegment& segment) { return segment.wasReset; });
-  if (drawn.resumes && evidence.intrusions == 0 && !wasReset &&
-      follower.executed() < points.size()) {
+  // the middle of a window only if it is certain where the tool is.
+  if (drawn.resumes && evidence.intrusions == 0 && !drawn.resetAfter &&
+      !evidence.wasResetWhileHeld && follower.executed() < points.size()) {
     return QStringLiteral("not finished after %1 attempts: %2")
         .arg(evidence.reports.size())
         .arg(QString::fromStdString(last.error.text()));

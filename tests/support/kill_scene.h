@@ -25,6 +25,7 @@
 #include "opcua/open62541/ua_link.h"
 #include "opcua/variable.h"
 #include "support/machine_process.h"
+#include "templates/window_protocol.h"
 #include "trace/analysis/integrity.h"
 
 namespace rivulet::tests {
@@ -66,11 +67,9 @@ class KillScene {
     const bool hadPower = !m_endpoint.isEmpty();
     switchOff();
     m_machine = std::make_unique<MachineProcess>(
-        m_machineProgram,
-        m_arguments +
-            QStringList{QStringLiteral("--seed"), QStringLiteral("1"), QStringLiteral("--state"),
-                        path("machine"), QStringLiteral("--port"),
-                        portOfThisProcess()});
+        m_machineProgram, m_arguments + QStringList{QStringLiteral("--seed"), QStringLiteral("1"),
+                                                    QStringLiteral("--state"), path("machine"),
+                                                    QStringLiteral("--port"), portOfThisProcess()});
     m_endpoint = m_machine->endpoint();
     if (m_endpoint.isEmpty()) {
       qFatal("rivulet-machine does not start");
@@ -110,18 +109,23 @@ class KillScene {
   [[nodiscard]] bool isReset() const {
     return read({{opcua::VariableKind::ChannelStatus, 0}})[0] == opcua::kChannelReset;
   }
-  /// Waits until nothing moves any more.
+  /// Waits until nothing moves any more: every window has been executed, or the axes stand because
+  /// their client is gone.
   void awaitStandstill() const {
+    using templates::WindowProtocol;
     constexpr unsigned kPollMs = 10;
-    for (;;) {
+    for (;; QThread::msleep(kPollMs)) {
       const std::vector<double> now = read({{opcua::VariableKind::ChannelStatus, 0},
-                                            opcua::rParameter(1),
-                                            opcua::rParameter(2),
-                                            opcua::rParameter(3)});
-      if (now[0] == opcua::kChannelReset || (now[1] == now[2] && now[2] == now[3])) {
+                                            opcua::rParameter(WindowProtocol::Delivered),
+                                            opcua::rParameter(WindowProtocol::Latched),
+                                            opcua::rParameter(WindowProtocol::Executed),
+                                            opcua::rParameter(WindowProtocol::OverrideActs),
+                                            {opcua::VariableKind::PathFeed, 0}});
+      const bool isDone = now[1] == now[2] && now[2] == now[3];
+      const bool isHeld = now[4] == templates::FeedCell::kHold && now[5] == 0.0;
+      if (now[0] == opcua::kChannelReset || isDone || isHeld) {
         return;
       }
-      QThread::msleep(kPollMs);
     }
   }
 

@@ -188,8 +188,8 @@ class Search {
 
   [[nodiscard]] std::string stillExecutes(int stretch) const {
     return fmt::format(
-        "The control still executes blocks of the job, {}. Wait until it has come to the next "
-        "stretch or to the end, or end it with rivulet-cli runs --stop. Then resume.",
+        "The control still is in blocks of the job, {}, where its axes stand without a client. End "
+        "it with rivulet-cli runs --stop: it executes the block that it is in. Then resume.",
         stretch > 0 ? fmt::format("after stretch {}", stretch) : "before its first stretch");
   }
 
