@@ -1967,6 +1967,10 @@
             <numerusform>%Ln Fenster ausgeführt</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The axes stand (%1 after the order), and stay where they are until the run is ended or resumed.</source>
+        <translation>Die Achsen stehen (%1 nach dem Befehl) und bleiben, wo sie sind, bis der Lauf beendet oder fortgesetzt wird.</translation>
+    </message>
 </context>
 <context>
     <name>GroupingTexts</name>
@@ -3859,6 +3863,10 @@
     <message>
         <source>This run was a whole job, and its program cannot be run as one here now. The command rivulet-cli job --resume goes on with it.</source>
         <translation>Dieser Lauf war ein ganzer Auftrag, und sein Programm kann hier jetzt nicht als solcher laufen. Der Befehl rivulet-cli job --resume setzt ihn fort.</translation>
+    </message>
+    <message>
+        <source>The axes of the run on the control are held; they stood after %1.</source>
+        <translation>Die Achsen des Laufs auf der Steuerung werden gehalten; sie standen nach %1.</translation>
     </message>
 </context>
 <context>
@@ -6450,10 +6458,6 @@ GPL-3.0-or-later</translation>
         <translation>Lauf stoppen</translation>
     </message>
     <message>
-        <source>The program ends after the windows that it has copied.</source>
-        <translation>Das Programm endet nach den Fenstern, die es übernommen hat.</translation>
-    </message>
-    <message>
         <source>Resume …</source>
         <translation>Fortsetzen …</translation>
     </message>
@@ -6464,6 +6468,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Not now</source>
         <translation>Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>The axes stand at once, whoever started the run.</source>
+        <translation>Die Achsen stehen sofort, wer auch immer den Lauf gestartet hat.</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Hier beenden</translation>
+    </message>
+    <message>
+        <source>The axes go on to the end of the window, or of the block of the control, and the program ends there.</source>
+        <translation>Die Achsen fahren bis zum Ende des Fensters oder des Satzes der Steuerung, und dort endet das Programm.</translation>
     </message>
 </context>
 <context>
@@ -9216,14 +9232,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Lauf %1 ist auf der Steuerung</translation>
     </message>
     <message>
-        <source>This window only shows it. Stop ends it.</source>
-        <translation>Dieses Fenster zeigt ihn nur an. Stopp beendet ihn.</translation>
-    </message>
-    <message>
-        <source>This window did not start it. Stop ends it.</source>
-        <translation>Dieses Fenster hat ihn nicht gestartet. Stopp beendet ihn.</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Zeile</translation>
     </message>
@@ -9412,6 +9420,18 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Its axes are held until the run is ended or resumed.</source>
+        <translation>Seine Achsen werden gehalten, bis der Lauf beendet oder fortgesetzt wird.</translation>
+    </message>
+    <message>
+        <source>This window only shows it. Stop holds its axes.</source>
+        <translation>Dieses Fenster zeigt ihn nur. Stopp hält seine Achsen.</translation>
+    </message>
+    <message>
+        <source>This window did not start it. Stop holds its axes.</source>
+        <translation>Dieses Fenster hat ihn nicht gestartet. Stopp hält seine Achsen.</translation>
     </message>
 </context>
 <context>
@@ -9888,6 +9908,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Hier beenden</translation>
     </message>
 </context>
 <context>

@@ -1967,6 +1967,10 @@
             <numerusform>%Ln ventanas ejecutadas</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The axes stand (%1 after the order), and stay where they are until the run is ended or resumed.</source>
+        <translation>Los ejes están parados (%1 después de la orden) y así se quedan hasta que la ejecución se termine o se reanude.</translation>
+    </message>
 </context>
 <context>
     <name>GroupingTexts</name>
@@ -3859,6 +3863,10 @@
     <message>
         <source>This run was a whole job, and its program cannot be run as one here now. The command rivulet-cli job --resume goes on with it.</source>
         <translation>Esta ejecución era un trabajo completo y su programa no puede ejecutarse así aquí ahora. La orden rivulet-cli job --resume lo continúa.</translation>
+    </message>
+    <message>
+        <source>The axes of the run on the control are held; they stood after %1.</source>
+        <translation>Los ejes de la ejecución en el control están retenidos; se pararon después de %1.</translation>
     </message>
 </context>
 <context>
@@ -6450,10 +6458,6 @@ GPL-3.0-or-later</translation>
         <translation>Parar la ejecución</translation>
     </message>
     <message>
-        <source>The program ends after the windows that it has copied.</source>
-        <translation>El programa termina tras las ventanas que ha copiado.</translation>
-    </message>
-    <message>
         <source>Resume …</source>
         <translation>Reanudar…</translation>
     </message>
@@ -6464,6 +6468,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Not now</source>
         <translation>Ahora no</translation>
+    </message>
+    <message>
+        <source>The axes stand at once, whoever started the run.</source>
+        <translation>Los ejes se paran de inmediato, sin importar quién inició la ejecución.</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Terminar aquí</translation>
+    </message>
+    <message>
+        <source>The axes go on to the end of the window, or of the block of the control, and the program ends there.</source>
+        <translation>Los ejes siguen hasta el final de la ventana, o del bloque del control, y allí termina el programa.</translation>
     </message>
 </context>
 <context>
@@ -9216,14 +9232,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>La ejecución %1 está en el control</translation>
     </message>
     <message>
-        <source>This window only shows it. Stop ends it.</source>
-        <translation>Esta ventana solo la muestra. Parada la termina.</translation>
-    </message>
-    <message>
-        <source>This window did not start it. Stop ends it.</source>
-        <translation>Esta ventana no la inició. Parada la termina.</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Línea</translation>
     </message>
@@ -9412,6 +9420,18 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Pause</source>
         <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Its axes are held until the run is ended or resumed.</source>
+        <translation>Sus ejes están retenidos hasta que la ejecución se termine o se reanude.</translation>
+    </message>
+    <message>
+        <source>This window only shows it. Stop holds its axes.</source>
+        <translation>Esta ventana solo la muestra. Parada retiene sus ejes.</translation>
+    </message>
+    <message>
+        <source>This window did not start it. Stop holds its axes.</source>
+        <translation>Esta ventana no la ha iniciado. Parada retiene sus ejes.</translation>
     </message>
 </context>
 <context>
@@ -9888,6 +9908,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Pause</source>
         <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Terminar aquí</translation>
     </message>
 </context>
 <context>

@@ -1967,6 +1967,10 @@
             <numerusform>%Ln fenêtres exécutées</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The axes stand (%1 after the order), and stay where they are until the run is ended or resumed.</source>
+        <translation>Les axes sont à l’arrêt (%1 après l’ordre) et y restent jusqu’à ce que l’exécution soit terminée ou reprise.</translation>
+    </message>
 </context>
 <context>
     <name>GroupingTexts</name>
@@ -3859,6 +3863,10 @@
     <message>
         <source>This run was a whole job, and its program cannot be run as one here now. The command rivulet-cli job --resume goes on with it.</source>
         <translation>Cette exécution était une tâche complète, et son programme ne peut pas être exécuté ainsi ici maintenant. La commande rivulet-cli job --resume la poursuit.</translation>
+    </message>
+    <message>
+        <source>The axes of the run on the control are held; they stood after %1.</source>
+        <translation>Les axes de l’exécution sur la commande sont maintenus&#xa0;; ils se sont arrêtés après %1.</translation>
     </message>
 </context>
 <context>
@@ -6450,10 +6458,6 @@ GPL-3.0-or-later</translation>
         <translation>Arrêter l’exécution</translation>
     </message>
     <message>
-        <source>The program ends after the windows that it has copied.</source>
-        <translation>Le programme se termine après les fenêtres qu’il a copiées.</translation>
-    </message>
-    <message>
         <source>Resume …</source>
         <translation>Reprendre…</translation>
     </message>
@@ -6464,6 +6468,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Not now</source>
         <translation>Pas maintenant</translation>
+    </message>
+    <message>
+        <source>The axes stand at once, whoever started the run.</source>
+        <translation>Les axes s’arrêtent aussitôt, quel que soit l’auteur du lancement.</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Terminer ici</translation>
+    </message>
+    <message>
+        <source>The axes go on to the end of the window, or of the block of the control, and the program ends there.</source>
+        <translation>Les axes vont jusqu’à la fin de la fenêtre, ou du bloc de la commande, et le programme s’y termine.</translation>
     </message>
 </context>
 <context>
@@ -9216,14 +9232,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>L’exécution %1 est sur la commande</translation>
     </message>
     <message>
-        <source>This window only shows it. Stop ends it.</source>
-        <translation>Cette fenêtre ne fait que l’afficher. Arrêt y met fin.</translation>
-    </message>
-    <message>
-        <source>This window did not start it. Stop ends it.</source>
-        <translation>Cette fenêtre ne l’a pas démarrée. Arrêt y met fin.</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Ligne</translation>
     </message>
@@ -9412,6 +9420,18 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Its axes are held until the run is ended or resumed.</source>
+        <translation>Ses axes sont maintenus jusqu’à ce que l’exécution soit terminée ou reprise.</translation>
+    </message>
+    <message>
+        <source>This window only shows it. Stop holds its axes.</source>
+        <translation>Cette fenêtre ne fait que l’afficher. Arrêt maintient ses axes.</translation>
+    </message>
+    <message>
+        <source>This window did not start it. Stop holds its axes.</source>
+        <translation>Cette fenêtre ne l’a pas lancée. Arrêt maintient ses axes.</translation>
     </message>
 </context>
 <context>
@@ -9888,6 +9908,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Terminer ici</translation>
     </message>
 </context>
 <context>

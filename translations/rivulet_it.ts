@@ -1967,6 +1967,10 @@
             <numerusform>eseguite %Ln finestre</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The axes stand (%1 after the order), and stay where they are until the run is ended or resumed.</source>
+        <translation>Gli assi sono fermi (%1 dopo il comando) e lo restano finché l’esecuzione non viene terminata o ripresa.</translation>
+    </message>
 </context>
 <context>
     <name>GroupingTexts</name>
@@ -3859,6 +3863,10 @@
     <message>
         <source>This run was a whole job, and its program cannot be run as one here now. The command rivulet-cli job --resume goes on with it.</source>
         <translation>Questa esecuzione era un lavoro completo e il suo programma non può essere eseguito come tale qui adesso. Il comando rivulet-cli job --resume lo continua.</translation>
+    </message>
+    <message>
+        <source>The axes of the run on the control are held; they stood after %1.</source>
+        <translation>Gli assi dell’esecuzione sul controllo sono trattenuti; si sono fermati dopo %1.</translation>
     </message>
 </context>
 <context>
@@ -6450,10 +6458,6 @@ GPL-3.0-or-later</translation>
         <translation>Arresta l’esecuzione</translation>
     </message>
     <message>
-        <source>The program ends after the windows that it has copied.</source>
-        <translation>Il programma termina dopo le finestre che ha copiato.</translation>
-    </message>
-    <message>
         <source>Resume …</source>
         <translation>Riprendi…</translation>
     </message>
@@ -6464,6 +6468,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Not now</source>
         <translation>Non ora</translation>
+    </message>
+    <message>
+        <source>The axes stand at once, whoever started the run.</source>
+        <translation>Gli assi si fermano subito, chiunque abbia avviato l’esecuzione.</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Termina qui</translation>
+    </message>
+    <message>
+        <source>The axes go on to the end of the window, or of the block of the control, and the program ends there.</source>
+        <translation>Gli assi proseguono fino alla fine della finestra, o del blocco del controllo, e lì il programma termina.</translation>
     </message>
 </context>
 <context>
@@ -9216,14 +9232,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>L’esecuzione %1 è sul controllo</translation>
     </message>
     <message>
-        <source>This window only shows it. Stop ends it.</source>
-        <translation>Questa finestra la mostra soltanto. Stop la termina.</translation>
-    </message>
-    <message>
-        <source>This window did not start it. Stop ends it.</source>
-        <translation>Questa finestra non l’ha avviata. Stop la termina.</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Riga</translation>
     </message>
@@ -9412,6 +9420,18 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Pause</source>
         <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Its axes are held until the run is ended or resumed.</source>
+        <translation>I suoi assi sono trattenuti finché l’esecuzione non viene terminata o ripresa.</translation>
+    </message>
+    <message>
+        <source>This window only shows it. Stop holds its axes.</source>
+        <translation>Questa finestra la mostra soltanto. Stop trattiene i suoi assi.</translation>
+    </message>
+    <message>
+        <source>This window did not start it. Stop holds its axes.</source>
+        <translation>Questa finestra non l’ha avviata. Stop trattiene i suoi assi.</translation>
     </message>
 </context>
 <context>
@@ -9888,6 +9908,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Pause</source>
         <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Termina qui</translation>
     </message>
 </context>
 <context>

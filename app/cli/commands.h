@@ -176,8 +176,9 @@ struct RunsOptions {
   std::string endpoint;  ///< control that is asked, too; empty: none
   int baseCell = 0;      ///< of a program whose name does not say it
   bool watch = false;
-  bool stop = false;
-  int forget = 0;  ///< number of a run that is not kept any longer; 0: none
+  bool stop = false;  ///< holds the axes, and the program is to end
+  bool end = false;   ///< lets it go on to its end
+  int forget = 0;     ///< number of a run that is not kept any longer; 0: none
   bool json = false;
 };
 /// Lists the runs that can be resumed; watches or stops the one on a control.

@@ -60,6 +60,7 @@ FeedSource::FeedSource(FeedSource&& other) noexcept
       m_before(std::exchange(other.m_before, std::nullopt)),
       m_line(std::move(other.m_line)),
       m_order(other.m_order),
+      m_continues(other.m_continues),
       m_told(other.m_told) {
 }
 
@@ -103,6 +104,7 @@ void FeedSource::takeKey(char key) {
       break;
     case 'c':
       m_order.holds = false;
+      ++m_continues;
       break;
     case '+':
     case '-':
@@ -122,6 +124,7 @@ void FeedSource::takeLine(std::string_view line) {
           : kNone;
   if (line == "hold" || line == "continue") {
     m_order.holds = line == "hold";
+    m_continues += m_order.holds ? 0 : 1;
   } else if (percent >= 0.0 && percent <= kPercentMax) {
     m_order.percent = percent;
   } else if (!line.empty()) {

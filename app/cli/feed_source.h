@@ -30,6 +30,10 @@ class FeedSource {
 
   /// Reads what is available. The last order stays.
   [[nodiscard]] streaming::FeedOrder order();
+  /// A person has keys: nobody else can order anything after the program has been told to end.
+  [[nodiscard]] bool hasKeys() const { return m_hasKeys && mayRead(); }
+  /// How often it was ordered to continue.
+  [[nodiscard]] int continues() const { return m_continues; }
   /// Says on standard error what has become of it, when that changes.
   void tell(const streaming::LiveUpdate& update);
 
@@ -48,6 +52,7 @@ class FeedSource {
   std::optional<termios> m_before;  ///< of the terminal
   std::string m_line;
   streaming::FeedOrder m_order;
+  int m_continues = 0;
   std::optional<streaming::FeedSeen> m_told;
 };
 

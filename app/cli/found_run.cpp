@@ -153,7 +153,8 @@ std::string adviceFor(const report::FoundRun& run, const std::string& endpoint) 
   } else if (!run.saved && !run.onControl.hasClient && run.onControl.number != 0) {
     text += " It can be resumed on the computer where it was started.";
   }
-  return text + fmt::format("\n  watch:  {} --watch\n  stop:   {} --stop", asked, asked);
+  return text + fmt::format("\n  watch:  {} --watch\n  stop:   {} --stop\n  end:    {} --end",
+                            asked, asked, asked);
 }
 
 }  // namespace rivulet::cli

@@ -15,6 +15,7 @@
 #include "base/units.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "cli/console_orders.h"
 #include "cli/feed_source.h"
 #include "cli/found_run.h"
 #include "cli/run_files.h"
@@ -49,22 +50,15 @@ namespace rivulet::cli {
 
 namespace {
 
-/// Stops at Ctrl-C, or after a time; says what the control does.
-class JobConsole final : public streaming::WholeJobSink, public streaming::RunOrders {
+/// Says what the control does.
+class JobConsole final : public streaming::WholeJobSink, public ConsoleOrders {
  public:
   /// @param isAlone  nobody is at the control: it is simulated
   JobConsole(double stopAfterS, bool isQuiet, bool isAlone, FeedSource& feed)
-      : m_stopAfterS(stopAfterS), m_isQuiet(isQuiet), m_isAlone(isAlone), m_feed(feed) {}
+      : ConsoleOrders(stopAfterS, feed), m_isQuiet(isQuiet), m_isAlone(isAlone) {}
 
-  bool stopRequested(base::Instant now) override {
-    m_first = m_first.value_or(now);
-    return interrupt::wasSeen() ||
-           (m_stopAfterS > 0.0 && now - *m_first >= base::fromSeconds(m_stopAfterS));
-  }
-  streaming::FeedOrder feed(base::Instant) override { return m_feed.order(); }
-  bool leaves(base::Instant) override { return interrupt::wasSeen(); }
   void update(const streaming::LiveUpdate& update) override {
-    m_feed.tell(update);
+    tell(update);
     if (update.waitingFor == "claim" && !m_saysClaim) {
       m_saysClaim = true;
       log::logger().warn(kClaimMayLapse);
@@ -106,12 +100,9 @@ class JobConsole final : public streaming::WholeJobSink, public streaming::RunOr
     std::fflush(stdout);
   }
 
-  double m_stopAfterS;
   bool m_isQuiet;
   bool m_isAlone;
-  FeedSource& m_feed;
   bool m_saysClaim = false;
-  std::optional<base::Instant> m_first;
 };
 
 /// For the person at the control.
@@ -663,6 +654,9 @@ Exit JobCommand::run() {
     print(done);
   }
   const bool isComplete = tellFiles(record);
+  if (done.leftHeld && !m_options.simulate) {
+    log::logger().warn(leftHeldText(m_connection.name));
+  }
   if (done.outcome != streaming::Outcome::Completed && done.reached.stretch > 0 && !record.left()) {
     fmt::print(stderr,
                "The job is not complete. To go on:\n  rivulet-cli job {} ... --from-stretch {}\n",

@@ -13,6 +13,7 @@
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "cli/console_orders.h"
 #include "cli/feed_source.h"
 #include "cli/paced_link.h"
 #include "cli/run_files.h"
@@ -33,25 +34,18 @@ namespace {
 
 using base::Result;
 
-/// Ctrl-C stops; a line on a terminal says how far the run is.
-class LiveConsole final : public streaming::RunSink, public streaming::RunOrders {
+/// A line on a terminal says how far the run is.
+class LiveConsole final : public streaming::RunSink, public ConsoleOrders {
  public:
   LiveConsole(double stopAfterS, FeedSource& feed)
-      : m_stopAfterS(stopAfterS), m_feed(feed), m_isTerminal(isTerminal()) {}
+      : ConsoleOrders(stopAfterS, feed), m_isTerminal(isTerminal()) {}
   ~LiveConsole() override {
     if (m_isDrawn) {
       std::fputs("\r\x1b[K", stderr);
     }
   }
-  bool stopRequested(base::Instant now) override {
-    m_first = m_first.value_or(now);
-    return interrupt::wasSeen() ||
-           (m_stopAfterS > 0.0 && now - *m_first >= base::fromSeconds(m_stopAfterS));
-  }
-  streaming::FeedOrder feed(base::Instant) override { return m_feed.order(); }
-  bool leaves(base::Instant) override { return interrupt::wasSeen(); }
   void update(const streaming::LiveUpdate& update) override {
-    m_feed.tell(update);
+    tell(update);
     if (update.wrong && !m_saysWrong) {
       m_saysWrong = true;
       log::logger().error("Wrong motion: {}. Stop the run, then check workpiece and tool.",
@@ -71,13 +65,10 @@ class LiveConsole final : public streaming::RunSink, public streaming::RunOrders
   void note(const trace::Note&) override {}
 
  private:
-  double m_stopAfterS;
-  FeedSource& m_feed;
   bool m_isTerminal;
   bool m_isDrawn = false;
   bool m_saysWrong = false;
   std::size_t m_shown = 0;
-  std::optional<base::Instant> m_first;
 };
 
 live::Setup setupOf(const LiveOptions& live) {

@@ -512,9 +512,16 @@ void addRunsCommand(CLI::App& app, Exit& exit) {
   auto* watched =
       command->add_flag("--watch", options->watch, "Show how far the run is")->needs(endpoint);
   command
-      ->add_flag("--stop", options->stop, "End the program that executes the run or waits for it")
+      ->add_flag("--stop", options->stop,
+                 "Hold the axes at once, on the path, whoever started the run")
       ->needs(endpoint)
       ->excludes(watched);
+  command
+      ->add_flag("--end", options->end,
+                 "Let the program go on to the end of its window or block, and end there")
+      ->needs(endpoint)
+      ->excludes(watched)
+      ->excludes("--stop");
   command->add_option("--forget", options->forget, "Number of a run that is not to be kept");
   addJson(command, options->json);
   command->callback([options, &exit] { exit = rivulet::cli::runs(*options); });

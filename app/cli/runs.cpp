@@ -8,11 +8,14 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "cli/console_orders.h"
 #include "cli/found_run.h"
 #include "platform/interrupt.h"
+#include "platform/log.h"
 #include "report/report_json.h"
 #include "report/run_store.h"
 
@@ -99,15 +102,49 @@ Exit watch(const report::RunStore& store, const Connection& connection,
   return Exit::Done;
 }
 
+/// Holds the axes of the run at once. It goes on only to its end, and with `end`.
 Exit stop(const Connection& connection, const report::FoundRun& run, const RunsOptions& options) {
+  bool isTold = false;
+  const auto goesOn = [&isTold] {
+    if (!std::exchange(isTold, true)) {
+      log::logger().error(
+          "The axes still move: what moves now does not obey the override. Stop it at the control. "
+          "The program ends before its next window.");
+    }
+    return !interrupt::wasSeen();
+  };
+  const auto stopped = streaming::stopRun(*connection.link, run.onControl, {}, goesOn);
+  if (!stopped) {
+    return reportError(stopped.error(), options.json);
+  }
+  if (options.json) {
+    ordered_json json{{"stopped", foundJson(run)}, {"has_ended", stopped->hasEnded}};
+    json["stood_after_s"] = stopped->stoodAfter
+                                ? ordered_json(base::toSeconds(*stopped->stoodAfter))
+                                : ordered_json(nullptr);
+    printJson(json);
+  } else if (stopped->stoodAfter) {
+    fmt::print("Held: {}. The axes stand, {:.3f} s after the order.\n{}\n",
+               report::describeRun(run), base::toSeconds(*stopped->stoodAfter),
+               leftHeldText(connection.name));
+  } else {
+    fmt::print("Stopped: {}. It has ended.\n", report::describeRun(run));
+    if (run.saved) {
+      fmt::print("To go on: {}\n", resumeCommand(*run.saved, run.saved->file));
+    }
+  }
+  return Exit::Done;
+}
+
+Exit end(const Connection& connection, const report::FoundRun& run, const RunsOptions& options) {
   const auto goesOn = [] { return !interrupt::wasSeen(); };
   if (const auto ended = streaming::endRun(*connection.link, run.onControl, {}, goesOn); !ended) {
     return reportError(ended.error(), options.json);
   }
   if (options.json) {
-    printJson({{"stopped", foundJson(run)}});
+    printJson({{"ended", foundJson(run)}});
   } else {
-    fmt::print("Stopped: {}. It executed {}.\n", report::describeRun(run),
+    fmt::print("Ended: {}. It executed {}.\n", report::describeRun(run),
                run.onControl.isNative ? "the block of the control that it was in"
                                       : "the windows that it had copied");
     if (run.saved) {
@@ -180,10 +217,10 @@ Exit runs(const RunsOptions& options) {
   if (!found) {
     return reportError(found.error(), options.json);
   }
-  if (options.stop && *found) {
-    return stop(*connection, **found, options);
+  if ((options.stop || options.end) && *found) {
+    return options.stop ? stop(*connection, **found, options) : end(*connection, **found, options);
   }
-  if (options.stop) {
+  if (options.stop || options.end) {
     return reportError(
         base::makeError(streaming::StreamError::CannotResume,
                         "No run and no whole job of Rivulet is on this control: nothing was "

@@ -15,6 +15,7 @@
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "cli/console_orders.h"
 #include "cli/correction_source.h"
 #include "cli/feed_source.h"
 #include "cli/found_run.h"
@@ -145,35 +146,18 @@ base::Result<void> requireTest(const StreamOptions& options, const Connection& c
 
 namespace {
 
-/// Stop by Ctrl-C, or at the time of the run that the command line gives.
-class ConsoleOrders final : public streaming::RunOrders {
+/// Beside the orders of every run: corrections.
+class StreamOrders final : public ConsoleOrders {
  public:
   /// @param source  of corrections; null: none
-  ConsoleOrders(double stopAfterS, CorrectionSource* source, FeedSource& feed)
-      : m_stopAfterS(stopAfterS), m_source(source), m_feed(feed) {}
-  bool stopRequested(base::Instant now) override {
-    if (interrupt::wasSeen()) {
-      return true;
-    }
-    if (m_stopAfterS <= 0.0) {
-      return false;
-    }
-    if (!m_first) {
-      m_first = now;
-    }
-    return now - *m_first >= base::fromSeconds(m_stopAfterS);
-  }
+  StreamOrders(double stopAfterS, CorrectionSource* source, FeedSource& feed)
+      : ConsoleOrders(stopAfterS, feed), m_source(source) {}
   base::Vec3 correctionMm(base::Instant) override {
     return m_source != nullptr ? m_source->valueMm() : base::Vec3{};
   }
-  streaming::FeedOrder feed(base::Instant) override { return m_feed.order(); }
-  bool leaves(base::Instant) override { return interrupt::wasSeen(); }
 
  private:
-  double m_stopAfterS;
   CorrectionSource* m_source;
-  FeedSource& m_feed;
-  std::optional<base::Instant> m_first;
 };
 
 /// A progress line on a terminal, nothing in a pipe.
@@ -564,7 +548,7 @@ Exit StreamCommand::run() {
   if (!feed) {
     return reportError(feed.error(), m_options.json);
   }
-  ConsoleOrders orders(m_options.stopAfterS, m_source ? &*m_source : nullptr, *feed);
+  StreamOrders orders(m_options.stopAfterS, m_source ? &*m_source : nullptr, *feed);
   streaming::RunReport done;
   {
     ConsoleSink sink(*feed);  // takes its line away at the end
@@ -593,6 +577,9 @@ Exit StreamCommand::show(const streaming::RunReport& done, const run::RunRecord&
     printJson(json);
   } else {
     print(done, m_calibrated, m_judged);
+  }
+  if (done.leftHeld && !m_options.simulate) {
+    log::logger().warn(leftHeldText(m_connection.name));
   }
   return exitAfter(done, record);
 }

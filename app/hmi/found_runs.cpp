@@ -67,6 +67,7 @@ std::optional<FoundRunView> FoundRuns::view() const {
   FoundRunView view;
   view.isStopping = m_session.isEnding();
   view.stopConfirmedAfter = m_stopConfirmedAfter;
+  view.isHeld = m_isHeld;
   view.isWatched = m_isWatched;
   view.isKeptHere = run != nullptr;
   std::optional<streaming::RunOrigin> origin;
@@ -109,8 +110,10 @@ void FoundRuns::takeSeen(const session::RunsSeen& seen) {
     m_messages.show(Severity::Note, [] { return tr("The run that was watched has ended."); });
   }
   m_seen = seen;
+  m_isHeld = m_isHeld && seen.onControl;
   if (isNew) {
     m_stopConfirmedAfter.reset();
+    m_isHeld = false;
     m_messages.log(Severity::Note, Source::Run, [found = view().value_or(FoundRunView{})] {
       return tr("There is a run on the control: %1").arg(widgets::foundRunText(found));
     });
@@ -126,9 +129,12 @@ void FoundRuns::takeEnded(const session::RunEnded& ended) {
     tell(Severity::Error, [error = ended.error] { return widgets::errorText(error); });
   } else {
     m_stopConfirmedAfter = ended.confirmedAfter;
-    tell(Severity::Note, [seconds = base::toSeconds(*ended.confirmedAfter)] {
-      return tr("The run has been stopped; confirmed after %1.")
-          .arg(widgets::secondsText(seconds, 2));
+    m_isHeld = ended.isHeld;
+    tell(Severity::Note, [seconds = base::toSeconds(*ended.confirmedAfter), isHeld = ended.isHeld] {
+      const QString text =
+          isHeld ? tr("The axes of the run on the control are held; they stood after %1.")
+                 : tr("The run has been stopped; confirmed after %1.");
+      return text.arg(widgets::secondsText(seconds, 2));
     });
   }
   Q_EMIT changed();
@@ -138,6 +144,7 @@ void FoundRuns::forget() {
   m_seen = {};
   m_isWatched = false;
   m_stopConfirmedAfter.reset();
+  m_isHeld = false;
   m_resuming.reset();
   m_asksSoon = false;
   Q_EMIT changed();
@@ -159,8 +166,18 @@ void FoundRuns::watch(bool watch) {
 }
 
 void FoundRuns::stop() {
+  command(true);
+}
+
+void FoundRuns::end() {
+  command(false);
+}
+
+void FoundRuns::command(bool holds) {
   if (m_seen.onControl && !m_session.isEnding()) {
-    m_session.endRun(m_seen.onControl->onControl);
+    m_stopConfirmedAfter.reset();
+    m_isHeld = false;
+    m_session.endRun(m_seen.onControl->onControl, holds);
     m_messages.didAct(permission::Act::Stop,
                       {{"run", std::to_string(m_seen.onControl->onControl.number)}});
     m_messages.log(Severity::Note, Source::Run,

@@ -32,8 +32,10 @@ class FoundRuns final : public QObject {
   [[nodiscard]] bool isOnControl() const { return m_seen.onControl.has_value(); }
   /// Shows program and progress. Nothing is written to the control.
   void watch(bool watch);
-  /// Commands the run on the control to end.
+  /// Holds the axes of the run on the control, at once, and commands it to end.
   void stop();
+  /// Lets a run that is held go on to the end of its window or block, where it ends.
+  void end();
   /// Loads the program of the run with its settings, and asks the control where it was left.
   void resume();
   /// A run that was left is not offered again until the window is opened again.
@@ -48,6 +50,7 @@ class FoundRuns final : public QObject {
   void takeSeen(const session::RunsSeen& seen);
   void takeEnded(const session::RunEnded& ended);
   void forget();
+  void command(bool holds);
   /// To the operator, and in the log.
   void tell(Messages::Severity severity, const Messages::Text& text);
   [[nodiscard]] const report::SavedRun* saved() const;
@@ -68,6 +71,7 @@ class FoundRuns final : public QObject {
   session::RunsSeen m_seen;
   bool m_isWatched = false;
   std::optional<base::Duration> m_stopConfirmedAfter;
+  bool m_isHeld = false;                       ///< stopped by this window, and not ended
   int m_dismissed = 0;                         ///< number of a run that is not to be shown
   std::optional<report::SavedRun> m_resuming;  ///< its program is being loaded
   bool m_asksSoon = false;                     ///< the program is there, the simulation is not yet

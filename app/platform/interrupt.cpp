@@ -11,10 +11,13 @@ namespace rivulet::interrupt {
 namespace {
 
 std::atomic<bool> g_seen{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch it only so");
+std::atomic<int> g_count{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
+              "a signal handler may touch it only so");
 
 extern "C" void onInterrupt(int /*signal*/) {
   g_seen.store(true);
+  g_count.fetch_add(1);
 }
 
 }  // namespace
@@ -31,6 +34,10 @@ void watch() {
 
 bool wasSeen() {
   return g_seen.load();
+}
+
+int count() {
+  return g_count.load();
 }
 
 const std::atomic<bool>& flag() {

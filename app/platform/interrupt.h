@@ -16,6 +16,8 @@ namespace rivulet::interrupt {
 void watch();
 
 [[nodiscard]] bool wasSeen();
+/// How often so far.
+[[nodiscard]] int count();
 /// The same, for code that is also told to end by others.
 [[nodiscard]] const std::atomic<bool>& flag();
 

@@ -113,6 +113,7 @@ ordered_json wholeJobJson(const job::Plan& plan, const streaming::WholeJobReport
   if (!report.feed.empty()) {
     json["feed"] = feedJson(report.feed);
   }
+  json["left_held"] = report.leftHeld;
   if (report.controlTrace) {
     json["tools"] = toolsJson(report.tools);
   }

@@ -191,6 +191,7 @@ void runFields(Io& io, Report& report) {
   io.seconds("duration_s", report.duration);
   io.ifThere().list("pauses", report.pauses, pauseFields);
   io.ifThere().list("holds", report.holds, pauseFields);
+  io.ifThere().flag("left_held", report.leftHeld);
   io.ifThere().list("feed", report.feed, feedFields);
   io.object("access_ms", report.access.perNode, durationList);
   io.object("request_ms", report.access.perRequest, durationList);

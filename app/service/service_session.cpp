@@ -128,7 +128,9 @@ void ServiceSession::take(const session::SessionEvent& event) {
     takeResume(*found);
   } else if (const auto* ended = std::get_if<session::RunEnded>(&event)) {
     m_isEnding = false;
-    m_message = ended->error.code ? ended->error.text() : "The program on the control has ended.";
+    m_message = ended->error.code ? ended->error.text()
+                : ended->isHeld   ? "The axes of the run on the control are held."
+                                  : "The program on the control has ended.";
   } else if (const auto* note = std::get_if<trace::Note>(&event)) {
     log::logger().info("{}", note->text);
   }
@@ -551,22 +553,29 @@ Answer ServiceSession::setOverride(const Caller& caller, const std::string& perc
 }
 
 Answer ServiceSession::stop(const Caller& caller) {
+  if (!m_isRunning && m_runs.onControl && !m_isEnding) {
+    m_isEnding = m_worker.post(session::EndRunCommand{m_runs.onControl->onControl, true});
+    record(caller, Act::Stop, {{"run", std::to_string(m_runs.onControl->onControl.number)}});
+    return m_isEnding ? yes("Stop requested: the axes of the run on the control are held. With "
+                            "EndRun it goes on to its end.")
+                      : no("The streaming thread is busy. Try again in a second.");
+  }
   if (!m_isRunning) {
     return no("No run is in progress.");
   }
-  m_worker.stopRun();
+  m_worker.stopRun(false);
   record(caller, Act::Stop, {{"point", std::to_string(m_update.counters.executed)}});
   m_message = "Stop requested.";
   return yes(
-      m_isHeld && m_update.feed
-          ? "Stop requested: the axes are held. After Resume the rest of the window in motion "
-            "is executed, then the run ends."
+      m_update.feed
+          ? "Stop requested: the axes stand at once, on the path. After Resume the rest of the "
+            "window in motion is executed, then the run ends."
           : "Stop requested: the axes stand at the end of the window in motion.");
 }
 
 void ServiceSession::endForGood() {
   m_endsForGood = true;
-  m_worker.stopRun();
+  m_worker.leaveRun();
 }
 
 Answer ServiceSession::preflightResume(const Caller& caller) {
@@ -707,7 +716,7 @@ Answer ServiceSession::endRun(const Caller& caller) {
   if (!m_runs.onControl || m_isEnding) {
     return no("No program of Rivulet is active on the control.");
   }
-  m_isEnding = m_worker.post(session::EndRunCommand{m_runs.onControl->onControl});
+  m_isEnding = m_worker.post(session::EndRunCommand{m_runs.onControl->onControl, false});
   record(caller, Act::Stop, {{"run", std::to_string(m_runs.onControl->onControl.number)}});
   return m_isEnding ? yes("The program on the control is told to end.")
                     : no("The streaming thread is busy. Try again in a second.");

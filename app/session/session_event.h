@@ -114,6 +114,7 @@ struct RightsSeen {
 struct RunEnded {
   std::optional<base::Duration> confirmedAfter;  ///< nothing: see `error`
   base::Error error;
+  bool isHeld = false;  ///< not ended: its axes stand since then, until it is let go
 };
 
 struct CalibrationFinished {
@@ -202,6 +203,7 @@ struct CalibrateCommand {
 /// Commands the program of a run that was found on the control to end.
 struct EndRunCommand {
   streaming::RunOnControl run;
+  bool holds = false;  ///< its axes, at once: `streaming::stopRun`; else it goes on to its end
 };
 
 /// Asks for the rights of the user; changes nothing on the control.

@@ -218,7 +218,8 @@ class SessionWorker::Requests final : public streaming::RunOrders {
   streaming::FeedOrder feed(base::Instant) override {
     return {m_worker.m_holdRun.load(), m_worker.m_overridePercent.load()};
   }
-  bool leaves(base::Instant) override { return m_worker.m_quit.load(); }
+  bool letsEnd(base::Instant) override { return m_worker.m_letsEnd.load(); }
+  bool leaves(base::Instant) override { return m_worker.m_quit.load() || m_worker.m_leaves.load(); }
 
  private:
   SessionWorker& m_worker;
@@ -241,6 +242,8 @@ bool SessionWorker::post(SessionCommand command) {
       std::holds_alternative<CalibrateCommand>(command) ||
       std::holds_alternative<CommissionCommand>(command)) {
     m_stopRun.store(false);
+    m_letsEnd.store(true);
+    m_leaves.store(false);
     correct({});
     m_holdRun.store(false);
     m_overridePercent.store(templates::FeedCell::kProgrammed);
@@ -252,8 +255,14 @@ bool SessionWorker::post(SessionCommand command) {
   return true;
 }
 
-void SessionWorker::stopRun() {
+void SessionWorker::stopRun(bool letsEnd) {
+  m_letsEnd.store(letsEnd);
   m_stopRun.store(true);
+}
+
+void SessionWorker::leaveRun() {
+  stopRun(false);
+  m_leaves.store(true);
 }
 
 void SessionWorker::correct(base::Vec3 valueMm) {
@@ -263,6 +272,9 @@ void SessionWorker::correct(base::Vec3 valueMm) {
 
 void SessionWorker::holdRun(bool hold) {
   m_holdRun.store(hold);
+  if (!hold) {
+    m_letsEnd.store(true);
+  }
 }
 
 void SessionWorker::overrideRun(double percent) {
@@ -521,19 +533,28 @@ void SessionWorker::takeFound(const std::optional<streaming::RunOnControl>& foun
 
 void SessionWorker::endRun(const EndRunCommand& command) {
   if (!m_connection) {
-    tell(RunEnded{std::nullopt, notConnected()});
+    tell(RunEnded{std::nullopt, notConnected(), false});
     return;
   }
   const base::Instant from = m_connection.link->now();
   // What the machine does meanwhile is shown; a connection that is lost is noticed by the wait. A
   // block of the control may take minutes: the wait ends with the program, or when something else
   // is wanted.
-  const auto ended = streaming::endRun(*m_connection.link, command.run, {}, [this] {
+  const auto goesOn = [this] {
     static_cast<void>(lookAtControl());
     return !m_quit.load() && m_commands.isEmpty();
-  });
-  tell(ended ? RunEnded{m_connection.link->now() - from, {}}
-             : RunEnded{std::nullopt, ended.error()});
+  };
+  if (command.holds) {
+    const auto stopped = streaming::stopRun(*m_connection.link, command.run, {}, goesOn);
+    tell(stopped ? RunEnded{stopped->stoodAfter.value_or(m_connection.link->now() - from),
+                            {},
+                            !stopped->hasEnded}
+                 : RunEnded{std::nullopt, stopped.error(), false});
+    return;
+  }
+  const auto ended = streaming::endRun(*m_connection.link, command.run, {}, goesOn);
+  tell(ended ? RunEnded{m_connection.link->now() - from, {}, false}
+             : RunEnded{std::nullopt, ended.error(), false});
 }
 
 bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) const {

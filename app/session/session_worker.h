@@ -5,8 +5,8 @@
 /// The streaming thread: owns the link and, during a run, driver and method. Requests come in and
 /// events go out through bounded rings; nothing but a full ring of events makes this side wait for
 /// the GUI.
-/// @threadsafety constructor, destructor, `post`, `stopRun`, `holdRun`, `overrideRun`, `correct`
-/// and `take` belong to the GUI thread.
+/// @threadsafety constructor, destructor, `post`, `stopRun`, `leaveRun`, `holdRun`, `overrideRun`,
+/// `correct` and `take` belong to the GUI thread.
 #pragma once
 
 #include <atomic>
@@ -42,7 +42,12 @@ class SessionWorker {
   bool post(SessionCommand command);
   /// Takes effect when the driver next checks its requests, within 20 ms; cancels a calibration
   /// after the request in progress.
-  void stopRun();
+  /// @param letsEnd  the program goes on to its end, before its next window; else the axes are
+  /// held,
+  ///                 at once, until `holdRun(false)`
+  void stopRun(bool letsEnd = true);
+  /// The same, and nobody stays to let it go on: it ends when its axes stand, and is left held.
+  void leaveRun();
   /// Online correction of the run in progress, mm; a run begins with none.
   void correct(base::Vec3 valueMm);
   /// Makes the axes of the run or job in progress stand at once, by its feed cell, and wait before
@@ -124,6 +129,8 @@ class SessionWorker {
   std::counting_semaphore<> m_commandCount{0};
   std::atomic<bool> m_quit{false};
   std::atomic<bool> m_stopRun{false};
+  std::atomic<bool> m_letsEnd{true};
+  std::atomic<bool> m_leaves{false};
   std::atomic<bool> m_holdRun{false};
   std::atomic<double> m_overridePercent{templates::FeedCell::kProgrammed};
   std::atomic<std::size_t> m_lost{0};

@@ -96,9 +96,9 @@ void StreamSession::askResume(ResumeQuestion question) {
   }
 }
 
-void StreamSession::endRun(const streaming::RunOnControl& run) {
+void StreamSession::endRun(const streaming::RunOnControl& run, bool holds) {
   if (!m_running && !m_ending && !m_commissioning) {
-    m_ending = m_worker->post(EndRunCommand{run});
+    m_ending = m_worker->post(EndRunCommand{run, holds});
   }
 }
 

@@ -53,7 +53,8 @@ class StreamSession final : public QObject {
   void askResume(ResumeQuestion question);
   /// Commands a run that was found on the control to end; answered by `runEnded`. Ignored during a
   /// run.
-  void endRun(const streaming::RunOnControl& run);
+  /// @param holds  see `EndRunCommand`
+  void endRun(const streaming::RunOnControl& run, bool holds);
 
   /// Answered by `rightsSeen`. Ignored while anything else is done with the control.
   void examineRights();

@@ -190,8 +190,14 @@ class TestResume : public QObject {
             .points;
     QCOMPARE(static_cast<int>(points.size()), parsed1["points"].get<int>());
     const trace::Integrity integrity = trace::judgeIntegrity(points, blocks, 1e-6);
-    QVERIFY(integrity.isFaultless());
-    QCOMPARE(integrity.executed, points.size());
+    // The signal has held the axes in the middle of a window. What they executed of the windows that
+    // the control had then, before the third run, is in no recording (tst_kills judges it by the
+    // machine's own list).
+    constexpr std::size_t kDelivered = 14;
+    QVERIFY(parsed2["left_held"].get<bool>());
+    QCOMPARE(integrity.repeated + integrity.foreign + integrity.outOfOrder, std::size_t{0});
+    QCOMPARE(integrity.executed + integrity.skipped, points.size());
+    QVERIFY2(integrity.skipped <= kDelivered, qPrintable(QString::number(integrity.skipped)));
 
     // There is nothing left to be resumed, and nothing moves for the question.
     QProcess again;
@@ -226,7 +232,7 @@ class TestResume : public QObject {
     const json offered = ask(slowly(QStringLiteral("6.rivulet")), 2);
     QVERIFY(offered["error"]["message"].get<std::string>().find("--resume") != std::string::npos);
 
-    // The command as it is offered goes on; a terminal that is closed stops it in order.
+    // The command as it is offered goes on; a terminal that is closed holds it.
     QProcess second;
     second.start(QStringLiteral(RIVULET_CLI), resumeWords(waiting["saved_run"]));
     QVERIFY(second.waitForStarted(kSoonMs));
@@ -239,6 +245,8 @@ class TestResume : public QObject {
     QVERIFY(report["faultless"].get<bool>());
     QVERIFY(report["checkpoint"]["first_point"].get<int>() > 0);
     QVERIFY(QFile::exists(QString::fromStdString(report["saved_run"].get<std::string>())));
+    QVERIFY(report["left_held"].get<bool>() && !onControl().is_null());
+    QVERIFY(ask(words("runs --end --json --endpoint") << m_endpoint, 0).contains("ended"));
     QVERIFY(onControl().is_null());
     const json kept = ask(words("runs --json"), 0)["runs"];
     QCOMPARE(kept.size(), std::size_t{1});

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/// A client that is stopped, goes on, and is killed in mid-motion, over OPC UA in real time: the
-/// axes stand in the middle of a move or cycle, go on with the client, and stay where they are
-/// without it.
+/// A client that is suspended, goes on, and is killed or interrupted in mid-motion, over OPC UA in
+/// real time: the axes stand in the middle of a move or cycle, go on with the client, and stay
+/// where they are without it, until somebody lets the program come to its end.
 
 #include <QFile>
 #include <QProcess>
@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <csignal>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "opcua/await.h"
@@ -96,17 +97,21 @@ class TestSilentClient : public QObject {
     QTest::addColumn<double>("from");
     QTest::addColumn<double>("to");
     QTest::addColumn<double>("x");
+    QTest::addColumn<int>("number");
     // The tool is between both for seconds at this X or beyond, and in no other move.
-    QTest::newRow("long move") << QByteArray("G90 G1 X0 Y0 Z10 F3000\nX200 F1500\nY10\nX0\nM30\n")
-                               << QStringList{QStringLiteral("stream"),
-                                              QStringLiteral("--motion-only"),
-                                              QStringLiteral("--points"), QStringLiteral("2")}
-                               << 0 << 20.0 << 180.0 << 20.0;
-    QTest::newRow("native cycle")
-        << QByteArray(
-               "G17 G90 G71 G94 F1000\nT1 M6\nS1000 M3\nG0 X0 Y0 Z25\nG1 X5 F200\n"
-               "CYCLE81(25,0,2,-20)\nG0 Z25\nM30\n")
-        << QStringList{QStringLiteral("job")} << 2 << -15.0 << -1.0 << 4.99;
+    for (const int number : {SIGKILL, SIGINT, SIGTERM}) {
+      const std::string kind = number == SIGKILL ? "killed" : number == SIGINT ? "Ctrl-C" : "ended";
+      QTest::addRow("long move, %s", kind.c_str())
+          << QByteArray("G90 G1 X0 Y0 Z10 F3000\nX200 F1500\nY10\nX0\nM30\n")
+          << QStringList{QStringLiteral("stream"), QStringLiteral("--motion-only"),
+                         QStringLiteral("--points"), QStringLiteral("2")}
+          << 0 << 20.0 << 180.0 << 20.0 << number;
+      QTest::addRow("native cycle, %s", kind.c_str())
+          << QByteArray(
+                 "G17 G90 G71 G94 F1000\nT1 M6\nS1000 M3\nG0 X0 Y0 Z25\nG1 X5 F200\n"
+                 "CYCLE81(25,0,2,-20)\nG0 Z25\nM30\n")
+          << QStringList{QStringLiteral("job")} << 2 << -15.0 << -1.0 << 4.99 << number;
+    }
   }
 
   void standsAndGoesOn() {
@@ -116,6 +121,7 @@ class TestSilentClient : public QObject {
     QFETCH(double, from);
     QFETCH(double, to);
     QFETCH(double, x);
+    QFETCH(int, number);
     QFile program(m_folder.filePath(QStringLiteral("part.mpf")));
     QVERIFY(program.open(QIODevice::WriteOnly | QIODevice::Truncate));
     program.write(text);
@@ -157,20 +163,39 @@ class TestSilentClient : public QObject {
     QVERIFY2(awaitPlace(**link, client, hasLeft), client.readAllStandardError().constData());
     QVERIFY(isWithin(look(**link)));
 
-    // Killed, they stand for good.
-    ::kill(static_cast<pid_t>(client.processId()), SIGKILL);
-    client.waitForFinished(kRunMs);
-    const Look killed = awaitRest(**link);
-    QVERIFY(!killed.isReset && isWithin(killed));
-    QVERIFY(movedMm(awaitRest(**link), killed) < kMovesMm);
+    // Without it they stand for good: killed, it cannot say so; else it holds them, and leaves.
+    ::kill(static_cast<pid_t>(client.processId()), number);
+    QVERIFY(client.waitForFinished(kRunMs));
+    const QByteArray report = client.readAllStandardOutput();
+    const auto said = nlohmann::json::parse(report.toStdString(), nullptr, false);
+    if (number != SIGKILL) {
+      const QByteArray errors = client.readAllStandardError();
+      QCOMPARE(client.exitCode(), 0);
+      QVERIFY2(errors.contains("runs --end"), errors.constData());
+      QVERIFY2(said["outcome"] == "stopped" && said["left_held"].get<bool>(), report.constData());
+      qInfo("stood %.3f s after the order", said["feed"].back()["stood"]["after_s"].get<double>());
+    }
+    const Look left = awaitRest(**link);
+    QVERIFY(!left.isReset && isWithin(left));
+    QVERIFY(movedMm(awaitRest(**link), left) < kMovesMm);
 
-    // Somebody else ends the run: the program comes to its next window or block, and no further.
-    QProcess other;
-    other.start(QStringLiteral(RIVULET_CLI),
-                {QStringLiteral("runs"), QStringLiteral("--stop"), QStringLiteral("--json"),
-                 QStringLiteral("--endpoint"), machine.endpoint()});
-    QVERIFY(other.waitForFinished(kRunMs));
-    QVERIFY2(other.exitCode() == 0, other.readAllStandardError().constData());
+    // Somebody else stops the run: they stay where they are.
+    const auto runs = [&](const char* what) {
+      QProcess other;
+      other.start(QStringLiteral(RIVULET_CLI),
+                  {QStringLiteral("runs"), QString::fromUtf8(what), QStringLiteral("--json"),
+                   QStringLiteral("--endpoint"), machine.endpoint()});
+      const bool isDone = other.waitForFinished(kRunMs) && other.exitCode() == 0;
+      if (!isDone) {
+        qWarning() << other.readAllStandardError();
+      }
+      return isDone;
+    };
+    QVERIFY(runs("--stop"));
+    QVERIFY(!look(**link).isReset);
+    QVERIFY(movedMm(awaitRest(**link), left) < kMovesMm);
+    // The program comes to its next window or block, and no further.
+    QVERIFY(runs("--end"));
     QVERIFY(look(**link).isReset);
   }
 };

@@ -458,11 +458,14 @@ class TestWholeJobs : public QObject {
     };
     const QStringList resume = job + QStringList{QStringLiteral("--resume"), kept};
     const Outcome busy = runCli(resume + QStringList{QStringLiteral("--yes")}, scene.environment());
-    QVERIFY2(busy.exit == 2 && busy.errors.contains("runs --stop"), busy.errors.constData());
+    QVERIFY2(busy.exit == 2 && busy.errors.contains("runs --end"), busy.errors.constData());
     // The axes stand before their first move, and the program does not come to its stretch.
     QVERIFY(isNative() && scene.executed().empty());
     const QStringList stop = runs + QStringList{QStringLiteral("--stop")};
+    const QStringList end = runs + QStringList{QStringLiteral("--end")};
     QCOMPARE(runCli(stop, scene.environment()).exit, 0);
+    static_cast<void>(runCli(end, scene.environment()));  // a dwell comes to its end by itself
+    QVERIFY(scene.isReset() && scene.executed().empty());
 
     const QStringList confirmed = resume + QStringList{QStringLiteral("--yes")};
     QVERIFY(startAndKill(confirmed, [&](const QByteArray&) { return lastX(scene) >= 5.0; }));
@@ -473,7 +476,7 @@ class TestWholeJobs : public QObject {
       return said.contains("the control executes the blocks before stretch 1");
     }));
     QCOMPARE(scene.savedRuns(), QStringList{kept});
-    const Outcome stopped = runCli(stop, scene.environment());
+    const Outcome stopped = runCli(end, scene.environment());
     QVERIFY2(stopped.exit == 0 && stopped.output.contains("--resume"), stopped.errors.constData());
     const Outcome nothing = runCli(stop, scene.environment());
     QCOMPARE(nothing.exit, 2);
@@ -538,6 +541,9 @@ class TestWholeJobs : public QObject {
     QVERIFY(!found["started_by"]["user"].get<std::string>().empty());
     const Outcome stopped = runCli(runs + QStringList{QStringLiteral("--stop")}, elsewhere);
     QVERIFY2(stopped.exit == 0, (stopped.output + stopped.errors).constData());
+    QVERIFY(isNative || !scene.isReset());  // a dwell comes to its end by itself
+    const Outcome ended = runCli(runs + QStringList{QStringLiteral("--end")}, elsewhere);
+    QVERIFY2(isNative || ended.exit == 0, (ended.output + ended.errors).constData());
     QVERIFY(scene.isReset());
     QVERIFY(lastX(scene) < (isNative ? 9.0 : 60.0));
   }

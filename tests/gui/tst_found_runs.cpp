@@ -250,7 +250,8 @@ class TestFoundRuns : public QObject {
     picture("found-changed");
   }
 
-  /// Stop, by the bar, the big button or Escape: confirmed, and the run can still be resumed.
+  /// Stop, by the bar, the big button or Escape: the axes stand where they are until the run is
+  /// ended, and it can still be resumed.
   void stopsItsOwnRun_data() {
     QTest::addColumn<QString>("how");
     QTest::newRow("bar") << QStringLiteral("found-stop");
@@ -268,7 +269,12 @@ class TestFoundRuns : public QObject {
       QTest::mouseClick(button(how.toLatin1().constData()), Qt::LeftButton);
     }
     QVERIFY(shows(m_window.get(), QStringLiteral("not yet confirmed")));
-    QTRY_VERIFY_WITH_TIMEOUT(shows(bar(), QStringLiteral("Stop confirmed after")), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(shows(bar(), QStringLiteral("The axes stand")), kSoonMs);
+    picture("found-held");
+    QVERIFY(button("stop")->isEnabled() && !button("found-stop")->isVisible());
+    QTest::keyClick(m_window.get(), Qt::Key_Escape);  // a stop lets nothing go
+    QTRY_VERIFY_WITH_TIMEOUT(shows(bar(), QStringLiteral("The axes stand")), kSoonMs);
+    QTest::mouseClick(button("found-end"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(shows(bar(), QStringLiteral("no longer active")), kSoonMs);
     QVERIFY(button("found-resume")->isEnabled());
     picture("found-stopped");
@@ -311,6 +317,8 @@ class TestFoundRuns : public QObject {
     picture("found-foreign");
     QTest::mouseClick(button("found-watch"), Qt::LeftButton);
     QTest::keyClick(m_window.get(), Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(shows(bar(), QStringLiteral("The axes stand")), kSoonMs);
+    QTest::mouseClick(button("found-end"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!bar()->isVisible(), kSoonMs);
   }
 };

@@ -139,6 +139,32 @@ class TestService : public QObject {
     QVERIFY(m_scene.isWhole(before));
   }
 
+  /// Stop holds first: the axes stand in the middle of a window, and the run ends behind it when
+  /// somebody lets it.
+  void stopHoldsFirst() {
+    const auto service = this->service();
+    QVERIFY(service->await("Monitoring/IsConnected", "true"));
+    QVERIFY(service->call("LoadJob", {file(), "feed=300;points=8"}).accepted);
+    QVERIFY(service->call("Start", {service->confirmation("Preflight")}).accepted);
+    QVERIFY(awaitPoints(*service, 8));
+    const std::string passed = service->value("Monitoring/Position");
+    QVERIFY(service->awaitThat([&passed](const ServiceProcess::Values& values) {
+      return values.at("Monitoring/Position") != passed;
+    }));
+    QVERIFY(service->call("Stop").accepted);
+    QVERIFY(service->await("Monitoring/Stands", "true"));
+    QVERIFY(!m_scene.isReset());
+    const std::string place = service->value("Monitoring/Position");
+    QVERIFY(service->call("Stop").accepted);
+    QVERIFY(service->await("Monitoring/Override", "0"));
+    QCOMPARE(service->value("Monitoring/Position"), place);
+    QVERIFY(service->call("Resume").accepted);
+    QVERIFY(service->await("Session/LastOutcome", "stopped"));
+    QVERIFY(m_scene.isReset());
+    QVERIFY(service->await("Monitoring/State", "left"));
+    QVERIFY(service->call("ForgetRun").accepted);
+  }
+
   void startsOnlyWhatWasConfirmed() {
     const std::size_t before = m_scene.executed().size();
     const auto service = this->service();

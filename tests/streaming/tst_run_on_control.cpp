@@ -10,8 +10,10 @@
 #include "streaming/recovery/resume.h"
 #include "streaming/recovery/run_on_control.h"
 #include "streaming/run/job.h"
+#include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/test_program.h"
+#include "templates/window_protocol.h"
 
 using namespace rivulet;
 using streaming::Outcome;
@@ -265,6 +267,23 @@ class TestRunOnControl : public QObject {
     QCOMPARE(base::distance(standsAt(), stood), 0.0);
     const auto left = streaming::findRun(world.link, world.link, 0, std::chrono::seconds{3});
     QVERIFY(left.has_value() && left->has_value() && !(*left)->hasClient);
+    // Stopped, they stay where they are; ended, they go on to the end of the window.
+    const auto never = [] { return false; };
+    const auto held = streaming::stopRun(world.link, **left, windowSettings(), never);
+    QVERIFY2(held.has_value(), held ? "" : held.error().text().c_str());
+    QVERIFY(!held->hasEnded && held->stoodAfter.has_value());
+    QCOMPARE(base::distance(standsAt(), stood), 0.0);
+    {
+      // While somebody gives signs of life, it is his hand that holds them.
+      streaming::FaultyLink observed(world.machine, {}, 1);
+      double beats = 1000.0;
+      observed.onTime = [&] {
+        world.machine.writeRParameter(templates::WindowProtocol::Heartbeat, beats += 1.0);
+      };
+      const auto refused = streaming::endRun(observed, **left, windowSettings());
+      QVERIFY(!refused && refused.error().code == streaming::StreamError::StopNotConfirmed);
+      QCOMPARE(base::distance(standsAt(), stood), 0.0);
+    }
     const auto ended = streaming::endRun(world.link, **left, windowSettings());
     QVERIFY2(ended.has_value(), ended ? "" : ended.error().text().c_str());
     QVERIFY(world.machine.state().channel == machine::ChannelStatus::Reset);
@@ -301,7 +320,9 @@ class TestRunOnControl : public QObject {
     QCOMPARE((*found)->number, report.checkpoint->runNumber);
     QVERIFY((*found)->origin == windowSettings().origin);
     QVERIFY(!(*found)->hasClient);
-    QVERIFY(streaming::endRun(world.link, **found, windowSettings()).has_value());
+    // One that waits for a window has nothing left to execute.
+    const auto stopped = streaming::stopRun(world.link, **found, windowSettings(), never);
+    QVERIFY(stopped.has_value() && stopped->hasEnded);
     QVERIFY(!streaming::findRun(world.link, world.link, 0, {})->has_value());
   }
 };

@@ -83,8 +83,8 @@ ServicePanel::ServicePanel(QWidget* parent)
   connect(m_stop, &QPushButton::clicked, this,
           [this] { Q_EMIT callRequested(QStringLiteral("Stop"), {}); });
   connect(m_hold, &QPushButton::clicked, this, [this] {
-    call(m_view.isIn(streaming::RunState::Holding) ? QStringLiteral("Resume")
-                                                   : QStringLiteral("Hold"));
+    call(m_view.isIn(streaming::RunState::Running) ? QStringLiteral("Hold")
+                                                   : QStringLiteral("Resume"));
   });
   connect(m_resume, &QPushButton::clicked, this, [this] {
     drop();
@@ -312,10 +312,12 @@ void ServicePanel::showFacts() {
 
 void ServicePanel::showButtons() {
   const bool isFree = m_view.isKnown() && m_asked.isEmpty();
-  const bool isHolding = m_view.isIn(streaming::RunState::Holding);
+  // A run that was stopped is held; then it goes on to the end of its window, and ends there.
+  const bool isStopped = m_view.isIn(streaming::RunState::Stopping);
+  const bool isHolding = isStopped || m_view.isIn(streaming::RunState::Holding);
   const bool canHold = isHolding || m_view.isIn(streaming::RunState::Running);
   m_stop->setEnabled(m_view.link == ServiceLink::Silent || (m_view.isKnown() && m_view.isRunning));
-  m_hold->setText(isHolding ? tr("Continue") : tr("Pause"));
+  m_hold->setText(isStopped ? tr("End here") : isHolding ? tr("Continue") : tr("Pause"));
   m_hold->setIcon(themedIcon(isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
                              themeColors(palette()).text));
   m_hold->setEnabled(isFree && canHold);

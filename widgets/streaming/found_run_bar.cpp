@@ -56,6 +56,11 @@ struct FoundRunTexts {
     return {};
   }
   static QString stop(const FoundRunView& run) {
+    if (run.isHeld && run.stopConfirmedAfter) {
+      return tr("The axes stand (%1 after the order), and stay where they are until the run is "
+                "ended or resumed.")
+          .arg(secondsText(base::toSeconds(*run.stopConfirmedAfter), 2));
+    }
     if (run.stopConfirmedAfter) {
       return tr("Stop confirmed after %1.")
           .arg(secondsText(base::toSeconds(*run.stopConfirmedAfter), 2));
@@ -79,9 +84,14 @@ FoundRunBar::FoundRunBar(QWidget* parent)
                      .icon = "live",
                      .id = "found-watch"})),
       m_stop(addButton({.text = QT_TR_NOOP("Stop the run"),
-                        .tip = QT_TR_NOOP("The program ends after the windows that it has copied."),
+                        .tip = QT_TR_NOOP("The axes stand at once, whoever started the run."),
                         .icon = "stop",
                         .id = "found-stop"})),
+      m_end(addButton({.text = QT_TR_NOOP("End here"),
+                       .tip = QT_TR_NOOP("The axes go on to the end of the window, or of the block "
+                                         "of the control, and the program ends there."),
+                       .icon = "stop",
+                       .id = "found-end"})),
       m_resume(addButton({.text = QT_TR_NOOP("Resume …"),
                           .tip = QT_TR_NOOP("Loads the program, compares it and asks the control "
                                             "where the run was left. Nothing moves yet."),
@@ -92,6 +102,7 @@ FoundRunBar::FoundRunBar(QWidget* parent)
   m_watch->setCheckable(true);
   connect(m_watch, &QPushButton::clicked, this, &FoundRunBar::watchRequested);
   connect(m_stop, &QPushButton::clicked, this, &FoundRunBar::stopRequested);
+  connect(m_end, &QPushButton::clicked, this, &FoundRunBar::endRequested);
   connect(m_resume, &QPushButton::clicked, this, &FoundRunBar::resumeRequested);
   connect(m_dismiss, &QPushButton::clicked, this, &FoundRunBar::dismissed);
   retranslate();
@@ -121,8 +132,9 @@ void FoundRunBar::retranslate() {
   const bool isOnControl = m_run->isOnControl();
   m_watch->setVisible(isOnControl && m_run->number != 0);
   m_watch->setChecked(m_run->isWatched);
-  m_stop->setVisible(isOnControl);
+  m_stop->setVisible(isOnControl && !m_run->isHeld);
   m_stop->setEnabled(!m_run->isStopping);
+  m_end->setVisible(isOnControl && m_run->isHeld);
   m_resume->setVisible(m_run->isKeptHere);
   m_resume->setEnabled(m_run->canResume());
   m_dismiss->setVisible(!isOnControl);

@@ -32,6 +32,7 @@ struct FoundRunView {
   std::size_t total = 0;     ///< points; 0: not known
   bool isWatched = false;
   bool isStopping = false;  ///< a stop has been requested
+  bool isHeld = false;      ///< stopped, and not ended: its axes stand
   /// The stop was confirmed after this time.
   std::optional<base::Duration> stopConfirmedAfter;
 
@@ -56,6 +57,8 @@ class FoundRunBar final : public NoticeBar {
  Q_SIGNALS:
   void watchRequested(bool watch);
   void stopRequested();
+  /// The program goes on to the end of its window, and ends.
+  void endRequested();
   void resumeRequested();
   void dismissed();
 
@@ -68,6 +71,7 @@ class FoundRunBar final : public NoticeBar {
   std::optional<FoundRunView> m_run;
   QPushButton* m_watch;
   QPushButton* m_stop;
+  QPushButton* m_end;
   QPushButton* m_resume;
   QPushButton* m_dismiss;
 };

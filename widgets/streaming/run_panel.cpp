@@ -575,8 +575,9 @@ void RunPanel::showReason() {
     sentences.append(waitingSentence());
   } else if (hasFound()) {
     sentences = {m_found->isStopping  ? tr("Stop requested, not yet confirmed")
-                 : m_found->isWatched ? tr("This window only shows it. Stop ends it.")
-                                      : tr("This window did not start it. Stop ends it.")};
+                 : m_found->isHeld    ? tr("Its axes are held until the run is ended or resumed.")
+                 : m_found->isWatched ? tr("This window only shows it. Stop holds its axes.")
+                                      : tr("This window did not start it. Stop holds its axes.")};
   } else if (m_hasWrongMotion) {
     sentences.append(tr("The run has executed wrong points: see the report."));
   } else if (!m_startBlocked.isEmpty()) {

@@ -241,6 +241,7 @@ QWidget* makeFoundRunBar(RunController* runs, FoundRuns* found, QWidget* parent)
   QObject::connect(runs, &RunController::permissionsChanged, bar, show);
   QObject::connect(bar, &FoundRunBar::watchRequested, found, &FoundRuns::watch);
   QObject::connect(bar, &FoundRunBar::stopRequested, found, &FoundRuns::stop);
+  QObject::connect(bar, &FoundRunBar::endRequested, found, &FoundRuns::end);
   QObject::connect(bar, &FoundRunBar::resumeRequested, found, &FoundRuns::resume);
   QObject::connect(bar, &FoundRunBar::dismissed, found, &FoundRuns::dismiss);
   return bar;

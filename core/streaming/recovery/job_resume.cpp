@@ -189,7 +189,7 @@ class Search {
   [[nodiscard]] std::string stillExecutes(int stretch) const {
     return fmt::format(
         "The control still is in blocks of the job, {}, where its axes stand without a client. End "
-        "it with rivulet-cli runs --stop: it executes the block that it is in. Then resume.",
+        "it with rivulet-cli runs --end: it executes the block that it is in. Then resume.",
         stretch > 0 ? fmt::format("after stretch {}", stretch) : "before its first stretch");
   }
 

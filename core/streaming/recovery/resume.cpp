@@ -129,7 +129,9 @@ Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
        cells.windows > 0 ? std::optional(opcua::rParameter(cells.heartbeat)) : std::nullopt,
        isOurs,
        "Another program is running on the control. Wait until it has ended, or reset the control.",
-       "The program on the control did not end. Reset the control, then resume."},
+       "The program on the control did not end. Reset the control, then resume.",
+       {},
+       cells.hasFeedCell() ? std::optional(opcua::rParameter(cells.overrideWanted)) : std::nullopt},
       settings);
 }
 

@@ -12,6 +12,8 @@
 #include "base/text.h"
 #include "job/main_program.h"
 #include "opcua/await.h"
+#include "streaming/run/driver.h"
+#include "streaming/run/feed_control.h"
 #include "templates/flexible_program.h"
 #include "templates/job_loop.h"
 
@@ -181,6 +183,13 @@ Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& c
 Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunSettings& settings) {
   std::vector<Variable> watched{{VariableKind::ChannelStatus, 0}, command.end.variable};
   watched.insert(watched.end(), command.identity.begin(), command.identity.end());
+  const std::size_t feedCell = watched.size();
+  const bool mayHold = command.feed && command.beat;
+  if (mayHold) {
+    watched.insert(watched.end(), {*command.feed, *command.beat});
+  }
+  std::optional<double> beatSeen;
+  Instant beatenAt{};  // by somebody else
   double beats = 0.0;
   const Instant until = link.now() + settings.stopDeadline;
   for (;;) {
@@ -191,7 +200,7 @@ Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunS
     if ((*numbers)[0] == opcua::kChannelReset) {
       return {};
     }
-    if (!command.isMeant(std::span(*numbers).subspan(2))) {
+    if (!command.isMeant(std::span(*numbers).subspan(2, command.identity.size()))) {
       return base::fail(StreamError::ChannelBusy, std::string(command.isAnother));
     }
     if (!command.goesOn && link.now() >= until) {
@@ -204,8 +213,19 @@ Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunS
     if ((*numbers)[1] != command.end.value) {
       due.push_back(command.end);
     }
-    if (command.beat) {
+    bool isAnothers = false;
+    if (mayHold && (*numbers)[feedCell] == templates::FeedCell::kHold) {
+      const double beat = (*numbers)[feedCell + 1];
+      beatenAt = beatSeen == beat ? beatenAt : link.now();
+      beatSeen = beat;
+      isAnothers = link.now() - beatenAt < kHeartbeatWatch;
+      if (!isAnothers) {
+        due.push_back({*command.feed, templates::FeedCell::kProgrammed});
+      }
+    }
+    if (command.beat && !isAnothers) {
       due.push_back({*command.beat, beats += 1.0});
+      beatSeen = beats;
     }
     if (!due.empty()) {
       if (Result<void> done = opcua::writeNow(link, due, settings.setupDeadline); !done) {
@@ -218,20 +238,88 @@ Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunS
   }
 }
 
+namespace {
+
+bool isStill(const RunOnControl& run, double identity) {
+  return run.job != 0 ? JobProtocol::jobOf(identity) == run.job
+                      : identity == static_cast<double>(run.number);
+}
+
+Variable identityOf(const RunOnControl& run) {
+  return cell(run.baseCell, run.job != 0 ? WindowProtocol::Asked : WindowProtocol::Owner);
+}
+
+constexpr std::string_view kAnotherRun =
+    "Another run has begun on the control. Nothing was changed.";
+
+}  // namespace
+
+Result<StoppedRun> stopRun(opcua::Link& link, const RunOnControl& run, const RunSettings& settings,
+                           const std::function<bool()>& goesOn) {
+  constexpr Duration kPoll = std::chrono::milliseconds{16};
+  templates::CellMap cells;
+  cells.overrideWanted = run.baseCell + WindowProtocol::Override;
+  cells.overrideActs = run.baseCell + WindowProtocol::OverrideActs;
+  const std::array<Variable, 2> watched{{{VariableKind::ChannelStatus, 0}, identityOf(run)}};
+  const opcua::Assignment end{cell(run.baseCell, WindowProtocol::Run),
+                              static_cast<double>(WindowProtocol::kEnd)};
+  FeedControl feed(cells);
+  const Instant from = link.now();
+  feed.want({true}, from);
+  for (;;) {
+    const auto numbers = opcua::readNumbers(link, watched, settings.setupDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
+    }
+    if ((*numbers)[0] == opcua::kChannelReset) {
+      return StoppedRun{true, {}};
+    }
+    if (!isStill(run, (*numbers)[1])) {
+      return base::fail(StreamError::ChannelBusy, std::string(kAnotherRun));
+    }
+    if (feed.mustWrite(link.now())) {
+      if (Result<void> done = opcua::writeNow(link, feed.write(link.now()), settings.setupDeadline);
+          !done) {
+        return base::fail(done.error());
+      }
+      feed.written(link.now());
+      if (Result<void> done = opcua::writeNow(link, {&end, 1}, settings.setupDeadline); !done) {
+        return base::fail(done.error());
+      }
+    }
+    if (feed.mustRead(link.now())) {
+      const auto readings = opcua::readNow(link, feed.read(link.now()), settings.setupDeadline);
+      if (!readings) {
+        return base::fail(readings.error());
+      }
+      feed.seen(*readings, link.now());
+    }
+    const auto stood = feed.state().stoodAfter;
+    // A program that waits for a window ends at once.
+    if (stood && link.now() - from >= *stood + kEndsAtOnce) {
+      return StoppedRun{false, stood};
+    }
+    if (!stood && link.now() - from >= kStandsMax && !goesOn()) {
+      return base::fail(StreamError::StopNotConfirmed, "The stop was not awaited.");
+    }
+    if (Result<void> slept = opcua::sleepUntil(link, link.now() + kPoll); !slept) {
+      return base::fail(slept.error());
+    }
+  }
+}
+
 Result<void> endRun(opcua::Link& link, const RunOnControl& run, const RunSettings& settings,
                     std::function<bool()> goesOn) {
   return endProgram(
       link,
       {{cell(run.baseCell, WindowProtocol::Run), static_cast<double>(WindowProtocol::kEnd)},
-       {cell(run.baseCell, run.job != 0 ? WindowProtocol::Asked : WindowProtocol::Owner)},
+       {identityOf(run)},
        cell(run.baseCell, WindowProtocol::Heartbeat),
-       [&run](std::span<const double> identity) {
-         return run.job != 0 ? JobProtocol::jobOf(identity[0]) == run.job
-                             : identity[0] == static_cast<double>(run.number);
-       },
-       "Another run has begun on the control. Nothing was changed.",
+       [&run](std::span<const double> identity) { return isStill(run, identity[0]); },
+       kAnotherRun,
        "The program on the control did not end. Reset the control.",
-       std::move(goesOn)},
+       std::move(goesOn),
+       cell(run.baseCell, WindowProtocol::Override)},
       settings);
 }
 

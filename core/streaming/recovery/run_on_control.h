@@ -93,6 +93,9 @@ struct EndCommand {
   std::string_view isAnother;                            ///< sentence if it is not
   std::string_view doesNotEnd;                           ///< sentence if it goes on
   std::function<bool()> goesOn = {};  ///< asked while waiting; false: give up. Empty: always true
+  /// The feed cell: axes that are held go on at 100 %, as soon as it is certain by the heartbeat
+  /// that nobody else is there who holds them. Nothing: the program has none.
+  std::optional<opcua::Variable> feed = {};
 };
 
 /// Commands the program to end, unless the channel is in reset, and waits for that, with a
@@ -103,8 +106,29 @@ struct EndCommand {
 [[nodiscard]] base::Result<void> endProgram(opcua::Link& link, const EndCommand& command,
                                             const RunSettings& settings);
 
+/// What has become of a run that was stopped.
+struct StoppedRun {
+  bool hasEnded = false;                     ///< its program had nothing left to execute
+  std::optional<base::Duration> stoodAfter;  ///< else: its axes are held, so long after the order
+};
+
+/// An override of 0 is seen to act within this time, also over a slow network.
+inline constexpr base::Duration kStandsMax = std::chrono::seconds{5};
+
+/// Stops a run, whoever started it: holds its axes at once, on the path, and commands its program
+/// to end before its next window or block. It goes on to there only with `endRun`, or ends where it
+/// is with a reset at the control.
+/// @param goesOn  asked while the axes move although they are held, because what moves does not
+///                obey; false: give up
+/// @return StopNotConfirmed if it gives up, ChannelBusy if it is another program by now, or a link
+///         error
+[[nodiscard]] base::Result<StoppedRun> stopRun(opcua::Link& link, const RunOnControl& run,
+                                               const RunSettings& settings,
+                                               const std::function<bool()>& goesOn);
+
 /// Commands the program of this run to end, and waits for it. It executes only the windows it has
-/// copied, a job the block of the control that it is in. @param goesOn  see `EndCommand`
+/// copied, a job the block of the control that it is in. Axes that are held go on to there, but not
+/// while the run has a client, who may hold them. @param goesOn  see `EndCommand`
 /// @return StopNotConfirmed, ChannelBusy if it obeys another run by now, Cancelled, or a link error
 [[nodiscard]] base::Result<void> endRun(opcua::Link& link, const RunOnControl& run,
                                         const RunSettings& settings,

@@ -161,7 +161,15 @@ class TestServiceBoard : public QObject {
     QVERIFY(!isSeen("panel-points") && !find("panel-hold")->isEnabled());
     QTRY_COMPARE_WITH_TIMEOUT(says("panel-state"), QStringLiteral("Running"), kSoonMs);
     find("panel-stop")->click();
-    QTRY_COMPARE_WITH_TIMEOUT(says("panel-state"), QStringLiteral("Run interrupted"), kSoonMs);
+    const auto hasEnded = [&] { return says("panel-state") == QStringLiteral("Run interrupted"); };
+    QTRY_VERIFY_WITH_TIMEOUT(
+        hasEnded() || (find<QPushButton>("panel-hold")->text() == QStringLiteral("End here") &&
+                       find("panel-hold")->isEnabled()),
+        kSoonMs);
+    if (!hasEnded()) {  // between two windows it has
+      find("panel-hold")->click();
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(hasEnded(), kSoonMs);
     find("panel-back")->click();
     QTRY_COMPARE(says("service-state"), QStringLiteral("Run interrupted"));
     picture("service-board");
