@@ -9433,6 +9433,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>This window did not start it. Stop holds its axes.</source>
         <translation>Dieses Fenster hat ihn nicht gestartet. Stopp hält seine Achsen.</translation>
     </message>
+    <message>
+        <source>Stop requested: still moving, at most %1, about %2</source>
+        <translation>Stopp angefordert: fährt noch, höchstens %1, etwa %2</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunsModel</name>

@@ -9433,6 +9433,10 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>This window did not start it. Stop holds its axes.</source>
         <translation>Esta ventana no la ha iniciado. Parada retiene sus ejes.</translation>
     </message>
+    <message>
+        <source>Stop requested: still moving, at most %1, about %2</source>
+        <translation>Parada solicitada: aún en movimiento, como máximo %1, unos %2</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunsModel</name>

@@ -9433,6 +9433,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <source>This window did not start it. Stop holds its axes.</source>
         <translation>Cette fenêtre ne l’a pas lancée. Arrêt maintient ses axes.</translation>
     </message>
+    <message>
+        <source>Stop requested: still moving, at most %1, about %2</source>
+        <translation>Arrêt demandé&#xa0;: encore en mouvement, au plus %1, environ %2</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunsModel</name>

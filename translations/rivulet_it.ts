@@ -9433,6 +9433,10 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>This window did not start it. Stop holds its axes.</source>
         <translation>Questa finestra non l’ha avviata. Stop trattiene i suoi assi.</translation>
     </message>
+    <message>
+        <source>Stop requested: still moving, at most %1, about %2</source>
+        <translation>Stop richiesto: ancora in movimento, al massimo %1, circa %2</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::RunsModel</name>

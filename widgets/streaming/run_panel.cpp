@@ -287,6 +287,7 @@ void RunPanel::setTotal(std::size_t points) {
 
 void RunPanel::setProgress(const RunProgress& progress) {
   m_where = progress;
+  showReason();
   showFigures();
 }
 
@@ -445,7 +446,11 @@ QString RunPanel::stopText() const {
     case StopState::None:
       break;
     case StopState::Requested:
-      return tr("Stop requested, not yet confirmed");
+      return m_where.delivered && !(m_job && m_job->isNative)
+                 ? tr("Stop requested: still moving, at most %1, about %2")
+                       .arg(lengthText(m_where.delivered->lengthMm, 0),
+                            secondsText(m_where.delivered->seconds, 0))
+                 : tr("Stop requested, not yet confirmed");
     case StopState::Confirmed:
       return m_update.stopConfirmedAfter
                  ? tr("Stop confirmed after %1")

@@ -31,12 +31,20 @@ struct JobProgress {
   bool isDry = false;
 };
 
+/// What a control that is to stop may still execute.
+struct MotionLeft {
+  double lengthMm = 0.0;
+  double seconds = 0.0;  ///< estimated, at an override of 100 %
+};
+
 struct RunProgress {
   /// Line of the program of the last point that is known to be executed, from 1; 0: not known.
   std::size_t line = 0;
   std::size_t lines = 0;         ///< of the program; 0: none is loaded
   std::optional<TimeLeft> left;  ///< nothing: not known
-  bool isLive = false;           ///< the lines are those of a live source
+  /// Of the points that the control has; nothing: not known.
+  std::optional<MotionLeft> delivered = {};
+  bool isLive = false;  ///< the lines are those of a live source
 };
 
 }  // namespace rivulet::widgets

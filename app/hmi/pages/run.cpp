@@ -5,7 +5,9 @@
 
 #include <QCoreApplication>
 #include <QInputDialog>
+#include <algorithm>
 
+#include "base/vec3.h"
 #include "hmi/alarms.h"
 #include "hmi/document.h"
 #include "hmi/found_runs.h"
@@ -115,8 +117,25 @@ std::vector<int> openWrongMotion(const Alarms& alarms) {
   return numbers;
 }
 
-/// @param executed  points of the run so far
-widgets::RunProgress progressOf(const Document& document, std::size_t executed) {
+/// The way from the last point that is known to be executed to the last one that the control has.
+std::optional<widgets::MotionLeft> motionLeft(const Document& document,
+                                              const streaming::Counters& counters) {
+  const auto& points = document.points();
+  const auto now = document.timeLeft(counters.executed);
+  const auto then = document.timeLeft(counters.accepted);
+  if (!now || !then || counters.accepted > points.size() || counters.accepted < counters.executed) {
+    return std::nullopt;
+  }
+  widgets::MotionLeft left{0.0, now->totalS - then->totalS};
+  for (std::size_t i = std::max<std::size_t>(counters.executed, 1); i < counters.accepted; ++i) {
+    left.lengthMm += base::distance(points[i - 1].positionMm, points[i].positionMm);
+  }
+  return left;
+}
+
+/// @param update  the last one of the run so far
+widgets::RunProgress progressOf(const Document& document, const streaming::LiveUpdate& update) {
+  const std::size_t executed = update.counters.executed;
   widgets::RunProgress progress;
   if (!document.view()) {
     return progress;
@@ -128,6 +147,9 @@ widgets::RunProgress progressOf(const Document& document, std::size_t executed) 
     progress.line = points[executed - 1].line.value;
   }
   progress.left = document.timeLeft(executed);
+  if (update.state == streaming::RunState::Stopping) {
+    progress.delivered = motionLeft(document, update.counters);
+  }
   return progress;
 }
 
@@ -336,7 +358,7 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
     }
   });
   const auto showProgress = [panel, document, runs] {
-    panel->setProgress(progressOf(*document, runs->update().counters.executed));
+    panel->setProgress(progressOf(*document, runs->update()));
   };
   for (const auto signal : {&Document::programLoaded, &Document::programPlaced,
                             &Document::settingsChanged, &Document::pausesChanged}) {

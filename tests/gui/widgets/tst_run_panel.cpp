@@ -253,6 +253,11 @@ class TestRunPanel : public QObject {
     buttons.stop->click();
     QCOMPARE(stops.count(), 1);
     QVERIFY(test::visibleText(panel).contains("not yet confirmed"));
+    widgets::RunProgress progress;
+    progress.delivered = widgets::MotionLeft{212.4, 33.7};
+    panel.setProgress(progress);
+    QVERIFY(test::visibleText(panel).contains("still moving, at most 212"));
+    QVERIFY(test::visibleText(panel).contains("about 34"));
     streaming::RunReport report = test::report();
     report.error = base::makeError(make_error_code(streaming::StreamError::StopNotConfirmed), "");
     panel.setReport(report);
