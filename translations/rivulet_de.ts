@@ -4491,6 +4491,22 @@ GPL-3.0-or-later</translation>
             <numerusform>%1 (Zeile %2, %Ln-mal)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>This method has no feed cell: after Stop the control still executes its loop, at most %1 in %2.</source>
+        <translation>Diese Methode hat keine Vorschubzelle: Nach Stopp führt die Steuerung ihre Schleife noch aus, höchstens %1 in %2.</translation>
+    </message>
+    <message>
+        <source>The axes stand at once, on the path. How long they brake is not known.</source>
+        <translation>Die Achsen stehen sofort, auf der Bahn. Wie lange sie bremsen, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The axes stand on the path within %1; threads and tapping at their end.</source>
+        <translation>Die Achsen stehen innerhalb von %1 auf der Bahn; Gewinde an ihrem Ende.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>

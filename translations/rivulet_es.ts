@@ -4491,6 +4491,22 @@ GPL-3.0-or-later</translation>
             <numerusform>%1 (línea %2, %Ln veces)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parada</translation>
+    </message>
+    <message>
+        <source>This method has no feed cell: after Stop the control still executes its loop, at most %1 in %2.</source>
+        <translation>Este método no tiene celda de avance: después de Parada el control ejecuta aún su bucle, como máximo %1 en %2.</translation>
+    </message>
+    <message>
+        <source>The axes stand at once, on the path. How long they brake is not known.</source>
+        <translation>Los ejes se paran de inmediato, en la trayectoria. No se sabe cuánto tardan en frenar.</translation>
+    </message>
+    <message>
+        <source>The axes stand on the path within %1; threads and tapping at their end.</source>
+        <translation>Los ejes se paran en la trayectoria en %1 como máximo; las roscas y los roscados, al final.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>

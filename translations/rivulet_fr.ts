@@ -4491,6 +4491,22 @@ GPL-3.0-or-later</translation>
             <numerusform>%1 (ligne %2, %Ln fois)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
+        <source>This method has no feed cell: after Stop the control still executes its loop, at most %1 in %2.</source>
+        <translation>Cette méthode n’a pas de cellule d’avance&#xa0;: après Arrêt, la commande exécute encore sa boucle, au plus %1 en %2.</translation>
+    </message>
+    <message>
+        <source>The axes stand at once, on the path. How long they brake is not known.</source>
+        <translation>Les axes s’arrêtent aussitôt, sur la trajectoire. On ne sait pas combien de temps ils freinent.</translation>
+    </message>
+    <message>
+        <source>The axes stand on the path within %1; threads and tapping at their end.</source>
+        <translation>Les axes s’arrêtent sur la trajectoire en %1 au plus&#xa0;; filetages et taraudages à leur fin.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>

@@ -4491,6 +4491,22 @@ GPL-3.0-or-later</translation>
             <numerusform>%1 (riga %2, %Ln volte)</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>This method has no feed cell: after Stop the control still executes its loop, at most %1 in %2.</source>
+        <translation>Questo metodo non ha una cella di avanzamento: dopo Stop il controllo esegue ancora il suo ciclo, al massimo %1 in %2.</translation>
+    </message>
+    <message>
+        <source>The axes stand at once, on the path. How long they brake is not known.</source>
+        <translation>Gli assi si fermano subito, sulla traiettoria. Non si sa per quanto tempo frenano.</translation>
+    </message>
+    <message>
+        <source>The axes stand on the path within %1; threads and tapping at their end.</source>
+        <translation>Gli assi si fermano sulla traiettoria entro %1; filettature e maschiature alla loro fine.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>

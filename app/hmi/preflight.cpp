@@ -5,13 +5,18 @@
 
 #include <algorithm>
 
+#include "base/method_kind.h"
 #include "base/units.h"
+#include "base/vec3.h"
+#include "feasibility/client_turn.h"
 #include "hmi/document.h"
 #include "hmi/hazard_text.h"
 #include "hmi/machine_model.h"
 #include "hmi/pages/pages.h"
 #include "hmi/run_controller.h"
 #include "hmi/users.h"
+#include "machine/braking.h"
+#include "permission/permission.h"
 #include "widgets/alarms/alarm_text.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
@@ -33,6 +38,21 @@ QString positionText(const base::Vec3& positionMm) {
   return QStringLiteral("X\u00A0%1 Y\u00A0%2 Z\u00A0%3")
       .arg(widgets::numberText(positionMm.x, 3), widgets::numberText(positionMm.y, 3),
            widgets::numberText(positionMm.z, 3));
+}
+
+/// Over so many consecutive points, wherever it is longest.
+double longestWayMm(const std::vector<gcode::StreamPoint>& points, int count) {
+  const auto moves = static_cast<std::size_t>(std::max(count, 0));
+  const auto way = [&points](std::size_t to) {
+    return base::distance(points[to - 1].positionMm, points[to].positionMm);
+  };
+  double wayMm = 0.0;
+  double longestMm = 0.0;
+  for (std::size_t to = 1; to < points.size(); ++to) {
+    wayMm += way(to) - (to > moves ? way(to - moves) : 0.0);
+    longestMm = std::max(longestMm, wayMm);
+  }
+  return longestMm;
 }
 
 /// Least and largest feed of the program's cutting moves, mm/s; nothing: it names none.
@@ -162,6 +182,7 @@ std::vector<PreflightItem> Preflight::programItems() const {
   items.push_back(travelItem());
   items.push_back(feedItem());
   items.push_back(methodItem());
+  items.push_back(stopItem());
   if (const auto rehearsal = rehearsalView(m_document.findings())) {
     items.push_back({rehearsal->hasFailed() ? Status::Fault
                      : rehearsal->isDone    ? Status::Good
@@ -686,6 +707,42 @@ PreflightItem Preflight::methodItem() const {
                     : tr("Margin %1 ×, largest feed %2")
                           .arg(margin, widgets::feedText(findings.verdict->feedMmPerSMax));
   }
+  return item;
+}
+
+PreflightItem Preflight::stopItem() const {
+  PreflightItem item{Status::Plain, tr("Stop"), {}, {}, 0};
+  const streaming::StreamSettings& settings = m_document.settings();
+  const feasibility::OperatingPoint& point = m_document.findings().operatingPoint;
+  const double nodeS = base::toSeconds(m_document.findings().access.timePerNode(point.turn()));
+  if (!base::hasWindows(settings.parameters.method)) {
+    // Its program has no feed cell: it ends at the end of its loop.
+    constexpr double kLongS = 5.0;
+    const double lengthMm = longestWayMm(m_document.points(), point.pointsPerLoop);
+    const double seconds = lengthMm / settings.feedMmPerS;
+    item.status = seconds > kLongS ? Status::Attention : Status::Plain;
+    item.text = tr("This method has no feed cell: after Stop the control still executes its loop, "
+                   "at most %1 in %2.")
+                    .arg(widgets::lengthText(lengthMm, 0), widgets::secondsText(seconds, 1));
+    return item;
+  }
+  const auto& machine = m_document.jobMachine();
+  if (!machine) {
+    item.text = tr("The axes stand at once, on the path. How long they brake is not known.");
+    return item;
+  }
+  // An access in progress is waited for: at most that of a whole window.
+  const int nodes = feasibility::turnOf(point.turn()).charged + 1;
+  constexpr double kPercent = 100.0;
+  const double fastestMmPerS =
+      (settings.usesProgramFeeds() ? m_document.feedMmPerSMax() : settings.feedMmPerS) *
+      permission::overridePercentMax(permission::Role::Engineer) / kPercent;
+  item.text =
+      tr("The axes stand on the path within %1; threads and tapping at their end.")
+          .arg(widgets::secondsText(
+              nodes * nodeS + base::toSeconds(machine::brakingTime(*machine, fastestMmPerS) +
+                                              2 * machine->interpolationCycle),
+              1));
   return item;
 }
 

@@ -97,6 +97,8 @@ class Preflight final : public QObject {
   [[nodiscard]] widgets::PreflightItem feedItem() const;
   [[nodiscard]] widgets::PreflightItem programFeedItem() const;
   [[nodiscard]] widgets::PreflightItem methodItem() const;
+  /// How long the machine may still move after Stop.
+  [[nodiscard]] widgets::PreflightItem stopItem() const;
   [[nodiscard]] widgets::PreflightItem accessItem() const;
   [[nodiscard]] widgets::PreflightItem releaseItem() const;
 

@@ -191,6 +191,7 @@ class TestFoundRuns : public QObject {
     auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
     QVERIFY(sheet->isVisible());
     QVERIFY(shows(sheet, QStringLiteral("Before the run is resumed")));
+    QVERIFY(shows(sheet, QStringLiteral("The axes stand on the path within 0.")));
     QVERIFY(shows(sheet, QStringLiteral("zigzag.nc, version")));
     QVERIFY(!m_window->isRunning());
     picture("found-resume");

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "base/units.h"
+#include "machine/braking.h"
 #include "opcua/open62541/ua_link.h"
 #include "support/machine_process.h"
 #include "support/patience.h"
@@ -87,7 +88,7 @@ class TestStops : public QObject {
       const Duration brakes = stands->at - from->at;
       brakesS.push_back(base::toSeconds(brakes));
       const Duration most =
-          tests::brakingTime(config, settings.feedMmPerS) + 2 * config.interpolationCycle;
+          machine::brakingTime(config, settings.feedMmPerS) + 2 * config.interpolationCycle;
       // A hold may meet a path that is about to stop, or has just left: then both are seen as one.
       QVERIFY2(brakes <= 3 * most, fmt::format("{:.1f} ms", base::toMilliseconds(brakes)).c_str());
       for (auto held = stands; held != samples.end() && held->at <= hold.start + hold.duration;

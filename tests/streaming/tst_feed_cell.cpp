@@ -17,6 +17,7 @@
 #include "base/units.h"
 #include "job/main_program.h"
 #include "job/plan.h"
+#include "machine/braking.h"
 #include "machine/machine.h"
 #include "opcua/forwarding_link.h"
 #include "streaming/run/whole_job.h"
@@ -35,10 +36,10 @@ using base::Duration;
 using base::Instant;
 using base::MethodKind;
 using base::Vec3;
+using machine::brakingTime;
 using streaming::FeedOrder;
 using streaming::Outcome;
 using streaming::RunSettings;
-using tests::brakingTime;
 using tests::Hold;
 using tests::lines;
 using tests::median;

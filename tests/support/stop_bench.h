@@ -127,20 +127,6 @@ inline std::shared_ptr<const gcode::Program> lines(std::size_t count, double len
   return streaming::programOf(points);
 }
 
-/// Longest time that the path takes to brake from this speed, whatever it does at that moment and
-/// in whatever direction: first the acceleration fades, then the path brakes with jerk.
-inline Duration brakingTime(const machine::MachineConfig& config, double mmPerS) {
-  double a = config.axes[0].accelerationMmPerS2Max;
-  double j = config.axes[0].jerkMmPerS3Max;
-  for (const machine::AxisLimits& axis : config.axes) {
-    a = std::min(a, axis.accelerationMmPerS2Max);
-    j = std::min(j, axis.jerkMmPerS3Max);
-  }
-  const double fadesS = a / j;
-  const double fastest = mmPerS + 0.5 * a * fadesS;
-  return base::fromSeconds(fadesS + fastest / a + fadesS);
-}
-
 inline double worst(std::vector<double> values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
