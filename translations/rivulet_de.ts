@@ -6478,10 +6478,6 @@ GPL-3.0-or-later</translation>
         <translation>Fortsetzen …</translation>
     </message>
     <message>
-        <source>Loads the program, compares it and asks the control where the run was left. Nothing moves yet.</source>
-        <translation>Lädt das Programm, vergleicht es und fragt die Steuerung, wo der Lauf verlassen wurde. Noch bewegt sich nichts.</translation>
-    </message>
-    <message>
         <source>Not now</source>
         <translation>Jetzt nicht</translation>
     </message>
@@ -6496,6 +6492,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The axes go on to the end of the window, or of the block of the control, and the program ends there.</source>
         <translation>Die Achsen fahren bis zum Ende des Fensters oder des Satzes der Steuerung, und dort endet das Programm.</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it and asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
+        <translation>Lädt das Programm, vergleicht es und fragt die Steuerung, wo der Lauf verlassen wurde. Wenn dessen Programm dort noch aktiv ist, fahren die Achsen zuerst bis zum Ende seines Fensters.</translation>
     </message>
 </context>
 <context>
@@ -9140,10 +9140,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Nur das Verfahren Fenster kann anhalten.</translation>
     </message>
     <message>
-        <source>Asks the control where the run was left. Nothing moves yet.</source>
-        <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Noch bewegt sich nichts.</translation>
-    </message>
-    <message>
         <source>Waiting for the test of the template on the virtual machine</source>
         <translation>Wartet auf die Prüfung der Vorlage an der virtuellen Maschine</translation>
     </message>
@@ -9452,6 +9448,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Stop requested: still moving, at most %1, about %2</source>
         <translation>Stopp angefordert: fährt noch, höchstens %1, etwa %2</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
+        <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Wenn dessen Programm dort noch aktiv ist, fahren die Achsen zuerst bis zum Ende seines Fensters.</translation>
     </message>
 </context>
 <context>
@@ -9862,10 +9862,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Fortsetzen …</translation>
     </message>
     <message>
-        <source>Asks the control where the run was left. Nothing moves yet.</source>
-        <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Noch bewegt sich nichts.</translation>
-    </message>
-    <message>
         <source>&amp;Program</source>
         <translation>&amp;Programm</translation>
     </message>
@@ -9932,6 +9928,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>End here</source>
         <translation>Hier beenden</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
+        <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Wenn dessen Programm dort noch aktiv ist, fahren die Achsen zuerst bis zum Ende seines Fensters.</translation>
     </message>
 </context>
 <context>

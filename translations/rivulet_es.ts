@@ -6478,10 +6478,6 @@ GPL-3.0-or-later</translation>
         <translation>Reanudar…</translation>
     </message>
     <message>
-        <source>Loads the program, compares it and asks the control where the run was left. Nothing moves yet.</source>
-        <translation>Carga el programa, lo compara y pregunta al control dónde se interrumpió la ejecución. Todavía no se mueve nada.</translation>
-    </message>
-    <message>
         <source>Not now</source>
         <translation>Ahora no</translation>
     </message>
@@ -6496,6 +6492,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The axes go on to the end of the window, or of the block of the control, and the program ends there.</source>
         <translation>Los ejes siguen hasta el final de la ventana, o del bloque del control, y allí termina el programa.</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it and asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
+        <translation>Carga el programa, lo compara y pregunta al control dónde se interrumpió la ejecución. Si su programa aún está activo allí, los ejes siguen primero hasta el final de su ventana.</translation>
     </message>
 </context>
 <context>
@@ -9140,10 +9140,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Solo el método Ventana puede suspender.</translation>
     </message>
     <message>
-        <source>Asks the control where the run was left. Nothing moves yet.</source>
-        <translation>Pregunta al control dónde se interrumpió la ejecución. Todavía no se mueve nada.</translation>
-    </message>
-    <message>
         <source>Waiting for the test of the template on the virtual machine</source>
         <translation>Esperando la prueba de la plantilla en la máquina virtual</translation>
     </message>
@@ -9452,6 +9448,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Stop requested: still moving, at most %1, about %2</source>
         <translation>Parada solicitada: aún en movimiento, como máximo %1, unos %2</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
+        <translation>Pregunta al control dónde se interrumpió la ejecución. Si su programa aún está activo allí, los ejes siguen primero hasta el final de su ventana.</translation>
     </message>
 </context>
 <context>
@@ -9862,10 +9862,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Reanudar…</translation>
     </message>
     <message>
-        <source>Asks the control where the run was left. Nothing moves yet.</source>
-        <translation>Pregunta al control dónde se interrumpió la ejecución. Todavía no se mueve nada.</translation>
-    </message>
-    <message>
         <source>&amp;Program</source>
         <translation>&amp;Programa</translation>
     </message>
@@ -9932,6 +9928,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>End here</source>
         <translation>Terminar aquí</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
+        <translation>Pregunta al control dónde se interrumpió la ejecución. Si su programa aún está activo allí, los ejes siguen primero hasta el final de su ventana.</translation>
     </message>
 </context>
 <context>

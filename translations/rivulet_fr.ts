@@ -6478,10 +6478,6 @@ GPL-3.0-or-later</translation>
         <translation>Reprendre…</translation>
     </message>
     <message>
-        <source>Loads the program, compares it and asks the control where the run was left. Nothing moves yet.</source>
-        <translation>Charge le programme, le compare et demande à la commande où l’exécution s’est interrompue. Rien ne bouge encore.</translation>
-    </message>
-    <message>
         <source>Not now</source>
         <translation>Pas maintenant</translation>
     </message>
@@ -6496,6 +6492,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The axes go on to the end of the window, or of the block of the control, and the program ends there.</source>
         <translation>Les axes vont jusqu’à la fin de la fenêtre, ou du bloc de la commande, et le programme s’y termine.</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it and asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
+        <translation>Charge le programme, le compare et demande à la commande où l’exécution s’est interrompue. Si son programme y est encore actif, les axes vont d’abord jusqu’à la fin de sa fenêtre.</translation>
     </message>
 </context>
 <context>
@@ -9140,10 +9140,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Seule la méthode Fenêtre peut suspendre.</translation>
     </message>
     <message>
-        <source>Asks the control where the run was left. Nothing moves yet.</source>
-        <translation>Demande à la commande où l’exécution s’est interrompue. Rien ne bouge encore.</translation>
-    </message>
-    <message>
         <source>Waiting for the test of the template on the virtual machine</source>
         <translation>Attend le test du modèle sur la machine virtuelle</translation>
     </message>
@@ -9452,6 +9448,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Stop requested: still moving, at most %1, about %2</source>
         <translation>Arrêt demandé&#xa0;: encore en mouvement, au plus %1, environ %2</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
+        <translation>Demande à la commande où l’exécution s’est interrompue. Si son programme y est encore actif, les axes vont d’abord jusqu’à la fin de sa fenêtre.</translation>
     </message>
 </context>
 <context>
@@ -9862,10 +9862,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Reprendre…</translation>
     </message>
     <message>
-        <source>Asks the control where the run was left. Nothing moves yet.</source>
-        <translation>Demande à la commande où l’exécution s’est interrompue. Rien ne bouge encore.</translation>
-    </message>
-    <message>
         <source>&amp;Program</source>
         <translation>&amp;Programme</translation>
     </message>
@@ -9932,6 +9928,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>End here</source>
         <translation>Terminer ici</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
+        <translation>Demande à la commande où l’exécution s’est interrompue. Si son programme y est encore actif, les axes vont d’abord jusqu’à la fin de sa fenêtre.</translation>
     </message>
 </context>
 <context>

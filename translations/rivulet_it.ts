@@ -6478,10 +6478,6 @@ GPL-3.0-or-later</translation>
         <translation>Riprendi…</translation>
     </message>
     <message>
-        <source>Loads the program, compares it and asks the control where the run was left. Nothing moves yet.</source>
-        <translation>Carica il programma, lo confronta e chiede al controllo dove l’esecuzione si è interrotta. Ancora non si muove nulla.</translation>
-    </message>
-    <message>
         <source>Not now</source>
         <translation>Non ora</translation>
     </message>
@@ -6496,6 +6492,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The axes go on to the end of the window, or of the block of the control, and the program ends there.</source>
         <translation>Gli assi proseguono fino alla fine della finestra, o del blocco del controllo, e lì il programma termina.</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it and asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
+        <translation>Carica il programma, lo confronta e chiede al controllo dove l’esecuzione si è interrotta. Se il suo programma vi è ancora attivo, gli assi proseguono prima fino alla fine della sua finestra.</translation>
     </message>
 </context>
 <context>
@@ -9140,10 +9140,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Solo il metodo Finestra può sospendere.</translation>
     </message>
     <message>
-        <source>Asks the control where the run was left. Nothing moves yet.</source>
-        <translation>Chiede al controllo dove l’esecuzione si è interrotta. Ancora non si muove nulla.</translation>
-    </message>
-    <message>
         <source>Waiting for the test of the template on the virtual machine</source>
         <translation>Attende il test del modello sulla macchina virtuale</translation>
     </message>
@@ -9452,6 +9448,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Stop requested: still moving, at most %1, about %2</source>
         <translation>Stop richiesto: ancora in movimento, al massimo %1, circa %2</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
+        <translation>Chiede al controllo dove l’esecuzione si è interrotta. Se il suo programma vi è ancora attivo, gli assi proseguono prima fino alla fine della sua finestra.</translation>
     </message>
 </context>
 <context>
@@ -9862,10 +9862,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Riprendi…</translation>
     </message>
     <message>
-        <source>Asks the control where the run was left. Nothing moves yet.</source>
-        <translation>Chiede al controllo dove l’esecuzione si è interrotta. Ancora non si muove nulla.</translation>
-    </message>
-    <message>
         <source>&amp;Program</source>
         <translation>&amp;Programma</translation>
     </message>
@@ -9932,6 +9928,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>End here</source>
         <translation>Termina qui</translation>
+    </message>
+    <message>
+        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
+        <translation>Chiede al controllo dove l’esecuzione si è interrotta. Se il suo programma vi è ancora attivo, gli assi proseguono prima fino alla fine della sua finestra.</translation>
     </message>
 </context>
 <context>

@@ -94,7 +94,9 @@ FoundRunBar::FoundRunBar(QWidget* parent)
                        .id = "found-end"})),
       m_resume(addButton({.text = QT_TR_NOOP("Resume …"),
                           .tip = QT_TR_NOOP("Loads the program, compares it and asks the control "
-                                            "where the run was left. Nothing moves yet."),
+                                            "where the run was left. If its program is still "
+                                            "active there, the axes first go on to the end of its "
+                                            "window."),
                           .icon = "resume",
                           .id = "found-resume"})),
       m_dismiss(

@@ -477,7 +477,8 @@ void RunPanel::showButtons() {
   m_resume->setVisible(offersResume);
   m_resume->setEnabled(m_resumeBlocked.isEmpty());
   m_resume->setToolTip(m_resumeBlocked.isEmpty()
-                           ? tr("Asks the control where the run was left. Nothing moves yet.")
+                           ? tr("Asks the control where the run was left. If its program is still "
+                                "active there, the axes first go on to the end of its window.")
                            : m_resumeBlocked);
   m_override->setVisible(hasFeedCell());
   m_end->setVisible(hasFeedCell() && m_update.feed->holds && !isHeldBySource());
