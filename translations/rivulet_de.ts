@@ -8254,8 +8254,8 @@ GPL-3.0-or-later</translation>
         <translation>Vor dem Fortsetzen</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
-        <translation>Noch bewegt sich nichts. Den Knopf unten eine Sekunde lang halten: Dann fährt die Maschine.</translation>
+        <source>Nothing moves now. Hold the button below for one second: then the machine moves.</source>
+        <translation>Jetzt bewegt sich nichts. Den Knopf unten eine Sekunde lang halten: Dann fährt die Maschine.</translation>
     </message>
 </context>
 <context>
@@ -8967,8 +8967,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Die Steuerung wird gefragt, wo der Lauf unterbrochen wurde …</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.</source>
-        <translation>Noch bewegt sich nichts. Der Lauf wird bei Punkt %1 von %2 fortgesetzt, Zeile %3: %4.</translation>
+        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Jetzt bewegt sich nichts. Der Lauf wird bei Punkt %1 von %2 fortgesetzt, Zeile %3: %4.</translation>
     </message>
     <message>
         <source>The tool first moves %1 in a straight line to that point.</source>
@@ -9003,12 +9003,12 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Gedrückt halten: Auftrag fortsetzen</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
-        <translation>Noch hat sich nichts bewegt. Der Auftrag geht in Abschnitt %1 bei Punkt %2 von %3 weiter, Zeile %4.</translation>
+        <source>Nothing moves now. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
+        <translation>Jetzt bewegt sich nichts. Der Auftrag geht in Abschnitt %1 bei Punkt %2 von %3 weiter, Zeile %4.</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The job will go on at line %1: %2.</source>
-        <translation>Noch hat sich nichts bewegt. Der Auftrag geht bei Zeile %1 weiter: %2.</translation>
+        <source>Nothing moves now. The job will go on at line %1: %2.</source>
+        <translation>Jetzt bewegt sich nichts. Der Auftrag geht bei Zeile %1 weiter: %2.</translation>
     </message>
     <message numerus="yes">
         <source>Before that, the control executes %Ln blocks: see the list.</source>

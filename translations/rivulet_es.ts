@@ -8254,8 +8254,8 @@ GPL-3.0-or-later</translation>
         <translation>Antes de reanudar la ejecución</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
-        <translation>Todavía no se ha movido nada. Mantener pulsado un segundo el botón de abajo: entonces la máquina se mueve.</translation>
+        <source>Nothing moves now. Hold the button below for one second: then the machine moves.</source>
+        <translation>Ahora no se mueve nada. Mantener pulsado un segundo el botón de abajo: entonces la máquina se mueve.</translation>
     </message>
 </context>
 <context>
@@ -8967,8 +8967,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Se pregunta al control dónde se interrumpió la ejecución…</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.</source>
-        <translation>Todavía no se ha movido nada. La ejecución se reanudará en el punto %1 de %2, línea %3: %4.</translation>
+        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Ahora no se mueve nada. La ejecución se reanudará en el punto %1 de %2, línea %3: %4.</translation>
     </message>
     <message>
         <source>The tool first moves %1 in a straight line to that point.</source>
@@ -9003,12 +9003,12 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Mantener pulsado: continuar el trabajo</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
-        <translation>Aún no se ha movido nada. El trabajo continuará en el tramo %1, punto %2 de %3, línea %4.</translation>
+        <source>Nothing moves now. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
+        <translation>Ahora no se mueve nada. El trabajo continuará en el tramo %1, punto %2 de %3, línea %4.</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The job will go on at line %1: %2.</source>
-        <translation>Aún no se ha movido nada. El trabajo continuará en la línea %1: %2.</translation>
+        <source>Nothing moves now. The job will go on at line %1: %2.</source>
+        <translation>Ahora no se mueve nada. El trabajo continuará en la línea %1: %2.</translation>
     </message>
     <message numerus="yes">
         <source>Before that, the control executes %Ln blocks: see the list.</source>

@@ -8254,8 +8254,8 @@ GPL-3.0-or-later</translation>
         <translation>Avant la reprise de l’exécution</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
-        <translation>Rien n’a encore bougé. Maintenir une seconde le bouton ci-dessous&#xa0;: alors la machine se déplace.</translation>
+        <source>Nothing moves now. Hold the button below for one second: then the machine moves.</source>
+        <translation>Rien ne bouge maintenant. Maintenir une seconde le bouton ci-dessous&#xa0;: alors la machine se déplace.</translation>
     </message>
 </context>
 <context>
@@ -8967,8 +8967,8 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>On demande à la commande où l’exécution s’est interrompue…</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.</source>
-        <translation>Rien n’a encore bougé. L’exécution reprendra au point %1 sur %2, ligne %3&#xa0;: %4.</translation>
+        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Rien ne bouge maintenant. L’exécution reprendra au point %1 sur %2, ligne %3&#xa0;: %4.</translation>
     </message>
     <message>
         <source>The tool first moves %1 in a straight line to that point.</source>
@@ -9003,12 +9003,12 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Maintenir appuyé&#xa0;: poursuivre la tâche</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
-        <translation>Rien n’a encore bougé. La tâche reprendra au tronçon %1, point %2 sur %3, ligne %4.</translation>
+        <source>Nothing moves now. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
+        <translation>Rien ne bouge maintenant. La tâche reprendra au tronçon %1, point %2 sur %3, ligne %4.</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The job will go on at line %1: %2.</source>
-        <translation>Rien n’a encore bougé. La tâche reprendra à la ligne %1&#xa0;: %2.</translation>
+        <source>Nothing moves now. The job will go on at line %1: %2.</source>
+        <translation>Rien ne bouge maintenant. La tâche reprendra à la ligne %1&#xa0;: %2.</translation>
     </message>
     <message numerus="yes">
         <source>Before that, the control executes %Ln blocks: see the list.</source>

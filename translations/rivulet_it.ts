@@ -8254,8 +8254,8 @@ GPL-3.0-or-later</translation>
         <translation>Prima di riprendere l’esecuzione</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
-        <translation>Ancora non si è mosso nulla. Tenere premuto per un secondo il pulsante in basso: poi la macchina si muove.</translation>
+        <source>Nothing moves now. Hold the button below for one second: then the machine moves.</source>
+        <translation>Ora non si muove nulla. Tenere premuto per un secondo il pulsante in basso: poi la macchina si muove.</translation>
     </message>
 </context>
 <context>
@@ -8967,8 +8967,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Si chiede al controllo dove l’esecuzione si è interrotta…</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.</source>
-        <translation>Ancora non si è mosso nulla. L’esecuzione riprenderà dal punto %1 di %2, riga %3: %4.</translation>
+        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Ora non si muove nulla. L’esecuzione riprenderà dal punto %1 di %2, riga %3: %4.</translation>
     </message>
     <message>
         <source>The tool first moves %1 in a straight line to that point.</source>
@@ -9003,12 +9003,12 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Tenere premuto: continuare il lavoro</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
-        <translation>Nulla si è ancora mosso. Il lavoro continuerà nel tratto %1 al punto %2 di %3, riga %4.</translation>
+        <source>Nothing moves now. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
+        <translation>Ora non si muove nulla. Il lavoro continuerà nel tratto %1 al punto %2 di %3, riga %4.</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The job will go on at line %1: %2.</source>
-        <translation>Nulla si è ancora mosso. Il lavoro continuerà alla riga %1: %2.</translation>
+        <source>Nothing moves now. The job will go on at line %1: %2.</source>
+        <translation>Ora non si muove nulla. Il lavoro continuerà alla riga %1: %2.</translation>
     </message>
     <message numerus="yes">
         <source>Before that, the control executes %Ln blocks: see the list.</source>

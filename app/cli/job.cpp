@@ -467,7 +467,7 @@ base::Result<void> JobCommand::confirm() const {
              ? base::Result<void>()
              : base::fail(streaming::StreamError::CannotResume,
                           "Check what is done first, and that nothing is in the way of the tool, "
-                          "then give --yes. Nothing has moved.");
+                          "then give --yes. Nothing moves now.");
 }
 
 run::RunFacts JobCommand::facts() const {

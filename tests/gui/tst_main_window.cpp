@@ -849,9 +849,8 @@ class TestMainWindow : public QObject {
     auto* bar = m_window->findChild<widgets::ResumeBar*>();
     QTRY_VERIFY_WITH_TIMEOUT(bar->place().has_value(), kSoonMs);
     QCOMPARE(bar->place()->point, first->integrity.executed);
-    QVERIFY(
-        shows(bar, QStringLiteral("Nothing has moved yet. The run will resume at point %1 of 270")
-                       .arg(first->integrity.executed + 1)));
+    QVERIFY(shows(bar, QStringLiteral("Nothing moves now. The run will resume at point %1 of 270")
+                           .arg(first->integrity.executed + 1)));
     QVERIFY(!m_window->isRunning());
     picturePages(*m_window, QStringLiteral("resume-light-en"));
     m_window->setLanguage(QStringLiteral("de"));

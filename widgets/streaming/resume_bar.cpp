@@ -83,11 +83,11 @@ QString ResumeBar::jobText() const {
   const QString line = countText(m_place->line.value);
   const QString place =
       m_place->block.empty()
-          ? tr("Nothing has moved yet. The job will go on in stretch %1 at point %2 of %3, line "
+          ? tr("Nothing moves now. The job will go on in stretch %1 at point %2 of %3, line "
                "%4.")
                 .arg(countText(static_cast<std::size_t>(m_place->stretch)),
                      countText(m_place->point + 1), countText(m_place->points), line)
-          : tr("Nothing has moved yet. The job will go on at line %1: %2.")
+          : tr("Nothing moves now. The job will go on at line %1: %2.")
                 .arg(line, QString::fromStdString(m_place->block));
   return m_place->steps.empty()
              ? place
@@ -105,7 +105,7 @@ QString ResumeBar::placeText() const {
            ? tr("Nothing has moved yet. The run will start at point %1 of %2, where line %3 "
                 "begins: "
                 "%4.")
-           : tr("Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4."))
+           : tr("Nothing moves now. The run will resume at point %1 of %2, line %3: %4."))
           .arg(countText(m_place->point + 1), countText(m_place->points),
                countText(m_place->line.value),
                QStringLiteral("X %1 Y %2 Z %3")
