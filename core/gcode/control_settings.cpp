@@ -23,6 +23,7 @@ struct Row {
   double machineDefault;
   double smallest;
   double largest;
+  std::string_view onlyValue = {};
 };
 
 // A Fanuc as delivered lifts off along +X (parameter 5101 RD1 and RD2, 5148), as setting 27 of a
@@ -53,7 +54,7 @@ constexpr std::array kRows{
     // Fanuc, parameter 3403 (CIR)
     Row{ControlSetting::Arc, "arc",
         RIVULET_SENTENCE("ControlSettings", "an arc without centre and radius is a straight line"),
-        0.0, 0.0, 0.0},
+        0.0, 0.0, 0.0, "line"},
     // G58 and G59 are G505 and G506; SINUMERIK ISO Milling has 93 more, which end at G599.
     Row{ControlSetting::Offset, "offset",
         RIVULET_SENTENCE("ControlSettings", "settable work offset for G54.1 P1 (507: G507)"), 507.0,
@@ -61,6 +62,11 @@ constexpr std::array kRows{
     Row{ControlSetting::Clearance, "clearance",
         RIVULET_SENTENCE("ControlSettings", "retraction of G73 and G83 within the hole, mm"), 0.25,
         0.0, 100.0},
+    Row{ControlSetting::Place, "place",
+        RIVULET_SENTENCE("ControlSettings",
+                         "before the start the tool stands where the first G92 says, in the work "
+                         "offset of the control"),
+        0.0, 0.0, 0.0, "G92"},
 };
 
 const Row& rowOf(ControlSetting setting) {
@@ -69,8 +75,6 @@ const Row& rowOf(ControlSetting setting) {
   RIVULET_ASSERT(found != kRows.end());
   return *found;
 }
-
-constexpr std::string_view kLine = "line";
 
 std::optional<double> axisOf(std::string_view text) {
   const bool isNegative = text.starts_with('-');
@@ -85,14 +89,10 @@ std::optional<double> axisOf(std::string_view text) {
 }
 
 std::optional<double> numberOf(ControlSetting setting, std::string_view text) {
-  switch (setting) {
-    case ControlSetting::Lift:
-      return axisOf(text);
-    case ControlSetting::Arc:
-      return text == kLine ? std::optional(0.0) : std::nullopt;
-    default:
-      return base::parseNumber(text);
+  if (hasOneValue(setting)) {
+    return text == rowOf(setting).onlyValue ? std::optional(0.0) : std::nullopt;
   }
+  return setting == ControlSetting::Lift ? axisOf(text) : base::parseNumber(text);
 }
 
 }  // namespace
@@ -101,16 +101,19 @@ std::string_view settingTitle(ControlSetting setting) {
   return rowOf(setting).title;
 }
 
+bool hasOneValue(ControlSetting setting) {
+  return !rowOf(setting).onlyValue.empty();
+}
+
 std::string valueText(ControlSetting setting, double value) {
-  switch (setting) {
-    case ControlSetting::Lift:
-      return std::string(value < 0.0 ? "-" : "") +
-             base::kAxisNames[static_cast<std::size_t>(std::abs(value)) - 1];
-    case ControlSetting::Arc:
-      return std::string(kLine);
-    default:
-      return base::formatNumber(value);
+  if (hasOneValue(setting)) {
+    return std::string(rowOf(setting).onlyValue);
   }
+  if (setting == ControlSetting::Lift) {
+    return std::string(value < 0.0 ? "-" : "") +
+           base::kAxisNames[static_cast<std::size_t>(std::abs(value)) - 1];
+  }
+  return base::formatNumber(value);
 }
 
 std::optional<double> settingValueOf(ControlSetting setting, std::string_view text) {

@@ -3,8 +3,8 @@
 
 /// @file
 /// What a program may leave to the settings of its control (parameters of a Fanuc, settings of a
-/// Haas): what each is called, and what a virtual machine is set to. Lengths in mm, angles in
-/// degrees. @threadsafety plain values.
+/// Haas) or to who sets it up: what each is called, and what a virtual machine is set to. Lengths
+/// in mm, angles in degrees. @threadsafety plain values.
 #pragma once
 
 #include <map>
@@ -24,6 +24,7 @@ enum class ControlSetting : unsigned char {
   Arc,           ///< G2 and G3 with neither centre nor radius; 0: a straight line
   Offset,        ///< which settable frame G54.1 P1 is: 507 is G507, and those of P2 and on follow
   Clearance,     ///< how far G73 draws back, and above which depth the feed of G83 begins again
+  Place,         ///< the tool stands where a G92 before its axis has moved says
 };
 
 /// What is known of these settings; one that is not there is open.
@@ -35,6 +36,8 @@ using ControlSettings = std::map<ControlSetting, double>;
 
 /// What a machinist calls it, in English with its unit (translated in context "ControlSettings").
 [[nodiscard]] std::string_view settingTitle(ControlSetting setting);
+/// True if it has no other value than the one of a virtual machine.
+[[nodiscard]] bool hasOneValue(ControlSetting setting);
 /// Its value alone: "0", "-X", "line".
 [[nodiscard]] std::string valueText(ControlSetting setting, double value);
 /// Inverse. @return nothing: the setting cannot have it

@@ -96,6 +96,7 @@ class Interpreter final : private nc::CallObserver {
         m_path(options, m_out.trajectory, m_out.statistics, m_findings),
         m_executorOptions{.centres = options.centres,
                           .arcLineIsSaid = options.settings.contains(ControlSetting::Arc),
+                          .placeIsSaid = options.settings.contains(ControlSetting::Place),
                           .unitIsSaid = options.units.has_value(),
                           .runsCannedCycles = m_language.hasCannedCycles && observer == nullptr},
         m_to(sinks()),

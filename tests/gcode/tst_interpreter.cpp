@@ -338,6 +338,8 @@ class TestInterpreter : public QObject {
     add("F60 F70", "1:5 error repeated-word F");
     add("S1 S2", "1:1 note ignored-code S | 1:4 warning repeated-word S");
     add("G0 X0 Y0\nG2 X1 F60", "2:4 warning control-setting-open G2, G3: arc=line");
+    add("G92 X0\nG1 X1 F60", "1:1 warning control-setting-open G92: place=G92");
+    add("G0 X0\nG92 X5\nG1 X1 F60", "");
     add("G0 X0 Y0\nG2 X0 CR=5 F60", "2:4 error arc-without-centre");
     add("G0 X0 Y0\nG2 X1 I0 J0 F60", "2:4 error arc-radius-mismatch 1");
     add("G0 X0 Y0\nG2 I0 F60", "2:4 error arc-without-centre");

@@ -143,7 +143,7 @@ void ReadingBar::addValue(gcode::ControlSetting setting, double value) {
   field->setAccessibleName(title);
   field->setMinimumHeight(kTouchHeightPx);
   field->setEnabled(m_isAnswerable);
-  field->setVisible(setting != gcode::ControlSetting::Arc);  // it has no other value
+  field->setVisible(!gcode::hasOneValue(setting));
   name->setBuddy(field);
   m_values->addWidget(name, row, 0, Qt::AlignRight | Qt::AlignVCenter);
   m_values->addWidget(field, row, 1);

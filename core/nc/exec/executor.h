@@ -30,6 +30,8 @@ inline constexpr double kCoordinateMmMax = 1.0e6;
 struct ExecutorOptions {
   CentreReading centres = CentreReading::AsProgrammed;
   bool arcLineIsSaid = false;  ///< of `Language::arcMayBeLine`; else a finding says it
+  /// The tool stands where a G92 before its axis has moved says; else a finding says it.
+  bool placeIsSaid = false;
   /// Largest difference of an arc's start and end radius.
   double arcRadiusToleranceMm = kArcRadiusToleranceMm;
   base::RotarySet rotaryAxes{true, true, true};  ///< words of others move nothing

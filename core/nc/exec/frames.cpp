@@ -99,24 +99,30 @@ bool Executor::knowsAllAxes(const BlockWords& words, const std::string& statemen
   return true;
 }
 
-/// G92: where the axes stand gets these coordinates. Where that is for an axis that has not
-/// moved yet, the operator has seen to: its offset is zero.
+/// G92: where the axes stand gets these coordinates. Of an axis whose place is not known, its
+/// offset is zero, which is right where the tool was brought there.
 void Executor::setPosition(const BlockWords& words) {
   const Vec3 position = m_position.programmedMm;
+  bool isKnown = true;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (words.axes.has(axis) && std::isnan(position[axis])) {
+      isKnown = false;
       m_position.programmedMm.set(axis, radiusMm(words, axis));
     } else if (words.axes.has(axis)) {
       m_setOffset.mm.set(axis, m_setOffset.mm[axis] + position[axis] - radiusMm(words, axis));
     }
     const std::size_t rotary = axis + kFirstRotary;
     if (words.axes.has(rotary) && std::isnan(m_position.rotaryDeg[axis])) {
+      isKnown = false;
       m_position.rotaryDeg[axis] = words.axes.value[rotary];
       m_rotaryFirst[axis] = words.axes.value[rotary];
     } else if (words.axes.has(rotary)) {
       m_setOffset.rotaryDeg[axis] = m_position.rotaryDeg[axis] - words.axes.value[rotary] -
                                     m_workOffsets[workOffsetNumber()].rotaryDeg[axis];
     }
+  }
+  if (!isKnown && !m_options.placeIsSaid) {
+    m_to.faults.report(Severity::Warning, 1, FaultCode::ControlSettingOpen, "G92: place=G92");
   }
 }
 

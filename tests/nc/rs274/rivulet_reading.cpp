@@ -68,9 +68,12 @@ PathReading readAsRivulet(std::string_view text) {
   PathReading reading;
   const auto error = std::find_if(
       read.diagnostics.begin(), read.diagnostics.end(),
-      [](const gcode::Diagnostic& each) {  // Without a feed a program runs with a fixed one alone.
+      [](const gcode::Diagnostic& each) {
+        // Without a feed a program runs with a fixed one alone, and not before what is asked has
+        // an answer.
         return each.severity == gcode::Severity::Error ||
-               each.code == gcode::DiagnosticCode::FeedMissing;
+               each.code == gcode::DiagnosticCode::FeedMissing ||
+               each.code == gcode::DiagnosticCode::ControlSettingOpen;
       });
   reading.accepted = error == read.diagnostics.end();
   if (!reading.accepted) {
