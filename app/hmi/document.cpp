@@ -29,9 +29,13 @@ constexpr double kToolMovedMm = 0.01;
 /// The times of a run are estimated again this long after the last change of a setting.
 constexpr int kEstimateMs = 400;
 constexpr std::size_t kPointsMin = 2;
-constexpr const char* kMachineWithTools = "dmu75-mill";
 
 }  // namespace
+
+const machine::MachineConfig& usualMachine() {
+  static const machine::MachineConfig machine = *machine::loadPreset("dmu75-mill");
+  return machine;
+}
 
 Document::Document(const streaming::StreamSettings& settings)
     : m_machineFeeds(report::programFeedsOf(report::configOf(nullptr), 1.0)), m_settings(settings) {
@@ -94,7 +98,9 @@ Document::Document(const streaming::StreamSettings& settings)
 void Document::open(const QString& path, const session::Reading& reading) {
   m_isMotionAlone = false;
   if (QFileInfo(path).absoluteFilePath() != m_path) {
-    m_settings.dryRunMm = 0.0;  // chosen for another program
+    // Chosen for another program.
+    m_settings.dryRunMm = 0.0;
+    m_settings.wholeJob = m_settings.wholeJob || !m_path.isEmpty();
     Q_EMIT settingsChanged();
   }
   read(path, reading);
@@ -249,7 +255,7 @@ void Document::take(const session::LoadedProgram& loaded) {
   m_watch.watch(m_path, loaded.stamp);
   m_nativeTimes.clear();
   if (isJob()) {
-    m_nativeTimes = session::nativeTimes(*m_view->plan, *machine::loadPreset(kMachineWithTools));
+    m_nativeTimes = session::nativeTimes(*m_view->plan, usualMachine());
   }
   forgetTimes();
   Q_EMIT programLoaded();

@@ -48,6 +48,9 @@ struct Findings : preparation::Judged {
   std::shared_ptr<const session::Hazards> hazards;  ///< null: not known (yet)
 };
 
+/// Stands in where the machine is not known: it has a spindle and tools.
+[[nodiscard]] const machine::MachineConfig& usualMachine();
+
 class Document final : public QObject {
   Q_OBJECT
 

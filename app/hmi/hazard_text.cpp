@@ -42,9 +42,14 @@ struct HazardTexts {
                  widgets::numberText(hazard.value - hazard.limit, 0),
                  widgets::numberText(hazard.limit, 0));
       case HazardKind::ToolMissing:
-        return tr("Tool %1 is not in the tool table of the machine. Enter it there, or choose "
-                  "another tool.")
-            .arg(QString::fromStdString(hazard.text));
+        return hazard.near.empty()
+                   ? tr("Tool %1 is not in the tool table of the machine. Enter it there, or "
+                        "choose another tool.")
+                         .arg(QString::fromStdString(hazard.text))
+                   : tr("Tool %1 is not in the tool table of the machine, but %2 is. Enter %1 "
+                        "there, or write %2 into the program.")
+                         .arg(QString::fromStdString(hazard.text),
+                              QString::fromStdString(hazard.near));
       case HazardKind::Refused:
         return tr("The machine would stop with alarm %1: %2")
             .arg(hazard.alarm)

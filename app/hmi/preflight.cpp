@@ -4,6 +4,7 @@
 #include "hmi/preflight.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/method_kind.h"
 #include "base/units.h"
@@ -105,6 +106,44 @@ const job::NativeBlock* blockBeforePath(const Document& document) {
   return nullptr;
 }
 
+/// What is not so at the control as the program sets it up.
+QStringList setUpLines(const forecast::SetUp& missing, const streaming::EquipmentSeen& seen) {
+  QStringList lines;
+  if (!missing.tool.empty()) {
+    const QString wanted = QString::fromStdString(missing.tool);
+    const QString name = QString::fromStdString(seen.toolName.value_or(""));
+    const int number = seen.tool.value_or(0);
+    lines.append(
+        number == 0 && name.isEmpty()
+            ? Preflight::tr("The program uses tool %1; there is none in the spindle.").arg(wanted)
+            : Preflight::tr("The program uses tool %1; %2 is in the spindle.")
+                  .arg(wanted, name.isEmpty() ? QString::number(number) : name));
+  }
+  if (!missing.workOffset.empty()) {
+    lines.append(Preflight::tr("The program works in %1; %2 is active.")
+                     .arg(QString::fromStdString(missing.workOffset),
+                          QString::fromStdString(seen.workOffset.value_or(""))));
+  }
+  if (missing.perMin) {
+    const auto turning = [](double perMin) {
+      return perMin == 0.0 ? Preflight::tr("stands")
+                           : Preflight::tr("turns at %1 1/min, %2")
+                                 .arg(widgets::numberText(std::abs(perMin), 0),
+                                      perMin > 0.0 ? Preflight::tr("clockwise (M3)")
+                                                   : Preflight::tr("counterclockwise (M4)"));
+    };
+    double actual = seen.spindleSetPerMin.value_or(seen.spindlePerMin.value_or(0.0));
+    if (seen.turn == opcua::SpindleTurn::Stands) {
+      actual = 0.0;
+    } else if (seen.turn == opcua::SpindleTurn::Counterclockwise) {
+      actual = -actual;
+    }
+    lines.append(Preflight::tr("In the program the spindle %1; now it %2.")
+                     .arg(turning(*missing.perMin), turning(actual)));
+  }
+  return lines;
+}
+
 }  // namespace
 
 Preflight::Preflight(Document& document, MachineModel& machine, RunController& runs)
@@ -120,6 +159,7 @@ Preflight::Preflight(Document& document, MachineModel& machine, RunController& r
 void Preflight::open() {
   if (!m_isOpen && !m_runs.isRunning()) {
     m_isOpen = true;
+    m_isSetUpConfirmed = false;
     Q_EMIT changed();
     Q_EMIT openChanged();
   }
@@ -390,11 +430,40 @@ PreflightItem Preflight::jobItem() const {
                 : tr("Begin with a stretch …"),
             ChooseStretch};
   }
-  return {Status::Attention, tr("Motion only"),
-          tr("%Ln blocks are left out: %1", nullptr, static_cast<int>(blocks.size()))
-                  .arg(blocksText(blocks)) +
-              QLatin1Char('\n') + tr("Set tool, spindle and coolant at the control."),
-          m_document.jobObstacle() ? QString() : tr("Run the whole job"), RunWholeJob};
+  PreflightItem item{Status::Attention, tr("Motion only"),
+                     tr("%Ln blocks are left out: %1", nullptr, static_cast<int>(blocks.size()))
+                             .arg(blocksText(blocks)) +
+                         QLatin1Char('\n') + tr("Set tool, spindle and coolant at the control."),
+                     m_document.jobObstacle() ? QString() : tr("Run the whole job"), RunWholeJob};
+  const forecast::SetUp missing = missingSetUp();
+  if (missing.isEmpty()) {
+    return item;
+  }
+  for (const QString& line : setUpLines(missing, *m_machine.view().equipment)) {
+    item.text += QLatin1Char('\n') + line;
+  }
+  if (m_isSetUpConfirmed) {
+    item.text += QLatin1Char('\n') + tr("Confirmed: it starts like this.");
+  } else {
+    item.status = Status::Fault;
+    item.remedy = tr("Start like this");
+    item.remedyId = ConfirmSetUp;
+  }
+  return item;
+}
+
+forecast::SetUp Preflight::missingSetUp() const {
+  const auto& view = m_document.view();
+  const auto& equipment = m_machine.view().equipment;
+  if (!view || !view->plan || view->isJob() || m_document.live() || isForResume() || !equipment) {
+    return {};
+  }
+  if (m_setUpOf.lock() != view->plan) {
+    m_setUpOf = view->plan;
+    m_setUp = forecast::setUpOf(*view->plan,
+                                m_document.machine() ? *m_document.machine() : usualMachine());
+  }
+  return forecast::missingOf(m_setUp, *equipment);
 }
 
 PreflightItem Preflight::firstMoveItem() const {
@@ -449,9 +518,12 @@ PreflightItem Preflight::hazardItem() const {
   const QString others = hazardsText(*hazards, false);
   if (stops.isEmpty() && others.isEmpty()) {
     item.status = Status::Good;
-    item.text =
-        tr("Every block is within the travel of the axes, the speed of the spindle and the "
-           "tool table.");
+    const auto& machine = m_document.machine();
+    item.text = machine && machine->tools
+                    ? tr("Every block is within the travel of the axes, the speed of the spindle "
+                         "and the tool table.")
+                    : tr("Every block is within the travel of the axes and the speed of the "
+                         "spindle. Tools are not compared: this machine has no tool table here.");
     return item;
   }
   item.status = stops.isEmpty() ? Status::Attention : Status::Fault;
@@ -781,6 +853,11 @@ void Preflight::remedy(int remedyId) {
   }
   if (remedyId == TakeBackRelease) {
     m_releases->takeBack();
+    return;
+  }
+  if (remedyId == ConfirmSetUp) {
+    m_isSetUpConfirmed = true;
+    Q_EMIT changed();
     return;
   }
   if (remedyId == RunWholeJob) {

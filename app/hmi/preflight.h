@@ -7,8 +7,10 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 #include <vector>
 
+#include "forecast/job_restart.h"
 #include "hmi/document.h"
 #include "hmi/machine_model.h"
 #include "hmi/releases.h"
@@ -31,6 +33,7 @@ class Preflight final : public QObject {
     EnterLimits,
     ChooseStretch,
     ChangeLive,
+    ConfirmSetUp,
   };
 
   Preflight(Document& document, MachineModel& machine, RunController& runs);
@@ -49,7 +52,8 @@ class Preflight final : public QObject {
   [[nodiscard]] bool isForChosenLine() const { return isForResume() && m_runs.place()->isChosen; }
   /// It is shown, and nothing stands in the way.
   [[nodiscard]] bool hasPassed() const {
-    return m_isOpen && !(isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked());
+    return m_isOpen && !(isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked()) &&
+           (m_isSetUpConfirmed || missingSetUp().isEmpty());
   }
   /// In the operator's language.
   [[nodiscard]] std::vector<widgets::PreflightItem> items() const;
@@ -80,6 +84,9 @@ class Preflight final : public QObject {
   [[nodiscard]] widgets::PreflightItem machineItem() const;
   /// Of a program with blocks that the machine needs beside the motion.
   [[nodiscard]] widgets::PreflightItem jobItem() const;
+  /// What the program sets up, of which only its motion is to be streamed, and is not so at the
+  /// control.
+  [[nodiscard]] forecast::SetUp missingSetUp() const;
   [[nodiscard]] widgets::PreflightItem firstMoveItem() const;
   [[nodiscard]] widgets::PreflightItem travelItem() const;
   /// @param sizesMm  of the path, or of the box that it stays in
@@ -108,6 +115,9 @@ class Preflight final : public QObject {
   Releases* m_releases = nullptr;
   Users* m_users = nullptr;
   bool m_isOpen = false;
+  mutable std::weak_ptr<const job::Plan> m_setUpOf;
+  mutable forecast::SetUp m_setUp;  ///< computed once for each program
+  bool m_isSetUpConfirmed = false;  ///< by the operator, as long as it is shown
 };
 
 }  // namespace rivulet::hmi

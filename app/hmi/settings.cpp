@@ -29,7 +29,6 @@ constexpr std::array<std::pair<streaming::AccessPreference, const char*>, 4> kAc
 }};
 
 constexpr const char* kFixedFeed = "fixed";
-constexpr const char* kMotionOnly = "motion";
 
 /// A positive number, or what was there before: a damaged file must not become an order.
 double positive(const QVariant& value, double otherwise) {
@@ -141,8 +140,7 @@ Settings loadSettings() {
   stream.deltaMm = positive(store.value(QStringLiteral("stream/deltaMm")), stream.deltaMm);
   stream.programFeeds =
       store.value(QStringLiteral("stream/feed")).toString() != QLatin1String(kFixedFeed);
-  stream.wholeJob =
-      store.value(QStringLiteral("stream/job")).toString() != QLatin1String(kMotionOnly);
+  stream.wholeJob = true;  // anything else is chosen for one program
   stream.overrideFactor =
       std::clamp(positive(store.value(QStringLiteral("stream/overridePercent")), 100.0) / 100.0,
                  gcode::kOverrideMin, gcode::kOverrideMax);
@@ -175,8 +173,6 @@ void saveSettings(const Settings& settings) {
   store.setValue(QStringLiteral("stream/correctionLimitMm"), stream.parameters.correctionLimitMm);
   store.setValue(QStringLiteral("stream/feed"),
                  stream.programFeeds ? QStringLiteral("program") : QString::fromLatin1(kFixedFeed));
-  store.setValue(QStringLiteral("stream/job"),
-                 stream.wholeJob ? QStringLiteral("whole") : QString::fromLatin1(kMotionOnly));
   store.setValue(QStringLiteral("stream/overridePercent"), 100.0 * stream.overrideFactor);
   store.setValue(QStringLiteral("stream/feedMmPerMin"),
                  base::mmPerMinFromMmPerS(stream.feedMmPerS));

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/text.h"
 #include "forecast/path_time.h"
 #include "gcode/trajectory.h"
 #include "job/main_program.h"
@@ -50,6 +51,22 @@ std::vector<const job::NativeBlock*> nativesOf(const job::Plan& plan) {
   return natives;
 }
 
+/// The tool of the same letters and digits: DRILL_8.5 for "drill 8.5".
+std::string nearName(const machine::MachineConfig& machine, std::string_view wanted) {
+  const auto essence = [](std::string_view name) {
+    std::string text = base::toUpper(name);
+    std::erase_if(text, [](char c) { return c == ' ' || c == '_' || c == '-'; });
+    return text;
+  };
+  for (const machine::Tool& tool :
+       machine.tools ? machine.tools->tools : std::vector<machine::Tool>{}) {
+    if (!tool.name.empty() && essence(tool.name) == essence(wanted)) {
+      return tool.name;
+    }
+  }
+  return {};
+}
+
 Hazard hazardOf(const machine::DryFinding& found, const machine::MachineConfig& machine) {
   Hazard hazard;
   if (found.travel) {
@@ -62,6 +79,7 @@ Hazard hazardOf(const machine::DryFinding& found, const machine::MachineConfig& 
   } else if (!found.tool.empty()) {
     hazard.kind = HazardKind::ToolMissing;
     hazard.text = found.tool;
+    hazard.near = nearName(machine, found.tool);
   } else {
     hazard.kind = isOfLanguage(found.alarm.number) ? HazardKind::NotChecked : HazardKind::Refused;
     hazard.alarm = found.alarm.number;
@@ -111,10 +129,9 @@ std::string whatOf(const Hazard& hazard) {
           "it to {:g} 1/min.",
           hazard.value, hazard.value - hazard.limit, hazard.limit);
     case HazardKind::ToolMissing:
-      return fmt::format(
-          "tool {} is not in the tool table of the machine. Enter it there, or "
-          "choose another tool.",
-          hazard.text);
+      return fmt::format("tool {} is not in the tool table of the machine{}. ", hazard.text,
+                         hazard.near.empty() ? "" : ", but " + hazard.near + " is") +
+             "Enter it there, or choose another tool.";
     case HazardKind::Refused:
       return fmt::format("the machine would stop with alarm {}: {}", hazard.alarm, hazard.text);
     case HazardKind::NotChecked:

@@ -42,6 +42,7 @@ struct Hazard {
   double value = 0.0;  ///< SpindleSpeed: 1/min
   double limit = 0.0;  ///< SpindleSpeed: 1/min
   std::string text;    ///< tool, or the alarm
+  std::string near;    ///< ToolMissing: one of the table that has nearly the same name
   int alarm = 0;       ///< Refused and NotChecked: its number
 
   /// The job must not start. Else it runs, and the user should know.

@@ -89,14 +89,27 @@ bool isPlacedBefore(const job::Plan& plan, std::size_t until) {
   return std::all_of(isPlaced.begin(), isPlaced.end(), [](bool placed) { return placed; });
 }
 
-int firstStretchOf(const job::Plan& plan) {
-  for (const job::Part& part : plan.parts) {
+/// The first part that moves; the number of parts: none does.
+std::size_t firstMotionOf(const job::Plan& plan) {
+  const auto first = std::find_if(plan.parts.begin(), plan.parts.end(), [](const job::Part& part) {
     const auto* const stretch = std::get_if<job::Stretch>(&part);
-    if (stretch != nullptr && stretch->number > 0) {
-      return stretch->number;
-    }
-  }
-  return 0;
+    return stretch != nullptr && stretch->number > 0;
+  });
+  return static_cast<std::size_t>(first - plan.parts.begin());
+}
+
+int firstStretchOf(const job::Plan& plan) {
+  const std::size_t first = firstMotionOf(plan);
+  return first < plan.parts.size() ? std::get<job::Stretch>(plan.parts[first]).number : 0;
+}
+
+/// A block before a part is there for it.
+bool hasBefore(const job::Plan& plan, std::size_t part, NativeReason reason) {
+  return std::any_of(plan.parts.begin(), plan.parts.begin() + static_cast<std::ptrdiff_t>(part),
+                     [reason](const job::Part& each) {
+                       const auto* const native = std::get_if<job::NativeBlock>(&each);
+                       return native != nullptr && native->reason == reason;
+                     });
 }
 
 class Restarter {
@@ -164,12 +177,7 @@ class Restarter {
   }
 
   [[nodiscard]] bool has(NativeReason reason) const {
-    return std::any_of(m_plan.parts.begin(),
-                       m_plan.parts.begin() + static_cast<std::ptrdiff_t>(m_rest.part),
-                       [reason](const job::Part& part) {
-                         const auto* const native = std::get_if<job::NativeBlock>(&part);
-                         return native != nullptr && native->reason == reason;
-                       });
+    return hasBefore(m_plan, m_rest.part, reason);
   }
 
   /// A block before the part has moved an axis, or may have.
@@ -354,6 +362,52 @@ Result<Restart> restartAtStretch(const job::Plan& plan, const machine::MachineCo
     }
   }
   return restartAt(plan, machine, rest);
+}
+
+SetUp setUpOf(const job::Plan& plan, const machine::MachineConfig& machine) {
+  const std::size_t part = firstMotionOf(plan);
+  SetUp wanted;
+  const Result<machine::DryRun> state = stateAt(plan, machine, part);
+  if (!state) {
+    return wanted;
+  }
+  const machine::EquipmentState& equipment = state->equipment;
+  if (hasBefore(plan, part, NativeReason::Tool) &&
+      (equipment.tool > 0 || !equipment.toolName.empty())) {
+    wanted.tool = equipment.tool > 0 ? std::to_string(equipment.tool) : equipment.toolName;
+  }
+  if (hasBefore(plan, part, NativeReason::WorkOffset)) {
+    wanted.workOffset = fmt::format("G{}", equipment.workOffset);
+  }
+  if (hasBefore(plan, part, NativeReason::Spindle)) {
+    wanted.perMin = equipment.spindleCommandPerMin;
+  }
+  return wanted;
+}
+
+SetUp missingOf(const SetUp& wanted, const streaming::EquipmentSeen& seen) {
+  constexpr double kSameSpeed = 0.01;  // share: a spindle does not turn as exactly as it is told
+  SetUp missing;
+  const bool isSeen = seen.tool || seen.toolName;
+  const bool isIn = (seen.tool && std::to_string(*seen.tool) == wanted.tool) ||
+                    (seen.toolName && base::toUpper(*seen.toolName) == base::toUpper(wanted.tool));
+  if (isSeen && !isIn && !wanted.tool.empty()) {
+    missing.tool = wanted.tool;
+  }
+  if (!wanted.workOffset.empty() && seen.workOffset && *seen.workOffset != wanted.workOffset) {
+    missing.workOffset = wanted.workOffset;
+  }
+  const std::optional<double>& actual =
+      seen.spindleSetPerMin ? seen.spindleSetPerMin : seen.spindlePerMin;
+  if (wanted.perMin && actual) {
+    const double speed = std::abs(*wanted.perMin);
+    const bool isSpeed = std::abs(*actual - speed) <= kSameSpeed * speed;
+    const bool isTurn = !seen.turn || *seen.turn == opcua::turnOf(*wanted.perMin);
+    if (!isSpeed || !isTurn) {
+      missing.perMin = wanted.perMin;
+    }
+  }
+  return missing;
 }
 
 }  // namespace rivulet::forecast

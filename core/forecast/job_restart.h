@@ -3,10 +3,12 @@
 
 /// @file
 /// A job that begins in the middle, like a block search with calculation: the state that the
-/// program has there is computed, and re-established before anything else. @threadsafety pure.
+/// program has there is computed, and re-established before anything else; or compared with what
+/// the control reports, where nobody re-establishes it. @threadsafety pure.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "job/plan.h"
 #include "machine/config.h"
 #include "streaming/recovery/job_resume.h"
+#include "streaming/run/equipment_watch.h"
 
 namespace rivulet::forecast {
 
@@ -52,5 +55,19 @@ struct Restart {
 [[nodiscard]] base::Result<Restart> restartAtStretch(const job::Plan& plan,
                                                      const machine::MachineConfig& machine,
                                                      int stretch);
+
+/// What a program sets up before it moves for the first time; what it does not set is empty.
+struct SetUp {
+  std::string tool;              ///< as the program names it: "5", "MILL_10"
+  std::string workOffset;        ///< "G54"
+  std::optional<double> perMin;  ///< of the spindle, negative: counterclockwise, 0: it stands
+
+  [[nodiscard]] bool isEmpty() const { return tool.empty() && workOffset.empty() && !perMin; }
+};
+/// @param plan  its own program is not needed
+/// @return empty: it sets nothing up, or a block before does what only the control knows
+[[nodiscard]] SetUp setUpOf(const job::Plan& plan, const machine::MachineConfig& machine);
+/// What of it is not so at the control. What the control does not report is left out.
+[[nodiscard]] SetUp missingOf(const SetUp& wanted, const streaming::EquipmentSeen& seen);
 
 }  // namespace rivulet::forecast

@@ -4,6 +4,7 @@
 // What a whole job would do on a machine: found before the start, and the same as the machine does.
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -177,6 +178,20 @@ class TestJobForecast : public QObject {
     QVERIFY(QString::fromStdString(describe(all[0])).contains(QStringLiteral("S24000 is 4000 1/")));
     QVERIFY(
         QString::fromStdString(describe(all[1])).startsWith(QStringLiteral("Line 4: tool T12")));
+  }
+
+  /// A name that differs in blanks and the like is named.
+  void aToolWithNearlyTheName() {
+    machine::MachineConfig config = mill();
+    const std::string name = config.tools->tools.front().name;
+    std::string other = name;
+    std::replace(other.begin(), other.end(), '_', ' ');
+    QVERIFY(other != name);
+    const auto all = hazards("T=\"" + other + "\" M6\nG0 X0 Y0 Z50\nM30\n");
+    QCOMPARE(found(all), QStringLiteral("tool-missing 1"));
+    QCOMPARE(all.front().near, name);
+    QVERIFY(describe(all.front()).find(", but " + name + " is.") != std::string::npos);
+    QVERIFY(hazards("T=\"NOT_THERE\" M6\nG0 X0 Y0 Z50\nM30\n").front().near.empty());
   }
 
   void whatTheMachineRefuses() {

@@ -637,6 +637,40 @@ class TestJobRestart : public QObject {
     QVERIFY(!forecast::restartAtStretch(m_plan, mill(), 99));
   }
 
+  /// Motion alone, with what the program sets up before it: each difference is found, and nothing
+  /// that the control does not report.
+  void whatIsNotSetUpIsFound() {
+    const job::Plan plan = planOf("G54\nT1 M6\nS3000 M3\nG0 X0 Y0 Z50\nT2 M6\nG1 X9 F500\nM30\n");
+    job::Plan motion = plan;
+    motion.program = {};
+    const forecast::SetUp wanted = forecast::setUpOf(motion, mill());
+    QCOMPARE(wanted.tool, std::string("1"));
+    QCOMPARE(wanted.workOffset, std::string("G54"));
+    QCOMPARE(wanted.perMin, std::optional(3000.0));
+    using opcua::SpindleTurn;
+    const streaming::EquipmentSeen right{
+        1, "FACE_63", 1, "G54", 2990.0, 3000.0, SpindleTurn::Clockwise, false, false};
+    QVERIFY(forecast::missingOf(wanted, right).isEmpty());
+    QVERIFY(forecast::missingOf(wanted, {}).isEmpty());
+    QVERIFY(forecast::missingOf(forecast::setUpOf(planOf("G0 X0 Y0 Z5\nM30\n"), mill()), right)
+                .isEmpty());
+    auto seen = right;
+    seen.tool = 2;
+    seen.toolName = "OTHER";
+    QCOMPARE(forecast::missingOf(wanted, seen).tool, std::string("1"));
+    seen = right;
+    seen.workOffset = "G500";
+    QCOMPARE(forecast::missingOf(wanted, seen).workOffset, std::string("G54"));
+    for (const auto& [speed, turn] :
+         {std::pair(0.0, SpindleTurn::Stands), std::pair(3000.0, SpindleTurn::Counterclockwise),
+          std::pair(2900.0, SpindleTurn::Clockwise)}) {
+      seen = right;
+      seen.spindlePerMin = seen.spindleSetPerMin = speed;
+      seen.turn = turn;
+      QCOMPARE(forecast::missingOf(wanted, seen).perMin, std::optional(3000.0));
+    }
+  }
+
   /// The tool in the spindle stands low and is shorter than the one that follows: neither goes
   /// aside before it is above the path.
   void noToolGoesAsideBelowThePath() {

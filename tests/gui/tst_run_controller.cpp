@@ -354,6 +354,40 @@ class TestRunController : public QObject {
     QCOMPARE(read->summary.tools.back().workOffsets, lastTool.workOffsets);
   }
 
+  /// Motion alone with the wrong tool in the spindle starts only after somebody has said so, each
+  /// time anew; another program is a whole job again.
+  void motionWithoutItsSetUpIsConfirmed() {
+    Models models;
+    models.openJob();
+    hmi::Preflight preflight(models.document, models.machine, models.runs);
+    models.document.chooseJob(false);
+    QTRY_VERIFY_WITH_TIMEOUT(models.document.view() && !models.document.isJob(), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!models.reason() && models.machine.view().equipment, kSoonMs);
+    const auto item = [&] {
+      const auto items = preflight.items();
+      return *std::find_if(items.begin(), items.end(), [](const auto& each) {
+        return each.name == QStringLiteral("Motion only");
+      });
+    };
+    for (int time = 0; time < 2; ++time) {
+      preflight.open();
+      QVERIFY(!preflight.hasPassed());
+      QVERIFY(item().status == widgets::Status::Fault);
+      QVERIFY2(item().text.contains(QStringLiteral("none in the spindle")),
+               qPrintable(item().text));
+      preflight.remedy(item().remedyId);
+      QVERIFY(preflight.hasPassed());
+      QVERIFY(item().status == widgets::Status::Attention);
+      preflight.close();
+    }
+    models.document.open(models.folder.filePath(QStringLiteral("JOB.MPF")));
+    QTRY_VERIFY_WITH_TIMEOUT(!models.document.isJob(), kSoonMs);
+    QVERIFY(QFile::copy(models.folder.filePath(QStringLiteral("JOB.MPF")),
+                        models.folder.filePath(QStringLiteral("OTHER.MPF"))));
+    models.document.open(models.folder.filePath(QStringLiteral("OTHER.MPF")));
+    QTRY_VERIFY_WITH_TIMEOUT(models.document.isJob(), kSoonMs);
+  }
+
   /// A job begins with a stretch: what the program has set before it is listed, and done first.
   void aJobBeginsInTheMiddle() {
     Models models;
