@@ -611,6 +611,10 @@
         <source>retraction of G73 and G83 within the hole, mm</source>
         <translation>Rückzug von G73 und G83 in der Bohrung, mm</translation>
     </message>
+    <message>
+        <source>before the start the tool stands where the first G92 says, in the work offset of the control</source>
+        <translation>vor dem Start steht das Werkzeug dort, wo das erste G92 sagt, in der Nullpunktverschiebung der Steuerung</translation>
+    </message>
 </context>
 <context>
     <name>DiagnosticTexts</name>
@@ -2028,6 +2032,10 @@
     <message>
         <source>%1 would go to %2 in machine coordinates, %3 beyond its limit of %4. Move the workpiece or change the work offset.</source>
         <translation>%1 würde auf %2 in Maschinenkoordinaten fahren, %3 über die Grenze von %4 hinaus. Werkstück versetzen oder Nullpunktverschiebung ändern.</translation>
+    </message>
+    <message>
+        <source>Tool %1 is not in the tool table of the machine, but %2 is. Enter %1 there, or write %2 into the program.</source>
+        <translation>Werkzeug %1 steht nicht in der Werkzeugtabelle der Maschine, aber %2. Dort %1 eintragen oder im Programm %2 schreiben.</translation>
     </message>
 </context>
 <context>
@@ -4506,6 +4514,50 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The axes stand on the path within %1; threads and tapping at their end.</source>
         <translation>Die Achsen stehen innerhalb von %1 auf der Bahn; Gewinde an ihrem Ende.</translation>
+    </message>
+    <message>
+        <source>Every block is within the travel of the axes and the speed of the spindle. Tools are not compared: this machine has no tool table here.</source>
+        <translation>Jeder Satz liegt im Verfahrweg der Achsen und im Drehzahlbereich der Spindel. Werkzeuge werden nicht verglichen: Für diese Maschine gibt es hier keine Werkzeugtabelle.</translation>
+    </message>
+    <message>
+        <source>The program uses tool %1; there is none in the spindle.</source>
+        <translation>Das Programm arbeitet mit Werkzeug %1; in der Spindel ist keines.</translation>
+    </message>
+    <message>
+        <source>The program uses tool %1; %2 is in the spindle.</source>
+        <translation>Das Programm arbeitet mit Werkzeug %1; in der Spindel ist %2.</translation>
+    </message>
+    <message>
+        <source>The program works in %1; %2 is active.</source>
+        <translation>Das Programm arbeitet in %1; aktiv ist %2.</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>turns at %1 1/min, %2</source>
+        <translation>dreht mit %1 1/min, %2</translation>
+    </message>
+    <message>
+        <source>clockwise (M3)</source>
+        <translation>rechts (M3)</translation>
+    </message>
+    <message>
+        <source>counterclockwise (M4)</source>
+        <translation>links (M4)</translation>
+    </message>
+    <message>
+        <source>In the program the spindle %1; now it %2.</source>
+        <translation>Im Programm: Spindel %1; jetzt: Spindel %2.</translation>
+    </message>
+    <message>
+        <source>Confirmed: it starts like this.</source>
+        <translation>Bestätigt: Der Start erfolgt so.</translation>
+    </message>
+    <message>
+        <source>Start like this</source>
+        <translation>So starten</translation>
     </message>
 </context>
 <context>
@@ -7933,14 +7985,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::PathView</name>
     <message>
-        <source>Top (XY)</source>
-        <translation>Von oben (XY)</translation>
-    </message>
-    <message>
-        <source>Isometric</source>
-        <translation>Isometrisch</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Einpassen</translation>
     </message>
@@ -8098,6 +8142,42 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The points appear here as they come</source>
         <translation>Hier erscheinen die Punkte, wie sie kommen</translation>
+    </message>
+    <message>
+        <source>Grid %1</source>
+        <translation>Raster %1</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Drag or press the arrow keys to turn it; with Shift, dragging moves it</source>
+        <translation>Ziehen oder Pfeiltasten drehen; mit Umschalt verschiebt das Ziehen</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>From above: X, Y</source>
+        <translation>Von oben: X, Y</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>From the front: X, Z</source>
+        <translation>Von vorn: X, Z</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>From the right: Y, Z</source>
+        <translation>Von rechts: Y, Z</translation>
     </message>
 </context>
 <context>
@@ -8675,6 +8755,13 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Text</source>
         <translation>Text</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln lines</source>
+        <translation>
+            <numerusform>%Ln Zeile</numerusform>
+            <numerusform>%Ln Zeilen</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -244,6 +244,13 @@
             <numerusform>%1 with %Ln pauses, which cost %2</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln lines</source>
+        <translation>
+            <numerusform>%Ln line</numerusform>
+            <numerusform>%Ln lines</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ResumeBar</name>

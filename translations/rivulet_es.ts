@@ -611,6 +611,10 @@
         <source>retraction of G73 and G83 within the hole, mm</source>
         <translation>Retirada de G73 y G83 dentro del agujero, mm</translation>
     </message>
+    <message>
+        <source>before the start the tool stands where the first G92 says, in the work offset of the control</source>
+        <translation>antes del inicio, la herramienta está donde dice el primer G92, en el decalaje de origen del control</translation>
+    </message>
 </context>
 <context>
     <name>DiagnosticTexts</name>
@@ -2028,6 +2032,10 @@
     <message>
         <source>%1 would go to %2 in machine coordinates, %3 beyond its limit of %4. Move the workpiece or change the work offset.</source>
         <translation>%1 iría a %2 en coordenadas de máquina, %3 más allá de su límite de %4. Desplace la pieza o cambie el decalaje de origen.</translation>
+    </message>
+    <message>
+        <source>Tool %1 is not in the tool table of the machine, but %2 is. Enter %1 there, or write %2 into the program.</source>
+        <translation>La herramienta %1 no está en la tabla de herramientas de la máquina, pero %2 sí. Introduzca %1 allí o escriba %2 en el programa.</translation>
     </message>
 </context>
 <context>
@@ -4506,6 +4514,50 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The axes stand on the path within %1; threads and tapping at their end.</source>
         <translation>Los ejes se paran en la trayectoria en %1 como máximo; las roscas y los roscados, al final.</translation>
+    </message>
+    <message>
+        <source>Every block is within the travel of the axes and the speed of the spindle. Tools are not compared: this machine has no tool table here.</source>
+        <translation>Cada bloque está dentro del recorrido de los ejes y de la velocidad del cabezal. Las herramientas no se comparan: esta máquina no tiene aquí tabla de herramientas.</translation>
+    </message>
+    <message>
+        <source>The program uses tool %1; there is none in the spindle.</source>
+        <translation>El programa usa la herramienta %1; no hay ninguna en el cabezal.</translation>
+    </message>
+    <message>
+        <source>The program uses tool %1; %2 is in the spindle.</source>
+        <translation>El programa usa la herramienta %1; en el cabezal está %2.</translation>
+    </message>
+    <message>
+        <source>The program works in %1; %2 is active.</source>
+        <translation>El programa trabaja en %1; está activo %2.</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>está parado</translation>
+    </message>
+    <message>
+        <source>turns at %1 1/min, %2</source>
+        <translation>gira a %1 1/min, %2</translation>
+    </message>
+    <message>
+        <source>clockwise (M3)</source>
+        <translation>a la derecha (M3)</translation>
+    </message>
+    <message>
+        <source>counterclockwise (M4)</source>
+        <translation>a la izquierda (M4)</translation>
+    </message>
+    <message>
+        <source>In the program the spindle %1; now it %2.</source>
+        <translation>En el programa el cabezal %1; ahora %2.</translation>
+    </message>
+    <message>
+        <source>Confirmed: it starts like this.</source>
+        <translation>Confirmado: se inicia así.</translation>
+    </message>
+    <message>
+        <source>Start like this</source>
+        <translation>Iniciar así</translation>
     </message>
 </context>
 <context>
@@ -7933,14 +7985,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::PathView</name>
     <message>
-        <source>Top (XY)</source>
-        <translation>Desde arriba (XY)</translation>
-    </message>
-    <message>
-        <source>Isometric</source>
-        <translation>Isométrica</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Encajar</translation>
     </message>
@@ -8098,6 +8142,42 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The points appear here as they come</source>
         <translation>Los puntos aparecen aquí según llegan</translation>
+    </message>
+    <message>
+        <source>Grid %1</source>
+        <translation>Cuadrícula %1</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Drag or press the arrow keys to turn it; with Shift, dragging moves it</source>
+        <translation>Arrastrar o las flechas la giran; con Mayús, arrastrar la desplaza</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>From above: X, Y</source>
+        <translation>Desde arriba: X, Y</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frente</translation>
+    </message>
+    <message>
+        <source>From the front: X, Z</source>
+        <translation>Desde delante: X, Z</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Lado</translation>
+    </message>
+    <message>
+        <source>From the right: Y, Z</source>
+        <translation>Desde la derecha: Y, Z</translation>
     </message>
 </context>
 <context>
@@ -8675,6 +8755,13 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Text</source>
         <translation>Texto</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln lines</source>
+        <translation>
+            <numerusform>%Ln línea</numerusform>
+            <numerusform>%Ln líneas</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -611,6 +611,10 @@
         <source>retraction of G73 and G83 within the hole, mm</source>
         <translation>Retrait de G73 et G83 dans le trou, mm</translation>
     </message>
+    <message>
+        <source>before the start the tool stands where the first G92 says, in the work offset of the control</source>
+        <translation>avant le départ, l’outil est là où le dit le premier G92, dans le décalage d’origine de la commande</translation>
+    </message>
 </context>
 <context>
     <name>DiagnosticTexts</name>
@@ -2028,6 +2032,10 @@
     <message>
         <source>%1 would go to %2 in machine coordinates, %3 beyond its limit of %4. Move the workpiece or change the work offset.</source>
         <translation>%1 irait à %2 en coordonnées machine, %3 au-delà de sa limite de %4. Déplacer la pièce ou changer le décalage d’origine.</translation>
+    </message>
+    <message>
+        <source>Tool %1 is not in the tool table of the machine, but %2 is. Enter %1 there, or write %2 into the program.</source>
+        <translation>L’outil %1 n’est pas dans la table d’outils de la machine, mais %2 y est. Y inscrire %1, ou écrire %2 dans le programme.</translation>
     </message>
 </context>
 <context>
@@ -4506,6 +4514,50 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The axes stand on the path within %1; threads and tapping at their end.</source>
         <translation>Les axes s’arrêtent sur la trajectoire en %1 au plus&#xa0;; filetages et taraudages à leur fin.</translation>
+    </message>
+    <message>
+        <source>Every block is within the travel of the axes and the speed of the spindle. Tools are not compared: this machine has no tool table here.</source>
+        <translation>Chaque bloc est dans la course des axes et la vitesse de la broche. Les outils ne sont pas comparés : cette machine n’a pas de table d’outils ici.</translation>
+    </message>
+    <message>
+        <source>The program uses tool %1; there is none in the spindle.</source>
+        <translation>Le programme utilise l’outil %1 ; il n’y en a pas dans la broche.</translation>
+    </message>
+    <message>
+        <source>The program uses tool %1; %2 is in the spindle.</source>
+        <translation>Le programme utilise l’outil %1 ; %2 est dans la broche.</translation>
+    </message>
+    <message>
+        <source>The program works in %1; %2 is active.</source>
+        <translation>Le programme travaille en %1 ; %2 est actif.</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>est arrêtée</translation>
+    </message>
+    <message>
+        <source>turns at %1 1/min, %2</source>
+        <translation>tourne à %1 tr/min, %2</translation>
+    </message>
+    <message>
+        <source>clockwise (M3)</source>
+        <translation>sens horaire (M3)</translation>
+    </message>
+    <message>
+        <source>counterclockwise (M4)</source>
+        <translation>sens antihoraire (M4)</translation>
+    </message>
+    <message>
+        <source>In the program the spindle %1; now it %2.</source>
+        <translation>Dans le programme, la broche %1 ; maintenant elle %2.</translation>
+    </message>
+    <message>
+        <source>Confirmed: it starts like this.</source>
+        <translation>Confirmé : le départ se fait ainsi.</translation>
+    </message>
+    <message>
+        <source>Start like this</source>
+        <translation>Démarrer ainsi</translation>
     </message>
 </context>
 <context>
@@ -7933,14 +7985,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::PathView</name>
     <message>
-        <source>Top (XY)</source>
-        <translation>Dessus (XY)</translation>
-    </message>
-    <message>
-        <source>Isometric</source>
-        <translation>Isométrique</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Ajuster</translation>
     </message>
@@ -8098,6 +8142,42 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The points appear here as they come</source>
         <translation>Les points apparaissent ici à leur arrivée</translation>
+    </message>
+    <message>
+        <source>Grid %1</source>
+        <translation>Grille %1</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Drag or press the arrow keys to turn it; with Shift, dragging moves it</source>
+        <translation>Glisser ou les flèches la tournent ; avec Maj, glisser la déplace</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>From above: X, Y</source>
+        <translation>De dessus : X, Y</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>From the front: X, Z</source>
+        <translation>De face : X, Z</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>From the right: Y, Z</source>
+        <translation>De droite : Y, Z</translation>
     </message>
 </context>
 <context>
@@ -8675,6 +8755,13 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Text</source>
         <translation>Texte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln lines</source>
+        <translation>
+            <numerusform>%Ln ligne</numerusform>
+            <numerusform>%Ln lignes</numerusform>
+        </translation>
     </message>
 </context>
 <context>

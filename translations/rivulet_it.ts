@@ -611,6 +611,10 @@
         <source>retraction of G73 and G83 within the hole, mm</source>
         <translation>Arretramento di G73 e G83 nel foro, mm</translation>
     </message>
+    <message>
+        <source>before the start the tool stands where the first G92 says, in the work offset of the control</source>
+        <translation>prima dell’avvio l’utensile è dove dice il primo G92, nello spostamento origine del controllo</translation>
+    </message>
 </context>
 <context>
     <name>DiagnosticTexts</name>
@@ -2028,6 +2032,10 @@
     <message>
         <source>%1 would go to %2 in machine coordinates, %3 beyond its limit of %4. Move the workpiece or change the work offset.</source>
         <translation>%1 andrebbe a %2 in coordinate macchina, %3 oltre il limite di %4. Spostare il pezzo o cambiare lo spostamento origine.</translation>
+    </message>
+    <message>
+        <source>Tool %1 is not in the tool table of the machine, but %2 is. Enter %1 there, or write %2 into the program.</source>
+        <translation>L’utensile %1 non è nella tabella utensili della macchina, ma %2 sì. Inserirvi %1 oppure scrivere %2 nel programma.</translation>
     </message>
 </context>
 <context>
@@ -4506,6 +4514,50 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The axes stand on the path within %1; threads and tapping at their end.</source>
         <translation>Gli assi si fermano sulla traiettoria entro %1; filettature e maschiature alla loro fine.</translation>
+    </message>
+    <message>
+        <source>Every block is within the travel of the axes and the speed of the spindle. Tools are not compared: this machine has no tool table here.</source>
+        <translation>Ogni blocco è entro la corsa degli assi e la velocità del mandrino. Gli utensili non vengono confrontati: per questa macchina qui non c’è una tabella utensili.</translation>
+    </message>
+    <message>
+        <source>The program uses tool %1; there is none in the spindle.</source>
+        <translation>Il programma usa l’utensile %1; nel mandrino non ce n’è nessuno.</translation>
+    </message>
+    <message>
+        <source>The program uses tool %1; %2 is in the spindle.</source>
+        <translation>Il programma usa l’utensile %1; nel mandrino c’è %2.</translation>
+    </message>
+    <message>
+        <source>The program works in %1; %2 is active.</source>
+        <translation>Il programma lavora in %1; è attivo %2.</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>è fermo</translation>
+    </message>
+    <message>
+        <source>turns at %1 1/min, %2</source>
+        <translation>gira a %1 giri/min, %2</translation>
+    </message>
+    <message>
+        <source>clockwise (M3)</source>
+        <translation>orario (M3)</translation>
+    </message>
+    <message>
+        <source>counterclockwise (M4)</source>
+        <translation>antiorario (M4)</translation>
+    </message>
+    <message>
+        <source>In the program the spindle %1; now it %2.</source>
+        <translation>Nel programma il mandrino %1; ora %2.</translation>
+    </message>
+    <message>
+        <source>Confirmed: it starts like this.</source>
+        <translation>Confermato: si avvia così.</translation>
+    </message>
+    <message>
+        <source>Start like this</source>
+        <translation>Avvia così</translation>
     </message>
 </context>
 <context>
@@ -7933,14 +7985,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::PathView</name>
     <message>
-        <source>Top (XY)</source>
-        <translation>Dall’alto (XY)</translation>
-    </message>
-    <message>
-        <source>Isometric</source>
-        <translation>Isometrica</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Adatta</translation>
     </message>
@@ -8098,6 +8142,42 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The points appear here as they come</source>
         <translation>I punti appaiono qui come arrivano</translation>
+    </message>
+    <message>
+        <source>Grid %1</source>
+        <translation>Griglia %1</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Drag or press the arrow keys to turn it; with Shift, dragging moves it</source>
+        <translation>Trascinare o le frecce la ruotano; con Maiusc, trascinare la sposta</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Sopra</translation>
+    </message>
+    <message>
+        <source>From above: X, Y</source>
+        <translation>Dall’alto: X, Y</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Fronte</translation>
+    </message>
+    <message>
+        <source>From the front: X, Z</source>
+        <translation>Da davanti: X, Z</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Lato</translation>
+    </message>
+    <message>
+        <source>From the right: Y, Z</source>
+        <translation>Da destra: Y, Z</translation>
     </message>
 </context>
 <context>
@@ -8675,6 +8755,13 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Text</source>
         <translation>Testo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln lines</source>
+        <translation>
+            <numerusform>%Ln riga</numerusform>
+            <numerusform>%Ln righe</numerusform>
+        </translation>
     </message>
 </context>
 <context>

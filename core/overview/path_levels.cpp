@@ -4,10 +4,8 @@
 #include "overview/path_levels.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/contract.h"
-#include "overview/projection.h"
 
 namespace rivulet::overview {
 
@@ -50,45 +48,34 @@ Kept simplified(const Points& points, const Kept& kept, double toleranceMm,
   return result;
 }
 
-PlaneBox boxOf(const PlanePoint& point) {
-  const auto right = static_cast<float>(point.right);
-  const auto up = static_cast<float>(point.up);
-  return {right, right, up, up};
+SpaceBox boxOf(const base::Vec3& positionMm) {
+  SpaceBox box;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    box.low[axis] = box.high[axis] = static_cast<float>(positionMm[axis]);
+  }
+  return box;
 }
 
-void widen(PlaneBox& box, const PlaneBox& by) {
-  box.left = std::min(box.left, by.left);
-  box.right = std::max(box.right, by.right);
-  box.low = std::min(box.low, by.low);
-  box.high = std::max(box.high, by.high);
+void widen(SpaceBox& box, const SpaceBox& by) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    box.low[axis] = std::min(box.low[axis], by.low[axis]);
+    box.high[axis] = std::max(box.high[axis], by.high[axis]);
+  }
 }
 
 void makeBoxes(PathLevel& level, const Points& points) {
   const std::size_t moves = level.kept.size() - 1;
-  for (std::size_t view = 0; view < kProjectionCount; ++view) {
-    const auto projection = static_cast<PathProjection>(view);
-    const auto box = [&](std::size_t i) {
-      return boxOf(project(points[level.kept[i]].positionMm, projection));
-    };
-    for (std::size_t first = 0; first == 0 || first < moves; first += kChunkMoves) {
-      PlaneBox chunk = box(first);
-      for (std::size_t i = first + 1; i <= std::min(first + kChunkMoves, moves); ++i) {
-        widen(chunk, box(i));
-      }
-      level.boxes[view].push_back(chunk);
+  const auto box = [&](std::size_t i) { return boxOf(points[level.kept[i]].positionMm); };
+  for (std::size_t first = 0; first == 0 || first < moves; first += kChunkMoves) {
+    SpaceBox chunk = box(first);
+    for (std::size_t i = first + 1; i <= std::min(first + kChunkMoves, moves); ++i) {
+      widen(chunk, box(i));
     }
+    level.boxes.push_back(chunk);
   }
 }
 
 }  // namespace
-
-PlanePoint project(base::Vec3 positionMm, PathProjection projection) {
-  if (projection == PathProjection::Top) {
-    return {positionMm.x, positionMm.y};
-  }
-  static const Projection isometric(Projection::isometric());
-  return isometric(positionMm);
-}
 
 PathLevels::PathLevels(const Points& points, const std::vector<bool>& isRapid,
                        const std::function<bool()>& goOn) {
@@ -102,18 +89,16 @@ PathLevels::PathLevels(const Points& points, const std::vector<bool>& isRapid,
     finest.kept[i] = static_cast<std::uint32_t>(i);
   }
   makeBoxes(finest, points);
-  for (std::size_t view = 0; view < kProjectionCount; ++view) {
-    m_boxes[view] = finest.boxes[view].front();
-    for (const PlaneBox& box : finest.boxes[view]) {
-      widen(m_boxes[view], box);
-    }
+  m_box = finest.boxes.front();
+  for (const SpaceBox& box : finest.boxes) {
+    widen(m_box, box);
   }
   m_levels.push_back(std::move(finest));
 
-  // Both views together see every direction: no point is farther from another than this.
+  // No point is farther from another than this.
   double sizeMm = 0.0;
-  for (const PlaneBox& box : m_boxes) {
-    sizeMm += std::hypot(box.right - box.left, box.high - box.low);
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    sizeMm += m_box.high[axis] - m_box.low[axis];
   }
   bool keepsKinds = true;
   for (double toleranceMm = kFinestToleranceMm; m_levels.back().kept.size() > kCoarseEnough;

@@ -12,13 +12,12 @@
 /// drawn in its place. A distance in space is never smaller than in a picture of it, so one set of
 /// levels serves every view.
 ///
-/// The points of a level are divided into chunks, each with its box in a view: chunks outside the
-/// window are not drawn.
+/// The points of a level are divided into chunks, each with its box: chunks outside the picture are
+/// not drawn.
 ///
 /// Made outside the GUI thread, in linear time. @threadsafety immutable once made.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -26,25 +25,9 @@
 
 #include "base/vec3.h"
 #include "gcode/trajectory.h"
+#include "overview/projection.h"
 
 namespace rivulet::overview {
-
-enum class PathProjection : unsigned char { Top, Isometric };
-inline constexpr std::size_t kProjectionCount = 2;
-
-/// A place in the plane of a picture: to the right and up, mm.
-struct PlanePoint {
-  double right = 0.0;
-  double up = 0.0;
-};
-[[nodiscard]] PlanePoint project(base::Vec3 positionMm, PathProjection projection);
-
-struct PlaneBox {
-  float left = 0.0F;
-  float right = 0.0F;
-  float low = 0.0F;
-  float high = 0.0F;
-};
 
 /// Moves of a chunk: those that end at the points after its first one.
 inline constexpr std::size_t kChunkMoves = 128;
@@ -52,9 +35,9 @@ inline constexpr std::size_t kChunkMoves = 128;
 struct PathLevel {
   double toleranceMm = 0.0;         ///< no omitted point is farther from the drawn line
   std::vector<std::uint32_t> kept;  ///< indices of the points, ascending; the first and last are in
-  /// Per projection the box of each chunk; chunk c has the kept points from c·kChunkMoves to
-  /// (c+1)·kChunkMoves, both included.
-  std::array<std::vector<PlaneBox>, kProjectionCount> boxes;
+  /// Of each chunk; chunk c has the kept points from c·kChunkMoves to (c+1)·kChunkMoves, both
+  /// included.
+  std::vector<SpaceBox> boxes;
 };
 
 class PathLevels {
@@ -69,13 +52,11 @@ class PathLevels {
   /// From fine to coarse; empty if there are no points.
   [[nodiscard]] const std::vector<PathLevel>& levels() const { return m_levels; }
   /// Of the whole path.
-  [[nodiscard]] const PlaneBox& box(PathProjection projection) const {
-    return m_boxes[static_cast<std::size_t>(projection)];
-  }
+  [[nodiscard]] const SpaceBox& box() const { return m_box; }
 
  private:
   std::vector<PathLevel> m_levels;
-  std::array<PlaneBox, kProjectionCount> m_boxes{};
+  SpaceBox m_box;
 };
 
 }  // namespace rivulet::overview

@@ -125,8 +125,9 @@ void FoldingColumns::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   if (const Room now = room(); now != m_room) {
     m_room = now;
-    m_isOpen[First] = now == Room::BothColumns;
-    m_isOpen[Second] = now != Room::Page;
+    // What is open stays open where it has room beside the page.
+    m_isOpen[First] = m_isOpen[First] && now == Room::BothColumns;
+    m_isOpen[Second] = m_isOpen[Second] && now != Room::Page;
     show();
   }
 }

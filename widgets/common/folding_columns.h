@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// A page with two columns at its right. Where there is room, the columns stand beside the page;
-/// where there is not, they are folded away, and one that is opened takes the place of the page.
+/// A page with two columns at its right, closed at first. Where there is room, a column stands
+/// beside the page; where there is not, it takes the place of the page.
 /// Nothing in it makes the window wider or higher: what does not fit scrolls.
 /// @threadsafety GUI thread.
 #pragma once

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -26,10 +27,20 @@ constexpr double kFontPtMax = 40.0;
 constexpr double kDetailPtMin = 9.0;
 constexpr double kDetailPtMax = 13.0;
 constexpr double kDetailShare = 0.5;  ///< of the size of the digits
+constexpr double kNameShare = 0.6;
 constexpr int kHeightPxMin = 56;
 constexpr int kHeightPxMax = 88;
-constexpr int kGapPx = 8;        ///< between a name and its value
-constexpr int kGroupGapPx = 12;  ///< on both sides of the line between two readouts
+/// Digits that would be smaller get a row of their own.
+constexpr int kDigitsPxMin = 24;
+constexpr int kUpperPx = 48;       ///< of two rows
+constexpr int kLowerPx = 40;       ///< the second row
+constexpr int kLowWindowPx = 600;  ///< lower windows have lower rows
+constexpr int kLowUpperPx = 40;
+constexpr int kLowLowerPx = 34;
+constexpr double kLowerPtMax = 15.0;   ///< of its values
+constexpr double kDigitsShare = 0.58;  ///< of the height of a row
+constexpr int kGapPx = 8;              ///< between a name and its value
+constexpr int kGroupGapPx = 12;        ///< on both sides of the line between two readouts
 constexpr int kMarginPx = 12;
 /// The longest values that are to fit.
 const QString kLongestAxis = QStringLiteral("\u22120000.000");
@@ -59,11 +70,19 @@ QFont sized(QFont font, double pointSize) {
 }  // namespace
 
 PositionLine::PositionLine(QWidget* parent)
-    : Page(parent), m_freshness(new StatusLabel(this, StatusLabel::Elided{2})) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(kMarginPx, 0, kMarginPx, 0);
-  layout->setSpacing(0);
-  layout->setSizeConstraint(QLayout::SetNoConstraint);  // the digits adapt instead
+    : Page(parent),
+      m_freshness(new StatusLabel(this, StatusLabel::Elided{2})),
+      m_upper(new QHBoxLayout),
+      m_lower(new QHBoxLayout) {
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(kMarginPx, 0, kMarginPx, 0);
+  rows->setSpacing(0);
+  rows->setSizeConstraint(QLayout::SetNoConstraint);  // the digits adapt instead
+  rows->addLayout(m_upper, 1);
+  rows->addLayout(m_lower);
+  for (QHBoxLayout* row : {m_upper, m_lower}) {
+    row->setSpacing(0);
+  }
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
     Readout& readout = m_readouts[i];
     readout = {nullptr, new QLabel(this), makeValueLabel(this), new QLabel(this)};
@@ -82,7 +101,7 @@ PositionLine::PositionLine(QWidget* parent)
     grid->addWidget(readout.name, 0, 0, Qt::AlignBottom);
     grid->addWidget(readout.value, 0, 1, Qt::AlignBottom);
     grid->addWidget(readout.detail, 1, 0, 1, 2);
-    layout->addWidget(readout.group);
+    m_upper->addWidget(readout.group);
   }
   for (Equipment* const shown : {&m_tool, &m_spindle}) {
     *shown = {new QWidget(this), new QLabel(this), makeValueLabel(this), new ElidedLabel(1, this)};
@@ -98,7 +117,7 @@ PositionLine::PositionLine(QWidget* parent)
     shown->detail->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     grid->addWidget(shown->detail, 1, 0, 1, 2);
     grid->setColumnStretch(1, 1);
-    layout->addWidget(shown->group);
+    m_upper->addWidget(shown->group);
   }
   m_tool.name->setText(QStringLiteral("T"));
   m_spindle.name->setText(QStringLiteral("S"));
@@ -108,8 +127,8 @@ PositionLine::PositionLine(QWidget* parent)
   m_spindle.group->setObjectName(QStringLiteral("spindle"));
   m_spindle.value->setObjectName(QStringLiteral("spindle-speed"));
   m_spindle.detail->setObjectName(QStringLiteral("spindle-detail"));
-  layout->addSpacing(kGroupGapPx);
-  layout->addWidget(m_freshness, 1);
+  m_freshness->setContentsMargins(kGroupGapPx, 0, 0, 0);
+  m_upper->addWidget(m_freshness, 1);
   setFixedHeight(kHeightPxMin);
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   retranslate();
@@ -375,89 +394,146 @@ void PositionLine::showFreshness() {
   }
 }
 
-void PositionLine::fitFonts() {
-  // As large as the width permits, measured at one size and scaled.
+bool PositionLine::isShown(std::size_t readout) const {
+  return readout < base::kAxisCount || readout == kFeed ||
+         m_machine.rotaryAxes[readout - base::kAxisCount];
+}
+
+int PositionLine::edgePx(const QFont& detail) const {
+  const QFontMetrics lines(detail);
+  return lines.horizontalAdvance(kLongestEdge) +
+         (width() < kNarrowPx ? 0 : lines.horizontalAdvance(kUsualName));
+}
+
+int PositionLine::setPx(const QFont& detail) const {
+  return QFontMetrics(detail).horizontalAdvance(tr("set %1").arg(kLongestFeedSet) +
+                                                kLongestCoolant);
+}
+
+PositionLine::Fit PositionLine::fitIn(bool inTwoRows) const {
+  // Measured at one size and scaled.
   constexpr double kProbePt = 10.0;
   const QFontMetrics metrics(sized(font(), kProbePt));
+  const QFontMetrics names(sized(font(), kProbePt * kNameShare));
   const bool hasTool = m_tool.group->isVisibleTo(this);
   const bool hasSpindle = m_spindle.group->isVisibleTo(this);
-  const int groupGapPx =
-      width() < kNarrowPx && (hasTool || hasSpindle) ? kNarrowGapPx : kGroupGapPx;
+  Fit fit;
+  fit.gapPx =
+      width() < kNarrowPx && (hasTool || hasSpindle || inTwoRows) ? kNarrowGapPx : kGroupGapPx;
   double atProbe = 0.0;
   double fixed = 2.0 * kMarginPx + kGroupGapPx;
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
-    const bool isShown =
-        i < base::kAxisCount || i == kFeed || m_machine.rotaryAxes[i - base::kAxisCount];
-    setGap(m_readouts[i].group, i == 0 ? 0 : groupGapPx, groupGapPx);
-    if (isShown) {
-      atProbe += metrics.horizontalAdvance(m_readouts[i].name->text()) +
+    if (isShown(i) && !(inTwoRows && i == kFeed)) {
+      atProbe += names.horizontalAdvance(m_readouts[i].name->text()) +
                  metrics.horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis);
-      fixed += 2.0 * groupGapPx + kGapPx;
+      fixed += 2.0 * fit.gapPx + kGapPx;
     }
   }
   QFont small = font();
   small.setPointSizeF(kDetailPtMin);
-  const QString longestSet = tr("set %1").arg(kLongestFeedSet);
-  const auto edgePx = [this](const QFont& one) {
-    const QFontMetrics lines(one);
-    return lines.horizontalAdvance(kLongestEdge) +
-           (width() < kNarrowPx ? 0 : lines.horizontalAdvance(kUsualName));
-  };
-  const auto setPx = [&longestSet](const QFont& one) {
-    return QFontMetrics(one).horizontalAdvance(longestSet + kLongestCoolant);
-  };
-  fixed += hasTool ? 2.0 * groupGapPx + edgePx(small) : 0.0;
-  fixed += hasSpindle ? 2.0 * groupGapPx + setPx(small) : 0.0;
+  if (!inTwoRows) {
+    fixed += hasTool ? 2.0 * fit.gapPx + edgePx(small) : 0.0;
+    fixed += hasSpindle ? 2.0 * fit.gapPx + setPx(small) : 0.0;
+  }
   // The rest of the line says how old it is.
-  const double room = (hasTool || hasSpindle ? 0.9 : 0.8) * width() - fixed;
-  const double byHeight = kProbePt * 0.58 * height() / metrics.height();
-  const double pointSize =
-      std::clamp(std::min(kProbePt * room / atProbe, byHeight), kFontPtMin, kFontPtMax);
-  const QFont fitting = sized(font(), pointSize);
-  const QFontMetrics digits(fitting);
-  small.setPointSizeF(std::clamp(kDetailShare * pointSize, kDetailPtMin, kDetailPtMax));
+  const double room = (inTwoRows ? 1.0 : hasTool || hasSpindle ? 0.9 : 0.8) * width() - fixed;
+  const double byHeight = kProbePt * kDigitsShare * heights(inTwoRows).upperPx / metrics.height();
+  fit.digitsPt = std::clamp(std::min(kProbePt * room / atProbe, byHeight), kFontPtMin, kFontPtMax);
+  const double belowPx = heights(inTwoRows).lowerPx - QFontMetrics(small).height();
+  fit.othersPt =
+      inTwoRows ? std::min({fit.digitsPt, kLowerPtMax, kProbePt * belowPx / metrics.height()})
+                : fit.digitsPt;
+  fit.detailPt = std::clamp(kDetailShare * fit.digitsPt, kDetailPtMin,
+                            inTwoRows ? kDetailPtMin : kDetailPtMax);
+  return fit;
+}
+
+void PositionLine::setRows(bool areTwo) {
+  if (areTwo == m_isInTwoRows) {
+    return;
+  }
+  m_isInTwoRows = areTwo;
+  QHBoxLayout* const from = areTwo ? m_upper : m_lower;
+  QHBoxLayout* const to = areTwo ? m_lower : m_upper;
+  for (QWidget* each : {m_readouts[kFeed].group, m_tool.group, m_spindle.group}) {
+    from->removeWidget(each);
+    to->addWidget(each);
+  }
+  from->removeWidget(m_freshness);
+  to->addWidget(m_freshness, 1);
+  if (areTwo) {
+    m_upper->addStretch();
+  } else {
+    delete m_upper->takeAt(static_cast<int>(kAxisReadouts));
+  }
+}
+
+void PositionLine::fitFonts() {
+  Fit fit = fitIn(false);
+  setRows(QFontInfo(sized(font(), fit.digitsPt)).pixelSize() < kDigitsPxMin);
+  if (m_isInTwoRows) {
+    fit = fitIn(true);
+  }
+  const Heights rows = heights(m_isInTwoRows);
+  setFixedHeight(rows.upperPx + rows.lowerPx);
+  const QFont digits = sized(font(), fit.digitsPt);
+  const QFont others = sized(font(), fit.othersPt);
+  QFont small = font();
+  small.setPointSizeF(fit.detailPt);
   const QFontMetrics details(small);
-  m_hasWords = details.horizontalAdvance(tr("to go %1").arg(kLongestAxis)) <=
-               digits.horizontalAdvance(kLongestAxis) +
-                   digits.horizontalAdvance(m_readouts.front().name->text()) + kGapPx;
-  const auto setFonts = [&](const auto& readout) {
-    const auto setFont = [](QLabel* label, QFont next) {
-      next.setStrikeOut(label->font().strikeOut());
-      label->setFont(next);
-    };
-    setFont(readout.value, fitting);
+  const auto setFont = [](QLabel* label, QFont next) {
+    next.setStrikeOut(label->font().strikeOut());
+    label->setFont(next);
+  };
+  const auto setFonts = [&](const auto& readout, const QFont& value) {
+    setFont(readout.value, value);
     setFont(readout.detail, small);
-    readout.name->setFont(fitting);
+    readout.name->setFont(sized(font(), value.pointSizeF() * kNameShare));
+  };
+  const auto withName = [](const QLabel* name, const QFont& font, const QString& longest) {
+    return QFontMetrics(name->font()).horizontalAdvance(name->text()) + kGapPx +
+           QFontMetrics(font).horizontalAdvance(longest);
   };
   for (std::size_t i = 0; i < m_readouts.size(); ++i) {
-    setFonts(m_readouts[i]);
+    const QFont& value = i == kFeed ? others : digits;
+    setFonts(m_readouts[i], value);
+    const bool isFirst = i == 0 || (m_isInTwoRows && i == kFeed);
+    setGap(m_readouts[i].group, isFirst ? 0 : fit.gapPx, fit.gapPx);
     // The same width whatever the value is: digits that move cannot be read.
     m_readouts[i].value->setFixedWidth(
-        digits.horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis) + 2);
+        QFontMetrics(value).horizontalAdvance(i == kFeed ? kLongestFeed : kLongestAxis) + 2);
   }
+  m_hasWords = details.horizontalAdvance(tr("to go %1").arg(kLongestAxis)) <=
+               withName(m_readouts.front().name, digits, kLongestAxis);
   m_readouts[kFeed].detail->setMinimumWidth(
-      details.horizontalAdvance(longestSet + QStringLiteral(" \u00B7 ") + kLongestOverride +
-                                QStringLiteral(" %")) +
+      details.horizontalAdvance(tr("set %1").arg(kLongestFeedSet) + QStringLiteral(" \u00B7 ") +
+                                kLongestOverride + QStringLiteral(" %")) +
       2);
   const auto setWidth = [&](const Equipment& shown, const QString& longest, int detailPx) {
-    setFonts(shown);
-    setGap(shown.group, groupGapPx, groupGapPx);
-    const int valuePx =
-        digits.horizontalAdvance(shown.name->text()) + kGapPx + digits.horizontalAdvance(longest);
-    shown.group->setFixedWidth(std::max(valuePx, detailPx) + 2 * groupGapPx + 2);
+    setFonts(shown, others);
+    setGap(shown.group, fit.gapPx, fit.gapPx);
+    shown.group->setFixedWidth(std::max(withName(shown.name, others, longest), detailPx) +
+                               2 * fit.gapPx + 2);
   };
   setWidth(m_tool, kLongestTool, edgePx(small));
   setWidth(m_spindle, kLongestSpeed, setPx(small));
   showAll();
 }
 
-void PositionLine::resizeEvent(QResizeEvent* event) {
-  Page::resizeEvent(event);
+PositionLine::Heights PositionLine::heights(bool inTwoRows) const {
   constexpr int kWidthPerHeight = 22;
   constexpr int kWindowPerHeight = 10;
-  setFixedHeight(
-      std::clamp(std::min(width() / kWidthPerHeight, window()->height() / kWindowPerHeight),
-                 kHeightPxMin, kHeightPxMax));
+  if (inTwoRows) {
+    return window()->height() < kLowWindowPx ? Heights{kLowUpperPx, kLowLowerPx}
+                                             : Heights{kUpperPx, kLowerPx};
+  }
+  return {std::clamp(std::min(width() / kWidthPerHeight, window()->height() / kWindowPerHeight),
+                     kHeightPxMin, kHeightPxMax),
+          0};
+}
+
+void PositionLine::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
   fitFonts();
 }
 
@@ -469,8 +545,9 @@ void PositionLine::paintEvent(QPaintEvent* /*event*/) {
   painter.drawLine(0, height() - 1, width(), height() - 1);
   const auto drawEdge = [&](const QWidget* group) {
     if (group->isVisible()) {
-      const int x = group->geometry().right();
-      painter.drawLine(x, height() / 4, x, height() - height() / 4);
+      const QRect row = group->geometry();
+      painter.drawLine(row.right(), row.top() + row.height() / 4, row.right(),
+                       row.bottom() - row.height() / 4);
     }
   };
   for (const Readout& readout : m_readouts) {

@@ -5,9 +5,10 @@
 /// Where the tool is and how fast it moves, in one line on every page; below the position what is
 /// to go, below the feed what is commanded. Then tool and spindle, with cutting edge, work offset
 /// and coolant, as far as the control serves them: what it does not is left out. The digits are as
-/// large as the width permits. What is older than half a second is grey, crossed out, and has its
-/// age; a point that stands in for the position of the axes says so. What is not known is a dash,
-/// and its tool tip says why.
+/// large as the width permits; where they would be small, the axes have the line to themselves, and
+/// all else stands in a second one. What is older than half a second is grey, crossed out, and has
+/// its age; a point that stands in for the position of the axes says so. What is not known is a
+/// dash, and its tool tip says why.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -15,6 +16,8 @@
 
 #include "widgets/common/page.h"
 #include "widgets/connection/machine_view.h"
+
+class QHBoxLayout;
 
 namespace rivulet::widgets {
 
@@ -62,7 +65,26 @@ class PositionLine final : public Page {
   /// Why the distance to go is not known, or where it is from.
   [[nodiscard]] QString toGoHint() const;
   void showValue(QLabel* label, const QString& text, Freshness freshness, const QColor& color);
+  /// As large as the width permits.
+  struct Fit {
+    double digitsPt = 0.0;
+    double othersPt = 0.0;  ///< of feed, tool and spindle
+    double detailPt = 0.0;
+    int gapPx = 0;  ///< on both sides of the line between two readouts
+  };
+  [[nodiscard]] Fit fitIn(bool inTwoRows) const;
   void fitFonts();
+  /// Of the only row, or of the two.
+  struct Heights {
+    int upperPx = 0;
+    int lowerPx = 0;
+  };
+  [[nodiscard]] Heights heights(bool inTwoRows) const;
+  void setRows(bool areTwo);
+  [[nodiscard]] bool isShown(std::size_t readout) const;
+  /// Of tool and spindle beside their values.
+  [[nodiscard]] int edgePx(const QFont& detail) const;
+  [[nodiscard]] int setPx(const QFont& detail) const;
 
   MachineView m_machine;
   /// X Y Z, then A B C, which are hidden if the machine has none, then the feed.
@@ -72,6 +94,9 @@ class PositionLine final : public Page {
   Equipment m_tool{};
   Equipment m_spindle{};
   StatusLabel* m_freshness;
+  QHBoxLayout* m_upper;
+  QHBoxLayout* m_lower;  ///< empty while all have room in the upper one
+  bool m_isInTwoRows = false;
   bool m_hasWords = true;  ///< there is room for "to go"
 };
 

@@ -4,9 +4,12 @@
 #include "widgets/program/path_canvas.h"
 
 #include <QEvent>
+#include <QGestureEvent>
 #include <QHelpEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPinchGesture>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
@@ -22,6 +25,8 @@ namespace rivulet::widgets {
 
 namespace {
 
+using overview::Projection;
+
 constexpr double kMarginPx = 44.0;             // room for scale bar and axes
 constexpr double kTolerancePx = 0.4;           // what a level may leave out on the screen
 constexpr double kThinningPx = 0.7;            // moves shorter than this on the screen are merged
@@ -36,6 +41,9 @@ constexpr double kNearPx = 14.0;             // a finger does not hit a line
 constexpr double kClickPx = 4.0;             // a press that moves no farther is a click
 constexpr double kMarkCellPx = 18.0;         // of marks in one such cell one is drawn
 constexpr std::size_t kSelectedMax = 2'000;  // moves shown as chosen
+constexpr double kKeyPx = 40.0;              // an arrow moves by this
+constexpr double kKeyZoom = 1.25;            // + zooms by this
+constexpr double kFloorLinesMax = 40.0;      // in each direction
 constexpr int kRestMs = 120;  // after the last move of the picture the fine one is made
 
 /// 1, 2 or 5 times a power of ten, not below `value`.
@@ -58,6 +66,20 @@ base::Vec3 cornerOf(const PathCanvas::Box& box, unsigned corner) {
   return placeMm;
 }
 
+/// Of a view along an axis: from above, from the front and from the right.
+Projection::Angles anglesOf(PathCanvas::View view) {
+  switch (view) {
+    case PathCanvas::View::Front:
+      return {0.0, 0.0};
+    case PathCanvas::View::Side:
+      return {90.0, 0.0};
+    case PathCanvas::View::Space:
+    case PathCanvas::View::Top:
+      break;
+  }
+  return {};
+}
+
 /// On which sides of a rectangle a point lies; two points with a common side do not cross it.
 unsigned outside(QPointF point, const QRectF& rect) {
   return (point.x() < rect.left() ? 1U : 0U) | (point.x() > rect.right() ? 2U : 0U) |
@@ -69,6 +91,8 @@ unsigned outside(QPointF point, const QRectF& rect) {
 PathCanvas::PathCanvas(QWidget* parent) : QWidget(parent) {
   setMouseTracking(false);
   setCursor(Qt::OpenHandCursor);
+  setFocusPolicy(Qt::StrongFocus);
+  grabGesture(Qt::PinchGesture);
   setAttribute(Qt::WA_OpaquePaintEvent);
   m_refineTimer.setSingleShot(true);
   connect(&m_refineTimer, &QTimer::timeout, this, &PathCanvas::refine);
@@ -188,7 +212,7 @@ void PathCanvas::reveal(std::size_t point) {
   // When fitted, every point is visible, or will be when the widget gets its size.
   const QPointF place = placeOf(point);
   if (!m_fits && !QRectF(rect()).adjusted(kNearPx, kNearPx, -kNearPx, -kNearPx).contains(place)) {
-    m_centreMm = project(m_program->points.points[point].positionMm, m_view);
+    m_centreMm = m_projection(m_program->points.points[point].positionMm);
     m_fits = false;
     dropPicture();
   }
@@ -197,8 +221,32 @@ void PathCanvas::reveal(std::size_t point) {
 void PathCanvas::setView(View view) {
   if (view != m_view) {
     m_view = view;
+    m_projection = Projection(angles());
     fit();
   }
+}
+
+Projection::Angles PathCanvas::angles() const {
+  return m_view == View::Space ? m_turned : anglesOf(m_view);
+}
+
+void PathCanvas::turn(double byDeg, double tiltByDeg) {
+  if (m_view != View::Space || (!hasPath() && !m_box)) {
+    return;
+  }
+  const overview::SpaceBox box = spaceBox();
+  base::Vec3 middleMm;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    middleMm.set(axis, 0.5 * (static_cast<double>(box.low[axis]) + box.high[axis]));
+  }
+  const overview::PlanePoint before = m_projection(middleMm);
+  m_turned = m_turned.turned(byDeg, tiltByDeg);
+  m_projection = Projection(m_turned);
+  const overview::PlanePoint after = m_projection(middleMm);
+  m_centreMm.right += after.right - before.right;
+  m_centreMm.up += after.up - before.up;
+  m_fits = false;
+  dropPicture();
 }
 
 void PathCanvas::fit() {
@@ -210,29 +258,36 @@ void PathCanvas::fit() {
     return;
   }
   const overview::PlaneBox box = fitted();
-  m_centreMm = {0.5 * (static_cast<double>(box.left) + static_cast<double>(box.right)),
-                0.5 * (static_cast<double>(box.low) + static_cast<double>(box.high))};
-  const double widthMm = std::max(static_cast<double>(box.right - box.left), 1e-3);
-  const double heightMm = std::max(static_cast<double>(box.high - box.low), 1e-3);
+  m_centreMm = {0.5 * (box.left + box.right), 0.5 * (box.low + box.high)};
+  const double widthMm = std::max(box.right - box.left, 1e-3);
+  const double heightMm = std::max(box.high - box.low, 1e-3);
   m_pixelsPerMm = std::clamp(std::min(std::max(width() - 2.0 * kMarginPx, 20.0) / widthMm,
                                       std::max(height() - 2.0 * kMarginPx, 20.0) / heightMm),
                              kPixelsPerMmMin, kPixelsPerMmMax);
 }
 
 overview::PlaneBox PathCanvas::fitted() const {
+  if (m_box) {
+    return m_projection(spaceBox());
+  }
+  const std::vector<overview::SpaceBox>& boxes = levels().front().boxes;
+  overview::PlaneBox fitted = m_projection(boxes.front());
+  for (const overview::SpaceBox& box : boxes) {
+    fitted.widen(m_projection(box));
+  }
+  return fitted;
+}
+
+overview::SpaceBox PathCanvas::spaceBox() const {
   if (!m_box) {
-    return m_program->levels.box(m_view);
+    return m_program->levels.box();
   }
-  std::optional<overview::PlaneBox> box;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    const overview::PlanePoint place = project(cornerOf(*m_box, corner), m_view);
-    const auto right = static_cast<float>(place.right);
-    const auto up = static_cast<float>(place.up);
-    box = box ? overview::PlaneBox{std::min(box->left, right), std::max(box->right, right),
-                                   std::min(box->low, up), std::max(box->high, up)}
-              : overview::PlaneBox{right, right, up, up};
+  overview::SpaceBox box;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    box.low[axis] = static_cast<float>(m_box->lowestMm[axis]);
+    box.high[axis] = static_cast<float>(m_box->highestMm[axis]);
   }
-  return *box;
+  return box;
 }
 
 std::optional<std::size_t> PathCanvas::pointNear(QPointF place) const {
@@ -240,18 +295,17 @@ std::optional<std::size_t> PathCanvas::pointNear(QPointF place) const {
     return std::nullopt;
   }
   const std::vector<gcode::StreamPoint>& points = m_program->points.points;
-  const auto at = [&](std::size_t i) { return onScreen(project(points[i].positionMm, m_view)); };
+  const auto at = [&](std::size_t i) { return onScreen(m_projection(points[i].positionMm)); };
   const auto length = [](QPointF v) { return std::hypot(v.x(), v.y()); };
   if (points.size() == 1) {
     return length(at(0) - place) <= kNearPx ? std::optional<std::size_t>(0) : std::nullopt;
   }
-  const std::vector<overview::PlaneBox>& boxes =
-      levels().front().boxes[static_cast<std::size_t>(m_view)];
+  const std::vector<overview::SpaceBox>& boxes = levels().front().boxes;
   double nearest = kNearPx;
   double nearestEnd = 0.0;
   std::optional<std::size_t> found;
   for (std::size_t chunk = 0; chunk < boxes.size(); ++chunk) {
-    if (!isNear(boxes[chunk], place)) {
+    if (!isNear(m_projection(boxes[chunk]), place)) {
       continue;
     }
     const std::size_t first = chunk * overview::kChunkMoves;
@@ -290,12 +344,11 @@ std::optional<PathCanvas::Pause> PathCanvas::pauseNear(QPointF place) const {
   if (!hasPath() || !m_pauses) {
     return std::nullopt;
   }
-  const std::vector<overview::PlaneBox>& boxes =
-      levels().front().boxes[static_cast<std::size_t>(m_view)];
+  const std::vector<overview::SpaceBox>& boxes = levels().front().boxes;
   double nearest = kNearPx;
   std::optional<Pause> found;
   for (std::size_t chunk = 0; chunk < boxes.size(); ++chunk) {
-    if (!isNear(boxes[chunk], place)) {
+    if (!isNear(m_projection(boxes[chunk]), place)) {
       continue;
     }
     // Of two in one place, the one in the cut is reported: it is the one that is drawn.
@@ -318,10 +371,24 @@ std::optional<PathCanvas::Pause> PathCanvas::pauseNear(QPointF place) const {
 }
 
 QPointF PathCanvas::placeOf(std::size_t point) const {
-  return onScreen(project(m_program->points.points.at(point).positionMm, m_view));
+  return onScreen(m_projection(m_program->points.points.at(point).positionMm));
 }
 
 bool PathCanvas::event(QEvent* event) {
+  if (event->type() == QEvent::Gesture) {
+    auto* gestures = static_cast<QGestureEvent*>(event);
+    auto* pinch = static_cast<QPinchGesture*>(gestures->gesture(Qt::PinchGesture));
+    if (pinch == nullptr) {
+      return false;
+    }
+    m_dragFrom.reset();
+    if (pinch->scaleFactor() > 0.0) {
+      zoom(pinch->scaleFactor(), mapFromGlobal(pinch->centerPoint()));
+    }
+    pan(pinch->centerPoint() - pinch->lastCenterPoint());
+    gestures->accept(pinch);
+    return true;
+  }
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     if (const std::optional<Pause> pause = pauseNear(help->pos())) {
@@ -396,26 +463,33 @@ void PathCanvas::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void PathCanvas::wheelEvent(QWheelEvent* event) {
-  const double factor = std::pow(1.0015, event->angleDelta().y());
+  zoom(std::pow(1.0015, event->angleDelta().y()), event->position());
+  event->accept();
+}
+
+void PathCanvas::zoom(double factor, QPointF place) {
   const double before = m_pixelsPerMm;
   m_pixelsPerMm = std::clamp(before * factor, kPixelsPerMmMin, kPixelsPerMmMax);
-  // The point under the pointer stays there.
-  const QPointF fromCentre = event->position() - QPointF(width() / 2.0, height() / 2.0);
+  const QPointF fromCentre = place - QPointF(width() / 2.0, height() / 2.0);
   const double shift = 1.0 / before - 1.0 / m_pixelsPerMm;
   m_centreMm.right += fromCentre.x() * shift;
   m_centreMm.up -= fromCentre.y() * shift;
   m_fits = false;
   dropPicture();
-  event->accept();
+}
+
+void PathCanvas::pan(QPointF byPx) {
+  m_centreMm.right -= byPx.x() / m_pixelsPerMm;
+  m_centreMm.up += byPx.y() / m_pixelsPerMm;
+  m_fits = false;
+  dropPicture();
 }
 
 void PathCanvas::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) {
-    m_dragFrom = event->position();
-    m_pressedAt = event->position();
-    m_dragged = false;
-    setCursor(Qt::ClosedHandCursor);
-  }
+  m_dragFrom = event->position();
+  m_pressedAt = event->position();
+  m_dragged = false;
+  setCursor(Qt::ClosedHandCursor);
 }
 
 void PathCanvas::mouseMoveEvent(QMouseEvent* event) {
@@ -424,17 +498,19 @@ void PathCanvas::mouseMoveEvent(QMouseEvent* event) {
   }
   m_dragged = m_dragged || (event->position() - m_pressedAt).manhattanLength() > kClickPx;
   if (m_dragged) {
-    const QPointF moved = event->position() - *m_dragFrom;
+    const QPointF by = event->position() - *m_dragFrom;
     m_dragFrom = event->position();
-    m_centreMm.right -= moved.x() / m_pixelsPerMm;
-    m_centreMm.up += moved.y() / m_pixelsPerMm;
-    m_fits = false;
-    dropPicture();
+    if (m_view == View::Space && event->buttons().testFlag(Qt::LeftButton) &&
+        !event->modifiers().testFlag(Qt::ShiftModifier)) {
+      turn(-by.x() * Projection::kDegPerPx, by.y() * Projection::kDegPerPx);
+    } else {
+      pan(by);
+    }
   }
 }
 
 void PathCanvas::mouseReleaseEvent(QMouseEvent* event) {
-  if (m_dragFrom && !m_dragged) {
+  if (m_dragFrom && !m_dragged && event->button() == Qt::LeftButton) {
     if (const std::optional<std::size_t> point = pointNear(event->position())) {
       Q_EMIT pointClicked(*point);
     }
@@ -445,6 +521,37 @@ void PathCanvas::mouseReleaseEvent(QMouseEvent* event) {
 
 void PathCanvas::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
   fit();
+}
+
+void PathCanvas::keyPressEvent(QKeyEvent* event) {
+  const QPointF middle(width() / 2.0, height() / 2.0);
+  const auto arrow = [this](double right, double down) {
+    if (m_view == View::Space) {
+      turn(-right * Projection::kKeyDeg, down * Projection::kKeyDeg);
+    } else {
+      pan({right * kKeyPx, down * kKeyPx});
+    }
+  };
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return arrow(-1.0, 0.0);
+    case Qt::Key_Right:
+      return arrow(1.0, 0.0);
+    case Qt::Key_Up:
+      return arrow(0.0, -1.0);
+    case Qt::Key_Down:
+      return arrow(0.0, 1.0);
+    case Qt::Key_Plus:
+      return zoom(kKeyZoom, middle);
+    case Qt::Key_Minus:
+      return zoom(1.0 / kKeyZoom, middle);
+    case Qt::Key_Home:
+      m_turned = Projection::isometric();
+      m_projection = Projection(angles());
+      return fit();
+    default:
+      QWidget::keyPressEvent(event);
+  }
 }
 
 void PathCanvas::dropPicture() {
@@ -539,7 +646,7 @@ void PathCanvas::refine() {
 }
 
 bool PathCanvas::isVisible(std::size_t level, std::size_t chunk) const {
-  const overview::PlaneBox& box = levels()[level].boxes[static_cast<std::size_t>(m_view)][chunk];
+  const overview::PlaneBox box = m_projection(levels()[level].boxes[chunk]);
   const QPointF upperLeft = onScreen({box.left, box.high});
   const QPointF lowerRight = onScreen({box.right, box.low});
   constexpr double kEdgePx = 8.0;
@@ -574,9 +681,7 @@ void PathCanvas::collect(std::size_t level, std::size_t from, std::size_t to, bo
   const QRectF visible = QRectF(rect()).adjusted(-8.0, -8.0, 8.0, 8.0);
   const std::vector<std::uint32_t>& kept = levels()[level].kept;
   const std::vector<gcode::StreamPoint>& points = m_program->points.points;
-  const auto at = [&](std::size_t i) {
-    return onScreen(project(points[kept[i]].positionMm, m_view));
-  };
+  const auto at = [&](std::size_t i) { return onScreen(m_projection(points[kept[i]].positionMm)); };
   const auto isGap = [&](std::size_t i) {
     return m_style.classes.hasGaps && m_levelClasses[level][i] + 1U == m_style.classes.count;
   };
@@ -788,11 +893,12 @@ void PathCanvas::makeMarks() {
 }
 
 void PathCanvas::drawGrid(QPainter& painter) const {
-  if (m_view != View::Top) {
-    return;  // a grid of the screen would not be one of the machine
+  painter.setPen(themeColors(palette()).grid);
+  if (m_view == View::Space) {
+    drawFloor(painter);
+    return;
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
-  painter.setPen(themeColors(palette()).grid);
   const double stepMm = gridStepMm();
   const double halfWidthMm = width() / 2.0 / m_pixelsPerMm;
   const double halfHeightMm = height() / 2.0 / m_pixelsPerMm;
@@ -810,6 +916,29 @@ void PathCanvas::drawGrid(QPainter& painter) const {
   }
 }
 
+/// The floor under the path, where the lowest point of it is.
+void PathCanvas::drawFloor(QPainter& painter) const {
+  if (!hasPath() && !m_box) {
+    return;
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  const overview::SpaceBox box = spaceBox();
+  const double stepMm = gridStepMm();
+  const auto below = [&](std::size_t axis) { return std::floor(box.low[axis] / stepMm) - 1.0; };
+  const auto above = [&](std::size_t axis) { return std::ceil(box.high[axis] / stepMm) + 1.0; };
+  const double z = box.low[2];
+  const auto line = [&](double fromX, double fromY, double toX, double toY) {
+    painter.drawLine(onScreen(m_projection(base::Vec3{fromX * stepMm, fromY * stepMm, z})),
+                     onScreen(m_projection(base::Vec3{toX * stepMm, toY * stepMm, z})));
+  };
+  for (double x = below(0); x <= above(0); ++x) {
+    line(x, below(1), x, above(1));
+  }
+  for (double y = below(1); y <= above(1); ++y) {
+    line(below(0), y, above(0), y);
+  }
+}
+
 void PathCanvas::drawBox(QPainter& painter) const {
   if (!m_box) {
     return;
@@ -819,14 +948,12 @@ void PathCanvas::drawBox(QPainter& painter) const {
   painter.setPen(pen);
   painter.setRenderHint(QPainter::Antialiasing);
   const auto place = [this](unsigned corner) {
-    return onScreen(project(cornerOf(*m_box, corner), m_view));
+    return onScreen(m_projection(cornerOf(*m_box, corner)));
   };
   for (unsigned corner = 0; corner < 8; ++corner) {
     for (unsigned axis = 0; axis < base::kAxisCount; ++axis) {
       const unsigned other = corner | (1U << axis);
-      // Seen from above, the edges of the top are enough.
-      const bool isSeen = m_view != View::Top || (corner & 4U) != 0;
-      if (other != corner && isSeen) {
+      if (other != corner) {
         painter.drawLine(place(corner), place(other));
       }
     }
@@ -836,32 +963,41 @@ void PathCanvas::drawBox(QPainter& painter) const {
 void PathCanvas::drawScaleBar(QPainter& painter) const {
   const ThemeColors& colors = themeColors(palette());
   const double lengthMm = gridStepMm();
-  // Seen isometrically, each axis is foreshortened: the bar is true along the axes.
-  const double foreshortening = m_view == View::Top ? 1.0 : std::sqrt(2.0 / 3.0);
-  const double lengthPx = lengthMm * m_pixelsPerMm * foreshortening;
+  const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(lengthMm) - 1e-9)));
+  QString text = lengthText(lengthMm, decimals);
   const QPointF right(width() - 14.0, height() - 14.0);
-  const QPointF left = right - QPointF(lengthPx, 0.0);
+  const QRectF place(right.x() - 200.0, right.y() - 26.0, 200.0, 20.0);
+  if (m_view == View::Space) {  // where a bar would be true in one direction alone
+    painter.setPen(colors.mutedText);
+    if ((hasPath() || m_box) && !m_texts.grid.isEmpty()) {
+      painter.drawText(place.translated(0.0, 14.0), Qt::AlignRight | Qt::AlignVCenter,
+                       m_texts.grid.arg(text));
+    }
+    return;
+  }
+  const QPointF left = right - QPointF(lengthMm * m_pixelsPerMm, 0.0);
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(QPen(colors.text, 2.0));
   painter.drawLine(left, right);
   painter.drawLine(left - QPointF(0.0, 5.0), left);
   painter.drawLine(right - QPointF(0.0, 5.0), right);
-  const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(lengthMm) - 1e-9)));
-  painter.drawText(QRectF(right.x() - 200.0, right.y() - 26.0, 200.0, 20.0),
-                   Qt::AlignRight | Qt::AlignVCenter, lengthText(lengthMm, decimals));
+  painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter, text);
 }
 
 void PathCanvas::drawAxes(QPainter& painter) const {
   const ThemeColors& colors = themeColors(palette());
-  const bool top = m_view == View::Top;
-  const QPointF origin(top ? 18.0 : 26.0, height() - (top ? 18.0 : 36.0));
+  const double marginPx = m_view == View::Space ? 52.0 : 18.0;  // axes of the space point anywhere
+  const QPointF origin(marginPx, height() - marginPx);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(colors.mutedText, 1.6));
-  for (std::size_t axis = 0; axis < (top ? 2U : 3U); ++axis) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     base::Vec3 unit;
     unit.set(axis, 1.0);
-    const overview::PlanePoint along = project(unit, m_view);
+    const overview::PlanePoint along = m_projection(unit);
     const QPointF direction(along.right * 34.0, -along.up * 34.0);
+    if (std::hypot(direction.x(), direction.y()) < 8.0) {
+      continue;  // towards whoever looks
+    }
     painter.drawLine(origin, origin + direction);
     painter.drawText(QRectF(origin + direction * 1.3 - QPointF(10.0, 10.0), QSizeF(20.0, 20.0)),
                      Qt::AlignCenter, QString(QLatin1Char(base::kAxisNames[axis])));
@@ -881,8 +1017,8 @@ void PathCanvas::drawGaps(QPainter& painter) const {
     if (!gap.isKnown()) {
       continue;
     }
-    const std::array<QPointF, 3> places{placeOf(gap.point - 1),
-                                        onScreen(project(gap.fromMm, m_view)), placeOf(gap.point)};
+    const std::array<QPointF, 3> places{placeOf(gap.point - 1), onScreen(m_projection(gap.fromMm)),
+                                        placeOf(gap.point)};
     for (std::size_t i = 0; i < 2; ++i) {
       if ((outside(places[i], visible) & outside(places[i + 1], visible)) == 0) {
         painter.setPen(i == 0 ? native : approach);
@@ -972,7 +1108,7 @@ void PathCanvas::drawTool(QPainter& painter) const {
     return;
   }
   const ThemeColors& colors = themeColors(palette());
-  const QPointF tool = onScreen(project(*m_toolMm, m_view));
+  const QPointF tool = onScreen(m_projection(*m_toolMm));
   const auto cross = [&](const QPen& pen) {
     painter.setPen(pen);
     painter.setBrush(Qt::NoBrush);
@@ -1005,7 +1141,15 @@ QPointF PathCanvas::onScreen(overview::PlanePoint place) const {
 }
 
 double PathCanvas::gridStepMm() const {
-  return roundUp125(64.0 / m_pixelsPerMm);
+  double leastMm = 64.0 / m_pixelsPerMm;
+  if (m_view == View::Space && (hasPath() || m_box)) {  // its floor ends somewhere
+    const overview::SpaceBox box = spaceBox();
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      leastMm =
+          std::max(leastMm, (static_cast<double>(box.high[axis]) - box.low[axis]) / kFloorLinesMax);
+    }
+  }
+  return roundUp125(leastMm);
 }
 
 }  // namespace rivulet::widgets

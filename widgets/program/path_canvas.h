@@ -32,7 +32,8 @@ class PathCanvas final : public QWidget {
   Q_OBJECT
 
  public:
-  using View = overview::PathProjection;
+  /// The planes are seen along an axis; a picture of the space can be turned.
+  enum class View : unsigned char { Space, Top, Front, Side };
 
   /// Largest number of moves of the path drawn in one event, and of its executed part: this bounds
   /// the time of one event of the GUI thread.
@@ -50,6 +51,7 @@ class PathCanvas final : public QWidget {
     QString tool;
     QString pauseOffCut;  ///< %1: number of the point after which it is, %2: its line
     QString pauseInCut;
+    QString grid;  ///< %1: the width of its meshes
   };
 
   /// How the moves of each class are drawn.
@@ -90,6 +92,10 @@ class PathCanvas final : public QWidget {
   void reveal(std::size_t point);
   void setView(View view);
   [[nodiscard]] View view() const { return m_view; }
+  /// Turns the picture of the space about the middle of the path. The other views do not turn.
+  void turn(double byDeg, double tiltByDeg);
+  /// Where one looks from.
+  [[nodiscard]] overview::Projection::Angles angles() const;
   void fit();
 
   /// The point whose move passes nearest to a place of the widget; nothing within a finger's width.
@@ -131,6 +137,7 @@ class PathCanvas final : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   /// Polylines of one class each, collected before they are stroked.
@@ -162,9 +169,14 @@ class PathCanvas final : public QWidget {
   /// Places of pauses that may be in sight, at most `kPausesSeen`.
   [[nodiscard]] std::vector<QPointF> placesOf(const std::vector<std::uint32_t>& pauses) const;
   void drawGrid(QPainter& painter) const;
+  void drawFloor(QPainter& painter) const;
   void drawBox(QPainter& painter) const;
   /// What the picture is fitted to.
   [[nodiscard]] overview::PlaneBox fitted() const;
+  [[nodiscard]] overview::SpaceBox spaceBox() const;
+  void pan(QPointF byPx);
+  /// What is at the place stays there.
+  void zoom(double factor, QPointF place);
   void drawScaleBar(QPainter& painter) const;
   void drawAxes(QPainter& painter) const;
   /// What the control moves between the stretches of a job, as far as it is known.
@@ -189,6 +201,8 @@ class PathCanvas final : public QWidget {
   std::vector<std::uint32_t> m_selected;
   std::optional<std::size_t> m_marked;
   View m_view = View::Top;
+  overview::Projection::Angles m_turned = overview::Projection::isometric();
+  overview::Projection m_projection{overview::Projection::Angles{}};
   std::shared_ptr<const overview::PauseMap> m_pauses;
 
   bool m_fits = true;  ///< the whole path is shown; stays so when the widget is resized

@@ -17,7 +17,6 @@
 #include "widgets/common/ramp.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/legend_strip.h"
-#include "widgets/program/path_canvas.h"
 
 namespace rivulet::widgets {
 
@@ -35,21 +34,25 @@ PathView::PathView(QWidget* parent)
       m_slider(
           say(new QSlider(Qt::Horizontal, this), {.hint = QT_TR_NOOP("Walk along the path")})) {
   auto* group = new QButtonGroup(this);
-  for (QPushButton* button : {m_top, m_isometric}) {
+  int id = 0;
+  for (QPushButton* button : views()) {
     button->setCheckable(true);
-    group->addButton(button);
+    group->addButton(button, id++);
   }
-  m_top->setChecked(true);
   m_showPauses->setCheckable(true);
   m_showPauses->setChecked(true);
   m_scale->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // the language may change
   m_slider->setMinimumHeight(32);
   auto* scrub = inRow({{m_slider, 1}, m_scale});
-  m_tools->addLayout(inRow({{m_top, 1}, {m_isometric, 1}, m_fit}), 1);
+  m_tools->addLayout(inRow({{m_space, 1}, {m_top, 1}, {m_front, 1}, {m_side, 1}, m_fit}), 1);
   m_tools->addLayout(inRow({{m_colour, 1}, m_showPauses}), 1);
   inColumn({m_tools, m_legend, {m_canvas, 1}, scrub, m_place}, this);
-  connect(m_top, &QPushButton::clicked, this, [this] { setIsometric(false); });
-  connect(m_isometric, &QPushButton::clicked, this, [this] { setIsometric(true); });
+  setTabOrder(m_showPauses, m_canvas);
+  setTabOrder(m_canvas, m_slider);
+  setTabOrder(m_slider, m_scale);
+  connect(group, &QButtonGroup::idClicked, this,
+          [this](int view) { setView(static_cast<PathCanvas::View>(view)); });
+  setView(PathCanvas::View::Space);
   connect(m_colour, &QComboBox::activated, this,
           [this](int index) { setColouring(static_cast<overview::PathColouring>(index)); });
   connect(m_showPauses, &QPushButton::toggled, this, &PathView::showPauses);
@@ -150,10 +153,13 @@ void PathView::setBox(const std::optional<live::Agreement>& agreed) {
                           : std::nullopt);
 }
 
-void PathView::setIsometric(bool isometric) {
-  (isometric ? m_isometric : m_top)->setChecked(true);
-  m_canvas->setView(isometric ? overview::PathProjection::Isometric
-                              : overview::PathProjection::Top);
+void PathView::setView(PathCanvas::View view) {
+  views().at(static_cast<std::size_t>(view))->setChecked(true);
+  m_canvas->setView(view);
+}
+
+std::array<QPushButton*, 4> PathView::views() const {
+  return {m_space, m_top, m_front, m_side};
 }
 
 void PathView::setColouring(overview::PathColouring colouring) {
@@ -187,7 +193,7 @@ void PathView::fit() {
 void PathView::retranslate() {
   m_canvas->setTexts({tr("No program is loaded"), tr("The points appear here as they come"),
                       tr("Start"), tr("Tool"), tr("Pause off the cut, after point %1, line %2"),
-                      tr("Pause in the cut, after point %1, line %2")});
+                      tr("Pause in the cut, after point %1, line %2"), tr("Grid %1")});
   showLegend();
   showPlace();
 }

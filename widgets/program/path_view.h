@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The program's path with the tool on it, from above or isometric, coloured by kind, feed, margin
-/// or time, with a slider that walks along it. @threadsafety GUI thread.
+/// The program's path with the tool on it, in space or along an axis, coloured by kind, feed,
+/// margin or time, with a slider that walks along it. @threadsafety GUI thread.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "live/agreement.h"
 #include "overview/path_classes.h"
 #include "widgets/common/page.h"
+#include "widgets/program/path_canvas.h"
 
 class QComboBox;
 class QLabel;
@@ -23,7 +25,6 @@ namespace rivulet::widgets {
 
 class LegendStrip;
 struct LegendEntry;
-class PathCanvas;
 
 class PathView final : public Page {
   Q_OBJECT
@@ -53,7 +54,7 @@ class PathView final : public Page {
   void setToolPosition(const std::optional<base::Vec3>& positionMm);
   /// See `PathCanvas::setBox`.
   void setBox(const std::optional<live::Agreement>& agreed);
-  void setIsometric(bool isometric);
+  void setView(PathCanvas::View view);
   void setColouring(overview::PathColouring colouring);
   [[nodiscard]] overview::PathColouring colouring() const { return m_colouring; }
   /// Marks a point and, if necessary, moves the picture to it. The slider follows; no signal is
@@ -78,6 +79,8 @@ class PathView final : public Page {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  /// By `PathCanvas::View`.
+  [[nodiscard]] std::array<QPushButton*, 4> views() const;
   [[nodiscard]] std::size_t pointCount() const;
   [[nodiscard]] bool scrubsByTime() const;
   void recolour();
@@ -105,8 +108,14 @@ class PathView final : public Page {
   std::optional<std::size_t> m_marked;
 
   PathCanvas* m_canvas;
-  QPushButton* m_top = button({.text = QT_TR_NOOP("Top (XY)"), .icon = "view-top"});
-  QPushButton* m_isometric = button({.text = QT_TR_NOOP("Isometric"), .icon = "view-isometric"});
+  QPushButton* m_space = button({.text = QT_TR_NOOP("3D"),
+                                 .tip = QT_TR_NOOP("Drag or press the arrow keys to turn it; "
+                                                   "with Shift, dragging moves it")});
+  QPushButton* m_top = button({.text = QT_TR_NOOP("Top"), .tip = QT_TR_NOOP("From above: X, Y")});
+  QPushButton* m_front =
+      button({.text = QT_TR_NOOP("Front"), .tip = QT_TR_NOOP("From the front: X, Z")});
+  QPushButton* m_side =
+      button({.text = QT_TR_NOOP("Side"), .tip = QT_TR_NOOP("From the right: Y, Z")});
   QPushButton* m_fit =
       button({.tip = QT_TR_NOOP("Show the whole path (double click does the same)"),
               .name = QT_TR_NOOP("Fit"),

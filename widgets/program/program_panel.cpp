@@ -26,6 +26,7 @@
 #include <numeric>
 
 #include "base/units.h"
+#include "widgets/common/elided_label.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/sheet_area.h"
 #include "widgets/common/status_label.h"
@@ -70,6 +71,8 @@ QString linkTo(base::LineNumber line, const QString& lines) {
 ProgramPanel::ProgramPanel(QWidget* parent)
     : Page(parent),
       m_recentMenu(new QMenu(this)),
+      m_name(new ElidedLabel(1, this)),
+      m_about(new ElidedLabel(1, this)),
       m_tabs(new QTabWidget(this)),
       m_findings(new DiagnosticModel(this)),
       m_sorted(new QSortFilterProxyModel(this)),
@@ -85,6 +88,9 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   nameFont.setPointSizeF(13.0);
   nameFont.setBold(true);
   m_name->setFont(nameFont);
+  for (ElidedLabel* each : {m_name, m_about}) {
+    each->setTextFormat(Qt::PlainText);
+  }
   m_dialect->addItem(QString());
   for (std::size_t i = 0; i < gcode::kDialects.size(); ++i) {
     m_dialect->addItem(QString());
@@ -94,7 +100,9 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   m_tabs->addTab(m_pages[Tab::Figures], QString());
   m_tabs->addTab(m_pages[Tab::Findings], QString());
 
-  inColumn({inRow({{m_open, 1}, {m_recent, 1}, {m_live, 1}}), m_name, m_summary, {m_tabs, 1}}, this,
+  auto* title = inColumn({m_name, m_about});
+  title->setSpacing(0);
+  inColumn({inRow({{title, 1}, m_open, m_recent, m_live}), m_summary, {m_tabs, 1}}, this,
            QMargins(8, 4, 8, 2))
       ->setSpacing(4);
   m_tabs->setDocumentMode(true);
@@ -122,7 +130,12 @@ ProgramPanel::ProgramPanel(QWidget* parent)
     }
   });
   retranslate();
-  onTheme([this] { m_findings->setColors(palette()); }, &ProgramPanel::showDistances);
+  onTheme(
+      [this] {
+        m_findings->setColors(palette());
+        setMuted(m_about, palette());
+      },
+      &ProgramPanel::showDistances);
 }
 
 QWidget* ProgramPanel::makeFigures() {
@@ -305,6 +318,10 @@ void ProgramPanel::retranslate() {
 
 void ProgramPanel::showProgram() {
   m_name->setText(m_program ? QString::fromStdString(m_program->program->name) : tr("No program"));
+  m_about->setText(
+      m_program ? tr("%Ln lines", nullptr, static_cast<int>(m_program->program->statistics.lines)) +
+                      QStringLiteral(" \u00B7 ") + controlName(m_program->program->dialect)
+                : QString());
   m_hash->setVisible(m_program != nullptr);
   showSummary();
   std::vector<QString> values(FigureCount, noValue());
@@ -346,6 +363,7 @@ void ProgramPanel::showSummary() {
       m_summary->setStatus(found[1] > 0 ? Status::Attention : Status::Good, counts);
     }
   }
+  m_summary->setVisible(m_summary->status() != Status::Good);  // the tab has the number of notes
   const std::size_t findings = found[0] + found[1] + found[2];
   m_tabs->setTabText(m_tabs->indexOf(m_pages[Tab::Findings]),
                      findings == 0 ? tr("Findings") : tr("Findings (%1)").arg(countText(findings)));

@@ -30,6 +30,7 @@ namespace rivulet::widgets {
 
 class DiagnosticModel;
 class DistanceChart;
+class ElidedLabel;
 class StatusLabel;
 
 class ProgramPanel final : public Page {
@@ -146,7 +147,8 @@ class ProgramPanel final : public Page {
               .id = "live-points"},
              &ProgramPanel::liveRequested);
   QMenu* m_recentMenu;
-  QLabel* m_name = value({.wraps = true});
+  ElidedLabel* m_name;
+  ElidedLabel* m_about;  ///< below the name: lines and control
   QLabel* m_hash = value({.isMuted = true});
   StatusLabel* m_summary = status({.wraps = true});
   QComboBox* m_dialect = list();

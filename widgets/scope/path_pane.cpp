@@ -35,8 +35,6 @@ constexpr int kPathDelayMs = 40;
 constexpr double kStepPx = 0.7;  // shorter steps of a curve are not drawn
 constexpr int kColours = 48;     // of the ramp
 constexpr double kRampPx = 8.0;
-constexpr double kDegPerPx = 0.5;
-constexpr double kKeyDeg = 5.0;
 constexpr double kAxisPx = 26.0;
 constexpr int kValueDigits = 4;
 
@@ -112,8 +110,7 @@ overview::Projection::Angles PathPane::angles() const {
 }
 
 void PathPane::turn(double byDeg, double tiltByDeg) {
-  m_turned.turnDeg = std::remainder(m_turned.turnDeg + byDeg, 360.0);
-  m_turned.tiltDeg = std::clamp(m_turned.tiltDeg + tiltByDeg, -90.0, 90.0);
+  m_turned = m_turned.turned(byDeg, tiltByDeg);
   m_projection = overview::Projection(angles());
   schedule();
 }
@@ -533,7 +530,7 @@ void PathPane::mouseMoveEvent(QMouseEvent* event) {
   if (m_isDragging) {
     const QPointF by = event->position() - m_dragged;
     m_dragged = event->position();
-    turn(-by.x() * kDegPerPx, by.y() * kDegPerPx);
+    turn(-by.x() * overview::Projection::kDegPerPx, by.y() * overview::Projection::kDegPerPx);
   }
 }
 
@@ -566,16 +563,16 @@ void PathPane::keyPressEvent(QKeyEvent* event) {
   if (m_isSpatial) {
     switch (event->key()) {
       case Qt::Key_Left:
-        turn(kKeyDeg, 0.0);
+        turn(overview::Projection::kKeyDeg, 0.0);
         return;
       case Qt::Key_Right:
-        turn(-kKeyDeg, 0.0);
+        turn(-overview::Projection::kKeyDeg, 0.0);
         return;
       case Qt::Key_Up:
-        turn(0.0, -kKeyDeg);
+        turn(0.0, -overview::Projection::kKeyDeg);
         return;
       case Qt::Key_Down:
-        turn(0.0, kKeyDeg);
+        turn(0.0, overview::Projection::kKeyDeg);
         return;
       case Qt::Key_Home:
         m_turned = overview::Projection::isometric();

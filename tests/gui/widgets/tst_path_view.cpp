@@ -266,7 +266,7 @@ class TestPathView : public QObject {
       const std::size_t most = canvas.takeMostAtOnce();
       QVERIFY2(most <= PathCanvas::kFrameMoves, qPrintable(QString::number(most)));
     };
-    for (const auto projection : {PathCanvas::View::Top, PathCanvas::View::Isometric}) {
+    for (const auto projection : {PathCanvas::View::Top, PathCanvas::View::Space}) {
       canvas.setView(projection);
       frame();
       for (int step = 0; step < 10; ++step) {
@@ -533,11 +533,50 @@ class TestPathView : public QObject {
   void viewsDiffer() {
     PathView view;
     view.setProgram(test::viewOf(test::pocket()));
+    view.setView(PathCanvas::View::Top);
     const QImage top = test::picture(view, {500, 400});
-    view.setIsometric(true);
-    QVERIFY(test::picture(view, {500, 400}) != top);
-    view.setIsometric(false);
+    QImage before = top;
+    for (const PathCanvas::View other :
+         {PathCanvas::View::Space, PathCanvas::View::Front, PathCanvas::View::Side}) {
+      view.setView(other);
+      const QImage seen = test::picture(view, {500, 400});
+      QVERIFY(seen != top && seen != before);
+      before = seen;
+    }
+    view.setView(PathCanvas::View::Top);
     QCOMPARE(test::picture(view, {500, 400}), top);
+  }
+
+  /// Dragging and arrows turn the space and move a plane; the middle of the path stays in sight.
+  void theSpaceTurnsAndPlanesMove() {
+    PathCanvas canvas;
+    canvas.resize(600, 500);
+    canvas.setProgram(test::viewOf(test::pocket()));
+    static_cast<void>(test::picture(canvas, {600, 500}));
+    const auto angles = canvas.angles();
+    const QPointF before = canvas.placeOf(100);
+    drag(canvas, {300, 250}, {340, 230});
+    QVERIFY(canvas.angles() == angles);
+    QCOMPARE((canvas.placeOf(100) - before).toPoint(), QPoint(40, -20));
+    canvas.setView(PathCanvas::View::Space);
+    const auto seen = canvas.angles();
+    drag(canvas, {300, 250}, {340, 230});
+    QVERIFY(std::abs(canvas.angles().turnDeg - (seen.turnDeg - 20.0)) < 1e-9);
+    QVERIFY(std::abs(canvas.angles().tiltDeg - (seen.tiltDeg - 10.0)) < 1e-9);
+    QTest::keyClick(&canvas, Qt::Key_Left);
+    QVERIFY(std::abs(canvas.angles().turnDeg - (seen.turnDeg - 15.0)) < 1e-9);
+    for (int step = 0; step < 100; ++step) {
+      QTest::keyClick(&canvas, Qt::Key_Down);
+      QTest::keyClick(&canvas, Qt::Key_Right);
+    }
+    QCOMPARE(canvas.angles().tiltDeg, 90.0);
+    int inSight = 0;
+    for (std::size_t point = 0; point < 700; ++point) {
+      inSight += QRectF(canvas.rect()).contains(canvas.placeOf(point)) ? 1 : 0;
+    }
+    QVERIFY2(inSight > 650, qPrintable(QString::number(inSight)));
+    QTest::keyClick(&canvas, Qt::Key_Home);
+    QVERIFY(canvas.angles() == seen);
   }
 
   void emptyAndSinglePointsAreHarmless() {

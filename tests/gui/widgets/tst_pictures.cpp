@@ -166,14 +166,14 @@ std::unique_ptr<QWidget> runsPage() {
   return page;
 }
 
-std::unique_ptr<QWidget> pathView(bool isometric) {
+std::unique_ptr<QWidget> pathView(PathCanvas::View from) {
   auto view = std::make_unique<PathView>();
   const auto program = test::viewOf(test::pocket());
   view->setProgram(program);
   const auto& points = program->points.points;
   view->setExecuted(700);
   view->setToolPosition(points[700].positionMm);
-  view->setIsometric(isometric);
+  view->setView(from);
   return view;
 }
 
@@ -421,8 +421,9 @@ std::vector<Sample> samples() {
       {"loading", {800, 56}, [] { return loadBar(); }},
       {"program", {420, 700}, [] { return programPanel(test::pocket()); }},
       {"program_broken", {420, 700}, [] { return programPanel(test::brokenProgram()); }},
-      {"path_top", {640, 520}, [] { return pathView(false); }},
-      {"path_isometric", {640, 520}, [] { return pathView(true); }},
+      {"path_space", {640, 520}, [] { return pathView(PathCanvas::View::Space); }},
+      {"path_top", {640, 520}, [] { return pathView(PathCanvas::View::Top); }},
+      {"path_front", {640, 520}, [] { return pathView(PathCanvas::View::Front); }},
       {"method_feasible", {380, 560}, [] { return methodPanel(MethodKind::Position, 60.0); }},
       {"method_infeasible", {380, 560}, [] { return methodPanel(MethodKind::Signal, 4000.0); }},
       {"correction_hand", {360, 420}, [] { return correctionPanel(std::nullopt); }},

@@ -124,23 +124,46 @@ class TestProgramView : public QObject {
     const auto points = surface(3000);
     const overview::PathLevels levels(points, std::vector<bool>(points.size(), false));
     for (const overview::PathLevel& level : levels.levels()) {
-      for (const overview::PathProjection projection :
-           {overview::PathProjection::Top, overview::PathProjection::Isometric}) {
-        const auto& boxes = level.boxes[static_cast<std::size_t>(projection)];
-        QCOMPARE(boxes.size(),
-                 (level.kept.size() - 1 + overview::kChunkMoves - 1) / overview::kChunkMoves);
-        for (std::size_t k = 0; k < level.kept.size(); ++k) {
-          const overview::PlanePoint place = project(points[level.kept[k]].positionMm, projection);
-          const overview::PlaneBox& box =
-              boxes[std::min(k / overview::kChunkMoves, boxes.size() - 1)];
-          const overview::PlaneBox& all = levels.box(projection);
-          for (const overview::PlaneBox& around : {box, all}) {
-            QVERIFY(static_cast<float>(place.right) >= around.left &&
-                    static_cast<float>(place.right) <= around.right &&
-                    static_cast<float>(place.up) >= around.low &&
-                    static_cast<float>(place.up) <= around.high);
+      QCOMPARE(level.boxes.size(),
+               (level.kept.size() - 1 + overview::kChunkMoves - 1) / overview::kChunkMoves);
+      for (std::size_t k = 0; k < level.kept.size(); ++k) {
+        const base::Vec3& place = points[level.kept[k]].positionMm;
+        const overview::SpaceBox& box =
+            level.boxes[std::min(k / overview::kChunkMoves, level.boxes.size() - 1)];
+        for (const overview::SpaceBox& around : {box, levels.box()}) {
+          for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+            const auto value = static_cast<float>(place[axis]);
+            QVERIFY(value >= around.low[axis] && value <= around.high[axis]);
           }
         }
+      }
+    }
+  }
+
+  /// The picture of a box holds the pictures of its corners, and touches one on each side.
+  void boxesInPicturesAreTight() {
+    const overview::SpaceBox box{{-1.0F, 2.0F, -7.0F}, {4.0F, 3.0F, 0.5F}};
+    for (const overview::Projection::Angles angles : {overview::Projection::Angles{},
+                                                      overview::Projection::isometric(),
+                                                      {0.0, 0.0},
+                                                      {90.0, 0.0},
+                                                      {-130.0, -35.0},
+                                                      {200.0, 71.0}}) {
+      const overview::Projection projection(angles);
+      overview::PlaneBox corners{1e9, -1e9, 1e9, -1e9};
+      for (unsigned corner = 0; corner < 8; ++corner) {
+        base::Vec3 place;
+        for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+          place.set(axis, ((corner >> axis) & 1U) != 0 ? box.high[axis] : box.low[axis]);
+        }
+        const overview::PlanePoint seen = projection(place);
+        corners.widen({seen.right, seen.right, seen.up, seen.up});
+      }
+      const overview::PlaneBox whole = projection(box);
+      for (const auto& [value, wanted] :
+           {std::pair(whole.left, corners.left), std::pair(whole.right, corners.right),
+            std::pair(whole.low, corners.low), std::pair(whole.high, corners.high)}) {
+        QVERIFY2(std::abs(value - wanted) < 1e-9, qPrintable(QString::number(value - wanted)));
       }
     }
   }
