@@ -2002,7 +2002,7 @@
         <translation>%1, Zeile %2</translation>
     </message>
     <message>
-        <source>Line %1 (stretch %2)</source>
+        <source>Line %1 (part %2)</source>
         <translation>Zeile %1 (Abschnitt %2)</translation>
     </message>
     <message>
@@ -2125,7 +2125,7 @@
         <translation>Danach wird die Position von der Steuerung gelesen.</translation>
     </message>
     <message numerus="yes">
-        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
+        <source>Part %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
         <translation>
             <numerusform>Abschnitt %1 von %2: Zeilen %3 bis %4 werden gestreamt, %Ln Punkt.</numerusform>
             <numerusform>Abschnitt %1 von %2: Zeilen %3 bis %4 werden gestreamt, %Ln Punkte.</numerusform>
@@ -2728,11 +2728,11 @@
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>Begin with a stretch</source>
+        <source>Begin with a part</source>
         <translation>Mit einem Abschnitt beginnen</translation>
     </message>
     <message>
-        <source>Stretch (1 to %1). What the machine needs there is listed before anything moves.</source>
+        <source>Part (1 to %1). What the machine needs there is listed before anything moves.</source>
         <translation>Abschnitt (1 bis %1). Was die Maschine dort braucht, wird aufgelistet, bevor sich etwas bewegt.</translation>
     </message>
     <message>
@@ -4248,7 +4248,7 @@ GPL-3.0-or-later</translation>
         <translation>Ganzen Auftrag ausführen</translation>
     </message>
     <message>
-        <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of stretch 1.</source>
+        <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of part 1.</source>
         <translation>Zuerst führt die Steuerung Zeile %1 aus: %2. Dann fährt das Werkzeug von seinem Ort zum ersten Punkt von Abschnitt 1.</translation>
     </message>
     <message>
@@ -4302,7 +4302,7 @@ GPL-3.0-or-later</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln stretches</source>
+        <source>%Ln parts</source>
         <translation>
             <numerusform>%Ln Abschnitt</numerusform>
             <numerusform>%Ln Abschnitte</numerusform>
@@ -4365,7 +4365,7 @@ GPL-3.0-or-later</translation>
         <translation>Vor dieser Zeile ausgelassen, der letzte Satz zuerst: %1. An der Steuerung einstellen, was hier gilt.</translation>
     </message>
     <message>
-        <source>Begin with a stretch …</source>
+        <source>Begin with a part …</source>
         <translation>Mit einem Abschnitt beginnen …</translation>
     </message>
     <message>
@@ -4373,7 +4373,7 @@ GPL-3.0-or-later</translation>
         <translation>Zuerst führt die Steuerung aus</translation>
     </message>
     <message>
-        <source>Then the job goes on in stretch %1 at point %2 of %3 (line %4).</source>
+        <source>Then the job goes on in part %1 at point %2 of %3 (line %4).</source>
         <translation>Dann geht der Auftrag in Abschnitt %1 bei Punkt %2 von %3 weiter (Zeile %4).</translation>
     </message>
     <message>
@@ -4634,7 +4634,7 @@ GPL-3.0-or-later</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln stretches</source>
+        <source>%Ln parts</source>
         <translation>
             <numerusform>%Ln Abschnitt</numerusform>
             <numerusform>%Ln Abschnitte</numerusform>
@@ -4649,7 +4649,7 @@ GPL-3.0-or-later</translation>
         <translation>Der Lauf beginnt bei Punkt %1.</translation>
     </message>
     <message>
-        <source>A whole job begins at its beginning, or with a stretch: press Start, then Begin with a stretch. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
+        <source>A whole job begins at its beginning, or with a part: press Start, then Begin with a part. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
         <translation>Ein ganzer Auftrag beginnt an seinem Anfang oder mit einem Abschnitt: Start drücken, dann Mit einem Abschnitt beginnen. Um bei dieser Zeile zu beginnen, in der Einrichtung Nur Bewegung wählen und Werkzeug, Spindel und Kühlmittel selbst setzen.</translation>
     </message>
     <message numerus="yes">
@@ -4664,11 +4664,11 @@ GPL-3.0-or-later</translation>
         <translation>Werkzeuge und Verschiebungen dieser Maschine sind nicht bekannt, daher kann der Zustand, in dem der Auftrag weitergeht, nicht berechnet werden. Von vorn beginnen.</translation>
     </message>
     <message>
-        <source>The state before this stretch is not known: only the control knows what an earlier block does. Choose an earlier stretch, or start from the beginning.</source>
+        <source>The state before this part is not known: only the control knows what an earlier block does. Choose an earlier part, or start from the beginning.</source>
         <translation>Der Zustand vor diesem Abschnitt ist nicht bekannt: Nur die Steuerung weiß, was ein früherer Satz bewirkt. Einen früheren Abschnitt wählen oder von vorn beginnen.</translation>
     </message>
     <message>
-        <source>It is not known for certain where the job was left. Press Start, then Begin with a stretch, or start from the beginning.</source>
+        <source>It is not known for certain where the job was left. Press Start, then Begin with a part, or start from the beginning.</source>
         <translation>Es ist nicht sicher bekannt, wo der Auftrag verlassen wurde. Start drücken, dann Mit einem Abschnitt beginnen, oder von vorn beginnen.</translation>
     </message>
     <message>
@@ -7310,8 +7310,8 @@ GPL-3.0-or-later</translation>
         <translation>F (Bahnvorschub)</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
+        <source>R-parameters</source>
+        <translation>R-Parameter</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -7406,12 +7406,12 @@ GPL-3.0-or-later</translation>
         <translation>Signal</translation>
     </message>
     <message>
-        <source>Paper (R11, R21 …)</source>
-        <translation>Artikel (R11, R21 …)</translation>
+        <source>With gaps (R11, R21 …)</source>
+        <translation>Mit Lücken (R11, R21 …)</translation>
     </message>
     <message>
-        <source>Contiguous (R10 …)</source>
-        <translation>Lückenlos (R10 …)</translation>
+        <source>In a row (R10 …)</source>
+        <translation>Fortlaufend (R10 …)</translation>
     </message>
     <message>
         <source>Window</source>
@@ -8337,6 +8337,25 @@ GPL-3.0-or-later</translation>
         <source>Nothing moves now. Hold the button below for one second: then the machine moves.</source>
         <translation>Jetzt bewegt sich nichts. Den Knopf unten eine Sekunde lang halten: Dann fährt die Maschine.</translation>
     </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln checks: %1</source>
+        <translation>
+            <numerusform>%Ln Prüfung: %1</numerusform>
+            <numerusform>%Ln Prüfungen: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Einklappen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Anzeigen</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProfilePage</name>
@@ -9054,14 +9073,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Die Steuerung wird gefragt, wo der Lauf unterbrochen wurde …</translation>
     </message>
     <message>
-        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
-        <translation>Jetzt bewegt sich nichts. Der Lauf wird bei Punkt %1 von %2 fortgesetzt, Zeile %3: %4.</translation>
-    </message>
-    <message>
-        <source>The tool first moves %1 in a straight line to that point.</source>
-        <translation>Das Werkzeug fährt zuerst %1 geradeaus zu diesem Punkt.</translation>
-    </message>
-    <message>
         <source>The run cannot be resumed: %1</source>
         <translation>Der Lauf kann nicht fortgesetzt werden: %1</translation>
     </message>
@@ -9074,24 +9085,12 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Eine Sekunde lang halten. Dann fährt die Maschine.</translation>
     </message>
     <message>
-        <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
-        <translation>Ab Punkt %1 unterscheidet sich das Programm von dem des unterbrochenen Laufs. Keiner dieser Punkte wurde ausgeführt: Vor dem Fortsetzen die neue Bahn prüfen.</translation>
-    </message>
-    <message>
         <source>Press and hold: start at point %1</source>
         <translation>Gedrückt halten: Start bei Punkt %1</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
-        <translation>Noch bewegt sich nichts. Der Lauf wird bei Punkt %1 von %2 beginnen, wo Zeile %3 anfängt: %4.</translation>
-    </message>
-    <message>
         <source>Press and hold: go on with the job</source>
         <translation>Gedrückt halten: Auftrag fortsetzen</translation>
-    </message>
-    <message>
-        <source>Nothing moves now. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
-        <translation>Jetzt bewegt sich nichts. Der Auftrag geht in Abschnitt %1 bei Punkt %2 von %3 weiter, Zeile %4.</translation>
     </message>
     <message>
         <source>Nothing moves now. The job will go on at line %1: %2.</source>
@@ -9103,6 +9102,26 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
             <numerusform>Davor führt die Steuerung %Ln Satz aus: siehe Liste.</numerusform>
             <numerusform>Davor führt die Steuerung %Ln Sätze aus: siehe Liste.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Nothing moves now. The job will go on in part %1 at point %2 of %3, line %4.</source>
+        <translation>Jetzt bewegt sich nichts. Der Auftrag geht in Abschnitt %1 bei Punkt %2 von %3 weiter, Zeile %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
+        <translation>Noch bewegt sich nichts. Der Lauf wird bei Punkt %1 von %2 beginnen, wo Zeile %3 anfängt: %4.</translation>
+    </message>
+    <message>
+        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Jetzt bewegt sich nichts. Der Lauf wird bei Punkt %1 von %2 fortgesetzt, Zeile %3: %4.</translation>
+    </message>
+    <message>
+        <source>The tool first moves %1 in a straight line to that point.</source>
+        <translation>Das Werkzeug fährt zuerst %1 geradeaus zu diesem Punkt.</translation>
+    </message>
+    <message>
+        <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
+        <translation>Ab Punkt %1 unterscheidet sich das Programm von dem des unterbrochenen Laufs. Keiner dieser Punkte wurde ausgeführt: Vor dem Fortsetzen die neue Bahn prüfen.</translation>
     </message>
 </context>
 <context>
@@ -9399,7 +9418,7 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Geschätzte verbleibende Zeit mit den Vorschüben und den geplanten Pausen dieses Laufs. Halt und der Vorschub-Override an der Steuerung sind nicht enthalten.</translation>
     </message>
     <message>
-        <source>%1: stretch %2 of %3</source>
+        <source>%1: part %2 of %3</source>
         <translation>%1: Abschnitt %2 von %3</translation>
     </message>
     <message>
@@ -9419,11 +9438,11 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Der Auftrag wartet vor dem nächsten Satz, bis Weiter gedrückt wird.</translation>
     </message>
     <message>
-        <source>Before stretch %1 of %2</source>
+        <source>Before part %1 of %2</source>
         <translation>Vor Abschnitt %1 von %2</translation>
     </message>
     <message>
-        <source>After the last stretch</source>
+        <source>After the last part</source>
         <translation>Nach dem letzten Abschnitt</translation>
     </message>
     <message>
@@ -10493,11 +10512,11 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Der Text zeigt die Zeile, die gerade ausgeführt wird</translation>
     </message>
     <message>
-        <source>Previous stretch, or blocks that the control executes (Ctrl+Page Up)</source>
+        <source>Previous part, or blocks that the control executes (Ctrl+Page Up)</source>
         <translation>Voriger Abschnitt oder Sätze, die die Steuerung ausführt (Strg+Bild auf)</translation>
     </message>
     <message>
-        <source>Next stretch, or blocks that the control executes (Ctrl+Page Down)</source>
+        <source>Next part, or blocks that the control executes (Ctrl+Page Down)</source>
         <translation>Nächster Abschnitt oder Sätze, die die Steuerung ausführt (Strg+Bild ab)</translation>
     </message>
     <message>

@@ -31,10 +31,10 @@
 <context>
     <name>JobTexts</name>
     <message numerus="yes">
-        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
+        <source>Part %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
         <translation>
-            <numerusform>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln point.</numerusform>
-            <numerusform>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.</numerusform>
+            <numerusform>Part %1 of %2: lines %3 to %4 are streamed, %Ln point.</numerusform>
+            <numerusform>Part %1 of %2: lines %3 to %4 are streamed, %Ln points.</numerusform>
         </translation>
     </message>
 </context>
@@ -98,10 +98,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln stretches</source>
+        <source>%Ln parts</source>
         <translation>
-            <numerusform>%Ln stretch</numerusform>
-            <numerusform>%Ln stretches</numerusform>
+            <numerusform>%Ln part</numerusform>
+            <numerusform>%Ln parts</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -157,10 +157,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln stretches</source>
+        <source>%Ln parts</source>
         <translation>
-            <numerusform>%Ln stretch</numerusform>
-            <numerusform>%Ln stretches</numerusform>
+            <numerusform>%Ln part</numerusform>
+            <numerusform>%Ln parts</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -225,6 +225,16 @@
         <translation>
             <numerusform>%Ln pause off the cut</numerusform>
             <numerusform>%Ln pauses off the cut</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::PreflightSheet</name>
+    <message numerus="yes">
+        <source>%Ln checks: %1</source>
+        <translation>
+            <numerusform>%Ln check: %1</numerusform>
+            <numerusform>%Ln checks: %1</numerusform>
         </translation>
     </message>
 </context>

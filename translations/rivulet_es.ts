@@ -2002,7 +2002,7 @@
         <translation>%1, línea %2</translation>
     </message>
     <message>
-        <source>Line %1 (stretch %2)</source>
+        <source>Line %1 (part %2)</source>
         <translation>Línea %1 (tramo %2)</translation>
     </message>
     <message>
@@ -2125,7 +2125,7 @@
         <translation>Después se lee la posición en el control.</translation>
     </message>
     <message numerus="yes">
-        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
+        <source>Part %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
         <translation>
             <numerusform>Tramo %1 de %2: las líneas %3 a %4 se transmiten de forma continua, %Ln punto.</numerusform>
             <numerusform>Tramo %1 de %2: las líneas %3 a %4 se transmiten de forma continua, %Ln puntos.</numerusform>
@@ -2728,11 +2728,11 @@
         <translation>Ventana</translation>
     </message>
     <message>
-        <source>Begin with a stretch</source>
+        <source>Begin with a part</source>
         <translation>Empezar por un tramo</translation>
     </message>
     <message>
-        <source>Stretch (1 to %1). What the machine needs there is listed before anything moves.</source>
+        <source>Part (1 to %1). What the machine needs there is listed before anything moves.</source>
         <translation>Tramo (1 a %1). Lo que la máquina necesita allí se muestra en una lista antes de que nada se mueva.</translation>
     </message>
     <message>
@@ -4248,7 +4248,7 @@ GPL-3.0-or-later</translation>
         <translation>Ejecutar el trabajo completo</translation>
     </message>
     <message>
-        <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of stretch 1.</source>
+        <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of part 1.</source>
         <translation>Primero el control ejecuta la línea %1: %2. Después la herramienta va desde donde está al primer punto del tramo 1.</translation>
     </message>
     <message>
@@ -4302,7 +4302,7 @@ GPL-3.0-or-later</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln stretches</source>
+        <source>%Ln parts</source>
         <translation>
             <numerusform>%Ln tramo</numerusform>
             <numerusform>%Ln tramos</numerusform>
@@ -4365,7 +4365,7 @@ GPL-3.0-or-later</translation>
         <translation>Omitidas antes de esta línea, la última primero: %1. Ajustar en el control lo que vale aquí.</translation>
     </message>
     <message>
-        <source>Begin with a stretch …</source>
+        <source>Begin with a part …</source>
         <translation>Empezar por un tramo …</translation>
     </message>
     <message>
@@ -4373,7 +4373,7 @@ GPL-3.0-or-later</translation>
         <translation>Primero el control ejecuta</translation>
     </message>
     <message>
-        <source>Then the job goes on in stretch %1 at point %2 of %3 (line %4).</source>
+        <source>Then the job goes on in part %1 at point %2 of %3 (line %4).</source>
         <translation>Después el trabajo continúa en el tramo %1, punto %2 de %3 (línea %4).</translation>
     </message>
     <message>
@@ -4634,7 +4634,7 @@ GPL-3.0-or-later</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln stretches</source>
+        <source>%Ln parts</source>
         <translation>
             <numerusform>%Ln tramo</numerusform>
             <numerusform>%Ln tramos</numerusform>
@@ -4649,7 +4649,7 @@ GPL-3.0-or-later</translation>
         <translation>La ejecución empieza en el punto %1.</translation>
     </message>
     <message>
-        <source>A whole job begins at its beginning, or with a stretch: press Start, then Begin with a stretch. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
+        <source>A whole job begins at its beginning, or with a part: press Start, then Begin with a part. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
         <translation>Un trabajo completo empieza por su principio o por un tramo: pulse Inicio y después Empezar por un tramo. Para empezar en esta línea, elija Solo movimiento en la preparación y ajuste usted mismo herramienta, cabezal y refrigerante.</translation>
     </message>
     <message numerus="yes">
@@ -4664,11 +4664,11 @@ GPL-3.0-or-later</translation>
         <translation>No se conocen las herramientas ni los decalajes de esta máquina, por lo que no se puede calcular el estado en que continúa el trabajo. Empiece desde el principio.</translation>
     </message>
     <message>
-        <source>The state before this stretch is not known: only the control knows what an earlier block does. Choose an earlier stretch, or start from the beginning.</source>
+        <source>The state before this part is not known: only the control knows what an earlier block does. Choose an earlier part, or start from the beginning.</source>
         <translation>No se conoce el estado antes de este tramo: solo el control sabe qué hace una secuencia anterior. Elija un tramo anterior o empiece desde el principio.</translation>
     </message>
     <message>
-        <source>It is not known for certain where the job was left. Press Start, then Begin with a stretch, or start from the beginning.</source>
+        <source>It is not known for certain where the job was left. Press Start, then Begin with a part, or start from the beginning.</source>
         <translation>No se sabe con certeza dónde se dejó el trabajo. Pulse Inicio y después Empezar por un tramo, o empiece desde el principio.</translation>
     </message>
     <message>
@@ -7310,8 +7310,8 @@ GPL-3.0-or-later</translation>
         <translation>F (avance)</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Celdas</translation>
+        <source>R-parameters</source>
+        <translation>Parámetros R</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -7406,12 +7406,12 @@ GPL-3.0-or-later</translation>
         <translation>Señal</translation>
     </message>
     <message>
-        <source>Paper (R11, R21 …)</source>
-        <translation>Artículo (R11, R21…)</translation>
+        <source>With gaps (R11, R21 …)</source>
+        <translation>Con huecos (R11, R21 …)</translation>
     </message>
     <message>
-        <source>Contiguous (R10 …)</source>
-        <translation>Contigua (R10…)</translation>
+        <source>In a row (R10 …)</source>
+        <translation>Seguidos (R10 …)</translation>
     </message>
     <message>
         <source>Window</source>
@@ -8337,6 +8337,25 @@ GPL-3.0-or-later</translation>
         <source>Nothing moves now. Hold the button below for one second: then the machine moves.</source>
         <translation>Ahora no se mueve nada. Mantener pulsado un segundo el botón de abajo: entonces la máquina se mueve.</translation>
     </message>
+    <message>
+        <source>Passed</source>
+        <translation>Superado</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln checks: %1</source>
+        <translation>
+            <numerusform>%Ln comprobación: %1</numerusform>
+            <numerusform>%Ln comprobaciones: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Plegar</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Mostrar</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProfilePage</name>
@@ -9054,14 +9073,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Se pregunta al control dónde se interrumpió la ejecución…</translation>
     </message>
     <message>
-        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
-        <translation>Ahora no se mueve nada. La ejecución se reanudará en el punto %1 de %2, línea %3: %4.</translation>
-    </message>
-    <message>
-        <source>The tool first moves %1 in a straight line to that point.</source>
-        <translation>La herramienta recorre primero %1 en línea recta hasta ese punto.</translation>
-    </message>
-    <message>
         <source>The run cannot be resumed: %1</source>
         <translation>La ejecución no se puede reanudar: %1</translation>
     </message>
@@ -9074,24 +9085,12 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Mantener pulsado un segundo. Entonces la máquina se mueve.</translation>
     </message>
     <message>
-        <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
-        <translation>A partir del punto %1, el programa difiere del de la ejecución interrumpida. Ninguno de estos puntos se ha ejecutado: comprobar la nueva trayectoria antes de continuar.</translation>
-    </message>
-    <message>
         <source>Press and hold: start at point %1</source>
         <translation>Mantener pulsado: iniciar en el punto %1</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
-        <translation>Todavía no se ha movido nada. La ejecución empezará en el punto %1 de %2, donde comienza la línea %3: %4.</translation>
-    </message>
-    <message>
         <source>Press and hold: go on with the job</source>
         <translation>Mantener pulsado: continuar el trabajo</translation>
-    </message>
-    <message>
-        <source>Nothing moves now. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
-        <translation>Ahora no se mueve nada. El trabajo continuará en el tramo %1, punto %2 de %3, línea %4.</translation>
     </message>
     <message>
         <source>Nothing moves now. The job will go on at line %1: %2.</source>
@@ -9103,6 +9102,26 @@ Is it certain that %1 does not change the path of the tool?</source>
             <numerusform>Antes, el control ejecuta %Ln secuencia: véase la lista.</numerusform>
             <numerusform>Antes, el control ejecuta %Ln secuencias: véase la lista.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Nothing moves now. The job will go on in part %1 at point %2 of %3, line %4.</source>
+        <translation>Ahora no se mueve nada. El trabajo seguirá en la parte %1 en el punto %2 de %3, línea %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
+        <translation>Todavía no se ha movido nada. La ejecución empezará en el punto %1 de %2, donde comienza la línea %3: %4.</translation>
+    </message>
+    <message>
+        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Ahora no se mueve nada. La ejecución se reanudará en el punto %1 de %2, línea %3: %4.</translation>
+    </message>
+    <message>
+        <source>The tool first moves %1 in a straight line to that point.</source>
+        <translation>La herramienta recorre primero %1 en línea recta hasta ese punto.</translation>
+    </message>
+    <message>
+        <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
+        <translation>A partir del punto %1, el programa difiere del de la ejecución interrumpida. Ninguno de estos puntos se ha ejecutado: comprobar la nueva trayectoria antes de continuar.</translation>
     </message>
 </context>
 <context>
@@ -9399,7 +9418,7 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>No hay ninguna ejecución de esta ventana en curso.</translation>
     </message>
     <message>
-        <source>%1: stretch %2 of %3</source>
+        <source>%1: part %2 of %3</source>
         <translation>%1: tramo %2 de %3</translation>
     </message>
     <message>
@@ -9419,11 +9438,11 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>El trabajo espera antes de la secuencia siguiente hasta que se pulse Continuar.</translation>
     </message>
     <message>
-        <source>Before stretch %1 of %2</source>
+        <source>Before part %1 of %2</source>
         <translation>Antes del tramo %1 de %2</translation>
     </message>
     <message>
-        <source>After the last stretch</source>
+        <source>After the last part</source>
         <translation>Después del último tramo</translation>
     </message>
     <message>
@@ -10493,11 +10512,11 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>El texto muestra la línea en ejecución</translation>
     </message>
     <message>
-        <source>Previous stretch, or blocks that the control executes (Ctrl+Page Up)</source>
+        <source>Previous part, or blocks that the control executes (Ctrl+Page Up)</source>
         <translation>Tramo anterior, o secuencias que ejecuta el control (Ctrl+Re Pág)</translation>
     </message>
     <message>
-        <source>Next stretch, or blocks that the control executes (Ctrl+Page Down)</source>
+        <source>Next part, or blocks that the control executes (Ctrl+Page Down)</source>
         <translation>Tramo siguiente, o secuencias que ejecuta el control (Ctrl+Av Pág)</translation>
     </message>
     <message>

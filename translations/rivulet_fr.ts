@@ -2002,7 +2002,7 @@
         <translation>%1, ligne %2</translation>
     </message>
     <message>
-        <source>Line %1 (stretch %2)</source>
+        <source>Line %1 (part %2)</source>
         <translation>Ligne %1 (tronçon %2)</translation>
     </message>
     <message>
@@ -2125,7 +2125,7 @@
         <translation>Ensuite, la position est lue sur la commande.</translation>
     </message>
     <message numerus="yes">
-        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
+        <source>Part %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
         <translation>
             <numerusform>Tronçon %1 sur %2&#xa0;: les lignes %3 à %4 sont transmises en continu, %Ln point.</numerusform>
             <numerusform>Tronçon %1 sur %2&#xa0;: les lignes %3 à %4 sont transmises en continu, %Ln points.</numerusform>
@@ -2728,11 +2728,11 @@
         <translation>Fenêtre</translation>
     </message>
     <message>
-        <source>Begin with a stretch</source>
+        <source>Begin with a part</source>
         <translation>Commencer à un tronçon</translation>
     </message>
     <message>
-        <source>Stretch (1 to %1). What the machine needs there is listed before anything moves.</source>
+        <source>Part (1 to %1). What the machine needs there is listed before anything moves.</source>
         <translation>Tronçon (1 à %1). Ce qu’il faut à la machine à cet endroit est listé avant tout mouvement.</translation>
     </message>
     <message>
@@ -4248,7 +4248,7 @@ GPL-3.0-or-later</translation>
         <translation>Exécuter la tâche complète</translation>
     </message>
     <message>
-        <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of stretch 1.</source>
+        <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of part 1.</source>
         <translation>La commande exécute d’abord la ligne %1 : %2. Puis l’outil va de sa position au premier point du tronçon 1.</translation>
     </message>
     <message>
@@ -4302,7 +4302,7 @@ GPL-3.0-or-later</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln stretches</source>
+        <source>%Ln parts</source>
         <translation>
             <numerusform>%Ln tronçon</numerusform>
             <numerusform>%Ln tronçons</numerusform>
@@ -4365,7 +4365,7 @@ GPL-3.0-or-later</translation>
         <translation>Omis avant cette ligne, le dernier en premier&#xa0;: %1. Régler sur la commande ce qui vaut ici.</translation>
     </message>
     <message>
-        <source>Begin with a stretch …</source>
+        <source>Begin with a part …</source>
         <translation>Commencer à un tronçon …</translation>
     </message>
     <message>
@@ -4373,7 +4373,7 @@ GPL-3.0-or-later</translation>
         <translation>La commande exécute d’abord</translation>
     </message>
     <message>
-        <source>Then the job goes on in stretch %1 at point %2 of %3 (line %4).</source>
+        <source>Then the job goes on in part %1 at point %2 of %3 (line %4).</source>
         <translation>Puis la tâche reprend au tronçon %1, point %2 sur %3 (ligne %4).</translation>
     </message>
     <message>
@@ -4634,7 +4634,7 @@ GPL-3.0-or-later</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln stretches</source>
+        <source>%Ln parts</source>
         <translation>
             <numerusform>%Ln tronçon</numerusform>
             <numerusform>%Ln tronçons</numerusform>
@@ -4649,7 +4649,7 @@ GPL-3.0-or-later</translation>
         <translation>L’exécution commence au point %1.</translation>
     </message>
     <message>
-        <source>A whole job begins at its beginning, or with a stretch: press Start, then Begin with a stretch. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
+        <source>A whole job begins at its beginning, or with a part: press Start, then Begin with a part. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
         <translation>Une tâche complète commence à son début ou à un tronçon&#xa0;: appuyer sur Départ, puis sur Commencer à un tronçon. Pour commencer à cette ligne, choisir Mouvement seul dans la préparation et régler soi-même outil, broche et arrosage.</translation>
     </message>
     <message numerus="yes">
@@ -4664,11 +4664,11 @@ GPL-3.0-or-later</translation>
         <translation>Les outils et décalages de cette machine ne sont pas connus&#xa0;: l’état dans lequel la tâche reprend ne peut pas être calculé. Recommencer depuis le début.</translation>
     </message>
     <message>
-        <source>The state before this stretch is not known: only the control knows what an earlier block does. Choose an earlier stretch, or start from the beginning.</source>
+        <source>The state before this part is not known: only the control knows what an earlier block does. Choose an earlier part, or start from the beginning.</source>
         <translation>L’état avant ce tronçon n’est pas connu&#xa0;: seule la commande sait ce que fait un bloc précédent. Choisir un tronçon antérieur ou recommencer depuis le début.</translation>
     </message>
     <message>
-        <source>It is not known for certain where the job was left. Press Start, then Begin with a stretch, or start from the beginning.</source>
+        <source>It is not known for certain where the job was left. Press Start, then Begin with a part, or start from the beginning.</source>
         <translation>On ne sait pas avec certitude où la tâche a été interrompue. Appuyer sur Départ, puis sur Commencer à un tronçon, ou recommencer depuis le début.</translation>
     </message>
     <message>
@@ -7310,8 +7310,8 @@ GPL-3.0-or-later</translation>
         <translation>F (avance)</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Cellules</translation>
+        <source>R-parameters</source>
+        <translation>Paramètres R</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -7406,12 +7406,12 @@ GPL-3.0-or-later</translation>
         <translation>Signal</translation>
     </message>
     <message>
-        <source>Paper (R11, R21 …)</source>
-        <translation>Article (R11, R21…)</translation>
+        <source>With gaps (R11, R21 …)</source>
+        <translation>Avec des intervalles (R11, R21 …)</translation>
     </message>
     <message>
-        <source>Contiguous (R10 …)</source>
-        <translation>Contiguë (R10…)</translation>
+        <source>In a row (R10 …)</source>
+        <translation>À la suite (R10 …)</translation>
     </message>
     <message>
         <source>Window</source>
@@ -8337,6 +8337,25 @@ GPL-3.0-or-later</translation>
         <source>Nothing moves now. Hold the button below for one second: then the machine moves.</source>
         <translation>Rien ne bouge maintenant. Maintenir une seconde le bouton ci-dessous&#xa0;: alors la machine se déplace.</translation>
     </message>
+    <message>
+        <source>Passed</source>
+        <translation>Réussi</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln checks: %1</source>
+        <translation>
+            <numerusform>%Ln contrôle : %1</numerusform>
+            <numerusform>%Ln contrôles : %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Replier</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Afficher</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProfilePage</name>
@@ -9054,14 +9073,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>On demande à la commande où l’exécution s’est interrompue…</translation>
     </message>
     <message>
-        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
-        <translation>Rien ne bouge maintenant. L’exécution reprendra au point %1 sur %2, ligne %3&#xa0;: %4.</translation>
-    </message>
-    <message>
-        <source>The tool first moves %1 in a straight line to that point.</source>
-        <translation>L’outil parcourt d’abord %1 en ligne droite jusqu’à ce point.</translation>
-    </message>
-    <message>
         <source>The run cannot be resumed: %1</source>
         <translation>L’exécution ne peut pas être reprise&#xa0;: %1</translation>
     </message>
@@ -9074,24 +9085,12 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Maintenir une seconde. Alors la machine se déplace.</translation>
     </message>
     <message>
-        <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
-        <translation>À partir du point %1, le programme diffère de celui de l’exécution interrompue. Aucun de ces points n’a été exécuté&#xa0;: vérifier la nouvelle trajectoire avant de continuer.</translation>
-    </message>
-    <message>
         <source>Press and hold: start at point %1</source>
         <translation>Maintenir appuyé&#xa0;: départ au point %1</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
-        <translation>Rien n’a encore bougé. L’exécution commencera au point %1 sur %2, au début de la ligne %3&#xa0;: %4.</translation>
-    </message>
-    <message>
         <source>Press and hold: go on with the job</source>
         <translation>Maintenir appuyé&#xa0;: poursuivre la tâche</translation>
-    </message>
-    <message>
-        <source>Nothing moves now. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
-        <translation>Rien ne bouge maintenant. La tâche reprendra au tronçon %1, point %2 sur %3, ligne %4.</translation>
     </message>
     <message>
         <source>Nothing moves now. The job will go on at line %1: %2.</source>
@@ -9103,6 +9102,26 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
             <numerusform>Avant cela, la commande exécute %Ln bloc&#xa0;: voir la liste.</numerusform>
             <numerusform>Avant cela, la commande exécute %Ln blocs&#xa0;: voir la liste.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Nothing moves now. The job will go on in part %1 at point %2 of %3, line %4.</source>
+        <translation>Rien ne bouge maintenant. Le travail reprendra dans la partie %1 au point %2 sur %3, ligne %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
+        <translation>Rien n’a encore bougé. L’exécution commencera au point %1 sur %2, au début de la ligne %3&#xa0;: %4.</translation>
+    </message>
+    <message>
+        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Rien ne bouge maintenant. L’exécution reprendra au point %1 sur %2, ligne %3&#xa0;: %4.</translation>
+    </message>
+    <message>
+        <source>The tool first moves %1 in a straight line to that point.</source>
+        <translation>L’outil parcourt d’abord %1 en ligne droite jusqu’à ce point.</translation>
+    </message>
+    <message>
+        <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
+        <translation>À partir du point %1, le programme diffère de celui de l’exécution interrompue. Aucun de ces points n’a été exécuté&#xa0;: vérifier la nouvelle trajectoire avant de continuer.</translation>
     </message>
 </context>
 <context>
@@ -9399,7 +9418,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Aucune exécution de cette fenêtre n’est en cours.</translation>
     </message>
     <message>
-        <source>%1: stretch %2 of %3</source>
+        <source>%1: part %2 of %3</source>
         <translation>%1 : tronçon %2 sur %3</translation>
     </message>
     <message>
@@ -9419,11 +9438,11 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>La tâche attend avant le bloc suivant jusqu’à l’appui sur Continuer.</translation>
     </message>
     <message>
-        <source>Before stretch %1 of %2</source>
+        <source>Before part %1 of %2</source>
         <translation>Avant le tronçon %1 sur %2</translation>
     </message>
     <message>
-        <source>After the last stretch</source>
+        <source>After the last part</source>
         <translation>Après le dernier tronçon</translation>
     </message>
     <message>
@@ -10493,11 +10512,11 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Le texte montre la ligne en cours d’exécution</translation>
     </message>
     <message>
-        <source>Previous stretch, or blocks that the control executes (Ctrl+Page Up)</source>
+        <source>Previous part, or blocks that the control executes (Ctrl+Page Up)</source>
         <translation>Tronçon précédent, ou blocs exécutés par la commande (Ctrl+Page préc.)</translation>
     </message>
     <message>
-        <source>Next stretch, or blocks that the control executes (Ctrl+Page Down)</source>
+        <source>Next part, or blocks that the control executes (Ctrl+Page Down)</source>
         <translation>Tronçon suivant, ou blocs exécutés par la commande (Ctrl+Page suiv.)</translation>
     </message>
     <message>

@@ -2002,7 +2002,7 @@
         <translation>%1, riga %2</translation>
     </message>
     <message>
-        <source>Line %1 (stretch %2)</source>
+        <source>Line %1 (part %2)</source>
         <translation>Riga %1 (tratto %2)</translation>
     </message>
     <message>
@@ -2125,7 +2125,7 @@
         <translation>Poi la posizione è letta dal controllo.</translation>
     </message>
     <message numerus="yes">
-        <source>Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
+        <source>Part %1 of %2: lines %3 to %4 are streamed, %Ln points.</source>
         <translation>
             <numerusform>Tratto %1 di %2: le righe da %3 a %4 sono trasmesse in continuo, %Ln punto.</numerusform>
             <numerusform>Tratto %1 di %2: le righe da %3 a %4 sono trasmesse in continuo, %Ln punti.</numerusform>
@@ -2728,11 +2728,11 @@
         <translation>Finestra</translation>
     </message>
     <message>
-        <source>Begin with a stretch</source>
+        <source>Begin with a part</source>
         <translation>Iniziare da un tratto</translation>
     </message>
     <message>
-        <source>Stretch (1 to %1). What the machine needs there is listed before anything moves.</source>
+        <source>Part (1 to %1). What the machine needs there is listed before anything moves.</source>
         <translation>Tratto (da 1 a %1). Ciò che serve alla macchina in quel punto è elencato prima di ogni movimento.</translation>
     </message>
     <message>
@@ -4248,7 +4248,7 @@ GPL-3.0-or-later</translation>
         <translation>Eseguire il lavoro completo</translation>
     </message>
     <message>
-        <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of stretch 1.</source>
+        <source>First the control executes line %1: %2. Then the tool moves from where it stands to the first point of part 1.</source>
         <translation>Prima il controllo esegue la riga %1: %2. Poi l’utensile va da dove si trova al primo punto del tratto 1.</translation>
     </message>
     <message>
@@ -4302,7 +4302,7 @@ GPL-3.0-or-later</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln stretches</source>
+        <source>%Ln parts</source>
         <translation>
             <numerusform>%Ln tratto</numerusform>
             <numerusform>%Ln tratti</numerusform>
@@ -4365,7 +4365,7 @@ GPL-3.0-or-later</translation>
         <translation>Omessi prima di questa riga, l’ultimo per primo: %1. Impostare sul controllo ciò che vale qui.</translation>
     </message>
     <message>
-        <source>Begin with a stretch …</source>
+        <source>Begin with a part …</source>
         <translation>Iniziare da un tratto …</translation>
     </message>
     <message>
@@ -4373,7 +4373,7 @@ GPL-3.0-or-later</translation>
         <translation>Prima il controllo esegue</translation>
     </message>
     <message>
-        <source>Then the job goes on in stretch %1 at point %2 of %3 (line %4).</source>
+        <source>Then the job goes on in part %1 at point %2 of %3 (line %4).</source>
         <translation>Poi il lavoro continua nel tratto %1 al punto %2 di %3 (riga %4).</translation>
     </message>
     <message>
@@ -4634,7 +4634,7 @@ GPL-3.0-or-later</translation>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln stretches</source>
+        <source>%Ln parts</source>
         <translation>
             <numerusform>%Ln tratto</numerusform>
             <numerusform>%Ln tratti</numerusform>
@@ -4649,7 +4649,7 @@ GPL-3.0-or-later</translation>
         <translation>L’esecuzione comincia dal punto %1.</translation>
     </message>
     <message>
-        <source>A whole job begins at its beginning, or with a stretch: press Start, then Begin with a stretch. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
+        <source>A whole job begins at its beginning, or with a part: press Start, then Begin with a part. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
         <translation>Un lavoro completo inizia dal suo inizio o da un tratto: premere Inizio, poi Iniziare da un tratto. Per iniziare da questa riga, scegliere Solo movimento nella preparazione e impostare da sé utensile, mandrino e refrigerante.</translation>
     </message>
     <message numerus="yes">
@@ -4664,11 +4664,11 @@ GPL-3.0-or-later</translation>
         <translation>Gli utensili e gli spostamenti di questa macchina non sono noti, quindi lo stato in cui il lavoro continua non può essere calcolato. Ricominciare dall’inizio.</translation>
     </message>
     <message>
-        <source>The state before this stretch is not known: only the control knows what an earlier block does. Choose an earlier stretch, or start from the beginning.</source>
+        <source>The state before this part is not known: only the control knows what an earlier block does. Choose an earlier part, or start from the beginning.</source>
         <translation>Lo stato prima di questo tratto non è noto: solo il controllo sa che cosa fa un blocco precedente. Scegliere un tratto precedente o ricominciare dall’inizio.</translation>
     </message>
     <message>
-        <source>It is not known for certain where the job was left. Press Start, then Begin with a stretch, or start from the beginning.</source>
+        <source>It is not known for certain where the job was left. Press Start, then Begin with a part, or start from the beginning.</source>
         <translation>Non è certo dove il lavoro sia stato interrotto. Premere Inizio, poi Iniziare da un tratto, oppure ricominciare dall’inizio.</translation>
     </message>
     <message>
@@ -7310,8 +7310,8 @@ GPL-3.0-or-later</translation>
         <translation>F (avanzamento)</translation>
     </message>
     <message>
-        <source>Cells</source>
-        <translation>Celle</translation>
+        <source>R-parameters</source>
+        <translation>Parametri R</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -7406,12 +7406,12 @@ GPL-3.0-or-later</translation>
         <translation>Segnale</translation>
     </message>
     <message>
-        <source>Paper (R11, R21 …)</source>
-        <translation>Articolo (R11, R21…)</translation>
+        <source>With gaps (R11, R21 …)</source>
+        <translation>Con intervalli (R11, R21 …)</translation>
     </message>
     <message>
-        <source>Contiguous (R10 …)</source>
-        <translation>Contiguo (R10…)</translation>
+        <source>In a row (R10 …)</source>
+        <translation>Di seguito (R10 …)</translation>
     </message>
     <message>
         <source>Window</source>
@@ -8337,6 +8337,25 @@ GPL-3.0-or-later</translation>
         <source>Nothing moves now. Hold the button below for one second: then the machine moves.</source>
         <translation>Ora non si muove nulla. Tenere premuto per un secondo il pulsante in basso: poi la macchina si muove.</translation>
     </message>
+    <message>
+        <source>Passed</source>
+        <translation>Superato</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln checks: %1</source>
+        <translation>
+            <numerusform>%Ln controllo: %1</numerusform>
+            <numerusform>%Ln controlli: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Comprimi</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Mostra</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ProfilePage</name>
@@ -9054,14 +9073,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Si chiede al controllo dove l’esecuzione si è interrotta…</translation>
     </message>
     <message>
-        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
-        <translation>Ora non si muove nulla. L’esecuzione riprenderà dal punto %1 di %2, riga %3: %4.</translation>
-    </message>
-    <message>
-        <source>The tool first moves %1 in a straight line to that point.</source>
-        <translation>L’utensile percorre prima %1 in linea retta fino a quel punto.</translation>
-    </message>
-    <message>
         <source>The run cannot be resumed: %1</source>
         <translation>L’esecuzione non può essere ripresa: %1</translation>
     </message>
@@ -9074,24 +9085,12 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Tenere premuto per un secondo. Poi la macchina si muove.</translation>
     </message>
     <message>
-        <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
-        <translation>Dal punto %1 il programma è diverso da quello dell’esecuzione interrotta. Nessuno di questi punti è stato eseguito: controllare il nuovo percorso prima di continuare.</translation>
-    </message>
-    <message>
         <source>Press and hold: start at point %1</source>
         <translation>Tenere premuto: avvia dal punto %1</translation>
     </message>
     <message>
-        <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
-        <translation>Ancora non si è mosso nulla. L’esecuzione comincerà dal punto %1 di %2, dove inizia la riga %3: %4.</translation>
-    </message>
-    <message>
         <source>Press and hold: go on with the job</source>
         <translation>Tenere premuto: continuare il lavoro</translation>
-    </message>
-    <message>
-        <source>Nothing moves now. The job will go on in stretch %1 at point %2 of %3, line %4.</source>
-        <translation>Ora non si muove nulla. Il lavoro continuerà nel tratto %1 al punto %2 di %3, riga %4.</translation>
     </message>
     <message>
         <source>Nothing moves now. The job will go on at line %1: %2.</source>
@@ -9103,6 +9102,26 @@ Is it certain that %1 does not change the path of the tool?</source>
             <numerusform>Prima il controllo esegue %Ln blocco: vedere l’elenco.</numerusform>
             <numerusform>Prima il controllo esegue %Ln blocchi: vedere l’elenco.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Nothing moves now. The job will go on in part %1 at point %2 of %3, line %4.</source>
+        <translation>Ora non si muove nulla. Il lavoro proseguirà nella parte %1 al punto %2 di %3, riga %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
+        <translation>Ancora non si è mosso nulla. L’esecuzione comincerà dal punto %1 di %2, dove inizia la riga %3: %4.</translation>
+    </message>
+    <message>
+        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Ora non si muove nulla. L’esecuzione riprenderà dal punto %1 di %2, riga %3: %4.</translation>
+    </message>
+    <message>
+        <source>The tool first moves %1 in a straight line to that point.</source>
+        <translation>L’utensile percorre prima %1 in linea retta fino a quel punto.</translation>
+    </message>
+    <message>
+        <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
+        <translation>Dal punto %1 il programma è diverso da quello dell’esecuzione interrotta. Nessuno di questi punti è stato eseguito: controllare il nuovo percorso prima di continuare.</translation>
     </message>
 </context>
 <context>
@@ -9399,7 +9418,7 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Nessuna esecuzione di questa finestra è in corso.</translation>
     </message>
     <message>
-        <source>%1: stretch %2 of %3</source>
+        <source>%1: part %2 of %3</source>
         <translation>%1: tratto %2 di %3</translation>
     </message>
     <message>
@@ -9419,11 +9438,11 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Il lavoro attende prima del blocco successivo finché si preme Continua.</translation>
     </message>
     <message>
-        <source>Before stretch %1 of %2</source>
+        <source>Before part %1 of %2</source>
         <translation>Prima del tratto %1 di %2</translation>
     </message>
     <message>
-        <source>After the last stretch</source>
+        <source>After the last part</source>
         <translation>Dopo l’ultimo tratto</translation>
     </message>
     <message>
@@ -10493,11 +10512,11 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Il testo mostra la riga in esecuzione</translation>
     </message>
     <message>
-        <source>Previous stretch, or blocks that the control executes (Ctrl+Page Up)</source>
+        <source>Previous part, or blocks that the control executes (Ctrl+Page Up)</source>
         <translation>Tratto precedente, o blocchi eseguiti dal controllo (Ctrl+Pag su)</translation>
     </message>
     <message>
-        <source>Next stretch, or blocks that the control executes (Ctrl+Page Down)</source>
+        <source>Next part, or blocks that the control executes (Ctrl+Page Down)</source>
         <translation>Tratto successivo, o blocchi eseguiti dal controllo (Ctrl+Pag giù)</translation>
     </message>
     <message>

@@ -26,7 +26,7 @@ struct HazardTexts {
       return tr("%1, line %2").arg(QString::fromStdString(hazard.file), line);
     }
     return hazard.stretch > 0
-               ? tr("Line %1 (stretch %2)")
+               ? tr("Line %1 (part %2)")
                      .arg(line, widgets::countText(static_cast<std::size_t>(hazard.stretch)))
                : tr("Line %1").arg(line);
   }

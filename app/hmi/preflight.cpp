@@ -260,7 +260,8 @@ std::vector<PreflightItem> Preflight::liveItems() const {
                       "run after the last good point.")
                        .arg(box.join(QStringLiteral(", ")), widgets::lengthText(agreed.stepMmMax)),
                    {},
-                   0});
+                   0,
+                   true});
   items.push_back(liveStartItem());
   items.push_back(travelItem(agreed.highestMm - agreed.lowestMm));
   items.push_back({Status::Plain,
@@ -279,7 +280,7 @@ std::vector<PreflightItem> Preflight::liveItems() const {
 }
 
 PreflightItem Preflight::liveStartItem() const {
-  PreflightItem item{Status::Plain, tr("First move"), {}, {}, 0};
+  PreflightItem item{Status::Plain, tr("First move"), {}, {}, 0, true};
   const live::Agreement& agreed = m_document.live()->setup.agreement;
   const auto toolMm = m_machine.positionNowMm();
   if (!toolMm) {
@@ -369,7 +370,7 @@ PreflightItem Preflight::readingItem() const {
 }
 
 PreflightItem Preflight::functionsItem() const {
-  PreflightItem item{Status::Plain, tr("M functions and axes of another machine"), {}, {}, 0};
+  PreflightItem item{Status::Plain, tr("M functions and axes of another machine"), {}, {}, 0, true};
   QStringList lines;
   for (const job::FunctionUse& use : m_document.foreignFunctions()) {
     const QString call = tr("%1 (line %2, %Ln times)", nullptr, static_cast<int>(use.count))
@@ -405,7 +406,8 @@ PreflightItem Preflight::machineItem() const {
                              tr("Machine"),
                              tr("%1: the axes of this machine will move").arg(m_machine.endpoint()),
                              {},
-                             0};
+                             0,
+                             true};
 }
 
 PreflightItem Preflight::jobItem() const {
@@ -423,11 +425,11 @@ PreflightItem Preflight::jobItem() const {
     return {Status::Good, tr("Whole job"),
             tr("Streamed: %1; the control executes %Ln blocks: %2", nullptr,
                static_cast<int>(blocks.size()))
-                .arg(tr("%Ln stretches", nullptr, static_cast<int>(outline.stretches())),
+                .arg(tr("%Ln parts", nullptr, static_cast<int>(outline.stretches())),
                      blocksText(blocks)),
             isForResume() || outline.stretches() < 2 || !m_runs.canChangeSettings()
                 ? QString()
-                : tr("Begin with a stretch …"),
+                : tr("Begin with a part …"),
             ChooseStretch};
   }
   PreflightItem item{Status::Attention, tr("Motion only"),
@@ -467,10 +469,10 @@ forecast::SetUp Preflight::missingSetUp() const {
 }
 
 PreflightItem Preflight::firstMoveItem() const {
-  PreflightItem item{Status::Plain, tr("First move"), {}, {}, 0};
+  PreflightItem item{Status::Plain, tr("First move"), {}, {}, 0, true};
   if (const job::NativeBlock* first = blockBeforePath(m_document)) {
     item.text = tr("First the control executes line %1: %2. Then the tool moves from where it "
-                   "stands to the first point of stretch 1.")
+                   "stands to the first point of part 1.")
                     .arg(widgets::countText(first->place.line.value),
                          QString::fromStdString(first->source));
     return item;
@@ -587,7 +589,7 @@ PreflightItem Preflight::travelItem(const base::Vec3& sizesMm) const {
 
 PreflightItem Preflight::jobResumeItem() const {
   const widgets::ResumePlace& place = *m_runs.place();
-  PreflightItem item{Status::Plain, tr("First the control executes"), {}, {}, 0};
+  PreflightItem item{Status::Plain, tr("First the control executes"), {}, {}, 0, true};
   QStringList lines;
   for (std::size_t i = 0; i < place.steps.size(); ++i) {
     lines.append(QStringLiteral("%1. %2").arg(widgets::countText(i + 1),
@@ -595,7 +597,7 @@ PreflightItem Preflight::jobResumeItem() const {
   }
   const QString line = widgets::countText(place.line.value);
   lines.append(place.block.empty()
-                   ? tr("Then the job goes on in stretch %1 at point %2 of %3 (line %4).")
+                   ? tr("Then the job goes on in part %1 at point %2 of %3 (line %4).")
                          .arg(widgets::countText(static_cast<std::size_t>(place.stretch)),
                               widgets::countText(place.point + 1), widgets::countText(place.points),
                               line)
@@ -619,7 +621,7 @@ PreflightItem Preflight::resumeItem() const {
   if (place.isJob) {
     return jobResumeItem();
   }
-  PreflightItem item{Status::Plain, tr("First move"), {}, {}, 0};
+  PreflightItem item{Status::Plain, tr("First move"), {}, {}, 0, true};
   const QString point = tr("point %1 of %2 at %3")
                             .arg(widgets::countText(place.point + 1),
                                  widgets::countText(place.points), positionText(place.positionMm));
@@ -783,7 +785,7 @@ PreflightItem Preflight::methodItem() const {
 }
 
 PreflightItem Preflight::stopItem() const {
-  PreflightItem item{Status::Plain, tr("Stop"), {}, {}, 0};
+  PreflightItem item{Status::Plain, tr("Stop"), {}, {}, 0, true};
   const streaming::StreamSettings& settings = m_document.settings();
   const feasibility::OperatingPoint& point = m_document.findings().operatingPoint;
   const double nodeS = base::toSeconds(m_document.findings().access.timePerNode(point.turn()));

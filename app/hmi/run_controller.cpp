@@ -319,10 +319,10 @@ QString RunController::jobRefusal(bool isMachineKnown, bool isChosen) {
              ? tr("The tools and offsets of this machine are not known, so the state in which the "
                   "job goes on cannot be computed. Start from the beginning.")
          : isChosen
-             ? tr("The state before this stretch is not known: only the control knows what an "
-                  "earlier block does. Choose an earlier stretch, or start from the beginning.")
+             ? tr("The state before this part is not known: only the control knows what an "
+                  "earlier block does. Choose an earlier part, or start from the beginning.")
              : tr("It is not known for certain where the job was left. Press Start, then Begin "
-                  "with a stretch, or start from the beginning.");
+                  "with a part, or start from the beginning.");
 }
 
 void RunController::takeResume(const session::ResumeFound& found) {
@@ -376,8 +376,8 @@ void RunController::offerStartAtLine(std::size_t line) {
     // What the control executes before the line must not be left out without a word.
     m_messages.show(Severity::Warning, [] {
       return tr(
-          "A whole job begins at its beginning, or with a stretch: press Start, then Begin with a "
-          "stretch. To begin at this line, choose Motion only in the set-up, and set tool, spindle "
+          "A whole job begins at its beginning, or with a part: press Start, then Begin with a "
+          "part. To begin at this line, choose Motion only in the set-up, and set tool, spindle "
           "and coolant yourself.");
     });
     return;
@@ -546,7 +546,7 @@ void RunController::announceStart(const streaming::RunSettings& settings,
                    [stretches = outline.stretches(), blocks = outline.needed().size()] {
                      return tr("Start of a whole job: %1, %Ln blocks for the control.", nullptr,
                                static_cast<int>(blocks))
-                         .arg(tr("%Ln stretches", nullptr, static_cast<int>(stretches)));
+                         .arg(tr("%Ln parts", nullptr, static_cast<int>(stretches)));
                    });
   } else if (m_document.live()) {
     m_messages.log(Severity::Note, Source::Run,

@@ -483,7 +483,7 @@ class TestRunController : public QObject {
       return each.name == QStringLiteral("Travel, spindle and tools");
     });
     QVERIFY(item != items.end() && item->status == widgets::Status::Fault);
-    for (const char* part : {"T99", "S99000", "X would go to 500.000", "Line 3 (stretch 1)"}) {
+    for (const char* part : {"T99", "S99000", "X would go to 500.000", "Line 3 (part 1)"}) {
       QVERIFY2(QString(item->text)
                    .replace(QChar(0xA0), QLatin1Char(' '))
                    .remove(QLatin1Char(','))

@@ -359,7 +359,7 @@ class TestWindowOverOpcua : public QObject {
     window.openProgram(file.fileName());
     window.connectTo(machine.endpoint());
     QTRY_VERIFY2_WITH_TIMEOUT(
-        window.startBlockedReason().startsWith(QStringLiteral("Line 5 (stretch ")),
+        window.startBlockedReason().startsWith(QStringLiteral("Line 5 (part ")),
         qPrintable(window.startBlockedReason()), kSoonMs);
     QVERIFY(!window.start());
     QTRY_VERIFY_WITH_TIMEOUT(window.startBlockedReason().contains(QStringLiteral("X would go to")),

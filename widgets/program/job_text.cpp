@@ -66,7 +66,7 @@ struct JobTexts {
                : text;
   }
   static QString stretch(const job::Stretch& stretch, std::size_t stretches) {
-    return tr("Stretch %1 of %2: lines %3 to %4 are streamed, %Ln points.", nullptr,
+    return tr("Part %1 of %2: lines %3 to %4 are streamed, %Ln points.", nullptr,
               static_cast<int>(stretch.pointCount))
         .arg(countText(static_cast<std::size_t>(stretch.number)), countText(stretches),
              countText(stretch.blocks.front().line.value),

@@ -40,10 +40,10 @@ TextPane::TextPane(QWidget* parent)
       m_previousPart(
           say(makeTool(this, Qt::LeftArrow),
               {.hint = QT_TR_NOOP(
-                   "Previous stretch, or blocks that the control executes (Ctrl+Page Up)")})),
+                   "Previous part, or blocks that the control executes (Ctrl+Page Up)")})),
       m_nextPart(say(makeTool(this, Qt::RightArrow),
                      {.hint = QT_TR_NOOP(
-                          "Next stretch, or blocks that the control executes (Ctrl+Page Down)")})),
+                          "Next part, or blocks that the control executes (Ctrl+Page Down)")})),
       m_follow(say(new QToolButton(this),
                    {.text = QT_TR_NOOP("Follow the run"),
                     .tip = QT_TR_NOOP("The text shows the line that is being executed"),

@@ -10,6 +10,7 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <algorithm>
 #include <cmath>
 
@@ -107,17 +108,20 @@ QString overrideLimitText(const streaming::OverrideLimit& limit) {
 MethodPanel::MethodPanel(QWidget* parent)
     : Page(parent),
       m_points(whole(1, 9999)),
-      m_delta(number({.min = 0.001, .max = 100.0, .step = 0.05, .unit = "mm"})),
+      m_delta(number({.min = 0.001, .max = 100.0, .step = 0.05, .unit = "mm"}, {.id = "delta"})),
       m_feed(number({.min = kFeedMmPerMinMin,
                      .max = 40'000.0,
                      .decimals = 1,
                      .step = 50.0,
-                     .unit = "mm/min"})),
+                     .unit = "mm/min"},
+                    {.id = "feed"})),
       m_override(number({.min = kPercent * gcode::kOverrideMin,
                          .max = kPercent * gcode::kOverrideMax,
                          .decimals = 0,
                          .step = 5.0,
-                         .unit = "%"})),
+                         .unit = "%"},
+                        {.id = "program-override"})),
+      m_rate(new QStackedWidget),
       m_form(new Form(this, m_settingsGroup, Form::Height::Touch)),
       m_correction(
           number({.min = 0.0, .max = templates::kCorrectionLimitMmMax, .step = 0.01, .unit = "mm"},
@@ -163,12 +167,11 @@ void MethodPanel::buildSettings() {
   m_form->row({}, m_points);
   m_form->row({.text = QT_TR_NOOP("δ (point reached)")}, m_delta);
   m_form->row({.text = QT_TR_NOOP("Feed")}, m_feedSource);
-  m_form->row({.text = QT_TR_NOOP("F (path feed)")}, m_feed);
-  m_form->row({.text = QT_TR_NOOP("Override"),
-               .tip = QT_TR_NOOP("Scales the feeds of the program, and its rapids up to the rapid "
-                                 "feed of the machine")},
-              m_override);  // one of these two is shown
-  m_form->row({.text = QT_TR_NOOP("Cells")}, m_layout);
+  // One of the two is shown. A row of a form that was hidden gets no height back (Qt 6.4).
+  m_rate->addWidget(m_feed);
+  m_rate->addWidget(m_override);
+  m_form->row({}, m_rate);
+  m_form->row({.text = QT_TR_NOOP("R-parameters")}, m_layout);
   m_form->row({.text = QT_TR_NOOP("Correction up to"),
                .tip = QT_TR_NOOP("Largest correction of each axis during the run. The control must "
                                  "not add corrections up (MD36750 bit 0), and its own limit "
@@ -347,8 +350,15 @@ void MethodPanel::showFeedFields() {
   m_override->setValue(kPercent * m_settings.overrideFactor);
   m_override->setEnabled(m_editable && !m_isLive);
   m_feed->setEnabled(m_editable && !m_isLive);
-  m_form->setRowVisible(m_override, ofProgram);
-  m_form->setRowVisible(m_feed, !ofProgram);
+  const QString name = ofProgram ? tr("Override") : tr("F (path feed)");
+  QWidget* const shown = ofProgram ? static_cast<QWidget*>(m_override) : m_feed;
+  m_rate->setCurrentWidget(shown);
+  shown->setAccessibleName(name);
+  m_form->label(m_rate)->setText(name);
+  m_form->label(m_rate)->setBuddy(shown);
+  m_form->setTip(m_rate, ofProgram ? tr("Scales the feeds of the program, and its rapids up to the "
+                                        "rapid feed of the machine")
+                                   : QString());
 }
 
 void MethodPanel::setLive(bool isLive) {

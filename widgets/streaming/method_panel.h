@@ -19,6 +19,7 @@ class QComboBox;
 class QGroupBox;
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 
 namespace rivulet::widgets {
 
@@ -150,9 +151,10 @@ class MethodPanel final : public Page {
       list({.items = {QT_TR_NOOP("Of the program"), QT_TR_NOOP("One for all moves")}});
   NumberField* m_feed;
   NumberField* m_override;
+  QStackedWidget* m_rate;  ///< one of the two
   Form* m_form;
   QComboBox* m_layout =
-      list({.items = {QT_TR_NOOP("Paper (R11, R21 …)"), QT_TR_NOOP("Contiguous (R10 …)")}});
+      list({.items = {QT_TR_NOOP("With gaps (R11, R21 …)"), QT_TR_NOOP("In a row (R10 …)")}});
   NumberField* m_correction;
   NumberField* m_height;  ///< of a dry run
   QComboBox* m_access = list({.items = {QT_TR_NOOP("Automatic"), QT_TR_NOOP("Arrays, or no start"),

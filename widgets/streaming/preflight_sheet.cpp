@@ -38,40 +38,33 @@ void PreflightSheet::showItems() {
   while (QLayoutItem* item = m_rows->takeAt(0)) {
     if (item->widget() != nullptr) {
       item->widget()->hide();
+      item->widget()->setObjectName(QString());
       item->widget()->deleteLater();
     }
     delete item;
   }
   // What is not right comes first.
-  std::vector<PreflightItem> items = m_items;
-  std::stable_partition(items.begin(), items.end(), [](const PreflightItem& item) {
+  std::vector<PreflightItem> shown = m_items;
+  const auto passed = std::stable_partition(shown.begin(), shown.end(), [](const auto& item) {
+    return item.isKept || !item.remedy.isEmpty() ||
+           (item.status != Status::Good && item.status != Status::Plain);
+  });
+  std::stable_partition(shown.begin(), passed, [](const PreflightItem& item) {
     return item.status == Status::Attention || item.status == Status::Fault;
   });
+  const std::vector<PreflightItem> folded(passed, shown.end());
+  shown.erase(passed, shown.end());
   int row = 0;
-  for (const PreflightItem& item : items) {
-    auto* name = new QLabel(item.name, this);
-    setMuted(name, palette());
-    auto* text = new StatusLabel(this);
-    text->setWordWrap(true);
-    text->setStatus(item.status, item.text);
-    m_rows->addWidget(name, row, 0, Qt::AlignTop);
-    m_rows->addWidget(text, row, 1);
-    std::vector<QWidget*> shown{name, text};
-    if (!item.remedy.isEmpty()) {
-      QPushButton* button = makeTouchButton(this);
-      button->setText(item.remedy);
-      m_rows->addWidget(button, row, 2, Qt::AlignTop);
-      connect(
-          button, &QPushButton::clicked, this,
-          [this, id = item.remedyId] { Q_EMIT remedyRequested(id); }, Qt::QueuedConnection);
-      shown.push_back(button);
+  for (const PreflightItem& item : shown) {
+    addItem(item, row++);
+  }
+  if (!folded.empty()) {
+    addPassed(folded, row++);
+  }
+  if (m_isUnfolded) {
+    for (const PreflightItem& item : folded) {
+      addItem(item, row++);
     }
-    if (isVisible()) {  // else they are shown with the sheet
-      for (QWidget* widget : shown) {
-        widget->show();
-      }
-    }
-    ++row;
   }
   if (m_kind != Kind::Start) {
     m_outcome->setStatus(m_passed ? Status::Good : Status::Attention,
@@ -85,6 +78,59 @@ void PreflightSheet::showItems() {
                        m_passed ? tr("Nothing has moved yet. Hold Start for one second: then the "
                                      "machine moves.")
                                 : tr("Start is not possible yet."));
+}
+
+void PreflightSheet::addItem(const PreflightItem& item, int row) {
+  auto* name = new QLabel(item.name, this);
+  setMuted(name, palette());
+  auto* text = new StatusLabel(this);
+  text->setWordWrap(true);
+  text->setStatus(item.status, item.text);
+  m_rows->addWidget(name, row, 0, Qt::AlignTop);
+  m_rows->addWidget(text, row, 1);
+  std::vector<QWidget*> shown{name, text};
+  if (!item.remedy.isEmpty()) {
+    QPushButton* button = makeTouchButton(this);
+    button->setText(item.remedy);
+    m_rows->addWidget(button, row, 2, Qt::AlignTop);
+    connect(
+        button, &QPushButton::clicked, this,
+        [this, id = item.remedyId] { Q_EMIT remedyRequested(id); }, Qt::QueuedConnection);
+    shown.push_back(button);
+  }
+  if (isVisible()) {  // else they are shown with the sheet
+    for (QWidget* widget : shown) {
+      widget->show();
+    }
+  }
+}
+
+void PreflightSheet::addPassed(const std::vector<PreflightItem>& passed, int row) {
+  QStringList names;
+  for (const PreflightItem& item : passed) {
+    names.append(item.name);
+  }
+  addItem({Status::Good,
+           tr("Passed"),
+           tr("%Ln checks: %1", nullptr, static_cast<int>(passed.size()))
+               .arg(names.join(QStringLiteral(", "))),
+           {},
+           0,
+           true},
+          row);
+  QPushButton* button = makeTouchButton(this);
+  button->setObjectName(QStringLiteral("preflight-passed"));
+  button->setText(m_isUnfolded ? tr("Fold") : tr("Show"));
+  m_rows->addWidget(button, row, 2, Qt::AlignTop);
+  connect(
+      button, &QPushButton::clicked, this,
+      [this] {
+        m_isUnfolded = !m_isUnfolded;
+        showItems();
+        findChild<QPushButton*>(QStringLiteral("preflight-passed"))->setFocus();
+      },
+      Qt::QueuedConnection);
+  button->setVisible(isVisible());
 }
 
 void PreflightSheet::retranslate() {

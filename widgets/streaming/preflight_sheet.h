@@ -4,7 +4,7 @@
 /// @file
 /// What will happen if Start is held now: one line for each thing an operator checks before a run,
 /// with its state and, where something is in the way, a button that leads to the remedy. What is
-/// not right or unusual comes first.
+/// not right or unusual comes first; what has passed is counted, and listed on demand.
 /// @threadsafety GUI thread.
 #pragma once
 
@@ -25,6 +25,7 @@ struct PreflightItem {
   QString text;    ///< one sentence
   QString remedy;  ///< text of the button; empty: none
   int remedyId = 0;
+  bool isKept = false;  ///< to be seen also where nothing is wrong with it
 
   friend bool operator==(const PreflightItem&, const PreflightItem&) = default;
 };
@@ -51,10 +52,14 @@ class PreflightSheet final : public Page {
 
  private:
   void showItems();
+  /// @param row  in the grid
+  void addItem(const PreflightItem& item, int row);
+  void addPassed(const std::vector<PreflightItem>& passed, int row);
 
   std::vector<PreflightItem> m_items;
   bool m_passed = false;
   Kind m_kind = Kind::Start;
+  bool m_isUnfolded = false;
   QLabel* m_title = heading({});
   StatusLabel* m_outcome = status({.wraps = true});
   QWidget* m_list = nullptr;

@@ -83,7 +83,7 @@ QString ResumeBar::jobText() const {
   const QString line = countText(m_place->line.value);
   const QString place =
       m_place->block.empty()
-          ? tr("Nothing moves now. The job will go on in stretch %1 at point %2 of %3, line "
+          ? tr("Nothing moves now. The job will go on in part %1 at point %2 of %3, line "
                "%4.")
                 .arg(countText(static_cast<std::size_t>(m_place->stretch)),
                      countText(m_place->point + 1), countText(m_place->points), line)

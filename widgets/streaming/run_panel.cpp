@@ -415,7 +415,7 @@ QString RunPanel::activeText() const {
   }
   const QString stretches = countText(m_job->stretches);
   if (!m_job->isNative) {
-    return tr("%1: stretch %2 of %3").arg(state, countText(m_job->stretch), stretches);
+    return tr("%1: part %2 of %3").arg(state, countText(m_job->stretch), stretches);
   }
   return m_job->line > 0 ? tr("%1: the control, line %2").arg(state, countText(m_job->line))
                          : tr("%1: the control").arg(state);
@@ -432,9 +432,9 @@ QString RunPanel::nativeText() const {
     return tr("The job waits before the next block until you press Continue.");
   }
   const QString what = m_job->stretch <= m_job->stretches
-                           ? tr("Before stretch %1 of %2")
+                           ? tr("Before part %1 of %2")
                                  .arg(countText(m_job->stretch), countText(m_job->stretches))
-                           : tr("After the last stretch");
+                           : tr("After the last part");
   const QString block = m_job->block.isEmpty() ? what : what + QStringLiteral(": ") + m_job->block;
   return hasFeedCell()
              ? block

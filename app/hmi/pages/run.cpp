@@ -89,9 +89,9 @@ struct RunTexts {
     }
     return {};
   }
-  static QString fromStretchTitle() { return tr("Begin with a stretch"); }
+  static QString fromStretchTitle() { return tr("Begin with a part"); }
   static QString fromStretch(int stretches) {
-    return tr("Stretch (1 to %1). What the machine needs there is listed before anything moves.")
+    return tr("Part (1 to %1). What the machine needs there is listed before anything moves.")
         .arg(stretches);
   }
   static QString title(const Document& document, bool isRunning) {

@@ -4,10 +4,13 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
+#include <algorithm>
+#include <vector>
 
 #include "base/units.h"
 #include "gui/widgets/page_test.h"
@@ -46,6 +49,10 @@ void inLanguage(QWidget& widget, const QString& code) {
   QCoreApplication::sendEvent(&widget, &change);
 }
 
+QRect placeIn(const QWidget& panel, const QWidget* field) {
+  return {field->mapTo(&panel, QPoint()), field->size()};
+}
+
 }  // namespace
 
 class TestMethodPanel : public QObject {
@@ -73,6 +80,44 @@ class TestMethodPanel : public QObject {
     // Switching the language shows everything anew and changes nothing.
     language.german();
     QCOMPARE(changes.count(), 0);
+  }
+
+  /// One of two fields is shown: it has a row of its own, whatever was shown before.
+  void eachFieldShownHasItsRow() {
+    test::Language language;
+    MethodPanel panel;
+    panel.resize(600, 800);
+    streaming::StreamSettings settings;
+    settings.programFeeds = true;
+    panel.setSettings(settings);
+    panel.show();
+    for (const bool isFixed : {true, false, true}) {
+      settings.programFeeds = !isFixed;
+      panel.setSettings(settings);
+      QTest::qWait(0);
+      std::vector<QWidget*> fields;
+      for (QWidget* each : panel.findChildren<QWidget*>()) {
+        const bool isField = qobject_cast<QComboBox*>(each) != nullptr ||
+                             qobject_cast<QAbstractSpinBox*>(each) != nullptr;
+        if (isField && each->isVisible()) {
+          fields.push_back(each);
+        }
+      }
+      QVERIFY(fields.size() > 5);
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        const QRect place = placeIn(panel, fields[i]);
+        QVERIFY(place.height() >= fields[i]->minimumSizeHint().height());
+        for (std::size_t j = 0; j < i; ++j) {
+          QVERIFY(!place.intersects(placeIn(panel, fields[j])));
+        }
+      }
+      const auto labels = panel.findChildren<QLabel*>();
+      const QString name = isFixed ? QStringLiteral("F (path feed)") : QStringLiteral("Override");
+      QVERIFY(std::any_of(labels.begin(), labels.end(), [&](const QLabel* each) {
+        return each->isVisible() && each->text() == name && each->buddy() != nullptr &&
+               each->buddy()->isVisible();
+      }));
+    }
   }
 
   void valuesKeepTheDigitsTheFieldsDoNotShow() {
@@ -107,7 +152,7 @@ class TestMethodPanel : public QObject {
     QVERIFY(buttonWith(panel, "Use F = ") == nullptr);
     for (const QComboBox* box : panel.findChildren<QComboBox*>()) {
       // The layout is that of the method.
-      QCOMPARE(box->isEnabled(), !box->itemText(0).startsWith(QStringLiteral("Paper")));
+      QCOMPARE(box->isEnabled(), !box->itemText(0).startsWith(QStringLiteral("With gaps")));
     }
   }
 
@@ -129,7 +174,7 @@ class TestMethodPanel : public QObject {
     streaming::StreamSettings settings;
     settings.parameters.method = base::MethodKind::Signal;
     panel.setSettings(settings);
-    auto* delta = panel.findChildren<QDoubleSpinBox*>().first();
+    auto* delta = panel.findChild<QDoubleSpinBox*>("delta");
     QVERIFY(!delta->isEnabled());
     QVERIFY(delta->toolTip().contains("does not use δ"));
     settings.parameters.method = base::MethodKind::Position;
@@ -258,7 +303,7 @@ class TestMethodPanel : public QObject {
     panel.setSettings(settings);
     panel.show();
     inLanguage(panel, language);
-    auto* feed = panel.findChildren<NumberField*>().at(1);
+    auto* feed = panel.findChild<NumberField*>("feed");
     QVERIFY(feed->text().startsWith("600"));
     QSignalSpy refused(feed, &NumberField::refused);
     feed->selectAll();
@@ -281,7 +326,7 @@ class TestMethodPanel : public QObject {
     settings.feedMmPerS = 10.0;
     panel.setSettings(settings);
     panel.show();
-    auto* feed = panel.findChildren<NumberField*>().at(1);
+    auto* feed = panel.findChild<NumberField*>("feed");
     QSignalSpy refused(feed, &NumberField::refused);
     feed->selectAll();
     QTest::keyClicks(feed, QStringLiteral("8001"));
@@ -332,9 +377,8 @@ class TestMethodPanel : public QObject {
     settings.programFeeds = true;
     panel.setSettings(settings);
     panel.show();
-    const auto fields = panel.findChildren<NumberField*>();
-    NumberField* feed = fields.at(1);
-    NumberField* factor = fields.at(2);
+    auto* feed = panel.findChild<NumberField*>("feed");
+    auto* factor = panel.findChild<NumberField*>("program-override");
     QVERIFY(!feed->isVisible());
     QVERIFY(factor->isVisible());
     factor->setValue(80.0);
@@ -368,15 +412,16 @@ class TestMethodPanel : public QObject {
     settings.parameters.method = base::MethodKind::Signal;
     panel.setSettings(settings);
     panel.show();
-    const auto fields = panel.findChildren<NumberField*>();
-    QVERIFY(fields.at(1)->isVisible());
-    QVERIFY(!fields.at(2)->isVisible());
+    auto* feed = panel.findChild<NumberField*>("feed");
+    auto* factor = panel.findChild<NumberField*>("program-override");
+    QVERIFY(feed->isVisible());
+    QVERIFY(!factor->isVisible());
     QVERIFY(!panel.settings().usesProgramFeeds());
-    fields.at(1)->setValue(700.0);
+    feed->setValue(700.0);
     auto* method = panel.findChild<QComboBox*>("method");
     method->setCurrentIndex(0);
     QVERIFY(panel.settings().usesProgramFeeds());
-    QVERIFY(fields.at(2)->isVisible());
+    QVERIFY(factor->isVisible());
   }
 
   void numbersFollowTheLanguage() {
@@ -386,8 +431,8 @@ class TestMethodPanel : public QObject {
     settings.parameters.method = base::MethodKind::Position;
     panel.setSettings(settings);
     language.german();
-    const auto fields = panel.findChildren<QDoubleSpinBox*>();
-    QCOMPARE(fields.first()->text(), QString("0,300") + QChar(0x00A0) + "mm");
+    QCOMPARE(panel.findChild<QDoubleSpinBox*>("delta")->text(),
+             QString("0,300") + QChar(0x00A0) + "mm");
     QVERIFY(test::visibleText(panel).contains("Verfahren"));
   }
 };

@@ -117,7 +117,7 @@ class TestProgramPage : public QObject {
     QVERIFY(text->hintOf(3).contains(QStringLiteral("tool or tool length")));
     QVERIFY(text->hintOf(3).contains(QStringLiteral("read from the control")));
     QVERIFY(text->hintOf(10).contains(QStringLiteral("coolant")));
-    QVERIFY(text->hintOf(11).contains(QStringLiteral("Stretch 2 of 3")));
+    QVERIFY(text->hintOf(11).contains(QStringLiteral("Part 2 of 3")));
     QVERIFY(text->hintOf(12).isEmpty());
     auto* pane = page.findChild<TextPane*>();
     QVERIFY(pane->nextPart()->isVisibleTo(pane));

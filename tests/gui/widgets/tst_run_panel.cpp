@@ -102,18 +102,18 @@ class TestRunPanel : public QObject {
     JobProgress job{3, 12, false, 0, {}, false};
     panel.setUpdate(updateOf(streaming::RunState::Running));
     panel.setJob(job);
-    QVERIFY(test::visibleText(panel).contains("Running: stretch 3 of 12"));
+    QVERIFY(test::visibleText(panel).contains("Running: part 3 of 12"));
     job = {4, 12, true, 214, "N2130 T5 M6", false};
     panel.setJob(job);
     QVERIFY(test::visibleText(panel).contains("Running: the control, line 214"));
-    QVERIFY(test::visibleText(panel).contains("Before stretch 4 of 12: N2130 T5 M6"));
+    QVERIFY(test::visibleText(panel).contains("Before part 4 of 12: N2130 T5 M6"));
     QVERIFY(test::visibleText(panel).contains("at the end of the block"));
     job.waitsForCycleStart = true;
     panel.setJob(job);
     QVERIFY(test::visibleText(panel).contains("waits for cycle start at the control"));
     job = {13, 12, true, 0, {}, false};
     panel.setJob(job);
-    QVERIFY(test::visibleText(panel).contains("After the last stretch"));
+    QVERIFY(test::visibleText(panel).contains("After the last part"));
     panel.setProgress({5, 300, TimeLeft{100.0, 5.0, 20.0, 10.0}});
     QVERIFY(test::visibleText(panel).contains("control 30"));
   }
