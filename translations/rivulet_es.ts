@@ -9105,7 +9105,7 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
     <message>
         <source>Nothing moves now. The job will go on in part %1 at point %2 of %3, line %4.</source>
-        <translation>Ahora no se mueve nada. El trabajo seguirá en la parte %1 en el punto %2 de %3, línea %4.</translation>
+        <translation>Ahora no se mueve nada. El trabajo seguirá en el tramo %1, punto %2 de %3, línea %4.</translation>
     </message>
     <message>
         <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>

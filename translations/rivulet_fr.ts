@@ -9105,7 +9105,7 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     </message>
     <message>
         <source>Nothing moves now. The job will go on in part %1 at point %2 of %3, line %4.</source>
-        <translation>Rien ne bouge maintenant. Le travail reprendra dans la partie %1 au point %2 sur %3, ligne %4.</translation>
+        <translation>Rien ne bouge maintenant. La tâche reprendra au tronçon %1, point %2 sur %3, ligne %4.</translation>
     </message>
     <message>
         <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>

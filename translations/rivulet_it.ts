@@ -9105,7 +9105,7 @@ Is it certain that %1 does not change the path of the tool?</source>
     </message>
     <message>
         <source>Nothing moves now. The job will go on in part %1 at point %2 of %3, line %4.</source>
-        <translation>Ora non si muove nulla. Il lavoro proseguirà nella parte %1 al punto %2 di %3, riga %4.</translation>
+        <translation>Ora non si muove nulla. Il lavoro proseguirà nel tratto %1 al punto %2 di %3, riga %4.</translation>
     </message>
     <message>
         <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
