@@ -4014,6 +4014,10 @@ GPL-3.0-or-later</translation>
         <source>&amp;Settings</source>
         <translation>Paramètre&amp;s</translation>
     </message>
+    <message>
+        <source>La&amp;rge view</source>
+        <translation>&amp;Grande vue</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::PastRuns</name>

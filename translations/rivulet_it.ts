@@ -4014,6 +4014,10 @@ GPL-3.0-or-later</translation>
         <source>&amp;Settings</source>
         <translation>Imposta&amp;zioni</translation>
     </message>
+    <message>
+        <source>La&amp;rge view</source>
+        <translation>Vista &amp;grande</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::PastRuns</name>

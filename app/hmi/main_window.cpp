@@ -147,7 +147,8 @@ void MainWindow::buildPages() {
   auto* above = new QVBoxLayout;
   m_rail = new widgets::PlaceRail(central);
   auto* beside = widgets::inRow({m_rail, widgets::InBox(above, 1)}, nullptr, QMargins());
-  // Header and the strip with Stop have the whole width: in a narrow window the rail would cut them.
+  // Header and the strip with Stop have the whole width: in a narrow window the rail would cut
+  // them.
   auto* rows =
       widgets::inColumn({makeHeader(central), widgets::InBox(beside, 1)}, central, QMargins());
   for (QBoxLayout* each : std::initializer_list<QBoxLayout*>{above, beside, rows}) {
@@ -362,6 +363,14 @@ void MainWindow::toggleHelp() {
   m_help->open(QStringLiteral("hmi.md"), QString::fromLatin1(heading));
 }
 
+/// The page has the window, but for header, position and strip.
+void MainWindow::toggleLarge() {
+  const bool isLarge = m_rail->isVisibleTo(this);
+  m_rail->setVisible(!isLarge);
+  m_tabs->setBarShown(!isLarge);
+  programPage()->setLarge(isLarge);
+}
+
 void MainWindow::buildMenu() {
   auto* menu = new QMenu(m_menuButton);
   m_menuButton->setMenu(menu);
@@ -401,6 +410,9 @@ void MainWindow::buildMenu() {
                 {.text = name});
   }
   menu->addSeparator();
+  addItem(QT_TR_NOOP("La&rge view"), QKeySequence(Qt::Key_F11), [this] {
+    toggleLarge();
+  })->setCheckable(true);
   addItem(QT_TR_NOOP("&Help"), QKeySequence(Qt::Key_F1), [this] { toggleHelp(); });
   addItem(QT_TR_NOOP("&About Rivulet"), {}, [this] {
     auto* about =

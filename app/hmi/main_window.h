@@ -97,6 +97,7 @@ class MainWindow final : public QMainWindow {
   void showPreflight() { m_preflight.open(); }
   /// Shows the manual at what is on the screen, or closes it.
   void toggleHelp();
+  void toggleLarge();
   void closePreflight() { m_preflight.close(); }
   void askResume() { m_runs.askResume(); }
   bool resume() { return m_runs.resume(); }

@@ -315,7 +315,8 @@ PreflightItem Preflight::programItem() const {
           tr("%1, version %2, %Ln points", nullptr, static_cast<int>(m_document.points().size()))
               .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash)),
           {},
-          0};
+          0,
+          true};
 }
 
 PreflightItem Preflight::readingItem() const {

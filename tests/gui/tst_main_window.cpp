@@ -42,6 +42,8 @@
 #include "widgets/alarms/alarm_line.h"
 #include "widgets/calibration/calibration_page.h"
 #include "widgets/common/hold_button.h"
+#include "widgets/common/folding_columns.h"
+#include "widgets/common/place_tabs.h"
 #include "widgets/connection/connection_panel.h"
 #include "widgets/connection/position_line.h"
 #include "widgets/feasibility/feasibility_page.h"
@@ -157,6 +159,10 @@ class TestMainWindow : public QObject {
     });
     m_window->resize(1440, 900);
     m_window->show();
+    auto* columns = m_window->findChild<widgets::FoldingColumns*>();
+    QVERIFY(!columns->isOpen(widgets::FoldingColumns::First));
+    QVERIFY(!columns->isOpen(widgets::FoldingColumns::Second));
+    columns->setOpen(widgets::FoldingColumns::Second, true);
   }
 
   std::shared_ptr<const RunReport> runToEnd() {
@@ -303,6 +309,23 @@ class TestMainWindow : public QObject {
     m_window->stop();
     QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
     QVERIFY(button->isEnabled());
+  }
+
+  void aLargeViewLeavesTheStrip() {
+    m_window->resize(1280, 800);
+    m_window->openProgram(kScorpion);
+    auto* path = m_window->findChild<widgets::PathView*>();
+    QTRY_VERIFY_WITH_TIMEOUT(path->isVisible(), kSoonMs);
+    QCoreApplication::processEvents();
+    const QSize before = path->size();
+    auto* rail = m_window->findChild<widgets::PlaceRail*>();
+    QTest::keyClick(m_window.get(), Qt::Key_F11);
+    QTRY_VERIFY_WITH_TIMEOUT(path->width() > 1200 && path->height() > before.height(), kSoonMs);
+    QVERIFY(!rail->isVisible());
+    QVERIFY(m_window->findChild<QWidget*>(QStringLiteral("stop"))->isVisible());
+    QTest::keyClick(m_window.get(), Qt::Key_F11);
+    QTRY_COMPARE_WITH_TIMEOUT(path->size(), before, kSoonMs);
+    QVERIFY(rail->isVisible());
   }
 
   /// From half of FullHD (200 %) up, and at the quarter of 1024x768: the window takes the size, and

@@ -127,12 +127,15 @@ class TestService : public QObject {
     QVERIFY(service->await("Monitoring/Stands", "true"));
     QCOMPARE(service->value("Monitoring/Override"), "0");
     QCOMPARE(service->value("Monitoring/State"), "holding");
-    const std::string place = service->value("Monitoring/Position");
+    // It is empty while it has not been read for long.
+    std::string place;
+    QTRY_VERIFY_WITH_TIMEOUT(!(place = service->value("Monitoring/Position")).empty(),
+                             tests::kSoonMs);
     const std::string points = service->value("Production/ActiveProgram/PointsDone");
     QVERIFY(service->call("SetOverride", {"100"}).accepted);  // it stays held
     QVERIFY(service->await("Monitoring/State", "holding"));
     QCOMPARE(service->value("Production/ActiveProgram/PointsDone"), points);
-    QCOMPARE(service->value("Monitoring/Position"), place);
+    QTRY_COMPARE_WITH_TIMEOUT(service->value("Monitoring/Position"), place, tests::kSoonMs);
     QVERIFY(service->call("Resume").accepted);
     QVERIFY(service->await("Monitoring/Override", "100"));
     QVERIFY(service->await("Session/LastOutcome", "completed"));

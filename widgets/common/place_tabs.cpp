@@ -54,6 +54,10 @@ void PlaceTabs::openPlace(int place) {
   setCurrentIndex(m_last[static_cast<std::size_t>(place)]);
 }
 
+void PlaceTabs::setBarShown(bool isShown) {
+  tabBar()->setVisible(isShown);
+}
+
 void PlaceTabs::showPlace() {
   if (currentIndex() < 0) {
     return;

@@ -30,6 +30,7 @@ class PlaceTabs final : public QTabWidget {
   void setTitles(const QStringList& titles, const QStringList& toolTips);
   /// Shows the page that was shown there last, at first the first one.
   void openPlace(int place);
+  void setBarShown(bool isShown);
   [[nodiscard]] int place() const { return m_place; }
 
  Q_SIGNALS:

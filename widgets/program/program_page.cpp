@@ -135,6 +135,10 @@ void ProgramPage::followRun() {
   m_text->followRun();
 }
 
+void ProgramPage::setLarge(bool isLarge) {
+  m_side->setVisible(!isLarge);
+}
+
 void ProgramPage::resizeEvent(QResizeEvent* event) {
   Page::resizeEvent(event);
   // Two halves side by side need room for the figures and for a path that can be read.

@@ -48,6 +48,8 @@ class ProgramPage final : public Page {
   void setRunBegin(std::size_t point);
   /// A run begins: path and text show it.
   void followRun();
+  /// The path has the page to itself.
+  void setLarge(bool isLarge);
 
   /// The times of the present program are known.
   [[nodiscard]] bool hasTimes() const { return m_hasTimes; }
