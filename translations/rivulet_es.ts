@@ -7411,7 +7411,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>With gaps (R11, R21 …)</source>
-        <translation>Con huecos (R11, R21 …)</translation>
+        <translation>Huecos (R11, R21 …)</translation>
     </message>
     <message>
         <source>In a row (R10 …)</source>

@@ -4016,7 +4016,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>La&amp;rge view</source>
-        <translation>Vista &amp;grande</translation>
+        <translation>Vista g&amp;rande</translation>
     </message>
 </context>
 <context>
@@ -7411,7 +7411,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>With gaps (R11, R21 …)</source>
-        <translation>Con intervalli (R11, R21 …)</translation>
+        <translation>Spaziati (R11, R21 …)</translation>
     </message>
     <message>
         <source>In a row (R10 …)</source>

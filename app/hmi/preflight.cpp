@@ -690,7 +690,7 @@ PreflightItem Preflight::stateItem() const {
 }
 
 PreflightItem Preflight::programFeedItem() const {
-  PreflightItem item{Status::Plain, tr("Feed"), {}, {}, 0};
+  PreflightItem item{Status::Plain, tr("Feed"), {}, {}, 0, true};
   const double overrideFactor = m_document.settings().overrideFactor;
   const auto programmed = programFeeds(*m_document.view());
   const QString percent = percentText(overrideFactor);
@@ -729,7 +729,7 @@ PreflightItem Preflight::feedItem() const {
     return programFeedItem();
   }
   const double feedMmPerS = m_document.settings().feedMmPerS;
-  PreflightItem item{Status::Plain, tr("Feed"), {}, {}, 0};
+  PreflightItem item{Status::Plain, tr("Feed"), {}, {}, 0, true};
   const auto programmed = programFeeds(*m_document.view());
   const bool isPublished = base::isPublished(m_document.settings().parameters.method);
   const QString fixed =

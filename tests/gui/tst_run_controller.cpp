@@ -358,7 +358,7 @@ class TestRunController : public QObject {
   /// time anew; another program is a whole job again.
   void motionWithoutItsSetUpIsConfirmed() {
     Models models;
-    models.openJob();
+    models.openJob("G17 G90 G71\nT1 M6\nS2000 M3\nG0 X0 Y0 Z5\nG1 Z-2 F600\nX40\nG0 Z5\nM30\n");
     hmi::Preflight preflight(models.document, models.machine, models.runs);
     models.document.chooseJob(false);
     QTRY_VERIFY_WITH_TIMEOUT(models.document.view() && !models.document.isJob(), kSoonMs);

@@ -73,6 +73,7 @@ ProgramPanel::ProgramPanel(QWidget* parent)
       m_recentMenu(new QMenu(this)),
       m_name(new ElidedLabel(1, this)),
       m_about(new ElidedLabel(1, this)),
+      m_title(new QBoxLayout(QBoxLayout::LeftToRight)),
       m_tabs(new QTabWidget(this)),
       m_findings(new DiagnosticModel(this)),
       m_sorted(new QSortFilterProxyModel(this)),
@@ -100,11 +101,11 @@ ProgramPanel::ProgramPanel(QWidget* parent)
   m_tabs->addTab(m_pages[Tab::Figures], QString());
   m_tabs->addTab(m_pages[Tab::Findings], QString());
 
-  auto* title = inColumn({m_name, m_about});
-  title->setSpacing(0);
-  inColumn({inRow({{title, 1}, m_open, m_recent, m_live}), m_summary, {m_tabs, 1}}, this,
-           QMargins(8, 4, 8, 2))
-      ->setSpacing(4);
+  auto* names = inColumn({m_name, m_about});
+  names->setSpacing(0);
+  m_title->addLayout(names, 1);
+  m_title->addLayout(inRow({m_open, m_recent, m_live}));
+  inColumn({m_title, m_summary, {m_tabs, 1}}, this, QMargins(8, 4, 8, 2))->setSpacing(4);
   m_tabs->setDocumentMode(true);
 
   connect(m_findingsTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -322,6 +323,7 @@ void ProgramPanel::showProgram() {
       m_program ? tr("%Ln lines", nullptr, static_cast<int>(m_program->program->statistics.lines)) +
                       QStringLiteral(" \u00B7 ") + controlName(m_program->program->dialect)
                 : QString());
+  fitTitle();
   m_hash->setVisible(m_program != nullptr);
   showSummary();
   std::vector<QString> values(FigureCount, noValue());
@@ -336,6 +338,26 @@ void ProgramPanel::showProgram() {
   showDistances();
   showTimes();
   showDialect();
+}
+
+/// Name and buttons stand side by side where the name has the room.
+void ProgramPanel::fitTitle() {
+  int besidePx = 0;
+  for (const QPushButton* button : {m_open, m_recent, m_live}) {
+    besidePx += button->sizeHint().width() + m_title->spacing();
+  }
+  int namePx = 0;
+  for (const ElidedLabel* each : {m_name, m_about}) {
+    namePx = std::max(namePx, each->fontMetrics().horizontalAdvance(each->text()));
+  }
+  const QMargins edges = layout()->contentsMargins();
+  const bool isNarrow = width() - edges.left() - edges.right() - besidePx < namePx + 4;
+  m_title->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+void ProgramPanel::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  fitTitle();
 }
 
 void ProgramPanel::showSummary() {

@@ -17,6 +17,7 @@
 #include "overview/program_view.h"
 #include "widgets/common/page.h"
 
+class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QMenu;
@@ -83,6 +84,7 @@ class ProgramPanel final : public Page {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dragLeaveEvent(QDragLeaveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:
@@ -111,6 +113,7 @@ class ProgramPanel final : public Page {
   QWidget* makeFindings();
   void showProgram();
   void showSummary();
+  void fitTitle();
   /// @param values  one per `Figure`
   void fillFigures(std::vector<QString>& values) const;
   [[nodiscard]] static QString unitsText(gcode::FileUnits units);
@@ -149,6 +152,7 @@ class ProgramPanel final : public Page {
   QMenu* m_recentMenu;
   ElidedLabel* m_name;
   ElidedLabel* m_about;  ///< below the name: lines and control
+  QBoxLayout* m_title;
   QLabel* m_hash = value({.isMuted = true});
   StatusLabel* m_summary = status({.wraps = true});
   QComboBox* m_dialect = list();
