@@ -277,7 +277,7 @@ class TestFoundRuns : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(shows(bar(), QStringLiteral("The axes stand")), kSoonMs);
     QTest::mouseClick(button("found-end"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(shows(bar(), QStringLiteral("no longer active")), kSoonMs);
-    QVERIFY(button("found-resume")->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(button("found-resume")->isEnabled(), kSoonMs);
     picture("found-stopped");
     QTest::mouseClick(button("found-dismiss"), Qt::LeftButton);
     QVERIFY(!bar()->isVisible());
