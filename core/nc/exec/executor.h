@@ -130,7 +130,7 @@ class Executor {
   [[nodiscard]] std::optional<base::Vec3> scaleFactors(bool mirrors, const BlockWords& words);
   [[nodiscard]] bool knowsAllAxes(const BlockWords& words, const std::string& statement);
   void setOffset(const BlockWords& words);
-  void setPosition(const BlockWords& words);
+  void setPosition(const BlockWords& words, const std::string& statement);
   void setTurn(const BlockWords& words);
   void setScale(const BlockWords& words);
   void setMirror(const BlockWords& words);
@@ -240,7 +240,8 @@ class Executor {
   std::optional<Change> m_scale;
   std::optional<Change> m_mirror;
   Offset m_setOffset;
-  Offset m_keptOffset;  ///< for G92.3
+  /// For G92.3; nothing: what an earlier program has kept, which only the control knows.
+  std::optional<Offset> m_keptOffset;
   base::Vec3 m_localOffsetMm;
   std::map<int, WorkOffset> m_workOffsets;  ///< by number, from 1
   int m_frameOffset = -1;                   ///< work offset that the frame is made for

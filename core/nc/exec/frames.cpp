@@ -101,7 +101,7 @@ bool Executor::knowsAllAxes(const BlockWords& words, const std::string& statemen
 
 /// G92: where the axes stand gets these coordinates. Of an axis whose place is not known, its
 /// offset is zero, which is right where the tool was brought there.
-void Executor::setPosition(const BlockWords& words) {
+void Executor::setPosition(const BlockWords& words, const std::string& statement) {
   const Vec3 position = m_position.programmedMm;
   bool isKnown = true;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
@@ -122,7 +122,8 @@ void Executor::setPosition(const BlockWords& words) {
     }
   }
   if (!isKnown && !m_options.placeIsSaid) {
-    m_to.faults.report(Severity::Warning, 1, FaultCode::ControlSettingOpen, "G92: place=G92");
+    m_to.faults.report(Severity::Warning, 1, FaultCode::ControlSettingOpen,
+                       statement + ": place=G92");
   }
 }
 
@@ -216,12 +217,13 @@ void Executor::setOffset(const BlockWords& words) {
   m_to.words.forget(std::nullopt);
   const bool further = words.axes.hasAny(kFirstFurther, kProgrammedAxisCount);
   const bool isLocal = offset == GEffect::LocalOffset;
-  if ((isLocal || further) && !knowsAllAxes(words, isLocal ? "G52" : "G92")) {
+  const std::string statement = isLocal ? "G52" : m_state.isLathe ? "G50" : "G92";
+  if ((isLocal || further) && !knowsAllAxes(words, statement)) {
     return;
   }
   if ((m_turn || m_scale || m_mirror) && (isLocal || offset == GEffect::SetPosition)) {
     // Not allowed by the manual of the control, and others count from different places.
-    error(words, FaultCode::UnsupportedGCode, isLocal ? "G52" : "G92");
+    error(words, FaultCode::UnsupportedGCode, statement);
     return;
   }
   Offset& set = m_setOffset;
@@ -235,13 +237,17 @@ void Executor::setOffset(const BlockWords& words) {
       m_keptOffset = set;
       break;
     case GEffect::ResetPosition:
-      m_keptOffset = {};
+      m_keptOffset = Offset{};
       [[fallthrough]];
     case GEffect::SuspendPosition:
       set = {};
       break;
     case GEffect::RestorePosition:
-      set = m_keptOffset;
+      if (!m_keptOffset) {
+        error(words, FaultCode::UnsupportedGCode, "G92.3");
+        return;
+      }
+      set = *m_keptOffset;
       break;
     case GEffect::ScaleOff:  // with other words it is a function of a lathe
       if (words.moves() || words.spindle != nullptr) {
@@ -270,7 +276,7 @@ void Executor::setOffset(const BlockWords& words) {
       if (!words.moves()) {
         return;  // G92 S: a limit of the spindle; G92 alone: nothing
       }
-      setPosition(words);
+      setPosition(words, statement);
       m_keptOffset = set;
       break;
   }
