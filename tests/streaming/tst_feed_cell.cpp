@@ -601,22 +601,20 @@ class TestFeedCell : public QObject {
     QCOMPARE(found.stood, std::size_t{1});
   }
 
-  /// A machine that knows no timers, or whose timer stands: nothing moves.
-  void aControlThatDoesNotWatchIsNotStarted() {
-    World world;
-    MisreadLink link(world.link, "$AC_TIMER[1]=0", "$AC_TIMER[2]=0");
-    const auto settings = settingsOf(MethodKind::Window, 400.0);
-    const auto flexible = templates::makeProgram(settings.parameters);
-    const auto report = streaming::runJob(link, link, *lines(4, 10.0), *flexible, settings,
-                                          world.person, world.person);
-    QVERIFY(report.error.code == streaming::StreamError::FeedCellIgnored);
-    QVERIFY(world.machine.trace().samples.empty());
+  /// A machine that does not carry out what the feed cell needs: nothing moves.
+  void aControlThatMisreadsIsNotStarted_data() {
+    QTest::addColumn<QString>("written");
+    QTest::addColumn<QString>("read");
+    QTest::newRow("the timer stands, or there are none") << "$AC_TIMER[1]=0"
+                                                         << "$AC_TIMER[2]=0";
+    QTest::newRow("no synchronized actions") << "ID="
+                                             << "; ID=";
   }
-
-  /// The synchronized actions are not carried out: nothing moves.
-  void aControlWithoutActionsIsNotStarted() {
+  void aControlThatMisreadsIsNotStarted() {
+    QFETCH(QString, written);
+    QFETCH(QString, read);
     World world;
-    MisreadLink link(world.link, "ID=", "; ID=");
+    MisreadLink link(world.link, written.toStdString(), read.toStdString());
     const auto settings = settingsOf(MethodKind::Window, 400.0);
     const auto flexible = templates::makeProgram(settings.parameters);
     const auto report = streaming::runJob(link, link, *lines(4, 10.0), *flexible, settings,

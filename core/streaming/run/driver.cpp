@@ -61,6 +61,12 @@ FeedOrder feedOrdered(RunOrders& orders, Instant now) {
   return order;
 }
 
+bool LeftHeld::isDue(bool isTold, const FeedControl& feed, RunOrders& orders, Instant now) {
+  const bool isHeld = isTold && feed.holds() && feed.state().stoodAfter && orders.leaves(now);
+  m_since = isHeld ? std::optional(m_since.value_or(now)) : std::nullopt;
+  return isHeld && now - *m_since >= kEndsAtOnce;
+}
+
 StreamEnd Driver::run() {
   m_turnedAt = m_link.now();
   while (!m_done) {
@@ -620,7 +626,8 @@ void Driver::handleMonitor(const opcua::Event& event) {
         m_end.stopConfirmedAfter = event.at - *m_ending.wantedAt;
       }
       m_done = true;
-    } else if (isLeftHeld(event.sent)) {
+    } else if (m_ending.held.isDue(m_ending.wantedAt && m_method.progress().stopWritten, m_feed,
+                                   m_orders, event.sent)) {
       m_end.leftHeld = true;
       m_sink.note({m_link.now(), "stopped: the axes are held, and the program is left"});
       m_done = true;
@@ -662,16 +669,6 @@ void Driver::publishPause(const trace::Pause& pause) {
   }
   update.pause = pause;
   m_sink.update(update);
-}
-
-bool Driver::isLeftHeld(Instant asked) {
-  const bool isTold = m_ending.wantedAt && m_method.progress().stopWritten;
-  if (!isTold || !m_feed.holds() || !m_feed.state().stoodAfter || !m_orders.leaves(asked)) {
-    m_ending.heldSince.reset();
-    return false;
-  }
-  m_ending.heldSince = m_ending.heldSince.value_or(asked);
-  return asked - *m_ending.heldSince >= kEndsAtOnce;
 }
 
 void Driver::checkDeadlines() {

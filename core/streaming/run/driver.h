@@ -74,6 +74,18 @@ class RunOrders {
 /// What the feed cell is to say: whatever stops a run holds its axes first.
 [[nodiscard]] FeedOrder feedOrdered(RunOrders& orders, base::Instant now);
 
+/// When a stopped run is left with its axes held: nobody will let it go on, and its program has had
+/// the time to end by itself.
+class LeftHeld {
+ public:
+  /// @param isTold  the program has been told to end
+  [[nodiscard]] bool isDue(bool isTold, const FeedControl& feed, RunOrders& orders,
+                           base::Instant now);
+
+ private:
+  std::optional<base::Instant> m_since;
+};
+
 /// How the stream ended, as far as the client can know.
 struct StreamEnd {
   bool programEnded = false;  ///< the control's channel is in reset again
@@ -126,7 +138,7 @@ class Driver {
     opcua::Assignment stop;
     std::optional<base::Instant> wantedAt;     ///< by the operator
     std::optional<base::Instant> abandonedAt;  ///< because the stream cannot continue
-    std::optional<base::Instant> heldSince;    ///< it has been told, and the axes stand
+    LeftHeld held;
     std::optional<base::RequestId> pending;
     bool isSent = false;
     base::Duration lostBefore{};  ///< time lost by the override until then
@@ -181,8 +193,6 @@ class Driver {
   /// Asks again for an item that has been refused. @return false if that makes no sense
   [[nodiscard]] bool repeats(const opcua::Event& event, bool forMethod);
   void checkDeadlines();
-  /// A stopped run whose axes are held, which nobody will let go on.
-  [[nodiscard]] bool isLeftHeld(base::Instant asked);
   [[nodiscard]] bool hasSlackFor(int nodes) const;
   [[nodiscard]] bool wantsStatus() const;
   [[nodiscard]] bool wantsDisplay() const;

@@ -467,7 +467,7 @@ class WholeJob : public HostedRun {
       if (Result<void> done = passStop(state->isInterrupted); !done) {
         return done;
       }
-      if (isLeftHeld()) {
+      if (m_held.isDue(m_isStopped, m_feed, m_orders, m_link.now())) {
         return leaveHeld();
       }
       const bool isCalled =
@@ -664,14 +664,6 @@ class WholeJob : public HostedRun {
     return writeRun(WindowProtocol::kEnd);
   }
 
-  /// Stopped in blocks of the control, which nobody will let go on.
-  [[nodiscard]] bool isLeftHeld() {
-    const bool isHeld =
-        m_isStopped && m_feed.holds() && m_feed.state().stoodAfter && m_orders.leaves(m_link.now());
-    m_heldSince = isHeld ? std::optional(m_heldSince.value_or(m_link.now())) : std::nullopt;
-    return isHeld && m_link.now() - *m_heldSince >= kEndsAtOnce;
-  }
-
   Result<void> leaveHeld() {
     m_isOver = true;
     m_report.leftHeld = true;
@@ -855,7 +847,7 @@ class WholeJob : public HostedRun {
   Instant m_nextEquipment{};
   int m_shownDue = 0;
   bool m_isOver = false;
-  std::optional<Instant> m_heldSince;
+  LeftHeld m_held;
   int m_due = 0;            ///< native block that was due at the last look, from 1; 0: none yet
   Instant m_accountedTo{};  ///< all time before is in the report
   WholeJobReport m_report;

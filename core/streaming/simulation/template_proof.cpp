@@ -185,8 +185,8 @@ class Trial {
     return m_machine.state().channel == machine::ChannelStatus::Reset;
   }
 
-  /// Nobody touches the control any more.
-  /// Until the program has ended, or the axes stand in the middle of a window, however long.
+  /// Nobody touches the control any more, until the program has ended or its axes are held for
+  /// good.
   void leaveAlone() {
     const Instant until = m_machine.now() + kAloneMax;
     Instant movedAt = m_machine.now();
