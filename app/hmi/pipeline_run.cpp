@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "base/file.h"
-#include "hmi/virtual_machine.h"
+#include "hmi/helper_program.h"
 #include "widgets/common/error_text.h"
 
 namespace rivulet::hmi {
@@ -63,13 +63,7 @@ PipelineRun::PipelineRun(QObject* parent) : QObject(parent) {
 
 PipelineRun::~PipelineRun() {
   m_process.disconnect(this);
-  if (isRunning()) {
-    m_process.terminate();
-    if (!m_process.waitForFinished(kCncQuitMs)) {
-      m_process.kill();
-      m_process.waitForFinished(kCncQuitMs);
-    }
-  }
+  endProgram(m_process, kCncQuitMs);
 }
 
 void PipelineRun::begin(const QString& name) {

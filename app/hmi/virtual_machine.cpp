@@ -9,7 +9,8 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QRegularExpression>
-#include <QStandardPaths>
+
+#include "hmi/helper_program.h"
 
 namespace rivulet::hmi {
 
@@ -19,17 +20,6 @@ constexpr int kEndMs = 3000;
 constexpr qsizetype kLineBytesMax = 4096;
 
 }  // namespace
-
-QString programOfRivulet(const QString& name, const QString& folder) {
-  const QString here = QCoreApplication::applicationDirPath();
-  for (const QString& place : {here, here + QStringLiteral("/../") + folder}) {
-    const QString found = QStandardPaths::findExecutable(name, {place});
-    if (!found.isEmpty()) {
-      return found;
-    }
-  }
-  return QStandardPaths::findExecutable(name);
-}
 
 QString sampleFile() {
   const QString here = QCoreApplication::applicationDirPath();
@@ -63,13 +53,7 @@ VirtualMachine::VirtualMachine(QObject* parent) : QObject(parent) {
 
 VirtualMachine::~VirtualMachine() {
   m_process.disconnect(this);
-  if (isOn()) {
-    m_process.terminate();
-    if (!m_process.waitForFinished(kEndMs)) {
-      m_process.kill();
-      m_process.waitForFinished(kEndMs);
-    }
-  }
+  endProgram(m_process, kEndMs);
 }
 
 void VirtualMachine::start() {

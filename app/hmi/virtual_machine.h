@@ -13,10 +13,6 @@
 
 namespace rivulet::hmi {
 
-/// A program of Rivulet: beside this one, where it is built, or where the system finds programs.
-/// @param folder  of the build, beside that of this program @return empty: it is not there
-[[nodiscard]] QString programOfRivulet(const QString& name, const QString& folder);
-
 /// The sample that comes with Rivulet. @return empty: it is not there
 [[nodiscard]] QString sampleFile();
 
