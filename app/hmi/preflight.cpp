@@ -461,10 +461,11 @@ forecast::SetUp Preflight::missingSetUp() const {
   if (!view || !view->plan || view->isJob() || m_document.live() || isForResume() || !equipment) {
     return {};
   }
-  if (m_setUpOf.lock() != view->plan) {
+  const auto& machine = m_document.jobMachine();
+  if (m_setUpOf.lock() != view->plan || m_setUpOn != machine) {
     m_setUpOf = view->plan;
-    m_setUp = forecast::setUpOf(*view->plan,
-                                m_document.machine() ? *m_document.machine() : usualMachine());
+    m_setUpOn = machine;
+    m_setUp = forecast::setUpOf(*view->plan, machine ? *machine : usualMachine());
   }
   return forecast::missingOf(m_setUp, *equipment);
 }
@@ -521,7 +522,7 @@ PreflightItem Preflight::hazardItem() const {
   const QString others = hazardsText(*hazards, false);
   if (stops.isEmpty() && others.isEmpty()) {
     item.status = Status::Good;
-    const auto& machine = m_document.machine();
+    const auto& machine = m_document.jobMachine();
     item.text = machine && machine->tools
                     ? tr("Every block is within the travel of the axes, the speed of the spindle "
                          "and the tool table.")

@@ -116,7 +116,8 @@ class Preflight final : public QObject {
   Users* m_users = nullptr;
   bool m_isOpen = false;
   mutable std::weak_ptr<const job::Plan> m_setUpOf;
-  mutable forecast::SetUp m_setUp;  ///< computed once for each program
+  mutable std::shared_ptr<const machine::MachineConfig> m_setUpOn;  ///< null: not known
+  mutable forecast::SetUp m_setUp;                                  ///< computed once for both
   bool m_isSetUpConfirmed = false;  ///< by the operator, as long as it is shown
 };
 

@@ -377,7 +377,7 @@ void RunController::offerStartAtLine(std::size_t line) {
     m_messages.show(Severity::Warning, [] {
       return tr(
           "A whole job begins at its beginning, or with a part: press Start, then Begin with a "
-          "part. To begin at this line, choose Motion only in the set-up, and set tool, spindle "
+          "part. To begin at this line, choose Motion only in the settings, and set tool, spindle "
           "and coolant yourself.");
     });
     return;

@@ -10,6 +10,12 @@
 
 namespace rivulet::widgets {
 
+namespace {
+
+constexpr int kFold = -1;  ///< among the remedies, which are others' own
+
+}  // namespace
+
 PreflightSheet::PreflightSheet(QWidget* parent) : Page(parent), m_rows(new QGridLayout) {
   QFont font = m_title->font();
   font.setPointSizeF(16.0);
@@ -38,7 +44,6 @@ void PreflightSheet::showItems() {
   while (QLayoutItem* item = m_rows->takeAt(0)) {
     if (item->widget() != nullptr) {
       item->widget()->hide();
-      item->widget()->setObjectName(QString());
       item->widget()->deleteLater();
     }
     delete item;
@@ -95,7 +100,17 @@ void PreflightSheet::addItem(const PreflightItem& item, int row) {
     m_rows->addWidget(button, row, 2, Qt::AlignTop);
     connect(
         button, &QPushButton::clicked, this,
-        [this, id = item.remedyId] { Q_EMIT remedyRequested(id); }, Qt::QueuedConnection);
+        [this, id = item.remedyId] {
+          if (id == kFold) {
+            fold();
+          } else {
+            Q_EMIT remedyRequested(id);
+          }
+        },
+        Qt::QueuedConnection);
+    if (item.remedyId == kFold) {
+      m_foldButton = button;
+    }
     shown.push_back(button);
   }
   if (isVisible()) {  // else they are shown with the sheet
@@ -110,27 +125,19 @@ void PreflightSheet::addPassed(const std::vector<PreflightItem>& passed, int row
   for (const PreflightItem& item : passed) {
     names.append(item.name);
   }
-  addItem({Status::Good,
-           tr("Passed"),
+  addItem({Status::Good, tr("Passed"),
            tr("%Ln checks: %1", nullptr, static_cast<int>(passed.size()))
                .arg(names.join(QStringLiteral(", "))),
-           {},
-           0,
-           true},
+           m_isUnfolded ? tr("Fold") : tr("Show"), kFold},
           row);
-  QPushButton* button = makeTouchButton(this);
-  button->setObjectName(QStringLiteral("preflight-passed"));
-  button->setText(m_isUnfolded ? tr("Fold") : tr("Show"));
-  m_rows->addWidget(button, row, 2, Qt::AlignTop);
-  connect(
-      button, &QPushButton::clicked, this,
-      [this] {
-        m_isUnfolded = !m_isUnfolded;
-        showItems();
-        findChild<QPushButton*>(QStringLiteral("preflight-passed"))->setFocus();
-      },
-      Qt::QueuedConnection);
-  button->setVisible(isVisible());
+}
+
+void PreflightSheet::fold() {
+  m_isUnfolded = !m_isUnfolded;
+  showItems();
+  if (m_foldButton) {
+    m_foldButton->setFocus();
+  }
 }
 
 void PreflightSheet::retranslate() {

@@ -8,6 +8,7 @@
 /// @threadsafety GUI thread.
 #pragma once
 
+#include <QPointer>
 #include <vector>
 
 #include "widgets/common/page.h"
@@ -55,11 +56,13 @@ class PreflightSheet final : public Page {
   /// @param row  in the grid
   void addItem(const PreflightItem& item, int row);
   void addPassed(const std::vector<PreflightItem>& passed, int row);
+  void fold();
 
   std::vector<PreflightItem> m_items;
   bool m_passed = false;
   Kind m_kind = Kind::Start;
   bool m_isUnfolded = false;
+  QPointer<QPushButton> m_foldButton;
   QLabel* m_title = heading({});
   StatusLabel* m_outcome = status({.wraps = true});
   QWidget* m_list = nullptr;

@@ -11,6 +11,7 @@
 #include "support/test_program.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/theme.h"
+#include "widgets/streaming/preflight_sheet.h"
 #include "widgets/streaming/report_panel.h"
 #include "widgets/streaming/run_panel.h"
 
@@ -271,6 +272,41 @@ class TestRunPanel : public QObject {
     panel.setUpdate(updateOf(RunState::Done));
     panel.setUpdate(updateOf(RunState::Armed));
     QVERIFY(!test::visibleText(panel).contains("confirmed"));
+  }
+
+  /// Before a start: what is wrong is in sight, what has passed is one line that unfolds.
+  void whatHasPassedIsOneLine() {
+    test::Language language;
+    PreflightSheet sheet;
+    const PreflightItem wrong{Status::Fault, "Release", "not released", {}, 0};
+    const PreflightItem kept{Status::Plain, "First move", "straight down", {}, 0, true};
+    const PreflightItem good{Status::Good, "Verdict", "margin 2", {}, 0};
+    const PreflightItem other{Status::Good, "Cells", "all free", {}, 0};
+    sheet.setItems({good, kept, other, wrong}, false);
+    sheet.resize(900, 500);
+    sheet.show();
+    QTest::qWait(0);
+    const auto text = [&sheet] { return test::visibleText(sheet); };
+    QVERIFY(text().contains("not released") && text().contains("straight down"));
+    QVERIFY(text().contains("2 checks: Verdict, Cells") && !text().contains("margin 2"));
+    const auto press = [&sheet](const QString& name) {
+      for (auto* button : sheet.findChildren<QPushButton*>()) {
+        if (button->isVisible() && button->text() == name) {
+          QTest::mouseClick(button, Qt::LeftButton);
+          return true;
+        }
+      }
+      return false;
+    };
+    QVERIFY(press("Show"));
+    QTRY_VERIFY(text().contains("margin 2"));
+    QVERIFY(press("Fold"));
+    QTRY_VERIFY(!text().contains("margin 2"));
+    // What is pressed may be gone by the time it acts.
+    QVERIFY(press("Show"));
+    sheet.setItems({kept, wrong}, false);
+    QTest::qWait(0);
+    QVERIFY(!text().contains("Verdict"));
   }
 
   void onlyStopIsRedAndOnlyStartIsGreen() {
