@@ -4653,8 +4653,8 @@ GPL-3.0-or-later</translation>
         <translation>Der Lauf beginnt bei Punkt %1.</translation>
     </message>
     <message>
-        <source>A whole job begins at its beginning, or with a part: press Start, then Begin with a part. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
-        <translation>Ein ganzer Auftrag beginnt an seinem Anfang oder mit einem Abschnitt: Start drücken, dann Mit einem Abschnitt beginnen. Um bei dieser Zeile zu beginnen, in der Einrichtung Nur Bewegung wählen und Werkzeug, Spindel und Kühlmittel selbst setzen.</translation>
+        <source>A whole job begins at its beginning, or with a part: press Start, then Begin with a part. To begin at this line, choose Motion only in the settings, and set tool, spindle and coolant yourself.</source>
+        <translation>Ein ganzer Auftrag beginnt an seinem Anfang oder mit einem Abschnitt: Start drücken, dann Mit einem Abschnitt beginnen. Um bei dieser Zeile zu beginnen, in den Einstellungen Nur Bewegung wählen und Werkzeug, Spindel und Kühlmittel selbst setzen.</translation>
     </message>
     <message numerus="yes">
         <source>The job goes on at line %1, after %Ln blocks of the control.</source>

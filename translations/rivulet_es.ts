@@ -4653,8 +4653,8 @@ GPL-3.0-or-later</translation>
         <translation>La ejecución empieza en el punto %1.</translation>
     </message>
     <message>
-        <source>A whole job begins at its beginning, or with a part: press Start, then Begin with a part. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
-        <translation>Un trabajo completo empieza por su principio o por un tramo: pulse Inicio y después Empezar por un tramo. Para empezar en esta línea, elija Solo movimiento en la preparación y ajuste usted mismo herramienta, cabezal y refrigerante.</translation>
+        <source>A whole job begins at its beginning, or with a part: press Start, then Begin with a part. To begin at this line, choose Motion only in the settings, and set tool, spindle and coolant yourself.</source>
+        <translation>Un trabajo completo empieza por su principio o por un tramo: pulse Inicio y después Empezar por un tramo. Para empezar en esta línea, elija Solo movimiento en los ajustes y ajuste usted mismo herramienta, cabezal y refrigerante.</translation>
     </message>
     <message numerus="yes">
         <source>The job goes on at line %1, after %Ln blocks of the control.</source>

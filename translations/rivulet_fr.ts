@@ -4653,8 +4653,8 @@ GPL-3.0-or-later</translation>
         <translation>L’exécution commence au point %1.</translation>
     </message>
     <message>
-        <source>A whole job begins at its beginning, or with a part: press Start, then Begin with a part. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
-        <translation>Une tâche complète commence à son début ou à un tronçon&#xa0;: appuyer sur Départ, puis sur Commencer à un tronçon. Pour commencer à cette ligne, choisir Mouvement seul dans la préparation et régler soi-même outil, broche et arrosage.</translation>
+        <source>A whole job begins at its beginning, or with a part: press Start, then Begin with a part. To begin at this line, choose Motion only in the settings, and set tool, spindle and coolant yourself.</source>
+        <translation>Une tâche complète commence à son début ou à un tronçon&#xa0;: appuyer sur Départ, puis sur Commencer à un tronçon. Pour commencer à cette ligne, choisir Mouvement seul dans les paramètres et régler soi-même outil, broche et arrosage.</translation>
     </message>
     <message numerus="yes">
         <source>The job goes on at line %1, after %Ln blocks of the control.</source>

@@ -4653,8 +4653,8 @@ GPL-3.0-or-later</translation>
         <translation>L’esecuzione comincia dal punto %1.</translation>
     </message>
     <message>
-        <source>A whole job begins at its beginning, or with a part: press Start, then Begin with a part. To begin at this line, choose Motion only in the set-up, and set tool, spindle and coolant yourself.</source>
-        <translation>Un lavoro completo inizia dal suo inizio o da un tratto: premere Inizio, poi Iniziare da un tratto. Per iniziare da questa riga, scegliere Solo movimento nella preparazione e impostare da sé utensile, mandrino e refrigerante.</translation>
+        <source>A whole job begins at its beginning, or with a part: press Start, then Begin with a part. To begin at this line, choose Motion only in the settings, and set tool, spindle and coolant yourself.</source>
+        <translation>Un lavoro completo inizia dal suo inizio o da un tratto: premere Inizio, poi Iniziare da un tratto. Per iniziare da questa riga, scegliere Solo movimento nelle impostazioni e impostare da sé utensile, mandrino e refrigerante.</translation>
     </message>
     <message numerus="yes">
         <source>The job goes on at line %1, after %Ln blocks of the control.</source>

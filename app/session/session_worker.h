@@ -42,9 +42,8 @@ class SessionWorker {
   bool post(SessionCommand command);
   /// Takes effect when the driver next checks its requests, within 20 ms; cancels a calibration
   /// after the request in progress.
-  /// @param letsEnd  the program goes on to its end, before its next window; else the axes are
-  /// held,
-  ///                 at once, until `holdRun(false)`
+  /// @param letsEnd  the program goes on to its end, before its next window; else its axes are
+  ///                 held at once, until `holdRun(false)`
   void stopRun(bool letsEnd = true);
   /// The same, and nobody stays to let it go on: it ends when its axes stand, and is left held.
   void leaveRun();
