@@ -120,7 +120,7 @@ void Regions::blockExecuted(const nc::BlockWords& words, const nc::ModalState& s
   if (m_compensation == Compensation::Leaving && movesInPlane) {
     m_compensation = Compensation::Off;
   }
-  m_curve = m_curve && words.motion == nullptr;
+  m_curve = m_curve && words.g.motion == nullptr;
   if (m_cornerMotions > 0 && (words.moves() || words.hasAnyCentre())) {
     --m_cornerMotions;
   }

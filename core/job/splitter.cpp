@@ -270,7 +270,7 @@ class Splitter final : public gcode::BlockObserver,
     for (std::size_t axis = nc::kFirstFurther; block.home && axis < nc::kProgrammedAxisCount;
          ++axis) {
       if (words.axes.has(axis)) {
-        addMachineAxis(*words.axisTokens[axis]);
+        addMachineAxis(*words.axes.token[axis]);
       }
     }
     block.region = regionReason();

@@ -518,8 +518,8 @@ Prepared Interpreter::executeWords(const nc::Words& words, base::LineNumber line
     return Alarm{kNotMade,
                  fmt::format("Line {}: this machine has no rotary axes for TRAORI.", line.value)};
   }
-  if (block.compensationMode != nullptr &&
-      block.compensationMode->function != nc::G::CompensationOff && !m_machineWords.hasEdge()) {
+  if (block.g.compensationMode != nullptr &&
+      block.g.compensationMode->function != nc::G::CompensationOff && !m_machineWords.hasEdge()) {
     return Alarm{kNoToolRadius, fmt::format("Line {}: the tool radius is to be compensated, but no "
                                             "tool or edge is active.",
                                             line.value)};

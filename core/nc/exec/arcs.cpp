@@ -171,7 +171,7 @@ bool Executor::toMillimetres(const BlockWords& words, ArcWords& given) {
       continue;
     }
     if (!(std::abs(*given.centre[axis] * m_state.lengthFactor) <= kCoordinateMmMax)) {
-      m_to.faults.error(*words.centreTokens[axis], FaultCode::ValueOutOfRange);
+      m_to.faults.error(*words.centre.token[axis], FaultCode::ValueOutOfRange);
       return false;
     }
     // I=AC() is a diameter where X is one; an increment, and G90.1, is not.
@@ -206,7 +206,7 @@ void Executor::ignoreCentreAcross(const BlockWords& words, ArcWords& given) {
   const std::size_t third = m_state.planeThirdAxis();
   if (m_language.ignoresCentreAcross && given.centre[third].value_or(0.0) != 0.0 &&
       words.axes.has(third)) {
-    const Token& token = *words.centreTokens[third];
+    const Token& token = *words.centre.token[third];
     m_to.faults.report(Severity::Warning, token.column, FaultCode::CentreOutsidePlane,
                        std::string(token.text));
     given.centre[third].reset();
@@ -222,7 +222,7 @@ bool Executor::reportArcProblem(const ResolvedArc& resolved, const BlockWords& w
       error(words, FaultCode::ArcWithoutCentre);
       break;
     case ArcProblem::CentreOutsidePlane:
-      m_to.faults.error(*words.centreTokens[resolved.axis], FaultCode::CentreOutsidePlane);
+      m_to.faults.error(*words.centre.token[resolved.axis], FaultCode::CentreOutsidePlane);
       break;
     case ArcProblem::CentreAndRadius:
       error(words, FaultCode::ConflictingGCodes,

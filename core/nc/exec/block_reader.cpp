@@ -445,7 +445,7 @@ void BlockReader::readAxis(const Token& token, BlockWords& words) {
   const std::size_t axis = axisOf(token.address);
   words.axes.set(axis, token.value, token.reference);
   words.axes.relative = m_state.relative;
-  words.axisTokens[axis] = &token;
+  words.axes.token[axis] = &token;
   noteColumn(token, words);
 }
 
@@ -469,7 +469,7 @@ void BlockReader::readFurtherAxis(const Token& token, BlockWords& words) {
 void BlockReader::readCentre(const Token& token, BlockWords& words) {
   const auto axis = static_cast<std::size_t>(token.address - 'I');
   words.centre.set(axis, token.value, token.reference);
-  words.centreTokens[axis] = &token;
+  words.centre.token[axis] = &token;
   noteColumn(token, words);
 }
 

@@ -26,6 +26,7 @@ struct AddressValues {
   // Set for what the block names: a block is made for every line of a program.
   std::array<double, Count> value;
   std::array<Reference, Count> reference;
+  std::array<const Token*, Count> token;
   std::uint16_t named = 0;  ///< bit per address
 
   [[nodiscard]] bool has(std::size_t address) const { return (named >> address & 1U) != 0; }
@@ -92,6 +93,17 @@ struct RareWords {
   [[nodiscard]] bool isMacro() const { return macroCall || modalMacro; }
 };
 
+/// The G function of each group, null where the block names none.
+struct GroupWords {
+  const GRow* turning = nullptr;  ///< G90 or G94, which are cycles of a lathe beside axes
+  const GRow* motion = nullptr;
+  const GRow* distance = nullptr;
+  const GRow* plane = nullptr;
+  const GRow* units = nullptr;
+  const GRow* blockEnd = nullptr;
+  const GRow* compensationMode = nullptr;
+};
+
 /// Tokens that are pointed at live as long as the block is executed.
 struct BlockWords {
   base::LineNumber line;
@@ -109,14 +121,7 @@ struct BlockWords {
   bool foreignMotion = false;   ///< a cycle or thread begins: what was in progress ends
   bool ends = false;
   bool hasRotary = false;  ///< an axis beyond X, Y, Z
-  // The G function of each group, null where the block names none.
-  const GRow* turning = nullptr;  ///< G90 or G94, which are cycles of a lathe beside axes
-  const GRow* motion = nullptr;
-  const GRow* distance = nullptr;
-  const GRow* plane = nullptr;
-  const GRow* units = nullptr;
-  const GRow* blockEnd = nullptr;
-  const GRow* compensationMode = nullptr;
+  GroupWords g;
   unsigned repeated = 0;                ///< bit per letter seen
   int motionColumn = 0;                 ///< of the first axis, centre or radius word
   const Token* feed = nullptr;          ///< F
@@ -129,9 +134,6 @@ struct BlockWords {
   std::optional<double> l;
   const Token* radiusToken = nullptr;
   const Token* machineToken = nullptr;  ///< G53, SUPA: the block is in machine coordinates
-  // Set for what the block names: a block is made for every line of a program.
-  std::array<const Token*, base::kAxisCount> centreTokens;
-  std::array<const Token*, kProgrammedAxisCount> axisTokens;
   std::optional<RareWords> rare;
 
   [[nodiscard]] bool movesLinear() const { return axes.hasAny(0, base::kAxisCount); }

@@ -56,11 +56,11 @@ void Executor::execute(BlockWords& words) {
   if (words.foreignMotion) {
     finishCurve();
   }
-  if (words.turning != nullptr && words.motion == nullptr && words.movesLinear()) {
+  if (words.g.turning != nullptr && words.g.motion == nullptr && words.movesLinear()) {
     executeTurningCycle(words);
   }
   const bool hasFeedBefore =
-      words.units != nullptr && m_language.feedComesBeforeUnits && !words.taken;
+      words.g.units != nullptr && m_language.feedComesBeforeUnits && !words.taken;
   if (hasFeedBefore) {
     setSpindle(words);
     takeFeed(words);
@@ -123,7 +123,7 @@ void Executor::leaveOutMissingAxes(BlockWords& words) const {
 /// G90 X Z and G94 X Z of a lathe go along a rectangle; with G0 to G3 they are what they are on
 /// a mill.
 void Executor::executeTurningCycle(BlockWords& words) {
-  error(words, FaultCode::CycleNotRun, fmt::format("G{}", words.turning->key / 10));
+  error(words, FaultCode::CycleNotRun, fmt::format("G{}", words.g.turning->key / 10));
   m_to.words.foreignMotion();
   words.taken = true;
 }
@@ -145,28 +145,28 @@ bool Executor::hasUnusedParameter(const BlockWords& words) const {
 }
 
 void Executor::setModes(const BlockWords& words) {
-  if (words.units != nullptr) {
-    setUnits(words.units->function);
+  if (words.g.units != nullptr) {
+    setUnits(words.g.units->function);
   }
-  if (words.plane != nullptr) {
-    const G plane = words.plane->function;
+  if (words.g.plane != nullptr) {
+    const G plane = words.g.plane->function;
     const std::size_t first = plane == G::PlaneXY ? 0 : (plane == G::PlaneZX ? 2 : 1);
     if (m_turn && first != m_state.planeFirstAxis) {  // G68 turns in the plane it began in
-      error(words, FaultCode::UnsupportedGCode, fmt::format("G{}", words.plane->key / 10));
+      error(words, FaultCode::UnsupportedGCode, fmt::format("G{}", words.g.plane->key / 10));
     }
     m_state.planeFirstAxis = first;
   }
-  if (words.motion != nullptr) {
-    m_lastTangent = {};
+  if (words.g.motion != nullptr) {
+    m_curve.lastTangent = {};
     m_state.cycle = {};
     finishCurve();
-    m_state.motion = motionOf(words.motion->function);
+    m_state.motion = motionOf(words.g.motion->function);
     m_state.motionIsOff = false;
   }
-  if (words.blockEnd != nullptr) {
-    setBlockEnd(words.blockEnd->function);
+  if (words.g.blockEnd != nullptr) {
+    setBlockEnd(words.g.blockEnd->function);
   }
-  if (words.compensationMode != nullptr) {
+  if (words.g.compensationMode != nullptr) {
     setCompensation(words);
   }
 }
@@ -186,7 +186,7 @@ void Executor::setUnits(G units) {
 
 /// Whoever takes the path offsets it.
 void Executor::setCompensation(const BlockWords& words) {
-  const G mode = words.compensationMode->function;
+  const G mode = words.g.compensationMode->function;
   if (mode != G::CompensationOff && !m_options.compensatesRadius) {
     m_to.faults.error(*words.compensation, FaultCode::UnsupportedGCode,
                       wordText(*words.compensation));
@@ -280,7 +280,7 @@ void Executor::executeRare(BlockWords& words) {
   if (rare.bSpline) {
     finishCurve();
     m_state.motion = Motion::BSpline;
-    m_splineDegree = 3;
+    m_curve.degree = 3;
   }
   if (rare.machineAxis != nullptr && rare.fixedPoint == nullptr) {
     m_to.faults.error(*rare.machineAxis, FaultCode::UnknownWord);
@@ -289,7 +289,7 @@ void Executor::executeRare(BlockWords& words) {
     moveToFixedPoint(words);
   }
   if (const NamedWord* const degree = words.named("SD")) {
-    m_splineDegree = degree->value >= 2.0 && degree->value < 3.0 ? 2 : 3;
+    m_curve.degree = degree->value >= 2.0 && degree->value < 3.0 ? 2 : 3;
   }
   if (rare.spline != nullptr) {
     selectSpline(rare.spline->function);
@@ -325,7 +325,7 @@ void Executor::executeDwell(const BlockWords& words) {
   }
   for (std::size_t axis = 1; axis < base::kAxisCount; ++axis) {
     if (words.axes.has(axis)) {
-      m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);
+      m_to.faults.error(*words.axes.token[axis], FaultCode::UnknownWord);
     }
   }
   rejectArcWords(words);
@@ -353,7 +353,7 @@ void Executor::rejectArcWords(const BlockWords& words) {
   }
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (words.centre.has(axis)) {
-      m_to.faults.error(*words.centreTokens[axis], FaultCode::UnknownWord);
+      m_to.faults.error(*words.centre.token[axis], FaultCode::UnknownWord);
     }
   }
 }

@@ -192,7 +192,7 @@ class Executor {
   void spline(const Spline& spline, const Move& move);
 
   [[nodiscard]] base::Vec3 programmed() const {
-    return m_splineEnd ? *m_splineEnd : m_position.programmedMm;
+    return m_curve.end ? *m_curve.end : m_position.programmedMm;
   }
   [[nodiscard]] double lengthMm(const BlockWords& words, std::size_t axis) const {
     return words.axes.value[axis] * m_state.lengthFactor;
@@ -247,16 +247,19 @@ class Executor {
   int m_frameOffset = -1;                   ///< work offset that the frame is made for
   double m_polarTurnDegrees = 0.0;          ///< of the present block, where it is an increment
 
-  // A spline in progress.
-  Spline m_spline;
-  std::optional<base::Vec3> m_splineEnd;  ///< its last control point so far
-  Move m_splineMove;
-  int m_splineDegree = 3;
-  bool m_hasKnots = false;       ///< G6.2
-  bool m_curveIsClosed = false;  ///< by G5.3
-  std::vector<double> m_knots;   ///< as far as they have been named
-  double m_nurbsFirstWeight = 1.0;
-  base::Vec3 m_lastTangent;  ///< P Q of the last G5
+  /// In progress.
+  struct Curve {
+    Spline spline;
+    std::optional<base::Vec3> end;  ///< its last control point so far
+    Move move;
+    int degree = 3;
+    bool hasKnots = false;      ///< G6.2
+    bool isClosed = false;      ///< by G5.3
+    std::vector<double> knots;  ///< as far as they have been named
+    double firstWeight = 1.0;   ///< of G5.2
+    base::Vec3 lastTangent;     ///< P Q of the last G5
+  };
+  Curve m_curve;
 
   bool m_unitIsSaid = false;  ///< mm or inch, by the program or by who loads it
 

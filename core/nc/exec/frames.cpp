@@ -83,7 +83,7 @@ std::optional<Vec3> Executor::scaleFactors(bool mirrors, const BlockWords& words
     }
     factors.set(axis, mirrors ? -1.0 : words.axes.value[axis]);
     if (factors[axis] == 0.0) {
-      m_to.faults.error(*words.axisTokens[axis], FaultCode::ValueOutOfRange);
+      m_to.faults.error(*words.axes.token[axis], FaultCode::ValueOutOfRange);
       return std::nullopt;
     }
   }
@@ -169,7 +169,7 @@ void Executor::setScale(const BlockWords& words) {
   Change scale;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     const bool isOwn = words.centre.has(axis);
-    const Token* const token = isOwn ? words.centreTokens[axis] : words.parameter;
+    const Token* const token = isOwn ? words.centre.token[axis] : words.parameter;
     if (!isOwn && !words.p) {
       continue;  // not scaled
     }

@@ -46,7 +46,7 @@ void Executor::executeMotion(BlockWords& words) {
   const bool hasFurther = words.axes.hasAny(kFirstFurther, kProgrammedAxisCount);
   for (std::size_t axis = kFirstFurther; axis < kProgrammedAxisCount; ++axis) {
     if (words.axes.has(axis)) {
-      m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);
+      m_to.faults.error(*words.axes.token[axis], FaultCode::UnknownWord);
     }
   }
   if (hasFurther && !words.axes.hasAny(0, kFirstFurther)) {
@@ -55,7 +55,7 @@ void Executor::executeMotion(BlockWords& words) {
     }
     return;  // nothing of the path moves
   }
-  const bool hasKnots = motion == Motion::Nurbs && m_hasKnots;
+  const bool hasKnots = motion == Motion::Nurbs && m_curve.hasKnots;
   if (hasKnots) {
     takeKnot(words);
   } else if (!isPlaneArc(motion) && motion != Motion::CubicSpline &&
@@ -64,11 +64,12 @@ void Executor::executeMotion(BlockWords& words) {
   }
   if (motion == Motion::Nurbs && words.rare && words.rare->spline != nullptr &&
       words.rare->spline->function == G::NurbsOn && !moves) {
-    m_nurbsFirstWeight = words.p.value_or(1.0);
+    m_curve.firstWeight = words.p.value_or(1.0);
   }
   if (!moves) {
     const bool hasFeed = m_state.feedMmPerS > 0.0 || m_state.feedMmPerRev > 0.0;
-    if (m_language.needsMotion && words.motion != nullptr && motion != Motion::Rapid && !hasFeed) {
+    if (m_language.needsMotion && words.g.motion != nullptr && motion != Motion::Rapid &&
+        !hasFeed) {
       noteMissingFeed(words);
     }
     return;
@@ -146,7 +147,7 @@ void Executor::move(BlockWords& words) {
   if (m_state.motion == Motion::None && (m_language.needsMotion || m_state.motionIsOff)) {
     const auto axis = static_cast<std::size_t>(std::countr_zero(words.axes.named));
     error(words, FaultCode::UnknownWord,
-          axis < kProgrammedAxisCount ? std::string(words.axisTokens[axis]->text) : "@ ^");
+          axis < kProgrammedAxisCount ? std::string(words.axes.token[axis]->text) : "@ ^");
     m_to.words.foreignMotion();
     return;
   }
@@ -155,7 +156,7 @@ void Executor::move(BlockWords& words) {
     m_state.motion = Motion::Line;
     m_state.motionAssumed = !m_state.motionNamed;
   }
-  m_state.motionAssumed = m_state.motionAssumed && words.motion == nullptr;
+  m_state.motionAssumed = m_state.motionAssumed && words.g.motion == nullptr;
   if (!m_options.knowsWorkOffsets) {
     m_reader.setMoved();
   }
@@ -317,12 +318,12 @@ double Executor::coordinate(const BlockWords& words, std::size_t axis, Vec3 from
   double value = lengthMm(words, axis);
   if (!(std::abs(value) <= kCoordinateMmMax)) {
     if (!std::isnan(value)) {  // else it has been reported
-      m_to.faults.error(*words.axisTokens[axis], FaultCode::ValueOutOfRange);
+      m_to.faults.error(*words.axes.token[axis], FaultCode::ValueOutOfRange);
     }
     return kUnknown;
   }
   if (isOfTurns(words.axes.reference[axis])) {
-    m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);  // of rotary axes only
+    m_to.faults.error(*words.axes.token[axis], FaultCode::UnknownWord);  // of rotary axes only
     return kUnknown;
   }
   value = radiusMm(words, axis);
@@ -330,7 +331,7 @@ double Executor::coordinate(const BlockWords& words, std::size_t axis, Vec3 from
     const double origin = m_state.incrementFrom[axis].value_or(from[axis]);
     if (std::isnan(origin)) {
       if (value != 0.0) {  // an increment of nothing leaves the axis where it is
-        m_to.faults.error(*words.axisTokens[axis], FaultCode::RelativeFromUnknownPosition,
+        m_to.faults.error(*words.axes.token[axis], FaultCode::RelativeFromUnknownPosition,
                           std::string(1, base::kAxisNames[axis]));
       }
       return kUnknown;
@@ -368,7 +369,7 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
   const bool countsFromStart = m_language.hasPolarSigns;
   for (const std::size_t axis : {first, second}) {
     if (countsFromStart && words.axes.has(axis)) {
-      m_to.faults.error(*words.axisTokens[axis], FaultCode::UnknownWord);
+      m_to.faults.error(*words.axes.token[axis], FaultCode::UnknownWord);
     }
   }
   const double radiusMm = std::hypot(across, up);
@@ -518,7 +519,7 @@ std::optional<double> Executor::rotaryTarget(const BlockWords& words, std::size_
   }
   if (m_state.isModulo[axis]) {
     if (!(value >= 0.0 && value < kTurn)) {
-      m_to.faults.error(*words.axisTokens[word], FaultCode::ValueOutOfRange);
+      m_to.faults.error(*words.axes.token[word], FaultCode::ValueOutOfRange);
       return std::nullopt;
     }
     return std::floor(from / kTurn + kSameDegrees) * kTurn + target;

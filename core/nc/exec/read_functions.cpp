@@ -89,6 +89,16 @@ bool isPatternOfHoles(const GRow& row, const Language& language, const ModalStat
          row.key <= kLast;
 }
 
+void setState(G function, ModalState& state) {
+  if (function == G::TipLength) {
+    state.tipWord = "G43.4";
+  } else if (function == G::RetractToStart || function == G::RetractToR) {
+    state.retractsToR = function == G::RetractToR;
+  } else if (function == G::CornersRound || function == G::CornersIntersect) {
+    state.cornersIntersect = function == G::CornersIntersect;
+  }
+}
+
 }  // namespace
 
 void BlockReader::readG(const Token& token, BlockWords& words) {
@@ -115,17 +125,17 @@ void BlockReader::readG(const Token& token, BlockWords& words) {
 void BlockReader::readG(const GRow& row, const Token& token, BlockWords& words) {
   switch (row.effect) {
     case GEffect::Motion:
-      setModal(words.motion, row, token);
+      setModal(words.g.motion, row, token);
       break;
     case GEffect::Plane:
-      setModal(words.plane, row, token);
+      setModal(words.g.plane, row, token);
       break;
     case GEffect::Units:
       if (isPatternOfHoles(row, m_language, m_state)) {
         m_to.faults.error(token, FaultCode::UnsupportedGCode, wordText(token));
         break;
       }
-      setModal(words.units, row, token);
+      setModal(words.g.units, row, token);
       break;
     case GEffect::Distance:
       readDistance(row, token, words);
@@ -134,7 +144,7 @@ void BlockReader::readG(const GRow& row, const Token& token, BlockWords& words) 
       m_state.centreIsAbsolute = row.function == G::CentreAbsolute;
       break;
     case GEffect::FeedMode:
-      words.turning = row.function == G::FeedPerMinuteOrFacing ? &row : words.turning;
+      words.g.turning = row.function == G::FeedPerMinuteOrFacing ? &row : words.g.turning;
       setFeedMode(feedModeOf(row.function));
       break;
     case GEffect::SpindleMode:
@@ -151,16 +161,10 @@ void BlockReader::readG(const GRow& row, const Token& token, BlockWords& words) 
       m_state.polarDegrees = kUnknown;
       break;
     case GEffect::None:
-      if (row.function == G::TipLength) {
-        m_state.tipWord = "G43.4";
-      } else if (row.function == G::RetractToStart || row.function == G::RetractToR) {
-        m_state.retractsToR = row.function == G::RetractToR;
-      } else if (row.function == G::CornersRound || row.function == G::CornersIntersect) {
-        m_state.cornersIntersect = row.function == G::CornersIntersect;
-      }
+      setState(row.function, m_state);
       break;
     case GEffect::Compensation:
-      setModal(words.compensationMode, row, token);
+      setModal(words.g.compensationMode, row, token);
       words.compensation = &token;
       if (row.function == G::CompensationOff) {
         m_to.faults.ignoreG(row.key, token);
@@ -288,8 +292,8 @@ void BlockReader::setModal(const GRow*& slot, const GRow& row, const Token& toke
 
 /// G90 and G91 hold for the whole block, also for the words before them.
 void BlockReader::readDistance(const GRow& row, const Token& token, BlockWords& words) {
-  words.turning = row.function == G::AbsoluteOrTurning ? &row : words.turning;
-  setModal(words.distance, row, token);
+  words.g.turning = row.function == G::AbsoluteOrTurning ? &row : words.g.turning;
+  setModal(words.g.distance, row, token);
   m_state.relative = row.function == G::Incremental;
   words.axes.relative = m_state.relative;
 }
@@ -308,7 +312,7 @@ void BlockReader::readBlockEnd(const GRow& row, const Token& token, BlockWords& 
   } else if (row.function == G::Accuracy) {
     words.tolerance = true;
   } else {
-    setModal(words.blockEnd, row, token);
+    setModal(words.g.blockEnd, row, token);
     words.tolerance = words.tolerance || row.effect == GEffect::Tolerance;
   }
 }

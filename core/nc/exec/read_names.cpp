@@ -12,25 +12,39 @@
 
 namespace rivulet::nc {
 
+namespace {
+
+void setState(NameEffect effect, std::string_view name, double value, ModalState& state) {
+  if (effect == NameEffect::Dynamics) {
+    state.dynamics = name == "SOFT" ? Dynamics::Soft : Dynamics::Brisk;
+  } else if (effect == NameEffect::Rounding) {
+    state.roundingMm = std::max(0.0, value);
+  } else if (effect == NameEffect::Diameter) {
+    state.diameter = name != "DIAMOF";
+    state.diameterIncrements = name == "DIAMON";
+  } else if (effect == NameEffect::Transformation) {
+    state.tipWord = name == "TRAORI" ? "TRAORI" : "";
+  } else if (name == "KONT" || name == "NORM") {
+    state.goesAroundStart = name == "KONT";
+  }
+}
+
+}  // namespace
+
 void BlockReader::readName(const Token& token, BlockWords& words) {
   const std::string name = base::toUpper(tokenName(token));
   if (token.kind == TokenKind::NamedValue && m_variables.find(name) != nullptr) {
     assign(token, words);
     return;
   }
-  switch (nameEffect(m_language.dialect, name)) {
+  const NameEffect effect = nameEffect(m_language.dialect, name);
+  switch (effect) {
     case NameEffect::Dynamics:
-      m_state.dynamics = name == "SOFT" ? Dynamics::Soft : Dynamics::Brisk;
-      m_to.faults.ignore(token, name);
-      break;
     case NameEffect::Rounding:
-      m_state.roundingMm = std::max(0.0, token.value);
-      m_to.faults.ignore(token, name);
-      break;
+    case NameEffect::Diameter:
+    case NameEffect::Transformation:
     case NameEffect::None:
-      if (name == "KONT" || name == "NORM") {
-        m_state.goesAroundStart = name == "KONT";
-      }
+      setState(effect, name, token.value, m_state);
       m_to.faults.ignore(token, name);
       break;
     case NameEffect::Query:
@@ -47,7 +61,7 @@ void BlockReader::readName(const Token& token, BlockWords& words) {
       if (token.kind != TokenKind::NamedValue) {
         m_to.faults.error(token, FaultCode::UnknownWord);
       } else {
-        readFeedName(nameEffect(m_language.dialect, name), token, name, words);
+        readFeedName(effect, token, name, words);
       }
       break;
     case NameEffect::FeedGroup:
@@ -81,15 +95,6 @@ void BlockReader::readName(const Token& token, BlockWords& words) {
       break;
     case NameEffect::MachineMove:
       words.machineToken = &token;
-      break;
-    case NameEffect::Diameter:
-      m_state.diameter = name != "DIAMOF";
-      m_state.diameterIncrements = name == "DIAMON";
-      m_to.faults.ignore(token, name);
-      break;
-    case NameEffect::Transformation:
-      m_state.tipWord = name == "TRAORI" ? "TRAORI" : "";
-      m_to.faults.ignore(token, name);
       break;
     case NameEffect::Address:
     case NameEffect::MachineAxis:

@@ -17,16 +17,16 @@ using base::Vec3;
 constexpr double kSameMm = 1e-3;
 
 void Executor::selectSpline(G function) {
-  if (function == G::NurbsWithKnots && m_hasKnots && m_state.motion == Motion::Nurbs) {
+  if (function == G::NurbsWithKnots && m_curve.hasKnots && m_state.motion == Motion::Nurbs) {
     return;  // the curve goes on
   }
   m_state.cycle = {};
-  m_curveIsClosed = function == G::NurbsOff;
+  m_curve.isClosed = function == G::NurbsOff;
   finishCurve();
-  m_hasKnots = function == G::NurbsWithKnots;
-  m_knots.clear();
+  m_curve.hasKnots = function == G::NurbsWithKnots;
+  m_curve.knots.clear();
   if (function != G::CubicSpline) {
-    m_lastTangent = {};
+    m_curve.lastTangent = {};
   }
   switch (function) {
     case G::CubicSpline:
@@ -38,7 +38,7 @@ void Executor::selectSpline(G function) {
     case G::NurbsOn:
     case G::NurbsWithKnots:
       m_state.motion = Motion::Nurbs;
-      m_splineDegree = m_hasKnots ? 3 : 2;
+      m_curve.degree = m_curve.hasKnots ? 3 : 2;
       break;
     default:
       m_state.motion = Motion::None;  // G5.3 closes the curve: the next block names its own motion
@@ -64,10 +64,10 @@ bool isCurveKnown(Vec3 from, Vec3 target) {
 /// G6.2: K is the next knot, P the order of the curve. Blocks without axes name the last knots.
 void Executor::takeKnot(const BlockWords& words) {
   if (words.centre.has(2)) {
-    m_knots.push_back(words.centre.value[2]);
+    m_curve.knots.push_back(words.centre.value[2]);
   }
   if (words.p && *words.p >= 2.0) {
-    m_splineDegree = static_cast<int>(std::min(*words.p - 1.0, 9.0));
+    m_curve.degree = static_cast<int>(std::min(*words.p - 1.0, 9.0));
   }
 }
 
@@ -78,37 +78,37 @@ void Executor::addControlPoint(const BlockWords& words, Vec3 target, const Move&
     unknownWay(target, move);
     return;
   }
-  if (!m_splineEnd) {
-    m_spline = {};
-    m_spline.controlMm.push_back(from);
-    m_spline.weights.push_back(m_state.motion == Motion::Nurbs ? m_nurbsFirstWeight : 1.0);
-    m_nurbsFirstWeight = 1.0;
-    if (m_hasKnots) {  // the first block names the start
+  if (!m_curve.end) {
+    m_curve.spline = {};
+    m_curve.spline.controlMm.push_back(from);
+    m_curve.spline.weights.push_back(m_state.motion == Motion::Nurbs ? m_curve.firstWeight : 1.0);
+    m_curve.firstWeight = 1.0;
+    if (m_curve.hasKnots) {  // the first block names the start
       if (base::distance(from, target) > kSameMm) {
         error(words, FaultCode::ValueOutOfRange, "G6.2");
       }
-      m_spline.controlMm.clear();
-      m_spline.weights.clear();
+      m_curve.spline.controlMm.clear();
+      m_curve.spline.weights.clear();
     }
   }
   const double weight = weightOf(words);
-  m_spline.controlMm.push_back(target);
-  m_spline.weights.push_back(weight);
-  m_splineEnd = target;
-  m_splineMove = move;
+  m_curve.spline.controlMm.push_back(target);
+  m_curve.spline.weights.push_back(weight);
+  m_curve.end = target;
+  m_curve.move = move;
 }
 
 double Executor::weightOf(const BlockWords& words) {
   double weight = 1.0;
-  if (m_language.leavesSplines && !m_hasKnots && !words.p) {
+  if (m_language.leavesSplines && !m_curve.hasKnots && !words.p) {
     error(words, FaultCode::NumberMissing, "P");
   }
-  if (m_hasKnots) {
+  if (m_curve.hasKnots) {
     weight = words.hasRadius ? words.radius : 1.0;
   } else if (m_state.motion == Motion::Nurbs) {
     weight = words.p.value_or(1.0);
     if (words.l) {
-      m_splineDegree = static_cast<int>(std::clamp(*words.l - 1.0, 1.0, 9.0));
+      m_curve.degree = static_cast<int>(std::clamp(*words.l - 1.0, 1.0, 9.0));
     }
   } else if (const NamedWord* const given = words.named("PW")) {
     weight = given->value;
@@ -124,23 +124,24 @@ double Executor::weightOf(const BlockWords& words) {
 }
 
 void Executor::finishCurve() {
-  if (!m_splineEnd) {
+  if (!m_curve.end) {
     return;
   }
-  m_splineEnd.reset();
-  if (m_language.leavesSplines && !m_hasKnots && !m_curveIsClosed) {
-    m_to.faults.fault(m_splineMove.column, {FaultCode::NotClosed, "G5.2", {}});
+  m_curve.end.reset();
+  if (m_language.leavesSplines && !m_curve.hasKnots && !m_curve.isClosed) {
+    m_to.faults.fault(m_curve.move.column, {FaultCode::NotClosed, "G5.2", {}});
   }
-  const std::size_t points = m_spline.controlMm.size();
-  m_spline.degree = std::min(m_splineDegree, static_cast<int>(points) - 1);
-  m_spline.knots = m_hasKnots ? std::move(m_knots) : clampedKnots(points, m_spline.degree);
-  m_knots.clear();
-  if (!isClamped(m_spline)) {
-    m_to.faults.report(Severity::Error, m_splineMove.column, FaultCode::ValueOutOfRange, "K");
-    unknownWay(m_spline.controlMm.back(), m_splineMove);
+  const std::size_t points = m_curve.spline.controlMm.size();
+  m_curve.spline.degree = std::min(m_curve.degree, static_cast<int>(points) - 1);
+  m_curve.spline.knots =
+      m_curve.hasKnots ? std::move(m_curve.knots) : clampedKnots(points, m_curve.spline.degree);
+  m_curve.knots.clear();
+  if (!isClamped(m_curve.spline)) {
+    m_to.faults.report(Severity::Error, m_curve.move.column, FaultCode::ValueOutOfRange, "K");
+    unknownWay(m_curve.spline.controlMm.back(), m_curve.move);
     return;
   }
-  spline(m_spline, m_splineMove);
+  spline(m_curve.spline, m_curve.move);
 }
 
 void Executor::spline(const Spline& spline, const Move& move) {
@@ -187,8 +188,8 @@ void Executor::moveBezier(const BlockWords& words, Vec3 target, const Move& move
   const double unit = m_state.lengthFactor;
   const bool hasStart = words.centre.has(0) || words.centre.has(1);
   const Vec3 start = hasStart ? Vec3{centreOf(words, 0) * unit, centreOf(words, 1) * unit, 0.0}
-                              : -1.0 * m_lastTangent;
-  if (!hasStart && m_lastTangent == Vec3{}) {
+                              : -1.0 * m_curve.lastTangent;
+  if (!hasStart && m_curve.lastTangent == Vec3{}) {
     error(words, FaultCode::ArcWithoutCentre);
     unknownWay(target, move);
     return;
@@ -198,7 +199,7 @@ void Executor::moveBezier(const BlockWords& words, Vec3 target, const Move& move
   if (isCubic) {
     const Vec3 end{words.p.value_or(0.0) * unit, words.q.value_or(0.0) * unit, 0.0};
     curve.controlMm.push_back(target + end);
-    m_lastTangent = end;
+    m_curve.lastTangent = end;
   }
   curve.controlMm.push_back(target);
   curve.degree = static_cast<int>(curve.controlMm.size()) - 1;

@@ -9,136 +9,116 @@
 
 namespace rivulet::nc {
 
-GEffect effectOf(G function) {
-  switch (function) {
-    case G::Unknown:
-      return GEffect::Unknown;
-    case G::Rapid:
-    case G::Line:
-    case G::ArcClockwise:
-    case G::ArcCounter:
-      return GEffect::Motion;
-    case G::Absolute:
-    case G::Incremental:
-    case G::AbsoluteOrTurning:
-      return GEffect::Distance;
-    case G::CentreAbsolute:
-    case G::CentreIncremental:
-      return GEffect::CentreMode;
-    case G::PlaneXY:
-    case G::PlaneZX:
-    case G::PlaneYZ:
-      return GEffect::Plane;
-    case G::Inches:
-    case G::Millimetres:
-    case G::InchesOfLengths:
-    case G::MillimetresOfLengths:
-      return GEffect::Units;
-    case G::FeedInverseTime:
-    case G::FeedPerMinute:
-    case G::FeedPerMinuteOrFacing:
-    case G::FeedPerRevolution:
-    case G::FeedUnknown:
-      return GEffect::FeedMode;
-    case G::SurfaceSpeed:
-    case G::SurfaceSpeedPerMinute:
-    case G::SurfaceSpeedPerRevolution:
-    case G::SpindleSpeed:
-    case G::SpindleSpeedPerMinute:
-    case G::SpindleSpeedPerRevolution:
-      return GEffect::SpindleMode;
-    case G::Diameter:
-    case G::Radius:
-      return GEffect::Diameter;
-    case G::Dwell:
-      return GEffect::Dwell;
-    case G::PoleFromPosition:
-    case G::PoleFromZero:
-    case G::PoleFromPole:
-      return GEffect::Pole;
-    case G::PolarOn:
-    case G::PolarOff:
-      return GEffect::Polar;
-    case G::CubicSpline:
-    case G::QuadraticSpline:
-    case G::NurbsOn:
-    case G::NurbsOff:
-    case G::NurbsWithKnots:
-      return GEffect::Spline;
-    case G::Harmless:
-    case G::TipLength:
-    case G::RetractToStart:
-    case G::RetractToR:
-    case G::CornersRound:
-    case G::CornersIntersect:
-      return GEffect::None;
-    case G::ExactStopOnce:
-    case G::ExactStop:
-      return GEffect::BlockEnd;
-    case G::ExactPath:
-    case G::Continuous:
-    case G::ContinuousByDistance:
-    case G::Accuracy:
-      return GEffect::Tolerance;
-    case G::ToolLength:
-    case G::ToolLengthOff:
-      return GEffect::ToolLength;
-    case G::CycleOff:
-      return GEffect::CycleOff;
-    case G::WorkOffset:
-      return GEffect::WorkOffset;
-    case G::WorkOffsetP:
-      return GEffect::WorkOffsetP;
-    case G::MachineMove:
-      return GEffect::MachineMove;
-    case G::FixedPoint:
-      return GEffect::FixedPoint;
-    case G::SetPosition:
-      return GEffect::SetPosition;
-    case G::ResetPosition:
-      return GEffect::ResetPosition;
-    case G::SuspendPosition:
-      return GEffect::SuspendPosition;
-    case G::RestorePosition:
-      return GEffect::RestorePosition;
-    case G::LocalOffset:
-      return GEffect::LocalOffset;
-    case G::Turn:
-      return GEffect::Turn;
-    case G::TurnOff:
-      return GEffect::TurnOff;
-    case G::Scale:
-      return GEffect::Scale;
-    case G::ScaleOff:
-      return GEffect::ScaleOff;
-    case G::Mirror:
-      return GEffect::Mirror;
-    case G::MirrorOff:
-      return GEffect::MirrorOff;
-    case G::SetWorkOffset:
-      return GEffect::SetWorkOffset;
-    case G::MacroCall:
-      return GEffect::MacroCall;
-    case G::ModalMacro:
-      return GEffect::ModalMacro;
-    case G::ModalMacroOff:
-      return GEffect::ModalMacroOff;
-    case G::CompensationOff:
-    case G::CompensationLeft:
-    case G::CompensationRight:
-      return GEffect::Compensation;
-    case G::Mode:
-      return GEffect::Mode;
-    case G::MotionMode:
-      return GEffect::MotionMode;
-    case G::Cycle:
-      return GEffect::Cycle;
-    case G::TakesBlock:
-      return GEffect::TakesBlock;
-    case G::TurningCycle:
-      return GEffect::TurningCycle;
+namespace {
+
+struct EffectRow {
+  G function;
+  GEffect effect;
+};
+
+// In the order of G.
+constexpr std::array kEffects{
+    EffectRow{G::Unknown, GEffect::Unknown},
+    EffectRow{G::Rapid, GEffect::Motion},
+    EffectRow{G::Line, GEffect::Motion},
+    EffectRow{G::ArcClockwise, GEffect::Motion},
+    EffectRow{G::ArcCounter, GEffect::Motion},
+    EffectRow{G::Absolute, GEffect::Distance},
+    EffectRow{G::Incremental, GEffect::Distance},
+    EffectRow{G::AbsoluteOrTurning, GEffect::Distance},
+    EffectRow{G::CentreAbsolute, GEffect::CentreMode},
+    EffectRow{G::CentreIncremental, GEffect::CentreMode},
+    EffectRow{G::PlaneXY, GEffect::Plane},
+    EffectRow{G::PlaneZX, GEffect::Plane},
+    EffectRow{G::PlaneYZ, GEffect::Plane},
+    EffectRow{G::Inches, GEffect::Units},
+    EffectRow{G::Millimetres, GEffect::Units},
+    EffectRow{G::InchesOfLengths, GEffect::Units},
+    EffectRow{G::MillimetresOfLengths, GEffect::Units},
+    EffectRow{G::FeedInverseTime, GEffect::FeedMode},
+    EffectRow{G::FeedPerMinute, GEffect::FeedMode},
+    EffectRow{G::FeedPerMinuteOrFacing, GEffect::FeedMode},
+    EffectRow{G::FeedPerRevolution, GEffect::FeedMode},
+    EffectRow{G::FeedUnknown, GEffect::FeedMode},
+    EffectRow{G::SurfaceSpeed, GEffect::SpindleMode},
+    EffectRow{G::SurfaceSpeedPerMinute, GEffect::SpindleMode},
+    EffectRow{G::SurfaceSpeedPerRevolution, GEffect::SpindleMode},
+    EffectRow{G::SpindleSpeed, GEffect::SpindleMode},
+    EffectRow{G::SpindleSpeedPerMinute, GEffect::SpindleMode},
+    EffectRow{G::SpindleSpeedPerRevolution, GEffect::SpindleMode},
+    EffectRow{G::Diameter, GEffect::Diameter},
+    EffectRow{G::Radius, GEffect::Diameter},
+    EffectRow{G::Dwell, GEffect::Dwell},
+    EffectRow{G::PoleFromPosition, GEffect::Pole},
+    EffectRow{G::PoleFromZero, GEffect::Pole},
+    EffectRow{G::PoleFromPole, GEffect::Pole},
+    EffectRow{G::PolarOn, GEffect::Polar},
+    EffectRow{G::PolarOff, GEffect::Polar},
+    EffectRow{G::CubicSpline, GEffect::Spline},
+    EffectRow{G::QuadraticSpline, GEffect::Spline},
+    EffectRow{G::NurbsOn, GEffect::Spline},
+    EffectRow{G::NurbsOff, GEffect::Spline},
+    EffectRow{G::NurbsWithKnots, GEffect::Spline},
+    EffectRow{G::Harmless, GEffect::None},
+    EffectRow{G::TipLength, GEffect::None},
+    EffectRow{G::RetractToStart, GEffect::None},
+    EffectRow{G::RetractToR, GEffect::None},
+    EffectRow{G::CornersRound, GEffect::None},
+    EffectRow{G::CornersIntersect, GEffect::None},
+    EffectRow{G::ExactStopOnce, GEffect::BlockEnd},
+    EffectRow{G::ExactStop, GEffect::BlockEnd},
+    EffectRow{G::ExactPath, GEffect::Tolerance},
+    EffectRow{G::Continuous, GEffect::Tolerance},
+    EffectRow{G::ContinuousByDistance, GEffect::Tolerance},
+    EffectRow{G::Accuracy, GEffect::Tolerance},
+    EffectRow{G::ToolLength, GEffect::ToolLength},
+    EffectRow{G::ToolLengthOff, GEffect::ToolLength},
+    EffectRow{G::CycleOff, GEffect::CycleOff},
+    EffectRow{G::WorkOffset, GEffect::WorkOffset},
+    EffectRow{G::WorkOffsetP, GEffect::WorkOffsetP},
+    EffectRow{G::MachineMove, GEffect::MachineMove},
+    EffectRow{G::FixedPoint, GEffect::FixedPoint},
+    EffectRow{G::SetPosition, GEffect::SetPosition},
+    EffectRow{G::ResetPosition, GEffect::ResetPosition},
+    EffectRow{G::SuspendPosition, GEffect::SuspendPosition},
+    EffectRow{G::RestorePosition, GEffect::RestorePosition},
+    EffectRow{G::LocalOffset, GEffect::LocalOffset},
+    EffectRow{G::Turn, GEffect::Turn},
+    EffectRow{G::TurnOff, GEffect::TurnOff},
+    EffectRow{G::Scale, GEffect::Scale},
+    EffectRow{G::ScaleOff, GEffect::ScaleOff},
+    EffectRow{G::Mirror, GEffect::Mirror},
+    EffectRow{G::MirrorOff, GEffect::MirrorOff},
+    EffectRow{G::SetWorkOffset, GEffect::SetWorkOffset},
+    EffectRow{G::MacroCall, GEffect::MacroCall},
+    EffectRow{G::ModalMacro, GEffect::ModalMacro},
+    EffectRow{G::ModalMacroOff, GEffect::ModalMacroOff},
+    EffectRow{G::CompensationOff, GEffect::Compensation},
+    EffectRow{G::CompensationLeft, GEffect::Compensation},
+    EffectRow{G::CompensationRight, GEffect::Compensation},
+    EffectRow{G::Mode, GEffect::Mode},
+    EffectRow{G::MotionMode, GEffect::MotionMode},
+    EffectRow{G::Cycle, GEffect::Cycle},
+    EffectRow{G::TakesBlock, GEffect::TakesBlock},
+    EffectRow{G::TurningCycle, GEffect::TurningCycle},
+};
+
+constexpr bool everyFunctionHasItsRow() {
+  for (std::size_t i = 0; i < kEffects.size(); ++i) {
+    if (kEffects[i].function != static_cast<G>(i)) {
+      return false;
+    }
   }
-  base::contractViolated("every G function has an effect", __FILE__, __LINE__);
+  return kEffects.back().function == G::TurningCycle;
+}
+static_assert(everyFunctionHasItsRow());
+
+}  // namespace
+
+GEffect effectOf(G function) {
+  const auto index = static_cast<std::size_t>(function);
+  RIVULET_ASSERT(index < kEffects.size());
+  return kEffects[index].effect;
 }
 
 GTable::GTable(std::span<const GRow> rows, std::span<const GRow> lathe)

@@ -394,6 +394,80 @@ std::string shownEvidence(std::string_view text, Dialect dialect) {
   return shown;
 }
 
+/// What speaks for each dialect.
+class Votes {
+ public:
+  void count(const Evidence& evidence) {
+    const auto index = static_cast<std::size_t>(evidence.dialect);
+    m_weight[index] += evidence.weight;
+    if (evidence.weight > m_strongest[index].first) {
+      m_strongest[index] = {evidence.weight, evidence.text};
+    }
+  }
+
+  /// Its O words and calculations are those of RS-274/NGC.
+  void giveRs274ToFluidNc() {
+    auto& ofFluidNc = m_weight[static_cast<std::size_t>(Dialect::FluidNc)];
+    if (ofFluidNc > 0) {
+      ofFluidNc += std::exchange(m_weight[static_cast<std::size_t>(Dialect::LinuxCnc)], 0);
+    }
+  }
+
+  void decide(DialectGuess& guess) const {
+    const auto* const best = std::max_element(m_weight.begin(), m_weight.end());
+    constexpr int kLeastWeight = 3;
+    if (*best < kLeastWeight) {
+      guess.others = {Dialect::LinuxCnc, Dialect::Grbl};
+      return;
+    }
+    const auto index = static_cast<std::size_t>(best - m_weight.begin());
+    guess.dialect = static_cast<Dialect>(index);
+    guess.evidence = shownEvidence(m_strongest[index].second, guess.dialect);
+    for (const Dialect other : kDialects) {
+      const auto its = static_cast<std::size_t>(other);
+      constexpr int kStrong = 10;
+      if (other == guess.dialect || m_weight[its] < kLeastWeight) {
+        continue;
+      }
+      if (m_strongest[its].first >= kStrong && m_strongest[index].first >= kStrong &&
+          !areRelated(other, guess.dialect)) {
+        guess.contradiction = shownEvidence(m_strongest[its].second, other);
+      } else if (2 * m_weight[its] > *best) {
+        guess.others.push_back(other);
+      }
+    }
+  }
+
+ private:
+  std::array<int, kDialects.size()> m_weight{};
+  std::array<std::pair<int, std::string_view>, kDialects.size()> m_strongest{};
+};
+
+/// @return the turning cycle that the line has
+std::string_view countLine(std::string_view front, Votes& votes) {
+  if (hasCommentBehindOWord(front)) {
+    votes.count({Dialect::FluidNc, "O# (...)", 20});
+  }
+  const std::string line = relevantPart(front);
+  if (line.size() < 2) {
+    return {};
+  }
+  for (const Evidence& evidence : kEvidence) {
+    if (evidence.atStart ? startsWith(line, evidence.text) : contains(line, evidence.text)) {
+      votes.count(evidence);
+    }
+  }
+  return turningCycleOf(line);
+}
+
+std::string latheSignsOf(std::string_view text) {
+  LatheSigns signs;
+  for (std::size_t lines = 0; !text.empty() && lines < kLinesLookedAt; ++lines) {
+    signs.look(takeLine(text));
+  }
+  return signs.shown();
+}
+
 }  // namespace
 
 std::string_view dialectName(Dialect dialect) {
@@ -427,29 +501,21 @@ std::optional<Dialect> dialectOfName(std::string_view name) {
 }
 
 DialectGuess detectDialect(std::string_view text, std::string_view fileName) {
-  std::array<int, kDialects.size()> weight{};
-  std::array<std::pair<int, std::string_view>, kDialects.size()> strongest{};
-  const auto count = [&](const Evidence& evidence) {
-    const auto index = static_cast<std::size_t>(evidence.dialect);
-    weight[index] += evidence.weight;
-    if (evidence.weight > strongest[index].first) {
-      strongest[index] = {evidence.weight, evidence.text};
-    }
-  };
+  Votes votes;
   const std::string file = base::toUpper(fileName);
   for (const Evidence& ending : kEndings) {
     if (file.size() >= ending.text.size() &&
         file.compare(file.size() - ending.text.size(), std::string::npos, ending.text) == 0) {
-      count(ending);
+      votes.count(ending);
     }
   }
-  const std::string_view all = text;
+  std::string_view rest = text;
   std::array<bool, kMentions.size()> mentioned{};
   std::string_view turningCycle;
   bool mayBeLathe = false;
   std::size_t lines = 0;
-  while (!text.empty() && lines++ < kLinesLookedAt) {
-    const std::string_view raw = takeLine(text);
+  while (!rest.empty() && lines++ < kLinesLookedAt) {
+    const std::string_view raw = takeLine(rest);
     // No word of a dialect fits into a line of coordinates only.
     constexpr std::size_t kLongestLookedAt = 400;
     const std::string_view front = raw.substr(0, kLongestLookedAt);
@@ -463,69 +529,23 @@ DialectGuess detectDialect(std::string_view text, std::string_view fileName) {
     if (isPlain(front) && !hasTellingG(front)) {
       continue;
     }
-    if (hasCommentBehindOWord(front)) {
-      count({Dialect::FluidNc, "O# (...)", 20});
-    }
-    const std::string line = relevantPart(front);
-    if (line.size() < 2) {
-      continue;
-    }
-    for (const Evidence& evidence : kEvidence) {
-      if (evidence.atStart ? startsWith(line, evidence.text) : contains(line, evidence.text)) {
-        count(evidence);
-      }
-    }
-    if (turningCycle.empty()) {
-      turningCycle = turningCycleOf(line);
-    }
+    const std::string_view cycle = countLine(front, votes);
+    turningCycle = turningCycle.empty() ? cycle : turningCycle;
   }
   for (std::size_t i = 0; i < kMentions.size(); ++i) {
     if (mentioned[i]) {
-      count({kMentions[i].dialect, kMentions[i].text, kMentionWeight});
+      votes.count({kMentions[i].dialect, kMentions[i].text, kMentionWeight});
     }
   }
-  // Its O words and calculations are those of RS-274/NGC.
-  auto& ofFluidNc = weight[static_cast<std::size_t>(Dialect::FluidNc)];
-  if (ofFluidNc > 0) {
-    ofFluidNc += std::exchange(weight[static_cast<std::size_t>(Dialect::LinuxCnc)], 0);
-  }
+  votes.giveRs274ToFluidNc();
   DialectGuess guess;
-  guess.lathe = turningCycle;
-  if (mayBeLathe && guess.lathe.empty()) {
-    LatheSigns signs;
-    text = all;
-    for (lines = 0; !text.empty() && lines < kLinesLookedAt; ++lines) {
-      signs.look(takeLine(text));
-    }
-    guess.lathe = signs.shown();
-  }
+  guess.lathe = turningCycle.empty() && mayBeLathe ? latheSignsOf(text) : std::string(turningCycle);
   if (!guess.lathe.empty()) {
     // Its G codes are those of Fanuc's lathes.
     constexpr int kLatheWeight = 4;
-    count({Dialect::Fanuc, guess.lathe, kLatheWeight});
+    votes.count({Dialect::Fanuc, guess.lathe, kLatheWeight});
   }
-  const auto* const best = std::max_element(weight.begin(), weight.end());
-  constexpr int kLeastWeight = 3;
-  if (*best < kLeastWeight) {
-    guess.others = {Dialect::LinuxCnc, Dialect::Grbl};
-    return guess;
-  }
-  const auto index = static_cast<std::size_t>(best - weight.begin());
-  guess.dialect = static_cast<Dialect>(index);
-  guess.evidence = shownEvidence(strongest[index].second, guess.dialect);
-  for (const Dialect other : kDialects) {
-    const auto its = static_cast<std::size_t>(other);
-    constexpr int kStrong = 10;
-    if (other == guess.dialect || weight[its] < kLeastWeight) {
-      continue;
-    }
-    if (strongest[its].first >= kStrong && strongest[index].first >= kStrong &&
-        !areRelated(other, guess.dialect)) {
-      guess.contradiction = shownEvidence(strongest[its].second, other);
-    } else if (2 * weight[its] > *best) {
-      guess.others.push_back(other);
-    }
-  }
+  votes.decide(guess);
   return guess;
 }
 

@@ -588,6 +588,22 @@ class LineReader {
     add(TokenKind::CommentNotClosed, from, m_end);
   }
 
+  /// Of the address that stands before it.
+  void readAssignment() {
+    const Token previous = m_tokens.back();
+    m_tokens.pop_back();
+    ++m_at;
+    if (isOneOf<'M', 'S', 'T', 'H', 'D'>(previous.address)) {
+      readAssignedValue(previous.text.data(), previous.address, TokenKind::IndexedWord);
+    } else if (previous.address == 'R') {
+      skipBlanks();
+      addCalculation(TokenKind::Assignment, previous.text.data(), previous.address);
+    } else {
+      // I1=, A3=: an address of its own.
+      readAssignedValue(previous.text.data(), 0, TokenKind::NamedValue);
+    }
+  }
+
   /// @return false if the rest of the line is done with
   bool readOther() {
     const char* const from = m_at;
@@ -621,19 +637,7 @@ class LineReader {
         break;
       case '=':
         if (!m_tokens.empty() && m_tokens.back().kind == TokenKind::Word) {
-          const Token previous = m_tokens.back();
-          m_tokens.pop_back();
-          ++m_at;
-          const bool indexed = isOneOf<'M', 'S', 'T', 'H', 'D'>(previous.address);
-          if (indexed) {
-            readAssignedValue(previous.text.data(), previous.address, TokenKind::IndexedWord);
-          } else if (previous.address == 'R') {
-            skipBlanks();
-            addCalculation(TokenKind::Assignment, previous.text.data(), previous.address);
-          } else {
-            // I1=, A3=: an address of its own.
-            readAssignedValue(previous.text.data(), 0, TokenKind::NamedValue);
-          }
+          readAssignment();
           return true;
         }
         break;

@@ -158,10 +158,10 @@ BlockSummary summaryOf(const Words& words) {
     reader.read(token, block);
   }
   made.alarm = alarms.take();
-  if (block.motion != nullptr || (block.rare && block.rare->threePointArc)) {
-    made.rapid = block.motion != nullptr && block.motion->function == nc::G::Rapid;
+  if (block.g.motion != nullptr || (block.rare && block.rare->threePointArc)) {
+    made.rapid = block.g.motion != nullptr && block.g.motion->function == nc::G::Rapid;
   }
-  if (block.distance != nullptr) {
+  if (block.g.distance != nullptr) {
     made.relative = state.relative;
   }
   made.namesFeed = block.feed != nullptr && !block.dwell;

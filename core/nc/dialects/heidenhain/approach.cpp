@@ -39,7 +39,7 @@ bool areSame(Flat a, Flat b) {
 
 /// PLT, PCT and PLCT name their place by a pole.
 Expected<void> Control::placeByPole(std::string& kind, MotionWords& words) {
-  if ((kind != "PLT" && kind != "PCT" && kind != "PLCT") || m_poleAxis != firstAxis()) {
+  if ((kind != "PLT" && kind != "PCT" && kind != "PLCT") || m_pole.axis != firstAxis()) {
     return {};  // what is not known is refused by its name
   }
   const Expected<Flat> place = polarTarget(words);
@@ -58,8 +58,8 @@ Expected<void> Control::placeByPole(std::string& kind, MotionWords& words) {
 
 Expected<void> Control::approach(Scanner& in) {
   Approach made;
-  made.place = m_place;
-  made.line = m_line;
+  made.place = m_block.place;
+  made.line = m_block.line;
   made.kind = in.takeName();
   Expected<MotionWords> words = motionWords(in);
   if (!words) {
@@ -92,24 +92,17 @@ Expected<void> Control::approach(Scanner& in) {
   }
   made.before = isBoth ? Feed{} : m_wasRapid ? Feed{FeedKind::Rapid, 0.0} : m_feed;
   made.start = flat(m_at);
-  const Expected<base::Vec3> target = targetOf(*words);
-  if (!target) {
-    return fail(target.error());
-  }
-  Expected<Item> item = itemOf(*words);
+  Expected<Item> item = itemTo(*words);
   if (!item) {
     return fail(item.error());
-  }
-  if (Expected<void> done = setTarget(*item, *target, *words); !done) {
-    return done;
   }
   if (isBoth) {
     made.before = item->feed;
   }
   m_direction.reset();
   made.first = flat(item->target);
-  made.length = words->length.value_or(0.0) * m_scale;
-  made.radius = words->radius.value_or(0.0) * m_scale;
+  made.length = words->length.value_or(0.0) * m_coordinates.scale;
+  made.radius = words->radius.value_or(0.0) * m_coordinates.scale;
   made.centreAngle = words->centreAngle.value_or(0.0);
   const Expected<bool> mirrors = mirrorsPlane(firstAxis());
   if (!mirrors) {
@@ -206,6 +199,70 @@ Expected<void> Control::joinApproach(const Item& next) {
   return {};
 }
 
+Expected<void> Control::checkDeparture(Scanner& in, const std::string& kind,
+                                       const MotionWords& words) {
+  const bool isLine = kind == "LT";
+  const bool isArc = kind == "CT";
+  const bool isBoth = kind == "LCT";
+  const auto failed = [&]() -> Expected<void> {
+    return in.fault<void>(FaultCode::UnsupportedGCode, "DEP " + kind);
+  };
+  const bool isKnown = isLine || ((isArc || isBoth) && m_compensation != 0);
+  const bool namesPlace = words.axes[firstAxis()] && words.axes[secondAxis()];
+  if (!isKnown || words.compensation || words.isInMachine() || isBoth != namesPlace ||
+      (!isBoth && (words.axes[firstAxis()] || words.axes[secondAxis()])) || m_corner ||
+      !m_direction) {
+    return failed();
+  }
+  if (Expected<void> done = refuseUnused(words, isLine  ? "length"
+                                                : isArc ? "radius angle"
+                                                        : "radius");
+      !done) {
+    return done;
+  }
+  const bool lacks = isLine ? !(words.length.value_or(0.0) > 0.0)
+                            : words.radius.value_or(0.0) == 0.0 || (isArc && !words.centreAngle) ||
+                                  (isBoth && *words.radius < 0.0);
+  return lacks ? failed() : Expected<void>();
+}
+
+/// From the last point of the contour to the auxiliary point.
+Expected<Element> Control::departureWay(Scanner& in, const std::string& kind,
+                                        const MotionWords& words) {
+  const Expected<bool> mirrors = mirrorsPlane(firstAxis());
+  if (!mirrors) {
+    return fail(mirrors.error());
+  }
+  const Flat from = flat(m_at);
+  const Flat direction = *m_direction;
+  Element way = Element::line(from, from);
+  if (kind == "LT") {
+    way.end = from + (*words.length * m_coordinates.scale) * direction;
+    return way;
+  }
+  const double radius = std::abs(*words.radius) * m_coordinates.scale;
+  const bool turnsLeft = ((m_compensation > 0) != *mirrors) == (*words.radius > 0.0);
+  way.isArc = true;
+  way.clockwise = !turnsLeft;
+  way.centre = from + (turnsLeft ? radius : -radius) * leftOf(direction);
+  if (kind == "CT") {
+    way.end = way.centre +
+              turned(from - way.centre, turnsLeft ? *words.centreAngle : -*words.centreAngle);
+    return way;
+  }
+  const Expected<base::Vec3> target = targetOf(words);
+  if (!target) {
+    return fail(target.error());
+  }
+  const std::optional<Flat> point = tangentPoint(flat(m_coordinates.frame.toWorkpiece(*target)),
+                                                 way.centre, radius, turnsLeft, true);
+  if (!point) {
+    return in.fault<Element>(FaultCode::UnsupportedGCode, "DEP " + kind);
+  }
+  way.end = *point;
+  return way;
+}
+
 Expected<void> Control::departure(Scanner& in) {
   std::string kind = in.takeName();
   Expected<MotionWords> words = motionWords(in);
@@ -215,63 +272,14 @@ Expected<void> Control::departure(Scanner& in) {
   if (Expected<void> done = placeByPole(kind, *words); !done) {
     return done;
   }
-  const bool isLine = kind == "LT";
-  const bool isArc = kind == "CT";
-  const bool isBoth = kind == "LCT";
-  const auto failed = [&]() -> Expected<void> {
-    return in.fault<void>(FaultCode::UnsupportedGCode, "DEP " + kind);
-  };
-  const bool isKnown = isLine || ((isArc || isBoth) && m_compensation != 0);
-  const bool namesPlace = words->axes[firstAxis()] && words->axes[secondAxis()];
-  if (!isKnown || words->compensation || words->isInMachine() || isBoth != namesPlace ||
-      (!isBoth && (words->axes[firstAxis()] || words->axes[secondAxis()])) || m_corner ||
-      !m_direction) {
-    return failed();
-  }
-  if (Expected<void> done = refuseUnused(*words, isLine  ? "length"
-                                                 : isArc ? "radius angle"
-                                                         : "radius");
-      !done) {
+  if (Expected<void> done = checkDeparture(in, kind, *words); !done) {
     return done;
   }
-  const bool lacks = isLine
-                         ? !(words->length.value_or(0.0) > 0.0)
-                         : words->radius.value_or(0.0) == 0.0 || (isArc && !words->centreAngle) ||
-                               (isBoth && *words->radius < 0.0);
-  if (lacks) {
-    return failed();
+  const Expected<Element> way = departureWay(in, kind, *words);
+  if (!way) {
+    return fail(way.error());
   }
-  const Expected<bool> mirrors = mirrorsPlane(firstAxis());
-  if (!mirrors) {
-    return fail(mirrors.error());
-  }
-  const Flat from = flat(m_at);
-  const Flat direction = *m_direction;
-  Element way = Element::line(from, from);
-  if (isLine) {
-    way.end = from + (*words->length * m_scale) * direction;
-  } else {
-    const double radius = std::abs(*words->radius) * m_scale;
-    const bool turnsLeft = ((m_compensation > 0) != *mirrors) == (*words->radius > 0.0);
-    way.isArc = true;
-    way.clockwise = !turnsLeft;
-    way.centre = from + (turnsLeft ? radius : -radius) * leftOf(direction);
-    if (isArc) {
-      way.end = way.centre +
-                turned(from - way.centre, turnsLeft ? *words->centreAngle : -*words->centreAngle);
-    } else {
-      const Expected<base::Vec3> target = targetOf(*words);
-      if (!target) {
-        return fail(target.error());
-      }
-      const std::optional<Flat> point =
-          tangentPoint(flat(m_frame.toWorkpiece(*target)), way.centre, radius, turnsLeft, true);
-      if (!point) {
-        return failed();
-      }
-      way.end = *point;
-    }
-  }
+  const bool isBoth = kind == "LCT";
   MotionWords first;
   first.column = words->column;
   first.feed = words->feed;
@@ -287,30 +295,22 @@ Expected<void> Control::departure(Scanner& in) {
   item->given[secondAxis()] = true;
   item->target = m_at;
   item->plane = firstAxis();
-  item->element = way;
-  if (way.isArc && item->feed.kind == FeedKind::Rapid) {
-    return failed();
+  item->element = *way;
+  if (way->isArc && item->feed.kind == FeedKind::Rapid) {
+    return in.fault<void>(FaultCode::UnsupportedGCode, "DEP " + kind);
   }
-  m_at.set(firstAxis(), way.end.x);
-  m_at.set(secondAxis(), way.end.y);
-  if (!areSame(way.start, way.end)) {
+  m_at.set(firstAxis(), way->end.x);
+  m_at.set(secondAxis(), way->end.y);
+  if (!areSame(way->start, way->end)) {
     push(std::move(*item));
   }
-  const bool wasCompensated = m_compensation != 0;
   if (isBoth) {
     words->compensation = 0;
-    const Expected<base::Vec3> target = targetOf(*words);
-    Expected<Item> last = target ? itemOf(*words) : fail(target.error());
-    if (!last) {
-      return fail(last.error());
-    }
-    if (Expected<void> done = setTarget(*last, *target, *words); !done) {
-      return done;
-    }
-    return moveOn(*words, std::move(*last));
+    Expected<Item> last = itemTo(*words);
+    return last ? moveOn(*words, std::move(*last)) : fail(last.error());
   }
   m_direction.reset();
-  if (wasCompensated) {
+  if (m_compensation != 0) {
     m_compensation = 0;
     tell({word('G', 40.0)});
     // The centre of the tool stays beside the last point.
@@ -323,13 +323,9 @@ Expected<void> Control::departure(Scanner& in) {
     up.axes[thirdAxis()] = words->axes[thirdAxis()];
     up.isIncrement[thirdAxis()] = words->isIncrement[thirdAxis()];
     up.feed = words->feed;
-    const Expected<base::Vec3> target = targetOf(up);
-    Expected<Item> last = target ? itemOf(up) : fail(target.error());
+    Expected<Item> last = itemTo(up);
     if (!last) {
       return fail(last.error());
-    }
-    if (Expected<void> done = setTarget(*last, *target, up); !done) {
-      return done;
     }
     push(std::move(*last));
   }

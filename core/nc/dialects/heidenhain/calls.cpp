@@ -30,7 +30,7 @@ CycleSituation Control::situation() const {
   constexpr double kInch = 25.4;
   return {.parameters = m_parameters,
           .at = programmed(),
-          .toolAxis = m_toolAxis,
+          .toolAxis = m_tool.axis,
           .spindlePerMin = m_spindlePerMin,
           .millimetre = m_isInch ? 1.0 / kInch : 1.0,
           .setUp = {},
@@ -43,7 +43,7 @@ Expected<void> Control::pattern(Scanner& in) {
   if (!in.takeWord("DEF")) {
     return in.fault<void>(FaultCode::UnknownWord, "PATTERN");
   }
-  m_pattern.clear();
+  m_cycles.pattern.clear();
   while (!in.isAtEnd()) {
     const std::string kind = in.takeName();
     (void)in.takeInteger();
@@ -51,7 +51,7 @@ Expected<void> Control::pattern(Scanner& in) {
       return in.fault<void>(FaultCode::BracketNotClosed);
     }
     if (Expected<void> done = patternPart(in, kind); !done) {
-      m_pattern.clear();
+      m_cycles.pattern.clear();
       return done;
     }
   }
@@ -113,7 +113,8 @@ Expected<void> Control::patternPart(Scanner& in, const std::string& kind) {
                                                             : words.begin()->first));
   }
   for (int i = 0; i < static_cast<int>(count); ++i) {
-    m_pattern.push_back({centre + turned(arm, turn * i) + static_cast<double>(i) * step, surface});
+    m_cycles.pattern.push_back(
+        {centre + turned(arm, turn * i) + static_cast<double>(i) * step, surface});
   }
   return {};
 }
@@ -125,7 +126,7 @@ Expected<void> Control::callPattern(Scanner& in) {
   if (!words) {
     return fail(words.error());
   }
-  if (words->moves() || m_pattern.empty()) {
+  if (words->moves() || m_cycles.pattern.empty()) {
     return in.fault<void>(FaultCode::CycleNotRun, "CYCL CALL PAT");
   }
   MotionWords after;
@@ -148,7 +149,7 @@ Expected<void> Control::callPattern(Scanner& in) {
     return in.fault<void>(FaultCode::RelativeFromUnknownPosition,
                           std::string(1, base::kAxisNames[thirdAxis()]));
   }
-  for (const PatternPoint& point : m_pattern) {
+  for (const PatternPoint& point : m_cycles.pattern) {
     base::Vec3 place = programmed();
     place.set(thirdAxis(), std::max(start, *surface + point.surface + *second));
     if (Expected<void> done = step(place, {FeedKind::Rapid, 0.0}); !done) {
@@ -194,7 +195,7 @@ Expected<void> Control::cycleCall(Scanner& in) {
   constexpr int kCalls = 99;
   for (const MFunction& function : words->functions) {
     if (function.number == kCalls || function.number == kCallsAlways) {
-      m_callsAlways = function.number == kCallsAlways;
+      m_cycles.callsAlways = function.number == kCallsAlways;
       continue;
     }
     (startsMachine(function.number) ? before : after).functions.push_back(function);
@@ -246,18 +247,18 @@ Expected<void> Control::callCycle(double surfaceShift) {
 
 Expected<void> Control::step(base::Vec3 programmed, Feed feed) {
   Item item;
-  item.place = m_place;
-  item.isSkipped = m_isSkipped;
+  item.place = m_block.place;
+  item.isSkipped = m_block.isSkipped;
   item.moves = true;
   item.isMade = true;
   item.feed = feed;
   const base::Vec3 from = m_at;
   MotionWords words;
-  words.column = m_place.column;
+  words.column = m_block.place.column;
   words.feed = feed;
   // Axes that stay are not named.
   constexpr double kSame = 1e-9;
-  const base::Vec3 target = m_frame.toWorkpiece(programmed);
+  const base::Vec3 target = m_coordinates.frame.toWorkpiece(programmed);
   bool moves = false;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     item.given[axis] = !std::isnan(target[axis]) && !(std::abs(target[axis] - from[axis]) < kSame);
@@ -275,12 +276,12 @@ Expected<void> Control::step(base::Vec3 programmed, Feed feed) {
 
 Expected<void> Control::runCycle(const CycleSituation& situation) {
   if (m_compensation != 0) {
-    return fail(FaultCode::UnsupportedGCode, "CYCL CALL", m_place);  // the cycles need R0
+    return fail(FaultCode::UnsupportedGCode, "CYCL CALL", m_block.place);  // the cycles need R0
   }
-  const Expected<std::vector<CycleStep>> steps = stepsOf(m_cycle, situation);
+  const Expected<std::vector<CycleStep>> steps = stepsOf(m_cycles.defined, situation);
   if (!steps) {
     Fault fault = steps.error();
-    fault.place = m_place;
+    fault.place = m_block.place;
     return fail(std::move(fault));
   }
   for (const CycleStep& each : *steps) {
@@ -325,12 +326,13 @@ void Control::tap(const CycleStep& tapping) {
   constexpr double kLeftHanded = 74.0;
   constexpr double kRightHanded = 84.0;
   const std::size_t axis = thirdAxis();
-  const double depth = m_frame.toWorkpiece(tapping.to)[axis] + m_lengthDelta;
-  const double start = m_at[axis] + m_lengthDelta;
+  const double depth = m_coordinates.frame.toWorkpiece(tapping.to)[axis] + m_tool.lengthDelta;
+  const double start = m_at[axis] + m_tool.lengthDelta;
   const double feed =
-      tapping.feed *
-      (m_isInch && m_cycle.number != 207 && m_cycle.number != 209 && m_cycle.number != 17 ? 0.1
-                                                                                          : 1.0);
+      tapping.feed * (m_isInch && m_cycles.defined.number != 207 &&
+                              m_cycles.defined.number != 209 && m_cycles.defined.number != 17
+                          ? 0.1
+                          : 1.0);
   std::vector<Token> tokens{word('G', 99.0),
                             word('G', tapping.isLeftHanded ? kLeftHanded : kRightHanded),
                             word(base::kAxisNames[axis], depth), word('R', start), word('F', feed)};
@@ -349,13 +351,14 @@ void Control::bore(const CycleStep& boring) {
   flush();
   constexpr double kFineBoring = 76.0;
   const std::size_t axis = thirdAxis();
-  const base::Vec3 aside = m_frame.turned(boring.aside);
+  const base::Vec3 aside = m_coordinates.frame.turned(boring.aside);
   const double unit = m_isInch ? 0.1 : 1.0;  // see `write`
   std::vector<Token> tokens{
       word('G', 99.0),
       word('G', kFineBoring),
-      word(base::kAxisNames[axis], m_frame.toWorkpiece(boring.to)[axis] + m_lengthDelta),
-      word('R', m_at[axis] + m_lengthDelta),
+      word(base::kAxisNames[axis],
+           m_coordinates.frame.toWorkpiece(boring.to)[axis] + m_tool.lengthDelta),
+      word('R', m_at[axis] + m_tool.lengthDelta),
       word('F', boring.feed * unit),
       named("RPA", aside[firstAxis()]),
       named("RPO", aside[secondAxis()]),
@@ -377,14 +380,14 @@ void Control::tellHole(std::vector<Token> tokens) {
 }
 
 Expected<void> Control::runPattern(int number) {
-  if (m_cycle.number == 0) {
-    return fail(FaultCode::CycleNotRun, fmt::format("CYCL DEF {}", number), m_place);
+  if (m_cycles.defined.number == 0) {
+    return fail(FaultCode::CycleNotRun, fmt::format("CYCL DEF {}", number), m_block.place);
   }
   CycleSituation where = situation();
   const Expected<Pattern> pattern = patternOf(number, where);
   if (!pattern) {
     Fault fault = pattern.error();
-    fault.place = m_place;
+    fault.place = m_block.place;
     return fail(std::move(fault));
   }
   const Feed rapid{FeedKind::Rapid, 0.0};

@@ -32,6 +32,10 @@ std::string programName(std::string path) {
   return path;
 }
 
+Expected<Steering> withoutSteering(const Expected<void>& done) {
+  return done ? Expected<Steering>(Steering()) : fail(done.error());
+}
+
 }  // namespace
 
 Control::Control(const ToolRadius* toolRadius)
@@ -52,9 +56,7 @@ void Control::leaveProgram() {
 
 Steering Control::execute(std::string_view block, Place place, base::LineNumber line,
                           bool isSkipped) {
-  m_place = place;
-  m_line = line;
-  m_isSkipped = isSkipped;
+  m_block = {place, line, isSkipped};
   const std::string text = withoutComments(block);
   Scanner in(text, m_parameters, place);
   Expected<Steering> done = statement(in);
@@ -92,27 +94,28 @@ Expected<Steering> Control::statement(Scanner& in) {
       Row{"PATTERN", &Control::pattern},
       Row{"FUNCTION", &Control::function},
   };
-  const auto nothing = [](const Expected<void>& done) {
-    return done ? Expected<Steering>(Steering()) : fail(done.error());
-  };
   if (const std::string name = in.takeParameter(); !name.empty()) {
-    return nothing(assignment(in, name));
+    return withoutSteering(assignment(in, name));
   }
   if (in.takePrefix("QS")) {
-    return nothing(assignText(in));
+    return withoutSteering(assignText(in));
   }
   for (const Row& row : kRows) {
     if (in.takeWord(row.word)) {
-      return nothing((this->*row.read)(in));
+      return withoutSteering((this->*row.read)(in));
     }
   }
   if (in.takeWord("CTP") || in.takeWord("CT")) {
-    return nothing(tangentialArc(in, in.previous() == 'P'));
+    return withoutSteering(tangentialArc(in, in.previous() == 'P'));
   }
   // RNDR5 as well: a letter may follow.
   if (in.takePrefix("RND") || in.takePrefix("CHF")) {
-    return nothing(corner(in, in.previous() == 'F'));
+    return withoutSteering(corner(in, in.previous() == 'F'));
   }
+  return namedStatement(in);
+}
+
+Expected<Steering> Control::namedStatement(Scanner& in) {
   const std::string first = in.takeName();
   if (first == "FN") {
     return functionNumber(in);
@@ -131,15 +134,15 @@ Expected<Steering> Control::statement(Scanner& in) {
   }
   if (first == "TOOL") {
     if (in.takeWord("CALL")) {
-      return nothing(toolCall(in));
+      return withoutSteering(toolCall(in));
     }
-    return in.takeWord("DEF") ? nothing(toolDefinition(in))
+    return in.takeWord("DEF") ? withoutSteering(toolDefinition(in))
                               : in.fault<Steering>(FaultCode::UnknownWord, "TOOL");
   }
   if (first == "BLK") {
     Token token;
     token.kind = TokenKind::Name;
-    token.column = m_place.column;
+    token.column = m_block.place.column;
     token.text = "BLK";
     tell({token});
     in.skipRest();
@@ -149,7 +152,7 @@ Expected<Steering> Control::statement(Scanner& in) {
     // Words alone.
     in.goTo(0);
     in.skipBlanks();
-    return nothing(line(in));
+    return withoutSteering(line(in));
   }
   // A word that this reader does not know.
   refuse(FaultCode::UnsupportedGCode, first.empty() ? in.nextText() : first);
@@ -361,23 +364,23 @@ Expected<Steering> Control::callSomething(Scanner& in) {
 /// The working plane is that across the tool axis (chapter "Fundamentals", "Reference system").
 void Control::setToolAxis(std::size_t axis) {
   m_parameters.setOfControl(109, static_cast<double>(axis));
-  if (axis != m_toolAxis) {
-    m_toolAxis = axis;
-    m_pole.reset();
+  if (axis != m_tool.axis) {
+    m_tool.axis = axis;
+    m_pole.place.reset();
   }
 }
 
 /// The program's own data come first (chapter "Tools", "Tool data": those of TOOL DEF).
 void Control::setTool(std::optional<int> number, std::string_view name) {
-  m_toolRadius.reset();
+  m_tool.radius.reset();
   if (const auto own = number ? m_tools.find(*number) : m_tools.end();
       own != m_tools.end() && own->second.radius) {
-    m_toolRadius = own->second.radius;
+    m_tool.radius = own->second.radius;
   } else if (m_radiusOfMachine != nullptr && *m_radiusOfMachine) {
-    m_toolRadius = (*m_radiusOfMachine)(number.value_or(0), name);
+    m_tool.radius = (*m_radiusOfMachine)(number.value_or(0), name);
     constexpr double kInch = 25.4;
-    if (m_toolRadius && m_isInch) {
-      *m_toolRadius /= kInch;
+    if (m_tool.radius && m_isInch) {
+      *m_tool.radius /= kInch;
     }
   }
 }
@@ -386,25 +389,16 @@ void Control::setTool(std::optional<int> number, std::string_view name) {
 /// parameters").
 void Control::tellToolRadius() {
   m_parameters.setOfControl(
-      108, m_toolRadius ? std::optional(*m_toolRadius + m_toolRadiusDelta) : std::nullopt);
+      108, m_tool.radius ? std::optional(*m_tool.radius + m_tool.radiusDelta) : std::nullopt);
 }
 
-Expected<void> Control::toolCall(Scanner& in) {
-  Item item;
-  item.place = m_place;
-  bool isOther = false;
-  std::optional<int> number;
-  std::string name;
+Expected<Control::ToolChoice> Control::toolChoice(Scanner& in) {
+  ToolChoice choice;
   if (const std::optional<Expected<std::string>> text = in.takeText()) {
     if (!*text) {
       return fail(text->error());
     }
-    name = **text;
-    Token token = word('T', 0.0);
-    token.kind = TokenKind::TextWord;
-    token.text = kept("T=\"" + name + "\"");
-    item.tokens.push_back(token);
-    isOther = true;
+    choice.name = **text;
   } else if (in.isAtValue()) {
     const Expected<double> tool = in.value();
     if (!tool) {
@@ -412,11 +406,27 @@ Expected<void> Control::toolCall(Scanner& in) {
     }
     if (*tool != std::floor(*tool)) {
       // Another edge of a stepped tool: which one it is there, the control knows.
-      return in.fault<void>(FaultCode::UnsupportedGCode, fmt::format("TOOL CALL {}", *tool));
+      return in.fault<ToolChoice>(FaultCode::UnsupportedGCode, fmt::format("TOOL CALL {}", *tool));
     }
-    number = static_cast<int>(*tool);
-    item.tokens.push_back(word('T', *tool));
-    isOther = true;
+    choice.number = *tool;
+  }
+  return choice;
+}
+
+Expected<void> Control::toolCall(Scanner& in) {
+  Item item;
+  item.place = m_block.place;
+  const Expected<ToolChoice> choice = toolChoice(in);
+  if (!choice) {
+    return fail(choice.error());
+  }
+  if (choice->name) {
+    Token token = word('T', 0.0);
+    token.kind = TokenKind::TextWord;
+    token.text = kept("T=\"" + *choice->name + "\"");
+    item.tokens.push_back(token);
+  } else if (choice->number) {
+    item.tokens.push_back(word('T', *choice->number));
   }
   double radiusDelta = 0.0;
   double lengthDelta = 0.0;
@@ -454,21 +464,22 @@ Expected<void> Control::toolCall(Scanner& in) {
       return in.fault<void>(FaultCode::UnknownWord, text);
     }
   }
-  if (isOther) {
-    m_toolRadiusDelta = radiusDelta;
-    m_lengthDelta = lengthDelta;
+  if (choice->name || choice->number) {
+    m_tool.radiusDelta = radiusDelta;
+    m_tool.lengthDelta = lengthDelta;
     // Where the tip is along the tool, only the control knows.
     m_at.set(thirdAxis(), std::nan(""));
     m_direction.reset();
-    setTool(number, name);
+    setTool(choice->number ? std::optional(static_cast<int>(*choice->number)) : std::nullopt,
+            choice->name.value_or(""));
   } else if (radiusDelta != 0.0 || lengthDelta != 0.0) {
-    m_toolRadiusDelta = radiusDelta;
-    m_lengthDelta = lengthDelta;
+    m_tool.radiusDelta = radiusDelta;
+    m_tool.lengthDelta = lengthDelta;
   }
   tellToolRadius();
   if (feed.kind == FeedKind::PerMinute || feed.kind == FeedKind::PerRevolution) {
     m_feed = feed;
-    m_toolFeed = feed;
+    m_tool.feed = feed;
   }
   if (!item.tokens.empty()) {
     push(std::move(item));
@@ -480,7 +491,7 @@ Expected<void> Control::toolCall(Scanner& in) {
 Expected<void> Control::toolDefinition(Scanner& in) {
   Token token;
   token.kind = TokenKind::Name;
-  token.column = m_place.column;
+  token.column = m_block.place.column;
   token.text = "TOOL";
   tell({token});
   const std::optional<int> number = in.takeInteger();
@@ -509,7 +520,7 @@ Expected<void> Control::stop(Scanner& in) {
   if (!words) {
     return fail(words.error());
   }
-  words->functions.insert(words->functions.begin(), {0, m_place.column});
+  words->functions.insert(words->functions.begin(), {0, m_block.place.column});
   Expected<Item> item = itemOf(*words);
   if (!item) {
     return fail(item.error());

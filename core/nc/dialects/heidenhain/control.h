@@ -147,10 +147,16 @@ class Control {
   struct Tool {
     std::optional<double> radius;
   };
+  /// What TOOL CALL begins with; neither: the tool stays.
+  struct ToolChoice {
+    std::optional<double> number;
+    std::optional<std::string> name;
+  };
   enum class Shift : unsigned char { Datum, Mirror, Rotation, Scale };
 
   // control.cpp: blocks
   [[nodiscard]] Expected<Steering> statement(Scanner& in);
+  [[nodiscard]] Expected<Steering> namedStatement(Scanner& in);
   [[nodiscard]] Expected<Steering> program(Scanner& in, bool isBegin);
   [[nodiscard]] Expected<Steering> callSomething(Scanner& in);
   [[nodiscard]] Expected<Steering> functionNumber(Scanner& in);
@@ -159,6 +165,7 @@ class Control {
   [[nodiscard]] Expected<Steering> conditionalJump(Scanner& in, int function);
   [[nodiscard]] Expected<std::string> labelName(Scanner& in);
   [[nodiscard]] Expected<void> toolCall(Scanner& in);
+  [[nodiscard]] Expected<ToolChoice> toolChoice(Scanner& in);
   [[nodiscard]] Expected<void> toolDefinition(Scanner& in);
   [[nodiscard]] Expected<void> stop(Scanner& in);
   void setToolAxis(std::size_t axis);
@@ -168,6 +175,7 @@ class Control {
   // words.cpp: positioning blocks
   [[nodiscard]] Expected<MotionWords> motionWords(Scanner& in);
   [[nodiscard]] Expected<bool> wordOf(Scanner& in, MotionWords& words);
+  [[nodiscard]] Expected<bool> coordinate(Scanner& in, MotionWords& words);
   [[nodiscard]] Expected<void> functionWord(Scanner& in, MotionWords& words);
   [[nodiscard]] Expected<Feed> feedWord(Scanner& in);
   [[nodiscard]] Expected<void> refuseUnused(const MotionWords& words, std::string_view used);
@@ -185,9 +193,18 @@ class Control {
   [[nodiscard]] Expected<void> placeByPole(std::string& kind, MotionWords& words);
   [[nodiscard]] Expected<void> approach(Scanner& in);
   [[nodiscard]] Expected<void> departure(Scanner& in);
+  [[nodiscard]] Expected<void> checkDeparture(Scanner& in, const std::string& kind,
+                                              const MotionWords& words);
+  [[nodiscard]] Expected<Element> departureWay(Scanner& in, const std::string& kind,
+                                               const MotionWords& words);
   [[nodiscard]] Expected<base::Vec3> targetOf(const MotionWords& words);
   [[nodiscard]] Expected<Flat> polarTarget(const MotionWords& words);
   [[nodiscard]] Expected<Item> itemOf(const MotionWords& words);
+  /// With its target, in coordinates of the program.
+  [[nodiscard]] Expected<Item> itemTo(const MotionWords& words);
+  [[nodiscard]] Expected<void> turnRotary(const MotionWords& words, Item& item);
+  [[nodiscard]] Expected<void> compensate(const MotionWords& words, Item& item);
+  [[nodiscard]] Expected<void> goInMachine(const MotionWords& words, Item& item);
   [[nodiscard]] Expected<void> setTarget(Item& item, base::Vec3 programmed,
                                          const MotionWords& words);
   [[nodiscard]] Expected<void> moveOn(const MotionWords& words, Item item);
@@ -214,6 +231,8 @@ class Control {
   [[nodiscard]] Expected<void> cycle(Scanner& in);
   [[nodiscard]] Expected<void> cycleDefinition(Scanner& in);
   [[nodiscard]] Expected<void> oldCycleLine(Scanner& in, int number, int line);
+  [[nodiscard]] Expected<void> oldCallLine(Scanner& in, int number, int line);
+  [[nodiscard]] Expected<void> oldDwell(Scanner& in);
   [[nodiscard]] Expected<void> oldCycleWords(Scanner& in, int line);
   [[nodiscard]] Expected<void> datumShift(Scanner& in, int line);
   [[nodiscard]] Expected<void> mirror(Scanner& in);
@@ -243,23 +262,62 @@ class Control {
   void bore(const CycleStep& boring);
   void tellHole(std::vector<Token> tokens);
 
-  [[nodiscard]] std::size_t thirdAxis() const { return m_toolAxis; }
-  [[nodiscard]] std::size_t firstAxis() const { return (m_toolAxis + 1) % base::kAxisCount; }
-  [[nodiscard]] std::size_t secondAxis() const { return (m_toolAxis + 2) % base::kAxisCount; }
+  [[nodiscard]] std::size_t thirdAxis() const { return m_tool.axis; }
+  [[nodiscard]] std::size_t firstAxis() const { return (m_tool.axis + 1) % base::kAxisCount; }
+  [[nodiscard]] std::size_t secondAxis() const { return (m_tool.axis + 2) % base::kAxisCount; }
   [[nodiscard]] Flat flat(base::Vec3 place) const { return flatIn(firstAxis(), place); }
   /// @param plane  its first axis
   [[nodiscard]] static Flat flatIn(std::size_t plane, base::Vec3 place) {
     return {place[plane], place[(plane + 1) % base::kAxisCount]};
   }
-  [[nodiscard]] std::size_t poleSecondAxis() const { return (m_poleAxis + 1) % base::kAxisCount; }
-  [[nodiscard]] base::Vec3 programmed() const { return m_frame.toProgrammed(m_at); }
+  [[nodiscard]] std::size_t poleSecondAxis() const { return (m_pole.axis + 1) % base::kAxisCount; }
+  [[nodiscard]] base::Vec3 programmed() const { return m_coordinates.frame.toProgrammed(m_at); }
   /// Of the plane: a mirror image turns arcs round.
   [[nodiscard]] Expected<bool> mirrorsPlane(std::size_t plane) const;
 
+  /// The block that is executed.
+  struct Block {
+    Place place;
+    base::LineNumber line;
+    bool isSkipped = false;
+  };
+  struct ToolInSpindle {
+    std::size_t axis = 2;
+    std::optional<double> radius;  ///< without DR
+    double radiusDelta = 0.0;
+    double lengthDelta = 0.0;
+    Feed feed;  ///< of TOOL CALL, for FAUTO
+  };
+  /// Of CC: programmed.
+  struct Pole {
+    std::optional<Flat> place;
+    std::size_t axis = 0;  ///< first axis of the plane in which it lies
+  };
+  /// Cycles 7, 8, 10, 11 and 19, and the frame that they make.
+  struct Coordinates {
+    Frame frame;
+    std::vector<Shift> order;
+    base::Vec3 datum;
+    std::array<bool, base::kAxisCount> isMirrored{};
+    double turn = 0.0;
+    std::size_t turnAxis = 2;
+    double scale = 1.0;
+    bool isSwivelled = false;
+  };
+  /// PATTERN DEF: places in the plane, and the surface there.
+  struct PatternPoint {
+    Flat place;
+    double surface = 0.0;
+  };
+  struct Cycles {
+    CycleDefinition defined;
+    std::vector<PatternPoint> pattern;
+    bool callsAlways = false;  ///< M89
+    int beingDefined = 0;      ///< of the old cycles
+  };
+
   Parameters m_parameters;
-  Place m_place;
-  base::LineNumber m_line;
-  bool m_isSkipped = false;
+  Block m_block;
   bool m_isLost = false;
   /// Faults told, by file, line and column: a loop tells each of them once.
   std::set<std::array<std::uint32_t, 3>> m_faults;
@@ -271,15 +329,11 @@ class Control {
 
   int m_depth = 0;  ///< programs within each other
   bool m_isInch = false;
-  std::size_t m_toolAxis = 2;
   const ToolRadius* m_radiusOfMachine;
-  std::map<int, Tool> m_tools;         ///< of TOOL DEF
-  std::optional<double> m_toolRadius;  ///< of the tool in the spindle, without DR
-  double m_toolRadiusDelta = 0.0;
-  double m_lengthDelta = 0.0;
+  std::map<int, Tool> m_tools;  ///< of TOOL DEF
+  ToolInSpindle m_tool;
   double m_spindlePerMin = 0.0;
   Feed m_feed;
-  Feed m_toolFeed;               ///< of TOOL CALL, for FAUTO
   bool m_perRevolution = false;  ///< M136
   bool m_wasRapid = false;       ///< the last positioning block
   Feed m_told;
@@ -288,31 +342,15 @@ class Control {
   base::Vec3 m_at;  ///< workpiece; NaN: not known
   std::array<double, kProgrammedAxisCount> m_rotary{};
   std::optional<Flat> m_direction;  ///< of the last element, workpiece
-  std::optional<Flat> m_pole;       ///< programmed
-  std::size_t m_poleAxis = 0;       ///< first axis of the plane in which it lies
-  std::size_t m_toldPlane = 0;      ///< by its first axis
+  Pole m_pole;
+  std::size_t m_toldPlane = 0;  ///< by its first axis
 
-  Frame m_frame;
-  std::vector<Shift> m_order;
-  base::Vec3 m_datum;
-  std::array<bool, base::kAxisCount> m_isMirrored{};
-  double m_turn = 0.0;
-  std::size_t m_turnAxis = 2;
-  double m_scale = 1.0;
-  bool m_isSwivelled = false;
+  Coordinates m_coordinates;
   bool m_tipIsOn = false;  ///< M128
   bool m_hasMoved = false;
   std::optional<double> m_preset;  ///< of Cycle 247
 
-  CycleDefinition m_cycle;
-  /// PATTERN DEF: places in the plane, and the surface there.
-  struct PatternPoint {
-    Flat place;
-    double surface = 0.0;
-  };
-  std::vector<PatternPoint> m_pattern;
-  bool m_callsAlways = false;  ///< M89
-  int m_oldCycle = 0;          ///< that is being defined
+  Cycles m_cycles;
 };
 
 }  // namespace rivulet::nc::heidenhain

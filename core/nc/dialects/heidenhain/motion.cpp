@@ -59,19 +59,12 @@ Expected<void> Control::polarLine(Scanner& in) {
   if (!end) {
     return fail(end.error());
   }
-  words->axes[m_poleAxis] = end->x;
+  words->axes[m_pole.axis] = end->x;
   words->axes[poleSecondAxis()] = end->y;
-  words->isIncrement[m_poleAxis] = false;
+  words->isIncrement[m_pole.axis] = false;
   words->isIncrement[poleSecondAxis()] = false;
-  const Expected<base::Vec3> target = targetOf(*words);
-  Expected<Item> item = target ? itemOf(*words) : fail(target.error());
-  if (!item) {
-    return fail(item.error());
-  }
-  if (Expected<void> done = setTarget(*item, *target, *words); !done) {
-    return done;
-  }
-  return moveOn(*words, std::move(*item));
+  Expected<Item> item = itemTo(*words);
+  return item ? moveOn(*words, std::move(*item)) : fail(item.error());
 }
 
 /// CC without coordinates: the pole is where the tool is. Its axes say in which plane arcs lie.
@@ -107,8 +100,8 @@ Expected<void> Control::circleCentre(Scanner& in) {
   if (!isKnown(flatIn(*plane, place))) {
     return in.fault<void>(FaultCode::RelativeFromUnknownPosition, "CC");
   }
-  m_pole = flatIn(*plane, place);
-  m_poleAxis = *plane;
+  m_pole.place = flatIn(*plane, place);
+  m_pole.axis = *plane;
   return {};
 }
 
@@ -120,21 +113,21 @@ Expected<void> Control::arcAboutCentre(Scanner& in) {
   if (Expected<void> done = refuseUnused(*words, "direction"); !done) {
     return done;
   }
-  if (!m_pole || !words->clockwise) {
-    return in.fault<void>(FaultCode::ArcWithoutCentre, m_pole ? "DR" : "CC");
+  if (!m_pole.place || !words->clockwise) {
+    return in.fault<void>(FaultCode::ArcWithoutCentre, m_pole.place ? "DR" : "CC");
   }
   Expected<Item> item = itemOf(*words);
   const Expected<base::Vec3> target = item ? targetOf(*words) : fail(item.error());
   if (!target) {
     return fail(target.error());
   }
-  const Flat pole = *m_pole;
-  item->given[m_poleAxis] = true;
+  const Flat pole = *m_pole.place;
+  item->given[m_pole.axis] = true;
   item->given[poleSecondAxis()] = true;
   if (Expected<void> done = setTarget(*item, *target, *words); !done) {
     return done;
   }
-  if (Expected<void> done = setArc(*item, pole, *words->clockwise, m_poleAxis); !done) {
+  if (Expected<void> done = setArc(*item, pole, *words->clockwise, m_pole.axis); !done) {
     return done;
   }
   return moveOn(*words, std::move(*item));
@@ -183,7 +176,7 @@ Expected<void> Control::arcWithRadius(Scanner& in) {
   if (Expected<void> done = setArc(*item, centre, *words->clockwise, firstAxis()); !done) {
     return done;
   }
-  item->radius = radius * m_scale;
+  item->radius = radius * m_coordinates.scale;
   return moveOn(*words, std::move(*item));
 }
 
@@ -196,20 +189,20 @@ Expected<void> Control::polarArc(Scanner& in) {
   if (Expected<void> done = refuseUnused(*words, "polar direction"); !done) {
     return done;
   }
-  if (!m_pole || !words->clockwise) {
-    return in.fault<void>(FaultCode::ArcWithoutCentre, m_pole ? "DR" : "CC");
+  if (!m_pole.place || !words->clockwise) {
+    return in.fault<void>(FaultCode::ArcWithoutCentre, m_pole.place ? "DR" : "CC");
   }
   const base::Vec3 from = programmed();
-  const std::size_t across = (m_poleAxis + 2) % base::kAxisCount;
-  if (words->polarRadius || !words->polarAngle || words->axes[m_poleAxis] ||
+  const std::size_t across = (m_pole.axis + 2) % base::kAxisCount;
+  if (words->polarRadius || !words->polarAngle || words->axes[m_pole.axis] ||
       words->axes[poleSecondAxis()]) {
     return in.fault<void>(FaultCode::ValueMissing, "PA");
   }
-  const Flat pole = *m_pole;
-  const Flat start = flatIn(m_poleAxis, from) - pole;
+  const Flat pole = *m_pole.place;
+  const Flat start = flatIn(m_pole.axis, from) - pole;
   if (!isKnown(start)) {
     return in.fault<void>(FaultCode::ArcFromUnknownPosition,
-                          std::string(1, base::kAxisNames[m_poleAxis]));
+                          std::string(1, base::kAxisNames[m_pole.axis]));
   }
   const double sense = *words->clockwise ? -1.0 : 1.0;
   double sweep = 0.0;
@@ -248,15 +241,15 @@ Expected<void> Control::polarArc(Scanner& in) {
   const bool isWhole = std::fmod(std::abs(sweep), 360.0) == 0.0;
   const Flat flatEnd = pole + (isWhole ? start : turned(start, sweep));
   base::Vec3 target = *end;
-  target.set(m_poleAxis, flatEnd.x);
+  target.set(m_pole.axis, flatEnd.x);
   target.set(poleSecondAxis(), flatEnd.y);
   item->moves = true;
-  item->given[m_poleAxis] = true;
+  item->given[m_pole.axis] = true;
   item->given[poleSecondAxis()] = true;
   if (Expected<void> done = setTarget(*item, target, *words); !done) {
     return done;
   }
-  if (Expected<void> done = setArc(*item, pole, *words->clockwise, m_poleAxis); !done) {
+  if (Expected<void> done = setArc(*item, pole, *words->clockwise, m_pole.axis); !done) {
     return done;
   }
   return moveOn(*words, std::move(*item));
@@ -271,7 +264,7 @@ Expected<void> Control::tangentialArc(Scanner& in, bool isPolar) {
   if (Expected<void> done = refuseUnused(*words, isPolar ? "polar" : ""); !done) {
     return done;
   }
-  if (isPolar && m_pole && m_poleAxis != firstAxis()) {
+  if (isPolar && m_pole.place && m_pole.axis != firstAxis()) {
     return in.fault<void>(FaultCode::UnsupportedGCode, "CTP");
   }
   if (isPolar) {
@@ -313,8 +306,8 @@ Expected<void> Control::tangentialArc(Scanner& in, bool isPolar) {
 
 Expected<void> Control::corner(Scanner& in, bool isChamfer) {
   CornerWords made;
-  made.place = m_place;
-  made.line = m_line;
+  made.place = m_block.place;
+  made.line = m_block.line;
   made.isChamfer = isChamfer;
   if (isChamfer == in.takePrefix("R")) {
     return in.fault<void>(FaultCode::ValueMissing, "R");
@@ -323,7 +316,7 @@ Expected<void> Control::corner(Scanner& in, bool isChamfer) {
   if (!size) {
     return fail(size.error());
   }
-  made.size = *size * m_scale;
+  made.size = *size * m_coordinates.scale;
   if (!in.isAtEnd() && in.peek() == 'F') {
     const Expected<Feed> feed = feedWord(in);
     if (!feed) {
@@ -350,7 +343,7 @@ Expected<base::Vec3> Control::targetOf(const MotionWords& words) {
     }
     if (words.isIncrement[axis] && std::isnan(from[axis])) {
       return fail(FaultCode::RelativeFromUnknownPosition, std::string(1, base::kAxisNames[axis]),
-                  {m_place.line, m_place.file, words.column});
+                  {m_block.place.line, m_block.place.file, words.column});
     }
     target.set(axis, *words.axes[axis] + (words.isIncrement[axis] ? from[axis] : 0.0));
   }
@@ -358,11 +351,11 @@ Expected<base::Vec3> Control::targetOf(const MotionWords& words) {
 }
 
 Expected<Flat> Control::polarTarget(const MotionWords& words) {
-  const Place place{m_place.line, m_place.file, words.column};
-  if (!m_pole) {
+  const Place place{m_block.place.line, m_block.place.file, words.column};
+  if (!m_pole.place) {
     return fail(FaultCode::ArcWithoutCentre, "CC", place);
   }
-  const Flat from = flatIn(m_poleAxis, programmed()) - *m_pole;
+  const Flat from = flatIn(m_pole.axis, programmed()) - *m_pole.place;
   const bool needsFrom =
       !words.polarRadius || !words.polarAngle || words.radiusIsIncrement || words.angleIsIncrement;
   if (needsFrom && !isKnown(from)) {
@@ -375,7 +368,7 @@ Expected<Flat> Control::polarTarget(const MotionWords& words) {
   const double angle = words.polarAngle
                            ? *words.polarAngle + (words.angleIsIncrement ? startAngle : 0.0)
                            : startAngle;
-  return *m_pole + turned({radius, 0.0}, angle);
+  return *m_pole.place + turned({radius, 0.0}, angle);
 }
 
 Expected<bool> Control::mirrorsPlane(std::size_t plane) const {
@@ -383,19 +376,19 @@ Expected<bool> Control::mirrorsPlane(std::size_t plane) const {
   base::Vec3 second;
   first.set(plane, 1.0);
   second.set((plane + 1) % base::kAxisCount, 1.0);
-  first = m_frame.turned(first);
-  second = m_frame.turned(second);
+  first = m_coordinates.frame.turned(first);
+  second = m_coordinates.frame.turned(second);
   const std::size_t across = (plane + 2) % base::kAxisCount;
   if (first[across] != 0.0 || second[across] != 0.0) {
-    return fail(FaultCode::UnsupportedGCode, "CYCL DEF 10", m_place);  // into another plane
+    return fail(FaultCode::UnsupportedGCode, "CYCL DEF 10", m_block.place);  // into another plane
   }
   return cross(flatIn(plane, first), flatIn(plane, second)) < 0.0;
 }
 
 Expected<Control::Item> Control::itemOf(const MotionWords& words) {
   Item item;
-  item.place = {m_place.line, m_place.file, words.column};
-  item.isSkipped = m_isSkipped;
+  item.place = {m_block.place.line, m_block.place.file, words.column};
+  item.isSkipped = m_block.isSkipped;
   if (m_depth > 0 && (words.has(2) || words.has(30))) {
     // A program that is called must not end all programs.
     return fail(FaultCode::UnsupportedGCode, words.has(2) ? "M2" : "M30", item.place);
@@ -418,6 +411,46 @@ Expected<Control::Item> Control::itemOf(const MotionWords& words) {
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     item.given[axis] = words.axes[axis].has_value();
   }
+  if (Expected<void> done = turnRotary(words, item); !done) {
+    return fail(done.error());
+  }
+  if (Expected<void> done = compensate(words, item); !done) {
+    return fail(done.error());
+  }
+  const bool hasNormal = words.normal[0] || words.normal[1] || words.normal[2];
+  if (hasNormal && (m_tool.radiusDelta != 0.0 || m_tool.lengthDelta != 0.0)) {
+    return fail(FaultCode::UnsupportedGCode, "DR", item.place);
+  }
+  if (words.tool[0] || words.tool[1] || words.tool[2]) {
+    const base::Vec3 direction = m_coordinates.frame.turned(
+        {words.tool[0].value_or(0.0), words.tool[1].value_or(0.0), words.tool[2].value_or(0.0)});
+    item.tokens.push_back(named("A3", direction.x));
+    item.tokens.push_back(named("B3", direction.y));
+    item.tokens.push_back(named("C3", direction.z));
+  }
+  if (words.spindlePerMin) {  // as some post-processors write it; a TNC has it in TOOL CALL
+    m_spindlePerMin = *words.spindlePerMin;
+    item.tokens.push_back(word('S', m_spindlePerMin));
+  }
+  addFunctions(words, item);
+  if (Expected<void> done = goInMachine(words, item); !done) {
+    return fail(done.error());
+  }
+  return item;
+}
+
+Expected<Control::Item> Control::itemTo(const MotionWords& words) {
+  const Expected<base::Vec3> target = targetOf(words);
+  Expected<Item> item = target ? itemOf(words) : fail(target.error());
+  if (item) {
+    if (Expected<void> done = setTarget(*item, *target, words); !done) {
+      return fail(done.error());
+    }
+  }
+  return item;
+}
+
+Expected<void> Control::turnRotary(const MotionWords& words, Item& item) {
   for (std::size_t axis = kFirstRotary; axis < kProgrammedAxisCount; ++axis) {
     if (!words.axes[axis]) {
       continue;
@@ -430,58 +463,54 @@ Expected<Control::Item> Control::itemOf(const MotionWords& words) {
     item.rotary[axis] = value;
     m_rotary[axis] = item.isInMachine ? std::nan("") : value;
   }
-  if (words.compensation) {
-    const Expected<bool> mirrors = mirrorsPlane(firstAxis());
-    if (!mirrors) {
-      return fail(mirrors.error());
+  return {};
+}
+
+/// R0, RL and RR.
+Expected<void> Control::compensate(const MotionWords& words, Item& item) {
+  if (!words.compensation) {
+    return {};
+  }
+  const Expected<bool> mirrors = mirrorsPlane(firstAxis());
+  if (!mirrors) {
+    return fail(mirrors.error());
+  }
+  m_compensation = *words.compensation;
+  const int side = *mirrors ? -m_compensation : m_compensation;
+  Token token = word('G', side == 0 ? 40.0 : side > 0 ? 41.0 : 42.0);
+  token.column = words.compensationColumn;
+  token.text = m_compensation == 0 ? "R0" : m_compensation > 0 ? "RL" : "RR";
+  item.tokens.push_back(token);
+  if (side != 0 && m_tool.radiusDelta != 0.0) {
+    item.tokens.push_back(named("OFFN", m_tool.radiusDelta));  // the tool is so much larger
+  }
+  return {};
+}
+
+/// M91 and M92: afterwards only the control knows where the axes stand in the workpiece.
+Expected<void> Control::goInMachine(const MotionWords& words, Item& item) {
+  if (!item.isInMachine || !item.moves) {
+    return {};
+  }
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (!words.axes[axis]) {
+      continue;
     }
-    m_compensation = *words.compensation;
-    const int side = *mirrors ? -m_compensation : m_compensation;
-    Token token = word('G', side == 0 ? 40.0 : side > 0 ? 41.0 : 42.0);
-    token.column = words.compensationColumn;
-    token.text = m_compensation == 0 ? "R0" : m_compensation > 0 ? "RL" : "RR";
-    item.tokens.push_back(token);
-    if (side != 0 && m_toolRadiusDelta != 0.0) {
-      item.tokens.push_back(named("OFFN", m_toolRadiusDelta));  // the tool is so much larger
+    if (words.isIncrement[axis]) {
+      return fail(FaultCode::UnknownWord, std::string("I") + base::kAxisNames[axis], item.place);
     }
+    item.target.set(axis, *words.axes[axis]);
+    m_at.set(axis, std::nan(""));
   }
-  const bool hasNormal = words.normal[0] || words.normal[1] || words.normal[2];
-  if (hasNormal && (m_toolRadiusDelta != 0.0 || m_lengthDelta != 0.0)) {
-    return fail(FaultCode::UnsupportedGCode, "DR", item.place);
-  }
-  if (words.tool[0] || words.tool[1] || words.tool[2]) {
-    const base::Vec3 direction = m_frame.turned(
-        {words.tool[0].value_or(0.0), words.tool[1].value_or(0.0), words.tool[2].value_or(0.0)});
-    item.tokens.push_back(named("A3", direction.x));
-    item.tokens.push_back(named("B3", direction.y));
-    item.tokens.push_back(named("C3", direction.z));
-  }
-  if (words.spindlePerMin) {  // as some post-processors write it; a TNC has it in TOOL CALL
-    m_spindlePerMin = *words.spindlePerMin;
-    item.tokens.push_back(word('S', m_spindlePerMin));
-  }
-  addFunctions(words, item);
-  if (item.isInMachine && item.moves) {
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (!words.axes[axis]) {
-        continue;
-      }
-      if (words.isIncrement[axis]) {
-        return fail(FaultCode::UnknownWord, std::string("I") + base::kAxisNames[axis], item.place);
-      }
-      item.target.set(axis, *words.axes[axis]);
-      m_at.set(axis, std::nan(""));
-    }
-    m_direction.reset();
-  }
-  return item;
+  m_direction.reset();
+  return {};
 }
 
 /// The way there, in workpiece coordinates.
 Expected<void> Control::setTarget(Item& item, base::Vec3 programmed, const MotionWords& words) {
   const base::Vec3 from = m_at;
-  const base::Vec3 target = m_frame.toWorkpiece(programmed);
-  if (!m_frame.isAligned()) {
+  const base::Vec3 target = m_coordinates.frame.toWorkpiece(programmed);
+  if (!m_coordinates.frame.isAligned()) {
     // Axes that are turned move together.
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (axis != thirdAxis() && (item.given[firstAxis()] || item.given[secondAxis()])) {
@@ -530,8 +559,8 @@ Expected<void> Control::setArc(Item& item, Flat centre, bool clockwise, std::siz
   place.set(plane, centre.x);
   place.set((plane + 1) % base::kAxisCount, centre.y);
   item.plane = plane;
-  item.element =
-      Element{start, end, true, clockwise != *mirrors, flatIn(plane, m_frame.toWorkpiece(place))};
+  item.element = Element{start, end, true, clockwise != *mirrors,
+                         flatIn(plane, m_coordinates.frame.toWorkpiece(place))};
   m_direction = isAcross ? std::nullopt : item.element->endDirection();
   return {};
 }
@@ -579,7 +608,7 @@ Expected<void> Control::moveOn(const MotionWords& words, Item item) {
 /// M140 MB50 F750: along the tool axis by a distance, rapid without a feed (chapter "Miscellaneous
 /// functions", M140).
 Expected<void> Control::retract(const MotionWords& words) {
-  const Place place{m_place.line, m_place.file, words.column};
+  const Place place{m_block.place.line, m_block.place.file, words.column};
   const double from = programmed()[thirdAxis()];
   if (std::isnan(from)) {
     return fail(FaultCode::RelativeFromUnknownPosition,
@@ -614,10 +643,11 @@ Expected<void> Control::afterMotion(const MotionWords& words) {
   constexpr int kCalls = 99;
   const bool calls = words.has(kCalls);
   if (words.has(kCallsAlways)) {
-    m_callsAlways = true;
+    m_cycles.callsAlways = true;
   }
-  const bool callsNow = calls || (m_callsAlways && (words.moves() || words.has(kCallsAlways)));
-  m_callsAlways = m_callsAlways && !calls;
+  const bool callsNow =
+      calls || (m_cycles.callsAlways && (words.moves() || words.has(kCallsAlways)));
+  m_cycles.callsAlways = m_cycles.callsAlways && !calls;
   return callsNow ? callCycle(0.0) : Expected<void>();
 }
 

@@ -17,7 +17,7 @@ Token Control::word(char address, double value) const {
   Token token;
   token.kind = TokenKind::Word;
   token.address = address;
-  token.column = m_place.column;
+  token.column = m_block.place.column;
   token.value = value;
   token.hasPoint = true;
   token.reference = Reference::Absolute;
@@ -33,7 +33,7 @@ Token Control::word(char address, double value) const {
 Token Control::named(std::string_view name, double value) const {
   Token token;
   token.kind = TokenKind::NamedValue;
-  token.column = m_place.column;
+  token.column = m_block.place.column;
   token.value = value;
   token.text = name;
   return token;
@@ -45,15 +45,15 @@ std::string_view Control::kept(std::string text) {
 
 void Control::tell(std::vector<Token> tokens) {
   Item item;
-  item.place = m_place;
-  item.isSkipped = m_isSkipped;
+  item.place = m_block.place;
+  item.isSkipped = m_block.isSkipped;
   item.tokens = std::move(tokens);
   push(std::move(item));
 }
 
 void Control::ignore(std::string word) {
   Item item;
-  item.place = m_place;
+  item.place = m_block.place;
   item.ignored = std::move(word);
   push(std::move(item));
 }
@@ -61,7 +61,7 @@ void Control::ignore(std::string word) {
 /// What a block would have moved is missing: nobody knows where the tool is.
 void Control::report(Fault fault) {
   Item item;
-  item.place = m_place;
+  item.place = m_block.place;
   if (fault.place.line.value != 0) {
     item.place = fault.place;
   }
@@ -82,7 +82,7 @@ void Control::report(Fault fault) {
 }
 
 void Control::refuse(FaultCode code, std::string argument) {
-  report({code, std::move(argument), m_place});
+  report({code, std::move(argument), m_block.place});
 }
 
 void Control::forgetPosition() {
@@ -91,7 +91,7 @@ void Control::forgetPosition() {
 }
 
 void Control::push(Item item) {
-  item.line = m_line;
+  item.line = m_block.line;
   if (m_approach) {
     if (Expected<void> done = joinApproach(item); !done) {
       report(std::move(done.error()));
@@ -100,9 +100,9 @@ void Control::push(Item item) {
   if (m_corner) {
     if (Expected<void> done = joinCorner(item); !done) {
       m_corner.reset();
-      const Place place = std::exchange(m_place, done.error().place);
+      const Place place = std::exchange(m_block.place, done.error().place);
       report(std::move(done.error()));
-      m_place = place;
+      m_block.place = place;
     }
   }
   flush();
@@ -128,7 +128,7 @@ void Control::finish() {
   if (m_corner) {
     const Place place = m_corner->place;
     m_corner.reset();
-    m_place = place;
+    m_block.place = place;
     report({FaultCode::CornerMalformed, {}, place});
   }
   flush();
@@ -179,7 +179,7 @@ void Control::write(Item item) {
       target.set((item.plane + 1) % base::kAxisCount, item.element->end.y);
     }
     if (!item.isInMachine) {
-      target.set(thirdAxis(), target[thirdAxis()] + m_lengthDelta);
+      target.set(thirdAxis(), target[thirdAxis()] + m_tool.lengthDelta);
     }
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (item.given[axis]) {

@@ -69,10 +69,10 @@ Expected<void> Control::cycleDefinition(Scanner& in) {
       continue;
     }
     if (in.takePrefix("FAUTO") || in.takeWord("AUTO")) {
-      if (m_toolFeed.kind != FeedKind::PerMinute) {
+      if (m_tool.feed.kind != FeedKind::PerMinute) {
         return in.fault<void>(FaultCode::ValueMissing);
       }
-      m_parameters.set(name, m_toolFeed.value);
+      m_parameters.set(name, m_tool.feed.value);
       continue;
     }
     if (!in.isAtValue()) {
@@ -100,10 +100,10 @@ Expected<void> Control::cycleDefinition(Scanner& in) {
   if (isPattern(*number)) {
     return runPattern(*number);
   }
-  m_cycle = {};
-  m_cycle.number = *number;
-  m_cycle.named = std::move(named);
-  m_callsAlways = false;
+  m_cycles.defined = {};
+  m_cycles.defined.number = *number;
+  m_cycles.defined.named = std::move(named);
+  m_cycles.callsAlways = false;
   return {};
 }
 
@@ -146,92 +146,78 @@ Expected<void> Control::function(Scanner& in) {
 
 /// Cycles of old controls, line by line.
 Expected<void> Control::oldCycleLine(Scanner& in, int number, int line) {
-  const auto skipRest = [&in] { in.skipRest(); };
-  const auto valueOf = [&in]() -> Expected<double> {
-    // The last word: "SET UP 2", "F300", "DWELL 0,5".
-    const std::string_view rest = base::trim(in.rest());
-    const std::size_t blank = rest.find_last_of(' ');
-    in.goTo(in.at() + in.rest().find(rest) + (blank == std::string_view::npos ? 0 : blank + 1));
-    while (!in.isAtEnd() && !in.isAtValue()) {
-      in.goTo(in.at() + 1);
-    }
-    return in.value();
+  using Read = Expected<void> (Control::*)(Scanner&);
+  struct Row {
+    int number;
+    Read read;
   };
-  switch (number) {
-    case 7:
-      if (line == 0) {
-        skipRest();
-        return {};
-      }
-      return datumShift(in, line);
-    case 8:
-      if (line == 0) {
-        skipRest();
-        return {};
-      }
-      return mirror(in);
-    case 10:
-      if (line == 0) {
-        skipRest();
-        return {};
-      }
-      return rotation(in);
-    case 11:
-      if (line == 0) {
-        skipRest();
-        return {};
-      }
-      return scale(in);
-    case 19:
-      if (line == 0) {
-        skipRest();
-        return {};
-      }
-      return swivel(in);
-    case 9: {
-      if (line == 0) {
-        skipRest();
-        return {};
-      }
-      const Expected<double> seconds = valueOf();
-      if (!seconds) {
-        return fail(seconds.error());
-      }
-      tell({word('G', 4.0), word('F', *seconds)});
-      return {};
-    }
-    case 13:  // the angle of M19
-    case 32:  // a tolerance
-      skipRest();
-      ignore(fmt::format("CYCL DEF {}", number));
-      return {};
-    case 26:
-      skipRest();
-      refuse(FaultCode::UnsupportedGCode, fmt::format("CYCL DEF {}", number));
-      return {};
-    default:
-      break;
+  static constexpr std::array kRows{Row{8, &Control::mirror}, Row{9, &Control::oldDwell},
+                                    Row{10, &Control::rotation}, Row{11, &Control::scale},
+                                    Row{19, &Control::swivel}};
+  const auto* const row = std::find_if(kRows.begin(), kRows.end(),
+                                       [number](const Row& each) { return each.number == number; });
+  if (row == kRows.end() && number != 7) {
+    return oldCallLine(in, number, line);
+  }
+  if (line == 0) {  // its name
+    in.skipRest();
+    return {};
+  }
+  return number == 7 ? datumShift(in, line) : (this->*row->read)(in);
+}
+
+Expected<void> Control::oldDwell(Scanner& in) {
+  // The last word: "DWELL 0,5".
+  const std::string_view rest = base::trim(in.rest());
+  const std::size_t blank = rest.find_last_of(' ');
+  in.goTo(in.at() + in.rest().find(rest) + (blank == std::string_view::npos ? 0 : blank + 1));
+  while (!in.isAtEnd() && !in.isAtValue()) {
+    in.goTo(in.at() + 1);
+  }
+  const Expected<double> seconds = in.value();
+  if (!seconds) {
+    return fail(seconds.error());
+  }
+  tell({word('G', 4.0), word('F', *seconds)});
+  return {};
+}
+
+/// What changes no coordinates.
+Expected<void> Control::oldCallLine(Scanner& in, int number, int line) {
+  constexpr int kSpindleAngle = 13;
+  constexpr int kScalePerAxis = 26;
+  constexpr int kTolerance = 32;
+  const std::string name = fmt::format("CYCL DEF {}", number);
+  if (number == kSpindleAngle || number == kTolerance) {
+    in.skipRest();
+    ignore(name);
+    return {};
+  }
+  if (number == kScalePerAxis) {
+    in.skipRest();
+    refuse(FaultCode::UnsupportedGCode, name);
+    return {};
   }
   if (!waitsForCall(number)) {
-    skipRest();
+    in.skipRest();
     if (line == 0) {
-      refuse(FaultCode::CycleNotRun, fmt::format("CYCL DEF {}", number));
+      refuse(FaultCode::CycleNotRun, name);
     }
     return {};
   }
   if (line == 0) {
-    skipRest();
-    ignore(fmt::format("CYCL DEF {}", number));
-    m_cycle = {};
-    m_cycle.number = number;
-    m_callsAlways = false;
+    in.skipRest();
+    ignore(name);
+    m_cycles.defined = {};
+    m_cycles.defined.number = number;
+    m_cycles.callsAlways = false;
     return {};
   }
-  if (m_cycle.number != number) {
-    return in.fault<void>(FaultCode::NoBeginning, fmt::format("CYCL DEF {}.{}", number, line));
+  if (m_cycles.defined.number != number) {
+    return in.fault<void>(FaultCode::NoBeginning, fmt::format("{}.{}", name, line));
   }
   if (!isKnownCycle(number)) {
-    skipRest();  // refused where it is called
+    in.skipRest();  // refused where it is called
     return {};
   }
   return oldCycleWords(in, line);
@@ -243,7 +229,7 @@ Expected<void> Control::oldCycleWords(Scanner& in, int line) {
   while (!in.isAtEnd()) {
     const std::size_t at = in.at();
     if (in.takePrefix("DR") && (in.peek() == '+' || in.peek() == '-')) {
-      m_cycle.turns[line] = in.take('-') ? -1.0 : 1.0;
+      m_cycles.defined.turns[line] = in.take('-') ? -1.0 : 1.0;
       in.take('+');
       continue;
     }
@@ -262,10 +248,10 @@ Expected<void> Control::oldCycleWords(Scanner& in, int line) {
       return fail(value.error());
     }
     if (isFeed) {
-      m_cycle.feeds[line] = *value;
+      m_cycles.defined.feeds[line] = *value;
     }
     if (!isFeed || !hasValue) {
-      m_cycle.values[line] = *value;
+      m_cycles.defined.values[line] = *value;
     }
     hasValue = hasValue || !isFeed;
   }
@@ -281,7 +267,7 @@ Expected<void> Control::datumShift(Scanner& in, int /*line*/) {
     refuse(FaultCode::UnsupportedGCode, "CYCL DEF 7");
     return {};
   }
-  base::Vec3 datum = m_datum;
+  base::Vec3 datum = m_coordinates.datum;
   while (!in.isAtEnd()) {
     const bool isIncrement = in.takePrefix("I");
     const std::size_t axis = kLinear.find(in.peek());
@@ -293,16 +279,16 @@ Expected<void> Control::datumShift(Scanner& in, int /*line*/) {
     if (!value) {
       return fail(value.error());
     }
-    datum.set(axis, *value + (isIncrement ? m_datum[axis] : 0.0));
+    datum.set(axis, *value + (isIncrement ? m_coordinates.datum[axis] : 0.0));
   }
-  m_datum = datum;
+  m_coordinates.datum = datum;
   return activate(Shift::Datum, "CYCL DEF 7");
 }
 
 /// TRANS DATUM AXIS X+10, TRANS DATUM RESET.
 Expected<void> Control::translate(Scanner& in) {
   if (in.takeWord("DATUM") && in.takeWord("RESET")) {
-    m_datum = {};
+    m_coordinates.datum = {};
     return activate(Shift::Datum, "TRANS DATUM");
   }
   if (in.takeWord("AXIS")) {
@@ -315,13 +301,13 @@ Expected<void> Control::translate(Scanner& in) {
 
 /// The axes named are mirrored, and no others; none takes it back.
 Expected<void> Control::mirror(Scanner& in) {
-  m_isMirrored.fill(false);
+  m_coordinates.isMirrored.fill(false);
   while (!in.isAtEnd()) {
     const std::size_t axis = kLinear.find(in.peek());
     if (axis == std::string_view::npos) {
       return in.fault<void>(FaultCode::UnsupportedGCode, "CYCL DEF 8 " + in.nextText());
     }
-    m_isMirrored[axis] = true;
+    m_coordinates.isMirrored[axis] = true;
     in.goTo(in.at() + 1);
   }
   return activate(Shift::Mirror, "CYCL DEF 8");
@@ -336,8 +322,8 @@ Expected<void> Control::rotation(Scanner& in) {
   if (!angle) {
     return fail(angle.error());
   }
-  m_turn = std::fmod(*angle + (isIncrement ? m_turn : 0.0), 360.0);
-  m_turnAxis = thirdAxis();
+  m_coordinates.turn = std::fmod(*angle + (isIncrement ? m_coordinates.turn : 0.0), 360.0);
+  m_coordinates.turnAxis = thirdAxis();
   return activate(Shift::Rotation, "CYCL DEF 10");
 }
 
@@ -354,7 +340,7 @@ Expected<void> Control::scale(Scanner& in) {
   if (!(*factor > 0.0)) {
     return in.fault<void>(FaultCode::OutOfDomain, "SCL");
   }
-  m_scale = *factor;
+  m_coordinates.scale = *factor;
   return activate(Shift::Scale, "CYCL DEF 11");
 }
 
@@ -372,8 +358,8 @@ Expected<void> Control::swivel(Scanner& in) {
       in.goTo(in.at() + 1);
     }
   }
-  if (isTilted || m_isSwivelled) {
-    m_isSwivelled = true;
+  if (isTilted || m_coordinates.isSwivelled) {
+    m_coordinates.isSwivelled = true;
     tellPlaneAngles(false);
     refuse(FaultCode::UnsupportedGCode, "CYCL DEF 19");
   } else {
@@ -435,8 +421,8 @@ Expected<void> Control::plane(Scanner& in) {
   }
   in.skipRest();
   const bool turns = !stays && !rotaryAxesStandAtZero();
-  if (isTilted || m_isSwivelled || turns) {
-    m_isSwivelled = !isReset;
+  if (isTilted || m_coordinates.isSwivelled || turns) {
+    m_coordinates.isSwivelled = !isReset;
     tellPlaneAngles(false);
     refuse(FaultCode::UnsupportedGCode, "PLANE " + kind);
     return {};
@@ -469,13 +455,14 @@ void Control::tellPlaneAngles(bool isKnown) {
 bool Control::isActive(Shift shift) const {
   switch (shift) {
     case Shift::Datum:
-      return !(m_datum == base::Vec3{});
+      return !(m_coordinates.datum == base::Vec3{});
     case Shift::Mirror:
-      return m_isMirrored[0] || m_isMirrored[1] || m_isMirrored[2];
+      return m_coordinates.isMirrored[0] || m_coordinates.isMirrored[1] ||
+             m_coordinates.isMirrored[2];
     case Shift::Rotation:
-      return m_turn != 0.0;
+      return m_coordinates.turn != 0.0;
     case Shift::Scale:
-      return m_scale != 1.0;
+      return m_coordinates.scale != 1.0;
   }
   return false;
 }
@@ -485,17 +472,18 @@ Frame Control::frameOf(const std::vector<Shift>& order) const {
   for (const Shift shift : order) {
     switch (shift) {
       case Shift::Datum:
-        frame.translate(m_datum);
+        frame.translate(m_coordinates.datum);
         break;
       case Shift::Mirror:
-        frame.scale({m_isMirrored[0] ? -1.0 : 1.0, m_isMirrored[1] ? -1.0 : 1.0,
-                     m_isMirrored[2] ? -1.0 : 1.0});
+        frame.scale({m_coordinates.isMirrored[0] ? -1.0 : 1.0,
+                     m_coordinates.isMirrored[1] ? -1.0 : 1.0,
+                     m_coordinates.isMirrored[2] ? -1.0 : 1.0});
         break;
       case Shift::Rotation:
-        frame.rotate(m_turnAxis, m_turn);
+        frame.rotate(m_coordinates.turnAxis, m_coordinates.turn);
         break;
       case Shift::Scale:
-        frame.scale({m_scale, m_scale, m_scale});
+        frame.scale({m_coordinates.scale, m_coordinates.scale, m_coordinates.scale});
         break;
     }
   }
@@ -506,13 +494,13 @@ Frame Control::frameOf(const std::vector<Shift>& order) const {
 /// kind: it is taken only if it makes no difference whether it keeps its place in the order, comes
 /// last, or the order is always datum, mirror image, rotation, scale.
 Expected<void> Control::activate(Shift shift, std::string_view name) {
-  const auto place = std::find(m_order.begin(), m_order.end(), shift);
-  std::vector<Shift> kept = m_order;
-  std::vector<Shift> last = m_order;
+  const auto place = std::find(m_coordinates.order.begin(), m_coordinates.order.end(), shift);
+  std::vector<Shift> kept = m_coordinates.order;
+  std::vector<Shift> last = m_coordinates.order;
   std::erase(last, shift);
   if (isActive(shift)) {
     last.push_back(shift);
-    if (place == m_order.end()) {
+    if (place == m_coordinates.order.end()) {
       kept.push_back(shift);
     }
   } else {
@@ -522,11 +510,11 @@ Expected<void> Control::activate(Shift shift, std::string_view name) {
   std::sort(fixed.begin(), fixed.end());
   const Frame frame = frameOf(kept);
   if (!areSame(frame, frameOf(last)) || !areSame(frame, frameOf(fixed))) {
-    return fail(FaultCode::UnsupportedGCode, std::string(name), m_place);
+    return fail(FaultCode::UnsupportedGCode, std::string(name), m_block.place);
   }
-  m_order = std::move(kept);
-  m_frame = m_order.empty() ? Frame() : frame;
-  m_pole.reset();
+  m_coordinates.order = std::move(kept);
+  m_coordinates.frame = m_coordinates.order.empty() ? Frame() : frame;
+  m_pole.place.reset();
   return {};
 }
 

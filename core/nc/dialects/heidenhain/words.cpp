@@ -13,6 +13,23 @@
 
 namespace rivulet::nc::heidenhain {
 
+namespace {
+
+/// @return true: it has been taken
+Expected<bool> takeValue(Scanner& in, std::optional<double>& target) {
+  const Expected<double> value = in.value();
+  if (!value) {
+    return fail(value.error());
+  }
+  if (target) {
+    return in.fault<bool>(FaultCode::RepeatedWord);
+  }
+  target = *value;
+  return true;
+}
+
+}  // namespace
+
 bool Control::MotionWords::has(int function) const {
   return std::any_of(functions.begin(), functions.end(),
                      [function](const MFunction& each) { return each.number == function; });
@@ -51,19 +68,30 @@ Expected<Control::MotionWords> Control::motionWords(Scanner& in) {
   return words;
 }
 
+/// @return false: it is none
+Expected<bool> Control::coordinate(Scanner& in, MotionWords& words) {
+  const std::size_t from = in.at();
+  const bool isIncrement = in.takePrefix("I");
+  if (in.takePrefix("PR")) {
+    words.radiusIsIncrement = isIncrement;
+    return takeValue(in, words.polarRadius);
+  }
+  if (in.takePrefix("PA")) {
+    words.angleIsIncrement = isIncrement;
+    return takeValue(in, words.polarAngle);
+  }
+  for (std::size_t axis = 0; axis < kProgrammedAxisCount; ++axis) {
+    if (in.takePrefix(std::string(1, kProgrammedAxes[axis]))) {
+      words.isIncrement[axis] = isIncrement;
+      return takeValue(in, words.axes[axis]);
+    }
+  }
+  in.goTo(from);
+  return false;
+}
+
 /// @return false: it is no word of a positioning block
 Expected<bool> Control::wordOf(Scanner& in, MotionWords& words) {
-  const auto into = [&in](std::optional<double>& target) -> Expected<bool> {
-    const Expected<double> value = in.value();
-    if (!value) {
-      return fail(value.error());
-    }
-    if (target) {
-      return in.fault<bool>(FaultCode::RepeatedWord);
-    }
-    target = *value;
-    return true;
-  };
   const int column = in.column();
   // R0, and not R0,5.
   const std::size_t before = in.at();
@@ -87,37 +115,23 @@ Expected<bool> Control::wordOf(Scanner& in, MotionWords& words) {
     return true;
   }
   if (in.takePrefix("CCA")) {
-    return into(words.centreAngle);
+    return takeValue(in, words.centreAngle);
   }
   if (in.takePrefix("LEN")) {
-    return into(words.length);
+    return takeValue(in, words.length);
   }
   static constexpr std::string_view kLinear = "XYZ";
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (in.takePrefix(std::string("N") + kLinear[axis])) {
-      return into(words.normal[axis]);
+      return takeValue(in, words.normal[axis]);
     }
     if (in.takePrefix(std::string("T") + kLinear[axis])) {
-      return into(words.tool[axis]);
+      return takeValue(in, words.tool[axis]);
     }
   }
-  const std::size_t from = in.at();
-  const bool isIncrement = in.takePrefix("I");
-  if (in.takePrefix("PR")) {
-    words.radiusIsIncrement = isIncrement;
-    return into(words.polarRadius);
+  if (const Expected<bool> read = coordinate(in, words); !read || *read) {
+    return read;
   }
-  if (in.takePrefix("PA")) {
-    words.angleIsIncrement = isIncrement;
-    return into(words.polarAngle);
-  }
-  for (std::size_t axis = 0; axis < kProgrammedAxisCount; ++axis) {
-    if (in.takePrefix(std::string(1, kProgrammedAxes[axis]))) {
-      words.isIncrement[axis] = isIncrement;
-      return into(words.axes[axis]);
-    }
-  }
-  in.goTo(from);
   if (in.peek() == 'F') {
     const Expected<Feed> feed = feedWord(in);
     if (!feed) {
@@ -127,10 +141,10 @@ Expected<bool> Control::wordOf(Scanner& in, MotionWords& words) {
     return true;
   }
   if (in.takePrefix("R")) {
-    return into(words.radius);
+    return takeValue(in, words.radius);
   }
   if (in.takePrefix("S")) {
-    return into(words.spindlePerMin);
+    return takeValue(in, words.spindlePerMin);
   }
   if (in.takePrefix("M")) {
     const Expected<void> done = functionWord(in, words);
@@ -193,8 +207,8 @@ Expected<Control::Feed> Control::feedWord(Scanner& in) {
     return Feed{FeedKind::Rapid, 0.0};
   }
   if (in.takeWord("AUTO")) {
-    return m_toolFeed.kind == FeedKind::None ? in.fault<Feed>(FaultCode::ValueMissing, "FAUTO")
-                                             : Expected<Feed>(m_toolFeed);
+    return m_tool.feed.kind == FeedKind::None ? in.fault<Feed>(FaultCode::ValueMissing, "FAUTO")
+                                              : Expected<Feed>(m_tool.feed);
   }
   const bool isPerRevolution = in.takePrefix("U");
   if (!in.isAtValue()) {
@@ -216,7 +230,7 @@ Expected<void> Control::refuseUnused(const MotionWords& words, std::string_view 
   };
   const auto refused = [this, &words](std::string_view word) -> Expected<void> {
     return fail(FaultCode::UnknownWord, std::string(word),
-                {m_place.line, m_place.file, words.column});
+                {m_block.place.line, m_block.place.file, words.column});
   };
   if (words.radius && !uses("radius")) {
     return refused("R");
