@@ -154,6 +154,51 @@ double speedRmsShare(const Comparison& of, const std::vector<double>& atS) {
   return count > 0.0 && fastest > 0.0 ? std::sqrt(squares / count) / fastest : 0.0;
 }
 
+base::Result<LearnedAxis> parseAxis(const toml::table& servo, char letter,
+                                    const std::string& origin) {
+  LearnedAxis axis;
+  axis.axis = letter;
+  axis.fitRmsMm = servo.at_path("fitRmsMm").value_or(0.0);
+  axis.heldOutRmsMm = servo.at_path("heldOutRmsMm").value_or(0.0);
+  axis.peaks = {servo.at_path("peaks.locationMm").value_or(0.0),
+                servo.at_path("peaks.scaleMm").value_or(0.0),
+                servo.at_path("peaks.seconds").value_or(0)};
+  axis.goesStraight = servo.at_path("setPoints").value_or(std::string()) == "straight";
+  axis.parameters[AxisParameter::CoulombSpeed] = 1.0;
+  for (const AxisParameterFacts& facts : axisParameterFacts()) {
+    const std::optional<double> value = servo.at_path(facts.key).value<double>();
+    if (!value) {
+      continue;
+    }
+    if (!(*value >= 0.0 && *value <= facts.max)) {
+      return base::fail(EmulatorError::BadFile,
+                        fmt::format("{} of axis {} is {} but must be between 0 and {}.", facts.key,
+                                    letter, *value, facts.max),
+                        origin);
+    }
+    axis.parameters[facts.parameter] = *value;
+    axis.estimates.push_back(
+        {facts.parameter, *value,
+         servo.at_path(fmt::format("interval.{}[0]", facts.key)).value_or(*value),
+         servo.at_path(fmt::format("interval.{}[1]", facts.key)).value_or(*value)});
+  }
+  if (const std::string unknown = unknownKey(servo); !unknown.empty()) {
+    return base::fail(EmulatorError::BadFile,
+                      fmt::format("{} of axis {} is not a parameter of an axis.", unknown, letter),
+                      origin);
+  }
+  const bool hasSpeedLoop = axis.parameters[AxisParameter::SpeedGain] > 0.0;
+  if (!(axis.parameters[AxisParameter::PositionGain] > 0.0 &&
+        hasSpeedLoop == (axis.parameters[AxisParameter::ResetTime] > 0.0))) {
+    return base::fail(EmulatorError::BadFile,
+                      fmt::format("Axis {} needs position_gain, and both or none of speed_gain and "
+                                  "reset_time.",
+                                  letter),
+                      origin);
+  }
+  return axis;
+}
+
 }  // namespace
 
 const LearnedAxis* Emulator::find(char letter) const {
@@ -372,48 +417,11 @@ base::Result<Emulator> parseEmulator(std::string_view text, const std::string& o
     if (servo == nullptr) {
       continue;
     }
-    LearnedAxis axis;
-    axis.axis = letter;
-    axis.fitRmsMm = servo->at_path("fitRmsMm").value_or(0.0);
-    axis.heldOutRmsMm = servo->at_path("heldOutRmsMm").value_or(0.0);
-    axis.peaks = {servo->at_path("peaks.locationMm").value_or(0.0),
-                  servo->at_path("peaks.scaleMm").value_or(0.0),
-                  servo->at_path("peaks.seconds").value_or(0)};
-    axis.goesStraight = servo->at_path("setPoints").value_or(std::string()) == "straight";
-    axis.parameters[AxisParameter::CoulombSpeed] = 1.0;
-    for (const AxisParameterFacts& facts : axisParameterFacts()) {
-      const std::optional<double> value = servo->at_path(facts.key).value<double>();
-      if (!value) {
-        continue;
-      }
-      if (!(*value >= 0.0 && *value <= facts.max)) {
-        return base::fail(EmulatorError::BadFile,
-                          fmt::format("{} of axis {} is {} but must be between 0 and {}.",
-                                      facts.key, letter, *value, facts.max),
-                          origin);
-      }
-      axis.parameters[facts.parameter] = *value;
-      axis.estimates.push_back(
-          {facts.parameter, *value,
-           servo->at_path(fmt::format("interval.{}[0]", facts.key)).value_or(*value),
-           servo->at_path(fmt::format("interval.{}[1]", facts.key)).value_or(*value)});
+    auto axis = parseAxis(*servo, letter, origin);
+    if (!axis) {
+      return base::fail(axis.error());
     }
-    if (const std::string unknown = unknownKey(*servo); !unknown.empty()) {
-      return base::fail(
-          EmulatorError::BadFile,
-          fmt::format("{} of axis {} is not a parameter of an axis.", unknown, letter), origin);
-    }
-    const bool hasSpeedLoop = axis.parameters[AxisParameter::SpeedGain] > 0.0;
-    if (!(axis.parameters[AxisParameter::PositionGain] > 0.0 &&
-          hasSpeedLoop == (axis.parameters[AxisParameter::ResetTime] > 0.0))) {
-      return base::fail(
-          EmulatorError::BadFile,
-          fmt::format("Axis {} needs position_gain, and both or none of speed_gain and "
-                      "reset_time.",
-                      letter),
-          origin);
-    }
-    emulator.axes.push_back(std::move(axis));
+    emulator.axes.push_back(std::move(*axis));
   }
   if (emulator.axes.empty()) {
     return base::fail(EmulatorError::BadFile, "This emulator has no axes.", origin);

@@ -251,6 +251,54 @@ void Translator::writeOffset(Offset before, bool changes, std::string& line,
   }
 }
 
+void Translator::translateWord(const ForeignWord& word, bool changes, std::string& line,
+                               Translation& out) {
+  using Kind = ForeignWord::Kind;
+  switch (word.kind) {
+    case Kind::Tool:
+    case Kind::NamedTool:
+      if (!changes) {
+        addWord(line, "T" + *m_tool);
+      }
+      break;
+    case Kind::M:
+      translateM(static_cast<int>(word.value), word, line, out);
+      break;
+    case Kind::Spindle:
+      addWord(line, "S" + nc::ncNumber(word.value));
+      break;
+    case Kind::Dwell:
+      if (std::isfinite(word.value)) {
+        out.before.push_back("G4 F" + nc::ncNumber(word.value));
+      } else {
+        out.missing.push_back(word.text);
+      }
+      break;
+    case Kind::LengthCell:
+      break;  // see setLength
+    case Kind::G: {
+      const int key = static_cast<int>(word.value);
+      constexpr int kLengthOn = 430;
+      constexpr int kLengthOff = 490;
+      if (key == 970 || key == 400 || key == 410 || key == 420) {
+        addWord(line, fmt::format("G{}", key / 10));
+      } else if (const auto offset = workOffsetOf(key)) {
+        addWord(line, *offset);
+      } else if (key != kLengthOn && key != kLengthOff) {
+        out.missing.push_back(word.text);
+      }
+      break;
+    }
+    case Kind::Compensation:
+    case Kind::Line:
+      out.before.push_back(word.text);
+      break;
+    case Kind::Other:
+      out.missing.push_back(word.text);
+      break;
+  }
+}
+
 Translation Translator::translate(const std::vector<ForeignWord>& words,
                                   const std::optional<HomeMove>& home,
                                   const nc::Language& language) {
@@ -291,49 +339,7 @@ Translation Translator::translate(const std::vector<ForeignWord>& words,
     writeOffset(before, changes, line, first, out);
   }
   for (const ForeignWord& word : words) {
-    switch (word.kind) {
-      case Kind::Tool:
-      case Kind::NamedTool:
-        if (!changes) {
-          addWord(line, "T" + *m_tool);
-        }
-        break;
-      case Kind::M:
-        translateM(static_cast<int>(word.value), word, line, out);
-        break;
-      case Kind::Spindle:
-        addWord(line, "S" + nc::ncNumber(word.value));
-        break;
-      case Kind::Dwell:
-        if (std::isfinite(word.value)) {
-          out.before.push_back("G4 F" + nc::ncNumber(word.value));
-        } else {
-          out.missing.push_back(word.text);
-        }
-        break;
-      case Kind::LengthCell:
-        break;  // see setLength
-      case Kind::G: {
-        const int key = static_cast<int>(word.value);
-        constexpr int kLengthOn = 430;
-        constexpr int kLengthOff = 490;
-        if (key == 970 || key == 400 || key == 410 || key == 420) {
-          addWord(line, fmt::format("G{}", key / 10));
-        } else if (const auto offset = workOffsetOf(key)) {
-          addWord(line, *offset);
-        } else if (key != kLengthOn && key != kLengthOff) {
-          out.missing.push_back(word.text);
-        }
-        break;
-      }
-      case Kind::Compensation:
-      case Kind::Line:
-        out.before.push_back(word.text);
-        break;
-      case Kind::Other:
-        out.missing.push_back(word.text);
-        break;
-    }
+    translateWord(word, changes, line, out);
   }
   if (!line.empty()) {
     out.before.insert(out.before.begin(), line);

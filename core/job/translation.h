@@ -92,6 +92,8 @@ class Translator {
     Radius,  ///< D1, with a length of 0
   };
   void translateM(int number, const ForeignWord& word, std::string& before, Translation& out);
+  /// @param changes  the block changes the tool @param line  words before the motion
+  void translateWord(const ForeignWord& word, bool changes, std::string& line, Translation& out);
   [[nodiscard]] std::string toolChange() const;
   void changeTool(const nc::Language& language);
   [[nodiscard]] bool setLength(const std::vector<ForeignWord>& words, const nc::Language& language,

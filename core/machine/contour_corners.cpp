@@ -152,6 +152,48 @@ double shareAt(const Side& side, InPlane place) {
   return angleTo(place) / angleTo(side.to);
 }
 
+/// What takes the place of a corner.
+struct Transition {
+  InPlane leave;  ///< the side before it
+  InPlane arrive;
+  InPlane middle;  ///< of a rounding
+};
+
+/// Between straight sides, smaller where one is too short. @param turned  radians, + to the left
+Transition betweenLines(const Side& before, const Side& after, const ContourCorner& corner,
+                        double turned) {
+  const InPlane in = before.directionAt(before.to);
+  const InPlane out = after.directionAt(before.to);
+  const double half = std::abs(turned) / 2.0;
+  const double wanted = corner.kind == ContourCorner::Kind::Radius ? corner.mm * std::tan(half)
+                        : corner.kind == ContourCorner::Kind::Chamfer
+                            ? corner.mm / (2.0 * std::cos(half))
+                            : corner.mm;
+  const double cut = std::min({wanted, norm(before.to - before.from), norm(after.to - after.from)});
+  const InPlane leave = before.to - cut * in;
+  const double hand = turned > 0.0 ? 1.0 : -1.0;
+  return {leave, before.to + cut * out, leave + (hand * cut / std::tan(half)) * left(in)};
+}
+
+/// A rounding that fits between both sides; nothing: there is none.
+std::optional<Transition> atArc(const Side& before, const Side& after, const ContourCorner& corner,
+                                double turned) {
+  if (corner.kind != ContourCorner::Kind::Radius) {
+    return std::nullopt;
+  }
+  const double offset = turned > 0.0 ? corner.mm : -corner.mm;
+  const std::optional<InPlane> middle =
+      meet(locusOf(before, offset, before.to), locusOf(after, offset, before.to), before.to);
+  if (!middle) {
+    return std::nullopt;
+  }
+  const Transition made{touch(before, *middle), touch(after, *middle), *middle};
+  const double from = shareAt(before, made.leave);
+  const double to = shareAt(after, made.arrive);
+  const bool isOutside = from <= 0.0 || from > 1.0 || to < 0.0 || to >= 1.0;
+  return isOutside ? std::nullopt : std::optional(made);
+}
+
 }  // namespace
 
 std::optional<Alarm> ContourCorners::add(Prepared next, std::optional<ContourCorner> corner,
@@ -200,49 +242,21 @@ std::optional<Alarm> ContourCorners::join(PreparedMotion& next, std::deque<Prepa
     pass();
     return std::nullopt;
   }
-  const InPlane corner = before->to;
-  const InPlane in = before->directionAt(corner);
-  const InPlane out = after->directionAt(corner);
+  const InPlane in = before->directionAt(before->to);
+  const InPlane out = after->directionAt(before->to);
   const double turned = std::atan2(cross(in, out), dot(in, out));
   if (std::abs(turned) < kNoCornerRad) {
     pass();
     return std::nullopt;
   }
-  const double hand = turned > 0.0 ? 1.0 : -1.0;
-  const bool isStraight = !before->isArc() && !after->isArc();
-  InPlane leave;
-  InPlane arrive;
-  InPlane middle;
-  if (isStraight) {
-    const double half = std::abs(turned) / 2.0;
-    const double wanted =
-        held.corner.kind == ContourCorner::Kind::Radius    ? held.corner.mm * std::tan(half)
-        : held.corner.kind == ContourCorner::Kind::Chamfer ? held.corner.mm / (2.0 * std::cos(half))
-                                                           : held.corner.mm;
-    const double cut =
-        std::min({wanted, norm(before->to - before->from), norm(after->to - after->from)});
-    leave = corner - cut * in;
-    arrive = corner + cut * out;
-    middle = leave + (hand * cut / std::tan(half)) * left(in);
-  } else {
-    const double offset = hand * held.corner.mm;
-    const std::optional<InPlane> found =
-        held.corner.kind != ContourCorner::Kind::Radius
-            ? std::nullopt
-            : meet(locusOf(*before, offset, corner), locusOf(*after, offset, corner), corner);
-    if (found) {
-      middle = *found;
-      leave = touch(*before, middle);
-      arrive = touch(*after, middle);
-    }
-    const double from = found ? shareAt(*before, leave) : 0.0;
-    const double to = found ? shareAt(*after, arrive) : 1.0;
-    if (!found || from <= 0.0 || from > 1.0 || to < 0.0 || to >= 1.0) {
-      pass();
-      return Alarm{kCornerNotMade,
-                   fmt::format("Line {}: this machine makes no such corner at an arc.",
-                               held.motion.line.value)};
-    }
+  const std::optional<Transition> made = before->isArc() || after->isArc()
+                                             ? atArc(*before, *after, held.corner, turned)
+                                             : betweenLines(*before, *after, held.corner, turned);
+  if (!made) {
+    pass();
+    return Alarm{kCornerNotMade,
+                 fmt::format("Line {}: this machine makes no such corner at an arc.",
+                             held.motion.line.value)};
   }
   const std::size_t second = (first + 1) % base::kAxisCount;
   const std::size_t third = (first + 2) % base::kAxisCount;
@@ -253,33 +267,33 @@ std::optional<Alarm> ContourCorners::join(PreparedMotion& next, std::deque<Prepa
     place.set(third, height);
     return place;
   };
-  const double left1 = shareAt(*before, leave);
+  const double left1 = shareAt(*before, made->leave);
   const double fromHeight = held.fromMm[third];
   const double leaveHeight = fromHeight + left1 * (cornerMm[third] - fromHeight);
   PreparedMotion across = held.motion;
   const bool remains = left1 > 1e-9;
   if (remains) {
-    held.motion.targetMm = placed(leave, leaveHeight);
+    held.motion.targetMm = placed(made->leave, leaveHeight);
     if (held.motion.arc) {
       held.motion.arc->sweepRad *= left1;
     }
     ready.push_back(held.motion);
   }
-  across.targetMm = placed(arrive, cornerMm[third]);
+  across.targetMm = placed(made->arrive, cornerMm[third]);
   across.arc.reset();
   if (held.corner.kind == ContourCorner::Kind::Radius) {
     base::Vec3 axis;
-    axis.set(third, hand);
-    across.arc = ArcPath{placed(middle, leaveHeight), axis, std::abs(turned)};
-    const InPlane a = leave - middle;
-    const InPlane b = arrive - middle;
+    axis.set(third, turned > 0.0 ? 1.0 : -1.0);
+    across.arc = ArcPath{placed(made->middle, leaveHeight), axis, std::abs(turned)};
+    const InPlane a = made->leave - made->middle;
+    const InPlane b = made->arrive - made->middle;
     across.arc->sweepRad = std::abs(std::atan2(cross(a, b), dot(a, b)));
   }
   ready.push_back(across);
   std::move(m_behind.begin(), m_behind.end(), std::back_inserter(ready));
   m_behind.clear();
   if (next.arc) {
-    next.arc->sweepRad *= 1.0 - shareAt(*after, arrive);
+    next.arc->sweepRad *= 1.0 - shareAt(*after, made->arrive);
   }
   m_atMm = across.targetMm;
   return std::nullopt;

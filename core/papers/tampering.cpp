@@ -205,68 +205,153 @@ std::string sharesText(std::size_t hits, std::size_t trials) {
                      100.0 * share.low, 100.0 * share.high);
 }
 
-}  // namespace
+/// What was noticed of one watermark.
+struct Noticed {
+  std::size_t falseAlarms = 0;
+  std::size_t hidden = 0;
+  double shareHonest = 0.0;  ///< that is missing, mean of all runs
+  double shareHidden = 0.0;
+  double standardError = 0.0;
+};
 
-Result<Experiment> runTampering(const TamperingOptions& options) {
-  const Result<Guard> learned = learnGuard();
-  if (!learned) {
-    return base::fail(learned.error());
-  }
-  const Guard& guard = *learned;
-  const std::size_t count = guard.setPoints.size();
-  const double runS = guard.cycleS * static_cast<double>(count);
-  const SetPoints shift = shiftOf(count, guard.cycleS);
+/// Runs on the machine, and what the monitor and the test for the watermark make of them.
+struct Trials {
+  std::size_t falseMarks = 0;
+  std::size_t openNoticed = 0;
+  std::size_t hiddenMarked = 0;
+  std::array<Noticed, kWatermarksMm.size()> watermarks;
+
+  /// One run of each kind per watermark. @param draws  of all, for the means
+  void draw(const Guard& guard, const SetPoints& shift, const base::Random& random, double draws);
+};
+
+void Trials::draw(const Guard& guard, const SetPoints& shift, const base::Random& random,
+                  double draws) {
   const auto marks = [&](const TrainingRun& run) {
     const auto found = emulator::findDeviations(guard.emulator, run);
     return found ? found->size() : 0;
   };
-  std::size_t falseMarks = 0;
-  std::size_t openNoticed = 0;
-  std::size_t hiddenMarked = 0;
-  struct Counts {
-    std::size_t falseAlarms = 0;
-    std::size_t noticed = 0;
-    double honest = 0.0;
-    double hidden = 0.0;
-    double standardError = 0.0;
+  for (std::size_t i = 0; i < kWatermarksMm.size(); ++i) {
+    const SetPoints watermark =
+        watermarkOf(guard.setPoints.size(), guard.cycleS, kWatermarksMm[i], random.fork(10 * i));
+    const SetPoints asked = sum(guard.setPoints, watermark);
+    const TrainingRun honest =
+        runOf(asked, reported(guard.machine, asked, random.fork(10 * i + 1)), guard.cycleS);
+    // Who shifts the axes knows program and machine, but not the watermark.
+    const TrainingRun hidden = runOf(
+        asked, reported(guard.machine, guard.setPoints, random.fork(10 * i + 2)), guard.cycleS);
+    const emulator::MissingShare ofHonest = missingOf(guard, honest, watermark);
+    const emulator::MissingShare ofHidden = missingOf(guard, hidden, watermark);
+    const double threshold = emulator::watermarkThreshold(ofHonest.windows, kWatermarkFalseAlarm);
+    Noticed& of = watermarks[i];
+    of.falseAlarms += ofHonest.statistic() > threshold ? 1 : 0;
+    of.hidden += ofHidden.statistic() > threshold ? 1 : 0;
+    of.shareHonest += ofHonest.share / draws;
+    of.shareHidden += ofHidden.share / draws;
+    of.standardError += ofHonest.standardError / draws;
+    if (kWatermarksMm[i] == kWatermarksMm.back()) {
+      falseMarks += marks(honest);
+      hiddenMarked += marks(hidden) > 0 ? 1 : 0;
+      openNoticed +=
+          marks(runOf(asked, reported(guard.machine, sum(asked, shift), random.fork(10 * i + 3)),
+                      guard.cycleS)) > 0
+              ? 1
+              : 0;
+    }
+  }
+}
+
+Table peaksTable(const Guard& guard) {
+  const emulator::MonitorOptions monitor;
+  Table peaks{"Residual monitor", {"axis", "threshold (µm)", "location (µm)", "scale (µm)"}, {}};
+  for (const emulator::LearnedAxis& axis : guard.emulator.axes) {
+    peaks.rows.push_back(
+        {std::string(1, axis.axis),
+         fmt::format("{:.2f}", 1e3 * emulator::peakThresholdMm(
+                                         axis.peaks, guard.emulator.axes.size(), monitor)),
+         fmt::format("{:.2f}", 1e3 * axis.peaks.locationMm),
+         fmt::format("{:.2f}", 1e3 * axis.peaks.scaleMm)});
+  }
+  return peaks;
+}
+
+Table ratesTable(const Trials& trials, std::size_t draws, double hours) {
+  Table rates{
+      "What is noticed; in parentheses 95 % intervals", {"test", "false alarms", "noticed"}, {}};
+  rates.rows.push_back({"residual monitor, positions reported as they are",
+                        fmt::format("{} in {:.2f} h", trials.falseMarks, hours),
+                        sharesText(trials.openNoticed, draws)});
+  rates.rows.push_back(
+      {"residual monitor, positions made up", "", sharesText(trials.hiddenMarked, draws)});
+  for (std::size_t i = 0; i < kWatermarksMm.size(); ++i) {
+    rates.rows.push_back(
+        {fmt::format("watermark of {} µm, positions made up", 1e3 * kWatermarksMm[i]),
+         sharesText(trials.watermarks[i].falseAlarms, draws),
+         sharesText(trials.watermarks[i].hidden, draws)});
+  }
+  return rates;
+}
+
+Table sharesTable(const Trials& trials) {
+  Table shares{"Share of the watermark that is missing, mean of all runs",
+               {"watermark (µm)", "honest", "made up", "standard error of one run"},
+               {}};
+  for (std::size_t i = 0; i < kWatermarksMm.size(); ++i) {
+    const Noticed& of = trials.watermarks[i];
+    shares.rows.push_back(
+        {fmt::format("{}", 1e3 * kWatermarksMm[i]), fmt::format("{:.3f}", of.shareHonest),
+         fmt::format("{:.3f}", of.shareHidden), fmt::format("{:.3f}", of.standardError)});
+  }
+  return shares;
+}
+
+std::vector<Check> checksOf(const Trials& trials, std::size_t draws, double hours) {
+  const auto percent = [&](std::size_t hits) { return 100.0 * shareOf(hits, draws).seen; };
+  return {
+      {.what = "residual monitor: false alarms in an hour",
+       .unit = "",
+       .source = "asked for",
+       .reference = emulator::MonitorOptions().falseAlarmsPerHour,
+       .ours = static_cast<double>(trials.falseMarks) / hours,
+       .highest = 2.0},
+      {.what = "residual monitor: shifts noticed",
+       .unit = "%",
+       .source = "",
+       .ours = percent(trials.openNoticed),
+       .lowest = 99.0},
+      {.what = fmt::format("watermark of {} µm: false alarms", 1e3 * kWatermarksMm.back()),
+       .unit = "%",
+       .source = "asked for",
+       .reference = 100.0 * kWatermarkFalseAlarm,
+       .ours = percent(trials.watermarks.back().falseAlarms),
+       .highest = 1.0},
+      {.what =
+           fmt::format("watermark of {} µm: made-up positions noticed", 1e3 * kWatermarksMm.back()),
+       .unit = "%",
+       .source = "",
+       .ours = percent(trials.watermarks.back().hidden),
+       .lowest = 99.0},
   };
-  std::array<Counts, kWatermarksMm.size()> counts;
+}
+
+}  // namespace
+
+Result<Experiment> runTampering(const TamperingOptions& options) {
+  const Result<Guard> guard = learnGuard();
+  if (!guard) {
+    return base::fail(guard.error());
+  }
+  const std::size_t count = guard->setPoints.size();
+  const double runS = guard->cycleS * static_cast<double>(count);
+  const SetPoints shift = shiftOf(count, guard->cycleS);
+  const auto draws = static_cast<double>(options.draws);
+  Trials trials;
   const base::Random random(17);
   for (std::size_t draw = 0; draw < options.draws; ++draw) {
-    if (options.progress &&
-        !options.progress(static_cast<double>(draw) / static_cast<double>(options.draws))) {
+    if (options.progress && !options.progress(static_cast<double>(draw) / draws)) {
       return base::fail(ExperimentError::Cancelled, "The experiment was cancelled.");
     }
-    const base::Random own = random.fork(draw);
-    for (std::size_t i = 0; i < kWatermarksMm.size(); ++i) {
-      const SetPoints watermark =
-          watermarkOf(count, guard.cycleS, kWatermarksMm[i], own.fork(10 * i));
-      const SetPoints asked = sum(guard.setPoints, watermark);
-      const TrainingRun honest =
-          runOf(asked, reported(guard.machine, asked, own.fork(10 * i + 1)), guard.cycleS);
-      // Who shifts the axes knows program and machine, but not the watermark.
-      const TrainingRun hidden = runOf(
-          asked, reported(guard.machine, guard.setPoints, own.fork(10 * i + 2)), guard.cycleS);
-      const emulator::MissingShare ofHonest = missingOf(guard, honest, watermark);
-      const emulator::MissingShare ofHidden = missingOf(guard, hidden, watermark);
-      const double threshold = emulator::watermarkThreshold(ofHonest.windows, kWatermarkFalseAlarm);
-      Counts& of = counts[i];
-      of.falseAlarms += ofHonest.statistic() > threshold ? 1 : 0;
-      of.noticed += ofHidden.statistic() > threshold ? 1 : 0;
-      const auto draws = static_cast<double>(options.draws);
-      of.honest += ofHonest.share / draws;
-      of.hidden += ofHidden.share / draws;
-      of.standardError += ofHonest.standardError / draws;
-      if (kWatermarksMm[i] == kWatermarksMm.back()) {
-        falseMarks += marks(honest);
-        hiddenMarked += marks(hidden) > 0 ? 1 : 0;
-        openNoticed +=
-            marks(runOf(asked, reported(guard.machine, sum(asked, shift), own.fork(10 * i + 3)),
-                        guard.cycleS)) > 0
-                ? 1
-                : 0;
-      }
-    }
+    trials.draw(*guard, shift, random.fork(draw), draws);
   }
   Experiment result;
   result.name = "monitor";
@@ -279,63 +364,10 @@ Result<Experiment> runTampering(const TamperingOptions& options) {
       "{} mm from the middle on, and {} times shifted while positions are reported that somebody "
       "made up without the watermark. A run takes {:.1f} s.",
       1e3 * kNoiseMm, options.draws, options.draws, kShiftMm, options.draws, runS);
-  const emulator::MonitorOptions monitor;
-  Table peaks{"Residual monitor", {"axis", "threshold (µm)", "location (µm)", "scale (µm)"}, {}};
-  for (const emulator::LearnedAxis& axis : guard.emulator.axes) {
-    peaks.rows.push_back(
-        {std::string(1, axis.axis),
-         fmt::format("{:.2f}", 1e3 * emulator::peakThresholdMm(
-                                         axis.peaks, guard.emulator.axes.size(), monitor)),
-         fmt::format("{:.2f}", 1e3 * axis.peaks.locationMm),
-         fmt::format("{:.2f}", 1e3 * axis.peaks.scaleMm)});
-  }
-  Table rates{
-      "What is noticed; in parentheses 95 % intervals", {"test", "false alarms", "noticed"}, {}};
-  const double hours = runS * static_cast<double>(options.draws) / 3600.0;
-  rates.rows.push_back({"residual monitor, positions reported as they are",
-                        fmt::format("{} in {:.2f} h", falseMarks, hours),
-                        sharesText(openNoticed, options.draws)});
-  rates.rows.push_back(
-      {"residual monitor, positions made up", "", sharesText(hiddenMarked, options.draws)});
-  Table shares{"Share of the watermark that is missing, mean of all runs",
-               {"watermark (µm)", "honest", "made up", "standard error of one run"},
-               {}};
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    rates.rows.push_back(
-        {fmt::format("watermark of {} µm, positions made up", 1e3 * kWatermarksMm[i]),
-         sharesText(counts[i].falseAlarms, options.draws),
-         sharesText(counts[i].noticed, options.draws)});
-    shares.rows.push_back(
-        {fmt::format("{}", 1e3 * kWatermarksMm[i]), fmt::format("{:.3f}", counts[i].honest),
-         fmt::format("{:.3f}", counts[i].hidden), fmt::format("{:.3f}", counts[i].standardError)});
-  }
-  result.tables = {std::move(rates), std::move(peaks), std::move(shares)};
-  const auto percent = [&](std::size_t hits) { return 100.0 * shareOf(hits, options.draws).seen; };
-  result.checks = {
-      {.what = "residual monitor: false alarms in an hour",
-       .unit = "",
-       .source = "asked for",
-       .reference = monitor.falseAlarmsPerHour,
-       .ours = static_cast<double>(falseMarks) / hours,
-       .highest = 2.0},
-      {.what = "residual monitor: shifts noticed",
-       .unit = "%",
-       .source = "",
-       .ours = percent(openNoticed),
-       .lowest = 99.0},
-      {.what = fmt::format("watermark of {} µm: false alarms", 1e3 * kWatermarksMm.back()),
-       .unit = "%",
-       .source = "asked for",
-       .reference = 100.0 * kWatermarkFalseAlarm,
-       .ours = percent(counts.back().falseAlarms),
-       .highest = 1.0},
-      {.what =
-           fmt::format("watermark of {} µm: made-up positions noticed", 1e3 * kWatermarksMm.back()),
-       .unit = "%",
-       .source = "",
-       .ours = percent(counts.back().noticed),
-       .lowest = 99.0},
-  };
+  const double hours = runS * draws / 3600.0;
+  result.tables = {ratesTable(trials, options.draws, hours), peaksTable(*guard),
+                   sharesTable(trials)};
+  result.checks = checksOf(trials, options.draws, hours);
   result.notes = {
       "Positions that are made up follow the program as well as an honest trace does: the residual "
       "monitor cannot notice them, whatever the axes do. Only the watermark can.",

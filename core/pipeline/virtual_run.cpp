@@ -22,6 +22,30 @@ struct Work {
   std::uint64_t switches = 0;  ///< paid so far
 };
 
+/// How full the buffers are, over time.
+class Levels {
+ public:
+  void pass(base::Instant at) {
+    for (std::size_t i = 0; i < kBufferCount; ++i) {
+      m_areas[i] += m_levels[i] * base::toSeconds(at - m_since);
+    }
+    m_since = at;
+  }
+  void take(const Event& event) {
+    pass(event.at);
+    m_levels = event.levels;
+  }
+  /// Of all that has passed.
+  [[nodiscard]] double mean(std::size_t buffer) const {
+    return m_since > base::Instant{} ? m_areas[buffer] / base::toSeconds(m_since) : 0.0;
+  }
+
+ private:
+  std::array<double, kBufferCount> m_areas{};
+  std::array<int, kBufferCount> m_levels{};
+  base::Instant m_since{};
+};
+
 }  // namespace
 
 base::Result<VirtualRun> runVirtual(const std::array<Stage*, kTaskCount>& stages,
@@ -33,18 +57,9 @@ base::Result<VirtualRun> runVirtual(const std::array<Stage*, kTaskCount>& stages
   Dispatcher dispatcher(options.dispatch, policy, needs);
   VirtualRun run;
   base::Instant now{};
-  std::array<double, kBufferCount> areas{};
-  std::array<int, kBufferCount> levels{};
-  base::Instant levelsSince{};
-  const auto pass = [&](base::Instant at) {
-    for (std::size_t i = 0; i < kBufferCount; ++i) {
-      areas[i] += levels[i] * base::toSeconds(at - levelsSince);
-    }
-    levelsSince = at;
-  };
+  Levels levels;
   dispatcher.setRecorder([&](const Event& event) {
-    pass(event.at);
-    levels = event.levels;
+    levels.take(event);
     if (options.recorder) {
       options.recorder(event);
     }
@@ -97,14 +112,14 @@ base::Result<VirtualRun> runVirtual(const std::array<Stage*, kTaskCount>& stages
       }
     }
   }
-  pass(now);
+  levels.pass(now);
   run.end = now;
   run.hasEnded = dispatcher.hasEnded();
   for (std::size_t i = 0; i < kTaskCount; ++i) {
     run.records[i] = dispatcher.record(static_cast<Task>(i));
   }
-  for (std::size_t i = 0; i < kBufferCount && now > base::Instant{}; ++i) {
-    run.meanLevels[i] = areas[i] / base::toSeconds(now);
+  for (std::size_t i = 0; i < kBufferCount; ++i) {
+    run.meanLevels[i] = levels.mean(i);
   }
   return run;
 }

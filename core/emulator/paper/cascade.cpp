@@ -59,15 +59,7 @@ Cascade<kOscillators>::Cascade(const std::array<OscillatorParameters, kOscillato
   RIVULET_ASSERT(plant.feedbackDelaySteps <= kFeedbackDelayStepsMax);
   m_ringSize = static_cast<std::size_t>(plant.feedbackDelaySteps);
 
-  // d(states)/dt = matrix · (states, inputs): two states for each oscillator, then the tail, then
-  // the inputs error, speed, current, power, disturbance, which do not change within a cycle.
-  constexpr int kFirst = 2 * static_cast<int>(kOscillators);
-  constexpr int kError = kFirst + static_cast<int>(kTail);
-  constexpr int kSpeed = kError + 1;
-  constexpr int kCurrent = kError + 2;
-  constexpr int kPower = kError + 3;
-  constexpr int kDisturbance = kError + 4;
-  constexpr int kSize = kError + 5;
+  // d(states)/dt = matrix · (states, inputs)
   using Matrix = Eigen::Matrix<double, kSize, kSize>;
   using Row = Eigen::Matrix<double, 1, kSize>;
   Matrix rates = Matrix::Zero();
@@ -110,7 +102,12 @@ Cascade<kOscillators>::Cascade(const std::array<OscillatorParameters, kOscillato
   rates(kFirst + static_cast<int>(kX), kVRow) = 1.0;
 
   const Matrix step = (rates * plant.stepS).exp();
+  takeOver(step, plant.currentDisturbance * parameter(values, 27));
+}
 
+template <std::size_t kOscillators>
+template <class Matrix>
+void Cascade<kOscillators>::takeOver(const Matrix& step, double disturbance) {
   const auto tailOf = [&step](int column) {
     Tail tail;
     for (std::size_t row = 0; row < kTail; ++row) {
@@ -129,7 +126,6 @@ Cascade<kOscillators>::Cascade(const std::array<OscillatorParameters, kOscillato
   for (std::size_t column = 0; column < kTail; ++column) {
     m_tailMatrix[column] = tailOf(kFirst + static_cast<int>(column));
   }
-  const double disturbance = plant.currentDisturbance * parameter(values, 27);
   m_disturbance = tailOf(kDisturbance);
   for (double& one : m_disturbance) {
     one *= disturbance;

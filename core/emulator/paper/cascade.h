@@ -118,6 +118,15 @@ class Cascade {
   static constexpr std::size_t kV = 4;
   static constexpr std::size_t kX = 5;
   using Tail = std::array<double, kTail>;
+  /// Where things are among states and inputs: two states for each oscillator, then the tail, then
+  /// the inputs, which do not change within a cycle.
+  static constexpr int kFirst = 2 * static_cast<int>(kOscillators);
+  static constexpr int kError = kFirst + static_cast<int>(kTail);
+  static constexpr int kSpeed = kError + 1;
+  static constexpr int kCurrent = kError + 2;
+  static constexpr int kPower = kError + 3;
+  static constexpr int kDisturbance = kError + 4;
+  static constexpr int kSize = kError + 5;
 
   struct Oscillator {
     std::array<double, 2> fromA{};
@@ -132,6 +141,10 @@ class Cascade {
     Tail current{};
     Tail power{};
   };
+
+  /// @param step  what one cycle makes of states and inputs
+  template <class Matrix>
+  void takeOver(const Matrix& step, double disturbance);
 
   std::array<Oscillator, kOscillators> m_oscillators{};
   std::array<Tail, kTail> m_tailMatrix{};  ///< by columns

@@ -262,44 +262,46 @@ struct Signature {
   return status;
 }
 
-}  // namespace
+Parameter statusOutput() {
+  return {"Status", UA_TYPES_INT32,
+          "0 done, 1 no such channel, 2 no such program, 3 channel not in reset, 4 rejected."};
+}
 
-base::Result<void> Methods::build(UA_UInt16 namespaceIndex) {
-  const Parameter status32{"Status", UA_TYPES_INT32,
-                           "0 done, 1 no such channel, 2 no such program, 3 channel not in reset, "
-                           "4 rejected."};
-  const std::vector<Signature> ofSinumerik{
-      {opcua::kCopyToServer,
-       "Stores a part program on the control.",
-       &onCall<&copyFileToServer, Right::WriteFiles>,
-       {{"TargetFilename", UA_TYPES_STRING, "Path of the program on the control."},
-        {"Data", UA_TYPES_BYTESTRING, "Text of the program."},
-        {"Overwrite", UA_TYPES_BOOLEAN, "Whether a program of this name is replaced."}},
-       {}},
-      {opcua::kCopyFromServer,
-       "Gives the text of a part program.",
-       &onCall<&copyFileFromServer, Right::ReadFiles>,
-       {{"SourceFile", UA_TYPES_STRING, "Path of the program on the control."}},
-       {{"Data", UA_TYPES_BYTESTRING, "Text of the program."}}},
-      {opcua::kSelect,
-       "Selects a part program for the next cycle start; does not start it.",
-       &onCall<&select, Right::Select>,
-       {{"SourceFileNodeId", UA_TYPES_STRING, "Path of the program on the control."},
-        {"ChannelNumber", UA_TYPES_UINT32, "1: there is one channel."}},
-       {status32}},
-      {opcua::kGetMyAccessRights,
-       "Lists the rights of the user who asks.",
-       &onCall<&getMyAccessRights, Right::Anyone>,
-       {},
-       {{"Rights", UA_TYPES_STRING, "Names of the rights, separated by semicolons."}}}};
-  const ServedFacts& facts = control().facts();
+std::vector<Signature> methodsOfSinumerik() {
+  return {{opcua::kCopyToServer,
+           "Stores a part program on the control.",
+           &onCall<&copyFileToServer, Right::WriteFiles>,
+           {{"TargetFilename", UA_TYPES_STRING, "Path of the program on the control."},
+            {"Data", UA_TYPES_BYTESTRING, "Text of the program."},
+            {"Overwrite", UA_TYPES_BOOLEAN, "Whether a program of this name is replaced."}},
+           {}},
+          {opcua::kCopyFromServer,
+           "Gives the text of a part program.",
+           &onCall<&copyFileFromServer, Right::ReadFiles>,
+           {{"SourceFile", UA_TYPES_STRING, "Path of the program on the control."}},
+           {{"Data", UA_TYPES_BYTESTRING, "Text of the program."}}},
+          {opcua::kSelect,
+           "Selects a part program for the next cycle start; does not start it.",
+           &onCall<&select, Right::Select>,
+           {{"SourceFileNodeId", UA_TYPES_STRING, "Path of the program on the control."},
+            {"ChannelNumber", UA_TYPES_UINT32, "1: there is one channel."}},
+           {statusOutput()}},
+          {opcua::kGetMyAccessRights,
+           "Lists the rights of the user who asks.",
+           &onCall<&getMyAccessRights, Right::Anyone>,
+           {},
+           {{"Rights", UA_TYPES_STRING, "Names of the rights, separated by semicolons."}}}};
+}
+
+/// What a SINUMERIK does not offer to clients.
+std::vector<Signature> methodsBeyond(const ServedFacts& facts) {
   std::vector<Signature> beyond;
   if (facts.abilities.startsOnRequest) {
     beyond.push_back({opcua::kCycleStart,
                       "Starts the selected program, or continues the one that waits.",
                       &onCall<&cycleStart, Right::Start>,
                       {},
-                      {status32, {"Message", UA_TYPES_STRING, "Why it was not started."}}});
+                      {statusOutput(), {"Message", UA_TYPES_STRING, "Why it was not started."}}});
     beyond.push_back({opcua::kReset,
                       "Ends the program and acknowledges alarms, like the key RESET.",
                       &onCall<&reset, Right::Start>,
@@ -332,11 +334,17 @@ base::Result<void> Methods::build(UA_UInt16 namespaceIndex) {
                        {"NextEvents", UA_TYPES_UINT64, kNext},
                        {"IsLast", UA_TYPES_BOOLEAN, "Nothing more is there yet."}}});
   }
+  return beyond;
+}
 
+}  // namespace
+
+base::Result<void> Methods::build(UA_UInt16 namespaceIndex) {
+  const ServedFacts& facts = control().facts();
   UA_StatusCode status =
       addObject(m_server, namespaceIndex, opcua::borrowNodeId(namespaceIndex, "Sinumerik"),
                 opcua::kMethodsObject, "Methods", "File transfer, selection and rights.");
-  for (const Signature& signature : ofSinumerik) {
+  for (const Signature& signature : methodsOfSinumerik()) {
     status |= addMethod(m_server, namespaceIndex, opcua::kMethodsObject, signature, *this);
   }
 
@@ -345,7 +353,7 @@ base::Result<void> Methods::build(UA_UInt16 namespaceIndex) {
   const std::string_view object = facts.isVirtual ? opcua::kVirtualObject : opcua::kBridgeObject;
   status |= addObject(m_server, virtualIndex, opcua::standardNodeId(UA_NS0ID_OBJECTSFOLDER), object,
                       object, "What a SINUMERIK does not offer to clients.");
-  for (const Signature& signature : beyond) {
+  for (const Signature& signature : methodsBeyond(facts)) {
     status |= addMethod(m_server, virtualIndex, object, signature, *this);
   }
   UA_Boolean simulated = facts.isVirtual;
