@@ -135,6 +135,23 @@ std::string textOf(const Stand& stand) {
                       : fmt::format("{}={}({})", address, from, text);
 }
 
+/// What is not known of the position behind a block.
+struct Forgets {
+  bool all = false;
+  bool named = false;  ///< the axes it names
+  /// Along these axes a tool length acts, or acted, that it changes.
+  std::array<bool, base::kAxisCount> length{};
+};
+
+/// What only the control knows of the position from which a block moves.
+struct Unknown {
+  bool turns = false;  ///< a rotary axis, how far only the control knows
+  bool beginsArc = false;
+  /// It moves the axis by an increment from there.
+  std::array<bool, base::kAxisCount> axis{};
+  std::array<bool, base::kRotaryAxisCount> rotary{};
+};
+
 /// What one block says.
 struct BlockNotes {
   explicit BlockNotes(const nc::ModalState& state) : before(state) {}
@@ -152,12 +169,9 @@ struct BlockNotes {
   std::optional<NativeReason> reason;  ///< of its own words
   std::optional<NativeReason> region;
   bool isSeparable = true;  ///< its words do not concern its motion
-  bool forgetsAll = false;
-  bool forgetsNamed = false;  ///< the axes it names
-  /// Along these axes a tool length acts, or acted, that it changes.
-  std::array<bool, base::kAxisCount> forgetsLength{};
-  bool turnsFromUnknown = false;  ///< a rotary axis, how far only the control knows
-  bool isMissing = false;         ///< the subprogram it calls is not at hand
+  Forgets forgets;
+  Unknown unknown;
+  bool isMissing = false;  ///< the subprogram it calls is not at hand
   bool calls = false;
   bool moves = false;
   bool movesAlongTool = false;  ///< in coordinates of the workpiece
@@ -170,11 +184,7 @@ struct BlockNotes {
   bool isInHoleCycle = false;       ///< the position after it is known
   std::vector<std::string> motion;  ///< its moves as lines for the control (not SINUMERIK)
   std::string corner;               ///< ,R or ,C
-  bool beginsUnknown = false;       ///< an arc, from where only the control knows the tool to be
   const nc::Variables* variables = nullptr;
-  /// It moves the axis by an increment from where only the control knows it to stand.
-  std::array<bool, base::kAxisCount> isUnknown{};
-  std::array<bool, base::kRotaryAxisCount> isUnknownTurn{};
   std::vector<Heard> heard;
   std::vector<Stand> values;
 
@@ -236,7 +246,7 @@ class Splitter final : public gcode::BlockObserver,
     block.setsFrame = words.rare && !words.rare->frame.empty();
     block.given = words.axes.named;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      block.increments[axis] = isForeign() ? block.isUnknown[axis]
+      block.increments[axis] = isForeign() ? block.unknown.axis[axis]
                                            : words.axes.has(axis) && words.axes.isIncrement(axis);
     }
     if ((words.ends || (words.rare && words.rare->returns)) && !block.isInSubprogram) {
@@ -334,10 +344,10 @@ class Splitter final : public gcode::BlockObserver,
       plan.functions.push_back(std::move(use));
     }
     plan.lastEdge = m_lastEdge;
-    plan.assumedTool = m_assumedTool;
-    plan.assumedLengths = std::move(m_assumedLengths);
-    plan.minMm = m_minMm;
-    plan.maxMm = m_maxMm;
+    plan.assumedTool = m_assumed.tool;
+    plan.assumedLengths = std::move(m_assumed.lengths);
+    plan.minMm = m_box.minMm;
+    plan.maxMm = m_box.maxMm;
   }
 
  private:
@@ -470,7 +480,7 @@ class Splitter final : public gcode::BlockObserver,
   /// A straight move by increments from where only the control knows the axes to stand.
   void keepIncrements(const nc::BlockWords& words, nc::Executor& executor) {
     const BlockNotes& block = *m_block;
-    if (block.beginsUnknown) {
+    if (block.unknown.beginsArc) {
       keepArcWithoutStart(words, executor);
       return;
     }
@@ -478,8 +488,8 @@ class Splitter final : public gcode::BlockObserver,
     const auto any = [](const auto& of) {
       return std::find(of.begin(), of.end(), true) != of.end();
     };
-    const bool turns = any(block.isUnknownTurn);
-    if (!turns && !any(block.isUnknown)) {
+    const bool turns = any(block.unknown.rotary);
+    if (!turns && !any(block.unknown.axis)) {
       return;
     }
     if (turns && !words.movesLinear() && !state.polar && !m_regions.reason()) {
@@ -488,7 +498,7 @@ class Splitter final : public gcode::BlockObserver,
     }
     std::array<std::optional<double>, base::kAxisCount> incrementsMm;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (block.isUnknown[axis]) {
+      if (block.unknown.axis[axis]) {
         incrementsMm[axis] = words.axes.value[axis] * state.lengthFactor;
       }
     }
@@ -511,7 +521,7 @@ class Splitter final : public gcode::BlockObserver,
       const std::size_t word = axis + nc::kFirstRotary;
       if (words.axes.has(word)) {
         line +=
-            ' ' + (m_block->isUnknownTurn[axis]
+            ' ' + (m_block->unknown.rotary[axis]
                        ? incrementWord(base::kRotaryAxisNames[axis], words.axes.value[word])
                        : placeWord(base::kRotaryAxisNames[axis], executor.start().rotaryDeg[axis]));
       }
@@ -537,7 +547,7 @@ class Splitter final : public gcode::BlockObserver,
                    !state.centreIsAbsolute && !words.hasRotary && !words.p &&
                    m_options.centres == gcode::CentreReading::AsProgrammed;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (block.isUnknown[axis]) {
+      if (block.unknown.axis[axis]) {
         arc.incrementsMm[axis] = words.axes.value[axis] * state.lengthFactor;
       } else if (!block.given[axis]) {
         arc.endMm.set(axis, kNowhere);
@@ -682,8 +692,8 @@ class Splitter final : public gcode::BlockObserver,
   /// fmin and fmax pass over the NaN of an axis that is not known.
   void reach(base::Vec3 placeMm) {
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      m_minMm.set(axis, std::fmin(m_minMm[axis], placeMm[axis]));
-      m_maxMm.set(axis, std::fmax(m_maxMm[axis], placeMm[axis]));
+      m_box.minMm.set(axis, std::fmin(m_box.minMm[axis], placeMm[axis]));
+      m_box.maxMm.set(axis, std::fmax(m_box.maxMm[axis], placeMm[axis]));
     }
   }
 
@@ -783,9 +793,9 @@ class Splitter final : public gcode::BlockObserver,
     BlockNotes& block = *m_block;
     addReason(reason);
     if (reason == NativeReason::Retract) {
-      block.forgetsNamed = true;
+      block.forgets.named = true;
     } else if (rowOf(reason).after == PositionAfter::ControlOnly) {
-      block.forgetsAll = true;
+      block.forgets.all = true;
       if (isForeign() && isSeparable(reason)) {
         forgetAll();  // the motion of the block begins there
       }
@@ -803,9 +813,9 @@ class Splitter final : public gcode::BlockObserver,
   void addLength() {
     BlockNotes& block = *m_block;
     constexpr std::size_t kAxisOfIso = 2;
-    block.forgetsLength[isForeign() ? kAxisOfIso : block.before.planeThirdAxis()] = true;
+    block.forgets.length[isForeign() ? kAxisOfIso : block.before.planeThirdAxis()] = true;
     if (!isForeign()) {
-      block.forgetsLength[m_executor->state().planeThirdAxis()] = true;
+      block.forgets.length[m_executor->state().planeThirdAxis()] = true;
     }
     addReason(NativeReason::Tool);
     if (isForeign()) {
@@ -814,14 +824,14 @@ class Splitter final : public gcode::BlockObserver,
   }
   void forgetLength() {
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      if (m_block->forgetsLength[axis]) {
+      if (m_block->forgets.length[axis]) {
         forget(axis);
       }
     }
   }
   [[nodiscard]] static bool hasLength(const BlockNotes& block) {
-    return std::find(block.forgetsLength.begin(), block.forgetsLength.end(), true) !=
-           block.forgetsLength.end();
+    return std::find(block.forgets.length.begin(), block.forgets.length.end(), true) !=
+           block.forgets.length.end();
   }
   [[nodiscard]] static std::array<bool, base::kAxisCount> allAxes() { return {true, true, true}; }
 
@@ -830,7 +840,7 @@ class Splitter final : public gcode::BlockObserver,
     if (block.isInHoleCycle && reason == NativeReason::Cycle) {
       return;
     }
-    if (block.forgetsAll || (!block.reason && rowOf(reason).after == PositionAfter::ControlOnly)) {
+    if (block.forgets.all || (!block.reason && rowOf(reason).after == PositionAfter::ControlOnly)) {
       if (!isForeign() || !isSeparable(reason)) {
         forgetAll();
       }
@@ -839,9 +849,9 @@ class Splitter final : public gcode::BlockObserver,
     if (!isForeign() || !isSeparable(reason)) {
       forgetLength();
     }
-    if (block.forgetsNamed || block.turnsFromUnknown) {
+    if (block.forgets.named || block.unknown.turns) {
       for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-        if (block.forgetsNamed && (block.given[axis] || block.toFixedPoint)) {
+        if (block.forgets.named && (block.given[axis] || block.toFixedPoint)) {
           forget(axis);
         }
         if (block.given[axis + nc::kFirstRotary]) {
@@ -1099,7 +1109,7 @@ class Splitter final : public gcode::BlockObserver,
     }
     // A SINUMERIK turns the shortest way itself, from where it has the axis.
     const bool isControls = turnsFromUnknown && !isForeign();
-    m_block->turnsFromUnknown = m_block->turnsFromUnknown || isControls;
+    m_block->unknown.turns = m_block->unknown.turns || isControls;
     const std::optional<NativeReason> reason =
         (severity == Severity::Error || isControls) && !isLeftOut
             ? reasonOfFault(m_language->dialect, code, argument)
@@ -1118,16 +1128,16 @@ class Splitter final : public gcode::BlockObserver,
       m_cycleWord = std::move(argument);
     } else if (isForeign() && code == FaultCode::RelativeFromUnknownPosition && isStraight() &&
                argument.size() == 1 && argument.front() >= 'X' && argument.front() <= 'Z') {
-      m_block->isUnknown[static_cast<std::size_t>(argument.front() - 'X')] = true;
+      m_block->unknown.axis[static_cast<std::size_t>(argument.front() - 'X')] = true;
     } else if (isForeign() && code == FaultCode::RelativeFromUnknownPosition && isStraight() &&
                argument.size() == 1 && argument.front() >= 'A' && argument.front() <= 'C') {
-      m_block->isUnknownTurn[static_cast<std::size_t>(argument.front() - 'A')] = true;
+      m_block->unknown.rotary[static_cast<std::size_t>(argument.front() - 'A')] = true;
     } else if (isForeign() && *reason == NativeReason::UnknownPosition && isArc() &&
                !m_regions.reason()) {
-      m_block->beginsUnknown = true;
+      m_block->unknown.beginsArc = true;
       if (code == FaultCode::RelativeFromUnknownPosition && argument.front() >= 'X' &&
           argument.front() <= 'Z') {
-        m_block->isUnknown[static_cast<std::size_t>(argument.front() - 'X')] = true;
+        m_block->unknown.axis[static_cast<std::size_t>(argument.front() - 'X')] = true;
       }
     } else if (isForeign() && *reason == NativeReason::UnknownPosition) {
       refuse(RefusalCode::StartUnknown, std::string(base::trim(m_block->text)));
@@ -1275,24 +1285,23 @@ class Splitter final : public gcode::BlockObserver,
   // --- parts ------------------------------------------------------------------------------------
 
   Stretch& stretch() {
-    if (!m_isOpen) {
-      m_isOpen = true;
-      m_open = {};
-      m_open.firstPoint = m_block->firstPoint;
-      m_open.startMm = m_block->startMm;
+    if (!m_open) {
+      m_open.emplace();
+      m_open->firstPoint = m_block->firstPoint;
+      m_open->startMm = m_block->startMm;
     }
-    return m_open;
+    return *m_open;
   }
 
   /// @param points  of the trajectory at its end
   void closeStretch(std::size_t points) {
-    if (!m_isOpen) {
+    if (!m_open) {
       return;
     }
-    m_isOpen = false;
-    m_open.pointCount = points - m_open.firstPoint;
-    m_open.number = m_open.pointCount > 0 ? ++m_stretches : 0;
-    keep(std::move(m_open));
+    Stretch closed = *std::exchange(m_open, std::nullopt);
+    closed.pointCount = points - closed.firstPoint;
+    closed.number = closed.pointCount > 0 ? ++m_stretches : 0;
+    keep(std::move(closed));
   }
 
   void pushNative(NativeReason reason, std::string text, const nc::ModalState& before) {
@@ -1311,7 +1320,7 @@ class Splitter final : public gcode::BlockObserver,
     const bool isRapid =
         now.motion == Motion::Rapid || block.toFixedPoint || (isForeign() && block.home);
     native.usesDefaultFeed = block.moves && !isRapid && now.feedIsDefault;
-    native.shifts = block.forgetsAll || !hasLength(block) ? allAxes() : block.forgetsLength;
+    native.shifts = block.forgets.all || !hasLength(block) ? allAxes() : block.forgets.length;
     native.increments = block.increments;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       native.places[axis] = block.given[axis] && !block.increments[axis];
@@ -1408,8 +1417,8 @@ class Splitter final : public gcode::BlockObserver,
     for (const auto& [code, argument] : translation.refused) {
       refuse(code, argument);
     }
-    if (m_assumedTool.word.empty()) {
-      m_assumedTool = {block.place.line, m_translator.assumedTool()};
+    if (m_assumed.tool.word.empty()) {
+      m_assumed.tool = {block.place.line, m_translator.assumedTool()};
     }
     assumeLength(translation.assumedLength);
     const auto lines = [](const std::vector<std::string>& of) {
@@ -1439,10 +1448,10 @@ class Splitter final : public gcode::BlockObserver,
   /// @param word  "H3 (T2)"; empty: none
   void assumeLength(const std::string& word) {
     const bool isKnown =
-        std::any_of(m_assumedLengths.begin(), m_assumedLengths.end(),
+        std::any_of(m_assumed.lengths.begin(), m_assumed.lengths.end(),
                     [&word](const AssumedTool& each) { return each.word == word; });
     if (!word.empty() && !isKnown) {
-      m_assumedLengths.push_back({m_block->place.line, word});
+      m_assumed.lengths.push_back({m_block->place.line, word});
     }
   }
 
@@ -1510,19 +1519,26 @@ class Splitter final : public gcode::BlockObserver,
   bool m_hasAllowance = false;  ///< OFFN, until G40
   std::size_t m_points = 0;
 
-  Stretch m_open;
-  bool m_isOpen = false;
-  int m_stretches = 0;
+  std::optional<Stretch> m_open;
+  int m_stretches = 0;                      ///< that move
   std::function<void(const Part&)> m_each;  ///< gets the parts; empty: they are kept
   std::vector<Part> m_parts;
   std::vector<Refusal> m_refusals;
   std::map<FunctionName, FunctionUse> m_functions;
   int m_lastEdge = 0;
   std::string m_keptLength;  ///< refused last
-  AssumedTool m_assumedTool;
-  std::vector<AssumedTool> m_assumedLengths;
-  base::Vec3 m_minMm{kNowhere, kNowhere, kNowhere};
-  base::Vec3 m_maxMm{kNowhere, kNowhere, kNowhere};
+  /// Of the tool in the spindle before the job.
+  struct Assumed {
+    AssumedTool tool;
+    std::vector<AssumedTool> lengths;
+  };
+  Assumed m_assumed;
+  /// What the moves of the job reach.
+  struct Box {
+    base::Vec3 minMm{kNowhere, kNowhere, kNowhere};
+    base::Vec3 maxMm{kNowhere, kNowhere, kNowhere};
+  };
+  Box m_box;
 };
 
 base::Result<Plan> planOf(std::string name, std::string text, const gcode::LoadOptions& options,

@@ -196,11 +196,11 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
     m_trace.blocks.clear();
     m_trace.events.clear();
     m_trace.truncated = false;
-    m_forgotten = {m_forgotten.start + 1, 0, 0, 0};
-    m_traceIsFull = false;
-    m_recording = false;
-    m_moved = false;
-    m_holdUntil = m_now;
+    m_record.forgotten = {m_record.forgotten.start + 1, 0, 0, 0};
+    m_record.isFull = false;
+    m_record.isOn = false;
+    m_standstill.moved = false;
+    m_standstill.holdUntil = m_now;
     InterpreterOptions options =
         interpreterOptions(m_config, {m_planner.endMm(), m_planner.endDeg()});
     options.mainRun = this;
@@ -232,13 +232,13 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
   }
 
   trace::TracePiece takeTrace(const trace::TracePosition& from) {
-    if (from.start == m_forgotten.start) {
+    if (from.start == m_record.forgotten.start) {
       forgetTaken(from);
     }
-    trace::TracePiece piece = trace::cutPiece(m_trace, m_forgotten, from);
-    piece.records.truncated = piece.records.truncated || m_traceIsFull;
+    trace::TracePiece piece = trace::cutPiece(m_trace, m_record.forgotten, from);
+    piece.records.truncated = piece.records.truncated || m_record.isFull;
     if (m_channel != ChannelStatus::Reset && !piece.records.events.empty() &&
-        piece.next.events == m_forgotten.events + m_trace.events.size()) {
+        piece.next.events == m_record.forgotten.events + m_trace.events.size()) {
       piece.records.events.pop_back();
       --piece.next.events;
     }
@@ -255,8 +255,12 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
   ServoModel m_servo;
   Equipment m_equipment;
   trace::ControlTrace m_trace;
-  trace::TracePosition m_forgotten;  ///< where `m_trace` begins
-  bool m_traceIsFull = false;
+  struct Recording {
+    trace::TracePosition forgotten;  ///< where `m_trace` begins
+    bool isFull = false;
+    bool isOn = false;
+  };
+  Recording m_record;
   std::map<std::string, std::string> m_programs;
   std::string m_selected;
   Instant m_now{};
@@ -264,7 +268,7 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
  private:
   [[nodiscard]] bool needsTicks() const {
     return m_channel == ChannelStatus::Active || m_waitsForStart || m_parameters.hasPending() ||
-           !m_settled || !m_syncActions.isEmpty() || m_offsetMm != m_offsetWantedMm;
+           !m_standstill.settled || !m_syncActions.isEmpty() || m_offsetMm != m_offsetWantedMm;
   }
 
   /// Set point of the axes: the path plus the overlay.
@@ -416,8 +420,9 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
     }
     const base::Vec3 actual = m_servo.follow(before, commandMm());
     const base::RotaryDeg actualDeg = m_servo.followDeg(beforeDeg, m_planner.commandDeg());
-    m_settled = base::distance(actual, commandMm()) < kSettledMm &&
-                base::differenceDeg(actualDeg, m_planner.commandDeg(), kAllRotary) < kSettledDeg;
+    m_standstill.settled =
+        base::distance(actual, commandMm()) < kSettledMm &&
+        base::differenceDeg(actualDeg, m_planner.commandDeg(), kAllRotary) < kSettledDeg;
     record(actual, actualDeg);
     if (m_channel == ChannelStatus::Active) {
       if (m_resetting && m_planner.blockCount() == 0) {
@@ -433,7 +438,8 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
     // The cycle that ends now may move if it began after the standstill, rounded to the nearest
     // cycle, so that the standstill is right on average.
     const Instant began = m_now - m_config.interpolationCycle;
-    if (m_planner.blockCount() == 0 || began + m_config.interpolationCycle / 2 < m_holdUntil) {
+    if (m_planner.blockCount() == 0 ||
+        began + m_config.interpolationCycle / 2 < m_standstill.holdUntil) {
       if (m_resetting) {
         m_planner.step(m_now, m_trace.blocks);  // at standstill: forgets what is buffered
       }
@@ -442,30 +448,30 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
     const std::size_t executedBefore = m_trace.blocks.size();
     m_planner.step(m_now, m_trace.blocks);
     if (m_planner.speedMmPerS() > 0.0) {
-      m_moved = true;
-      m_recording = true;
+      m_standstill.moved = true;
+      m_record.isOn = true;
     }
     for (std::size_t i = executedBefore; i < m_trace.blocks.size(); ++i) {
       if (m_trace.blocks[i].moves()) {
-        m_moved = true;
-        m_recording = true;
-        m_stoodAt = m_trace.blocks[i].to;
+        m_standstill.moved = true;
+        m_record.isOn = true;
+        m_standstill.stoodAt = m_trace.blocks[i].to;
       }
     }
     m_blockCount += m_trace.blocks.size() - executedBefore;
-    if (m_traceIsFull) {
+    if (m_record.isFull) {
       m_trace.blocks.resize(executedBefore);
     }
   }
 
   /// Consequences of the pre-run's present state.
   void afterPrerun() {
-    if (m_prerun.takeStandstill() && m_moved) {
+    if (m_prerun.takeStandstill() && m_standstill.moved) {
       const double drawn =
           m_standstillRandom.normal() * static_cast<double>(m_config.standstillDeviation.count());
       const Duration standstill = m_config.standstillMean + Duration{std::llround(drawn)};
-      m_holdUntil = m_stoodAt + std::max(Duration{0}, standstill);
-      m_moved = false;
+      m_standstill.holdUntil = m_standstill.stoodAt + std::max(Duration{0}, standstill);
+      m_standstill.moved = false;
     }
     if (m_prerun.hasEnded()) {
       m_prerun.stop();
@@ -486,7 +492,7 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
     m_resetting = false;
     m_channel = ChannelStatus::Reset;
     m_programStatus = ProgramStatus::Aborted;
-    m_recording = false;
+    m_record.isOn = false;
   }
 
   [[nodiscard]] std::size_t samplesMax() const {
@@ -495,11 +501,11 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
 
   void forgetTaken(const trace::TracePosition& taken) {
     const std::size_t takenMax = std::min(kTakenSamplesMax, samplesMax() / 2);
-    if (taken.samples <= m_forgotten.samples + takenMax ||
-        taken.samples > m_forgotten.samples + m_trace.samples.size()) {
+    if (taken.samples <= m_record.forgotten.samples + takenMax ||
+        taken.samples > m_record.forgotten.samples + m_trace.samples.size()) {
       return;
     }
-    const std::size_t samples = taken.samples - m_forgotten.samples - takenMax / 2 - 1;
+    const std::size_t samples = taken.samples - m_record.forgotten.samples - takenMax / 2 - 1;
     const Instant until = m_trace.samples[samples].at;
     const auto forget = [until](auto& records, std::uint64_t& forgotten, std::uint64_t takenCount) {
       std::size_t count = 0;
@@ -510,20 +516,20 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
       records.erase(records.begin(), records.begin() + static_cast<std::ptrdiff_t>(count));
       forgotten += count;
     };
-    forget(m_trace.blocks, m_forgotten.blocks, taken.blocks);
-    forget(m_trace.events, m_forgotten.events, taken.events);
+    forget(m_trace.blocks, m_record.forgotten.blocks, taken.blocks);
+    forget(m_trace.events, m_record.forgotten.events, taken.events);
     m_trace.samples.erase(m_trace.samples.begin(),
                           m_trace.samples.begin() + static_cast<std::ptrdiff_t>(samples));
-    m_forgotten.samples += samples;
+    m_record.forgotten.samples += samples;
     m_trace.truncated = true;
   }
 
   void record(base::Vec3 actual, const base::RotaryDeg& actualDeg) {
-    if (!m_recording) {
+    if (!m_record.isOn) {
       return;
     }
     if (m_trace.samples.size() >= samplesMax()) {
-      m_traceIsFull = true;
+      m_record.isFull = true;
       m_trace.truncated = true;
       return;
     }
@@ -546,11 +552,13 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
   bool m_waitsForStart = false;  ///< M0 or M1
   std::size_t m_blockCount = 0;  ///< executed so far
   std::size_t m_blocksAtDwell = 0;
-  bool m_recording = false;
-  bool m_moved = false;   ///< axes have moved since the last standstill began
-  bool m_settled = true;  ///< actual position has reached the set point
-  Instant m_holdUntil{};  ///< axes are held until then
-  Instant m_stoodAt{};    ///< when the last motion ended
+  struct Standstill {
+    bool moved = false;   ///< axes have moved since the last standstill began
+    bool settled = true;  ///< actual position has reached the set point
+    Instant holdUntil{};  ///< axes are held until then
+    Instant stoodAt{};    ///< when the last motion ended
+  };
+  Standstill m_standstill;
   Instant m_serviceFreeAt{};
 };
 
