@@ -149,12 +149,18 @@ class JobCommand {
   base::Result<void> restart();
   /// Compares the job with the machine, and estimates its time.
   base::Result<void> look();
+  /// Last: the program that was left is ended, and the place asked for once more.
+  base::Result<void> endLeft();
   [[nodiscard]] Exit run();
   [[nodiscard]] Exit verify();
   [[nodiscard]] const std::vector<forecast::Hazard>& hazards() const { return m_hazards; }
   /// Before the job goes on; empty: it begins at the beginning.
   [[nodiscard]] std::vector<std::string> steps() const {
     return m_restart ? m_restart->restart.steps : std::vector<std::string>();
+  }
+  /// What its program does before that; empty: it has ended.
+  [[nodiscard]] std::string rest() const {
+    return m_restart ? run::restText(m_restart->restMm) : std::string();
   }
 
  private:
@@ -167,6 +173,8 @@ class JobCommand {
   }
   base::Result<std::optional<machine::MachineConfig>> machine();
   base::Result<run::JobRestart> findRestart(const machine::MachineConfig& machine);
+  base::Result<run::JobRestart> ask(const machine::MachineConfig& machine,
+                                    const report::SavedRun& run, streaming::ActiveProgram active);
   base::Result<void> confirm() const;
   [[nodiscard]] run::RunFacts facts() const;
   [[nodiscard]] std::vector<base::Duration> expected() const;
@@ -182,6 +190,7 @@ class JobCommand {
   job::JobPrograms m_programs;
   Connection m_connection;
   std::optional<run::JobRestart> m_restart;
+  std::optional<report::SavedRun> m_resumed;  ///< of `m_restart`; nothing: a chosen stretch
   /// All of the job; null: `m_plan` is all of it.
   std::shared_ptr<const job::Plan> m_whole;
   std::vector<forecast::Hazard> m_hazards;
@@ -448,10 +457,36 @@ base::Result<run::JobRestart> JobCommand::findRestart(const machine::MachineConf
   m_settings.parameters = run->settings.parameters;
   m_settings.programFeeds = run->settings.programFeeds;
   m_settings.feedMmPerS = run->settings.feedMmPerS;
-  return run::askJob(*m_connection.link, m_plan, machine, m_settings, run->checkpoint, run->job);
+  m_resumed = *run;
+  return ask(machine, *m_resumed, streaming::ActiveProgram::Stays);
+}
+
+base::Result<run::JobRestart> JobCommand::ask(const machine::MachineConfig& machine,
+                                              const report::SavedRun& run,
+                                              streaming::ActiveProgram active) {
+  return run::askJob(*m_connection.link, m_whole ? *m_whole : m_plan, machine, m_settings,
+                     run.checkpoint, run.job, active);
+}
+
+base::Result<void> JobCommand::endLeft() {
+  if (!m_resumed) {
+    return {};
+  }
+  const auto machine = this->machine();
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  const auto found = ask(**machine, *m_resumed, streaming::ActiveProgram::IsEnded);
+  if (!found) {
+    return base::fail(found.error());
+  }
+  return run::isSame(*found, *m_restart) ? base::Result<void>() : base::fail(run::changedSince());
 }
 
 base::Result<void> JobCommand::confirm() const {
+  if (!m_options.json && m_restart->restMm) {
+    fmt::print("{}\n", rest());
+  }
   if (!m_options.json && m_restart->restart.steps.empty()) {
     fmt::print("nothing of the job has been executed: it begins at its beginning\n");
   } else if (!m_options.json) {
@@ -467,7 +502,7 @@ base::Result<void> JobCommand::confirm() const {
              ? base::Result<void>()
              : base::fail(streaming::StreamError::CannotResume,
                           "Check what is done first, and that nothing is in the way of the tool, "
-                          "then give --yes. Nothing moves now.");
+                          "then give --yes. Nothing has moved.");
 }
 
 run::RunFacts JobCommand::facts() const {
@@ -708,7 +743,7 @@ Exit job(const JobOptions& options) {
   if (done && runs) {
     done = command.connect();
     for (const auto step : {&JobCommand::keepFunctions, &JobCommand::lookForRun,
-                            &JobCommand::restart, &JobCommand::look}) {
+                            &JobCommand::restart, &JobCommand::look, &JobCommand::endLeft}) {
       done = done ? (command.*step)() : done;
     }
   }
@@ -716,6 +751,7 @@ Exit job(const JobOptions& options) {
     if (options.json && (!command.hazards().empty() || !command.steps().empty())) {
       printJson({{"error", report::errorJson(done.error())},
                  {"hazards", report::hazardsJson(command.hazards())},
+                 {"rest", command.rest()},
                  {"restart", command.steps()}});
       return exitFor(done.error());
     }

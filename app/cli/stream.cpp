@@ -510,7 +510,10 @@ base::Result<void> StreamCommand::findResume() {
   streaming::RunSettings earlier = m_settings;
   earlier.parameters = run->settings.parameters;
   earlier.programFeeds = run->settings.programFeeds;
-  const auto resume = run::askResume(*m_connection.link, m_program, earlier, run->checkpoint);
+  const auto ask = [&](streaming::ActiveProgram active) {
+    return run::askResume(*m_connection.link, m_program, earlier, run->checkpoint, active);
+  };
+  const auto resume = ask(streaming::ActiveProgram::Stays);
   if (!resume) {
     return base::fail(resume.error());
   }
@@ -526,7 +529,17 @@ base::Result<void> StreamCommand::findResume() {
     }
     log::logger().warn(change);
   }
-  m_settings.resume = *resume;
+  if (resume->restMm) {
+    log::logger().info(run::restText(resume->restMm));
+  }
+  const auto ended = ask(streaming::ActiveProgram::IsEnded);
+  if (!ended) {
+    return base::fail(ended.error());
+  }
+  if (!run::isSame(*ended, *resume)) {
+    return base::fail(run::changedSince());
+  }
+  m_settings.resume = *ended;
   return {};
 }
 

@@ -593,6 +593,9 @@ PreflightItem Preflight::jobResumeItem() const {
   const widgets::ResumePlace& place = *m_runs.place();
   PreflightItem item{Status::Plain, tr("First the control executes"), {}, {}, 0, true};
   QStringList lines;
+  if (place.restMm) {
+    lines.append(widgets::restText(place));
+  }
   for (std::size_t i = 0; i < place.steps.size(); ++i) {
     lines.append(QStringLiteral("%1. %2").arg(widgets::countText(i + 1),
                                               QString::fromStdString(place.steps[i])));
@@ -630,13 +633,19 @@ PreflightItem Preflight::resumeItem() const {
   if (place.isChosen) {
     return chosenItem(point);
   }
-  item.text = place.approachMm
-                  ? tr("In a straight line over %1 to %2. %Ln points have been executed.", nullptr,
-                       static_cast<int>(place.point))
-                        .arg(widgets::lengthText(*place.approachMm), point)
-                  : tr("In a straight line to %1. %Ln points have been executed.", nullptr,
-                       static_cast<int>(place.point))
-                        .arg(point);
+  if (place.restMm && place.approachMm) {
+    item.text = widgets::restText(place) + QLatin1Char('\n') +
+                tr("Then in a straight line over %1 to %2.")
+                    .arg(widgets::lengthText(*place.approachMm), point);
+  } else {
+    item.text = place.approachMm
+                    ? tr("In a straight line over %1 to %2. %Ln points have been executed.",
+                         nullptr, static_cast<int>(place.point))
+                          .arg(widgets::lengthText(*place.approachMm), point)
+                    : tr("In a straight line to %1. %Ln points have been executed.", nullptr,
+                         static_cast<int>(place.point))
+                          .arg(point);
+  }
   if (place.changedFrom) {
     item.status = Status::Attention;
     item.text += QLatin1Char('\n') +

@@ -289,6 +289,7 @@ widgets::ResumePlace RunController::placeOf(const run::JobRestart& restart) cons
   place.stretch = restart.stretch;
   place.steps = restart.restart.steps;
   place.notRestored = restart.restart.notRestored;
+  place.restMm = restart.restMm;
   const auto& points = m_document.points();
   const auto& starts = m_document.view()->stretchStarts;
   place.points = points.size();
@@ -355,7 +356,11 @@ void RunController::takeResume(const session::ResumeFound& found) {
   place.line = list.at(m_resume->point).line;
   place.positionMm = list[m_resume->point].positionMm;
   place.changedFrom = m_resume->changedFrom;
-  if (const auto toolMm = m_machine.positionNowMm()) {
+  place.restMm = m_resume->restMm;
+  const auto toolMm = m_machine.positionNowMm();
+  if (place.restMm.value_or(0.0) > 0.0) {
+    place.approachMm = base::distance(list.at(m_resume->point - 1).positionMm, place.positionMm);
+  } else if (toolMm) {
     place.approachMm = base::distance(*toolMm, place.positionMm);
   }
   m_place = place;

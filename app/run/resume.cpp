@@ -3,6 +3,8 @@
 
 #include "run/resume.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "job/main_program.h"
@@ -43,18 +45,20 @@ JobRestart restartOf(forecast::Restart restart, const machine::MachineConfig& ma
 
 base::Result<streaming::Resume> askResume(opcua::Link& link, const gcode::Program& program,
                                           const streaming::RunSettings& settings,
-                                          const streaming::Checkpoint& checkpoint) {
+                                          const streaming::Checkpoint& checkpoint,
+                                          streaming::ActiveProgram active) {
   const report::RunStore runs;
   const auto kept = runs.find(checkpoint.runNumber);
   const auto points = kept ? runs.points(*kept) : std::vector<gcode::StreamPoint>();
-  return streaming::resumeFrom(link, program, settings, checkpoint, points);
+  return streaming::resumeFrom(link, program, settings, checkpoint, points, active);
 }
 
 base::Result<JobRestart> askJob(opcua::Link& link, const job::Plan& plan,
                                 const machine::MachineConfig& machine,
                                 const streaming::RunSettings& settings,
                                 const streaming::Checkpoint& checkpoint,
-                                const std::optional<report::SavedJob>& kept) {
+                                const std::optional<report::SavedJob>& kept,
+                                streaming::ActiveProgram active) {
   // What the control executed last: the job of the source, or one that went on already.
   std::optional<forecast::Restart> before;
   if (kept && kept->rest) {
@@ -80,10 +84,12 @@ base::Result<JobRestart> askJob(opcua::Link& link, const job::Plan& plan,
   const auto inSource = [&](const streaming::JobRest& rest) {
     return before ? forecast::restInSource(*before, rest) : rest;
   };
-  const auto found =
-      streaming::whereJobWasLeft(link, left, settings, checkpoint, [&](std::size_t part) {
+  const auto found = streaming::whereJobWasLeft(
+      link, left, settings, checkpoint,
+      [&](std::size_t part) {
         return forecast::zeroAt(plan, machine, inSource({part, {}, {}}).part);
-      });
+      },
+      active);
   if (!found) {
     return base::fail(found.error());
   }
@@ -94,6 +100,7 @@ base::Result<JobRestart> askJob(opcua::Link& link, const job::Plan& plan,
   }
   JobRestart job = restartOf(*std::move(restart), machine, rest.resume, rest.toolMm);
   job.firstRun = kept ? kept->firstRun : 0;
+  job.restMm = found->restMm;
   return job;
 }
 
@@ -104,6 +111,41 @@ base::Result<JobRestart> beginWith(int stretch, const job::Plan& plan,
     return base::fail(restart.error());
   }
   return restartOf(*std::move(restart), machine, {}, {});
+}
+
+bool isSame(const streaming::Resume& a, const streaming::Resume& b) {
+  return a.point == b.point && a.changedFrom == b.changedFrom;
+}
+
+bool isSame(const JobRestart& a, const JobRestart& b) {
+  // The tool stands where it was left: roundings of the control are smaller by far.
+  constexpr double kStandsMm = 0.05;
+  const auto pointOf = [](const JobRestart& restart) {
+    return restart.resume ? std::optional(restart.resume->point) : std::nullopt;
+  };
+  return a.stretch == b.stretch && pointOf(a) == pointOf(b) &&
+         a.restart.plan.parts.size() == b.restart.plan.parts.size() &&
+         a.toolMm.has_value() == b.toolMm.has_value() &&
+         (!a.toolMm || base::distance(*a.toolMm, *b.toolMm) <= kStandsMm);
+}
+
+base::Error changedSince() {
+  return base::makeError(streaming::StreamError::CannotResume,
+                         "The state of the control has changed since it was asked. Resume again, "
+                         "and check the place.");
+}
+
+std::string restText(const std::optional<double>& restMm) {
+  if (!restMm) {
+    return {};
+  }
+  return *restMm > 0.0
+             ? fmt::format(
+                   "The program still stands on the control: first it executes the rest of its "
+                   "window, at most {:.1f} mm, and ends.",
+                   *restMm)
+             : "The program still stands on the control, between its windows: it ends without a "
+               "move.";
 }
 
 base::Error machineNotKnown() {

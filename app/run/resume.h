@@ -25,6 +25,7 @@ struct JobRestart {
   std::optional<base::Vec3> toolMm;         ///< to which the tool goes first; nothing: nowhere
   std::vector<forecast::Hazard> hazards;    ///< of what is left
   int firstRun = 0;                         ///< see `report::SavedJob`; 0: a job of its own
+  std::optional<double> restMm{};           ///< its program still stands: see `streaming::Resume`
 
   /// What is kept of the job while it goes on. @param number  of its programs
   [[nodiscard]] report::SavedJob kept(int number) const { return {number, firstRun, restart.rest}; }
@@ -35,7 +36,8 @@ struct JobRestart {
 [[nodiscard]] base::Result<streaming::Resume> askResume(opcua::Link& link,
                                                         const gcode::Program& program,
                                                         const streaming::RunSettings& settings,
-                                                        const streaming::Checkpoint& checkpoint);
+                                                        const streaming::Checkpoint& checkpoint,
+                                                        streaming::ActiveProgram active);
 
 /// Of a whole job. @param plan  of its source, whole
 /// @param kept  what was kept of it; nothing: by an earlier version
@@ -44,11 +46,22 @@ struct JobRestart {
                                               const machine::MachineConfig& machine,
                                               const streaming::RunSettings& settings,
                                               const streaming::Checkpoint& checkpoint,
-                                              const std::optional<report::SavedJob>& kept);
+                                              const std::optional<report::SavedJob>& kept,
+                                              streaming::ActiveProgram active);
 
 /// A job that begins with a stretch of the operator's choice. @return CannotResume
 [[nodiscard]] base::Result<JobRestart> beginWith(int stretch, const job::Plan& plan,
                                                  const machine::MachineConfig& machine);
+
+/// The same is done first, at the same place, whether its program has ended by now or not.
+[[nodiscard]] bool isSame(const streaming::Resume& a, const streaming::Resume& b);
+[[nodiscard]] bool isSame(const JobRestart& a, const JobRestart& b);
+/// The answer differs from the one that somebody has confirmed. Code: CannotResume.
+[[nodiscard]] base::Error changedSince();
+
+/// What a program that still stands does before the run goes on. @param restMm  see
+/// `streaming::Resume`  @return a sentence; empty: it has ended
+[[nodiscard]] std::string restText(const std::optional<double>& restMm);
 
 /// The machine of a job is not known here. Code: CannotResume.
 [[nodiscard]] base::Error machineNotKnown();

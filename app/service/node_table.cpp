@@ -158,8 +158,9 @@ const std::vector<MethodRow>& methodRows() {
          return session.stop(caller);
        }},
       {"PreflightResume",
-       "Asks the control where the run was left; call again for the answer. A program that still "
-       "waits on the control is ended for it. Its confirmation is what ResumeRun asks for.",
+       "Asks the control where the run was left, and what it executes first if its program still "
+       "stands there; call again for the answer. Nothing moves. Its confirmation is what ResumeRun "
+       "asks for.",
        {},
        [](ServiceSession& session, const Caller& caller, const Inputs&) {
          return session.preflightResume(caller);

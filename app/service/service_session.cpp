@@ -655,6 +655,10 @@ Answer ServiceSession::preflightResume(const Caller& caller) {
       text += step + " ";
     }
   }
+  const auto& restMm = m_found->resume ? m_found->resume->restMm : m_found->job->restMm;
+  if (const std::string rest = run::restText(restMm); !rest.empty()) {
+    text = rest + " " + text;
+  }
   m_shownResume = Shown{newConfirmation(text), *toolMm()};
   return yes(text, m_shownResume->confirmation);
 }

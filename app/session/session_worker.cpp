@@ -29,6 +29,8 @@
 
 namespace rivulet::session {
 
+using streaming::ActiveProgram;
+
 namespace {
 
 /// How often the control is read between runs.
@@ -39,20 +41,6 @@ constexpr std::chrono::seconds kDescriptionInterval{10};
 constexpr std::chrono::milliseconds kProgressInterval{50};
 /// How long the thread waits for room when the GUI is busy, per attempt.
 constexpr std::chrono::milliseconds kRoomInterval{2};
-
-/// Axes that stand are told so much off from one reading to the next, at most.
-constexpr double kStandsMm = 0.05;
-
-/// The same is done first, at the same place.
-bool isSame(const run::JobRestart& a, const run::JobRestart& b) {
-  const auto pointOf = [](const run::JobRestart& restart) {
-    return restart.resume ? std::optional(restart.resume->point) : std::nullopt;
-  };
-  return a.stretch == b.stretch && pointOf(a) == pointOf(b) &&
-         a.restart.plan.parts.size() == b.restart.plan.parts.size() &&
-         a.toolMm.has_value() == b.toolMm.has_value() &&
-         (!a.toolMm || base::distance(*a.toolMm, *b.toolMm) <= kStandsMm);
-}
 
 std::vector<gcode::StreamPoint> pathOf(const gcode::Program& program,
                                        const streaming::RunReport& report) {
@@ -584,50 +572,54 @@ void SessionWorker::answer(const ResumeQuestion& question) {
     return;
   }
   if (question.plan) {
-    auto job = askJob(question);
+    auto job = askJob(question, ActiveProgram::Stays);
     tell(job ? ResumeFound{std::nullopt,
                            std::make_shared<const run::JobRestart>(*std::move(job)),
                            {}}
              : ResumeFound{std::nullopt, nullptr, job.error()});
     return;
   }
-  const auto resume =
-      run::askResume(*m_connection.link, *question.program, question.settings, question.checkpoint);
+  const auto resume = run::askResume(*m_connection.link, *question.program, question.settings,
+                                     question.checkpoint, ActiveProgram::Stays);
   tell(resume ? ResumeFound{*resume, nullptr, {}}
               : ResumeFound{std::nullopt, nullptr, resume.error()});
 }
 
-base::Result<run::JobRestart> SessionWorker::askJob(const ResumeQuestion& question) {
+base::Result<run::JobRestart> SessionWorker::askJob(const ResumeQuestion& question,
+                                                    ActiveProgram active) {
   if (!question.machine) {
     return base::fail(run::machineNotKnown());
   }
   return question.fromStretch > 0
              ? run::beginWith(question.fromStretch, *question.plan, *question.machine)
              : run::askJob(*m_connection.link, *question.plan, *question.machine, question.settings,
-                           question.checkpoint, question.job);
+                           question.checkpoint, question.job, active);
 }
 
 base::Result<void> SessionWorker::askAgain(const StartCommand& command) {
-  const auto changed = [] {
-    return base::fail(
-        streaming::StreamError::CannotResume,
-        "The state of the control has changed since it was asked. Press Resume again.");
-  };
-  if (command.restart) {
-    const auto job = askJob(*command.resumes);
-    if (!job) {
-      return base::fail(job.error());
+  // First as it was asked: what is not as it was confirmed moves nothing. Then its program ends.
+  for (const ActiveProgram active : {ActiveProgram::Stays, ActiveProgram::IsEnded}) {
+    bool isSame = false;
+    if (command.restart) {
+      const auto job = askJob(*command.resumes, active);
+      if (!job) {
+        return base::fail(job.error());
+      }
+      isSame = run::isSame(*job, *command.restart);
+    } else {
+      const auto resume =
+          run::askResume(*m_connection.link, *command.resumes->program, command.resumes->settings,
+                         command.resumes->checkpoint, active);
+      if (!resume) {
+        return base::fail(resume.error());
+      }
+      isSame = command.settings.resume && run::isSame(*resume, *command.settings.resume);
     }
-    return isSame(*job, *command.restart) ? base::Result<void>() : changed();
+    if (!isSame) {
+      return base::fail(run::changedSince());
+    }
   }
-  const auto resume = run::askResume(*m_connection.link, *command.resumes->program,
-                                     command.resumes->settings, command.resumes->checkpoint);
-  if (!resume) {
-    return base::fail(resume.error());
-  }
-  const bool isSame = command.settings.resume && resume->point == command.settings.resume->point &&
-                      resume->changedFrom == command.settings.resume->changedFrom;
-  return isSame ? base::Result<void>() : changed();
+  return {};
 }
 
 base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
@@ -643,10 +635,12 @@ base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
     }
     m_proven = flexible.text;
   }
-  if (base::Result<void> within = checkTravel(command); !within) {
-    return within;
+  // Last: the program of a run that is resumed ends with it.
+  if (base::Result<void> asked = command.resumes ? askAgain(command) : base::Result<void>();
+      !asked) {
+    return asked;
   }
-  return command.resumes ? askAgain(command) : base::Result<void>();
+  return checkTravel(command);
 }
 
 base::Result<void> SessionWorker::checkTravel(const StartCommand& command) {

@@ -92,7 +92,8 @@ class SessionWorker {
   void listen(const std::string& address);
   [[nodiscard]] run::RunFacts factsOf(const StartCommand& command) const;
   void answer(const ResumeQuestion& question);
-  [[nodiscard]] base::Result<run::JobRestart> askJob(const ResumeQuestion& question);
+  [[nodiscard]] base::Result<run::JobRestart> askJob(const ResumeQuestion& question,
+                                                     streaming::ActiveProgram active);
   /// The way of a run of points, before it starts.
   [[nodiscard]] base::Result<void> checkTravel(const StartCommand& command);
   [[nodiscard]] base::Result<void> askAgain(const StartCommand& command);

@@ -14,6 +14,7 @@
 #include "forecast/job_restart.h"
 #include "job/dry_plan.h"
 #include "machine/machine.h"
+#include "opcua/await.h"
 #include "streaming/recovery/run_on_control.h"
 #include "streaming/run/whole_job.h"
 #include "streaming/simulation/faulty_link.h"
@@ -267,6 +268,36 @@ struct LeftJob {
   const job::Plan& plan;
   Keeper keeper{};
   std::optional<forecast::Restart> restart{};  ///< nothing: it began at its beginning
+  int standing = 0;                            ///< programs that were active when somebody asked
+  int withinWindow = 0;                        ///< of these, in the middle of windows
+
+  /// Where the axes are, and whether a program is active.
+  static std::array<double, 4> told(streaming::SimulatedLink& link) {
+    const std::array<opcua::Variable, 4> all{{{opcua::VariableKind::ActualPosition, 0},
+                                              {opcua::VariableKind::ActualPosition, 1},
+                                              {opcua::VariableKind::ActualPosition, 2},
+                                              {opcua::VariableKind::ChannelStatus, 0}}};
+    const auto numbers = opcua::readNumbers(link, all, std::chrono::seconds{1});
+    std::array<double, 4> place{};
+    for (std::size_t i = 0; numbers && i < all.size(); ++i) {
+      place[i] = (*numbers)[i];
+    }
+    return place;
+  }
+  static bool isSame(const streaming::JobRest& a, const streaming::JobRest& b) {
+    constexpr double kRoundedMm = 0.05;
+    const auto pointOf = [](const streaming::JobRest& rest) {
+      return rest.resume ? std::optional(rest.resume->point) : std::nullopt;
+    };
+    return a.part == b.part && pointOf(a) == pointOf(b) &&
+           a.toolMm.has_value() == b.toolMm.has_value() &&
+           (!a.toolMm || base::distance(*a.toolMm, *b.toolMm) <= kRoundedMm);
+  }
+  static std::string textOf(const base::Result<streaming::JobRest>& rest) {
+    return rest ? "part " + std::to_string(rest->part) + " point " +
+                      std::to_string(rest->resume ? rest->resume->point : 0)
+                : rest.error().text();
+  }
 
   [[nodiscard]] const job::Plan& inProgress() const { return restart ? restart->plan : plan; }
   [[nodiscard]] streaming::JobRest inSource(const streaming::JobRest& rest) const {
@@ -278,11 +309,28 @@ struct LeftJob {
   /// Asks the control where it is, and makes the rest of it. If it stands in blocks of the control
   /// without its client, it is ended first.
   base::Result<void> goOn(streaming::SimulatedLink& link, const streaming::RunSettings& settings) {
-    const auto ask = [&] {
-      return streaming::whereJobWasLeft(link, inProgress(), settings, *keeper.last,
-                                        [this](std::size_t part) { return zeroAt(part); });
+    const auto ask = [&](streaming::ActiveProgram active = streaming::ActiveProgram::IsEnded) {
+      return streaming::whereJobWasLeft(
+          link, inProgress(), settings, *keeper.last,
+          [this](std::size_t part) { return zeroAt(part); }, active);
     };
+    // What is computed while the program stands moves nothing, and is what comes.
+    const auto stood = told(link);
+    const auto foreseen = ask(streaming::ActiveProgram::Stays);
+    constexpr double kSettlesMm = 0.001;
+    const auto stands = told(link);
+    const bool isActive = stood.back() != opcua::kChannelReset;  // else they may still brake
+    if (isActive && !std::equal(stood.begin(), stood.end(), stands.begin(),
+                                [](double a, double b) { return std::abs(a - b) <= kSettlesMm; })) {
+      return base::fail(streaming::StreamError::WrongProgram, "a question moved the axes");
+    }
     auto rest = ask();
+    if (rest.has_value() != foreseen.has_value() || (rest && !isSame(*rest, *foreseen))) {
+      return base::fail(streaming::StreamError::WrongProgram,
+                        "not as foreseen: " + textOf(foreseen) + " became " + textOf(rest));
+    }
+    standing += foreseen && foreseen->restMm ? 1 : 0;
+    withinWindow += foreseen && foreseen->restMm.value_or(0.0) > 0.0 ? 1 : 0;
     if (!rest && rest.error().code == streaming::StreamError::ChannelBusy) {
       const auto found = streaming::findRun(link, link, 0, std::chrono::seconds{3});
       if (!found || !*found) {
@@ -414,6 +462,8 @@ class TestJobRestart : public QObject {
     QFETCH(const QString, how);
     int resumed = 0;
     int refused = 0;
+    int standing = 0;
+    int withinWindow = 0;
     for (int half = 1; half < 200; ++half) {
       machine::Machine machine(mill(), 1);
       LeftJob left{m_plan};
@@ -460,6 +510,8 @@ class TestJobRestart : public QObject {
         QCOMPARE(machine.state().channel, machine::ChannelStatus::Reset);
         judge.add(motions(traceSince(again, from)));
       }
+      standing += left.standing;
+      withinWindow += left.withinWindow;
       if (isRefused) {
         ++refused;
         continue;
@@ -471,8 +523,10 @@ class TestJobRestart : public QObject {
       }
       ++resumed;
     }
-    qInfo("%d resumed, %d refused", resumed, refused);
+    qInfo("%d resumed, %d refused; %d stood on the control, %d of them within a window", resumed,
+          refused, standing, withinWindow);
     QVERIFY(resumed > 20);
+    QVERIFY(how != QStringLiteral("kill") || withinWindow > 5);
     QVERIFY(refused <= resumed / 10);
   }
 

@@ -41,8 +41,8 @@
 #include "trace/recording.h"
 #include "widgets/alarms/alarm_line.h"
 #include "widgets/calibration/calibration_page.h"
-#include "widgets/common/hold_button.h"
 #include "widgets/common/folding_columns.h"
+#include "widgets/common/hold_button.h"
 #include "widgets/common/place_tabs.h"
 #include "widgets/connection/connection_panel.h"
 #include "widgets/connection/position_line.h"
@@ -872,8 +872,9 @@ class TestMainWindow : public QObject {
     auto* bar = m_window->findChild<widgets::ResumeBar*>();
     QTRY_VERIFY_WITH_TIMEOUT(bar->place().has_value(), kSoonMs);
     QCOMPARE(bar->place()->point, first->integrity.executed);
-    QVERIFY(shows(bar, QStringLiteral("Nothing moves now. The run will resume at point %1 of 270")
-                           .arg(first->integrity.executed + 1)));
+    QVERIFY(
+        shows(bar, QStringLiteral("Nothing has moved yet. The run will resume at point %1 of 270")
+                       .arg(first->integrity.executed + 1)));
     QVERIFY(!m_window->isRunning());
     picturePages(*m_window, QStringLiteral("resume-light-en"));
     m_window->setLanguage(QStringLiteral("de"));

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/units.h"
 #include "streaming/recovery/resume.h"
@@ -252,8 +253,23 @@ class Exposure {
     }
     for (int question = 0; question < kAttemptsMax; ++question) {
       m_link.reconnect();
-      const base::Result<Resume> resume =
-          resumeFrom(m_link, *m_scenario.run.scenario.program, m_checkpointSettings, *m_checkpoint);
+      const auto ask = [this](ActiveProgram active) {
+        return resumeFrom(m_link, *m_scenario.run.scenario.program, m_checkpointSettings,
+                          *m_checkpoint, {}, active);
+      };
+      // What is foreseen while the program stands comes, unless it is reset or a window arrives
+      // late.
+      const base::Result<Resume> foreseen = ask(ActiveProgram::Stays);
+      const auto copied = [this] { return m_machine.ncRParameter(m_cells.latched); };
+      const double copiedThen = copied();
+      const bool wasReset = std::exchange(m_wasReset, false);
+      const base::Result<Resume> resume = ask(ActiveProgram::IsEnded);
+      const bool isUndisturbed = copied() == copiedThen && !m_wasReset;
+      m_wasReset = m_wasReset || wasReset;
+      if (foreseen && resume && isUndisturbed && foreseen->point != resume->point) {
+        m_evidence.violations.push_back(fmt::format("resumed at point {}, foreseen at {}",
+                                                    resume->point + 1, foreseen->point + 1));
+      }
       if (resume) {
         m_settings.resume = *resume;
         m_settings.runNumber = 0;

@@ -267,6 +267,14 @@ class TestRunOnControl : public QObject {
     QCOMPARE(base::distance(standsAt(), stood), 0.0);
     const auto left = streaming::findRun(world.link, world.link, 0, std::chrono::seconds{3});
     QVERIFY(left.has_value() && left->has_value() && !(*left)->hasClient);
+    // Asked, they stay where they are: what would be executed first is computed.
+    const auto foreseen =
+        streaming::resumeFrom(world.link, zigzag(), windowSettings(), *report.checkpoint, {},
+                              streaming::ActiveProgram::Stays);
+    QVERIFY2(foreseen.has_value(), foreseen ? "" : foreseen.error().text().c_str());
+    QVERIFY(world.machine.state().channel == machine::ChannelStatus::Active);
+    QCOMPARE(base::distance(standsAt(), stood), 0.0);
+    QVERIFY(foreseen->restMm.has_value());
     // Stopped, they stay where they are; ended, they go on to the end of the window.
     const auto never = [] { return false; };
     const auto held = streaming::stopRun(world.link, **left, windowSettings(), never);
@@ -284,10 +292,22 @@ class TestRunOnControl : public QObject {
       QVERIFY(!refused && refused.error().code == streaming::StreamError::StopNotConfirmed);
       QCOMPARE(base::distance(standsAt(), stood), 0.0);
     }
+    const std::size_t samples = world.machine.trace().samples.size();
     const auto ended = streaming::endRun(world.link, **left, windowSettings());
     QVERIFY2(ended.has_value(), ended ? "" : ended.error().text().c_str());
     QVERIFY(world.machine.state().channel == machine::ChannelStatus::Reset);
     QVERIFY(base::distance(world.machine.state().commandMm, stood) > 0.0);
+    double movedMm = 0.0;
+    const auto& all = world.machine.trace().samples;
+    for (std::size_t i = samples; i < all.size(); ++i) {
+      movedMm += base::distance(all[i - 1].commandMm, all[i].commandMm);
+    }
+    constexpr double kRoundedMm = 1.0;  // of the corners
+    QVERIFY2(movedMm <= *foreseen->restMm + 1e-6 && movedMm > *foreseen->restMm - kRoundedMm,
+             (std::to_string(movedMm) + " of " + std::to_string(*foreseen->restMm)).c_str());
+    const auto found1 =
+        streaming::resumeFrom(world.link, zigzag(), windowSettings(), *report.checkpoint);
+    QVERIFY(found1 && found1->point == foreseen->point && !found1->restMm);
     QVERIFY(world.link.selectProgram("RIVULET_WINDOW_5X2.MPF").has_value());
     world.machine.writeRParameter(4, 0.0);
     QVERIFY(world.link.cycleStart().has_value());

@@ -114,8 +114,7 @@ class ServicePanel final : public Page {
        .id = "panel-hold"});
   QPushButton* m_resume =
       button({.text = QT_TR_NOOP("Resume …"),
-              .tip = QT_TR_NOOP("Asks the control where the run was left. If its program is still "
-                                "active there, the axes first go on to the end of its window."),
+              .tip = QT_TR_NOOP("Asks the control where the run was left. Nothing moves yet."),
               .icon = "resume",
               .id = "panel-resume"});
   HoldButton* m_start;

@@ -94,9 +94,7 @@ FoundRunBar::FoundRunBar(QWidget* parent)
                        .id = "found-end"})),
       m_resume(addButton({.text = QT_TR_NOOP("Resume …"),
                           .tip = QT_TR_NOOP("Loads the program, compares it and asks the control "
-                                            "where the run was left. If its program is still "
-                                            "active there, the axes first go on to the end of its "
-                                            "window."),
+                                            "where the run was left. Nothing moves yet."),
                           .icon = "resume",
                           .id = "found-resume"})),
       m_dismiss(

@@ -73,7 +73,7 @@ void PreflightSheet::showItems() {
   }
   if (m_kind != Kind::Start) {
     m_outcome->setStatus(m_passed ? Status::Good : Status::Attention,
-                         m_passed ? tr("Nothing moves now. Hold the button below for one "
+                         m_passed ? tr("Nothing has moved yet. Hold the button below for one "
                                        "second: then the machine moves.")
                          : m_kind == Kind::StartHere ? tr("Start is not possible yet.")
                                                      : tr("Resuming is not possible yet."));

@@ -10,6 +10,20 @@
 
 namespace rivulet::widgets {
 
+QString restText(const ResumePlace& place) {
+  if (!place.restMm) {
+    return {};
+  }
+  return *place.restMm > 0.0
+             ? ResumeBar::tr(
+                   "The program still stands on the control: first it executes the rest "
+                   "of its window, at most %1, and ends.")
+                   .arg(lengthText(*place.restMm))
+             : ResumeBar::tr(
+                   "The program still stands on the control, between its windows: it "
+                   "ends without a move.");
+}
+
 ResumeBar::ResumeBar(QWidget* parent)
     : NoticeBar(parent),
       m_goOn(addHoldButton({.tip = QT_TR_NOOP("Hold for one second. Then the machine moves."),
@@ -83,15 +97,17 @@ QString ResumeBar::jobText() const {
   const QString line = countText(m_place->line.value);
   const QString place =
       m_place->block.empty()
-          ? tr("Nothing moves now. The job will go on in part %1 at point %2 of %3, line "
+          ? tr("Nothing has moved yet. The job will go on in part %1 at point %2 of %3, line "
                "%4.")
                 .arg(countText(static_cast<std::size_t>(m_place->stretch)),
                      countText(m_place->point + 1), countText(m_place->points), line)
-          : tr("Nothing moves now. The job will go on at line %1: %2.")
+          : tr("Nothing has moved yet. The job will go on at line %1: %2.")
                 .arg(line, QString::fromStdString(m_place->block));
+  const QString rest = restText(*m_place);
+  const QString before = rest.isEmpty() ? place : place + QLatin1Char(' ') + rest;
   return m_place->steps.empty()
-             ? place
-             : place + QLatin1Char(' ') +
+             ? before
+             : before + QLatin1Char(' ') +
                    tr("Before that, the control executes %Ln blocks: see the list.", nullptr,
                       static_cast<int>(m_place->steps.size()));
 }
@@ -105,14 +121,21 @@ QString ResumeBar::placeText() const {
            ? tr("Nothing has moved yet. The run will start at point %1 of %2, where line %3 "
                 "begins: "
                 "%4.")
-           : tr("Nothing moves now. The run will resume at point %1 of %2, line %3: %4."))
+           : tr("Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4."))
           .arg(countText(m_place->point + 1), countText(m_place->points),
                countText(m_place->line.value),
                QStringLiteral("X %1 Y %2 Z %3")
                    .arg(numberText(m_place->positionMm.x, 3), numberText(m_place->positionMm.y, 3),
                         lengthText(m_place->positionMm.z, 3)));
+  if (m_place->restMm) {
+    text += QLatin1Char(' ') + restText(*m_place);
+  }
   if (m_place->approachMm) {
-    text += QLatin1Char(' ') + tr("The tool first moves %1 in a straight line to that point.")
+    text += QLatin1Char(' ') + (m_place->restMm.value_or(0.0) > 0.0
+                                    ? tr("Then the tool moves %1 in a straight line to that "
+                                         "point.")
+                                    : tr("The tool first moves %1 in a straight line to that "
+                                         "point."))
                                    .arg(lengthText(*m_place->approachMm));
   }
   if (m_place->changedFrom) {

@@ -26,6 +26,9 @@ struct ResumePlace {
   std::optional<double> approachMm;  ///< straight distance from the tool to it, if known
   /// Index of the first point that differs from the program of the interrupted run, if one does.
   std::optional<std::size_t> changedFrom;
+  /// The program that was left still stands on the control: the path that it executes first, at
+  /// most. Nothing: it has ended.
+  std::optional<double> restMm{};
 
   /// The operator has chosen the line; no run was left there.
   bool isChosen = false;
@@ -38,6 +41,9 @@ struct ResumePlace {
   std::vector<std::string> steps;  ///< what the control does first, one NC text each
   std::vector<std::string> notRestored;  ///< earlier blocks whose effect only the control knows
 };
+
+/// What a program that still stands does once the resume is confirmed; empty: it has ended.
+[[nodiscard]] QString restText(const ResumePlace& place);
 
 class ResumeBar final : public NoticeBar {
   Q_OBJECT

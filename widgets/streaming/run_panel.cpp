@@ -431,10 +431,10 @@ QString RunPanel::nativeText() const {
   if (m_update.state == RunState::Holding && !hasFeedCell()) {
     return tr("The job waits before the next block until you press Continue.");
   }
-  const QString what = m_job->stretch <= m_job->stretches
-                           ? tr("Before part %1 of %2")
-                                 .arg(countText(m_job->stretch), countText(m_job->stretches))
-                           : tr("After the last part");
+  const QString what =
+      m_job->stretch <= m_job->stretches
+          ? tr("Before part %1 of %2").arg(countText(m_job->stretch), countText(m_job->stretches))
+          : tr("After the last part");
   const QString block = m_job->block.isEmpty() ? what : what + QStringLiteral(": ") + m_job->block;
   return hasFeedCell()
              ? block
@@ -477,8 +477,7 @@ void RunPanel::showButtons() {
   m_resume->setVisible(offersResume);
   m_resume->setEnabled(m_resumeBlocked.isEmpty());
   m_resume->setToolTip(m_resumeBlocked.isEmpty()
-                           ? tr("Asks the control where the run was left. If its program is still "
-                                "active there, the axes first go on to the end of its window.")
+                           ? tr("Asks the control where the run was left. Nothing moves yet.")
                            : m_resumeBlocked);
   m_override->setVisible(hasFeedCell());
   m_end->setVisible(hasFeedCell() && m_update.feed->holds && !isHeldBySource());

@@ -93,7 +93,7 @@ class RunPanel final : public Page {
   /// A run that is held is to end: the axes execute what the control has of it.
   void endRequested();
   void overrideRequested(double percent);
-  /// The control is to be asked for the place. A program that is still active goes on to its end.
+  /// Nothing moves yet: the control is to be asked for the place.
   void resumeRequested();
 
  protected:

@@ -29,7 +29,7 @@ using templates::JobProtocol;
 
 constexpr const char* kFromStretch = " Choose a stretch to begin with (--from-stretch).";
 
-/// Tells the positions of the axes in a workpiece frame.
+/// Tells the positions of the axes in a workpiece frame, as an active program does.
 class FrameLink final : public opcua::ForwardingLink {
  public:
   FrameLink(opcua::Link& link, base::Vec3 zeroMm) : ForwardingLink(link), m_zeroMm(zeroMm) {}
@@ -48,8 +48,16 @@ class FrameLink final : public opcua::ForwardingLink {
     if (read == m_reads.end()) {
       return event;
     }
-    for (std::size_t i = 0; event->kind == opcua::EventKind::ReadDone && i < read->second.size();
-         ++i) {
+    const auto isActive = [&] {  // as far as it has been asked for
+      for (std::size_t i = 0; i < read->second.size(); ++i) {
+        if (read->second[i].kind == VariableKind::ChannelStatus) {
+          return event->readings[i].number != opcua::kChannelReset;
+        }
+      }
+      return false;
+    };
+    const bool isMachine = event->kind == opcua::EventKind::ReadDone && !isActive();
+    for (std::size_t i = 0; isMachine && i < read->second.size(); ++i) {
       const Variable& variable = read->second[i];
       if (variable.kind == VariableKind::ActualPosition &&
           variable.index < static_cast<int>(base::kAxisCount)) {
@@ -85,8 +93,14 @@ struct Told {
 class Search {
  public:
   Search(opcua::Link& link, const job::Plan& plan, const RunSettings& settings,
-         const Checkpoint& last, const std::function<Result<base::Vec3>(std::size_t part)>& zeroAt)
-      : m_link(link), m_plan(plan), m_settings(settings), m_last(last), m_zeroAt(zeroAt) {}
+         const Checkpoint& last, const std::function<Result<base::Vec3>(std::size_t part)>& zeroAt,
+         ActiveProgram active)
+      : m_link(link),
+        m_plan(plan),
+        m_settings(settings),
+        m_last(last),
+        m_zeroAt(zeroAt),
+        m_active(active) {}
 
   Result<JobRest> run() {
     Result<job::JobPrograms> programs = job::makePrograms(m_plan, m_settings.parameters);
@@ -105,7 +119,8 @@ class Search {
     const bool waits = !told.isReset && told.call >= 0.0;
     const bool isBegun =
         begunIn(told) == JobProtocol::stretchOf(told.call) && JobProtocol::stretchOf(told.call) > 0;
-    if (waits && !isBegun) {  // in a stretch that has begun, what it executes meanwhile counts
+    // In a stretch that has begun, what it executes meanwhile counts.
+    if (waits && !isBegun && m_active == ActiveProgram::IsEnded) {
       RunOnControl onControl;
       onControl.baseCell = m_settings.parameters.baseCell;
       onControl.job = job;
@@ -181,9 +196,14 @@ class Search {
       return told.isReset ? afterStretch(from, told)
                           : base::fail(StreamError::ChannelBusy, stillExecutes(stretch));
     }
-    return stretch == 0       ? rest(0, {})
-           : begun == stretch ? inStretch(part)
-                              : beforeStretch(part, told);
+    if (stretch == 0) {
+      Result<JobRest> beginning = rest(0, {});
+      if (beginning && !told.isReset) {
+        beginning->restMm = 0.0;
+      }
+      return beginning;
+    }
+    return begun == stretch ? inStretch(part) : beforeStretch(part, told);
   }
 
   [[nodiscard]] std::string stillExecutes(int stretch) const {
@@ -201,12 +221,21 @@ class Search {
     }
     FrameLink link(m_link, *zero);
     const auto& stretch = std::get<job::Stretch>(m_plan.parts[part]);
-    const Result<std::optional<Resume>> left =
-        leftAt(link, programOf(m_plan, stretch), m_settings, m_last);
+    const Result<LeftAt> left =
+        leftAt(link, programOf(m_plan, stretch), m_settings, m_last, {}, m_active);
     if (!left) {
       return base::fail(left.error());
     }
-    return *left ? rest(part, **left) : rest(part + 1, {});
+    Result<JobRest> found = left->resume ? rest(part, left->resume) : rest(part + 1, {});
+    if (found && left->restMm) {
+      const Result<base::Vec3> zeroThen = m_zeroAt(found->part);
+      if (!zeroThen) {
+        return base::fail(zeroThen.error());
+      }
+      found->toolMm = left->toolMm + *zero - *zeroThen;
+      found->restMm = left->restMm;
+    }
+    return found;
   }
 
   /// The control has executed all native blocks before a stretch of which no window was sent.
@@ -218,7 +247,11 @@ class Search {
                             kFromStretch,
                         m_plan.program.name);
     }
-    return rest(part, {});
+    Result<JobRest> found = rest(part, {});
+    if (found && !told.isReset) {
+      found->restMm = 0.0;
+    }
+    return found;
   }
 
   /// The control was executing native blocks. @param from  the first part that may be one of them
@@ -272,14 +305,16 @@ class Search {
     if (!zero) {
       return base::fail(zero.error());
     }
-    const std::array<Variable, 3> position{{{VariableKind::ActualPosition, 0},
+    const std::array<Variable, 4> position{{{VariableKind::ChannelStatus, 0},
+                                            {VariableKind::ActualPosition, 0},
                                             {VariableKind::ActualPosition, 1},
                                             {VariableKind::ActualPosition, 2}}};
-    const auto numbers = opcua::readNumbers(m_link, position, m_settings.setupDeadline);
+    FrameLink link(m_link, *zero);
+    const auto numbers = opcua::readNumbers(link, position, m_settings.setupDeadline);
     if (!numbers) {
       return base::fail(numbers.error());
     }
-    return JobRest{part, resume, base::Vec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]} - *zero};
+    return JobRest{part, resume, base::Vec3{(*numbers)[1], (*numbers)[2], (*numbers)[3]}};
   }
 
   opcua::Link& m_link;
@@ -287,6 +322,7 @@ class Search {
   const RunSettings& m_settings;
   const Checkpoint& m_last;
   const std::function<Result<base::Vec3>(std::size_t part)>& m_zeroAt;
+  ActiveProgram m_active;
 };
 
 }  // namespace
@@ -297,8 +333,9 @@ bool isBeforeFirstBlock(const Checkpoint& last) {
 
 Result<JobRest> whereJobWasLeft(opcua::Link& link, const job::Plan& plan,
                                 const RunSettings& settings, const Checkpoint& last,
-                                const std::function<Result<base::Vec3>(std::size_t part)>& zeroAt) {
-  return Search(link, plan, settings, last, zeroAt).run();
+                                const std::function<Result<base::Vec3>(std::size_t part)>& zeroAt,
+                                ActiveProgram active) {
+  return Search(link, plan, settings, last, zeroAt, active).run();
 }
 
 }  // namespace rivulet::streaming

@@ -112,23 +112,32 @@ Result<base::RotaryDeg> anglesOf(opcua::Link& link, const RunSettings& settings)
   return readAngles(link, *axes, wanted, settings.setupDeadline);
 }
 
+constexpr std::string_view kAnotherProgram =
+    "Another program is running on the control. Wait until it has ended, or reset the control.";
+
+/// The program on the control is that of this run. @param numbers  its layout, whom it obeys
+bool isOurs(std::span<const double> numbers, const templates::FlexibleProgram& program,
+            const Checkpoint& last) {
+  // A program that was started for this run but has not granted it yet obeys nobody.
+  const double owner = numbers[1];
+  return numbers[0] == static_cast<double>(program.layoutNumber) &&
+         (owner == static_cast<double>(last.runNumber) || (owner == 0.0 && !last.granted));
+}
+
 /// Ends a program that waits for windows of this run; nothing else is changed.
 Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
                            const templates::FlexibleProgram& program, const Checkpoint& last) {
   const templates::CellMap& cells = program.cells;
-  const auto isOurs = [&](std::span<const double> numbers) {
-    // A program that was started for this run but has not granted it yet obeys nobody.
-    const double owner = numbers[1];
-    return numbers[0] == static_cast<double>(program.layoutNumber) &&
-           (owner == static_cast<double>(last.runNumber) || (owner == 0.0 && !last.granted));
+  const auto isMeant = [&](std::span<const double> numbers) {
+    return isOurs(numbers, program, last);
   };
   return endProgram(
       link,
       {{opcua::rParameter(cells.endCell), static_cast<double>(cells.endValue)},
        {opcua::rParameter(cells.layout), opcua::rParameter(cells.owner)},
        cells.windows > 0 ? std::optional(opcua::rParameter(cells.heartbeat)) : std::nullopt,
-       isOurs,
-       "Another program is running on the control. Wait until it has ended, or reset the control.",
+       isMeant,
+       kAnotherProgram,
        "The program on the control did not end. Reset the control, then resume.",
        {},
        cells.hasFeedCell() ? std::optional(opcua::rParameter(cells.overrideWanted)) : std::nullopt},
@@ -192,10 +201,34 @@ std::optional<std::size_t> pointAhead(const std::vector<base::AxisPosition>& pat
   return next;
 }
 
+MotionAhead motionAhead(const base::AxisPosition& before,
+                        std::span<const gcode::StreamPoint> windows, const base::AxisPosition& tool,
+                        double feedMmPerS) {
+  if (windows.empty()) {
+    return {};
+  }
+  std::vector<base::AxisPosition> path{before};
+  for (const gcode::StreamPoint& point : windows) {
+    path.push_back({point.positionMm, point.rotaryDeg});
+  }
+  const std::optional<std::size_t> ahead = pointAhead(path, tool);
+  const std::size_t first = ahead.value_or(1);
+  MotionAhead motion;
+  for (std::size_t i = first; i < path.size(); ++i) {
+    const base::AxisPosition& from = ahead && i == first ? tool : path[i - 1];
+    const double lengthMm = base::distance(from.mm, path[i].mm);
+    const double ownMmPerS = windows[i - 1].feedMmPerS;
+    motion.lengthMm += lengthMm;
+    motion.seconds += lengthMm / (ownMmPerS > 0.0 ? ownMmPerS : feedMmPerS);
+  }
+  return motion;
+}
+
 namespace {
 
 /// What the control reports about the interrupted run, and the machine's position.
 struct Remains {
+  bool isActive = false;  ///< its program stands, with what it has copied before it
   double owner = 0.0;
   double latched = 0.0;
   double executed = 0.0;
@@ -208,7 +241,8 @@ Result<Remains> readRemains(opcua::Link& link, const RunSettings& settings,
   std::vector<Variable> watched{
       opcua::rParameter(cells.owner),    opcua::rParameter(cells.latched),
       opcua::rParameter(cells.executed), {VariableKind::ActualPosition, 0},
-      {VariableKind::ActualPosition, 1}, {VariableKind::ActualPosition, 2}};
+      {VariableKind::ActualPosition, 1}, {VariableKind::ActualPosition, 2},
+      {VariableKind::ChannelStatus, 0}};
   const std::size_t corrections = watched.size();
   for (const int cell : cells.correction) {
     if (cell >= 0) {
@@ -223,11 +257,61 @@ Result<Remains> readRemains(opcua::Link& link, const RunSettings& settings,
   if (!angles) {
     return base::fail(angles.error());
   }
-  return Remains{(*numbers)[0],
+  return Remains{(*numbers)[6] != opcua::kChannelReset,
+                 (*numbers)[0],
                  (*numbers)[1],
                  (*numbers)[2],
                  {{(*numbers)[3], (*numbers)[4], (*numbers)[5]}, *angles},
                  lastCorrection(settings, cells, std::span(*numbers).subspan(corrections))};
+}
+
+/// The program of this run, if it is active, is left as it is. Only axes that stand have a place:
+/// held, without their client, waiting for a window, or after a reset when they have braked.
+Result<Remains> remainsAtStandstill(opcua::Link& link, const RunSettings& settings,
+                                    const templates::FlexibleProgram& program,
+                                    const Checkpoint& last) {
+  constexpr Duration kLook = std::chrono::milliseconds{100};
+  constexpr double kStillMm = 0.001;
+  const templates::CellMap& cells = program.cells;
+  std::vector<Variable> watched{{VariableKind::ChannelStatus, 0},
+                                opcua::rParameter(cells.layout),
+                                opcua::rParameter(cells.owner)};
+  if (cells.hasFeedCell()) {
+    watched.push_back(opcua::rParameter(cells.overrideActs));
+  }
+  std::optional<Remains> before;
+  const Instant until = link.now() + kStandsMax;
+  for (;;) {
+    const auto numbers = opcua::readNumbers(link, watched, settings.setupDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
+    }
+    const bool isActive = (*numbers)[0] != opcua::kChannelReset;
+    if (isActive && !isOurs(std::span(*numbers).subspan(1, 2), program, last)) {
+      return base::fail(StreamError::ChannelBusy, std::string(kAnotherProgram));
+    }
+    const bool isHeld = cells.hasFeedCell() && (*numbers)[3] == templates::FeedCell::kHold;
+    Result<Remains> remains = readRemains(link, settings, cells);
+    if (!remains) {
+      return remains;
+    }
+    const bool mayStand = !remains->isActive || isHeld || remains->latched == remains->executed;
+    const bool stands = before && mayStand && before->isActive == remains->isActive &&
+                        before->latched == remains->latched &&
+                        before->executed == remains->executed &&
+                        distance(before->tool, remains->tool) <= kStillMm;
+    if (stands) {
+      return remains;
+    }
+    if (link.now() >= until) {
+      return base::fail(StreamError::ChannelBusy,
+                        "The axes still move. Stop the run, then resume.");
+    }
+    before = *remains;
+    if (Result<void> slept = opcua::sleepUntil(link, link.now() + kLook); !slept) {
+      return base::fail(slept.error());
+    }
+  }
 }
 
 /// Finds the next point of the interrupted run. Makes no requests.
@@ -266,14 +350,52 @@ class Resumption {
       return ends[std::min(static_cast<std::size_t>(windows), ends.size() - 1)];
     };
     const std::size_t next = pointOf(executed);
+    if (m_remains.isActive && latched > executed) {
+      return pointOf(latched);  // the control goes on to there by itself
+    }
     if (latched > executed) {
       return withinWindows(next, pointOf(latched));
     }
     // Cells can be written by others; the place of the tool cannot.
-    return standsBefore(next) ? Result<std::size_t>(next) : beside(placeBefore(next));
+    return standsBefore(next) || isOnlyCorrected(next) ? Result<std::size_t>(next)
+                                                       : beside(placeBefore(next));
+  }
+
+  /// Where the run is left before this point once its program has ended.
+  [[nodiscard]] LeftAt leftBefore(std::size_t next) const {
+    LeftAt left{Resume{next, m_last.startMm, m_last.startDeg, {}, {}}, {}, m_remains.tool.mm};
+    if (m_remains.isActive) {
+      left.restMm = restMm(next);
+      left.toolMm = placeBefore(next).mm;
+      left.resume->restMm = left.restMm;
+    }
+    if (next >= m_points.size()) {
+      left.resume.reset();
+    }
+    return left;
   }
 
  private:
+  /// Of the windows that have been copied, up to this point.
+  [[nodiscard]] double restMm(std::size_t next) const {
+    if (m_remains.latched <= m_remains.executed) {
+      return 0.0;
+    }
+    const std::vector<std::size_t> ends = windowEnds();
+    const std::size_t from =
+        ends[std::min(static_cast<std::size_t>(m_remains.executed), ends.size() - 1)];
+    std::vector<gcode::StreamPoint> windows;
+    for (std::size_t i = from; i < next; ++i) {
+      windows.push_back(m_points[i]);
+      windows.back().rotaryDeg = placeOf(i).deg;
+    }
+    return motionAhead(placeBefore(from), windows, m_remains.tool, m_settings.feedMmPerS).lengthMm;
+  }
+  /// The tool is there but for a correction, which a program takes back when it ends.
+  [[nodiscard]] bool isOnlyCorrected(std::size_t next) const {
+    return m_remains.isActive && m_remains.correction.isKnown &&
+           distance(placeBefore(next), m_uncorrected) <= kBesideMm;
+  }
   /// Axes that are not streamed may be anywhere.
   [[nodiscard]] base::AxisPosition placeOf(std::size_t point) const {
     return onlyRotary({m_points[point].positionMm, m_points[point].rotaryDeg},
@@ -441,9 +563,9 @@ std::uint64_t hashOfPoints(std::span<const gcode::StreamPoint> points) {
   return hash != 0 ? hash : 1;
 }
 
-Result<std::optional<Resume>> leftAt(opcua::Link& link, const gcode::Program& program,
-                                     const RunSettings& settings, const Checkpoint& last,
-                                     std::span<const gcode::StreamPoint> earlier) {
+Result<LeftAt> leftAt(opcua::Link& link, const gcode::Program& program, const RunSettings& settings,
+                      const Checkpoint& last, std::span<const gcode::StreamPoint> earlier,
+                      ActiveProgram active) {
   const Result<templates::FlexibleProgram> flexible = templates::makeProgram(settings.parameters);
   if (!flexible) {
     return base::fail(flexible.error());
@@ -471,23 +593,25 @@ Result<std::optional<Resume>> leftAt(opcua::Link& link, const gcode::Program& pr
             last.pointCount, list->points.size()),
         program.name);
   }
-  if (Result<void> ended = endOurProgram(link, settings, *flexible, last); !ended) {
-    return base::fail(ended.error());
+  if (active == ActiveProgram::IsEnded) {
+    if (Result<void> ended = endOurProgram(link, settings, *flexible, last); !ended) {
+      return base::fail(ended.error());
+    }
   }
-  const Result<Remains> remains = readRemains(link, settings, flexible->cells);
+  const Result<Remains> remains = remainsAtStandstill(link, settings, *flexible, last);
   if (!remains) {
     return base::fail(remains.error());
   }
   std::vector<gcode::StreamPoint> run =
       isSame ? list->points : std::vector(earlier.begin(), earlier.end());
-  const std::size_t total = run.size();
   const Resumption resumption(settings, last, *remains, std::move(run));
   const Result<std::size_t> next = resumption.nextPoint(takenMax);
   if (!next) {
     return base::fail(next.error());
   }
-  if (*next >= total) {
-    return std::nullopt;
+  LeftAt left = resumption.leftBefore(*next);
+  if (!left.resume) {
+    return left;
   }
   Result<std::optional<std::size_t>> change =
       isSame ? std::optional<std::size_t>() : findChange(list->points, earlier, *next);
@@ -495,19 +619,28 @@ Result<std::optional<Resume>> leftAt(opcua::Link& link, const gcode::Program& pr
     change.error().context = program.name;
     return base::fail(change.error());
   }
-  return Resume{*next, last.startMm, last.startDeg, *change};
+  left.resume->changedFrom = *change;
+  return left;
 }
 
 Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
                           const RunSettings& settings, const Checkpoint& last,
-                          std::span<const gcode::StreamPoint> earlier) {
-  const Result<std::optional<Resume>> left = leftAt(link, program, settings, last, earlier);
+                          std::span<const gcode::StreamPoint> earlier, ActiveProgram active) {
+  const Result<LeftAt> left = leftAt(link, program, settings, last, earlier, active);
   if (!left) {
     return base::fail(left.error());
   }
-  return *left ? Result<Resume>(**left)
-               : base::fail(StreamError::CannotResume, "Every point has been executed already.",
-                            program.name);
+  if (left->resume) {
+    return *left->resume;
+  }
+  return base::fail(
+      StreamError::CannotResume,
+      left->restMm.value_or(0.0) > 0.0
+          ? fmt::format("Only the rest of the last window is left, {:.0f} mm: end the run "
+                        "(rivulet-cli runs --end), and the control executes it.",
+                        std::ceil(*left->restMm))
+          : "Every point has been executed already.",
+      program.name);
 }
 
 }  // namespace rivulet::streaming

@@ -16,10 +16,15 @@
 
 namespace rivulet::streaming {
 
-/// Finds the first point that has not been executed. A program that still waits for the run's
-/// windows is first commanded to end (it executes only the windows it has copied), and its end is
-/// awaited. If the control was reset in the middle of them, the place of the tool on their path
-/// decides.
+/// What becomes of a program that is still active on the control when it is asked.
+enum class ActiveProgram {
+  IsEnded,  ///< it executes the windows it has copied, and its end is awaited
+  Stays,    ///< nothing is written: what follows is computed from where it stands
+};
+
+/// Finds the first point that has not been executed: of a program that still is active on the
+/// control, the first behind the windows it has copied. If the control was reset in the middle of
+/// them, the place of the tool on their path decides.
 /// @param settings  of the earlier run
 /// @param last      its checkpoint
 /// @param earlier   the points of the whole earlier run, if they were kept. Without them the
@@ -27,20 +32,42 @@ namespace rivulet::streaming {
 ///                  is resumed: see `Resume::changedFrom`
 /// @return what `RunSettings::resume` needs. CannotResume if the control has run another program
 ///         since, every point is done, the tool is off the path or where the path passes twice;
-///         ProgramChanged; ChannelBusy if another program is running; StopNotConfirmed; or a link
-///         error
+///         ProgramChanged; ChannelBusy if another program is running, or if one that stays still
+///         moves the axes; StopNotConfirmed; or a link error
 [[nodiscard]] base::Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
                                               const RunSettings& settings, const Checkpoint& last,
-                                              std::span<const gcode::StreamPoint> earlier = {});
+                                              std::span<const gcode::StreamPoint> earlier = {},
+                                              ActiveProgram active = ActiveProgram::IsEnded);
 
-/// The same. @return nothing: every point has been executed
-[[nodiscard]] base::Result<std::optional<Resume>> leftAt(
-    opcua::Link& link, const gcode::Program& program, const RunSettings& settings,
-    const Checkpoint& last, std::span<const gcode::StreamPoint> earlier = {});
+/// Where a run is left once its program has ended.
+struct LeftAt {
+  std::optional<Resume> resume;  ///< nothing: every point has been executed then
+  std::optional<double> restMm;  ///< see `Resume`
+  base::Vec3 toolMm;             ///< where the tool stands then
+};
+
+/// The same.
+[[nodiscard]] base::Result<LeftAt> leftAt(opcua::Link& link, const gcode::Program& program,
+                                          const RunSettings& settings, const Checkpoint& last,
+                                          std::span<const gcode::StreamPoint> earlier,
+                                          ActiveProgram active);
 
 /// A hash of everything that decides how points are streamed: their places, the kinds of their
 /// moves and feeds of their own, not their lines. Never 0.
 [[nodiscard]] std::uint64_t hashOfPoints(std::span<const gcode::StreamPoint> points);
+
+/// What a program that is told to end still executes.
+struct MotionAhead {
+  double lengthMm = 0.0;
+  double seconds = 0.0;  ///< at an override of 100 %, without acceleration
+};
+
+/// The path of the copied windows that is left: all of it where the place of the tool on it is not
+/// certain. @param before  place before the first point  @param windows  their points
+/// @param feedMmPerS  of points without one of their own, > 0
+[[nodiscard]] MotionAhead motionAhead(const base::AxisPosition& before,
+                                      std::span<const gcode::StreamPoint> windows,
+                                      const base::AxisPosition& tool, double feedMmPerS);
 
 /// Index of the first point ahead of a tool that is on the path.
 /// @param path  start of the tool, then the points; at least two

@@ -94,6 +94,9 @@ struct Resume {
   /// First point, not before `point`, at which the program differs from that of the interrupted
   /// run; nothing: no difference. The operator must have confirmed it.
   std::optional<std::size_t> changedFrom{};
+  /// The program of the run still stands on the control: the length of the path that it executes,
+  /// at most, before it has ended and the run goes on. Nothing: it has ended.
+  std::optional<double> restMm{};
 };
 
 /// Who started a run.
