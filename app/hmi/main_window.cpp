@@ -571,31 +571,21 @@ void MainWindow::stopAndClose() {
     close();
     return;
   }
-  if (m_runs.isHeld()) {
-    m_runs.leave();
-    m_leavesHeld = true;
-    close();
-    return;
-  }
   m_closesAfterRun = true;
-  m_runs.end();
+  m_runs.leave();
 }
 
 void MainWindow::stopAndWait() {
   if (isRunning()) {
-    if (m_runs.isHeld()) {
-      m_runs.leave();
-      return;
-    }
     QEventLoop loop;
     connect(&m_runs, &RunController::finished, &loop, &QEventLoop::quit);
-    m_runs.end();
+    m_runs.leave();
     loop.exec(QEventLoop::ExcludeUserInputEvents);
   }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (isRunning() && !m_leavesHeld) {
+  if (isRunning()) {
     // Closing must neither leave the machine alone nor stop it by surprise.
     m_closeBar->ask();
     event->ignore();

@@ -83,10 +83,10 @@ class MainWindow final : public QMainWindow {
   void setStreamSettings(const streaming::StreamSettings& settings) {
     m_document.setSettings(settings);
   }
-  /// Stops a run in progress, if there is one, and closes the window when it has ended. The run can
-  /// be resumed.
+  /// Stops a run in progress, if there is one: its axes are held, and when they stand, the window
+  /// closes. The run can be resumed.
   void stopAndClose();
-  /// Stops a run in progress and waits for its end: for the end of the session.
+  /// The same without closing, and waits until the axes stand: for the end of the session.
   void stopAndWait();
   void setLanguage(const QString& language);
   void setTheme(widgets::Theme theme);
@@ -190,7 +190,6 @@ class MainWindow final : public QMainWindow {
   const opcua::TrustQuestion* m_question = nullptr;  ///< shown; for comparison only
 
   bool m_closesAfterRun = false;
-  bool m_leavesHeld = false;       ///< closes although a run is in progress, whose axes are held
   bool m_isMachineChosen = false;  ///< the page Machines does not come first
 
   widgets::Parts m_parts{this};

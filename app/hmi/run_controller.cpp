@@ -203,15 +203,20 @@ void RunController::stop() {
 }
 
 void RunController::leave() {
+  m_session.leave();
+  noteEnd();
+}
+
+void RunController::noteEnd() {
   if (!std::exchange(m_isEnding, true)) {
-    m_session.stop();
     m_messages.didAct(Act::Stop, {{"point", std::to_string(m_update.counters.executed)}});
     m_messages.log(Severity::Note, Source::Run, [] { return tr("Stop requested."); });
   }
 }
 
 void RunController::end() {
-  leave();
+  m_session.stop();
+  noteEnd();
   m_isHeld = false;
   m_session.hold(false);
 }

@@ -61,7 +61,8 @@ class RunController final : public QObject {
   /// The axes stand at once, or without a feed cell before the next window; or they go on.
   void hold(bool hold);
   [[nodiscard]] bool isHeld() const { return m_isHeld; }
-  /// The run ends; axes that are held stay so.
+  /// The axes stand at once, and the run ends there: its program is left held, if it has not ended.
+  /// Without a feed cell the run ends before its next window.
   void leave();
   /// Of the run in progress, percent.
   void setOverride(double percent);
@@ -135,6 +136,7 @@ class RunController final : public QObject {
   }
   /// @return true if something stands in the way; it has been said
   bool refuses(const std::optional<streaming::Blocked>& blocked);
+  void noteEnd();
   /// @param resume, restart  by value: the start forgets the place that was found
   bool startRun(std::optional<streaming::Resume> resume,
                 std::shared_ptr<const run::JobRestart> restart = nullptr);

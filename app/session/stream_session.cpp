@@ -82,6 +82,10 @@ void StreamSession::stop() {
   m_worker->stopRun();
 }
 
+void StreamSession::leave() {
+  m_worker->leaveRun();
+}
+
 void StreamSession::hold(bool hold) {
   m_worker->holdRun(hold);
 }

@@ -39,6 +39,8 @@ class StreamSession final : public QObject {
   /// Starts a run; the time of the start is added. Ignored during a run.
   void start(StartCommand command);
   void stop();
+  /// The axes stand at once, and the run ends there: see `SessionWorker::leaveRun`.
+  void leave();
   /// Takes live points from this address for the runs to come; `sourceOpened` answers. Ignored
   /// during a run. @param address  see `sources::openSource`; empty: from nowhere any more
   void listen(const QString& address);

@@ -109,6 +109,14 @@ class KillScene {
   [[nodiscard]] bool isReset() const {
     return read({{opcua::VariableKind::ChannelStatus, 0}})[0] == opcua::kChannelReset;
   }
+  /// Nothing moves: no program is active, or its client has held it on the path.
+  [[nodiscard]] bool isHeldOrReset() const {
+    const std::vector<double> now = read({{opcua::VariableKind::ChannelStatus, 0},
+                                          opcua::rParameter(templates::WindowProtocol::Override),
+                                          {opcua::VariableKind::PathFeed, 0}});
+    return now[0] == opcua::kChannelReset ||
+           (now[1] == templates::FeedCell::kHold && now[2] == 0.0);
+  }
   /// Waits until nothing moves any more: every window has been executed, or the axes stand because
   /// their client is gone.
   void awaitStandstill() const {

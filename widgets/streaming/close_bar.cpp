@@ -31,8 +31,8 @@ void CloseBar::ask() {
 
 void CloseBar::retranslate() {
   setNotice(Status::Attention,
-            tr("A run is in progress. To close the window, the run is stopped first; it can be "
-               "resumed later."));
+            tr("A run is in progress. To close the window, its axes are held first, where they "
+               "are; the run can be resumed from there."));
 }
 
 }  // namespace rivulet::widgets
