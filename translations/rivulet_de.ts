@@ -1960,10 +1960,6 @@
         <source>Stop confirmed after %1.</source>
         <translation>Stopp bestätigt nach %1.</translation>
     </message>
-    <message>
-        <source>Stop requested, not yet confirmed.</source>
-        <translation>Stopp angefordert, noch nicht bestätigt.</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln windows executed</source>
         <translation>
@@ -4563,6 +4559,10 @@ GPL-3.0-or-later</translation>
         <source>Start like this</source>
         <translation>So starten</translation>
     </message>
+    <message>
+        <source>Then in a straight line over %1 to %2.</source>
+        <translation>Dann geradlinig über %1 nach %2.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -5332,8 +5332,8 @@ GPL-3.0-or-later</translation>
         <translation>Stoppen und schließen</translation>
     </message>
     <message>
-        <source>A run is in progress. To close the window, the run is stopped first; it can be resumed later.</source>
-        <translation>Ein Lauf ist aktiv. Zum Schließen wird er zuerst gestoppt; er kann später fortgesetzt werden.</translation>
+        <source>A run is in progress. To close the window, its axes are held first, where they are; the run can be resumed from there.</source>
+        <translation>Ein Lauf ist aktiv. Zum Schließen werden seine Achsen zuerst angehalten, wo sie sind; von dort kann der Lauf fortgesetzt werden.</translation>
     </message>
 </context>
 <context>
@@ -6550,8 +6550,16 @@ GPL-3.0-or-later</translation>
         <translation>Die Achsen fahren bis zum Ende des Fensters oder des Satzes der Steuerung, und dort endet das Programm.</translation>
     </message>
     <message>
-        <source>Loads the program, compares it and asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
-        <translation>Lädt das Programm, vergleicht es und fragt die Steuerung, wo der Lauf verlassen wurde. Wenn dessen Programm dort noch aktiv ist, fahren die Achsen zuerst bis zum Ende seines Fensters.</translation>
+        <source>Stop requested: still moving, at most %1, about %2</source>
+        <translation>Stopp angefordert: fährt noch, höchstens %1, etwa %2</translation>
+    </message>
+    <message>
+        <source>Stop requested, not yet confirmed</source>
+        <translation>Stopp angefordert, noch nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it and asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Lädt das Programm, vergleicht es und fragt die Steuerung, wo der Lauf verlassen wurde. Noch bewegt sich nichts.</translation>
     </message>
 </context>
 <context>
@@ -8338,10 +8346,6 @@ GPL-3.0-or-later</translation>
         <translation>Vor dem Fortsetzen</translation>
     </message>
     <message>
-        <source>Nothing moves now. Hold the button below for one second: then the machine moves.</source>
-        <translation>Jetzt bewegt sich nichts. Den Knopf unten eine Sekunde lang halten: Dann fährt die Maschine.</translation>
-    </message>
-    <message>
         <source>Passed</source>
         <translation>Bestanden</translation>
     </message>
@@ -8359,6 +8363,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Show</source>
         <translation>Anzeigen</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
+        <translation>Noch bewegt sich nichts. Den Knopf unten eine Sekunde lang halten: Dann fährt die Maschine.</translation>
     </message>
 </context>
 <context>
@@ -9096,10 +9104,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <source>Press and hold: go on with the job</source>
         <translation>Gedrückt halten: Auftrag fortsetzen</translation>
     </message>
-    <message>
-        <source>Nothing moves now. The job will go on at line %1: %2.</source>
-        <translation>Jetzt bewegt sich nichts. Der Auftrag geht bei Zeile %1 weiter: %2.</translation>
-    </message>
     <message numerus="yes">
         <source>Before that, the control executes %Ln blocks: see the list.</source>
         <translation>
@@ -9108,16 +9112,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         </translation>
     </message>
     <message>
-        <source>Nothing moves now. The job will go on in part %1 at point %2 of %3, line %4.</source>
-        <translation>Jetzt bewegt sich nichts. Der Auftrag geht in Abschnitt %1 bei Punkt %2 von %3 weiter, Zeile %4.</translation>
-    </message>
-    <message>
         <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
         <translation>Noch bewegt sich nichts. Der Lauf wird bei Punkt %1 von %2 beginnen, wo Zeile %3 anfängt: %4.</translation>
-    </message>
-    <message>
-        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
-        <translation>Jetzt bewegt sich nichts. Der Lauf wird bei Punkt %1 von %2 fortgesetzt, Zeile %3: %4.</translation>
     </message>
     <message>
         <source>The tool first moves %1 in a straight line to that point.</source>
@@ -9126,6 +9122,30 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
         <translation>Ab Punkt %1 unterscheidet sich das Programm von dem des unterbrochenen Laufs. Keiner dieser Punkte wurde ausgeführt: Vor dem Fortsetzen die neue Bahn prüfen.</translation>
+    </message>
+    <message>
+        <source>The program still stands on the control: first it executes the rest of its window, at most %1, and ends.</source>
+        <translation>Das Programm steht noch auf der Steuerung: Zuerst arbeitet es den Rest seines Fensters ab, höchstens %1, und endet.</translation>
+    </message>
+    <message>
+        <source>The program still stands on the control, between its windows: it ends without a move.</source>
+        <translation>Das Programm steht noch auf der Steuerung, zwischen seinen Fenstern: Es endet ohne Bewegung.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on in part %1 at point %2 of %3, line %4.</source>
+        <translation>Noch hat sich nichts bewegt. Der Auftrag geht in Abschnitt %1 bei Punkt %2 von %3 weiter, Zeile %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on at line %1: %2.</source>
+        <translation>Noch hat sich nichts bewegt. Der Auftrag geht bei Zeile %1 weiter: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Noch bewegt sich nichts. Der Lauf wird bei Punkt %1 von %2 fortgesetzt, Zeile %3: %4.</translation>
+    </message>
+    <message>
+        <source>Then the tool moves %1 in a straight line to that point.</source>
+        <translation>Dann fährt das Werkzeug %1 geradlinig zu diesem Punkt.</translation>
     </message>
 </context>
 <context>
@@ -9208,10 +9228,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Ready to start</source>
         <translation>Startbereit</translation>
-    </message>
-    <message>
-        <source>Stop requested, not yet confirmed</source>
-        <translation>Stopp angefordert, noch nicht bestätigt</translation>
     </message>
     <message>
         <source>Stop confirmed after %1</source>
@@ -9556,12 +9572,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Dieses Fenster hat ihn nicht gestartet. Stopp hält seine Achsen.</translation>
     </message>
     <message>
-        <source>Stop requested: still moving, at most %1, about %2</source>
-        <translation>Stopp angefordert: fährt noch, höchstens %1, etwa %2</translation>
-    </message>
-    <message>
-        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
-        <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Wenn dessen Programm dort noch aktiv ist, fahren die Achsen zuerst bis zum Ende seines Fensters.</translation>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Noch bewegt sich nichts.</translation>
     </message>
 </context>
 <context>
@@ -10040,8 +10052,8 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Hier beenden</translation>
     </message>
     <message>
-        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
-        <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Wenn dessen Programm dort noch aktiv ist, fahren die Achsen zuerst bis zum Ende seines Fensters.</translation>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Noch bewegt sich nichts.</translation>
     </message>
 </context>
 <context>

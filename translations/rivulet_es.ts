@@ -1960,10 +1960,6 @@
         <source>Stop confirmed after %1.</source>
         <translation>Parada confirmada tras %1.</translation>
     </message>
-    <message>
-        <source>Stop requested, not yet confirmed.</source>
-        <translation>Parada solicitada, aún sin confirmar.</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln windows executed</source>
         <translation>
@@ -4563,6 +4559,10 @@ GPL-3.0-or-later</translation>
         <source>Start like this</source>
         <translation>Iniciar así</translation>
     </message>
+    <message>
+        <source>Then in a straight line over %1 to %2.</source>
+        <translation>Después en línea recta, %1, hasta %2.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -5332,8 +5332,8 @@ GPL-3.0-or-later</translation>
         <translation>Parar y cerrar</translation>
     </message>
     <message>
-        <source>A run is in progress. To close the window, the run is stopped first; it can be resumed later.</source>
-        <translation>Hay una ejecución en curso. Para cerrar la ventana, primero se para la ejecución; después se puede reanudar.</translation>
+        <source>A run is in progress. To close the window, its axes are held first, where they are; the run can be resumed from there.</source>
+        <translation>Hay una ejecución en curso. Para cerrar la ventana, primero se detienen sus ejes donde están; la ejecución se puede reanudar desde allí.</translation>
     </message>
 </context>
 <context>
@@ -6550,8 +6550,16 @@ GPL-3.0-or-later</translation>
         <translation>Los ejes siguen hasta el final de la ventana, o del bloque del control, y allí termina el programa.</translation>
     </message>
     <message>
-        <source>Loads the program, compares it and asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
-        <translation>Carga el programa, lo compara y pregunta al control dónde se interrumpió la ejecución. Si su programa aún está activo allí, los ejes siguen primero hasta el final de su ventana.</translation>
+        <source>Stop requested: still moving, at most %1, about %2</source>
+        <translation>Parada solicitada: aún en movimiento, como máximo %1, unos %2</translation>
+    </message>
+    <message>
+        <source>Stop requested, not yet confirmed</source>
+        <translation>Parada solicitada, aún sin confirmar</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it and asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Carga el programa, lo compara y pregunta al control dónde se interrumpió la ejecución. Todavía no se mueve nada.</translation>
     </message>
 </context>
 <context>
@@ -8338,10 +8346,6 @@ GPL-3.0-or-later</translation>
         <translation>Antes de reanudar la ejecución</translation>
     </message>
     <message>
-        <source>Nothing moves now. Hold the button below for one second: then the machine moves.</source>
-        <translation>Ahora no se mueve nada. Mantener pulsado un segundo el botón de abajo: entonces la máquina se mueve.</translation>
-    </message>
-    <message>
         <source>Passed</source>
         <translation>Superado</translation>
     </message>
@@ -8359,6 +8363,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Show</source>
         <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
+        <translation>Todavía no se ha movido nada. Mantener pulsado un segundo el botón de abajo: entonces la máquina se mueve.</translation>
     </message>
 </context>
 <context>
@@ -9096,10 +9104,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>Press and hold: go on with the job</source>
         <translation>Mantener pulsado: continuar el trabajo</translation>
     </message>
-    <message>
-        <source>Nothing moves now. The job will go on at line %1: %2.</source>
-        <translation>Ahora no se mueve nada. El trabajo continuará en la línea %1: %2.</translation>
-    </message>
     <message numerus="yes">
         <source>Before that, the control executes %Ln blocks: see the list.</source>
         <translation>
@@ -9108,16 +9112,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         </translation>
     </message>
     <message>
-        <source>Nothing moves now. The job will go on in part %1 at point %2 of %3, line %4.</source>
-        <translation>Ahora no se mueve nada. El trabajo seguirá en el tramo %1, punto %2 de %3, línea %4.</translation>
-    </message>
-    <message>
         <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
         <translation>Todavía no se ha movido nada. La ejecución empezará en el punto %1 de %2, donde comienza la línea %3: %4.</translation>
-    </message>
-    <message>
-        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
-        <translation>Ahora no se mueve nada. La ejecución se reanudará en el punto %1 de %2, línea %3: %4.</translation>
     </message>
     <message>
         <source>The tool first moves %1 in a straight line to that point.</source>
@@ -9126,6 +9122,30 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
         <translation>A partir del punto %1, el programa difiere del de la ejecución interrumpida. Ninguno de estos puntos se ha ejecutado: comprobar la nueva trayectoria antes de continuar.</translation>
+    </message>
+    <message>
+        <source>The program still stands on the control: first it executes the rest of its window, at most %1, and ends.</source>
+        <translation>El programa sigue detenido en el control: primero ejecuta el resto de su ventana, como máximo %1, y termina.</translation>
+    </message>
+    <message>
+        <source>The program still stands on the control, between its windows: it ends without a move.</source>
+        <translation>El programa sigue detenido en el control, entre sus ventanas: termina sin moverse.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on in part %1 at point %2 of %3, line %4.</source>
+        <translation>Aún no se ha movido nada. El trabajo seguirá en el tramo %1, punto %2 de %3, línea %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on at line %1: %2.</source>
+        <translation>Aún no se ha movido nada. El trabajo continuará en la línea %1: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Todavía no se ha movido nada. La ejecución se reanudará en el punto %1 de %2, línea %3: %4.</translation>
+    </message>
+    <message>
+        <source>Then the tool moves %1 in a straight line to that point.</source>
+        <translation>Después la herramienta recorre %1 en línea recta hasta ese punto.</translation>
     </message>
 </context>
 <context>
@@ -9208,10 +9228,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Ready to start</source>
         <translation>Listo para iniciar</translation>
-    </message>
-    <message>
-        <source>Stop requested, not yet confirmed</source>
-        <translation>Parada solicitada, aún sin confirmar</translation>
     </message>
     <message>
         <source>Stop confirmed after %1</source>
@@ -9556,12 +9572,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Esta ventana no la ha iniciado. Parada retiene sus ejes.</translation>
     </message>
     <message>
-        <source>Stop requested: still moving, at most %1, about %2</source>
-        <translation>Parada solicitada: aún en movimiento, como máximo %1, unos %2</translation>
-    </message>
-    <message>
-        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
-        <translation>Pregunta al control dónde se interrumpió la ejecución. Si su programa aún está activo allí, los ejes siguen primero hasta el final de su ventana.</translation>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Pregunta al control dónde se interrumpió la ejecución. Todavía no se mueve nada.</translation>
     </message>
 </context>
 <context>
@@ -10040,8 +10052,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Terminar aquí</translation>
     </message>
     <message>
-        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
-        <translation>Pregunta al control dónde se interrumpió la ejecución. Si su programa aún está activo allí, los ejes siguen primero hasta el final de su ventana.</translation>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Pregunta al control dónde se interrumpió la ejecución. Todavía no se mueve nada.</translation>
     </message>
 </context>
 <context>

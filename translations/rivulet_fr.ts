@@ -1960,10 +1960,6 @@
         <source>Stop confirmed after %1.</source>
         <translation>Arrêt confirmé après %1.</translation>
     </message>
-    <message>
-        <source>Stop requested, not yet confirmed.</source>
-        <translation>Arrêt demandé, pas encore confirmé.</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln windows executed</source>
         <translation>
@@ -4563,6 +4559,10 @@ GPL-3.0-or-later</translation>
         <source>Start like this</source>
         <translation>Démarrer ainsi</translation>
     </message>
+    <message>
+        <source>Then in a straight line over %1 to %2.</source>
+        <translation>Ensuite en ligne droite sur %1 jusqu’à %2.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -5332,8 +5332,8 @@ GPL-3.0-or-later</translation>
         <translation>Arrêter et fermer</translation>
     </message>
     <message>
-        <source>A run is in progress. To close the window, the run is stopped first; it can be resumed later.</source>
-        <translation>Une exécution est en cours. Pour fermer la fenêtre, elle est d’abord arrêtée&#xa0;; elle pourra être reprise plus tard.</translation>
+        <source>A run is in progress. To close the window, its axes are held first, where they are; the run can be resumed from there.</source>
+        <translation>Une exécution est en cours. Pour fermer la fenêtre, ses axes sont d’abord immobilisés là où ils sont&#xa0;; l’exécution pourra être reprise de là.</translation>
     </message>
 </context>
 <context>
@@ -6550,8 +6550,16 @@ GPL-3.0-or-later</translation>
         <translation>Les axes vont jusqu’à la fin de la fenêtre, ou du bloc de la commande, et le programme s’y termine.</translation>
     </message>
     <message>
-        <source>Loads the program, compares it and asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
-        <translation>Charge le programme, le compare et demande à la commande où l’exécution s’est interrompue. Si son programme y est encore actif, les axes vont d’abord jusqu’à la fin de sa fenêtre.</translation>
+        <source>Stop requested: still moving, at most %1, about %2</source>
+        <translation>Arrêt demandé&#xa0;: encore en mouvement, au plus %1, environ %2</translation>
+    </message>
+    <message>
+        <source>Stop requested, not yet confirmed</source>
+        <translation>Arrêt demandé, pas encore confirmé</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it and asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Charge le programme, le compare et demande à la commande où l’exécution s’est interrompue. Rien ne bouge encore.</translation>
     </message>
 </context>
 <context>
@@ -8338,10 +8346,6 @@ GPL-3.0-or-later</translation>
         <translation>Avant la reprise de l’exécution</translation>
     </message>
     <message>
-        <source>Nothing moves now. Hold the button below for one second: then the machine moves.</source>
-        <translation>Rien ne bouge maintenant. Maintenir une seconde le bouton ci-dessous&#xa0;: alors la machine se déplace.</translation>
-    </message>
-    <message>
         <source>Passed</source>
         <translation>Réussi</translation>
     </message>
@@ -8359,6 +8363,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Show</source>
         <translation>Afficher</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
+        <translation>Rien n’a encore bougé. Maintenir une seconde le bouton ci-dessous&#xa0;: alors la machine se déplace.</translation>
     </message>
 </context>
 <context>
@@ -9096,10 +9104,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <source>Press and hold: go on with the job</source>
         <translation>Maintenir appuyé&#xa0;: poursuivre la tâche</translation>
     </message>
-    <message>
-        <source>Nothing moves now. The job will go on at line %1: %2.</source>
-        <translation>Rien ne bouge maintenant. La tâche reprendra à la ligne %1&#xa0;: %2.</translation>
-    </message>
     <message numerus="yes">
         <source>Before that, the control executes %Ln blocks: see the list.</source>
         <translation>
@@ -9108,16 +9112,8 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         </translation>
     </message>
     <message>
-        <source>Nothing moves now. The job will go on in part %1 at point %2 of %3, line %4.</source>
-        <translation>Rien ne bouge maintenant. La tâche reprendra au tronçon %1, point %2 sur %3, ligne %4.</translation>
-    </message>
-    <message>
         <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
         <translation>Rien n’a encore bougé. L’exécution commencera au point %1 sur %2, au début de la ligne %3&#xa0;: %4.</translation>
-    </message>
-    <message>
-        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
-        <translation>Rien ne bouge maintenant. L’exécution reprendra au point %1 sur %2, ligne %3&#xa0;: %4.</translation>
     </message>
     <message>
         <source>The tool first moves %1 in a straight line to that point.</source>
@@ -9126,6 +9122,30 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
         <translation>À partir du point %1, le programme diffère de celui de l’exécution interrompue. Aucun de ces points n’a été exécuté&#xa0;: vérifier la nouvelle trajectoire avant de continuer.</translation>
+    </message>
+    <message>
+        <source>The program still stands on the control: first it executes the rest of its window, at most %1, and ends.</source>
+        <translation>Le programme est encore arrêté sur la commande&#xa0;: il exécute d’abord le reste de sa fenêtre, au plus %1, et se termine.</translation>
+    </message>
+    <message>
+        <source>The program still stands on the control, between its windows: it ends without a move.</source>
+        <translation>Le programme est encore arrêté sur la commande, entre ses fenêtres&#xa0;: il se termine sans mouvement.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on in part %1 at point %2 of %3, line %4.</source>
+        <translation>Rien n’a encore bougé. La tâche reprendra au tronçon %1, point %2 sur %3, ligne %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on at line %1: %2.</source>
+        <translation>Rien n’a encore bougé. La tâche reprendra à la ligne %1&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Rien n’a encore bougé. L’exécution reprendra au point %1 sur %2, ligne %3&#xa0;: %4.</translation>
+    </message>
+    <message>
+        <source>Then the tool moves %1 in a straight line to that point.</source>
+        <translation>Ensuite l’outil parcourt %1 en ligne droite jusqu’à ce point.</translation>
     </message>
 </context>
 <context>
@@ -9208,10 +9228,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Ready to start</source>
         <translation>Prêt à démarrer</translation>
-    </message>
-    <message>
-        <source>Stop requested, not yet confirmed</source>
-        <translation>Arrêt demandé, pas encore confirmé</translation>
     </message>
     <message>
         <source>Stop confirmed after %1</source>
@@ -9556,12 +9572,8 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Cette fenêtre ne l’a pas lancée. Arrêt maintient ses axes.</translation>
     </message>
     <message>
-        <source>Stop requested: still moving, at most %1, about %2</source>
-        <translation>Arrêt demandé&#xa0;: encore en mouvement, au plus %1, environ %2</translation>
-    </message>
-    <message>
-        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
-        <translation>Demande à la commande où l’exécution s’est interrompue. Si son programme y est encore actif, les axes vont d’abord jusqu’à la fin de sa fenêtre.</translation>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Demande à la commande où l’exécution s’est interrompue. Rien ne bouge encore.</translation>
     </message>
 </context>
 <context>
@@ -10040,8 +10052,8 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Terminer ici</translation>
     </message>
     <message>
-        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
-        <translation>Demande à la commande où l’exécution s’est interrompue. Si son programme y est encore actif, les axes vont d’abord jusqu’à la fin de sa fenêtre.</translation>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Demande à la commande où l’exécution s’est interrompue. Rien ne bouge encore.</translation>
     </message>
 </context>
 <context>

@@ -1960,10 +1960,6 @@
         <source>Stop confirmed after %1.</source>
         <translation>Stop confermato dopo %1.</translation>
     </message>
-    <message>
-        <source>Stop requested, not yet confirmed.</source>
-        <translation>Stop richiesto, non ancora confermato.</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln windows executed</source>
         <translation>
@@ -4563,6 +4559,10 @@ GPL-3.0-or-later</translation>
         <source>Start like this</source>
         <translation>Avvia così</translation>
     </message>
+    <message>
+        <source>Then in a straight line over %1 to %2.</source>
+        <translation>Poi in linea retta per %1 fino a %2.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -5332,8 +5332,8 @@ GPL-3.0-or-later</translation>
         <translation>Arresta e chiudi</translation>
     </message>
     <message>
-        <source>A run is in progress. To close the window, the run is stopped first; it can be resumed later.</source>
-        <translation>Un’esecuzione è in corso. Per chiudere la finestra viene prima arrestata; si può riprendere in seguito.</translation>
+        <source>A run is in progress. To close the window, its axes are held first, where they are; the run can be resumed from there.</source>
+        <translation>Un’esecuzione è in corso. Per chiudere la finestra i suoi assi vengono prima fermati dove sono; l’esecuzione si può riprendere da lì.</translation>
     </message>
 </context>
 <context>
@@ -6550,8 +6550,16 @@ GPL-3.0-or-later</translation>
         <translation>Gli assi proseguono fino alla fine della finestra, o del blocco del controllo, e lì il programma termina.</translation>
     </message>
     <message>
-        <source>Loads the program, compares it and asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
-        <translation>Carica il programma, lo confronta e chiede al controllo dove l’esecuzione si è interrotta. Se il suo programma vi è ancora attivo, gli assi proseguono prima fino alla fine della sua finestra.</translation>
+        <source>Stop requested: still moving, at most %1, about %2</source>
+        <translation>Stop richiesto: ancora in movimento, al massimo %1, circa %2</translation>
+    </message>
+    <message>
+        <source>Stop requested, not yet confirmed</source>
+        <translation>Stop richiesto, non ancora confermato</translation>
+    </message>
+    <message>
+        <source>Loads the program, compares it and asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Carica il programma, lo confronta e chiede al controllo dove l’esecuzione si è interrotta. Ancora non si muove nulla.</translation>
     </message>
 </context>
 <context>
@@ -8338,10 +8346,6 @@ GPL-3.0-or-later</translation>
         <translation>Prima di riprendere l’esecuzione</translation>
     </message>
     <message>
-        <source>Nothing moves now. Hold the button below for one second: then the machine moves.</source>
-        <translation>Ora non si muove nulla. Tenere premuto per un secondo il pulsante in basso: poi la macchina si muove.</translation>
-    </message>
-    <message>
         <source>Passed</source>
         <translation>Superato</translation>
     </message>
@@ -8359,6 +8363,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Show</source>
         <translation>Mostra</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
+        <translation>Ancora non si è mosso nulla. Tenere premuto per un secondo il pulsante in basso: poi la macchina si muove.</translation>
     </message>
 </context>
 <context>
@@ -9096,10 +9104,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <source>Press and hold: go on with the job</source>
         <translation>Tenere premuto: continuare il lavoro</translation>
     </message>
-    <message>
-        <source>Nothing moves now. The job will go on at line %1: %2.</source>
-        <translation>Ora non si muove nulla. Il lavoro continuerà alla riga %1: %2.</translation>
-    </message>
     <message numerus="yes">
         <source>Before that, the control executes %Ln blocks: see the list.</source>
         <translation>
@@ -9108,16 +9112,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         </translation>
     </message>
     <message>
-        <source>Nothing moves now. The job will go on in part %1 at point %2 of %3, line %4.</source>
-        <translation>Ora non si muove nulla. Il lavoro proseguirà nel tratto %1 al punto %2 di %3, riga %4.</translation>
-    </message>
-    <message>
         <source>Nothing has moved yet. The run will start at point %1 of %2, where line %3 begins: %4.</source>
         <translation>Ancora non si è mosso nulla. L’esecuzione comincerà dal punto %1 di %2, dove inizia la riga %3: %4.</translation>
-    </message>
-    <message>
-        <source>Nothing moves now. The run will resume at point %1 of %2, line %3: %4.</source>
-        <translation>Ora non si muove nulla. L’esecuzione riprenderà dal punto %1 di %2, riga %3: %4.</translation>
     </message>
     <message>
         <source>The tool first moves %1 in a straight line to that point.</source>
@@ -9126,6 +9122,30 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>From point %1 on, the program differs from that of the interrupted run. None of these points has been executed: check the new path before you go on.</source>
         <translation>Dal punto %1 il programma è diverso da quello dell’esecuzione interrotta. Nessuno di questi punti è stato eseguito: controllare il nuovo percorso prima di continuare.</translation>
+    </message>
+    <message>
+        <source>The program still stands on the control: first it executes the rest of its window, at most %1, and ends.</source>
+        <translation>Il programma è ancora fermo sul controllo: prima esegue il resto della sua finestra, al massimo %1, e termina.</translation>
+    </message>
+    <message>
+        <source>The program still stands on the control, between its windows: it ends without a move.</source>
+        <translation>Il programma è ancora fermo sul controllo, tra le sue finestre: termina senza movimento.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on in part %1 at point %2 of %3, line %4.</source>
+        <translation>Nulla si è ancora mosso. Il lavoro proseguirà nel tratto %1 al punto %2 di %3, riga %4.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The job will go on at line %1: %2.</source>
+        <translation>Nulla si è ancora mosso. Il lavoro continuerà alla riga %1: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. The run will resume at point %1 of %2, line %3: %4.</source>
+        <translation>Ancora non si è mosso nulla. L’esecuzione riprenderà dal punto %1 di %2, riga %3: %4.</translation>
+    </message>
+    <message>
+        <source>Then the tool moves %1 in a straight line to that point.</source>
+        <translation>Poi l’utensile percorre %1 in linea retta fino a quel punto.</translation>
     </message>
 </context>
 <context>
@@ -9208,10 +9228,6 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Ready to start</source>
         <translation>Pronto all’avvio</translation>
-    </message>
-    <message>
-        <source>Stop requested, not yet confirmed</source>
-        <translation>Stop richiesto, non ancora confermato</translation>
     </message>
     <message>
         <source>Stop confirmed after %1</source>
@@ -9556,12 +9572,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Questa finestra non l’ha avviata. Stop trattiene i suoi assi.</translation>
     </message>
     <message>
-        <source>Stop requested: still moving, at most %1, about %2</source>
-        <translation>Stop richiesto: ancora in movimento, al massimo %1, circa %2</translation>
-    </message>
-    <message>
-        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
-        <translation>Chiede al controllo dove l’esecuzione si è interrotta. Se il suo programma vi è ancora attivo, gli assi proseguono prima fino alla fine della sua finestra.</translation>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Chiede al controllo dove l’esecuzione si è interrotta. Ancora non si muove nulla.</translation>
     </message>
 </context>
 <context>
@@ -10040,8 +10052,8 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Termina qui</translation>
     </message>
     <message>
-        <source>Asks the control where the run was left. If its program is still active there, the axes first go on to the end of its window.</source>
-        <translation>Chiede al controllo dove l’esecuzione si è interrotta. Se il suo programma vi è ancora attivo, gli assi proseguono prima fino alla fine della sua finestra.</translation>
+        <source>Asks the control where the run was left. Nothing moves yet.</source>
+        <translation>Chiede al controllo dove l’esecuzione si è interrotta. Ancora non si muove nulla.</translation>
     </message>
 </context>
 <context>

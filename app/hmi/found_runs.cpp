@@ -87,6 +87,9 @@ std::optional<FoundRunView> FoundRuns::view() const {
       view.executed = executedPoints();
       view.total = m_seen.pointsAfter->back();
     }
+    if (m_seen.ahead && m_machine.view().feedMmPerS.value_or(0.0) > 0.0) {
+      view.ahead = widgets::MotionLeft{m_seen.ahead->lengthMm, m_seen.ahead->seconds};
+    }
     origin = found.origin ? found.origin : origin;
   } else if (view.number == m_dismissed || m_runs.leftRunNumber() == view.number) {
     return std::nullopt;  // Resume beside Start offers it

@@ -270,6 +270,7 @@ std::vector<PreflightItem> Preflight::liveItems() const {
                        .arg(widgets::feedText(base::mmPerSFromMmPerMin(agreed.feedMmPerMinMax))),
                    {},
                    0});
+  items.push_back(stopItem());
   items.push_back({Status::Plain,
                    tr("No points"),
                    tr("The machine waits at the end of the last window: %1.")
@@ -819,9 +820,12 @@ PreflightItem Preflight::stopItem() const {
   // An access in progress is waited for: at most that of a whole window.
   const int nodes = feasibility::turnOf(point.turn()).charged + 1;
   constexpr double kPercent = 100.0;
+  const auto& live = m_document.live();
+  const double feedMmPerS =
+      live ? base::mmPerSFromMmPerMin(live->setup.agreement.feedMmPerMinMax)
+           : (settings.usesProgramFeeds() ? m_document.feedMmPerSMax() : settings.feedMmPerS);
   const double fastestMmPerS =
-      (settings.usesProgramFeeds() ? m_document.feedMmPerSMax() : settings.feedMmPerS) *
-      permission::overridePercentMax(permission::Role::Engineer) / kPercent;
+      feedMmPerS * permission::overridePercentMax(permission::Role::Engineer) / kPercent;
   item.text =
       tr("The axes stand on the path within %1; threads and tapping at their end.")
           .arg(widgets::secondsText(

@@ -24,6 +24,7 @@
 #include "run/resume.h"
 #include "session/hazards.h"
 #include "streaming/control/machine_facts.h"
+#include "streaming/recovery/resume.h"
 #include "streaming/run/equipment_watch.h"
 #include "streaming/run/job_times.h"
 #include "streaming/run/run.h"
@@ -102,6 +103,9 @@ struct RunsSeen {
   /// Without one on the control: the newest run of this computer that was left there.
   std::optional<report::SavedRun> left;
   bool isJob = false;  ///< the run that is kept here is a whole job
+  /// Of that run on the control: what its program executes if it is told to end. Nothing: not
+  /// known.
+  std::optional<streaming::MotionAhead> ahead{};
 };
 
 /// Which rights the user of the connection has.

@@ -446,7 +446,10 @@ base::Result<void> SessionWorker::lookAtControl() {
   }
   seen.described = *std::move(described);
   tellIfRoom(seen);
-  return lookForRuns(seen.channelStatus != opcua::kChannelReset);
+  return lookForRuns(seen.channelStatus != opcua::kChannelReset,
+                     seen.positionMm ? std::optional(base::AxisPosition{
+                                           *seen.positionMm, seen.rotaryDeg.value_or(rotaryDeg)})
+                                     : std::nullopt);
 }
 
 base::Result<SessionWorker::Described> SessionWorker::readDescription() {
@@ -463,7 +466,8 @@ base::Result<SessionWorker::Described> SessionWorker::readDescription() {
   return std::make_shared<const std::vector<opcua::DescribedMachine>>(*std::move(machines));
 }
 
-base::Result<void> SessionWorker::lookForRuns(bool isBusy) {
+base::Result<void> SessionWorker::lookForRuns(bool isBusy,
+                                              const std::optional<base::AxisPosition>& tool) {
   std::optional<streaming::RunOnControl> found;
   if (isBusy) {
     constexpr int kFirstCell = templates::TemplateParameters{}.baseCell;
@@ -477,10 +481,38 @@ base::Result<void> SessionWorker::lookForRuns(bool isBusy) {
   }
   const bool isChange = found.has_value() || m_seen.onControl || m_looksForLeft;
   takeFound(found);
+  m_seen.ahead = ahead(tool);
   if (isChange) {
     tell(m_seen);
   }
   return {};
+}
+
+std::optional<streaming::MotionAhead> SessionWorker::ahead(
+    const std::optional<base::AxisPosition>& tool) const {
+  if (!m_seen.onControl || !m_seen.pointsAfter || !tool) {
+    return std::nullopt;
+  }
+  const streaming::RunOnControl& run = m_seen.onControl->onControl;
+  const std::vector<std::size_t>& after = *m_seen.pointsAfter;
+  if (run.latched >= after.size() || run.executed > run.latched ||
+      after[run.latched] > m_seenPoints.size()) {
+    return std::nullopt;
+  }
+  const report::SavedRun& saved = *m_seen.onControl->saved;
+  const auto placeOf = [&saved](const base::Vec3& mm, base::RotaryDeg deg) {
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      deg[axis] = saved.settings.parameters.rotaryAxes[axis] ? deg[axis] : 0.0;
+    }
+    return base::AxisPosition{mm, deg};
+  };
+  const std::size_t first = after[run.executed];
+  const base::AxisPosition before =
+      first > 0 ? placeOf(m_seenPoints[first - 1].positionMm, m_seenPoints[first - 1].rotaryDeg)
+                : placeOf(saved.checkpoint.startMm, saved.checkpoint.startDeg);
+  return streaming::motionAhead(before,
+                                std::span(m_seenPoints).subspan(first, after[run.latched] - first),
+                                placeOf(tool->mm, tool->deg), saved.settings.feedMmPerS);
 }
 
 void SessionWorker::takeFound(const std::optional<streaming::RunOnControl>& found) {
@@ -513,6 +545,7 @@ void SessionWorker::takeFound(const std::optional<streaming::RunOnControl>& foun
     if (m_seen.onControl->saved && !m_seen.isJob) {
       m_seen.pointsAfter = std::make_shared<const std::vector<std::size_t>>(
           report::pointsAfterWindows(m_runs, *m_seen.onControl->saved));
+      m_seenPoints = m_runs.points(*m_seen.onControl->saved);
     }
   }
   m_seen.onControl->onControl = *found;

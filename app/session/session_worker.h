@@ -113,9 +113,14 @@ class SessionWorker {
   /// @return null: it is not time yet, or it could not be read; ConnectionLost
   [[nodiscard]] base::Result<Described> readDescription();
   /// @param isBusy  a program is active
-  [[nodiscard]] base::Result<void> lookForRuns(bool isBusy);
+  /// @param tool  where it is; nothing: not known
+  [[nodiscard]] base::Result<void> lookForRuns(bool isBusy,
+                                               const std::optional<base::AxisPosition>& tool);
   /// What is known here about a run on the control.
   void takeFound(const std::optional<streaming::RunOnControl>& found);
+  /// See `RunsSeen`.
+  [[nodiscard]] std::optional<streaming::MotionAhead> ahead(
+      const std::optional<base::AxisPosition>& tool) const;
   void endRun(const EndRunCommand& command);
   void examineRights();
   /// Live values may be lost when the GUI does not keep up; everything else waits for room.
@@ -145,9 +150,10 @@ class SessionWorker {
   streaming::EquipmentWatch m_equipment;  // of the control at the other end
   base::Instant m_nextEquipment{};
   base::Instant m_nextDescription{};
-  streaming::RunWatch m_watch;      // of the control at the other end
-  RunsSeen m_seen;                  // as told last
-  bool m_looksForLeft = false;      // the store may have changed
+  streaming::RunWatch m_watch;                   // of the control at the other end
+  RunsSeen m_seen;                               // as told last
+  std::vector<gcode::StreamPoint> m_seenPoints;  // of its run on the control; empty: not known
+  bool m_looksForLeft = false;                   // the store may have changed
   std::string m_proven;             // text of the template proved last; streaming thread only
   opcua::ConnectRequest m_request;  // that `m_connection` was made for
   std::unique_ptr<live::Source> m_source;  // of live points; streaming thread only; null: none

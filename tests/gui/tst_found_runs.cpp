@@ -9,6 +9,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -67,10 +68,10 @@ class TestFoundRuns : public QObject {
   QString m_program;
 
   /// A zigzag of which the points from `changedFrom` on are elsewhere.
-  void writeProgram(int changedFrom = kPoints) {
+  void writeProgram(int changedFrom = kPoints, int feedMmPerMin = 3000) {
     QFile file(m_program);
     QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("G1 X0 Y0 Z0 F3000\n");
+    file.write("G1 X0 Y0 Z0 F" + QByteArray::number(feedMmPerMin) + '\n');
     for (int i = 1; i < kPoints; ++i) {
       file.write("X" + QByteArray::number(5 * i) + " Y" +
                  QByteArray::number(i % 2 * 3 + (i >= changedFrom ? 10 : 0)) + '\n');
@@ -277,7 +278,7 @@ class TestFoundRuns : public QObject {
     } else {
       QTest::mouseClick(button(how.toLatin1().constData()), Qt::LeftButton);
     }
-    QVERIFY(shows(m_window.get(), QStringLiteral("not yet confirmed")));
+    QVERIFY(shows(m_window.get(), QStringLiteral("Stop requested")));
     QTRY_VERIFY_WITH_TIMEOUT(shows(bar(), QStringLiteral("The axes stand")), kSoonMs);
     picture("found-held");
     QVERIFY(button("stop")->isEnabled() && !button("found-stop")->isVisible());
@@ -290,6 +291,35 @@ class TestFoundRuns : public QObject {
     QTest::mouseClick(button("found-dismiss"), Qt::LeftButton);
     QVERIFY(!bar()->isVisible());
     QVERIFY(closeAndReadActs().contains(QStringLiteral("stop")));
+  }
+
+  /// Until its axes stand, the strip says how far they still move, at most, and counts down.
+  void saysHowFarAFoundRunStillMoves() {
+    constexpr int kSlowMmPerMin = 300;
+    constexpr double kWindowMm = 30.0;  // five moves of less than 6 mm
+    writeProgram(kPoints, kSlowMmPerMin);
+    startAndLose();
+    openWindow();
+    QTRY_VERIFY_WITH_TIMEOUT(bar()->isVisible(), kSoonMs);
+    QTest::mouseClick(button("found-stop"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(shows(bar(), QStringLiteral("The axes stand")), kSoonMs);
+    QVERIFY(!shows(bar(), QStringLiteral("still moving")));
+    QTest::mouseClick(button("found-end"), Qt::LeftButton);
+    std::vector<double> aheadMm;
+    const QRegularExpression told(QStringLiteral("still moving, at most ([0-9]+)"));
+    QTRY_VERIFY_WITH_TIMEOUT(
+        [&] {
+          for (const QLabel* label : bar()->findChildren<QLabel*>()) {
+            if (const auto match = told.match(label->text()); match.hasMatch()) {
+              aheadMm.push_back(match.captured(1).toDouble());
+            }
+          }
+          return shows(bar(), QStringLiteral("no longer active"));
+        }(),
+        kRunMs);
+    QVERIFY(aheadMm.size() > 1);
+    QVERIFY(aheadMm.front() <= kWindowMm && aheadMm.back() < aheadMm.front());
+    QVERIFY(std::is_sorted(aheadMm.rbegin(), aheadMm.rend()));
   }
 
   /// Closing asks, does not cover Stop, and stops only when told to; the run is kept.

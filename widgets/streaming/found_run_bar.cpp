@@ -65,7 +65,7 @@ struct FoundRunTexts {
       return tr("Stop confirmed after %1.")
           .arg(secondsText(base::toSeconds(*run.stopConfirmedAfter), 2));
     }
-    return run.isStopping ? tr("Stop requested, not yet confirmed.") : QString();
+    return run.isStopping ? stopRequestedText(run.ahead) + QLatin1Char('.') : QString();
   }
 };
 
@@ -74,6 +74,13 @@ struct FoundRunTexts {
 QString foundRunText(const FoundRunView& run) {
   const QString origin = FoundRunTexts::origin(run);
   return FoundRunTexts::name(run) + QStringLiteral(". ") + origin;
+}
+
+QString stopRequestedText(const std::optional<MotionLeft>& ahead) {
+  return ahead && ahead->lengthMm > 0.0
+             ? FoundRunBar::tr("Stop requested: still moving, at most %1, about %2")
+                   .arg(lengthText(ahead->lengthMm, 0), secondsText(ahead->seconds, 0))
+             : FoundRunBar::tr("Stop requested, not yet confirmed");
 }
 
 FoundRunBar::FoundRunBar(QWidget* parent)

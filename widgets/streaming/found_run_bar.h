@@ -11,6 +11,7 @@
 
 #include "base/instant.h"
 #include "widgets/common/notice_bar.h"
+#include "widgets/streaming/run_progress.h"
 
 namespace rivulet::widgets {
 
@@ -33,6 +34,8 @@ struct FoundRunView {
   bool isWatched = false;
   bool isStopping = false;  ///< a stop has been requested
   bool isHeld = false;      ///< stopped, and not ended: its axes stand
+  /// Its axes move: what its program executes until it has ended, at most. Nothing: not known.
+  std::optional<MotionLeft> ahead{};
   /// The stop was confirmed after this time.
   std::optional<base::Duration> stopConfirmedAfter;
 
@@ -44,6 +47,9 @@ struct FoundRunView {
 
 /// "Run 123456 of rows.nc, started by anna on cell-pc-3 at …".
 [[nodiscard]] QString foundRunText(const FoundRunView& run);
+
+/// "Stop requested: still moving, at most 212 mm, about 34 s". @param ahead  nothing: not known
+[[nodiscard]] QString stopRequestedText(const std::optional<MotionLeft>& ahead);
 
 class FoundRunBar final : public NoticeBar {
   Q_OBJECT

@@ -446,11 +446,7 @@ QString RunPanel::stopText() const {
     case StopState::None:
       break;
     case StopState::Requested:
-      return m_where.delivered && !(m_job && m_job->isNative)
-                 ? tr("Stop requested: still moving, at most %1, about %2")
-                       .arg(lengthText(m_where.delivered->lengthMm, 0),
-                            secondsText(m_where.delivered->seconds, 0))
-                 : tr("Stop requested, not yet confirmed");
+      return stopRequestedText(m_job && m_job->isNative ? std::nullopt : m_where.delivered);
     case StopState::Confirmed:
       return m_update.stopConfirmedAfter
                  ? tr("Stop confirmed after %1")
@@ -579,7 +575,7 @@ void RunPanel::showReason() {
   } else if (active) {
     sentences.append(waitingSentence());
   } else if (hasFound()) {
-    sentences = {m_found->isStopping  ? tr("Stop requested, not yet confirmed")
+    sentences = {m_found->isStopping  ? stopRequestedText(m_found->ahead)
                  : m_found->isHeld    ? tr("Its axes are held until the run is ended or resumed.")
                  : m_found->isWatched ? tr("This window only shows it. Stop holds its axes.")
                                       : tr("This window did not start it. Stop holds its axes.")};
