@@ -30,7 +30,7 @@
 //
 // Deadlines are the link's own. The library must never forget a call: it closes the connection when
 // an answer comes to a call that it does not know. So its own timeouts are longer than any silence
-// that the link endures, and the calls that wait for a late answer are counted (`m_asked`).
+// that the link endures, and the calls that wait for a late answer are counted (`m_calls.asked`).
 
 namespace rivulet::opcua {
 
@@ -58,43 +58,44 @@ base::Error UaLink::Impl::error(LinkError code) const {
 void UaLink::Impl::onState(UA_Client* client, UA_SecureChannelState channel,
                            UA_SessionState session, UA_StatusCode status) noexcept {
   auto* self = static_cast<Impl*>(UA_Client_getContext(client));
-  if (self->m_established && (isBad(status) || channel != UA_SECURECHANNELSTATE_OPEN ||
-                              session != UA_SESSIONSTATE_ACTIVATED)) {
-    self->m_lost = true;
-    self->m_activity = true;
+  if (self->m_connection.isEstablished && (isBad(status) || channel != UA_SECURECHANNELSTATE_OPEN ||
+                                           session != UA_SESSIONSTATE_ACTIVATED)) {
+    self->m_connection.isLost = true;
+    self->m_connection.hasActivity = true;
   }
 }
 
 void UaLink::Impl::onAnswer(UA_Client* client, void* serial, UA_UInt32 /*requestId*/,
                             void* response) noexcept {
   auto* self = static_cast<Impl*>(UA_Client_getContext(client));
-  self->m_activity = true;
+  self->m_connection.hasActivity = true;
   self->answered(reinterpret_cast<std::uintptr_t>(serial), response);
 }
 
 std::uint64_t UaLink::Impl::nextSerial() {
-  m_asked.push_back({++m_lastSerial, now()});
-  return m_lastSerial;
+  m_calls.asked.push_back({++m_calls.last, now()});
+  return m_calls.last;
 }
 
 std::size_t UaLink::Impl::unanswered() const {
   const auto awaited = std::count_if(m_pending.begin(), m_pending.end(),
                                      [](const Pending& pending) { return pending.serial != 0; });
   const bool publishes = m_subscription && m_subscription->serial != 0;
-  return m_asked.size() - static_cast<std::size_t>(awaited) - (publishes ? 1 : 0) -
+  return m_calls.asked.size() - static_cast<std::size_t>(awaited) - (publishes ? 1 : 0) -
          (m_exchange.serial != 0 && !m_exchange.answered ? 1 : 0);
 }
 
 Duration UaLink::Impl::silence() const {
-  return m_asked.empty() ? Duration{} : now() - std::max(m_heardAt, m_asked.front().at);
+  return m_calls.asked.empty() ? Duration{}
+                               : now() - std::max(m_connection.heardAt, m_calls.asked.front().at);
 }
 
 void UaLink::Impl::answered(std::uint64_t serial, void* response) {
-  m_heardAt = now();
-  std::erase_if(m_asked, [&](const Asked& asked) { return asked.serial == serial; });
+  m_connection.heardAt = now();
+  std::erase_if(m_calls.asked, [&](const Asked& asked) { return asked.serial == serial; });
   const UA_StatusCode status = static_cast<const UA_ResponseHeader*>(response)->serviceResult;
   if (meansConnectionLost(status)) {
-    m_lost = m_lost || m_established;
+    m_connection.isLost = m_connection.isLost || m_connection.isEstablished;
     return;
   }
   if (m_exchange.serial == serial) {
@@ -106,7 +107,8 @@ void UaLink::Impl::answered(std::uint64_t serial, void* response) {
   }
   if (m_subscription && m_subscription->serial == serial) {
     m_subscription->serial = 0;
-    m_lost = m_lost || isBad(status);  // what it tells would be missed without a word
+    m_connection.isLost =
+        m_connection.isLost || isBad(status);  // what it tells would be missed without a word
     if (!isBad(status)) {
       takePublish(*static_cast<const UA_PublishResponse*>(response));
     }
@@ -204,7 +206,7 @@ void UaLink::Impl::takeCall(Pending& pending, const UA_CallResponse& response) {
 
 base::RequestId UaLink::Impl::begin(Pending pending, bool hasMethod) {
   noticeLoss();  // comes before this request
-  if (m_lost) {
+  if (m_connection.isLost) {
     fail(pending, error(LinkError::ConnectionLost));
   } else if (!hasMethod) {
     fail(pending, error(LinkError::MethodMissing));
@@ -230,7 +232,7 @@ base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable>
   }
 
   noticeLoss();  // comes before this request
-  if (m_lost) {
+  if (m_connection.isLost) {
     fail(pending, error(LinkError::ConnectionLost));
   } else if (const auto fault = requestFault(pending.variables, pending.values)) {
     fail(pending, error(*fault));
@@ -246,7 +248,7 @@ base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable>
 }
 
 std::optional<base::Error> UaLink::Impl::lostByFloat(const Pending& pending) const {
-  if (!m_hasFloatCells) {
+  if (!m_floatCells.exist) {
     return std::nullopt;
   }
   for (std::size_t i = 0; i < pending.values.size(); ++i) {
@@ -266,11 +268,11 @@ std::optional<base::Error> UaLink::Impl::lostByFloat(const Pending& pending) con
 
 /// A cell of type Float that carries what was sent shows what was meant.
 void UaLink::Impl::restoreMeant(const Variable& variable, Reading& reading) const {
-  if (!m_hasFloatCells || variable.kind != VariableKind::RParameter) {
+  if (!m_floatCells.exist || variable.kind != VariableKind::RParameter) {
     return;
   }
-  const auto meant = m_meant.find(variable.index);
-  if (meant != m_meant.end() &&
+  const auto meant = m_floatCells.meant.find(variable.index);
+  if (meant != m_floatCells.meant.end() &&
       static_cast<double>(static_cast<float>(meant->second)) == reading.number) {
     reading.number = meant->second;
   }
@@ -383,7 +385,7 @@ UA_NodeId UaLink::Impl::nodeId(const Node& node, UA_String& range) {
 
 void UaLink::Impl::sendDue() {
   for (Pending& pending : m_pending) {
-    if (m_lost || unanswered() >= kUnansweredMax) {
+    if (m_connection.isLost || unanswered() >= kUnansweredMax) {
       return;
     }
     if (!pending.isSent() && pending.serial == 0) {
@@ -401,82 +403,82 @@ void UaLink::Impl::send(Pending& pending) {
   if (pending.operation == Operation::Call) {
     pending.itemsSent = 1;
     const UA_StatusCode called = sendCall(pending, serial);
-    m_lost = m_lost || isBad(called);
+    m_connection.isLost = m_connection.isLost || isBad(called);
     return;
   }
   const std::size_t first = pending.itemsSent;
   pending.itemsSent += pending.grouping == Grouping::Single ? 1 : pending.variables.size();
-  m_nodes.clear();
-  for (std::size_t item = first; item < pending.itemsSent; item += m_nodes.back().length) {
+  m_scratch.nodes.clear();
+  for (std::size_t item = first; item < pending.itemsSent; item += m_scratch.nodes.back().length) {
     const std::size_t length = sharedNodeLength(pending.variables, item, pending.grouping);
-    m_nodes.push_back(
+    m_scratch.nodes.push_back(
         {pending.variables[item], length, length > 1 ? pending.grouping : Grouping::List});
   }
-  pending.nodesSent = m_nodes.size();
+  pending.nodesSent = m_scratch.nodes.size();
 
   UA_StatusCode status = UA_STATUSCODE_GOOD;
   if (pending.operation == Operation::Read) {
-    m_readItems.resize(m_nodes.size());
-    for (std::size_t i = 0; i < m_nodes.size(); ++i) {
-      UA_ReadValueId& item = m_readItems[i];
+    m_scratch.readItems.resize(m_scratch.nodes.size());
+    for (std::size_t i = 0; i < m_scratch.nodes.size(); ++i) {
+      UA_ReadValueId& item = m_scratch.readItems[i];
       UA_ReadValueId_init(&item);
-      item.nodeId = nodeId(m_nodes[i], item.indexRange);
+      item.nodeId = nodeId(m_scratch.nodes[i], item.indexRange);
       item.attributeId = UA_ATTRIBUTEID_VALUE;
     }
     UA_ReadRequest request;
     UA_ReadRequest_init(&request);
     request.requestHeader.timeoutHint = kLibraryTimeoutMs;
     request.timestampsToReturn = UA_TIMESTAMPSTORETURN_NEITHER;
-    request.nodesToRead = m_readItems.data();
-    request.nodesToReadSize = m_readItems.size();
+    request.nodesToRead = m_scratch.readItems.data();
+    request.nodesToReadSize = m_scratch.readItems.size();
     status = __UA_Client_AsyncService(m_client, &request, &UA_TYPES[UA_TYPES_READREQUEST],
                                       &Impl::onAnswer, &UA_TYPES[UA_TYPES_READRESPONSE], serial,
                                       nullptr);
   } else {
-    m_writeItems.resize(m_nodes.size());
-    const std::size_t type = m_hasFloatCells ? UA_TYPES_FLOAT : UA_TYPES_DOUBLE;
+    m_scratch.writeItems.resize(m_scratch.nodes.size());
+    const std::size_t type = m_floatCells.exist ? UA_TYPES_FLOAT : UA_TYPES_DOUBLE;
     noteFloats(pending);
     std::size_t value = first;
-    for (std::size_t i = 0; i < m_nodes.size(); ++i) {
+    for (std::size_t i = 0; i < m_scratch.nodes.size(); ++i) {
       // The value only: some servers refuse a write that carries a status or timestamps.
-      UA_WriteValue& item = m_writeItems[i];
+      UA_WriteValue& item = m_scratch.writeItems[i];
       UA_WriteValue_init(&item);
-      item.nodeId = nodeId(m_nodes[i], item.indexRange);
+      item.nodeId = nodeId(m_scratch.nodes[i], item.indexRange);
       item.attributeId = UA_ATTRIBUTEID_VALUE;
       item.value.hasValue = true;
-      if (m_nodes[i].length > 1 || item.indexRange.length > 0) {
-        UA_Variant_setArray(&item.value.value, numberToSend(pending, value), m_nodes[i].length,
-                            &UA_TYPES[type]);
+      if (m_scratch.nodes[i].length > 1 || item.indexRange.length > 0) {
+        UA_Variant_setArray(&item.value.value, numberToSend(pending, value),
+                            m_scratch.nodes[i].length, &UA_TYPES[type]);
       } else {
         UA_Variant_setScalar(&item.value.value, numberToSend(pending, value), &UA_TYPES[type]);
       }
-      value += m_nodes[i].length;
+      value += m_scratch.nodes[i].length;
     }
     UA_WriteRequest request;
     UA_WriteRequest_init(&request);
     request.requestHeader.timeoutHint = kLibraryTimeoutMs;
-    request.nodesToWrite = m_writeItems.data();
-    request.nodesToWriteSize = m_writeItems.size();
+    request.nodesToWrite = m_scratch.writeItems.data();
+    request.nodesToWriteSize = m_scratch.writeItems.size();
     status = __UA_Client_AsyncService(m_client, &request, &UA_TYPES[UA_TYPES_WRITEREQUEST],
                                       &Impl::onAnswer, &UA_TYPES[UA_TYPES_WRITERESPONSE], serial,
                                       nullptr);
   }
   // The library closes the channel when sending fails: nothing can be sent afterwards.
-  m_lost = m_lost || isBad(status);
+  m_connection.isLost = m_connection.isLost || isBad(status);
 }
 
 void UaLink::Impl::noteFloats(const Pending& pending) {
-  m_floats.clear();
-  if (m_hasFloatCells) {
+  m_scratch.floats.clear();
+  if (m_floatCells.exist) {
     for (std::size_t i = 0; i < pending.values.size(); ++i) {
-      m_meant[pending.variables[i].index] = pending.values[i];
-      m_floats.push_back(static_cast<float>(pending.values[i]));
+      m_floatCells.meant[pending.variables[i].index] = pending.values[i];
+      m_scratch.floats.push_back(static_cast<float>(pending.values[i]));
     }
   }
 }
 
 void* UaLink::Impl::numberToSend(Pending& pending, std::size_t item) {
-  return m_hasFloatCells ? static_cast<void*>(&m_floats[item]) : &pending.values[item];
+  return m_floatCells.exist ? static_cast<void*>(&m_scratch.floats[item]) : &pending.values[item];
 }
 
 void UaLink::Impl::fail(Pending& pending, base::Error error) {
@@ -517,25 +519,25 @@ void UaLink::Impl::expire(Instant time) {
 void UaLink::Impl::noticeState() {
   UA_SecureChannelState channel = UA_SECURECHANNELSTATE_CLOSED;
   UA_Client_getState(m_client, &channel, nullptr, nullptr);
-  m_lost = m_lost || channel != UA_SECURECHANNELSTATE_OPEN;
-  if (!m_lost && silence() > m_options.silenceMax) {
-    m_lost = true;
-    m_isSilent = true;
+  m_connection.isLost = m_connection.isLost || channel != UA_SECURECHANNELSTATE_OPEN;
+  if (!m_connection.isLost && silence() > m_options.silenceMax) {
+    m_connection.isLost = true;
+    m_connection.isSilent = true;
   }
 }
 
 base::Error UaLink::Impl::lossError() const {
-  if (!m_isSilent) {
+  if (!m_connection.isSilent) {
     return error(LinkError::ConnectionLost);
   }
   return silenceError(m_options.silenceMax, endpoint());
 }
 
 void UaLink::Impl::noticeLoss() {
-  if (!m_lost || m_lossReported) {
+  if (!m_connection.isLost || m_connection.isLossReported) {
     return;
   }
-  m_lossReported = true;
+  m_connection.isLossReported = true;
   m_pending.clear();
   Event event;
   event.kind = EventKind::ConnectionLost;
@@ -548,11 +550,11 @@ void UaLink::Impl::noticeLoss() {
 void UaLink::Impl::settle() {
   finishAnswered();
   noticeState();
-  if (!m_lost && !m_pending.empty()) {
+  if (!m_connection.isLost && !m_pending.empty()) {
     expire(now());
     sendDue();
   }
-  if (!m_lost && m_subscription && m_subscription->serial == 0) {
+  if (!m_connection.isLost && m_subscription && m_subscription->serial == 0) {
     publish();
   }
   noticeLoss();
@@ -563,16 +565,16 @@ void UaLink::Impl::step(Instant until) {
   for (const Pending& pending : m_pending) {
     limit = std::min(limit, pending.deadline);
   }
-  if (!m_asked.empty()) {
+  if (!m_calls.asked.empty()) {
     limit = std::min(limit, addSaturating(now() - silence(), m_options.silenceMax));
   }
   const Duration left = std::min(limit - now(), kIterationMax);
-  m_activity = false;
+  m_connection.hasActivity = false;
   const auto ms =
       left < milliseconds(1) ? milliseconds::zero() : std::chrono::floor<milliseconds>(left);
   const UA_StatusCode status = UA_Client_run_iterate(m_client, static_cast<UA_UInt32>(ms.count()));
-  m_lost = m_lost || isBad(status);
-  if (ms == milliseconds::zero() && !m_activity && !m_lost) {
+  m_connection.isLost = m_connection.isLost || isBad(status);
+  if (ms == milliseconds::zero() && !m_connection.hasActivity && !m_connection.isLost) {
     m_clock.sleepUntil(std::min(limit, now() + kNap));
   }
   settle();
@@ -586,7 +588,7 @@ std::optional<Event> UaLink::Impl::wait(Instant until) {
     if (looked && now() >= until) {
       return std::nullopt;
     }
-    if (m_lost) {
+    if (m_connection.isLost) {
       m_clock.sleepUntil(until);  // nothing can arrive any more
     } else {
       step(until);

@@ -19,16 +19,16 @@ using std::chrono::milliseconds;
 UA_StatusCode UaLink::Impl::exchange(const void* request, const UA_DataType* requestType,
                                      void* response, const UA_DataType* responseType,
                                      Instant deadline) {
-  if (m_lost) {
+  if (m_connection.isLost) {
     return UA_STATUSCODE_BADCONNECTIONCLOSED;
   }
   m_exchange = Exchange{nextSerial(), response, responseType, false};
   void* const serial = reinterpret_cast<void*>(static_cast<std::uintptr_t>(m_exchange.serial));
   UA_StatusCode status = __UA_Client_AsyncService(m_client, request, requestType, &Impl::onAnswer,
                                                   responseType, serial, nullptr);
-  m_lost = m_lost || isBad(status);
+  m_connection.isLost = m_connection.isLost || isBad(status);
   while (!isBad(status) && !m_exchange.answered) {
-    if (m_lost) {
+    if (m_connection.isLost) {
       status = UA_STATUSCODE_BADCONNECTIONCLOSED;
     } else if (now() >= deadline) {
       status = UA_STATUSCODE_BADTIMEOUT;
@@ -73,7 +73,8 @@ base::Result<CallResponse> UaLink::Impl::callNode(const UA_NodeId& object, const
                                         : UA_STATUSCODE_BADUNKNOWNRESPONSE;
   }
   if (isBad(status)) {
-    return base::fail(m_isSilent ? lossError() : requestError(status, Operation::Call, name));
+    return base::fail(m_connection.isSilent ? lossError()
+                                            : requestError(status, Operation::Call, name));
   }
   return response;
 }

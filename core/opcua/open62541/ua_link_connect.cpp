@@ -59,7 +59,7 @@ UaLink::Impl::~Impl() {
 }
 
 void UaLink::Impl::deleteClient() {
-  m_established = false;  // what the library reports while it closes is not a loss
+  m_connection.isEstablished = false;  // what the library reports while it closes is not a loss
   if (m_client != nullptr) {
     close();
     UA_Client_delete(m_client);
@@ -78,7 +78,7 @@ void UaLink::Impl::close() {
   const Instant deadline = now() + kCloseDeadline;
   UA_SecureChannelState channel = UA_SECURECHANNELSTATE_CLOSED;
   UA_Client_getState(m_client, &channel, nullptr, nullptr);
-  if (channel == UA_SECURECHANNELSTATE_OPEN && !m_isSilent) {
+  if (channel == UA_SECURECHANNELSTATE_OPEN && !m_connection.isSilent) {
     UA_Client_disconnectAsync(m_client);
     while (channel != UA_SECURECHANNELSTATE_CLOSED && now() < deadline) {
       loop->run(loop, kCloseStepMs);
@@ -132,7 +132,7 @@ base::Result<void> UaLink::Impl::open() {
   m_options.own = nullptr;
   m_options.trust = nullptr;
   m_options.offered = nullptr;
-  m_established = true;
+  m_connection.isEstablished = true;
   return resolveNamespaces(addSaturating(now(), 2 * m_options.connectDeadline));
 }
 
@@ -301,7 +301,7 @@ base::Result<void> UaLink::Impl::handshake() {
 }
 
 UA_StatusCode UaLink::Impl::reconnect(bool wasOpen, Instant deadline) {
-  if ((!wasOpen || ++m_handshakes > kHandshakesMax) && !pauseBefore(deadline)) {
+  if ((!wasOpen || ++m_connection.handshakes > kHandshakesMax) && !pauseBefore(deadline)) {
     return UA_STATUSCODE_BADCONNECTIONCLOSED;
   }
   return UA_Client_connectAsync(m_client, m_options.endpoint.c_str());
@@ -311,7 +311,7 @@ UA_StatusCode UaLink::Impl::reconnect(bool wasOpen, Instant deadline) {
 bool UaLink::Impl::pauseBefore(Instant deadline) {
   // Clients that were turned away together do not come back together.
   base::Random random(static_cast<std::uint64_t>(now().time_since_epoch().count()));
-  const double factor = (0.5 + random.uniform()) * std::pow(2.0, m_retries++);
+  const double factor = (0.5 + random.uniform()) * std::pow(2.0, m_connection.retries++);
   const Instant next = now() + base::fromSeconds(base::toSeconds(kRetryPause) * factor);
   if (next >= deadline) {
     return false;

@@ -264,15 +264,23 @@ class UaLink::Impl {
   std::shared_ptr<const ControlMap> m_map;  ///< null: names of a SINUMERIK
   std::map<Variable, Address> m_addressed;
   std::unordered_map<Node, Address, NodeHash> m_blocks;  ///< of several cells
-  bool m_hasFloatCells = false;
-  std::map<int, double> m_meant;  ///< last value sent, by R number; with cells of type Float
-  std::vector<float> m_floats;    ///< scratch of `send`
+  /// Cells of type Float.
+  struct FloatCells {
+    bool exist = false;
+    std::map<int, double> meant;  ///< last value sent, by R number
+  };
+  FloatCells m_floatCells;
+  /// Of `send`.
+  struct Scratch {
+    std::vector<float> floats;
+    std::vector<Node> nodes;
+    std::vector<UA_ReadValueId> readItems;
+    std::vector<UA_WriteValue> writeItems;
+  };
+  Scratch m_scratch;
   std::map<std::string_view, MethodAddress> m_methods;        ///< by the SINUMERIK's names
   std::map<std::string, std::vector<BrowsedNode>> m_browsed;  ///< while paths are resolved
   std::vector<std::string> m_namespaces;
-  std::vector<Node> m_nodes;                ///< scratch of `send`
-  std::vector<UA_ReadValueId> m_readItems;  ///< scratch of `send`
-  std::vector<UA_WriteValue> m_writeItems;  ///< scratch of `send`
 
   std::deque<Pending> m_pending;
   std::deque<Event> m_events;
@@ -286,21 +294,27 @@ class UaLink::Impl {
   std::optional<Subscription> m_subscription;
   std::vector<NodeChange> m_changes;
   base::RequestId m_lastId;
-  std::uint64_t m_lastSerial = 0;
-  /// Service calls that the server has not answered, in the order in which they were made.
   struct Asked {
     std::uint64_t serial = 0;
     base::Instant at{};
   };
-  std::deque<Asked> m_asked;
-  base::Instant m_heardAt{};  ///< the last answer, be it late
-  int m_handshakes = 0;
-  int m_retries = 0;
-  bool m_isSilent = false;     ///< the reason of the loss
-  bool m_established = false;  ///< from now on a bad state is a loss
-  bool m_activity = false;     ///< a callback has run
-  bool m_lost = false;
-  bool m_lossReported = false;
+  struct Calls {
+    std::uint64_t last = 0;   ///< serial number
+    std::deque<Asked> asked;  ///< not answered by the server, in the order in which they were made
+  };
+  Calls m_calls;
+  /// What became of the connection.
+  struct Connection {
+    base::Instant heardAt{};  ///< the last answer, be it late
+    int handshakes = 0;
+    int retries = 0;
+    bool isSilent = false;       ///< the reason of the loss
+    bool isEstablished = false;  ///< from now on a bad state is a loss
+    bool hasActivity = false;    ///< a callback has run
+    bool isLost = false;
+    bool isLossReported = false;
+  };
+  Connection m_connection;
 };
 
 }  // namespace rivulet::opcua

@@ -191,15 +191,15 @@ base::Result<void> UaLink::Impl::checkAddresses() {
                        value.value.arrayLength > element
                  : value.hasValue && UA_Variant_hasScalarType(&value.value, &UA_TYPES[type]);
     };
-    m_hasFloatCells = isOf(UA_TYPES_FLOAT);
-    if (m_hasFloatCells && cells.resolution <= 0.0) {
+    m_floatCells.exist = isOf(UA_TYPES_FLOAT);
+    if (m_floatCells.exist && cells.resolution <= 0.0) {
       return base::fail(wrongAddress(
           mapKeyOf(variable),
           fmt::format("R{} is {}, a Float, which does not carry every number. Write the smallest "
                       "increment of the axes into [cells], like resolution = 0.001.",
                       variable.index, node)));
     }
-    if (!m_hasFloatCells && !isOf(UA_TYPES_DOUBLE)) {
+    if (!m_floatCells.exist && !isOf(UA_TYPES_DOUBLE)) {
       return base::fail(wrongAddress(
           mapKeyOf(variable),
           fmt::format("R{} is {}, which is no {}. Cells carry numbers of type Double only.",

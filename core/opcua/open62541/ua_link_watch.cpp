@@ -30,7 +30,7 @@ void UaLink::Impl::takePublish(const UA_PublishResponse& response) {
   if (message.notificationDataSize > 0) {
     m_subscription->unconfirmed = message.sequenceNumber;
   }
-  m_lost = m_lost || !takeNotification(message, m_changes);
+  m_connection.isLost = m_connection.isLost || !takeNotification(message, m_changes);
   std::erase_if(m_changes,
                 [this](const NodeChange& change) { return change.index >= m_subscription->items; });
 }
@@ -53,7 +53,7 @@ void UaLink::Impl::publish() {
   const UA_StatusCode status = __UA_Client_AsyncService(
       m_client, &request, &UA_TYPES[UA_TYPES_PUBLISHREQUEST], &Impl::onAnswer,
       &UA_TYPES[UA_TYPES_PUBLISHRESPONSE], serial, nullptr);
-  m_lost = m_lost || isBad(status);
+  m_connection.isLost = m_connection.isLost || isBad(status);
 }
 
 base::Result<void> UaLink::Impl::watch(std::span<const std::string> addresses, Duration interval) {
