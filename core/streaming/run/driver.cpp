@@ -71,9 +71,9 @@ StreamEnd Driver::run() {
   m_turnedAt = m_link.now();
   while (!m_done) {
     turnSupplier();
-    if (m_progressSeen != m_method.progress().lastProgress) {
-      m_progressSeen = m_method.progress().lastProgress;
-      m_lostAtProgress = m_feed.lostTime(m_link.now());
+    if (m_lastProgress.at != m_method.progress().lastProgress) {
+      m_lastProgress.at = m_method.progress().lastProgress;
+      m_lastProgress.lost = m_feed.lostTime(m_link.now());
     }
     checkOrders();
     submitFeed();
@@ -98,7 +98,7 @@ StreamEnd Driver::run() {
       publish();
     }
   }
-  if (m_feedPending && m_feedPending->write) {
+  if (m_outstanding.feed && m_outstanding.feed->write) {
     m_feed.lost(m_link.now());
   }
   settlePauses(true);
@@ -112,7 +112,7 @@ Instant Driver::nextWakeUp() const {
   const Instant now = m_link.now();
   const bool isQuick = m_supplier != nullptr || m_feed.exists();
   Instant until = now + (isQuick ? kSourceInterval : kOrderInterval);
-  if (m_methodPending || m_monitorPending) {
+  if (m_outstanding.method || m_outstanding.monitor) {
     return until;
   }
   for (const std::optional<Instant> due :
@@ -176,7 +176,7 @@ RunState Driver::state() const {
   if (m_ending.wantedAt) {
     return RunState::Stopping;
   }
-  return m_holding || m_feed.holds() ? RunState::Holding : RunState::Running;
+  return m_holds.inForce || m_feed.holds() ? RunState::Holding : RunState::Running;
 }
 
 void Driver::turnSupplier() {
@@ -190,10 +190,10 @@ void Driver::checkOrders() {
   m_feed.want(feedOrdered(m_orders, m_link.now()), m_link.now());
   noteFeed();
   const bool isOrdered = m_orders.holdRequested(m_link.now());
-  m_supplierHolds = !isOrdered && m_supplier != nullptr && m_supplier->wantsHold(m_link.now());
-  const bool hold = isOrdered || m_supplierHolds;
-  if (hold != m_holding && !m_ending.wantedAt) {
-    m_holding = hold;
+  m_holds.bySupplier = !isOrdered && m_supplier != nullptr && m_supplier->wantsHold(m_link.now());
+  const bool hold = isOrdered || m_holds.bySupplier;
+  if (hold != m_holds.inForce && !m_ending.wantedAt) {
+    m_holds.inForce = hold;
     m_method.requestHold(hold);
     m_sink.note({m_link.now(), std::string(hold ? kHoldNote : kContinueNote)});
     publish();
@@ -215,17 +215,18 @@ void Driver::checkOrders() {
 
 void Driver::submitFeed() {
   const Instant now = m_link.now();
-  const bool isWriting = m_feedPending && m_feedPending->write;
+  const bool isWriting = m_outstanding.feed && m_outstanding.feed->write;
   if (m_feed.mustWrite(now) && !isWriting) {
     const auto cells = m_feed.write(now);  // the answer to a read in progress is of before
-    m_feedPending = FeedAccess{
+    m_outstanding.feed = FeedAccess{
         m_link.write(cells, m_access.patient(m_settings.requestDeadline), opcua::Grouping::List),
         true, static_cast<int>(cells.size())};
     publish();
-  } else if (!m_feedPending && (m_feed.mustRead(now) || (m_feed.mayRead(now) && hasSlackFor(2) &&
-                                                         !m_methodPending && !m_monitorPending))) {
+  } else if (!m_outstanding.feed &&
+             (m_feed.mustRead(now) || (m_feed.mayRead(now) && hasSlackFor(2) &&
+                                       !m_outstanding.method && !m_outstanding.monitor))) {
     const auto cells = m_feed.read(now);
-    m_feedPending = FeedAccess{
+    m_outstanding.feed = FeedAccess{
         m_link.read(cells, m_access.patient(m_settings.requestDeadline), opcua::Grouping::List),
         false, static_cast<int>(cells.size())};
   }
@@ -233,10 +234,10 @@ void Driver::submitFeed() {
 
 void Driver::submitBeat() {
   Heartbeat& beat = m_feed.beat();
-  if (!m_beatPending && beat.isDue(m_link.now())) {
+  if (!m_outstanding.beat && beat.isDue(m_link.now())) {
     // It is not repeated: the next one goes out soon enough.
-    m_beatPending = m_link.write(beat.next(m_link.now()), m_access.patient(2 * beat.interval()),
-                                 opcua::Grouping::List);
+    m_outstanding.beat = m_link.write(beat.next(m_link.now()),
+                                      m_access.patient(2 * beat.interval()), opcua::Grouping::List);
   }
 }
 
@@ -260,8 +261,8 @@ std::span<const opcua::Assignment> Driver::withBeats(std::span<const opcua::Assi
 }
 
 void Driver::takeFeed(const opcua::Event& event) {
-  const FeedAccess access = *m_feedPending;
-  m_feedPending.reset();
+  const FeedAccess access = *m_outstanding.feed;
+  m_outstanding.feed.reset();
   const bool isDone = event.kind != opcua::EventKind::RequestFailed;
   if (isDone) {
     noteAccess(event, {access.id, access.write, access.nodes, 0, false});
@@ -309,8 +310,8 @@ bool Driver::submitCorrection() {
     return false;
   }
   m_methodsTurn = true;
-  m_monitor.reset();
-  m_monitorPending =
+  m_outstanding.monitorKind.reset();
+  m_outstanding.monitor =
       Pending{m_link.write(m_correction.take(m_link.now()),
                            m_access.patient(m_settings.requestDeadline), opcua::Grouping::List),
               true, nodes, 0, false};
@@ -318,7 +319,7 @@ bool Driver::submitCorrection() {
 }
 
 bool Driver::hasSlackFor(int nodes) const {
-  if (m_holding || m_feed.holds()) {
+  if (m_holds.inForce || m_feed.holds()) {
     return true;  // the machine waits anyway
   }
   const Duration needed = kSlackFactor * m_access.expected(nodes + 1);
@@ -357,7 +358,8 @@ bool Driver::wantsEquipment() const {
 void Driver::submitMonitor() {
   const bool started = m_method.progress().lastProgress || m_ending.abandonedAt;
   const bool isMethodsTurn = m_methodsTurn && !m_ending.abandonedAt;
-  if (m_methodPending || m_monitorPending || !started || isMethodsTurn || submitCorrection()) {
+  if (m_outstanding.method || m_outstanding.monitor || !started || isMethodsTurn ||
+      submitCorrection()) {
     return;
   }
   if (wantsStatus()) {
@@ -371,16 +373,16 @@ void Driver::submitMonitor() {
 
 void Driver::submitMonitorRead(MonitorReads::Kind kind) {
   m_methodsTurn = true;
-  m_monitor = kind;
+  m_outstanding.monitorKind = kind;
   m_reads.asked(kind, m_link.now());
-  m_monitorPending =
+  m_outstanding.monitor =
       Pending{m_link.read(m_reads.variables(kind), m_access.patient(m_settings.requestDeadline),
                           opcua::Grouping::List),
               false, m_reads.count(kind), 0, false};
 }
 
 void Driver::submitMethod() {
-  if (m_methodPending || m_monitorPending) {
+  if (m_outstanding.method || m_outstanding.monitor) {
     return;
   }
   const std::optional<Action> action = m_method.poll(m_link.now());
@@ -414,7 +416,7 @@ void Driver::submitMethod() {
     pending.id = m_link.write(cells, m_access.patient(deadline), m_settings.grouping);
     m_counters.sent += action->points;
   }
-  m_methodPending = pending;
+  m_outstanding.method = pending;
 }
 
 void Driver::handle(const opcua::Event& event) {
@@ -428,8 +430,8 @@ void Driver::handle(const opcua::Event& event) {
     m_ending.isSent = event.kind != opcua::EventKind::RequestFailed;
     return;
   }
-  if (m_beatPending == event.request) {
-    m_beatPending.reset();
+  if (m_outstanding.beat == event.request) {
+    m_outstanding.beat.reset();
     if (event.kind != opcua::EventKind::RequestFailed) {
       noteAccess(event, {event.request, true, 1, 0, false});
       if (!refusedItem(event)) {
@@ -443,19 +445,19 @@ void Driver::handle(const opcua::Event& event) {
     m_trace.answered(&event, m_link.now());
     return;
   }
-  if (m_feedPending && m_feedPending->id == event.request) {
+  if (m_outstanding.feed && m_outstanding.feed->id == event.request) {
     takeFeed(event);
     return;
   }
-  const bool forMethod = m_methodPending && m_methodPending->id == event.request;
-  const bool forMonitor = m_monitorPending && m_monitorPending->id == event.request;
+  const bool forMethod = m_outstanding.method && m_outstanding.method->id == event.request;
+  const bool forMonitor = m_outstanding.monitor && m_outstanding.monitor->id == event.request;
   if (!forMethod && !forMonitor) {
     return;  // the late answer of a request that was given up
   }
-  const Pending pending = forMethod ? *m_methodPending : *m_monitorPending;
-  (forMethod ? m_methodPending : m_monitorPending).reset();
-  const bool isCorrection = !forMethod && !m_monitor;
-  const bool isEquipment = !forMethod && m_monitor == MonitorReads::Kind::Equipment;
+  const Pending pending = forMethod ? *m_outstanding.method : *m_outstanding.monitor;
+  (forMethod ? m_outstanding.method : m_outstanding.monitor).reset();
+  const bool isCorrection = !forMethod && !m_outstanding.monitorKind;
+  const bool isEquipment = !forMethod && m_outstanding.monitorKind == MonitorReads::Kind::Equipment;
   if (event.kind == opcua::EventKind::RequestFailed) {
     const bool isFalsified = opcua::mayBeFalsified(event.error.code) && repeats(event, forMethod);
     if (!isFalsified && !forgives(event, forMethod)) {
@@ -499,7 +501,8 @@ void Driver::handle(const opcua::Event& event) {
 
 void Driver::submitTrace() {
   const std::optional<Duration> late = m_trace.lateness(m_link.now());
-  const bool mayAsk = late && !m_methodPending && !m_monitorPending && !m_ending.abandonedAt;
+  const bool mayAsk =
+      late && !m_outstanding.method && !m_outstanding.monitor && !m_ending.abandonedAt;
   if (mayAsk && (*late >= kTraceOverdue || hasSlackFor(kTraceNodes))) {
     m_trace.ask(m_link, m_access.patient(m_settings.requestDeadline));
   }
@@ -618,7 +621,7 @@ void Driver::noteWrong(WrongMotion wrong) {
 }
 
 void Driver::handleMonitor(const opcua::Event& event) {
-  if (m_monitor == MonitorReads::Kind::Status) {
+  if (m_outstanding.monitorKind == MonitorReads::Kind::Status) {
     m_reads.statusAnswered(event);
     if (event.readings[0].number == opcua::kChannelReset) {
       m_end.programEnded = true;
@@ -715,7 +718,7 @@ void Driver::abandon(base::Error error) {
     m_ending.abandonedAt = m_link.now();
     m_ending.lostBefore = m_feed.lostTime(m_link.now());
   }
-  m_methodPending.reset();
+  m_outstanding.method.reset();
   m_reads.askStatusAt(m_link.now());
 }
 
@@ -745,7 +748,7 @@ void Driver::publish(std::optional<trace::LiveSample> sample,
   update.equipment = std::move(equipment);
   if (m_supplier != nullptr) {
     update.source = m_supplier->level();
-    update.source->holdsRun = m_holding && m_supplierHolds;
+    update.source->holdsRun = m_holds.inForce && m_holds.bySupplier;
     update.waitingFor = update.source->waiting == 0 ? "source" : "";
   }
   if (m_isSilent) {

@@ -172,7 +172,7 @@ class Driver {
   ///        at the beginning
   [[nodiscard]] base::Duration lostSince(base::Duration since) const;
   /// What the method expects of the motion comes so much later than it knows.
-  [[nodiscard]] base::Duration late() const { return lostSince(m_lostAtProgress); }
+  [[nodiscard]] base::Duration late() const { return lostSince(m_lastProgress.lost); }
   /// @return true if a correction has been sent
   bool submitCorrection();
   void noteCorrection(bool now);
@@ -219,27 +219,38 @@ class Driver {
   RunSink& m_sink;
   Counters m_counters;
   Ending m_ending;
-  std::optional<Pending> m_methodPending;
-  std::optional<Pending> m_monitorPending;
-  /// What the latter is; nothing: the online correction.
-  std::optional<MonitorReads::Kind> m_monitor;
+  /// Accesses that are not answered yet.
+  struct Outstanding {
+    std::optional<Pending> method;
+    std::optional<Pending> monitor;
+    /// What the latter is; nothing: the online correction.
+    std::optional<MonitorReads::Kind> monitorKind;
+    std::optional<FeedAccess> feed;
+    std::optional<base::RequestId> beat;
+  };
+  Outstanding m_outstanding;
   bool m_methodsTurn = false;  ///< the last access was not the method's
   AccessTimes m_access;
   MonitorReads m_reads;
   CorrectionCells m_correction;
   FeedControl& m_feed;
-  std::optional<FeedAccess> m_feedPending;
-  std::optional<base::RequestId> m_beatPending;
   std::vector<opcua::Assignment> m_withBeats;
-  std::optional<base::Instant> m_progressSeen;  ///< last progress of the method
-  base::Duration m_lostAtProgress{};            ///< lost time at that moment
-  base::Instant m_nextSample{};                 ///< of the positions that the method reads
-  base::Instant m_turnedAt{};                   ///< when this program last had its turn
+  /// Of the method.
+  struct LastProgress {
+    std::optional<base::Instant> at;
+    base::Duration lost{};  ///< lost time at that moment
+  };
+  LastProgress m_lastProgress;
+  base::Instant m_nextSample{};  ///< of the positions that the method reads
+  base::Instant m_turnedAt{};    ///< when this program last had its turn
   base::Instant m_lastPublished{};
   int m_refusals = 0;       ///< answers in a row with a refused item
   bool m_isSilent = false;  ///< nothing comes from the control
-  bool m_holding = false;
-  bool m_supplierHolds = false;  ///< it has asked for it, or is silent
+  struct Holds {
+    bool inForce = false;
+    bool bySupplier = false;  ///< it has asked for it, or is silent
+  };
+  Holds m_holds;
   bool m_grantSeen = false;
   std::size_t m_brokenSeen = 0;
   PauseLog m_pauses;
