@@ -214,6 +214,39 @@ void printJsonWithPlan(nlohmann::ordered_json json, const std::string& file,
   fmt::print("\n}}");
 }
 
+/// Its path is given up where nothing needs it any more. @param asJob  whether it runs as a job
+void printChecked(const std::string& file, gcode::Program& program,
+                  const std::optional<base::Result<void>>& asJob, const CheckOptions& options,
+                  bool single) {
+  if (options.json) {
+    nlohmann::ordered_json json = report::programJson(program);
+    json["file"] = single ? program.name : file;
+    {
+      const gcode::PointList points = gcode::streamPoints(program.trajectory, {});
+      json["statistics"] = !feasibility::hasDistances(points)
+                               ? nlohmann::ordered_json(nullptr)
+                               : report::statisticsJson(feasibility::pathStatistics(points));
+    }
+    program.trajectory = {};
+    nlohmann::ordered_json runs;
+    if (asJob) {
+      runs["runs"] = asJob->has_value();
+      if (!*asJob) {
+        runs["error"] = report::errorJson(asJob->error());
+      }
+    }
+    printJsonWithPlan(std::move(json), file, program, options, runs);
+  } else {
+    print(program);
+    program.trajectory = {};
+    printPlan(file, program, options.loading, single);
+    if (asJob) {
+      fmt::print("job: {}\n",
+                 *asJob ? std::string("runs on a virtual machine") : asJob->error().text());
+    }
+  }
+}
+
 void printTable(const std::vector<Checked>& all) {
   std::size_t widest = 4;
   for (const Checked& checked : all) {
@@ -309,34 +342,8 @@ Exit check(const CheckOptions& options) {
     checked.readiness = program.readiness();
     const std::optional<base::Result<void>> asJob =
         options.asJob ? std::optional(tryJob(file, options.loading)) : std::nullopt;
-    if (options.json) {
-      separate();
-      nlohmann::ordered_json json = report::programJson(program);
-      json["file"] = single ? program.name : file;
-      {
-        const gcode::PointList points = gcode::streamPoints(program.trajectory, {});
-        json["statistics"] = !feasibility::hasDistances(points)
-                                 ? nlohmann::ordered_json(nullptr)
-                                 : report::statisticsJson(feasibility::pathStatistics(points));
-      }
-      program.trajectory = {};
-      nlohmann::ordered_json runs;
-      if (asJob) {
-        runs["runs"] = asJob->has_value();
-        if (!*asJob) {
-          runs["error"] = report::errorJson(asJob->error());
-        }
-      }
-      printJsonWithPlan(std::move(json), file, program, options, runs);
-    } else {
-      print(program);
-      program.trajectory = {};
-      printPlan(file, program, options.loading, single);
-      if (asJob) {
-        fmt::print("job: {}\n",
-                   *asJob ? std::string("runs on a virtual machine") : asJob->error().text());
-      }
-    }
+    separate();
+    printChecked(file, program, asJob, options, single);
     if (asJob) {
       exit = *asJob || exit == Exit::BadInput ? exit : exitFor(asJob->error());
     } else if (program.ambiguity) {

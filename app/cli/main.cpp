@@ -337,6 +337,67 @@ constexpr std::array kForMotionAlone{"--thin",
                                      "--accept-changes",
                                      "--accept-infeasible"};
 
+/// How the points travel, and what the operator wants of the run.
+void addMotionOptions(CLI::App* command, rivulet::cli::StreamOptions& options) {
+  command
+      ->add_option("--passed-by", options.passedBy,
+                   "Method position: what shows that a point has been passed")
+      ->check(CLI::IsMember({"position", "distance-to-go"}))
+      ->capture_default_str();
+  command->add_option("--stop-after", options.stopAfterS, "Request a stop after this many seconds")
+      ->check(kPositive);
+  command->add_option("--orders", options.orders,
+                      "File, pipe or - for standard input with lines: hold, continue, override 50. "
+                      "Without it: keys h, c, + and - on a terminal");
+  command->add_option("--resume", options.resume,
+                      "Resume the run of this file: one that runs lists, or a JSON report "
+                      "(methods window and credit)");
+  command->add_flag("--accept-changes", options.acceptChanges,
+                    "Resume although the program has been changed where nothing was executed yet");
+  command
+      ->add_option("--access", options.access,
+                   "How several R-parameters travel; auto: the best form the control understands")
+      ->check(CLI::IsMember({"auto", "single", "list", "array"}))
+      ->capture_default_str();
+  auto* byHand =
+      command
+          ->add_option("--transfer", options.transfer,
+                       "Who transfers the flexible program to the control; auto: Rivulet, through "
+                       "the server's file methods; by-hand: you, the steps are printed")
+          ->check(CLI::IsMember({"auto", "by-hand"}))
+          ->capture_default_str();
+  command
+      ->add_option("--program-file", options.programFile,
+                   "by-hand: file for the flexible program (default: its name, in this folder)")
+      ->needs(byHand);
+  command
+      ->add_option(
+          "--correct", options.correct,
+          "Live source of corrections, with lines like X 0.01 Y -0.02; - is standard input")
+      ->needs(command->get_option("--correction-limit"));
+}
+
+/// @throws CLI::RequiredError
+Exit runStream(rivulet::cli::StreamOptions& options, const CLI::App& command) {
+  if (!options.simulate && options.endpoint.empty()) {
+    throw CLI::RequiredError("--endpoint or --simulate");
+  }
+  const bool isLive = !options.live.source.empty();
+  if (isLive != options.file.empty()) {
+    throw CLI::RequiredError("FILE or --live, one of them");
+  }
+  options.namesMachine = command.get_option("--preset")->count() > 0;
+  for (const char* const name : kForMotionAlone) {
+    if (command.get_option(name)->count() > 0) {
+      options.motionOption = name;
+    }
+  }
+  if (options.point.method != "window" && options.point.method != "credit") {
+    options.motionOption = "--method " + options.point.method;
+  }
+  return isLive ? rivulet::cli::streamLive(options) : rivulet::cli::stream(options);
+}
+
 void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   const auto options = std::make_shared<rivulet::cli::StreamOptions>();
   options->command = std::move(words);
@@ -360,42 +421,7 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
   command->add_option("--record", options->record, "File for the recording of the run");
-  command
-      ->add_option("--passed-by", options->passedBy,
-                   "Method position: what shows that a point has been passed")
-      ->check(CLI::IsMember({"position", "distance-to-go"}))
-      ->capture_default_str();
-  command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
-      ->check(kPositive);
-  command->add_option("--orders", options->orders,
-                      "File, pipe or - for standard input with lines: hold, continue, override 50. "
-                      "Without it: keys h, c, + and - on a terminal");
-  command->add_option("--resume", options->resume,
-                      "Resume the run of this file: one that runs lists, or a JSON report "
-                      "(methods window and credit)");
-  command->add_flag("--accept-changes", options->acceptChanges,
-                    "Resume although the program has been changed where nothing was executed yet");
-  command
-      ->add_option("--access", options->access,
-                   "How several R-parameters travel; auto: the best form the control understands")
-      ->check(CLI::IsMember({"auto", "single", "list", "array"}))
-      ->capture_default_str();
-  auto* byHand =
-      command
-          ->add_option("--transfer", options->transfer,
-                       "Who transfers the flexible program to the control; auto: Rivulet, through "
-                       "the server's file methods; by-hand: you, the steps are printed")
-          ->check(CLI::IsMember({"auto", "by-hand"}))
-          ->capture_default_str();
-  command
-      ->add_option("--program-file", options->programFile,
-                   "by-hand: file for the flexible program (default: its name, in this folder)")
-      ->needs(byHand);
-  command
-      ->add_option(
-          "--correct", options->correct,
-          "Live source of corrections, with lines like X 0.01 Y -0.02; - is standard input")
-      ->needs(command->get_option("--correction-limit"));
+  addMotionOptions(command, *options);
   command->add_flag("--from-start", options->fromStart,
                     "Begin a whole job at its beginning although a job was left on this control");
   command->add_flag("--motion-only", options->motionOnly,
@@ -407,25 +433,7 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
   command->add_flag("--accept-infeasible", options->acceptInfeasible,
                     "Start on a real control although the verdict is not feasible");
   addJson(command, options->json);
-  command->callback([options, command, &exit] {
-    if (!options->simulate && options->endpoint.empty()) {
-      throw CLI::RequiredError("--endpoint or --simulate");
-    }
-    const bool isLive = !options->live.source.empty();
-    if (isLive != options->file.empty()) {
-      throw CLI::RequiredError("FILE or --live, one of them");
-    }
-    options->namesMachine = command->get_option("--preset")->count() > 0;
-    for (const char* const name : kForMotionAlone) {
-      if (command->get_option(name)->count() > 0) {
-        options->motionOption = name;
-      }
-    }
-    if (options->point.method != "window" && options->point.method != "credit") {
-      options->motionOption = "--method " + options->point.method;
-    }
-    exit = isLive ? rivulet::cli::streamLive(*options) : rivulet::cli::stream(*options);
-  });
+  command->callback([options, command, &exit] { exit = runStream(*options, *command); });
 }
 
 void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
@@ -682,9 +690,52 @@ void addCommissionCommand(CLI::App& app, Exit& exit) {
   });
 }
 
+using EmulatorOptionsPtr = std::shared_ptr<rivulet::cli::EmulatorOptions>;
+
+void addPrograms(CLI::App* command, const EmulatorOptionsPtr& options) {
+  command
+      ->add_option("--program", options->programs,
+                   "Program of each trace, if this has no set points (repeatable)")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--preset", options->preset,
+                   "Virtual machine with the limits of the machine: a name or a file")
+      ->capture_default_str();
+}
+
+void addKnown(CLI::App* command, const EmulatorOptionsPtr& options) {
+  command->add_option("--emulator", options->emulator, "File of a learned emulator")->required();
+}
+
+void addStudy(CLI::App* command, const EmulatorOptionsPtr& options) {
+  addPrograms(command, options);
+  command->add_option("--lambda", options->lambda, "Weight of the speeds in the objective, s²")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command->add_option("--generations", options->generations, "Of the genetic algorithm")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Same seed, same result")->capture_default_str();
+  command->add_option("--threads", options->threads, "0: one per core")->check(CLI::Range(0, 1024));
+}
+
+void addDesign(CLI::App* command, const EmulatorOptionsPtr& options) {
+  addKnown(command, options);
+  command->add_option("--box", options->box, "Least and greatest X, Y and perhaps Z, mm")
+      ->delimiter(',')
+      ->capture_default_str();
+  command->add_option("--feeds", options->feeds, "Least and greatest feed, mm/min")
+      ->delimiter(',')
+      ->capture_default_str();
+  command->add_option("--seconds", options->seconds, "Duration of the program")
+      ->check(CLI::Range(1.0, 3600.0))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Same seed, same program")->capture_default_str();
+  command->add_option("--output", options->output, "File for the program");
+}
+
 void addEmulatorCommand(CLI::App& app, Exit& exit) {
   using rivulet::cli::EmulatorOptions;
-  using Options = std::shared_ptr<EmulatorOptions>;
   CLI::App* emulator = app.add_subcommand(
       "emulator", "Learn how a machine follows its set points, and predict it (docs/emulator.md)");
   emulator->require_subcommand(1);
@@ -701,31 +752,6 @@ void addEmulatorCommand(CLI::App& app, Exit& exit) {
     addJson(command, options->json);
     command->callback([options, run, &exit] { exit = run(*options); });
     return std::pair(command, options);
-  };
-  const auto addPrograms = [](CLI::App* command, const Options& options) {
-    command
-        ->add_option("--program", options->programs,
-                     "Program of each trace, if this has no set points (repeatable)")
-        ->allow_extra_args(false);
-    command
-        ->add_option("--preset", options->preset,
-                     "Virtual machine with the limits of the machine: a name or a file")
-        ->capture_default_str();
-  };
-  const auto addKnown = [](CLI::App* command, const Options& options) {
-    command->add_option("--emulator", options->emulator, "File of a learned emulator")->required();
-  };
-  const auto addStudy = [&](CLI::App* command, const Options& options) {
-    addPrograms(command, options);
-    command->add_option("--lambda", options->lambda, "Weight of the speeds in the objective, s²")
-        ->check(CLI::Range(0.0, 1e6))
-        ->capture_default_str();
-    command->add_option("--generations", options->generations, "Of the genetic algorithm")
-        ->check(CLI::Range(1, 100000))
-        ->capture_default_str();
-    command->add_option("--seed", options->seed, "Same seed, same result")->capture_default_str();
-    command->add_option("--threads", options->threads, "0: one per core")
-        ->check(CLI::Range(0, 1024));
   };
   const auto [learn, learnOptions] =
       add("learn", "Find the parameters of each axis", rivulet::cli::learnEmulator);
@@ -751,19 +777,7 @@ void addEmulatorCommand(CLI::App& app, Exit& exit) {
   const auto [design, designOptions] =
       add("design", "Propose the program that tells most about what is not known yet",
           rivulet::cli::designProgram, false);
-  addKnown(design, designOptions);
-  design->add_option("--box", designOptions->box, "Least and greatest X, Y and perhaps Z, mm")
-      ->delimiter(',')
-      ->capture_default_str();
-  design->add_option("--feeds", designOptions->feeds, "Least and greatest feed, mm/min")
-      ->delimiter(',')
-      ->capture_default_str();
-  design->add_option("--seconds", designOptions->seconds, "Duration of the program")
-      ->check(CLI::Range(1.0, 3600.0))
-      ->capture_default_str();
-  design->add_option("--seed", designOptions->seed, "Same seed, same program")
-      ->capture_default_str();
-  design->add_option("--output", designOptions->output, "File for the program");
+  addDesign(design, designOptions);
   const auto [matrix, matrixOptions] =
       add("matrix", "Learn the emulator of [P2] from each run and test it on each",
           rivulet::cli::emulatorMatrix);

@@ -104,6 +104,46 @@ Exit lintFile(const templates::FlexibleProgram& meant, const TemplateOptions& op
   return sound ? Exit::Done : Exit::Wrong;
 }
 
+nlohmann::ordered_json jsonOf(const templates::CellMap& cells, base::MethodKind method) {
+  nlohmann::ordered_json numbers;
+  if (base::hasWindows(method)) {
+    numbers = {{"run", cells.run},
+               {"delivered", cells.delivered},
+               {"latched", cells.latched},
+               {"executed", cells.executed},
+               {"layout", cells.layout},
+               {"state", cells.state},
+               {"client", cells.client},
+               {"owner", cells.owner},
+               {"heartbeat", cells.heartbeat},
+               {"windows", cells.windows}};
+    if (cells.hasFeedCell()) {
+      numbers["override"] = cells.overrideWanted;
+      numbers["override_acts"] = cells.overrideActs;
+      numbers["silence_limit_s"] = cells.silenceLimitS;
+    }
+    if (cells.files > 0) {
+      numbers["asked"] = cells.asked;
+    } else {
+      numbers["first_window"] = cells.windowCount(0);
+      numbers["window_stride"] = cells.windowStride;
+      numbers["slot_stride"] = cells.slotStride;
+    }
+    if (cells.corrects()) {
+      numbers["correction"] = cells.correction;
+    }
+  } else {
+    numbers = {{"signal", cells.signal},
+               {"run", cells.run},
+               {"stop", cells.stop},
+               {"feed", cells.feed},
+               {"layout", cells.layout},
+               {"first_slot", cells.firstSlot},
+               {"slot_stride", cells.slotStride}};
+  }
+  return numbers;
+}
+
 }  // namespace
 
 Exit makeTemplate(const TemplateOptions& options) {
@@ -132,46 +172,10 @@ Exit makeTemplate(const TemplateOptions& options) {
     }
   }
   if (options.json) {
-    nlohmann::ordered_json numbers;
-    if (base::hasWindows(parameters.method)) {
-      numbers = {{"run", cells.run},
-                 {"delivered", cells.delivered},
-                 {"latched", cells.latched},
-                 {"executed", cells.executed},
-                 {"layout", cells.layout},
-                 {"state", cells.state},
-                 {"client", cells.client},
-                 {"owner", cells.owner},
-                 {"heartbeat", cells.heartbeat},
-                 {"windows", cells.windows}};
-      if (cells.hasFeedCell()) {
-        numbers["override"] = cells.overrideWanted;
-        numbers["override_acts"] = cells.overrideActs;
-        numbers["silence_limit_s"] = cells.silenceLimitS;
-      }
-      if (cells.files > 0) {
-        numbers["asked"] = cells.asked;
-      } else {
-        numbers["first_window"] = cells.windowCount(0);
-        numbers["window_stride"] = cells.windowStride;
-        numbers["slot_stride"] = cells.slotStride;
-      }
-      if (cells.corrects()) {
-        numbers["correction"] = cells.correction;
-      }
-    } else {
-      numbers = {{"signal", cells.signal},
-                 {"run", cells.run},
-                 {"stop", cells.stop},
-                 {"feed", cells.feed},
-                 {"layout", cells.layout},
-                 {"first_slot", cells.firstSlot},
-                 {"slot_stride", cells.slotStride}};
-    }
     nlohmann::ordered_json json{{"name", program->name},
                                 {"layout_number", program->layoutNumber},
                                 {"r_parameters", cells.last() + 1},
-                                {"cells", numbers},
+                                {"cells", jsonOf(cells, parameters.method)},
                                 {"file", options.output},
                                 {"text", program->text}};
     if (proof) {
