@@ -228,8 +228,8 @@ void LinuxCncControl::take(const std::string& line) {
   } else if (kind == "waited") {
     takeWaited(numberOr0(rest));
   } else if (kind == "behind") {
-    m_samplesBehind = static_cast<long long>(numberOr0(takeWord(rest)));
-    m_isSamplerFull = numberOr0(rest) != 0.0;
+    m_tracing.samplesBehind = static_cast<long long>(numberOr0(takeWord(rest)));
+    m_tracing.isSamplerFull = numberOr0(rest) != 0.0;
   } else if (kind == "fatal") {
     fail({LinuxCncError::NotRunning, std::string(rest), {}});
   } else if (kind == "ready") {
@@ -344,11 +344,11 @@ void LinuxCncControl::takeState(std::string_view text) {
     m_state.message.clear();
     m_waitedBeforeS = m_waitedS;
     m_activeSince = m_now;
-    m_trace = {};
-    m_trace.cycle = m_scale.cycle;
-    m_trace.truncated = !m_hasState;  // it was active before we came
-    m_isTracing = true;
-    m_isTraceEnding = false;
+    m_tracing.trace = {};
+    m_tracing.trace.cycle = m_scale.cycle;
+    m_tracing.trace.truncated = !m_hasState;  // it was active before we came
+    m_tracing.isOn = true;
+    m_tracing.isEnding = false;
   } else if (!isActive && wasActive) {
     endTrace();
     m_reportedUntil = m_now + kReportShown;
@@ -411,10 +411,10 @@ void LinuxCncControl::takeWaited(double seconds) {
 /// the sampler is full.
 void LinuxCncControl::endTrace() {
   takeSamples();
-  m_isTraceEnding = m_isTracing;
-  m_samplesLeft = m_samplesBehind + 1;
-  m_traceEnd = m_now + kSamplesLate;
-  if (m_isTracing && m_isSamplerFull) {
+  m_tracing.isEnding = m_tracing.isOn;
+  m_tracing.samplesLeft = m_tracing.samplesBehind + 1;
+  m_tracing.end = m_now + kSamplesLate;
+  if (m_tracing.isOn && m_tracing.isSamplerFull) {
     giveUpTrace();
   }
 }
@@ -424,33 +424,33 @@ void LinuxCncControl::takeSamples() {
     return;
   }
   while (const std::optional<std::string> line = m_sampler->readLine()) {
-    const bool isOfEnded = m_samplesLeft > 0;
-    m_samplesLeft -= isOfEnded && !isOverrun(*line) ? 1 : 0;
-    if (!m_isTracing || (isOfEnded && !m_isTraceEnding)) {
+    const bool isOfEnded = m_tracing.samplesLeft > 0;
+    m_tracing.samplesLeft -= isOfEnded && !isOverrun(*line) ? 1 : 0;
+    if (!m_tracing.isOn || (isOfEnded && !m_tracing.isEnding)) {
       continue;  // no program, or the rest of the one before, which nobody has waited for
     }
-    const auto count = static_cast<base::Duration::rep>(m_trace.samples.size());
+    const auto count = static_cast<base::Duration::rep>(m_tracing.trace.samples.size());
     if (m_scale.cycle * count >= m_options.traceMax) {
-      m_trace.truncated = true;
-    } else if (!addSample(m_trace, *line, m_scale)) {
-      m_trace.truncated = true;
+      m_tracing.trace.truncated = true;
+    } else if (!addSample(m_tracing.trace, *line, m_scale)) {
+      m_tracing.trace.truncated = true;
     }
-    if (m_isTraceEnding && m_samplesLeft == 0) {
-      m_isTracing = m_isTraceEnding = false;
+    if (m_tracing.isEnding && m_tracing.samplesLeft == 0) {
+      m_tracing.isOn = m_tracing.isEnding = false;
     }
   }
-  if (m_sampler->hasEnded() && m_isTracing) {
-    m_trace.truncated = true;
+  if (m_sampler->hasEnded() && m_tracing.isOn) {
+    m_tracing.trace.truncated = true;
   }
-  if (m_isTraceEnding && m_now > m_traceEnd) {
+  if (m_tracing.isEnding && m_now > m_tracing.end) {
     giveUpTrace();
   }
 }
 
 /// Its end is missing.
 void LinuxCncControl::giveUpTrace() {
-  m_trace.truncated = true;
-  m_isTracing = m_isTraceEnding = false;
+  m_tracing.trace.truncated = true;
+  m_tracing.isOn = m_tracing.isEnding = false;
 }
 
 void LinuxCncControl::tell(std::string_view line) {
@@ -565,7 +565,7 @@ void LinuxCncControl::reset() {
 std::string LinuxCncControl::traceText() {
   // A client asks as soon as it hears of the end of the program.
   const auto until = std::chrono::steady_clock::now() + kSamplesLate;
-  while (m_isTraceEnding && m_sampler && !m_sampler->hasEnded()) {
+  while (m_tracing.isEnding && m_sampler && !m_sampler->hasEnded()) {
     if (std::chrono::steady_clock::now() >= until) {
       giveUpTrace();
       break;
@@ -574,7 +574,7 @@ std::string LinuxCncControl::traceText() {
     ::poll(&file, 1, static_cast<int>(kPollStep.count()));
     advance(m_now);
   }
-  return trace::printControlTrace(m_trace);
+  return trace::printControlTrace(m_tracing.trace);
 }
 
 }  // namespace rivulet::linuxcnc

@@ -123,13 +123,16 @@ class LinuxCncControl final : public machine::ServedControl {
   int m_windows = 0;                          ///< in its ring; 0: it has no marks
   int m_question = 0;
   std::optional<std::string> m_answer;  ///< "done 3", "failed 3 why"
-  trace::ControlTrace m_trace;
-  bool m_isTracing = false;
-  bool m_isTraceEnding = false;   ///< the program has ended, its last samples are on their way
-  long long m_samplesBehind = 0;  ///< had not been taken from the sampler at the program's end
-  bool m_isSamplerFull = false;   ///< and it could take no more
-  long long m_samplesLeft = 0;    ///< of the program that ended last, still to arrive
-  base::Instant m_traceEnd{};     ///< so long they are waited for
+  struct Tracing {
+    trace::ControlTrace trace;
+    bool isOn = false;
+    bool isEnding = false;        ///< the program has ended, its last samples are on their way
+    long long samplesBehind = 0;  ///< had not been taken from the sampler at the program's end
+    bool isSamplerFull = false;   ///< and it could take no more
+    long long samplesLeft = 0;    ///< of the program that ended last, still to arrive
+    base::Instant end{};          ///< so long they are waited for
+  };
+  Tracing m_tracing;
 };
 
 }  // namespace rivulet::linuxcnc
