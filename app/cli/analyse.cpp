@@ -285,13 +285,13 @@ std::string summaryCell(const ordered_json& json, std::string_view column) {
 /// A page for a person.
 base::Result<void> writeReport([[maybe_unused]] const AnalyseOptions& options,
                                [[maybe_unused]] const std::string& file,
-                               [[maybe_unused]] const report::TraceSource& source,
+                               [[maybe_unused]] const trace::Trace& source,
                                [[maybe_unused]] const Analysed& analysed,
                                [[maybe_unused]] const trace::TraceAnalysis& analysis) {
 #ifdef RIVULET_WITH_REPORTS
   trace_report::TraceFacts facts;
   facts.analysis = &analysis;
-  facts.recording = source.recording ? &*source.recording : nullptr;
+  facts.recording = source.recording();
   facts.stream = analysed.stream ? &*analysed.stream : nullptr;
   facts.outcome = analysed.outcome;
   facts.finding = analysed.finding;
@@ -314,16 +314,15 @@ base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions
   if (!source) {
     return base::fail(source.error());
   }
-  const trace::TraceSubject subject = subjectOf(*source, options, program);
-  const trace::TraceAnalysis analysis = trace::analyseTrace(subject);
-  Analysed analysed = subject.recording != nullptr ? analyseRecording(*subject.recording, analysis)
-                      : subject.controlTrace != nullptr
-                          ? analyseControlTrace(*subject.controlTrace, analysis)
-                          : analyseImported(*subject.imported, analysis);
+  const trace::TraceAnalysis analysis = trace::analyseTrace(*source, analysisOf(options, program));
+  Analysed analysed =
+      source->recording() != nullptr  ? analyseRecording(*source->recording(), analysis)
+      : source->imported() != nullptr ? analyseImported(*source->imported(), analysis)
+                                      : analyseControlTrace(*source->control(), analysis);
   report::addTraceAnalysis(analysed.json, analysis);
   analysed.text += report::traceAnalysisText(analysis);
   if (!options.save.empty()) {
-    const trace::ShownTrace shown = trace::makeShownTrace(subject, analysis.motion, &analysis);
+    const trace::ShownTrace shown = trace::makeShownTrace(*source, analysis);
     if (auto done = trace::saveSignals(options.save, trace::signalFileOf(shown)); !done) {
       return base::fail(done.error());
     }

@@ -24,9 +24,8 @@ base::Result<Runs> openRuns(const AnalyseOptions& options, const gcode::Program*
     if (!source) {
       return base::fail(source.error());
     }
-    const trace::TraceSubject subject = subjectOf(*source, options, program);
-    const trace::TraceAnalysis analysis = trace::analyseTrace(subject);
-    trace::ShownTrace shown = trace::makeShownTrace(subject, analysis.motion, &analysis);
+    trace::ShownTrace shown =
+        trace::makeShownTrace(*source, trace::analyseTrace(*source, analysisOf(options, program)));
     shown.name = file;
     runs.push_back(std::make_shared<const trace::ShownTrace>(std::move(shown)));
   }

@@ -5,23 +5,18 @@
 
 namespace rivulet::cli {
 
-base::Result<report::TraceSource> openTrace(const std::string& file,
-                                            const AnalyseOptions& options) {
-  auto source = report::openTrace(file, options.columns, options.rateHz);
-  if (source && options.hasWindow()) {
-    source->cut(options.fromS, options.untilS);
-  }
-  return source;
+base::Result<trace::Trace> openTrace(const std::string& file, const AnalyseOptions& options) {
+  auto trace = report::openTrace(file, options.columns, options.rateHz);
+  return trace && options.hasWindow() ? trace->cut(options.fromS, options.untilS) : trace;
 }
 
-trace::TraceSubject subjectOf(const report::TraceSource& source, const AnalyseOptions& options,
-                              const gcode::Program* program) {
-  trace::TraceSubject subject = source.subject();
-  subject.program = program;
+trace::AnalysisOptions analysisOf(const AnalyseOptions& options, const gcode::Program* program) {
+  trace::AnalysisOptions analysis;
+  analysis.program = program;
   if (options.toleranceMm > 0.0) {
-    subject.toleranceMm = options.toleranceMm;
+    analysis.toleranceMm = options.toleranceMm;
   }
-  return subject;
+  return analysis;
 }
 
 }  // namespace rivulet::cli

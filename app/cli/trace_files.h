@@ -15,12 +15,11 @@
 namespace rivulet::cli {
 
 /// The trace of a file, or the part of it that is asked for.
-[[nodiscard]] base::Result<report::TraceSource> openTrace(const std::string& file,
-                                                          const AnalyseOptions& options);
+[[nodiscard]] base::Result<trace::Trace> openTrace(const std::string& file,
+                                                   const AnalyseOptions& options);
 
-/// Borrows the trace and the program. @param program  null: the trace is not compared with one
-[[nodiscard]] trace::TraceSubject subjectOf(const report::TraceSource& source,
-                                            const AnalyseOptions& options,
-                                            const gcode::Program* program);
+/// @param program  null: the trace is not compared with one
+[[nodiscard]] trace::AnalysisOptions analysisOf(const AnalyseOptions& options,
+                                                const gcode::Program* program);
 
 }  // namespace rivulet::cli

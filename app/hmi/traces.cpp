@@ -32,13 +32,11 @@ struct ProgramToCompare {
 
 }  // namespace
 
-/// One trace, in whatever form it came.
+/// What is to be shown.
 struct Traces::Subject {
   std::filesystem::path file;  ///< to be read; empty: what follows is there
   std::string name;
-  std::shared_ptr<const trace::ControlTrace> controlTrace{};
-  std::shared_ptr<const trace::Recording> recording{};
-  std::shared_ptr<const report::TraceSource> source{};
+  std::optional<trace::Trace> trace{};
   std::optional<base::Error> error{};
 
   void read() {
@@ -47,34 +45,24 @@ struct Traces::Subject {
     }
     auto opened = report::openTrace(file, {}, 0.0);
     if (opened) {
-      source = std::make_shared<const report::TraceSource>(std::move(*opened));
+      trace = std::move(*opened);
     } else {
       error = opened.error();
     }
   }
 
-  [[nodiscard]] trace::TraceSubject subject() const {
-    trace::TraceSubject subject;
-    subject.controlTrace = controlTrace.get();
-    subject.recording = recording.get();
-    return source ? source->subject() : subject;
+  [[nodiscard]] std::shared_ptr<const trace::ShownTrace> named(trace::ShownTrace shown) const {
+    shown.name = name;
+    return std::make_shared<const trace::ShownTrace>(std::move(shown));
   }
 
   [[nodiscard]] std::shared_ptr<const trace::ShownTrace> signalsOnly() const {
-    const trace::TraceSubject of = subject();
-    trace::ShownTrace shown = trace::makeShownTrace(of, trace::motionOf(of), nullptr);
-    shown.name = name;
-    return std::make_shared<const trace::ShownTrace>(std::move(shown));
+    return named(trace::makeShownTrace(*trace));
   }
 
   [[nodiscard]] std::shared_ptr<const trace::ShownTrace> analysed(
       const gcode::Program* program) const {
-    trace::TraceSubject of = subject();
-    of.program = program;
-    const trace::TraceAnalysis analysis = trace::analyseTrace(of);
-    trace::ShownTrace shown = trace::makeShownTrace(of, analysis.motion, &analysis);
-    shown.name = name;
-    return std::make_shared<const trace::ShownTrace>(std::move(shown));
+    return named(trace::makeShownTrace(*trace, trace::analyseTrace(*trace, {program})));
   }
 };
 
@@ -100,12 +88,12 @@ base::Result<void> Traces::setMapping(const std::string& layout,
 
 void Traces::show(const std::shared_ptr<const trace::ControlTrace>& trace) {
   if (trace && !trace->samples.empty()) {
-    begin(Kind::Run, {{{}, {}, trace}});
+    begin(Kind::Run, {{{}, {}, trace::Trace(trace)}});
   }
 }
 
 void Traces::show(const std::shared_ptr<const trace::Recording>& recording) {
-  begin(Kind::Run, {{{}, recording->start.programName, nullptr, recording}});
+  begin(Kind::Run, {{{}, recording->start.programName, trace::Trace(recording)}});
 }
 
 Traces::Traces(Document& document) : m_document(document) {

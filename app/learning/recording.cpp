@@ -83,12 +83,12 @@ base::Result<Recording> readRecording(const RecordingFile& file,
   if (!source) {
     return base::fail(source.error());
   }
-  if (source->imported) {
-    if (auto sound = requireSound(*source->imported, file.trace); !sound) {
+  if (source->imported() != nullptr) {
+    if (auto sound = requireSound(*source->imported(), file.trace); !sound) {
       return base::fail(sound.error());
     }
   }
-  const trace::Motion motion = trace::motionOf(source->subject());
+  const trace::Motion motion = trace::motionOf(*source);
   Recording recording{file, {}, base::sha256Hex(*bytes)};
   if (file.program.empty()) {
     auto run = emulator::trainingRunOf(motion, runName(file.trace));

@@ -12,8 +12,6 @@
 #include "base/file_lock.h"
 #include "base/hash.h"
 #include "platform/user_folders.h"
-#include "trace/frames.h"
-#include "trace/import/compression.h"
 
 namespace rivulet::report {
 
@@ -44,39 +42,22 @@ std::string rememberedMapping(const std::string& layout) {
   return found != layouts.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-base::Result<trace::ImportedTrace> import(const std::string& bytes, const std::string& columns,
-                                          double rateHz) {
-  auto mapping = trace::parseTableMapping(columns);
-  if (!mapping) {
-    return base::fail(mapping.error());
-  }
-  if (rateHz > 0.0) {
-    mapping->rateHz = rateHz;
-  }
-  auto imported = trace::importTrace(bytes, *mapping);
-  if (!imported) {
-    return imported;
-  }
-  if (!columns.empty()) {
-    // Failing to remember is no reason not to analyse.
-    if (const auto done = rememberMapping(imported->layout, columns); !done) {
-      fmt::print(stderr, "The meaning of the columns is not remembered: {}\n", done.error().text());
-    }
-    return imported;
-  }
-  const std::string remembered = rememberedMapping(imported->layout);
+/// @param bytes  of a file of another tool
+base::Result<trace::Trace> parseAsRemembered(const std::string& bytes, trace::Trace trace,
+                                             double rateHz) {
+  const std::string remembered = rememberedMapping(trace.imported()->layout);
   auto known = trace::parseTableMapping(remembered);
   if (remembered.empty() || !known) {
-    return imported;
+    return trace;
   }
   known->rateHz = rateHz > 0.0 ? rateHz : known->rateHz;
   auto mapped = trace::importTrace(bytes, *known);
   if (!mapped) {
-    return imported;
+    return trace;
   }
   mapped->table.isCertain = true;  // somebody has said so
   mapped->trace.remarks.push_back({trace::RemarkCode::Remembered, {remembered}});
-  return mapped;
+  return trace::Trace(std::move(*mapped));
 }
 
 }  // namespace
@@ -103,62 +84,6 @@ base::Result<void> rememberMapping(const std::string& layout, const std::string&
       layouts.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
-void TraceSource::cut(double fromS, double untilS) {
-  const trace::Motion motion = trace::motionOf(subject());
-  const base::Instant origin = motion.samples.empty() ? base::Instant{} : motion.samples.front().at;
-  const base::Instant from{origin + base::fromSeconds(fromS)};
-  const base::Instant until{origin + base::fromSeconds(untilS)};
-  const auto keep = [&](auto& list, auto instantOf) {
-    std::erase_if(list,
-                  [&](const auto& one) { return instantOf(one) < from || instantOf(one) > until; });
-  };
-  const auto at = [](const auto& one) { return one.at; };
-  const auto cutTrace = [&](trace::ControlTrace& control) {
-    keep(control.samples, at);
-    keep(control.blocks, [](const auto& block) { return block.from; });
-    keep(control.events, [](const auto& event) { return event.from; });
-    control.truncated = true;
-  };
-  if (controlTrace) {
-    cutTrace(*controlTrace);
-  }
-  if (recording) {
-    keep(recording->samples, at);
-    keep(recording->notes, at);
-    keep(recording->accesses, [](const auto& access) { return access.sent; });
-    keep(recording->pauses, [](const auto& pause) { return pause.start; });
-    if (recording->controlTrace) {
-      cutTrace(*recording->controlTrace);
-    }
-  }
-  if (imported) {
-    trace::SignalTrace& file = imported->trace;
-    for (std::size_t base = 0; base < file.timeBases.size(); ++base) {
-      std::vector<base::Instant>& times = file.timeBases[base].at;
-      const auto first = std::lower_bound(times.begin(), times.end(), from) - times.begin();
-      const auto last = std::upper_bound(times.begin(), times.end(), until) - times.begin();
-      const auto cutList = [&](auto& list) {
-        list.erase(list.begin() + std::max(first, last), list.end());
-        list.erase(list.begin(), list.begin() + first);
-      };
-      cutList(times);
-      for (trace::Signal& signal : file.signalList) {
-        if (signal.timeBase == base) {
-          cutList(signal.values);
-        }
-      }
-    }
-  }
-}
-
-trace::TraceSubject TraceSource::subject() const {
-  trace::TraceSubject subject;
-  subject.recording = recording ? &*recording : nullptr;
-  subject.controlTrace = controlTrace ? &*controlTrace : nullptr;
-  subject.imported = imported ? &*imported : nullptr;
-  return subject;
-}
-
 base::Result<std::optional<gcode::Program>> loadComparedProgram(const std::filesystem::path& file,
                                                                 gcode::LoadOptions loading) {
   if (file.empty()) {
@@ -172,8 +97,8 @@ base::Result<std::optional<gcode::Program>> loadComparedProgram(const std::files
   return std::move(*program);
 }
 
-base::Result<TraceSource> openTrace(const std::filesystem::path& file, const std::string& columns,
-                                    double rateHz) {
+base::Result<trace::Trace> openTrace(const std::filesystem::path& file, const std::string& columns,
+                                     double rateHz) {
   const auto bytes = base::readFile(file);
   if (!bytes) {
     return base::fail(bytes.error());
@@ -182,30 +107,26 @@ base::Result<TraceSource> openTrace(const std::filesystem::path& file, const std
     error.context = file.string();
     return base::fail(std::move(error));
   };
-  TraceSource source;
-  // Recordings are compressed in frames, but for those of earlier versions.
-  const auto ends = trace::isCompressed(*bytes) ? trace::readFrameEnds(*bytes, 0) : std::nullopt;
-  const std::string_view head = ends ? std::string_view(ends->head) : std::string_view(*bytes);
-  if (head.substr(0, 17) == "rivulet-recording") {
-    auto recording = trace::parseRecording(*bytes);
-    if (!recording) {
-      return inFile(recording.error());
-    }
-    source.recording = std::move(*recording);
-  } else if (bytes->substr(0, 21) == "rivulet-control-trace") {
-    auto controlTrace = trace::parseControlTrace(*bytes);
-    if (!controlTrace) {
-      return inFile(controlTrace.error());
-    }
-    source.controlTrace = std::move(*controlTrace);
-  } else {
-    auto imported = import(*bytes, columns, rateHz);
-    if (!imported) {
-      return inFile(imported.error());
-    }
-    source.imported = std::move(*imported);
+  auto mapping = trace::parseTableMapping(columns);
+  if (!mapping) {
+    return inFile(mapping.error());
   }
-  return source;
+  mapping->rateHz = rateHz > 0.0 ? rateHz : mapping->rateHz;
+  auto trace = trace::parseTrace(*bytes, *mapping);
+  if (!trace) {
+    return inFile(trace.error());
+  }
+  if (trace->imported() == nullptr) {
+    return trace;
+  }
+  if (columns.empty()) {
+    return parseAsRemembered(*bytes, std::move(*trace), rateHz);
+  }
+  // Failing to remember is no reason not to analyse.
+  if (const auto done = rememberMapping(trace->imported()->layout, columns); !done) {
+    fmt::print(stderr, "The meaning of the columns is not remembered: {}\n", done.error().text());
+  }
+  return trace;
 }
 
 }  // namespace rivulet::report

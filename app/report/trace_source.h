@@ -12,30 +12,13 @@
 
 #include "base/result.h"
 #include "gcode/program.h"
-#include "trace/analysis/trace_analysis.h"
-#include "trace/control_trace.h"
-#include "trace/import/import.h"
-#include "trace/recording.h"
+#include "trace/trace.h"
 
 namespace rivulet::report {
 
 /// A program is read at least this finely to be compared with a trace: chords of arcs must not add
 /// to the contour error.
 inline constexpr double kComparedChordMm = 0.0002;
-
-/// Exactly one of these.
-struct TraceSource {
-  std::optional<trace::Recording> recording;
-  std::optional<trace::ControlTrace> controlTrace;
-  std::optional<trace::ImportedTrace> imported;
-
-  /// Leaves nothing but what happened between two times from the first sample. Blocks are not
-  /// judged then: those before and after would be missing. @param fromS <= untilS
-  void cut(double fromS, double untilS);
-
-  /// Borrows what is there.
-  [[nodiscard]] trace::TraceSubject subject() const;
-};
 
 /// Remembers what the tables of a layout mean, for this user. @param mapping  as
 /// `trace::parseTableMapping` @return error NotWritable
@@ -44,8 +27,8 @@ struct TraceSource {
 
 /// @param columns  as `trace::parseTableMapping`; empty: as remembered for this layout, or guessed
 /// @param rateHz   of a table without time; 0: not said
-[[nodiscard]] base::Result<TraceSource> openTrace(const std::filesystem::path& file,
-                                                  const std::string& columns, double rateHz);
+[[nodiscard]] base::Result<trace::Trace> openTrace(const std::filesystem::path& file,
+                                                   const std::string& columns, double rateHz);
 
 /// The program that traces are compared with. @param file  empty: none
 [[nodiscard]] base::Result<std::optional<gcode::Program>> loadComparedProgram(

@@ -86,7 +86,7 @@ void addLengths(trace::ShownTrace& shown, const Course& course, const TrainingRu
 
 std::shared_ptr<trace::ShownTrace> shownOf(const trace::Motion& motion, const Course& course,
                                            const TrainingRun& run, const std::string& name) {
-  auto shown = std::make_shared<trace::ShownTrace>(trace::makeShownTrace({}, motion, nullptr));
+  auto shown = std::make_shared<trace::ShownTrace>(trace::makeShownTrace(motion));
   shown->name = name;
   if (course.path) {
     addLengths(*shown, course, run, motion);

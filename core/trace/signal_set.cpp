@@ -152,26 +152,26 @@ void addContour(SignalSet& signalSet, const TraceAnalysis& analysis, Instant ori
 }
 
 /// Of whatever begins first; earlier, if the first sample is to have a later place.
-Instant originOf(const TraceSubject& subject, const Motion& motion) {
+Instant originOf(const Trace& trace, const Motion& motion) {
   const base::Duration offset = base::fromSeconds(
-      subject.imported != nullptr ? subject.imported->table.mapping.offsetS : 0.0);
+      trace.imported() != nullptr ? trace.imported()->table.mapping.offsetS : 0.0);
   if (!motion.samples.empty()) {
     return Instant{motion.samples.front().at - offset};
   }
   Instant origin = Instant::max();
-  if (subject.imported != nullptr) {
-    for (const TimeBase& base : subject.imported->trace.timeBases) {
+  if (trace.imported() != nullptr) {
+    for (const TimeBase& base : trace.imported()->trace.timeBases) {
       origin = base.at.empty() ? origin : std::min(origin, base.at.front());
     }
   }
-  if (subject.recording != nullptr && !subject.recording->accesses.empty()) {
-    origin = std::min(origin, subject.recording->accesses.front().sent);
+  if (trace.recording() != nullptr && !trace.recording()->accesses.empty()) {
+    origin = std::min(origin, trace.recording()->accesses.front().sent);
   }
   return origin == Instant::max() ? Instant{} : Instant{origin - offset};
 }
 
 /// @param shown  with its stops and pauses
-void addEvents(ShownTrace& shown, const TraceSubject& subject, Instant origin) {
+void addEvents(ShownTrace& shown, const Trace& trace, Instant origin) {
   std::vector<SignalEvent>& events = shown.events;
   for (const Standstill& stop : shown.stops) {
     const std::string_view kind =
@@ -182,13 +182,13 @@ void addEvents(ShownTrace& shown, const TraceSubject& subject, Instant origin) {
     events.push_back({pause.start, pause.start + pause.duration, "pause",
                       std::string(pauseOriginName(pause.origin))});
   }
-  if (subject.recording != nullptr) {
-    for (const Note& note : subject.recording->notes) {
+  if (trace.recording() != nullptr) {
+    for (const Note& note : trace.recording()->notes) {
       events.push_back({Instant{note.at - origin}, Instant{note.at - origin}, "note", note.text});
     }
   }
-  if (subject.imported != nullptr) {
-    for (const SignalEvent& event : subject.imported->trace.events) {
+  if (trace.imported() != nullptr) {
+    for (const SignalEvent& event : trace.imported()->trace.events) {
       const SignalEvent moved{Instant{event.from - origin}, Instant{event.to - origin}, event.kind,
                               event.text};
       // Stops that were found again are there.
@@ -204,11 +204,11 @@ void addEvents(ShownTrace& shown, const TraceSubject& subject, Instant origin) {
                    [](const SignalEvent& a, const SignalEvent& b) { return a.from < b.from; });
 }
 
-void addRemarks(ShownTrace& shown, const TraceSubject& subject, const TraceAnalysis* analysis) {
-  if (subject.imported != nullptr) {
-    shown.remarks = subject.imported->trace.remarks;
+void addRemarks(ShownTrace& shown, const Trace& of, const TraceAnalysis* analysis) {
+  if (of.imported() != nullptr) {
+    shown.remarks = of.imported()->trace.remarks;
   }
-  if (const Recording* recording = subject.recording) {
+  if (const Recording* recording = of.recording()) {
     if (!recording->complete) {
       shown.remarks.push_back({RemarkCode::RecordingCut});
     }
@@ -217,9 +217,7 @@ void addRemarks(ShownTrace& shown, const TraceSubject& subject, const TraceAnaly
           {RemarkCode::UnreadableLines, {std::to_string(recording->unreadableLines)}});
     }
   }
-  const ControlTrace* trace = subject.recording != nullptr && subject.recording->controlTrace
-                                  ? &*subject.recording->controlTrace
-                                  : subject.controlTrace;
+  const ControlTrace* trace = of.control();
   if (trace != nullptr && trace->truncated) {
     shown.remarks.push_back({RemarkCode::TraceTruncated});
   }
@@ -237,9 +235,62 @@ void addRemarks(ShownTrace& shown, const TraceSubject& subject, const TraceAnaly
   }
   if (analysis != nullptr && analysis->path.departure) {
     const double atS =
-        base::toSeconds(analysis->path.departure->at - originOf(subject, analysis->motion));
+        base::toSeconds(analysis->path.departure->at - originOf(of, analysis->motion));
     shown.remarks.push_back({RemarkCode::OtherProgram, {std::to_string(static_cast<long>(atS))}});
   }
+}
+
+ShownTrace shownOf(const Motion& motion, Instant origin) {
+  ShownTrace shown;
+  if (!motion.samples.empty()) {
+    addMotion(shown.signalSet, motion, origin);
+  }
+  shown.step = motion.step;
+  return shown;
+}
+
+void setLength(ShownTrace& shown) {
+  for (const Channel& channel : shown.signalSet.channels()) {
+    if (!channel.samples->empty()) {
+      const Instant last = channel.samples->timeAt(channel.samples->size() - 1);
+      shown.length = std::max(shown.length, last.time_since_epoch());
+    }
+  }
+}
+
+/// @param analysis  null: not yet made
+ShownTrace shownOf(const Trace& trace, const Motion& motion, const TraceAnalysis* analysis) {
+  const Instant origin = originOf(trace, motion);
+  ShownTrace shown = shownOf(motion, origin);
+  if (analysis != nullptr) {
+    addContour(shown.signalSet, *analysis, origin);
+    shown.programPath = analysis->path.judged ? analysis->programPath : nullptr;
+    shown.stops = analysis->stops;
+    for (Standstill& stop : shown.stops) {
+      stop.start = Instant{stop.start - origin};
+    }
+    shown.isAnalysed = true;
+  }
+  if (trace.recording() != nullptr) {
+    shown.programHash = trace.recording()->start.programHash;
+    addAccesses(shown.signalSet, *trace.recording(), origin);
+  }
+  if (trace.imported() != nullptr) {
+    shown.table = trace.imported()->table;
+    shown.tableLayout = trace.imported()->layout;
+    addColumns(shown.signalSet, trace.imported()->trace, origin);
+  }
+  setLength(shown);
+  if (trace.recording() != nullptr && !trace.recording()->controlTrace) {
+    shown.isObserved = true;
+    shown.pauses = trace.recording()->pauses;
+    for (Pause& pause : shown.pauses) {
+      pause.start = Instant{pause.start - origin};
+    }
+  }
+  addEvents(shown, trace, origin);
+  addRemarks(shown, trace, analysis);
+  return shown;
 }
 
 }  // namespace
@@ -383,48 +434,19 @@ std::size_t SignalSet::memoryBytes() const {
   return bytes;
 }
 
-ShownTrace makeShownTrace(const TraceSubject& subject, const Motion& motion,
-                          const TraceAnalysis* analysis) {
-  ShownTrace shown;
-  const Instant origin = originOf(subject, motion);
-  if (!motion.samples.empty()) {
-    addMotion(shown.signalSet, motion, origin);
-  }
-  if (analysis != nullptr) {
-    addContour(shown.signalSet, *analysis, origin);
-    shown.programPath = analysis->path.judged ? analysis->programPath : nullptr;
-    shown.stops = analysis->stops;
-    for (Standstill& stop : shown.stops) {
-      stop.start = Instant{stop.start - origin};
-    }
-    shown.isAnalysed = true;
-  }
-  if (subject.recording != nullptr) {
-    shown.programHash = subject.recording->start.programHash;
-    addAccesses(shown.signalSet, *subject.recording, origin);
-  }
-  if (subject.imported != nullptr) {
-    shown.table = subject.imported->table;
-    shown.tableLayout = subject.imported->layout;
-    addColumns(shown.signalSet, subject.imported->trace, origin);
-  }
-  for (const Channel& channel : shown.signalSet.channels()) {
-    if (!channel.samples->empty()) {
-      const Instant last = channel.samples->timeAt(channel.samples->size() - 1);
-      shown.length = std::max(shown.length, last.time_since_epoch());
-    }
-  }
-  shown.step = motion.step;
-  if (subject.recording != nullptr && !subject.recording->controlTrace) {
-    shown.isObserved = true;
-    shown.pauses = subject.recording->pauses;
-    for (Pause& pause : shown.pauses) {
-      pause.start = Instant{pause.start - origin};
-    }
-  }
-  addEvents(shown, subject, origin);
-  addRemarks(shown, subject, analysis);
+ShownTrace makeShownTrace(const Motion& motion) {
+  ShownTrace shown =
+      shownOf(motion, motion.samples.empty() ? Instant{} : motion.samples.front().at);
+  setLength(shown);
   return shown;
+}
+
+ShownTrace makeShownTrace(const Trace& trace) {
+  return shownOf(trace, motionOf(trace), nullptr);
+}
+
+ShownTrace makeShownTrace(const Trace& trace, const TraceAnalysis& analysis) {
+  return shownOf(trace, analysis.motion, &analysis);
 }
 
 SampleStatistics sampleStatistics(const Envelope& samples, Instant from, Instant to) {

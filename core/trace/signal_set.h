@@ -99,9 +99,10 @@ struct ShownTrace {
   bool isAnalysed = false;  ///< stops, and contour error if there is a program
 };
 
-/// Signals of what there is. @param analysis  null: not yet made
-[[nodiscard]] ShownTrace makeShownTrace(const TraceSubject& subject, const Motion& motion,
-                                        const TraceAnalysis* analysis);
+/// Not analysed.
+[[nodiscard]] ShownTrace makeShownTrace(const Motion& motion);
+[[nodiscard]] ShownTrace makeShownTrace(const Trace& trace);
+[[nodiscard]] ShownTrace makeShownTrace(const Trace& trace, const TraceAnalysis& analysis);
 
 /// Figures of the values between two instants, both included.
 struct SampleStatistics {

@@ -112,9 +112,7 @@ class TestTraces : public QObject {
     QVERIFY2(note().contains("square.trace"), qPrintable(note()));
     const auto source = report::openTrace(path.toStdString(), {}, 0.0);
     QVERIFY(source);
-    trace::TraceSubject subject;
-    subject.controlTrace = &*source->controlTrace;
-    const trace::TraceAnalysis analysis = trace::analyseTrace(subject);
+    const trace::TraceAnalysis analysis = trace::analyseTrace(*source);
     QCOMPARE(stops().size(), analysis.stops.size());
     QVERIFY(stops().size() >= 3);
     for (std::size_t i = 0; i < stops().size(); ++i) {

@@ -163,22 +163,20 @@ class TestTraceAgreement : public QObject {
 
       auto recording = trace::parseRecording(run.recording);
       QVERIFY(recording.has_value());
-      trace::TraceSubject subject;
-      subject.toleranceMm = toleranceFor(drawn.pointsMm);
-      subject.recording = &*recording;
-      const trace::TraceAnalysis recorded = trace::analyseTrace(subject);
+      trace::AnalysisOptions options;
+      options.toleranceMm = toleranceFor(drawn.pointsMm);
+      const trace::TraceAnalysis recorded = trace::analyseTrace(trace::Trace(*recording), options);
       compare("recording", printed(recorded.blocks));
       countCauses(recorded.stops, tally.causes);
       recording->start.continuations.clear();
-      countCauses(trace::analyseTrace(subject).stops, tally.causesWithoutProgram);
+      countCauses(trace::analyseTrace(trace::Trace(*recording), options).stops,
+                  tally.causesWithoutProgram);
 
       const auto bare =
           trace::parseControlTrace(trace::printControlTrace(*run.report.controlTrace));
       QVERIFY(bare.has_value());
-      subject.recording = nullptr;
-      subject.controlTrace = &*bare;
-      subject.program = drawn.scenario.program.get();
-      const trace::TraceAnalysis analysis = trace::analyseTrace(subject);
+      options.program = drawn.scenario.program.get();
+      const trace::TraceAnalysis analysis = trace::analyseTrace(trace::Trace(*bare), options);
       compare("trace and program", printed(analysis.blocks));
 
       const bool isFaultless = run.report.integrity.isFaultless();

@@ -56,11 +56,8 @@ const gcode::Program& square() {
 
 std::shared_ptr<const ShownTrace> shown(const char* name, const ControlTrace& trace,
                                         const gcode::Program* program = nullptr) {
-  TraceSubject subject;
-  subject.controlTrace = &trace;
-  subject.program = program;
-  const TraceAnalysis analysis = analyseTrace(subject);
-  ShownTrace result = makeShownTrace(subject, analysis.motion, &analysis);
+  const Trace of(trace);
+  ShownTrace result = makeShownTrace(of, analyseTrace(of, {program}));
   result.name = name;
   return std::make_shared<const ShownTrace>(std::move(result));
 }

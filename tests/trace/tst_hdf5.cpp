@@ -240,13 +240,12 @@ class TestHdf5 : public QObject {
     const auto imported =
         importTrace(*printHdf5({{"x_set", "mm", x}}, said, kStart, kEnd, "t", "s"));
     QVERIFY(imported);
-    TraceSubject subject;
-    subject.imported = &*imported;
-    const TraceAnalysis analysis = analyseTrace(subject);
+    const Trace trace(*imported);
+    const TraceAnalysis analysis = analyseTrace(trace);
     QCOMPARE(analysis.stops.size(), std::size_t{1});
     QCOMPARE(stopCauseName(analysis.stops[0].cause), std::string_view("preprocessor stop"));
     QCOMPARE(analysis.stops[0].evidence, std::string("line 7 has one"));
-    const ShownTrace shown = makeShownTrace(subject, analysis.motion, &analysis);
+    const ShownTrace shown = makeShownTrace(trace, analysis);
     QCOMPARE(shown.events.size(), std::size_t{2});
     QCOMPARE(shown.events[1].text, std::string("the end is near"));
   }
@@ -268,12 +267,11 @@ class TestHdf5 : public QObject {
         *printHdf5({{"x_set", "mm", x}, {"program_line", "", ofProgram}, {"line", "", onControl}},
                    {}, kStart, kEnd, "t", "s"));
     QVERIFY(imported);
-    TraceSubject subject;
-    subject.imported = &*imported;
-    const TraceAnalysis analysis = analyseTrace(subject);
+    const Trace trace(*imported);
+    const TraceAnalysis analysis = analyseTrace(trace);
     QVERIFY(analysis.motion.hasLine);
     QCOMPARE(analysis.motion.samples[53].line, 23U);
-    const ShownTrace shown = makeShownTrace(subject, analysis.motion, &analysis);
+    const ShownTrace shown = makeShownTrace(trace, analysis);
     QCOMPARE(valueAt(*shown.signalSet.find("line")->samples, at(0.004 * 53)), 23.0);
     QCOMPARE(valueAt(*shown.signalSet.find("program_line")->samples, at(0.004 * 53)), 3.0);
   }

@@ -151,10 +151,8 @@ class TestSignalSet : public QObject {
   void timesThatRunBackwards() {
     ControlTrace trace = straight();
     std::swap(trace.samples[4].at, trace.samples[7].at);
-    TraceSubject subject;
-    subject.controlTrace = &trace;
-    const TraceAnalysis analysis = analyseTrace(subject);
-    const ShownTrace shown = makeShownTrace(subject, analysis.motion, &analysis);
+    const TraceAnalysis analysis = analyseTrace(Trace(trace));
+    const ShownTrace shown = makeShownTrace(Trace(trace), analysis);
     QCOMPARE(analysis.motion.samples.size(), trace.samples.size() - 3);
     QCOMPARE(shown.remarks.size(), std::size_t{1});
     QVERIFY(shown.remarks.front().code == RemarkCode::ValuesBackwards);
@@ -162,10 +160,8 @@ class TestSignalSet : public QObject {
 
   void offersWhatIsThere() {
     const ControlTrace trace = straight();
-    TraceSubject subject;
-    subject.controlTrace = &trace;
-    const TraceAnalysis analysis = analyseTrace(subject);
-    const ShownTrace shown = makeShownTrace(subject, analysis.motion, &analysis);
+    const TraceAnalysis analysis = analyseTrace(Trace(trace));
+    const ShownTrace shown = makeShownTrace(Trace(trace), analysis);
     QCOMPARE(base::toSeconds(shown.length), 0.04);
     QVERIFY(shown.isAnalysed);
     std::size_t axes = 0;
@@ -189,9 +185,7 @@ class TestSignalSet : public QObject {
   void showsColumnsOfAnyName() {
     const auto imported = importTrace("t [s];Spindle load [%];x_act\n0;10;1\n1;20;2\n2;x;4\n");
     QVERIFY(imported);
-    TraceSubject subject;
-    subject.imported = &*imported;
-    const ShownTrace shown = makeShownTrace(subject, motionOf(subject), nullptr);
+    const ShownTrace shown = makeShownTrace(Trace(*imported));
     QVERIFY(!shown.isAnalysed);
     bool found = false;
     for (const SignalOffer& offer : shown.signalSet.offers()) {
@@ -238,9 +232,7 @@ class TestSignalSet : public QObject {
       mapping.offsetS = offsetS;
       const auto imported = importTrace(text, mapping);
       QVERIFY(imported);
-      TraceSubject subject;
-      subject.imported = &*imported;
-      const ShownTrace shown = makeShownTrace(subject, motionOf(*imported), nullptr);
+      const ShownTrace shown = makeShownTrace(Trace(*imported));
       QCOMPARE(shown.signalSet.find("x_act")->samples->timeAt(1), at(offsetS + 0.5));
     }
   }

@@ -320,9 +320,7 @@ class TestTraceAnalysis : public QObject {
                                line(step < 40 ? before : after)});
     }
     trace.blocks.push_back({at(0), at(endsBlock ? 20 : 59), line(before), {0.8, 0.0, 0.0}, 0.8});
-    TraceSubject subject;
-    subject.recording = &recording;
-    const std::vector<Standstill> stops = analyseTrace(subject).stops;
+    const std::vector<Standstill> stops = analyseTrace(Trace(recording)).stops;
     QCOMPARE(stops.size(), std::size_t{1});
     QCOMPARE(stopCauseName(stops[0].cause),
              std::string_view(evidence.isEmpty() ? "unknown" : "preprocessor stop"));
@@ -363,10 +361,7 @@ class TestTraceAnalysis : public QObject {
     const auto loaded =
         gcode::loadProgram((kGroundTruth + "/programs/" + program + ".ngc").toStdString(), loading);
     QVERIFY(loaded.has_value());
-    TraceSubject subject;
-    subject.imported = &*imported;
-    subject.program = &*loaded;
-    const TraceAnalysis analysis = analyseTrace(subject);
+    const TraceAnalysis analysis = analyseTrace(Trace(*imported), {&*loaded});
     QCOMPARE(static_cast<int>(analysis.stops.size()), stops);
     QVERIFY2(analysis.path.isFaultless(), qPrintable(printed(analysis.path)));
     QCOMPARE(analysis.path.executed, analysis.path.points);

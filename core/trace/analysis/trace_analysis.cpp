@@ -12,11 +12,6 @@ namespace rivulet::trace {
 
 namespace {
 
-const ControlTrace* controlTraceOf(const TraceSubject& subject) {
-  const bool isRecorded = subject.recording != nullptr && subject.recording->controlTrace;
-  return isRecorded ? &*subject.recording->controlTrace : subject.controlTrace;
-}
-
 /// Live observations are all there is of a control without a trace.
 Motion motionOfLive(const Recording& recording) {
   Motion motion;
@@ -40,40 +35,39 @@ Motion motionOfLive(const Recording& recording) {
 }
 
 /// The points that should have been executed, with their feeds as far as they are known.
-std::vector<gcode::StreamPoint> pointsOf(const TraceSubject& subject, base::Vec3 startMm,
-                                         const base::RotaryDeg& startDeg) {
-  if (subject.recording != nullptr && subject.recording->pointsComplete) {
-    std::vector<gcode::StreamPoint> points = subject.recording->points.points;
-    if (subject.recording->start.feedOverride == 0.0) {
+std::vector<gcode::StreamPoint> pointsOf(const Recording* recording, const gcode::Program* program,
+                                         base::Vec3 startMm, const base::RotaryDeg& startDeg) {
+  if (recording != nullptr && recording->pointsComplete) {
+    std::vector<gcode::StreamPoint> points = recording->points.points;
+    if (recording->start.feedOverride == 0.0) {
       for (gcode::StreamPoint& point : points) {
-        point.feedMmPerS = subject.recording->start.feedMmPerS;
+        point.feedMmPerS = recording->start.feedMmPerS;
       }
     }
     return points;
   }
-  if (subject.program == nullptr) {
+  if (program == nullptr) {
     return {};
   }
   // The feed of rapids is not known.
   constexpr double kNoLimit = 1e9;
   const gcode::ProgramFeeds feeds{1.0, kNoLimit, kNoLimit};
   std::vector<gcode::StreamPoint> points =
-      gcode::streamPoints(subject.program->trajectory, startMm, startDeg, &feeds).points;
+      gcode::streamPoints(program->trajectory, startMm, startDeg, &feeds).points;
   for (gcode::StreamPoint& point : points) {
     point.feedMmPerS = point.kind == gcode::MoveKind::Rapid ? 0.0 : point.feedMmPerS;
   }
   return points;
 }
 
-base::RotarySet rotaryOf(const TraceSubject& subject) {
+base::RotarySet rotaryOf(const Recording* recording, const gcode::Program* program) {
   base::RotarySet axes{};
-  if (subject.recording != nullptr && subject.recording->pointsComplete) {
+  if (recording != nullptr && recording->pointsComplete) {
     for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-      axes[axis] =
-          subject.recording->start.axes.find(base::kRotaryAxisNames[axis]) != std::string::npos;
+      axes[axis] = recording->start.axes.find(base::kRotaryAxisNames[axis]) != std::string::npos;
     }
-  } else if (subject.program != nullptr) {
-    axes = gcode::turnedAxes(subject.program->trajectory);
+  } else if (program != nullptr) {
+    axes = gcode::turnedAxes(program->trajectory);
   }
   return axes;
 }
@@ -101,38 +95,37 @@ void findProgrammedDwells(std::vector<Standstill>& stops, const gcode::Program& 
 
 }  // namespace
 
-Motion motionOf(const TraceSubject& subject) {
-  if (const ControlTrace* trace = controlTraceOf(subject)) {
-    return motionOf(*trace);
+Motion motionOf(const Trace& trace) {
+  if (const ControlTrace* control = trace.control()) {
+    return motionOf(*control);
   }
-  if (subject.imported != nullptr) {
-    return motionOf(*subject.imported);
-  }
-  return subject.recording != nullptr ? motionOfLive(*subject.recording) : Motion{};
+  return trace.imported() != nullptr ? motionOf(*trace.imported())
+                                     : motionOfLive(*trace.recording());
 }
 
-TraceAnalysis analyseTrace(const TraceSubject& subject) {
+TraceAnalysis analyseTrace(const Trace& trace, const AnalysisOptions& options) {
   TraceAnalysis analysis;
-  analysis.motion = motionOf(subject);
+  analysis.motion = motionOf(trace);
   const Motion& motion = analysis.motion;
+  const Recording* recording = trace.recording();
   analysis.stops = findStandstills(motion);
-  findCauses(analysis.stops, motion, subject.recording);
-  if (subject.program != nullptr) {
-    findProgrammedDwells(analysis.stops, *subject.program, subject.toleranceMm);
+  findCauses(analysis.stops, motion, recording);
+  if (options.program != nullptr) {
+    findProgrammedDwells(analysis.stops, *options.program, options.toleranceMm);
   }
-  const ControlTrace* trace = controlTraceOf(subject);
+  const ControlTrace* control = trace.control();
   const base::Vec3 startMm =
       motion.samples.empty() ? base::Vec3{} : motion.placeMm(motion.samples.front());
-  const base::RotaryDeg startDeg = trace != nullptr && !trace->samples.empty()
-                                       ? trace->samples.front().commandDeg
+  const base::RotaryDeg startDeg = control != nullptr && !control->samples.empty()
+                                       ? control->samples.front().commandDeg
                                        : base::RotaryDeg{};
-  std::vector<gcode::StreamPoint> points = pointsOf(subject, startMm, startDeg);
+  std::vector<gcode::StreamPoint> points = pointsOf(recording, options.program, startMm, startDeg);
   if (!points.empty()) {
-    if (trace != nullptr) {
-      analysis.blocks = judgeRun(points, *trace, rotaryOf(subject));
+    if (control != nullptr) {
+      analysis.blocks = judgeRun(points, *control, rotaryOf(recording, options.program));
     }
     analysis.programPath = std::make_shared<const ProgramPath>(std::move(points), startMm);
-    analysis.path = matchPath(motion, *analysis.programPath, {subject.toleranceMm});
+    analysis.path = matchPath(motion, *analysis.programPath, {options.toleranceMm});
   }
   analysis.quality =
       judgeMotion(motion, analysis.stops, analysis.programPath.get(), &analysis.path);

@@ -17,17 +17,13 @@
 #include "trace/analysis/path_match.h"
 #include "trace/analysis/standstills.h"
 #include "trace/motion.h"
-#include "trace/recording.h"
+#include "trace/trace.h"
 
 namespace rivulet::trace {
 
-/// What there is of a run. All pointers may be null.
-struct TraceSubject {
-  const Recording* recording = nullptr;        ///< also gives the control's trace, if it has one
-  const ControlTrace* controlTrace = nullptr;  ///< without a recording
-  const ImportedTrace* imported = nullptr;     ///< of another tool
-  const gcode::Program* program = nullptr;     ///< not needed with a recording
-  double toleranceMm = 0.05;                   ///< `PathMatchOptions`
+struct AnalysisOptions {
+  const gcode::Program* program = nullptr;  ///< null: none, or that of the recording
+  double toleranceMm = 0.05;                ///< `PathMatchOptions`
 };
 
 struct TraceAnalysis {
@@ -40,8 +36,8 @@ struct TraceAnalysis {
 };
 
 /// What the axes did; the same that the analysis is about.
-[[nodiscard]] Motion motionOf(const TraceSubject& subject);
+[[nodiscard]] Motion motionOf(const Trace& trace);
 
-[[nodiscard]] TraceAnalysis analyseTrace(const TraceSubject& subject);
+[[nodiscard]] TraceAnalysis analyseTrace(const Trace& trace, const AnalysisOptions& options = {});
 
 }  // namespace rivulet::trace

@@ -252,11 +252,8 @@ std::shared_ptr<const trace::ControlTrace> controlTrace(double pauseEveryS) {
 std::shared_ptr<const trace::ShownTrace> shownTrace(const trace::ControlTrace& trace,
                                                     const std::string& name,
                                                     const gcode::Program* program) {
-  trace::TraceSubject subject;
-  subject.controlTrace = &trace;
-  subject.program = program;
-  const trace::TraceAnalysis analysis = trace::analyseTrace(subject);
-  trace::ShownTrace shown = trace::makeShownTrace(subject, analysis.motion, &analysis);
+  const trace::Trace of(trace);
+  trace::ShownTrace shown = trace::makeShownTrace(of, trace::analyseTrace(of, {program}));
   shown.name = name;
   return std::make_shared<const trace::ShownTrace>(std::move(shown));
 }

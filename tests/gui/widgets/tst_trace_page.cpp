@@ -464,9 +464,7 @@ class TestTracePage : public QObject {
     const std::string text = "a;b, mm;c\n0;1;2\n10;3;4\n20;5;6\n";
     const auto shownTable = [&text](const std::string& mapping) {
       const auto imported = trace::importTrace(text, *trace::parseTableMapping(mapping));
-      trace::TraceSubject subject;
-      subject.imported = &*imported;
-      trace::ShownTrace shown = trace::makeShownTrace(subject, trace::motionOf(subject), nullptr);
+      trace::ShownTrace shown = trace::makeShownTrace(trace::Trace(*imported));
       shown.name = "scope.csv";
       return std::make_shared<const trace::ShownTrace>(std::move(shown));
     };
@@ -1000,9 +998,7 @@ class TestTracePage : public QObject {
   void analysisFollowsWithoutMovingTheView() {
     TracePage page;
     const auto trace = test::controlTrace(0.9);
-    trace::TraceSubject subject;
-    subject.controlTrace = trace.get();
-    auto early = trace::makeShownTrace(subject, trace::motionOf(subject), nullptr);
+    auto early = trace::makeShownTrace(trace::Trace(trace));
     early.name = "a";
     page.showTraces({std::make_shared<const trace::ShownTrace>(std::move(early))},
                     TracePage::Source::Files);
