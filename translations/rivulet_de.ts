@@ -1176,8 +1176,8 @@
         <translation>Die Steuerung hat das Programm mit einem Alarm beendet. Die Ursache an der Steuerung beheben.</translation>
     </message>
     <message>
-        <source>The program on the control ended before all points were sent.</source>
-        <translation>Das Programm auf der Steuerung endete, bevor alle Punkte gesendet waren.</translation>
+        <source>The program on the control ended before all of it was executed.</source>
+        <translation>Das Programm auf der Steuerung endete, bevor alles ausgeführt war.</translation>
     </message>
     <message>
         <source>The cells of method window are out of range. Check base, stride and number of windows.</source>

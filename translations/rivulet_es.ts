@@ -1176,8 +1176,8 @@
         <translation>El control terminó el programa con una alarma. Eliminar su causa en el control.</translation>
     </message>
     <message>
-        <source>The program on the control ended before all points were sent.</source>
-        <translation>El programa del control terminó antes de que se enviaran todos los puntos.</translation>
+        <source>The program on the control ended before all of it was executed.</source>
+        <translation>El programa del control terminó antes de ejecutarse entero.</translation>
     </message>
     <message>
         <source>The cells of method window are out of range. Check base, stride and number of windows.</source>

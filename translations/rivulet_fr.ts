@@ -1176,8 +1176,8 @@
         <translation>La commande a terminé le programme par une alarme. En éliminer la cause sur la commande.</translation>
     </message>
     <message>
-        <source>The program on the control ended before all points were sent.</source>
-        <translation>Le programme sur la commande s’est terminé avant l’envoi de tous les points.</translation>
+        <source>The program on the control ended before all of it was executed.</source>
+        <translation>Le programme de la commande s’est terminé avant d’être entièrement exécuté.</translation>
     </message>
     <message>
         <source>The cells of method window are out of range. Check base, stride and number of windows.</source>

@@ -1176,8 +1176,8 @@
         <translation>Il controllo ha terminato il programma con un allarme. Eliminarne la causa sul controllo.</translation>
     </message>
     <message>
-        <source>The program on the control ended before all points were sent.</source>
-        <translation>Il programma sul controllo è terminato prima dell’invio di tutti i punti.</translation>
+        <source>The program on the control ended before all of it was executed.</source>
+        <translation>Il programma sul controllo è terminato prima di essere eseguito per intero.</translation>
     </message>
     <message>
         <source>The cells of method window are out of range. Check base, stride and number of windows.</source>

@@ -194,6 +194,7 @@ class MainWriter final : public PlanWriter {
   std::string write() {
     writeHead();
     writeParts(plan().parts.size());
+    writeDone();
     line("RIV_END:");
     line("M30");
     return take();
@@ -215,7 +216,7 @@ class MainWriter final : public PlanWriter {
     line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
          static_cast<int>(templates::WindowState::Done));
     line("RIV_RUN=R{}", m_loop.cells.owner);
-    line("R{}=0", blockCell(m_loop));
+    writeBlock(0);
     line("R{}={}", m_loop.cells.run, JobProtocol::goOn(0));
   }
 
@@ -223,24 +224,49 @@ class MainWriter final : public PlanWriter {
     // The loop clears its cells when it is interpreted: not before the native blocks are done.
     cancelOverride();
     line("STOPRE");
-    line("R{}={}", blockCell(m_loop), -m_due);
+    writeBlock(-m_due);
     line("{}({},{},RIV_RUN+{})", subprogramName(m_loop), m_number, stretch.number, stretch.number);
     line("IF R{}<>{} GOTOF RIV_END", m_loop.cells.state,
          static_cast<int>(templates::WindowState::Done));
-    line("R{}=0", blockCell(m_loop));
+    writeBlock(0);
     m_due = 0;
   }
 
+  /// The block cell is written when the axes have got there: what is interpreted is far ahead of
+  /// them, and a reset would leave the number of a block that nobody has executed.
   void writeDue(const NativeBlock& native, int number) override {
     m_due = number;
-    if (mayWaitBefore(native.reason) && native.reason != NativeReason::End) {
+    m_isDueWithMotion = false;
+    if (native.reason == NativeReason::End) {
+      writeDone();
+    } else if (mayWaitBefore(native.reason)) {
       writeWait(number - 1);
+      writeBlock(number);
+    } else if (native.reason == NativeReason::Retract) {
+      line("STOPRE");
+      writeBlock(number);
+    } else {
+      m_isDueWithMotion = true;
     }
-    line("R{}={}", blockCell(m_loop), number);
+  }
+
+  void writeDone() {
+    line("STOPRE");
+    writeBlock(doneNumber(plan()));
+  }
+
+  void writeBlock(int value) {
+    line("R{}={}", blockCell(m_loop), value);
+    m_block = value;
   }
 
   /// A trace of the control names lines alone: where the loop moves, this program does not.
   void beforeText(const std::string& text) override {
+    if (m_isDueWithMotion) {
+      // In the main run, with the block that follows; too late, if that is not one of the main run.
+      line("WHEN $R{0}=={1} DO $R{0}={2}", blockCell(m_loop), m_block, m_due);
+      m_block = m_due;
+    }
     const auto count = 1 + static_cast<unsigned>(std::count(text.begin(), text.end(), '\n'));
     const auto isTaken = [this, count](std::uint32_t motion) {
       return motion > lineCount() && motion <= lineCount() + count;
@@ -254,7 +280,7 @@ class MainWriter final : public PlanWriter {
   void writeWait(int done) {
     ++m_waits;
     line("STOPRE");
-    line("R{}={}", blockCell(m_loop), -done);
+    writeBlock(-done);
     line("RIV_W{}:", m_waits);
     line("STOPRE");
     line("IF R{}=={} GOTOF RIV_END", m_loop.cells.run, WindowProtocol::kEnd);
@@ -267,7 +293,9 @@ class MainWriter final : public PlanWriter {
   const templates::JobLoop& m_loop;
   int m_number;
   int m_waits = 0;
-  int m_due = 0;  ///< the last native block since the stretch; 0: none
+  int m_due = 0;    ///< the last native block since the stretch; 0: none
+  int m_block = 0;  ///< in the block cell, where the program is
+  bool m_isDueWithMotion = false;
 };
 
 /// The words of a point, "X1 Y2 C90", as far as the program has named the axes.
@@ -468,6 +496,10 @@ std::string plainProgramOf(const Plan& plan, const std::optional<gcode::ProgramF
 std::error_code make_error_code(JobError code) {
   static const Category category;
   return {static_cast<int>(code), category};
+}
+
+int doneNumber(const Plan& plan) {
+  return static_cast<int>(plan.nativeCount()) + 1;
 }
 
 int blockCell(const templates::JobLoop& loop) {

@@ -84,9 +84,11 @@ struct Outline {
 
 /// R number of the cell that tells how far the native blocks are, between two stretches, where the
 /// loop does not use it. The number of a block in the plan, from 1: all before it have been
-/// executed, and it has been begun, or is the first of blocks that belong together. Negative: all
+/// executed, and it has been begun; one that does not move may count with the next. Negative: all
 /// up to it have been executed, and none after it has been begun. 0: none since the stretch.
+/// `doneNumber`: all of the job.
 [[nodiscard]] int blockCell(const templates::JobLoop& loop);
+[[nodiscard]] int doneNumber(const Plan& plan);
 
 /// The words that put a control into the modal state, "G1 G17 G90 G710 DIAMOF G64 G94 F500".
 [[nodiscard]] std::string modalWords(const nc::ModalState& state);

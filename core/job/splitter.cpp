@@ -773,8 +773,10 @@ class Splitter final : public gcode::BlockObserver,
       return std::nullopt;
     }
     const std::optional<NativeReason> region = m_block->region ? m_block->region : regionReason();
-    // Nothing may stop the control within a compensation, whatever else a block says.
-    const bool encloses = region && *region <= NativeReason::RadiusCompensation;
+    // Nothing may stop the control within a compensation, whatever else a block says; and whatever
+    // moves calls a modal cycle.
+    const bool encloses = region && (*region <= NativeReason::RadiusCompensation ||
+                                     (*region == NativeReason::Cycle && m_block->moves));
     return m_block->reason && !encloses ? m_block->reason : region;
   }
 

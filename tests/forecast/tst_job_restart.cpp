@@ -435,6 +435,7 @@ base::Duration standsBeforeSomebodyComes(int draw) {
 class TestJobRestart : public QObject {
   Q_OBJECT
 
+  trace::ControlTrace m_trace;
   std::vector<std::string> m_source;
   job::Plan m_plan;
 
@@ -444,7 +445,8 @@ class TestJobRestart : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    m_source = motions(traceOfSource(kPart));
+    m_trace = traceOfSource(kPart);
+    m_source = motions(m_trace);
     m_plan = planOf(kPart);
     QVERIFY(m_source.size() > 30);
     QVERIFY(m_plan.stretchCount() >= 4);
@@ -488,17 +490,17 @@ class TestJobRestart : public QObject {
         const base::Instant from = link.now();
         const std::optional<streaming::Resume> resume =
             left.restart ? left.restart->rest.resume : std::nullopt;
-        const streaming::WholeJobReport done =
+        const streaming::WholeJobReport ended =
             streaming::runWholeJob(link, link, left.inProgress(), settings(), watcher, watcher,
                                    {.resume = resume, .keeper = &left.keeper});
         leaveAlone(machine, standsBeforeSomebodyComes(half));
         streaming::SimulatedLink again(machine);
         const std::string name = std::to_string(half) + "." + std::to_string(interruption) + ": ";
-        if (done.outcome == Outcome::Completed) {
+        if (ended.outcome == Outcome::Completed) {
           judge.add(motions(traceSince(again, from)));
           break;
         }
-        QVERIFY2(interruption < 2, (name + done.error.text()).c_str());
+        QVERIFY2(interruption < 2, (name + ended.error.text()).c_str());
         QVERIFY2(left.keeper.last, name.c_str());
         if (const auto went = left.goOn(again, settings()); !went) {
           QVERIFY2(went.error().code == streaming::StreamError::CannotResume,
@@ -508,7 +510,10 @@ class TestJobRestart : public QObject {
           break;
         }
         QCOMPARE(machine.state().channel, machine::ChannelStatus::Reset);
-        judge.add(motions(traceSince(again, from)));
+        const std::vector<std::string> done = motions(traceSince(again, from));
+        Judge soFar = judge;
+        soFar.add(done);
+        judge.add(done, isAtNextEnd(m_trace, soFar.done(), left.restart->rest, zeroAt()));
       }
       standing += left.standing;
       withinWindow += left.withinWindow;
@@ -528,6 +533,75 @@ class TestJobRestart : public QObject {
     QVERIFY(resumed > 20);
     QVERIFY(how != QStringLiteral("kill") || withinWindow > 5);
     QVERIFY(refused <= resumed / 10);
+  }
+
+  /// The control interprets what comes behind a cycle while it drills: a reset there leaves holes
+  /// that nobody may take for drilled.
+  void resetWhileDrilling_data() {
+    QTest::addColumn<QString>("behind");
+    QTest::newRow("retraction") << QStringLiteral("SUPA G0 Z150\n");
+    QTest::newRow("retraction, no tool") << QStringLiteral("SUPA G0 Z200 D0\n");
+    QTest::newRow("retraction before the cycle is off") << QStringLiteral("SUPA G0 Z100\nMCALL\n");
+    QTest::newRow("spindle") << QStringLiteral("M5\n");
+    QTest::newRow("motion") << QStringLiteral("G0 Z30\nX1 Y1\n");
+    QTest::newRow("coolant and increment")
+        << QStringLiteral("G0 X50 Y10\nG91 G1 X40 F900 M8\nG90 G0 X5\n");
+    QTest::newRow("coolant and arc")
+        << QStringLiteral("G0 X50 Y10\nG2 X90 Y10 CR=25 F900 M8\nG0 X5\n");
+    QTest::newRow("coolant and straight") << QStringLiteral("G0 X50 Y10\nG1 X90 F900 M8\nG0 X5\n");
+  }
+  void resetWhileDrilling() {
+    QFETCH(const QString, behind);
+    const std::string text =
+        "G54\nT1 D1 M6\nS3000 M3\nG0 X5 Y5 Z30\nF300\nMCALL CYCLE81(20,0,2,-5)\nX10 "
+        "Y10\nX30\nX50\n" +
+        std::string(behind.contains("MCALL") ? "" : "MCALL\n") + behind.toStdString() + "M30\n";
+    const job::Plan plan = planOf(text);
+    const trace::ControlTrace source = traceOfSource(text);
+    int resumed = 0;
+    int interrupted = 0;
+    for (base::Duration at = std::chrono::seconds{6};; at += std::chrono::milliseconds{210}) {
+      machine::Machine machine(mill(), 1);
+      streaming::SimulatedLink link(machine);
+      LeftJob left{plan};
+      Watcher watcher;
+      watcher.at = link.now() + at;
+      watcher.reset = &machine;
+      const auto first = streaming::runWholeJob(link, link, plan, settings(), watcher, watcher,
+                                                {.keeper = &left.keeper});
+      const std::vector<std::string> done = motions(*link.fetchTrace());
+      Judge judge(motions(source), 4);
+      judge.add(done);
+      const std::string name = std::to_string(base::toSeconds(at)) + " s: ";
+      if (first.outcome == Outcome::Completed) {
+        QVERIFY2(judge.verdict().empty(), (name + judge.verdict()).c_str());
+        if (watcher.reset != nullptr) {
+          break;
+        }
+        continue;
+      }
+      ++interrupted;
+      if (const auto went = left.goOn(link, settings()); !went) {
+        QVERIFY2(went.error().code == streaming::StreamError::CannotResume,
+                 (name + went.error().text()).c_str());
+        continue;
+      }
+      ++resumed;
+      const std::size_t doneCount = judge.done();
+      judge = Judge(motions(source), 4);
+      judge.add(done, isAtNextEnd(source, doneCount, left.restart->rest, [&plan](std::size_t part) {
+                  return forecast::zeroAt(plan, mill(), part);
+                }));
+      const base::Instant from = link.now();
+      Watcher onwards;
+      const auto second = streaming::runWholeJob(link, link, left.inProgress(), settings(), onwards,
+                                                 onwards, {.resume = left.restart->rest.resume});
+      QVERIFY2(second.outcome == Outcome::Completed, second.error.text().c_str());
+      judge.add(motions(traceSince(link, from)));
+      const std::string wrong = judge.verdict();
+      QVERIFY2(wrong.empty(), (name + wrong).c_str());
+    }
+    QVERIFY(resumed > 3 && interrupted > resumed + 3);
   }
 
   /// Interrupted after a stretch and before the next block for the control has begun, at every

@@ -407,7 +407,7 @@ struct ErrorTexts {
       case StreamError::ControlAlarm:
         return tr("The control ended the program with an alarm. Clear its cause at the control.");
       case StreamError::EndedEarly:
-        return tr("The program on the control ended before all points were sent.");
+        return tr("The program on the control ended before all of it was executed.");
       case StreamError::OtherClient:
         return tr(
             "Another client is using the program on the control. Rivulet writes nothing more: wait "

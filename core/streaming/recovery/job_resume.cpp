@@ -73,12 +73,14 @@ class FrameLink final : public opcua::ForwardingLink {
   std::vector<std::pair<base::RequestId, std::vector<Variable>>> m_reads;
 };
 
-/// A block that may be executed again: it says what holds, not what to do.
+/// A block that may be executed again from anywhere within it: it says what holds, not what to do.
+/// An arc or an increment would lead elsewhere.
 bool isRepeatable(const job::NativeBlock& native) {
   using job::NativeReason;
-  const bool moves = native.increments != decltype(native.increments){};
-  return native.isInserted || (native.reason == NativeReason::Retract && !moves) ||
-         (native.reason >= NativeReason::Tool && native.reason <= NativeReason::Mode);
+  const bool steps = native.increments != decltype(native.increments){};
+  const bool moves = native.moves && !native.isHalf;
+  return native.isInserted || (native.reason == NativeReason::Retract && !steps) ||
+         (native.reason >= NativeReason::Tool && native.reason <= NativeReason::Mode && !moves);
 }
 
 /// What the control tells of the job.
@@ -263,6 +265,9 @@ class Search {
     if (block == 0.0 || (isRun && block > static_cast<double>(m_plan.nativeCount()))) {
       return rest(from, {});
     }
+    if (block == job::doneNumber(m_plan) && !isRun) {
+      return rest(m_plan.parts.size(), {});
+    }
     const double sought = isRun ? 0.0 : std::abs(block);
     double number = 0.0;
     for (std::size_t at = 0; at < m_plan.parts.size(); ++at) {
@@ -273,9 +278,6 @@ class Search {
       }
       if (block < 0.0) {
         return rest(std::max(at + 1, from), {});  // none has begun since, or since the stretch
-      }
-      if (native->reason == job::NativeReason::End) {
-        return rest(m_plan.parts.size(), {});
       }
       if (at < from || !isRepeatable(*native)) {
         return base::fail(

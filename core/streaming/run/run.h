@@ -47,7 +47,7 @@ enum class StreamError {
   StreamStalled,             ///< the control runs, but the method got no sign of progress
   StopNotConfirmed,          ///< stop was written, the control did not confirm it in time
   ControlAlarm,              ///< the control ended the program with an alarm
-  EndedEarly,                ///< the program on the control ended before all points were sent
+  EndedEarly,                ///< the program on the control ended before all of it was executed
   OtherClient,               ///< another client has the cells (method window)
   Restarted,                 ///< the program was restarted during a run (method window)
   WindowDamaged,             ///< the control rejected a window that did not match its check number

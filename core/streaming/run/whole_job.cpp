@@ -458,7 +458,7 @@ class WholeJob : public HostedRun {
       }
       accountNative(*state, next);
       if (state->isReset) {
-        return judgeEnd(next);
+        return judgeEnd(next, state->native);
       }
       if (Result<void> shown = show(); !shown) {
         return shown;
@@ -598,7 +598,8 @@ class WholeJob : public HostedRun {
     return {};
   }
 
-  Result<void> judgeEnd(std::size_t next) {
+  /// @param native  see `job::blockCell`
+  Result<void> judgeEnd(std::size_t next, double native) {
     m_isOver = true;
     if (m_isStopped) {
       m_report.outcome = Outcome::Stopped;
@@ -608,6 +609,12 @@ class WholeJob : public HostedRun {
       return base::fail(StreamError::EndedEarly,
                         fmt::format("The program on the control ended before stretch {} of {}.",
                                     m_stretches[next]->number, m_stretches.size()));
+    }
+    if (native != job::doneNumber(m_plan)) {
+      return base::fail(StreamError::EndedEarly,
+                        fmt::format("The program on the control ended before its last block, at "
+                                    "line {}.",
+                                    m_report.reached.line.value));
     }
     m_report.outcome = Outcome::Completed;
     return {};
