@@ -74,6 +74,8 @@ class MachineModel final : public QObject {
                     std::optional<double> overrideFactor);
   /// No run is in progress any more: no point stands in for the position, and nothing is commanded.
   void forgetExecuted();
+  /// A run of this window is prepared, or not any more: see `widgets::MachineView::isPreparing`.
+  void showPreparing(bool isPreparing) { m_view.isPreparing = isPreparing; }
   /// @param toGo  from the position of the sample; nothing: not known
   void showSample(const trace::LiveSample& sample,
                   const std::optional<widgets::MachineView::ToGo>& toGo);

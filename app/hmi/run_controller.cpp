@@ -537,6 +537,7 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
 
 void RunController::announceStart(const streaming::RunSettings& settings,
                                   const run::JobRestart* restart, bool isChosen) {
+  m_machine.showPreparing(true);
   const std::optional<base::Vec3>& toolMm = m_machine.view().positionMm;
   if (restart != nullptr) {
     m_messages.log(Severity::Note, Source::Run,
@@ -591,6 +592,7 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
     m_firstMotion = update.at;
   }
   const base::Instant origin = m_firstMotion.value_or(update.at);
+  m_machine.showPreparing(update.state == streaming::RunState::Armed);
   showExecuted();
   if (update.wrong && !m_wrong) {
     takeWrong(*update.wrong);
@@ -741,6 +743,7 @@ void RunController::takeFinished(const session::RunFinished& finished) {
   }
   m_update.stopConfirmedAfter = m_report->stopConfirmedAfter;
   m_update.waitingFor.clear();
+  m_machine.showPreparing(false);
   m_machine.forgetExecuted();
   Q_EMIT updated(m_update);
   logOutcome(finished);

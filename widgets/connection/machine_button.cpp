@@ -27,7 +27,7 @@ int silenceS(const MachineView& machine) {
   if (machine.executed && newestS) {
     newestS = std::min(*newestS, machine.executed->ageS);
   }
-  return static_cast<int>(newestS.value_or(0.0));
+  return newestS && !machine.isSilentAsPlanned(*newestS) ? static_cast<int>(*newestS) : 0;
 }
 
 }  // namespace

@@ -36,6 +36,10 @@ inline constexpr double kFreshS = 0.5;
 /// (`feasibility::kDisplayIntervalMax`): up to this age they are no older than planned.
 inline constexpr double kPlannedS = 1.2;
 
+/// Nothing moves while a run is prepared, and transfer and tests leave no time to read the axes: up
+/// to this age that is as expected.
+inline constexpr double kPreparingS = 10.0;
+
 /// Tool, spindle, coolant and work offset change seldom and are read once a second
 /// (`streaming::EquipmentWatch::kInterval`): up to this age they are shown as present.
 inline constexpr double kEquipmentFreshS = 1.5;
@@ -98,6 +102,12 @@ struct MachineView {
   /// from one read to the next, so that what is shown does not change with each of them.
   bool isPositionRare = false;
   bool isFeedRare = false;
+  bool isPreparing = false;  ///< a run of this window is, and nothing moves
+
+  /// Nothing was read for so long, as it has to be now.
+  [[nodiscard]] bool isSilentAsPlanned(double ageS) const {
+    return isPreparing && !isGone && ageS <= kPreparingS;
+  }
 
   [[nodiscard]] Freshness positionFreshness() const {
     return freshness(positionAgeS, isPositionRare);
@@ -130,7 +140,10 @@ struct MachineView {
     if (isRare && ageS && *ageS <= kPlannedS) {
       return Freshness::Planned;
     }
-    return isFresh(ageS) ? Freshness::Live : Freshness::Old;
+    if (isFresh(ageS)) {
+      return Freshness::Live;
+    }
+    return ageS && isSilentAsPlanned(*ageS) ? Freshness::Planned : Freshness::Old;
   }
 };
 

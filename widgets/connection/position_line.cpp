@@ -385,7 +385,10 @@ void PositionLine::showFreshness() {
   } else if (m_machine.positionFreshness() == Freshness::Live) {
     m_freshness->setStatus(Status::Good, tr("Live"));
   } else if (m_machine.positionFreshness() == Freshness::Planned) {
-    m_freshness->setStatus(Status::Busy, tr("Up to 1 s old: no time to read more often"));
+    m_freshness->setStatus(Status::Busy,
+                           m_machine.isPreparing
+                               ? tr("Read %1 ago: the run is being prepared").arg(age)
+                               : tr("Up to 1 s old: no time to read more often"));
   } else if (m_machine.standsIn()) {
     m_freshness->setStatus(Status::Busy, tr("Last executed point, %1. The axes were read %2 ago.")
                                              .arg(countText(m_machine.executed->number), age));

@@ -18,6 +18,7 @@
 #include "widgets/common/number_format.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/connection_panel.h"
+#include "widgets/connection/machine_button.h"
 #include "widgets/connection/position_line.h"
 
 using namespace rivulet;
@@ -224,6 +225,32 @@ class TestConnectionPanel : public QObject {
     machine.positionAgeS = machine.feedAgeS = 1.3;
     line.setMachineState(machine);
     QVERIFY(test::visibleText(line).contains("Last executed point, 437") && isStruck(line));
+  }
+
+  /// Nothing is read while a run is prepared, and nothing moves: that is no fault, for a while.
+  void silenceIsExpectedWhileARunIsPrepared() {
+    test::Language language;
+    PositionLine line;
+    line.resize(1280, 52);
+    MachineButton button;
+    button.setConnectionState(ConnectionState::Connected);
+    MachineView machine = test::runningMachine();
+    const auto show = [&](double ageS) {
+      machine.positionAgeS = machine.feedAgeS = machine.stateAgeS = ageS;
+      line.setMachineState(machine);
+      button.setMachineState(machine);
+    };
+    show(4.0);
+    QVERIFY(isStruck(line) && button.text().contains("silent"));
+    machine.isPreparing = true;
+    show(4.0);
+    QVERIFY(!isStruck(line) && !button.text().contains("silent"));
+    QVERIFY(test::visibleText(line).contains("the run is being prepared"));
+    show(12.0);
+    QVERIFY(isStruck(line) && button.text().contains("silent"));
+    machine.isGone = true;
+    show(4.0);
+    QVERIFY(isStruck(line));
   }
 
   /// What the control serves of tool and spindle, with its age; what it does not has no place.
