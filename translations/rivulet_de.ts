@@ -8318,6 +8318,10 @@ GPL-3.0-or-later</translation>
         <source>Live, but tool and spindle: read %1 ago</source>
         <translation>Live, aber Werkzeug und Spindel: vor %1 gelesen</translation>
     </message>
+    <message>
+        <source>Read %1 ago: the run is being prepared</source>
+        <translation>Vor %1 gelesen: der Lauf wird vorbereitet</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PreflightSheet</name>

@@ -8318,6 +8318,10 @@ GPL-3.0-or-later</translation>
         <source>Live, but tool and spindle: read %1 ago</source>
         <translation>En vivo, pero herramienta y cabezal: leídos hace %1</translation>
     </message>
+    <message>
+        <source>Read %1 ago: the run is being prepared</source>
+        <translation>Leído hace %1: se prepara la ejecución</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PreflightSheet</name>

@@ -8318,6 +8318,10 @@ GPL-3.0-or-later</translation>
         <source>Live, but tool and spindle: read %1 ago</source>
         <translation>En direct, mais outil et broche&#xa0;: lus il y a %1</translation>
     </message>
+    <message>
+        <source>Read %1 ago: the run is being prepared</source>
+        <translation>Lu il y a %1&#xa0;: l’exécution se prépare</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PreflightSheet</name>

@@ -8318,6 +8318,10 @@ GPL-3.0-or-later</translation>
         <source>Live, but tool and spindle: read %1 ago</source>
         <translation>In diretta, ma utensile e mandrino: letti %1 fa</translation>
     </message>
+    <message>
+        <source>Read %1 ago: the run is being prepared</source>
+        <translation>Letto %1 fa: l’esecuzione si prepara</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::PreflightSheet</name>
