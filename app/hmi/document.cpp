@@ -80,9 +80,9 @@ Document::Document(const streaming::StreamSettings& settings)
             }
           });
   connect(&m_jobCheck, &session::JobCheck::finished, this,
-          [this](const std::shared_ptr<const session::Hazards>& hazards) {
-            m_hazards = hazards;
-            m_findings.hazards = hazards;
+          [this](const std::shared_ptr<const forecast::CheckedJob>& checked) {
+            m_checked = checked;
+            m_findings.hazards = {checked, &checked->hazards};
             Q_EMIT judged();
           });
   connect(&m_rehearsal, &session::Rehearsal::finished, this, &Document::takeRehearsal);
@@ -120,7 +120,6 @@ void Document::openLive(const live::Setup& setup, const std::string& name) {
   m_requestedPath.clear();
   m_reading = {};
   m_dryRunError.reset();
-  m_nativeTimes.clear();
   m_settings.dryRunMm = 0.0;
   m_live = LiveInput{setup, name, std::nullopt};
   showNoPoints();
@@ -253,10 +252,6 @@ void Document::take(const session::LoadedProgram& loaded) {
   m_reading = loaded.request.reading;
   m_dryRunError = loaded.dryRunError;
   m_watch.watch(m_path, loaded.stamp);
-  m_nativeTimes.clear();
-  if (isJob()) {
-    m_nativeTimes = session::nativeTimes(*m_view->plan, usualMachine());
-  }
   forgetTimes();
   Q_EMIT programLoaded();
   judge();
@@ -417,14 +412,14 @@ void Document::checkJob() {
   const auto plan = isJob() && m_jobMachine ? m_view->plan : nullptr;
   if (plan != m_checkedPlan) {
     m_checkedPlan = plan;
-    m_hazards.reset();
+    m_checked.reset();
     m_jobCheck.cancel();
     if (plan) {
       m_jobCheck.start(plan, m_jobMachine);
     }
   }
   m_findings.isJobChecked = plan != nullptr;
-  m_findings.hazards = m_hazards;
+  m_findings.hazards = {m_checked, m_checked ? &m_checked->hazards : nullptr};
 }
 
 void Document::setCalibration(std::shared_ptr<const streaming::CalibrationRecord> record,
@@ -604,7 +599,33 @@ const overview::RunTime* Document::runTime() const {
   return isOfPauses ? &*m_times->run : nullptr;
 }
 
-std::optional<widgets::TimeLeft> Document::timeLeft(std::size_t executed) const {
+bool Document::addNativeTimes(widgets::TimeLeft& left, std::size_t executed,
+                              std::size_t nativeLine) const {
+  if (!m_checked) {
+    return false;
+  }
+  const std::vector<std::uint32_t>& starts = m_view->stretchStarts;
+  std::size_t native = 0;
+  std::size_t stretch = 0;              // that comes next
+  bool isInProgress = nativeLine == 0;  // or comes after what is
+  for (const job::Part& part : m_view->plan->parts) {
+    const auto* const block = std::get_if<job::NativeBlock>(&part);
+    if (block == nullptr) {
+      stretch += std::get<job::Stretch>(part).number > 0 ? 1 : 0;
+      continue;
+    }
+    const double seconds = base::toSeconds(m_checked->nativeTimes[native++]);
+    const bool isAhead = stretch >= starts.size() || starts[stretch] >= executed;
+    isInProgress = isInProgress || (isAhead && block->place.line.value == nativeLine);
+    if (isAhead && isInProgress) {
+      (block->reason == job::NativeReason::Tool ? left.toolChangesS : left.nativeS) += seconds;
+    }
+  }
+  return true;
+}
+
+std::optional<widgets::TimeLeft> Document::timeLeft(std::size_t executed,
+                                                    std::size_t nativeLine) const {
   const overview::RunTime* time = runTime();
   if (time == nullptr || executed > time->atS.size()) {
     return std::nullopt;
@@ -618,13 +639,8 @@ std::optional<widgets::TimeLeft> Document::timeLeft(std::size_t executed) const 
     const auto pauses = static_cast<double>(after(m_pauses->inCut) + after(m_pauses->offCut));
     left.pausesS = time->pausesCostS() * pauses / static_cast<double>(time->pauses);
   }
-  // What the control does before the stretches that are to come, and after the last one.
-  const auto& starts = m_view->stretchStarts;
-  for (std::size_t i = 0; i < m_nativeTimes.size(); ++i) {
-    if (i >= starts.size() || starts[i] >= executed) {
-      left.toolChangesS += m_nativeTimes[i].toolChangesS;
-      left.nativeS += m_nativeTimes[i].othersS;
-    }
+  if (isJob() && !addNativeTimes(left, executed, nativeLine)) {
+    return std::nullopt;
   }
   left.totalS += left.toolChangesS + left.nativeS;
   return left;

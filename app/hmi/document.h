@@ -20,7 +20,6 @@
 #include "session/file_watch.h"
 #include "session/job_check.h"
 #include "session/live_path.h"
-#include "session/native_times.h"
 #include "session/program_loader.h"
 #include "session/program_timer.h"
 #include "session/rehearsal.h"
@@ -143,8 +142,10 @@ class Document final : public QObject {
   /// Null: not known for the present settings (yet).
   [[nodiscard]] std::shared_ptr<const overview::PauseMap> pauses() const;
   [[nodiscard]] std::optional<widgets::PauseSummary> pauseSummary() const;
-  /// What is left of the run with the present settings. @param executed  points so far
-  [[nodiscard]] std::optional<widgets::TimeLeft> timeLeft(std::size_t executed) const;
+  /// What is left of the run with the present settings; nothing: not known. @param executed  points
+  /// so far  @param nativeLine  of the block of the control in progress; 0: none is
+  [[nodiscard]] std::optional<widgets::TimeLeft> timeLeft(std::size_t executed,
+                                                          std::size_t nativeLine = 0) const;
 
   /// What access costs on the connected machine. @param record  null: not measured
   void setCalibration(std::shared_ptr<const streaming::CalibrationRecord> record, bool isOutdated);
@@ -184,6 +185,10 @@ class Document final : public QObject {
   void showNoPoints();
   void take(const session::LoadedProgram& loaded);
   [[nodiscard]] bool wantsJob() const;
+  /// Adds what the control does before the stretches that are to come, and after the last one.
+  /// @return false: how long that takes is not known
+  [[nodiscard]] bool addNativeTimes(widgets::TimeLeft& left, std::size_t executed,
+                                    std::size_t nativeLine) const;
   /// Why a dry run that is wanted would not be one; nothing: it is, or none is wanted.
   [[nodiscard]] std::optional<base::Error> dryRunProblem() const;
   /// Reads the program again if it is to be a job and is not, or the other way round.
@@ -218,9 +223,9 @@ class Document final : public QObject {
   std::shared_ptr<const machine::MachineConfig> m_machine;     ///< null: that of the paper
   std::shared_ptr<const machine::MachineConfig> m_jobMachine;  ///< null: not known
   report::LoadMachine m_loadMachine;
-  std::shared_ptr<const job::Plan> m_checkedPlan;     ///< of `m_hazards`, or in progress
-  std::shared_ptr<const session::Hazards> m_hazards;  ///< null: not known (yet)
-  gcode::ProgramFeeds m_machineFeeds;                 ///< limits, at 100 %
+  std::shared_ptr<const job::Plan> m_checkedPlan;         ///< of `m_hazards`, or in progress
+  std::shared_ptr<const forecast::CheckedJob> m_checked;  ///< null: not known (yet)
+  gcode::ProgramFeeds m_machineFeeds;                     ///< limits, at 100 %
   double m_silenceLimitS = templates::kSilenceLimitS;
   streaming::StreamSettings m_settings;
   /// What `parameters` was last completed for, and the result: it takes a pass over the program.
@@ -237,7 +242,6 @@ class Document final : public QObject {
   session::Reading m_reading;
   std::optional<base::Error> m_dryRunError;  ///< of the program as it was read
   Findings m_findings;
-  std::vector<session::NativeTime> m_nativeTimes;  ///< of a job
   widgets::AccessSource m_source;
   base::Vec3 m_toolMm;  ///< the origin while no machine has been seen
   bool m_runsJobs = true;

@@ -22,15 +22,17 @@ void JobCheck::start(std::shared_ptr<const job::Plan> plan,
       this,
       [wanted = m_wanted, plan = std::move(plan), machine = std::move(machine)] {
         if (!wanted->load()) {
-          return std::shared_ptr<const Hazards>();
+          return std::shared_ptr<const forecast::CheckedJob>();
         }
         const forecast::HazardOptions options{machine->start()};
-        return std::make_shared<const Hazards>(forecast::hazardsOf(*plan, *machine, options));
+        return std::make_shared<const forecast::CheckedJob>(
+            forecast::checkJob(*plan, *machine, options));
       },
-      [wanted = m_wanted](JobCheck& self, const std::shared_ptr<const Hazards>& hazards) {
-        if (hazards && self.m_wanted == wanted) {
+      [wanted = m_wanted](JobCheck& self,
+                          const std::shared_ptr<const forecast::CheckedJob>& checked) {
+        if (checked && self.m_wanted == wanted) {
           self.m_wanted.reset();
-          Q_EMIT self.finished(hazards);
+          Q_EMIT self.finished(checked);
         }
       });
 }

@@ -11,7 +11,7 @@
 #include <atomic>
 #include <memory>
 
-#include "session/hazards.h"
+#include "forecast/job_forecast.h"
 
 namespace rivulet::session {
 
@@ -28,7 +28,7 @@ class JobCheck final : public QObject {
   void cancel();
 
  Q_SIGNALS:
-  void finished(const std::shared_ptr<const rivulet::session::Hazards>& hazards);
+  void finished(const std::shared_ptr<const rivulet::forecast::CheckedJob>& checked);
 
  private:
   std::shared_ptr<std::atomic<bool>> m_wanted;  ///< of the work in progress; null: none

@@ -160,13 +160,16 @@ std::string describe(const Hazard& hazard) {
                      whatOf(hazard));
 }
 
-std::vector<Hazard> hazardsOf(const job::Plan& plan, const machine::MachineConfig& machine,
-                              const HazardOptions& options) {
+CheckedJob checkJob(const job::Plan& plan, const machine::MachineConfig& machine,
+                    const HazardOptions& options) {
   const job::Outline outline = job::outlineOf(plan);
   const std::vector<const job::NativeBlock*> natives = nativesOf(plan);
-  std::vector<Hazard> hazards;
-  for (const machine::DryFinding& found :
-       machine::dryRun(machine, outline.text, {options.start, {}}).findings) {
+  const auto isNative = [&outline](base::LineNumber line) {
+    return outline.lines[line.value - 1].native > 0;
+  };
+  const machine::DryRun run = machine::dryRun(machine, outline.text, {options.start, isNative});
+  CheckedJob checked;
+  for (const machine::DryFinding& found : run.findings) {
     const job::OutlineLine& from = outline.lines[found.line.value - 1];
     Hazard hazard = hazardOf(found, machine);
     hazard.line = from.line;
@@ -174,9 +177,19 @@ std::vector<Hazard> hazardsOf(const job::Plan& plan, const machine::MachineConfi
     if (from.native > 0) {
       hazard.file = natives[static_cast<std::size_t>(from.native) - 1]->file;
     }
-    add(hazards, std::move(hazard));
+    add(checked.hazards, std::move(hazard));
   }
-  return hazards;
+  checked.nativeTimes.resize(natives.size());
+  for (const machine::DryTime& time : run.times) {
+    const int native = outline.lines[time.line.value - 1].native;
+    checked.nativeTimes[static_cast<std::size_t>(native) - 1] += time.duration;
+  }
+  return checked;
+}
+
+std::vector<Hazard> hazardsOf(const job::Plan& plan, const machine::MachineConfig& machine,
+                              const HazardOptions& options) {
+  return checkJob(plan, machine, options).hazards;
 }
 
 base::Result<void> requireNoHazard(const job::Plan& plan, const std::vector<Hazard>& hazards) {

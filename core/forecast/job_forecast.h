@@ -58,10 +58,18 @@ struct HazardOptions {
   base::AxisPosition start;  ///< of the axes before the job, machine coordinates
 };
 
+/// What a job meets on a machine, and how long the control is busy with its native blocks.
+struct CheckedJob {
+  std::vector<Hazard> hazards;
+  std::vector<base::Duration> nativeTimes;  ///< by their number in the plan, less 1
+};
+
 /// Travel, tools and spindle, for native blocks and stretches. Within a stretch the farthest point
 /// of each axis is reported. What a block does that no file tells (programs on the control,
 /// measuring, variables of the control) ends the check with NotChecked.
 /// @pre plan.isWhole()
+[[nodiscard]] CheckedJob checkJob(const job::Plan& plan, const machine::MachineConfig& machine,
+                                  const HazardOptions& options);
 [[nodiscard]] std::vector<Hazard> hazardsOf(const job::Plan& plan,
                                             const machine::MachineConfig& machine,
                                             const HazardOptions& options);

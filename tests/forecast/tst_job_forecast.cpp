@@ -260,6 +260,12 @@ class TestJobForecast : public QObject {
     QVERIFY(differ(estimated.pauses, measured.pauses) < 1.0);
     QVERIFY(measured.toolChange > std::chrono::seconds{14});  // three of 5 s
     QVERIFY(measured.native > std::chrono::seconds{3});       // the dwell
+    base::Duration inBlocks{};
+    for (const base::Duration each :
+         forecast::checkJob(plan, mill(), {mill().start()}).nativeTimes) {
+      inBlocks += each;
+    }
+    QCOMPARE(inBlocks, estimated.toolChange + estimated.native);
     streaming::JobTimes sum;
     for (const streaming::JobTimes& times : report.partTimes) {
       sum += times;

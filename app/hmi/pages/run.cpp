@@ -133,8 +133,8 @@ std::optional<widgets::MotionLeft> motionLeft(const Document& document,
   return left;
 }
 
-/// @param update  the last one of the run so far
-widgets::RunProgress progressOf(const Document& document, const streaming::LiveUpdate& update) {
+widgets::RunProgress progressOf(const Document& document, const RunController& runs) {
+  const streaming::LiveUpdate& update = runs.update();
   const std::size_t executed = update.counters.executed;
   widgets::RunProgress progress;
   if (!document.view()) {
@@ -146,7 +146,12 @@ widgets::RunProgress progressOf(const Document& document, const streaming::LiveU
   if (executed > 0 && executed <= points.size()) {
     progress.line = points[executed - 1].line.value;
   }
-  progress.left = document.timeLeft(executed);
+  const bool isNative = runs.job() && runs.job()->isNative && runs.job()->line.value > 0;
+  const std::size_t nativeLine = isNative ? runs.job()->line.value : 0;
+  if (isNative) {
+    progress.line = nativeLine;
+  }
+  progress.left = document.timeLeft(executed, nativeLine);
   if (update.state == streaming::RunState::Stopping) {
     progress.delivered = motionLeft(document, update.counters);
   }
@@ -358,13 +363,14 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
     }
   });
   const auto showProgress = [panel, document, runs] {
-    panel->setProgress(progressOf(*document, runs->update()));
+    panel->setProgress(progressOf(*document, *runs));
   };
   for (const auto signal : {&Document::programLoaded, &Document::programPlaced,
                             &Document::settingsChanged, &Document::pausesChanged}) {
     QObject::connect(document, signal, panel, showProgress);
   }
   QObject::connect(runs, &RunController::updated, panel, showProgress);
+  QObject::connect(runs, &RunController::jobChanged, panel, showProgress);
   QObject::connect(runs, &RunController::started, panel,
                    [panel, runs] { panel->setRunBegin(runs->runBegin()); });
   QObject::connect(preflight, &Preflight::changed, panel, [panel, preflight] {
