@@ -18,6 +18,7 @@
 #include "machine/config.h"
 #include "preparation/judged.h"
 #include "session/file_watch.h"
+#include "session/hazards.h"
 #include "session/job_check.h"
 #include "session/live_path.h"
 #include "session/program_loader.h"

@@ -8,7 +8,7 @@
 
 #include <QString>
 
-#include "session/job_check.h"
+#include "session/hazards.h"
 
 namespace rivulet::hmi {
 
