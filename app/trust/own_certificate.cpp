@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/file.h"
+#include "base/private_file.h"
 #include "opcua/error.h"
 #include "opcua/open62541/encryption.h"
 #include "platform/user_folders.h"
@@ -70,14 +71,14 @@ base::Result<fs::path> make(const fs::path& folder, Owner owner) {
   if (!made) {
     return base::fail(made.error());
   }
-  if (auto done = makePrivateFolder(folder); !done) {
+  if (auto done = base::makePrivateFolder(folder); !done) {
     return base::fail(done.error());
   }
   const fs::path fresh =
       folder / fmt::format("{}.new-{}", folderFor(folder, owner).filename().string(), getpid());
   std::error_code status;
   fs::remove_all(fresh, status);
-  auto done = makePrivateFolder(fresh);
+  auto done = base::makePrivateFolder(fresh);
   if (done) {
     done = writePrivateFile(fresh / kKeyFile, made->privateKey);
   }

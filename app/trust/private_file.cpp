@@ -32,15 +32,6 @@ tl::unexpected<base::Error> notWritable(const fs::path& path, int errorNumber) {
 
 }  // namespace
 
-base::Result<void> makePrivateFolder(const fs::path& folder) {
-  std::error_code status;
-  fs::create_directories(folder, status);
-  if (!status) {
-    fs::permissions(folder, fs::perms::owner_all, status);
-  }
-  return status ? base::Result<void>(notWritable(folder, status.value())) : base::Result<void>();
-}
-
 base::Result<void> writePrivateFile(const fs::path& path, std::string_view bytes) {
   const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kOwnerOnly);
   if (descriptor < 0) {

@@ -14,9 +14,6 @@
 
 namespace rivulet::trust {
 
-/// Creates a folder, and those above it, which only its owner may enter. @return NotWritable
-[[nodiscard]] base::Result<void> makePrivateFolder(const std::filesystem::path& folder);
-
 /// A new file of mode 0600. @return NotWritable, also if the file exists
 [[nodiscard]] base::Result<void> writePrivateFile(const std::filesystem::path& path,
                                                   std::string_view bytes);

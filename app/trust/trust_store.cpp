@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/file.h"
+#include "base/private_file.h"
 #include "base/sha256.h"
 #include "opcua/error.h"
 #include "trust/own_certificate.h"
@@ -86,7 +87,7 @@ std::string describe(const opcua::CertificateFacts& facts) {
 
 void keepRejected(const fs::path& folder, const opcua::CertificateFacts& facts,
                   std::string_view der) {
-  if (!makePrivateFolder(folder)) {
+  if (!base::makePrivateFolder(folder)) {
     return;
   }
   std::error_code status;
@@ -237,7 +238,7 @@ void TrustStore::dropRejected(const std::string& fingerprint) const {
 }
 
 base::Result<base::FileLock> TrustStore::lock() const {
-  if (auto made = makePrivateFolder(m_folder); !made) {
+  if (auto made = base::makePrivateFolder(m_folder); !made) {
     return base::fail(made.error());
   }
   return base::FileLock::take(m_folder / kLock);
@@ -266,7 +267,7 @@ base::Result<void> TrustStore::accept(const std::string& endpoint,
                                       const opcua::CertificateFacts& facts,
                                       std::string_view der) const {
   const fs::path folder = m_folder / kTrusted;
-  if (auto made = makePrivateFolder(folder); !made) {
+  if (auto made = base::makePrivateFolder(folder); !made) {
     return made;
   }
   if (auto kept = base::writeFile(folder / (facts.fingerprint + kDer), der); !kept) {
@@ -357,7 +358,7 @@ base::Result<opcua::RevocationList> TrustStore::addRevocations(std::string_view 
                         list->issuer);
     }
   }
-  auto done = makePrivateFolder(folder);
+  auto done = base::makePrivateFolder(folder);
   if (done) {
     done = base::writeFile(file, bytes);
   }

@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "base/descriptor.h"
+#include "base/private_file.h"
 
 namespace rivulet::base {
 namespace fs = std::filesystem;
@@ -75,10 +76,9 @@ bool isOursAlone(int descriptor, const fs::path& path) {
 /// Makes a temporary file. Its writer holds its lock; so one that nobody has locked was left by a
 /// program that was killed, and makes room.
 /// @return a descriptor, or -1 and in `errno` EEXIST: somebody else has this name
-int makeTemporary(const fs::path& path) {
-  const auto make = [&path] {
-    constexpr mode_t kMode = 0666;  // less what the user's mask takes away
-    return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
+int makeTemporary(const fs::path& path, mode_t mode) {
+  const auto make = [&path, mode] {
+    return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
   };
   int descriptor = make();
   if (descriptor < 0 && errno == EEXIST) {
@@ -113,6 +113,55 @@ void syncFolder(const fs::path& folder) {
   if (opened) {
     fsync(opened.descriptor());
   }
+}
+
+/// @param isPrivate  mode 0600; else that of the file before, or what the user's mask leaves of
+/// 0666
+Result<void> replaceFile(const fs::path& requested, std::string_view text, bool isPrivate) {
+  std::error_code status;
+  // The name may be a link: its target is replaced, the link stays.
+  fs::path path =
+      fs::is_symlink(requested, status) ? fs::weakly_canonical(requested, status) : requested;
+  if (status || path.empty()) {
+    path = requested;
+  }
+  const fs::file_status kind = fs::status(path, status);
+  if (fs::is_directory(kind)) {
+    return notWritable(requested, "it is a folder");
+  }
+  if (fs::exists(kind) && !fs::is_regular_file(kind)) {
+    const Opened file(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    const int error = file ? writeAll(file.descriptor(), text) : errno;
+    return error == 0 ? Result<void>{} : notWritable(requested, reason(error));
+  }
+
+  constexpr int kNamesMax = 100;
+  constexpr mode_t kSharedMode = 0666;
+  int error = EEXIST;
+  for (int i = 0; i < kNamesMax && error == EEXIST; ++i) {
+    const fs::path temporary =
+        path.parent_path() / fmt::format(".{}.rivulet{}", path.filename().string(), i);
+    const Opened file(makeTemporary(temporary, isPrivate ? kPrivateFileMode : kSharedMode));
+    if (!file) {
+      error = errno;
+      continue;
+    }
+    if (fs::exists(kind) && !isPrivate) {
+      fs::permissions(temporary, kind.permissions(), status);  // a refusal is not an error
+    }
+    error = writeAll(file.descriptor(), text);
+    if (error == 0) {
+      fs::rename(temporary, path, status);
+      error = status.value();
+    }
+    if (error == 0) {
+      syncFolder(path.parent_path());
+      return {};
+    }
+    fs::remove(temporary, status);
+    break;
+  }
+  return notWritable(requested, reason(error));
 }
 
 }  // namespace
@@ -152,50 +201,31 @@ Result<std::string> readFile(const fs::path& path, std::uintmax_t bytesMax) {
   return text;
 }
 
-Result<void> writeFile(const fs::path& requested, std::string_view text) {
-  std::error_code status;
-  // The name may be a link: its target is replaced, the link stays.
-  fs::path path =
-      fs::is_symlink(requested, status) ? fs::weakly_canonical(requested, status) : requested;
-  if (status || path.empty()) {
-    path = requested;
-  }
-  const fs::file_status kind = fs::status(path, status);
-  if (fs::is_directory(kind)) {
-    return notWritable(requested, "it is a folder");
-  }
-  if (fs::exists(kind) && !fs::is_regular_file(kind)) {
-    const Opened file(open(path.c_str(), O_WRONLY | O_CLOEXEC));
-    const int error = file ? writeAll(file.descriptor(), text) : errno;
-    return error == 0 ? Result<void>{} : notWritable(requested, reason(error));
-  }
+Result<void> writeFile(const fs::path& path, std::string_view text) {
+  return replaceFile(path, text, false);
+}
 
-  constexpr int kNamesMax = 100;
-  int error = EEXIST;
-  for (int i = 0; i < kNamesMax && error == EEXIST; ++i) {
-    const fs::path temporary =
-        path.parent_path() / fmt::format(".{}.rivulet{}", path.filename().string(), i);
-    const Opened file(makeTemporary(temporary));
-    if (!file) {
-      error = errno;
-      continue;
+Result<void> writePrivateFile(const fs::path& path, std::string_view text) {
+  return replaceFile(path, text, true);
+}
+
+Result<void> makePrivateFolder(const fs::path& folder) {
+  constexpr mode_t kMode = S_IRWXU;
+  fs::path made;
+  for (const fs::path& part : folder) {
+    made /= part;
+    if (mkdir(made.empty() ? "." : made.c_str(), kMode) != 0 && errno != EEXIST) {
+      std::error_code status;
+      const int why = errno;
+      if (!fs::is_directory(made, status)) {
+        return notWritable(folder, reason(why));
+      }
     }
-    if (fs::exists(kind)) {
-      fs::permissions(temporary, kind.permissions(), status);  // a refusal is not an error
-    }
-    error = writeAll(file.descriptor(), text);
-    if (error == 0) {
-      fs::rename(temporary, path, status);
-      error = status.value();
-    }
-    if (error == 0) {
-      syncFolder(path.parent_path());
-      return {};
-    }
-    fs::remove(temporary, status);
-    break;
   }
-  return notWritable(requested, reason(error));
+  if (chmod(folder.c_str(), kMode) != 0) {
+    return notWritable(folder, reason(errno));
+  }
+  return {};
 }
 
 }  // namespace rivulet::base

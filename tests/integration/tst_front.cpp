@@ -18,10 +18,12 @@
 #include <string>
 #include <vector>
 
+#include "machine/front/clients.h"
 #include "opcua/await.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/quiet_logger.h"
 #include "support/loopback_machine.h"
+#include "support/patience.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -85,7 +87,60 @@ class RawClient {
     return found;
   }
 
+  /// Sessions of the server, also those that are not logged in: each has a node.
+  [[nodiscard]] std::size_t sessions() const {
+    UA_BrowseDescription description;
+    UA_BrowseDescription_init(&description);
+    description.nodeId =
+        opcua::standardNodeId(UA_NS0ID_SERVER_SERVERDIAGNOSTICS_SESSIONSDIAGNOSTICSSUMMARY);
+    description.referenceTypeId = opcua::standardNodeId(UA_NS0ID_HASCOMPONENT);
+    UA_BrowseRequest request;
+    UA_BrowseRequest_init(&request);
+    request.nodesToBrowse = &description;
+    request.nodesToBrowseSize = 1;
+    opcua::Handle<UA_BrowseResponse, UA_TYPES_BROWSERESPONSE> response;
+    *response.get() = UA_Client_Service_browse(m_client, request);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < response->results[0].referencesSize; ++i) {
+      const UA_NodeId& id = response->results[0].references[i].nodeId.nodeId;
+      count += id.identifierType == UA_NODEIDTYPE_GUID ? 1U : 0U;
+    }
+    return count;
+  }
+
  private:
+  opcua::QuietLogger m_logger;
+  UA_Client* m_client = nullptr;
+};
+
+/// Makes sessions and activates none of them.
+class HalfOpener {
+ public:
+  explicit HalfOpener(const std::string& endpoint) : m_endpoint(endpoint) {
+    UA_ClientConfig config{};
+    config.logging = m_logger.handle();
+    RIVULET_ASSERT(UA_ClientConfig_setDefault(&config) == UA_STATUSCODE_GOOD);
+    m_client = UA_Client_newWithConfig(&config);
+    RIVULET_ASSERT(UA_Client_connectSecureChannel(m_client, endpoint.c_str()) ==
+                   UA_STATUSCODE_GOOD);
+  }
+  ~HalfOpener() { UA_Client_delete(m_client); }
+  HalfOpener(const HalfOpener&) = delete;
+  HalfOpener& operator=(const HalfOpener&) = delete;
+
+  [[nodiscard]] UA_StatusCode createSession() const {
+    UA_CreateSessionRequest request;
+    UA_CreateSessionRequest_init(&request);
+    request.endpointUrl = opcua::borrow(m_endpoint);
+    request.requestedSessionTimeout = 3'600'000.0;
+    opcua::Handle<UA_CreateSessionResponse, UA_TYPES_CREATESESSIONRESPONSE> response;
+    __UA_Client_Service(m_client, &request, &UA_TYPES[UA_TYPES_CREATESESSIONREQUEST],
+                        response.get(), &UA_TYPES[UA_TYPES_CREATESESSIONRESPONSE]);
+    return response->responseHeader.serviceResult;
+  }
+
+ private:
+  std::string m_endpoint;
   opcua::QuietLogger m_logger;
   UA_Client* m_client = nullptr;
 };
@@ -382,6 +437,39 @@ class TestFront : public QObject {
     }
     for (int i = 0; i < 10; ++i) {
       QCOMPARE(RawClient(cell.endpoint()).read("/Channel/State/chanStatus"), UA_STATUSCODE_GOOD);
+    }
+  }
+
+  /// Sessions that nobody activates have a share of their own, and a short time.
+  void halfOpenSessionsLockNobodyOut() {
+    const LoopbackMachine cell;
+    const HalfOpener first(cell.endpoint());
+    const HalfOpener second(cell.endpoint());
+    const RawClient watching(cell.endpoint());
+    for (int i = 0; i < 20; ++i) {
+      QCOMPARE(first.createSession(), UA_STATUSCODE_GOOD);
+      QCOMPARE(second.createSession(), UA_STATUSCODE_GOOD);
+    }
+    QCOMPARE(watching.sessions(), 1 + machine::kHalfOpenPerAddress);
+    std::vector<std::unique_ptr<RawClient>> clients;
+    for (int i = 0; i < 9; ++i) {
+      clients.push_back(std::make_unique<RawClient>(cell.endpoint()));
+      QCOMPARE(clients.back()->read("/Channel/State/chanStatus"), UA_STATUSCODE_GOOD);
+      QCOMPARE(first.createSession(), UA_STATUSCODE_GOOD);
+    }
+    QCOMPARE(watching.sessions(), 10 + machine::kHalfOpenPerAddress);
+    QTRY_COMPARE_WITH_TIMEOUT(watching.sessions(), std::size_t{10}, tests::kSoonMs);
+    // Sessions that are logged in have their own limit.
+    UA_ClientConfig config{};
+    opcua::QuietLogger logger;
+    config.logging = logger.handle();
+    QCOMPARE(UA_ClientConfig_setDefault(&config), UA_STATUSCODE_GOOD);
+    UA_Client* eleventh = UA_Client_newWithConfig(&config);
+    QCOMPARE(UA_Client_connect(eleventh, cell.endpoint().c_str()),
+             UA_STATUSCODE_BADTOOMANYSESSIONS);
+    UA_Client_delete(eleventh);
+    for (const auto& client : clients) {
+      QCOMPARE(client->read("/Channel/State/chanStatus"), UA_STATUSCODE_GOOD);
     }
   }
 

@@ -17,6 +17,7 @@
 #include "base/contract.h"
 #include "base/file.h"
 #include "machine/config.h"
+#include "machine/front/clients.h"
 #include "machine/front/login.h"
 #include "machine/front/server.h"
 #include "machine/machine.h"
@@ -553,17 +554,46 @@ class TestSecurity : public QObject {
     }
   }
 
-  void wrongPasswordsLockAUser() {
+  /// Whoever guesses is locked out, longer each time; the user elsewhere is not.
+  void wrongPasswordsLockAUserWhereTheyCameFrom() {
     machine::UserManagement users;
     users.users = {user("setter", {})};
     machine::Login book(users);
     base::Instant now{};
-    for (int i = 0; i < machine::kWrongPasswordsMax; ++i) {
-      QVERIFY(book.check("setter", "wrong", now) == nullptr);
+    const auto isIn = [&](const char* password, const char* network) {
+      return book.check("setter", password, network, now).user != nullptr;
+    };
+    for (int i = 1; i <= machine::kWrongPasswordsMax; ++i) {
+      const auto outcome = book.check("setter", "wrong", "10.0.0.7", now);
+      QVERIFY(outcome.user == nullptr && outcome.failure && outcome.failure->user == "setter");
+      QCOMPARE(outcome.failure->wrong, i);
+      QCOMPARE(outcome.failure->lockedFor > base::Duration::zero(),
+               i == machine::kWrongPasswordsMax);
     }
-    QVERIFY(book.check("setter", kPassword, now) == nullptr);
-    now += machine::kLockTime;
-    QVERIFY(book.check("setter", kPassword, now) != nullptr);
+    QVERIFY(!isIn(kPassword, "10.0.0.7"));
+    QVERIFY(!book.check("setter", "wrong", "10.0.0.7", now).failure);  // not told again and again
+    QVERIFY(isIn(kPassword, "10.0.0.8"));
+    // The right password of the one takes nothing from the lock of the other.
+    base::Duration lock = machine::kLockTime;
+    for (int i = 0; i < 10; ++i) {
+      now += lock - std::chrono::milliseconds(1);
+      QVERIFY(!isIn(kPassword, "10.0.0.7"));
+      now += std::chrono::milliseconds(1);
+      const auto outcome = book.check("setter", "wrong", "10.0.0.7", now);
+      lock = std::min<base::Duration>(2 * lock, machine::kLockTimeMax);
+      QVERIFY(outcome.failure && outcome.failure->lockedFor == lock);
+    }
+    now += lock;
+    QVERIFY(isIn(kPassword, "10.0.0.7"));
+  }
+
+  void networksTellClientsApart() {
+    using machine::networkOf;
+    QCOMPARE(networkOf("10.0.0.7"), std::string("10.0.0.7"));
+    QCOMPARE(networkOf("::ffff:10.0.0.7"), std::string("10.0.0.7"));
+    QCOMPARE(networkOf("2001:db8:1:2:3:4:5:6"), networkOf("2001:db8:1:2::9"));
+    QVERIFY(networkOf("2001:db8:1:2::9") != networkOf("2001:db8:1:3::9"));
+    QCOMPARE(networkOf(""), std::string());
   }
 
   void wrongNamesDoNotLockAUser() {
@@ -571,9 +601,9 @@ class TestSecurity : public QObject {
     users.users = {user("setter", {})};
     machine::Login book(users);
     for (int i = 0; i < 2 * machine::kWrongPasswordsMax; ++i) {
-      QVERIFY(book.check("guess", "wrong", base::Instant{}) == nullptr);
+      QVERIFY(book.check("guess", "wrong", "10.0.0.7", base::Instant{}).user == nullptr);
     }
-    QVERIFY(book.check("setter", kPassword, base::Instant{}) != nullptr);
+    QVERIFY(book.check("setter", kPassword, "10.0.0.7", base::Instant{}).user != nullptr);
   }
 
   void theLibraryThatEncryptsIsKnown() { QVERIFY(!opcua::encryptionLibrary().empty()); }

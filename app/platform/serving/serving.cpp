@@ -12,10 +12,10 @@
 #include <system_error>
 
 #include "base/file.h"
+#include "base/private_file.h"
 #include "opcua/open62541/encryption.h"
 #include "platform/log.h"
 #include "trust/own_certificate.h"
-#include "trust/private_file.h"
 #include "trust/trust_store.h"
 
 namespace rivulet::serving {
@@ -25,7 +25,7 @@ namespace {
 /// Reads the certificates of the clients that may connect.
 base::Result<std::set<std::string>> trustedClients(const std::filesystem::path& folder) {
   std::set<std::string> fingerprints;
-  if (auto made = trust::makePrivateFolder(folder); !made) {
+  if (auto made = base::makePrivateFolder(folder); !made) {
     return tl::unexpected(made.error());
   }
   std::error_code status;
@@ -97,6 +97,9 @@ base::Result<void> protect(Options& options) {
     return tl::unexpected(revocations.error());
   }
   server.revocations = std::move(*revocations);
+  server.onFailedLogin = [](const machine::LoginFailure& failure) {
+    log::logger().warn("{}", describe(failure));
+  };
   if (options.onlyTrustedClients) {
     auto clients = trustedClients(folder / "clients" / "trusted");
     if (!clients) {
@@ -110,6 +113,18 @@ base::Result<void> protect(Options& options) {
     };
   }
   return {};
+}
+
+std::string describe(const machine::LoginFailure& failure) {
+  std::string text = fmt::format(
+      "A login from {} failed: {}, {} in a row.",
+      failure.network.empty() ? std::string_view("an unknown address") : failure.network,
+      failure.user.empty() ? "nobody has this name" : "wrong password of " + failure.user,
+      failure.wrong);
+  if (failure.lockedFor > base::Duration::zero()) {
+    text += fmt::format(" Locked from there for {:.0f} s.", base::toSeconds(failure.lockedFor));
+  }
+  return text;
 }
 
 int complain(const base::Error& error, int code) {

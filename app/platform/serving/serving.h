@@ -41,6 +41,9 @@ void setUpLog(const char* program, const Options& options);
 /// Certificate, encryption and clients of `options.server`, as the options say.
 [[nodiscard]] base::Result<void> protect(Options& options);
 
+/// One English sentence or two.
+[[nodiscard]] std::string describe(const machine::LoginFailure& failure);
+
 /// Logs why the program ends. @return `code`
 int complain(const base::Error& error, int code);
 /// The same of a server that did not start. @return its exit code

@@ -27,10 +27,10 @@ constexpr std::array kNotOffered{
 
 }  // namespace
 
-UA_StatusCode stateCapabilities(UA_Server* server, const ValueLimits& limits) {
+UA_StatusCode stateCapabilities(UA_Server* server, const StatedLimits& limits) {
   const UA_ServerConfig& config = *UA_Server_getConfig(server);
   const std::array stated{
-      Limit{UA_NS0ID_SERVER_SERVERCAPABILITIES_MAXSESSIONS, "MaxSessions", config.maxSessions,
+      Limit{UA_NS0ID_SERVER_SERVERCAPABILITIES_MAXSESSIONS, "MaxSessions", limits.sessionsMax,
             "Largest number of sessions at a time."},
       Limit{UA_NS0ID_SERVER_SERVERCAPABILITIES_MAXSUBSCRIPTIONS, "MaxSubscriptions",
             config.maxSubscriptions, "Largest number of subscriptions of all clients."},

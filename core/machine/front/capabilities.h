@@ -13,7 +13,8 @@
 namespace rivulet::machine {
 
 /// Limits that are not in the configuration of the library.
-struct ValueLimits {
+struct StatedLimits {
+  std::uint32_t sessionsMax = 0;          ///< that are logged in
   std::uint32_t arrayLengthMax = 0;       ///< elements of a variable; 0: there are no arrays
   std::uint32_t byteStringLengthMax = 0;  ///< bytes
 };
@@ -21,6 +22,6 @@ struct ValueLimits {
 /// The library states some limits of its configuration. This adds the others, and takes away what
 /// the library claims for every server: history, changes of the nodes, 50 sessions.
 /// @param server  with its final configuration
-[[nodiscard]] UA_StatusCode stateCapabilities(UA_Server* server, const ValueLimits& limits);
+[[nodiscard]] UA_StatusCode stateCapabilities(UA_Server* server, const StatedLimits& limits);
 
 }  // namespace rivulet::machine

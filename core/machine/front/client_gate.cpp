@@ -62,10 +62,12 @@ constexpr std::array<OfferedPolicy, 3> kPolicies{
 ClientGate::ClientGate(UserManagement users, std::function<base::Instant()> now,
                        const ServerOptions& options)
     : m_now(std::move(now)),
+      m_clients(m_now),
       m_login(std::move(users)),
       m_trusted(options.trustedClients),
       m_revocations(options.revocations),
-      m_onRefused(options.onRefusedClient) {
+      m_onRefused(options.onRefusedClient),
+      m_onFailedLogin(options.onFailedLogin) {
 }
 
 UA_StatusCode ClientGate::install(UA_ServerConfig& config, const ServerOptions& options) {
@@ -200,7 +202,12 @@ UA_StatusCode ClientGate::onLogin(const UA_String* user, const UA_ByteString* pa
                                   std::size_t /*count*/, const UA_UsernamePasswordLogin* /*logins*/,
                                   void** session, void* gate) noexcept {
   auto& self = *static_cast<ClientGate*>(gate);
-  const User* found = self.m_login.check(opcua::view(*user), opcua::view(*password), self.m_now());
+  const Login::Outcome outcome = self.m_login.check(opcua::view(*user), opcua::view(*password),
+                                                    self.m_clients.network(), self.m_now());
+  const User* found = outcome.user;
+  if (outcome.failure && self.m_onFailedLogin) {
+    self.m_onFailedLogin(*outcome.failure);
+  }
   *session = const_cast<User*>(found);  // the library hands it back, and nothing else
   return found != nullptr ? UA_STATUSCODE_GOOD : UA_STATUSCODE_BADUSERACCESSDENIED;
 }

@@ -12,6 +12,7 @@
 #include <functional>
 #include <vector>
 
+#include "machine/front/clients.h"
 #include "machine/front/login.h"
 #include "machine/front/server.h"
 
@@ -35,6 +36,9 @@ class ClientGate {
   /// user. @param session  gets it
   void nameUser(const UA_ExtensionObject& token, void** session) const;
 
+  /// Where messages come from, and who is not logged in yet.
+  [[nodiscard]] Clients& clients() { return m_clients; }
+
  private:
   [[nodiscard]] static UA_StatusCode addPolicies(UA_ServerConfig& config,
                                                  const ServerOptions& options);
@@ -57,10 +61,12 @@ class ClientGate {
                                void* context) noexcept;
 
   std::function<base::Instant()> m_now;
+  Clients m_clients;
   Login m_login;
   std::optional<std::set<std::string>> m_trusted;
   std::vector<opcua::RevocationList> m_revocations;
   std::function<void(const opcua::CertificateFacts&, std::string_view)> m_onRefused;
+  std::function<void(const LoginFailure&)> m_onFailedLogin;
 };
 
 }  // namespace rivulet::machine

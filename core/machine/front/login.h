@@ -2,23 +2,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Checks user names, passwords and certificates, and locks a user for some time after wrong ones.
+/// Checks user names, passwords and certificates. Wrong ones lock a user for whoever has sent them:
+/// the address they came from. Others, and the same user elsewhere, are not kept out.
 /// @threadsafety as the server.
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/instant.h"
+#include "machine/front/login_failure.h"
 #include "machine/user.h"
 
 namespace rivulet::machine {
 
-/// So many wrong passwords in a row lock a user...
+/// So many wrong passwords in a row from one address lock a user there...
 inline constexpr int kWrongPasswordsMax = 5;
 /// ...for so long. A right password is refused as well meanwhile, so guessing tells nothing.
 inline constexpr base::Duration kLockTime = std::chrono::seconds(60);
+/// Each further wrong one locks twice as long, up to this.
+inline constexpr base::Duration kLockTimeMax = std::chrono::hours(1);
+/// Wrong ones are forgotten after a right one, or after this time.
+inline constexpr base::Duration kWrongRemembered = std::chrono::hours(24);
+/// So many users and addresses are remembered; then the oldest are forgotten.
+inline constexpr std::size_t kAttemptsMax = 10'000;
 
 class Login {
  public:
@@ -30,10 +40,15 @@ class Login {
   /// Somebody can log in by certificate.
   [[nodiscard]] bool takesCertificates() const;
 
-  /// @return the user, valid as long as this object; null if name or password are wrong, or the
-  /// user is locked
-  [[nodiscard]] const User* check(std::string_view name, std::string_view password,
-                                  base::Instant now);
+  struct Outcome {
+    /// Valid as long as this object; null: name or password are wrong, or the user is locked.
+    const User* user = nullptr;
+    std::optional<LoginFailure> failure;  ///< nothing while the user is locked
+  };
+
+  /// @param network  where the login comes from
+  [[nodiscard]] Outcome check(std::string_view name, std::string_view password,
+                              const std::string& network, base::Instant now);
 
   /// @param fingerprint  of a certificate whose key the client has proved to have
   /// @return the user, valid as long as this object; null if it is nobody's
@@ -43,10 +58,14 @@ class Login {
   struct Attempts {
     int wrong = 0;
     base::Instant lockedUntil{};
+    base::Instant last{};
   };
 
+  void forgetOld(base::Instant now);
+
   UserManagement m_management;
-  std::map<std::string, Attempts> m_attempts;  ///< by user; all unknown names share one, ""
+  /// By user and network; all unknown names share the user "".
+  std::map<std::pair<std::string, std::string>, Attempts> m_attempts;
 };
 
 }  // namespace rivulet::machine

@@ -19,12 +19,12 @@
 #include "machine/front/array_store.h"
 #include "machine/front/capabilities.h"
 #include "machine/front/client_gate.h"
+#include "machine/front/clients.h"
 #include "machine/front/listening.h"
 #include "machine/front/methods.h"
 #include "machine/front/variable_service.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/quiet_logger.h"
-#include "opcua/open62541/tcp_manager.h"
 #include "opcua/request.h"
 
 namespace rivulet::machine {
@@ -101,13 +101,6 @@ class Server::Impl {
     base::Instant heardAt{};  ///< the last message on its connection
   };
 
-  [[nodiscard]] static Impl& of(const UA_ConnectionManager& manager);
-  static UA_StatusCode onOpen(UA_ConnectionManager* manager, const UA_KeyValueMap* parameters,
-                              void* application, void* context,
-                              UA_ConnectionManager_connectionCallback callback) noexcept;
-  static void onConnection(UA_ConnectionManager* manager, std::uintptr_t connectionId,
-                           void* application, void** context, UA_ConnectionState state,
-                           const UA_KeyValueMap* parameters, UA_ByteString message) noexcept;
   static UA_StatusCode onActivate(UA_Server* server, UA_AccessControl* control,
                                   const UA_EndpointDescription* endpoint,
                                   const UA_ByteString* certificate, const UA_NodeId* sessionId,
@@ -126,6 +119,7 @@ class Server::Impl {
   opcua::QuietLogger m_logger;  ///< outlives the server that logs into it
   VariableService m_service;
   ClientGate m_gate;  ///< outlives the server that asks it
+  Clients& m_clients = m_gate.clients();
   ArrayStore m_arrayStore;
   UA_Server* m_server = nullptr;
   UA_EventLoop* m_loop = nullptr;
@@ -133,13 +127,8 @@ class Server::Impl {
   std::unique_ptr<Methods> m_methods;
   UA_StatusCode (*m_send)(UA_ConnectionManager*, std::uintptr_t, const UA_KeyValueMap*,
                           UA_ByteString*) = nullptr;
-  UA_StatusCode (*m_open)(UA_ConnectionManager*, const UA_KeyValueMap*, void*, void*,
-                          UA_ConnectionManager_connectionCallback) = nullptr;
-  UA_ConnectionManager_connectionCallback m_connection = nullptr;
   decltype(UA_AccessControl::activateSession) m_activate = nullptr;
   decltype(UA_AccessControl::closeSession) m_closeSession = nullptr;
-  UA_ConnectionManager* m_manager = nullptr;
-  std::uintptr_t m_receiving = 0;  ///< connection whose message is being handled
   std::deque<HeldAnswer> m_held;
   std::map<std::string, Session> m_sessions;
   std::string m_endpoint;
@@ -177,9 +166,9 @@ base::Result<void> Server::Impl::start(const ServerOptions& options) {
   if (auto built = m_methods->build(m_addressSpace->namespaceIndex()); !built) {
     return built;
   }
-  if (stateCapabilities(m_server, {static_cast<std::uint32_t>(m_addressSpace->arrayLengthMax()),
-                                   static_cast<std::uint32_t>(kFileBytesMax)}) !=
-      UA_STATUSCODE_GOOD) {
+  if (stateCapabilities(m_server,
+                        {kSessionsMax, static_cast<std::uint32_t>(m_addressSpace->arrayLengthMax()),
+                         static_cast<std::uint32_t>(kFileBytesMax)}) != UA_STATUSCODE_GOOD) {
     return setUpFailed("state its limits");
   }
   m_methods->setSessionCheck([this](const std::string& key) {
@@ -233,7 +222,6 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   // the system must not be shared with others.
   config.tcpReuseAddr = options.port != 0;
   config.tcpMaxMsgSize = kMessageBytesMax;
-  config.maxSessions = kSessionsMax;
   config.maxSecureChannels = kConnectionsMax;
   config.maxSessionTimeout = kSessionTimeoutMsMax;
   config.maxNodesPerRead = kNodesPerRequestMax;
@@ -255,6 +243,7 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   config.publishingIntervalLimits = {samplingMsMin, kSamplingIntervalMsMax};
   config.queueSizeLimits = {1, kQueueSizeMax};
   refuseChanges(config.accessControl);
+  m_clients.configure(config, kSessionsMax);
   config.context = this;
   m_activate = std::exchange(config.accessControl.activateSession, &Impl::onActivate);
   m_closeSession = std::exchange(config.accessControl.closeSession, &Impl::onCloseSession);
@@ -270,23 +259,25 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
 /// The callbacks of variables do not see which request they belong to. An answer on its way to
 /// a client is the end of one, so the sending function of the network layer is wrapped.
 base::Result<void> Server::Impl::watchAnswers() {
-  m_manager = opcua::ownedTcpManager(*m_loop, this);
-  if (m_manager != nullptr) {
-    m_send = std::exchange(m_manager->sendWithConnection, &Impl::onSend);
-    m_open = std::exchange(m_manager->openConnection, &Impl::onOpen);
-    return {};
+  if (!m_clients.watch(m_server)) {
+    return setUpFailed("watch its connections");
   }
-  return setUpFailed("watch its connections");
-}
-
-Server::Impl& Server::Impl::of(const UA_ConnectionManager& manager) {
-  return *static_cast<Impl*>(opcua::ownerOf(manager));
+  m_send = std::exchange(m_clients.manager()->sendWithConnection, &Impl::onSend);
+  m_clients.tell([this](std::uintptr_t connection) { connectionClosed(connection); },
+                 [this](std::uintptr_t connection) {
+                   for (auto& [key, session] : m_sessions) {
+                     if (session.connection == connection) {
+                       session.heardAt = m_service.now();
+                     }
+                   }
+                 });
+  return {};
 }
 
 UA_StatusCode Server::Impl::onSend(UA_ConnectionManager* manager, std::uintptr_t connectionId,
                                    const UA_KeyValueMap* parameters,
                                    UA_ByteString* message) noexcept {
-  Impl& self = of(*manager);
+  Impl& self = *static_cast<Impl*>(UA_Server_getConfig(Clients::of(*manager).server())->context);
   self.m_service.endRequest();
   const std::optional<base::Instant> due =
       self.m_methods ? self.m_methods->takeAnswerDue() : std::nullopt;
@@ -303,31 +294,6 @@ UA_StatusCode Server::Impl::onSend(UA_ConnectionManager* manager, std::uintptr_t
   return UA_STATUSCODE_GOOD;
 }
 
-UA_StatusCode Server::Impl::onOpen(UA_ConnectionManager* manager, const UA_KeyValueMap* parameters,
-                                   void* application, void* context,
-                                   UA_ConnectionManager_connectionCallback callback) noexcept {
-  Impl& self = of(*manager);
-  self.m_connection = callback;
-  return self.m_open(manager, parameters, application, context, &Impl::onConnection);
-}
-
-void Server::Impl::onConnection(UA_ConnectionManager* manager, std::uintptr_t connectionId,
-                                void* application, void** context, UA_ConnectionState state,
-                                const UA_KeyValueMap* parameters, UA_ByteString message) noexcept {
-  Impl& self = of(*manager);
-  if (state == UA_CONNECTIONSTATE_CLOSING) {
-    self.connectionClosed(connectionId);
-  }
-  for (auto& [key, session] : self.m_sessions) {
-    if (message.length > 0 && session.connection == connectionId) {
-      session.heardAt = self.m_service.now();
-    }
-  }
-  self.m_receiving = connectionId;
-  self.m_connection(manager, connectionId, application, context, state, parameters, message);
-  self.m_receiving = 0;
-}
-
 UA_StatusCode Server::Impl::onActivate(UA_Server* server, UA_AccessControl* control,
                                        const UA_EndpointDescription* endpoint,
                                        const UA_ByteString* certificate, const UA_NodeId* sessionId,
@@ -342,7 +308,7 @@ UA_StatusCode Server::Impl::onActivate(UA_Server* server, UA_AccessControl* cont
   if (status == UA_STATUSCODE_GOOD) {
     self.m_gate.nameUser(*token, context);
     Session& session = self.m_sessions[sessionKey(sessionId)];
-    session.connection = self.m_receiving;
+    session.connection = self.m_clients.receiving();
     session.heardAt = self.m_service.now();
     UA_NodeId_clear(&session.id);
     UA_NodeId_copy(sessionId, &session.id);
@@ -381,10 +347,11 @@ void Server::Impl::sendDueAnswers(base::Instant now) {
     const HeldAnswer due = std::move(*answer);
     answer = m_held.erase(answer);
     UA_ByteString buffer = UA_BYTESTRING_NULL;
-    if (m_manager->allocNetworkBuffer(m_manager, due.connection, &buffer, due.message.size()) ==
-        UA_STATUSCODE_GOOD) {
+    if (m_clients.manager()->allocNetworkBuffer(m_clients.manager(), due.connection, &buffer,
+                                                due.message.size()) == UA_STATUSCODE_GOOD) {
       std::memcpy(buffer.data, due.message.data(), due.message.size());
-      m_send(m_manager, due.connection, &UA_KEYVALUEMAP_NULL, &buffer);  // takes the buffer
+      m_send(m_clients.manager(), due.connection, &UA_KEYVALUEMAP_NULL,
+             &buffer);  // takes the buffer
     }
   }
 }
@@ -415,6 +382,7 @@ void Server::Impl::iterate(base::Duration timeout) {
   sendDueAnswers(m_service.now());
   // A client may come back with its session; not if that locks out another.
   closeOrphans(kOrphanAge, 0);
+  m_clients.closeLate();
   closeOrphans(base::Duration::zero(), kSessionsMax - 1);
 }
 

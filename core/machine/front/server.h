@@ -23,6 +23,7 @@
 
 #include "base/instant.h"
 #include "base/result.h"
+#include "machine/front/login_failure.h"
 #include "machine/front/served_control.h"
 #include "machine/machine.h"
 #include "opcua/revocation.h"
@@ -57,6 +58,9 @@ struct ServerOptions {
   std::vector<opcua::RevocationList> revocations;
   /// Told about every client certificate that was refused. Called within `iterate`.
   std::function<void(const opcua::CertificateFacts& facts, std::string_view der)> onRefusedClient;
+  /// Told about every wrong password or name, but not while they are locked. Called within
+  /// `iterate`.
+  std::function<void(const LoginFailure& failure)> onFailedLogin;
 };
 
 class Server {

@@ -22,22 +22,27 @@ UA_QualifiedName ownerKey() {
 
 }  // namespace
 
-UA_ConnectionManager* ownedTcpManager(UA_EventLoop& loop, void* owner) {
+UA_ConnectionManager* tcpManagerOf(UA_EventLoop& loop) {
   for (UA_EventSource* source = loop.eventSources; source != nullptr; source = source->next) {
     if (source->eventSourceType != UA_EVENTSOURCETYPE_CONNECTIONMANAGER) {
       continue;
     }
     // The event source is the first member of the manager, as the library itself relies on.
     auto* manager = reinterpret_cast<UA_ConnectionManager*>(source);
-    if (view(manager->protocol) != "tcp") {
-      continue;
+    if (view(manager->protocol) == "tcp") {
+      return manager;
     }
-    UA_UInt64 number = reinterpret_cast<std::uintptr_t>(owner);
-    const UA_StatusCode noted =
-        UA_KeyValueMap_setScalar(&source->params, ownerKey(), &number, &UA_TYPES[UA_TYPES_UINT64]);
-    return noted == UA_STATUSCODE_GOOD ? manager : nullptr;
   }
   return nullptr;
+}
+
+UA_ConnectionManager* ownedTcpManager(UA_EventLoop& loop, void* owner) {
+  UA_ConnectionManager* manager = tcpManagerOf(loop);
+  UA_UInt64 number = reinterpret_cast<std::uintptr_t>(owner);
+  const bool isNoted = manager != nullptr &&
+                       UA_KeyValueMap_setScalar(&manager->eventSource.params, ownerKey(), &number,
+                                                &UA_TYPES[UA_TYPES_UINT64]) == UA_STATUSCODE_GOOD;
+  return isNoted ? manager : nullptr;
 }
 
 void* ownerOf(const UA_ConnectionManager& manager) {

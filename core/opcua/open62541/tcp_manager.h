@@ -14,6 +14,9 @@ namespace rivulet::opcua {
 /// @return null: there is none, or no memory
 [[nodiscard]] UA_ConnectionManager* ownedTcpManager(UA_EventLoop& loop, void* owner);
 
+/// The manager of an event loop's TCP connections; null: there is none.
+[[nodiscard]] UA_ConnectionManager* tcpManagerOf(UA_EventLoop& loop);
+
 /// The owner that `ownedTcpManager` has noted.
 [[nodiscard]] void* ownerOf(const UA_ConnectionManager& manager);
 
