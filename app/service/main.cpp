@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/private_file.h"
 #include "journal/line_file.h"
 #include "opcua/control_map.h"
 #include "opcua/error.h"
@@ -84,7 +85,8 @@ void addRun(CLI::App& app, Arguments& arguments) {
       ->required();
   rivulet::serving::addOptions(*run, arguments.serving, rivulet::service::kPort);
   run->add_option("--jobs", arguments.jobs,
-                  "Folder of the NC programs; clients can load no others (default: any file)");
+                  "Folder of the NC programs; clients can load no others, links included (default: "
+                  "~/.local/share/rivulet/jobs, made for this user only)");
   run->add_option("--users", arguments.users,
                   "File of users with role and PIN, as the window sets them up (default: "
                   "~/.config/rivulet/users.json; none: everybody is an engineer)");
@@ -256,10 +258,23 @@ int run(Arguments& arguments) {
   if (const auto done = rivulet::serving::protect(arguments.serving); !done) {
     return complain(done.error(), kExitUsage);
   }
+  const std::filesystem::path jobs = arguments.jobs.empty()
+                                         ? rivulet::folders::dataHome() / "rivulet" / "jobs"
+                                         : std::filesystem::path(arguments.jobs);
+  if (arguments.jobs.empty()) {
+    if (const auto made = rivulet::base::makePrivateFolder(jobs); !made) {
+      return complain(made.error(), kExitUsage);
+    }
+  }
   service::ServiceSession session(
-      {*std::move(request), arguments.jobs, rivulet::journal::stateFolderOfUser()},
+      {*std::move(request), jobs, rivulet::journal::stateFolderOfUser()},
       [](const rivulet::opcua::ConnectRequest& asked) { return rivulet::trust::connect(asked); },
       rivulet::report::MachineStore());
+  arguments.serving.server.onFailedLogin =
+      [&session](const rivulet::machine::LoginFailure& failure) {
+        rivulet::log::logger().warn("{}", rivulet::serving::describe(failure));
+        session.noteFailedLogin(failure);
+      };
   const auto server = service::ServiceServer::start(session, *users, arguments.serving.server);
   if (!server) {
     return rivulet::serving::complainOfStart(server.error());

@@ -28,12 +28,19 @@ inline constexpr std::string_view kMethodsObject = "Session";
 
 using NodeValue = std::variant<bool, std::uint32_t, double, std::string, std::vector<double>>;
 
+/// Who may read a variable, where users are set up.
+enum class Readers {
+  Everybody,  ///< the state of the machine and of its run: whoever stands beside it
+  LoggedIn,   ///< which program, its settings and files
+};
+
 struct VariableRow {
   std::string_view identifier;  ///< "Production/ActiveProgram/Name": folders and browse name
   std::string_view description;
   std::variant<bool Snapshot::*, std::uint32_t Snapshot::*, double Snapshot::*,
                std::string Snapshot::*, std::vector<double> Snapshot::*>
       member;
+  Readers readers = Readers::Everybody;
 };
 [[nodiscard]] std::span<const VariableRow> variableRows();
 /// Of the server.

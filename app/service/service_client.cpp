@@ -105,7 +105,9 @@ class ServiceClient::Impl {
     }
     std::map<std::string, std::string> values;
     for (std::size_t i = 0; i < items.size(); ++i) {
-      values.emplace(variableRows()[i].identifier, textOf(response->results[i].value));
+      const bool isHidden = response->results[i].status == UA_STATUSCODE_BADUSERACCESSDENIED;
+      values.emplace(variableRows()[i].identifier,
+                     isHidden ? std::string(kHidden) : textOf(response->results[i].value));
     }
     return values;
   }

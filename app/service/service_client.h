@@ -9,12 +9,16 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
 #include "service/service_session.h"
 
 namespace rivulet::service {
+
+/// In place of a variable that is shown only after a login.
+inline constexpr std::string_view kHidden = "(shown after login)";
 
 class ServiceClient {
  public:

@@ -60,11 +60,6 @@ machine::UserManagement managementOf(const preparation::UserFile& file) {
   return management;
 }
 
-UA_Byte readOnly(UA_Server*, UA_AccessControl*, const UA_NodeId*, void*, const UA_NodeId*,
-                 void*) noexcept {
-  return UA_ACCESSLEVELMASK_READ;
-}
-
 UA_StatusCode setValue(UA_Variant& variant, const NodeValue& value) {
   UA_Variant_init(&variant);
   if (const auto* flag = std::get_if<bool>(&value)) {
@@ -123,6 +118,9 @@ class ServiceServer::Impl {
   [[nodiscard]] Caller callerOf(const UA_NodeId* sessionId, void* user) const;
   void show();
 
+  static UA_Byte onAccessLevel(UA_Server* server, UA_AccessControl* control,
+                               const UA_NodeId* session, void* user, const UA_NodeId* node,
+                               void* row) noexcept;
   static UA_StatusCode onActivate(UA_Server* server, UA_AccessControl* control,
                                   const UA_EndpointDescription* endpoint,
                                   const UA_ByteString* certificate, const UA_NodeId* sessionId,
@@ -190,7 +188,6 @@ base::Result<void> ServiceServer::Impl::configure(const machine::ServerOptions& 
     return machine::setUpFailed("be configured", m_logger);
   }
   config.tcpReuseAddr = options.port != 0;
-  config.maxSessions = kSessionsMax;
   config.maxSecureChannels = kConnectionsMax;
   config.maxSessionTimeout = kSessionTimeoutMsMax;
   config.maxNodesPerRead = kNodesPerRequestMax;
@@ -199,12 +196,14 @@ base::Result<void> ServiceServer::Impl::configure(const machine::ServerOptions& 
   config.maxSubscriptions = kSubscriptionsMax;
   config.maxMonitoredItems = kMonitoredItemsMax;
   machine::refuseChanges(config.accessControl);
-  config.accessControl.getUserAccessLevel = &readOnly;
+  config.accessControl.getUserAccessLevel = &Impl::onAccessLevel;
+  m_gate.clients().configure(config, kSessionsMax);
   config.context = this;
   m_activate = std::exchange(config.accessControl.activateSession, &Impl::onActivate);
   m_server = UA_Server_newWithConfig(&config);
-  return m_server != nullptr ? base::Result<void>()
-                             : base::Result<void>(machine::setUpFailed("be created", m_logger));
+  return m_server != nullptr && m_gate.clients().watch(m_server)
+             ? base::Result<void>()
+             : base::Result<void>(machine::setUpFailed("be created", m_logger));
 }
 
 /// The objects in front of the last slash of an identifier.
@@ -245,11 +244,12 @@ UA_StatusCode ServiceServer::Impl::addVariable(const VariableRow& row, const Nod
   status |= setValue(attributes.value, value);
   attributes.dataType = attributes.value.type->typeId;
   UA_QualifiedName browseName{m_namespace, opcua::borrow(name)};
-  status |= UA_Server_addVariableNode(
-      m_server, opcua::borrowNodeId(m_namespace, row.identifier),
-      opcua::borrowNodeId(m_namespace, row.identifier.substr(0, slash)),
-      opcua::standardNodeId(UA_NS0ID_HASCOMPONENT), browseName,
-      opcua::standardNodeId(UA_NS0ID_BASEDATAVARIABLETYPE), attributes, nullptr, nullptr);
+  status |=
+      UA_Server_addVariableNode(m_server, opcua::borrowNodeId(m_namespace, row.identifier),
+                                opcua::borrowNodeId(m_namespace, row.identifier.substr(0, slash)),
+                                opcua::standardNodeId(UA_NS0ID_HASCOMPONENT), browseName,
+                                opcua::standardNodeId(UA_NS0ID_BASEDATAVARIABLETYPE), attributes,
+                                const_cast<VariableRow*>(&row), nullptr);
   UA_Variant_clear(&attributes.value);
   return status;
 }
@@ -326,7 +326,19 @@ void ServiceServer::Impl::iterate(base::Duration timeout) {
   UA_EventLoop* loop = UA_Server_getConfig(m_server)->eventLoop;
   const auto ms = std::chrono::ceil<std::chrono::milliseconds>(timeout);
   loop->run(loop, static_cast<UA_UInt32>(ms.count()));
+  m_gate.clients().closeLate();
   show();
+}
+
+/// @param row  of the table, as `addVariable` has noted it; null: a node of the library
+UA_Byte ServiceServer::Impl::onAccessLevel(UA_Server* server, UA_AccessControl* /*control*/,
+                                           const UA_NodeId* /*session*/, void* user,
+                                           const UA_NodeId* node, void* row) noexcept {
+  const Impl& self = *static_cast<Impl*>(UA_Server_getConfig(server)->context);
+  const bool isOurs = node->namespaceIndex == self.m_namespace && row != nullptr;
+  const bool isHidden = isOurs && user == nullptr && self.m_hasUsers &&
+                        static_cast<const VariableRow*>(row)->readers == Readers::LoggedIn;
+  return isHidden ? UA_Byte{0} : UA_Byte{UA_ACCESSLEVELMASK_READ};
 }
 
 UA_StatusCode ServiceServer::Impl::onActivate(UA_Server* server, UA_AccessControl* control,
@@ -344,6 +356,9 @@ UA_StatusCode ServiceServer::Impl::onActivate(UA_Server* server, UA_AccessContro
       self.m_activate(server, control, endpoint, certificate, sessionId, token, context);
   if (status == UA_STATUSCODE_GOOD) {
     self.m_gate.nameUser(*token, context);
+    if (*context != nullptr) {
+      self.m_session.noteLogin(self.callerOf(sessionId, *context));
+    }
   }
   return status;
 }

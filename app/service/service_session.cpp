@@ -78,6 +78,11 @@ std::string faultOf(const streaming::RunReport& report) {
              : std::string();
 }
 
+bool isBelow(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return end == folder.end();
+}
+
 std::vector<double> lengthsOf(const std::vector<gcode::StreamPoint>& points) {
   std::vector<double> lengths(points.size() + 1, 0.0);
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -294,19 +299,39 @@ streaming::StartFacts ServiceSession::facts(const Caller& caller, Act act) const
   return facts;
 }
 
+/// Whatever is asked for, a file outside is not looked at: the answer does not say whether it
+/// exists.
 base::Result<std::filesystem::path> ServiceSession::pathOf(const std::string& file) const {
-  if (m_options.jobs.empty()) {
-    return std::filesystem::path(file);
-  }
   std::error_code status;
-  const auto folder = std::filesystem::weakly_canonical(m_options.jobs, status);
-  const auto path = std::filesystem::weakly_canonical(folder / file, status);
-  const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-  if (end != folder.end()) {
+  const auto folder = std::filesystem::canonical(m_options.jobs, status);
+  if (status) {
+    return base::fail(ServiceError::NotAJob,
+                      "The folder of jobs (--jobs) cannot be read: " + status.message() + ".",
+                      m_options.jobs.string());
+  }
+  auto path = std::filesystem::weakly_canonical(folder / file, status);
+  if (status || !isBelow(folder, path)) {
     return base::fail(ServiceError::NotAJob, "Only files in the folder of jobs can be loaded.",
                       file);
   }
   return path;
+}
+
+/// Subprograms are taken from the folder of their program: a link there must not lead out either.
+base::Result<void> ServiceSession::requireNoWayOut(const std::filesystem::path& program) const {
+  std::error_code status;
+  const auto folder = std::filesystem::canonical(m_options.jobs, status);
+  for (std::filesystem::directory_iterator entry(program.parent_path(), status), end;
+       !status && entry != end; entry.increment(status)) {
+    std::error_code broken;
+    const bool isLink = entry->is_symlink(broken);
+    if (isLink && !isBelow(folder, std::filesystem::weakly_canonical(entry->path(), broken))) {
+      return base::fail(ServiceError::NotAJob,
+                        "This link leads out of the folder of jobs. Put a copy in its place.",
+                        entry->path().filename().string());
+    }
+  }
+  return {};
 }
 
 base::Result<LoadedJob> ServiceSession::load(const Caller& caller, const std::string& file,
@@ -314,6 +339,9 @@ base::Result<LoadedJob> ServiceSession::load(const Caller& caller, const std::st
   auto path = pathOf(file);
   if (!path) {
     return base::fail(path.error());
+  }
+  if (auto closed = requireNoWayOut(*path); !closed) {
+    return base::fail(closed.error());
   }
   const auto settingsOf = [&](const std::string& hash) -> base::Result<JobSettings> {
     if (caller.standing.role == permission::Role::Engineer) {
@@ -739,6 +767,21 @@ void ServiceSession::record(const Caller& caller, Act act,
   if (!written) {
     log::logger().error("{}", written.error().text());
   }
+}
+
+void ServiceSession::noteLogin(const Caller& caller) {
+  record(caller, Act::LogIn, {});
+}
+
+void ServiceSession::noteFailedLogin(const machine::LoginFailure& failure) {
+  Caller caller;
+  caller.name = failure.user;
+  std::vector<std::pair<std::string, std::string>> details{
+      {"from", failure.network}, {"in_a_row", std::to_string(failure.wrong)}};
+  if (failure.lockedFor > base::Duration::zero()) {
+    details.emplace_back("locked_for_s", fmt::format("{:.0f}", base::toSeconds(failure.lockedFor)));
+  }
+  record(caller, Act::LogInFailed, std::move(details));
 }
 
 std::string ServiceSession::stateName() const {

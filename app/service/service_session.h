@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "machine/front/login_failure.h"
 #include "opcua/connection.h"
 #include "permission/permission.h"
 #include "report/machine_store.h"
@@ -29,7 +30,7 @@ namespace rivulet::service {
 
 struct SessionOptions {
   opcua::ConnectRequest machine;
-  std::filesystem::path jobs;   ///< folder of the jobs; empty: any file
+  std::filesystem::path jobs;   ///< folder of the jobs: no other file is read for a client
   std::filesystem::path state;  ///< folder of releases and audit trail
 };
 
@@ -118,6 +119,9 @@ class ServiceSession {
   Answer forgetRun(const Caller& caller);
   /// Ends a program that waits on the control for a run that nobody goes on with.
   Answer endRun(const Caller& caller);
+  /// For the audit trail.
+  void noteLogin(const Caller& caller);
+  void noteFailedLogin(const machine::LoginFailure& failure);
   /// The service ends: a run in progress stops at the next window.
   void endForGood();
 
@@ -142,6 +146,7 @@ class ServiceSession {
   [[nodiscard]] base::Result<LoadedJob> load(const Caller& caller, const std::string& file,
                                              const std::string& settings) const;
   [[nodiscard]] base::Result<std::filesystem::path> pathOf(const std::string& file) const;
+  [[nodiscard]] base::Result<void> requireNoWayOut(const std::filesystem::path& program) const;
   [[nodiscard]] const report::SavedRun* leftRun() const;
   [[nodiscard]] std::string describeStart() const;
   [[nodiscard]] std::string newConfirmation(const std::string& text);

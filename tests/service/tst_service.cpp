@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "journal/audit.h"
 #include "opcua/error.h"
 #include "opcua/open62541/discovery.h"
 #include "preparation/release_file.h"
@@ -46,7 +47,10 @@ class TestService : public QObject {
   tests::KillScene m_scene{QStringLiteral(RIVULET_MACHINE)};
 
   [[nodiscard]] std::string file() const { return m_scene.programFile().toStdString(); }
-  [[nodiscard]] std::unique_ptr<ServiceProcess> service(const QStringList& options = {}) const {
+  [[nodiscard]] std::unique_ptr<ServiceProcess> service(QStringList options = {}) const {
+    if (!options.contains(QStringLiteral("--jobs"))) {
+      options << QStringLiteral("--jobs") << m_scene.path("");
+    }
     return std::make_unique<ServiceProcess>(QStringLiteral(RIVULET_SERVICE), m_scene.endpoint(),
                                             m_scene.environment(), options);
   }
@@ -208,6 +212,8 @@ class TestService : public QObject {
     QVERIFY(says("/etc/passwd", "", "Only files in the folder of jobs"));
     QVERIFY(refusal("none.nc", "") != "accepted");
     QVERIFY(says("rows.nc", "points=four", "four is no value of the setting points"));
+    QVERIFY(says("rows.nc", "feed=1e308", "1e308 is no value of the setting feed"));
+    QVERIFY(says("rows.nc", "feed=1e-300", "1e-300 is no value of the setting feed"));
     QVERIFY(says("rows.nc", "units=feet", "feet is no value of the setting units"));
     QVERIFY(says("rows.nc", "dialect=apt", "apt is no value of the setting dialect"));
     QCOMPARE(refusal("rows.nc", "units=in;dialect=fanuc;no_point=units"), "accepted");
@@ -215,6 +221,41 @@ class TestService : public QObject {
     QVERIFY(says("rows.nc", "settings=depth=0", "depth=0 is no value of the setting settings"));
     QVERIFY(says("rows.nc", "colour=blue", "There is no setting colour."));
     QVERIFY(says("rows.nc", "fast", "Settings are written as name=value"));
+  }
+
+  /// Without --jobs clients reach a folder of its own, for this user only, and nothing outside it.
+  void readsOnlyItsOwnFolder() {
+    ServiceProcess service(QStringLiteral(RIVULET_SERVICE), m_scene.endpoint(),
+                           m_scene.environment());
+    QVERIFY(service.await("Monitoring/IsConnected", "true"));
+    const QFileInfo jobs(m_scene.path("data/rivulet/jobs"));
+    QVERIFY(jobs.isDir());
+    QCOMPARE(jobs.permissions() & (QFile::ReadGroup | QFile::ExeGroup | QFile::WriteGroup |
+                                   QFile::ReadOther | QFile::ExeOther | QFile::WriteOther),
+             QFile::Permissions());
+    const auto refusal = [&](const std::string& name) {
+      return service.call("LoadJob", {name, kSettings}).message;
+    };
+    const std::string outside = file();
+    const QDir folder(jobs.filePath());
+    QVERIFY(QFile::link(m_scene.programFile(), folder.filePath(QStringLiteral("link.nc"))));
+    QVERIFY(QFile::link(m_scene.path(""), folder.filePath(QStringLiteral("below"))));
+    // The same sentence whether there is such a file or not.
+    for (const std::string& name : {outside, std::string("/none/such.nc"), std::string("link.nc"),
+                                    std::string("below/rows.nc"), std::string("/etc/shadow")}) {
+      const std::string said = refusal(name);
+      QVERIFY2(said.find(": Only files in the folder of jobs can be loaded.") != std::string::npos,
+               said.c_str());
+    }
+    // Nor by a subprogram that is a link.
+    QVERIFY(QFile::copy(m_scene.programFile(), folder.filePath(QStringLiteral("rows.nc"))));
+    const std::string said = refusal("rows.nc");
+    QVERIFY2(said.find("This link leads out of the folder of jobs.") != std::string::npos,
+             said.c_str());
+    QVERIFY(QFile::remove(folder.filePath(QStringLiteral("link.nc"))));
+    QVERIFY(QFile::remove(folder.filePath(QStringLiteral("below"))));
+    const service::Answer loaded = service.call("LoadJob", {"rows.nc", kSettings});
+    QVERIFY2(loaded.accepted, loaded.message.c_str());
   }
 
   void refusesASecondService() {
@@ -299,6 +340,15 @@ class TestService : public QObject {
     };
     QTRY_VERIFY_WITH_TIMEOUT(isConnectedAs(""), tests::kSoonMs);
     QVERIFY(answerOf("LoadJob", {file(), ""}).message.starts_with("This service has users"));
+    {
+      // Who has not logged in sees the state, and neither programs nor files.
+      const service::Snapshot seen = watch.seen().snapshot;
+      QVERIFY(!seen.state.empty() && !seen.machine.empty());
+      for (const service::VariableRow& row : service::variableRows()) {
+        const bool isHidden = row.readers == service::Readers::LoggedIn;
+        QCOMPARE(service->value(std::string(row.identifier)) == service::kHidden, isHidden);
+      }
+    }
     watch.connectWith({"otto", "1234", {}, {}, false});
     QTRY_VERIFY_WITH_TIMEOUT(watch.seen().state == State::Asked, tests::kSoonMs);
     const auto question = watch.seen().question;
@@ -311,11 +361,26 @@ class TestService : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(isConnectedAs("anna"), tests::kSoonMs);
     QVERIFY(answerOf("LoadJob", {file(), kSettings}).accepted);
     QVERIFY(!answerOf("Preflight", {}).confirmation.empty());
+    QTRY_COMPARE_WITH_TIMEOUT(watch.seen().snapshot.program, std::string("rows.nc"),
+                              tests::kSoonMs);
+    QCOMPARE(service->value("Production/ActiveProgram/Name"), std::string(service::kHidden));
     watch.connectWith({"anna", "1234", {}, {}, false});
     QTRY_VERIFY_WITH_TIMEOUT(
         watch.seen().error.code == opcua::LinkError::LoginRefused && isConnectedAs(""),
         tests::kSoonMs);
     QVERIFY(!answerOf("Preflight", {}).accepted);
+    // The trail names who has logged in, and who has failed to.
+    const auto trail =
+        journal::readAudit(journal::auditFileIn(m_scene.path("state/rivulet").toStdString()));
+    QVERIFY(trail);
+    const auto isNamed = [&](const char* act, const std::string& who) {
+      return std::any_of(trail->lines.begin(), trail->lines.end(), [&](const auto& line) {
+        return line.entry.act == act && line.entry.who == who;
+      });
+    };
+    QVERIFY(isNamed("log-in", "otto") && isNamed("log-in", "anna"));
+    QVERIFY(isNamed("log-in-failed", "anna"));
+    QVERIFY(!isNamed("log-in-failed", "otto"));
   }
 
   void isFoundThroughADiscoveryServer() {
@@ -405,7 +470,7 @@ class TestService : public QObject {
     opcua::ConnectRequest request;
     request.endpoint = m_scene.endpoint().toStdString();
     service::ServiceSession session(
-        {request, {}, folder},
+        {request, m_scene.path("").toStdString(), folder},
         [this](const opcua::ConnectRequest& asked) {
           return trust::connect(asked, m_scene.path("config/trust").toStdString());
         },

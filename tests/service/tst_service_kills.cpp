@@ -35,8 +35,9 @@ class TestServiceKills : public QObject {
   int m_resumed = 0;
 
   [[nodiscard]] std::unique_ptr<ServiceProcess> service() const {
-    return std::make_unique<ServiceProcess>(QStringLiteral(RIVULET_SERVICE), m_scene.endpoint(),
-                                            m_scene.environment());
+    return std::make_unique<ServiceProcess>(
+        QStringLiteral(RIVULET_SERVICE), m_scene.endpoint(), m_scene.environment(),
+        QStringList{QStringLiteral("--jobs"), m_scene.path("")});
   }
   /// Starts the program, or goes on with the run that was left.
   /// @return empty: there is nothing left to do
