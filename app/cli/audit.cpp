@@ -19,7 +19,8 @@ Exit audit(const AuditOptions& options) {
                                          ? journal::auditFileIn(journal::stateFolderOfUser())
                                          : std::filesystem::path(options.file);
   std::error_code ignored;
-  if (!options.file.empty() && !std::filesystem::exists(path, ignored)) {
+  if (!options.file.empty() && !std::filesystem::exists(path, ignored) &&
+      !std::filesystem::exists(journal::auditHeadOf(path), ignored)) {
     return reportError(
         base::makeError(base::FileError::Unreadable, "There is no such file.", path.string()),
         options.json);
@@ -38,8 +39,12 @@ Exit audit(const AuditOptions& options) {
     }
     fmt::print("{}: {} lines, {}\nlast hash {}\n", path.string(), content->lines.size(),
                content->firstChange() == 0 ? "no line was changed, inserted or removed"
-                                           : "the chain is broken",
+                                           : "lines were changed, inserted or removed",
                content->lastHash.empty() ? "-" : content->lastHash);
+    if (!content->hasHead) {
+      fmt::print(
+          "Nothing is kept on this file elsewhere: lines missing at its end would not show.\n");
+    }
   }
   return content->firstChange() == 0 ? Exit::Done : Exit::Wrong;
 }

@@ -7,9 +7,13 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
+#include "base/file.h"
+#include "base/private_file.h"
 #include "base/sha256.h"
 #include "journal/line_file.h"
+#include "platform/user_folders.h"
 
 namespace rivulet::journal {
 
@@ -84,6 +88,91 @@ std::optional<Parsed> parsed(const std::string& line) {
   return result;
 }
 
+/// What is kept apart of a trail.
+struct Head {
+  std::size_t lines = 0;
+  std::string hash;                 ///< of the last line
+  std::uintmax_t bytes = 0;         ///< of the file
+  std::vector<AuditFinding> found;  ///< of ends that were missing when somebody wrote on
+};
+
+std::optional<Head> readHead(const std::filesystem::path& trail) {
+  const auto text = base::readFile(auditHeadOf(trail));
+  const ordered_json json =
+      text ? ordered_json::parse(*text, nullptr, false) : ordered_json(nullptr);
+  const auto numberOf = [](const ordered_json& object, const char* key) -> std::uint64_t {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : 0;
+  };
+  if (!json.is_object() || textOf(json, "hash").size() != kHashDigits) {
+    return std::nullopt;
+  }
+  Head head{numberOf(json, "lines"), textOf(json, "hash"), numberOf(json, "bytes"), {}};
+  if (const auto found = json.find("found"); found != json.end() && found->is_array()) {
+    for (const ordered_json& one : *found) {
+      if (one.is_object()) {
+        const std::size_t missing = numberOf(one, "missing");
+        head.found.push_back({numberOf(one, "line"),
+                              missing > 0 ? AuditFault::TailMissing : AuditFault::Replaced,
+                              missing});
+      }
+    }
+  }
+  return head;
+}
+
+base::Result<void> writeHead(const std::filesystem::path& trail, const Head& head) {
+  ordered_json json{{"trail", trail.string()},
+                    {"lines", head.lines},
+                    {"hash", head.hash},
+                    {"bytes", head.bytes},
+                    {"found", ordered_json::array()}};
+  for (const AuditFinding& finding : head.found) {
+    json["found"].push_back({{"line", finding.line}, {"missing", finding.missing}});
+  }
+  const std::filesystem::path path = auditHeadOf(trail);
+  if (auto made = base::makePrivateFolder(path.parent_path()); !made) {
+    return made;
+  }
+  return base::writePrivateFile(path, dump(json) + '\n');
+}
+
+/// How the lines that are there differ from those that the head has counted. More lines are none: a
+/// program may have ended between the line and its head.
+std::optional<AuditFinding> judgedByHead(const Head& head, const std::vector<std::string>& lines) {
+  if (lines.size() < head.lines) {
+    return AuditFinding{lines.size() + 1, AuditFault::TailMissing, head.lines - lines.size()};
+  }
+  if (head.lines > 0 && hashOfLine(lines[head.lines - 1]) != head.hash) {
+    return AuditFinding{head.lines, AuditFault::Replaced, 0};
+  }
+  return std::nullopt;
+}
+
+/// After a line was appended.
+base::Result<void> advanceHead(const std::filesystem::path& trail, const Appended& appended) {
+  std::optional<Head> before = readHead(trail);
+  Head head = before.value_or(Head{});
+  if (before && head.bytes == appended.bytesBefore && head.hash == hashOfLine(appended.last)) {
+    ++head.lines;
+  } else {
+    base::Result<Lines> lines = readLines(trail);
+    if (!lines) {
+      return base::fail(lines.error());
+    }
+    const std::size_t count = lines->lines.size();
+    lines->lines.pop_back();
+    const auto finding = before ? judgedByHead(head, lines->lines) : std::nullopt;
+    if (finding) {
+      head.found.push_back(*finding);
+    }
+    head.lines = count;
+  }
+  head.hash = hashOfLine(appended.line);
+  head.bytes = appended.bytesAfter;
+  return writeHead(trail, head);
+}
+
 /// A field of CSV (RFC 4180). A text that a spreadsheet would take for a formula is quoted as text.
 std::string csvField(std::string text) {
   if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos) {
@@ -111,14 +200,28 @@ std::filesystem::path auditFileIn(const std::filesystem::path& folder) {
   return folder / "audit.jsonl";
 }
 
+std::filesystem::path auditHeadOf(const std::filesystem::path& trail) {
+  constexpr std::size_t kDigits = 16;
+  std::error_code status;
+  auto whole = std::filesystem::weakly_canonical(trail, status);
+  if (status) {
+    whole = trail;
+  }
+  return folders::dataHome() / "rivulet" / "audit-heads" /
+         (base::sha256Hex(whole.string()).substr(0, kDigits) + ".json");
+}
+
 base::Result<void> appendAudit(const std::filesystem::path& path, const AuditEntry& entry) {
-  return appendLine(path, [&entry](std::string_view last) {
-    ordered_json json = jsonOf(entry);
-    json["prev"] = hashOfLine(last);
-    std::string body = dump(json);
-    body.pop_back();  // the closing bracket
-    return body + std::string(kHashKey) + base::sha256Hex(body) + std::string(kLineEnd);
-  });
+  return appendLine(
+      path,
+      [&entry](std::string_view last) {
+        ordered_json json = jsonOf(entry);
+        json["prev"] = hashOfLine(last);
+        std::string body = dump(json);
+        body.pop_back();  // the closing bracket
+        return body + std::string(kHashKey) + base::sha256Hex(body) + std::string(kLineEnd);
+      },
+      0, [&path](const Appended& appended) { return advanceHead(path, appended); });
 }
 
 base::Result<AuditContent> readAudit(const std::filesystem::path& path) {
@@ -154,6 +257,15 @@ base::Result<AuditContent> readAudit(const std::filesystem::path& path) {
   if (lines->isCut) {
     content.findings.push_back({lines->lines.size() + 1, AuditFault::NotALine});
   }
+  if (const auto head = readHead(path)) {
+    content.hasHead = true;
+    content.findings.insert(content.findings.end(), head->found.begin(), head->found.end());
+    const auto finding = judgedByHead(*head, lines->lines);
+    // Where the chain is broken, the last line does not tell more.
+    if (finding && (finding->fault == AuditFault::TailMissing || content.firstChange() == 0)) {
+      content.findings.push_back(*finding);
+    }
+  }
   content.lastHash = previous.empty() ? std::string() : base::sha256Hex(previous);
   return content;
 }
@@ -183,6 +295,7 @@ std::string auditJson(const AuditContent& content) {
     json["findings"].push_back(
         {{"line", finding.line}, {"fault", faultName(finding.fault)}, {"text", describe(finding)}});
   }
+  json["head"] = content.hasHead;
   json["last_hash"] = content.lastHash;
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
 }
@@ -193,6 +306,10 @@ std::string_view faultName(AuditFault fault) {
       return "not-a-line";
     case AuditFault::Changed:
       return "changed";
+    case AuditFault::TailMissing:
+      return "tail-missing";
+    case AuditFault::Replaced:
+      return "replaced";
     case AuditFault::ChainBroken:
       break;
   }
@@ -205,6 +322,12 @@ std::string describe(const AuditFinding& finding) {
       return fmt::format("Line {} is cut or damaged, as after a loss of power.", finding.line);
     case AuditFault::Changed:
       return fmt::format("Line {} was changed after it was written.", finding.line);
+    case AuditFault::TailMissing:
+      return fmt::format("{} line{} missing from line {} on: the end of the trail was cut off.",
+                         finding.missing, finding.missing == 1 ? " is" : "s are", finding.line);
+    case AuditFault::Replaced:
+      return fmt::format("Line {} is not the one that was written there: the trail was replaced.",
+                         finding.line);
     case AuditFault::ChainBroken:
       break;
   }

@@ -3,9 +3,10 @@
 
 /// @file
 /// The audit trail: who did what when, one JSON object per line (docs/formats.md). Every line holds
-/// the SHA-256 of the line before it and of itself, so that a later change shows. It does not show
-/// that lines are missing at the end, and does not stop somebody who may write the file from making
-/// a whole new one: keep a copy, or the last hash, elsewhere.
+/// the SHA-256 of the line before it and of itself, so that a later change shows. How many lines
+/// there are, and the hash of the last one, is kept in a second place (`auditHeadOf`), so that
+/// lines that are missing at the end show, too. That does not stop somebody who may write both:
+/// keep a copy, or the last hash, elsewhere.
 /// @threadsafety reads and writes files; shares nothing.
 #pragma once
 
@@ -35,11 +36,14 @@ enum class AuditFault {
   NotALine,     ///< cut by a loss of power, or damaged
   Changed,      ///< the text does not have the hash that stands in it
   ChainBroken,  ///< the line does not follow from the one before it
+  TailMissing,  ///< from this line on, lines are missing that had been written
+  Replaced,     ///< the trail is not the one whose head is kept
 };
 
 struct AuditFinding {
   std::size_t line = 0;  ///< from 1
   AuditFault fault = AuditFault::NotALine;
+  std::size_t missing = 0;  ///< lines, of TailMissing
 
   friend bool operator==(const AuditFinding&, const AuditFinding&) = default;
 };
@@ -52,6 +56,7 @@ struct AuditContent {
   std::vector<Line> lines;  ///< that can be read, also those that were changed
   std::vector<AuditFinding> findings;
   std::string lastHash;  ///< SHA-256 of the last line; empty: there is none
+  bool hasHead = false;  ///< else a missing end would not show
 
   /// The first line that somebody must have changed, inserted or removed; 0: none.
   [[nodiscard]] std::size_t firstChange() const;
@@ -60,10 +65,15 @@ struct AuditContent {
 /// "audit.jsonl" in the folder of what is kept.
 [[nodiscard]] std::filesystem::path auditFileIn(const std::filesystem::path& folder);
 
-/// Returns when the line is on the disk. @return NotWritable
+/// Where count and hash of the lines of a trail are kept: below $XDG_DATA_HOME, mode 0600.
+[[nodiscard]] std::filesystem::path auditHeadOf(const std::filesystem::path& trail);
+
+/// Returns when the line, and then the head, is on the disk. Lines that were found to be missing
+/// before stay noted in the head. @return NotWritable
 [[nodiscard]] base::Result<void> appendAudit(const std::filesystem::path& path,
                                              const AuditEntry& entry);
-/// Reads and verifies. A file that does not exist is empty. @return Unreadable
+/// Reads and verifies, also against the head. A file that does not exist is empty. @return
+/// Unreadable
 [[nodiscard]] base::Result<AuditContent> readAudit(const std::filesystem::path& path);
 
 /// With a line of titles; details as "name=value; name=value".

@@ -16,6 +16,7 @@
 
 #include "base/descriptor.h"
 #include "base/file.h"
+#include "base/private_file.h"
 #include "platform/user_folders.h"
 
 namespace rivulet::journal {
@@ -124,9 +125,11 @@ base::Result<Lines> readLines(const fs::path& path) {
   return lines;
 }
 
-base::Result<void> appendLine(const fs::path& path, const MakeLine& make, std::uintmax_t bytesMax) {
-  std::error_code ignored;  // opening says what is wrong
-  fs::create_directories(path.parent_path(), ignored);
+base::Result<void> appendLine(const fs::path& path, const MakeLine& make, std::uintmax_t bytesMax,
+                              const LineDone& done) {
+  if (std::error_code status; !fs::exists(path.parent_path(), status)) {
+    (void)base::makePrivateFolder(path.parent_path());  // opening says what is wrong
+  }
   const Descriptor file(openLocked(path));
   if (file.number() < 0) {
     return notWritable(path, errno);
@@ -143,13 +146,19 @@ base::Result<void> appendLine(const fs::path& path, const MakeLine& make, std::u
     if (status) {
       return notWritable(path, status.value());
     }
-    return appendLine(path, make, bytesMax);
+    return appendLine(path, make, bytesMax, done);
   }
   const Tail tail = tailOf(file.number(), facts.st_size);
-  const std::string line = (tail.isCut ? "\n" : "") + make(tail.last) + '\n';
-  int error = base::writeWhole(file.number(), line);
+  const std::string line = make(tail.last);
+  const std::string text = (tail.isCut ? "\n" : "") + line + '\n';
+  int error = base::writeWhole(file.number(), text);
   error = error == 0 ? base::syncToDisk(file.number()) : error;
-  return error == 0 ? base::Result<void>{} : notWritable(path, error);
+  if (error != 0) {
+    return notWritable(path, error);
+  }
+  return done ? done({line, tail.last, static_cast<std::uintmax_t>(facts.st_size),
+                      static_cast<std::uintmax_t>(facts.st_size) + text.size()})
+              : base::Result<void>{};
 }
 
 }  // namespace rivulet::journal

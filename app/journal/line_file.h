@@ -35,13 +35,23 @@ struct Lines {
 /// Makes the next line from the last complete one (empty: there is none).
 using MakeLine = std::function<std::string(std::string_view last)>;
 
+/// A line that is on the disk, and the file around it.
+struct Appended {
+  std::string_view line;
+  std::string_view last;  ///< the complete line before it; empty: there is none
+  std::uintmax_t bytesBefore = 0;
+  std::uintmax_t bytesAfter = 0;
+};
+using LineDone = std::function<base::Result<void>(const Appended& appended)>;
+
 /// Appends a line, and returns when it is on the disk. Nobody else appends meanwhile. A line that
 /// was cut before stays as it is; the new one begins after it. The folder and the file (mode 0600)
 /// are made if they are missing.
 /// @param bytesMax  a file of this size becomes `path`.1, in place of an older one, before the line
 ///                  is written; 0: never
-/// @return NotWritable
+/// @param done  called before anybody else may append. May be empty
+/// @return NotWritable; what `done` returns
 [[nodiscard]] base::Result<void> appendLine(const std::filesystem::path& path, const MakeLine& make,
-                                            std::uintmax_t bytesMax = 0);
+                                            std::uintmax_t bytesMax = 0, const LineDone& done = {});
 
 }  // namespace rivulet::journal

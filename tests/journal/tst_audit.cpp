@@ -97,7 +97,7 @@ class TestAudit : public QObject {
     auto lines = whole;
     lines.erase(lines.begin() + 2);
     trail.write(lines);
-    QCOMPARE(trail.findings(), QString("3 chain-broken"));
+    QCOMPARE(trail.findings(), QString("3 chain-broken, 5 tail-missing"));
     lines = whole;
     lines.insert(lines.begin() + 2, whole[0]);
     trail.write(lines);
@@ -106,7 +106,68 @@ class TestAudit : public QObject {
     lines = whole;
     lines.erase(lines.begin());
     trail.write(lines);
-    QCOMPARE(trail.findings(), QString("1 chain-broken"));
+    QCOMPARE(trail.findings(), QString("1 chain-broken, 5 tail-missing"));
+  }
+
+  /// The end of the trail, or all of it.
+  void whatIsMissingAtTheEndIsSaid() {
+    const Trail trail(5);
+    QVERIFY(readAudit(trail.path)->hasHead);
+    const auto whole = trail.lines();
+    trail.write({whole.begin(), whole.begin() + 3});
+    QCOMPARE(trail.findings(), QString("4 tail-missing"));
+    QCOMPARE(readAudit(trail.path)->findings.front().missing, std::size_t{2});
+    QCOMPARE(QString::fromStdString(describe(readAudit(trail.path)->findings.front())),
+             QString("2 lines are missing from line 4 on: the end of the trail was cut off."));
+    QCOMPARE(readAudit(trail.path)->firstChange(), std::size_t{4});
+    // Who writes on does not hide it.
+    QVERIFY(appendAudit(trail.path, entry(9)).has_value());
+    QVERIFY(appendAudit(trail.path, entry(10)).has_value());
+    QCOMPARE(trail.findings(), QString("4 tail-missing"));
+    trail.write({});
+    QCOMPARE(trail.findings(), QString("4 tail-missing, 1 tail-missing"));
+    std::filesystem::remove(trail.path);
+    QCOMPARE(readAudit(trail.path)->findings.back().missing, std::size_t{5});
+  }
+
+  /// A new trail that is sound by itself.
+  void aReplacedTrailIsFound() {
+    const Trail trail(3);
+    const auto whole = trail.lines();
+    std::filesystem::remove(trail.path);
+    for (int i = 5; i < 9; ++i) {
+      QVERIFY(appendAudit(trail.path, entry(i)).has_value());
+    }
+    const auto other = trail.lines();
+    QCOMPARE(trail.findings(), QString("1 tail-missing"));
+    const Trail second(4);
+    second.write(other);
+    QCOMPARE(second.findings(), QString("4 replaced"));
+  }
+
+  /// Killed between the line and its head: nobody is suspected.
+  void aHeadThatIsBehindIsNoChange() {
+    const Trail trail(2);
+    const auto head = base::readFile(auditHeadOf(trail.path));
+    QVERIFY(head && appendAudit(trail.path, entry(2)).has_value());
+    QVERIFY(base::writeFile(auditHeadOf(trail.path), *head).has_value());
+    QCOMPARE(trail.findings(), QString());
+    QVERIFY(appendAudit(trail.path, entry(3)).has_value());
+    QCOMPARE(trail.findings(), QString());
+    trail.write({});
+    QCOMPARE(readAudit(trail.path)->findings.back().missing, std::size_t{4});
+  }
+
+  /// Where there is no head, that is said, and nobody else may read it where there is one.
+  void theHeadIsKeptApart() {
+    const Trail trail(1);
+    const fs::path head = auditHeadOf(trail.path);
+    const auto mine = fs::perms::owner_read | fs::perms::owner_write;
+    QVERIFY(fs::status(head).permissions() == mine);
+    QVERIFY(fs::status(head.parent_path()).permissions() == fs::perms::owner_all);
+    fs::remove(head);
+    QVERIFY(!readAudit(trail.path)->hasHead);
+    QCOMPARE(trail.findings(), QString());
   }
 
   /// Power was lost while a line was written: the trail goes on, and nobody is suspected.
