@@ -19,6 +19,7 @@
 
 #include "base/descriptor.h"
 #include "base/file.h"
+#include "base/private_file.h"
 #include "trace/frames.h"
 
 namespace rivulet::recorder {
@@ -127,9 +128,8 @@ int RecordingFile::State::write(trace::FrameWriter& frames, std::string_view tex
 base::Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::filesystem::path& path,
                                                                  const RecordingLimits& limits) {
   // Without O_NONBLOCK, a pipe that nobody reads would be waited for here.
-  constexpr int kRights = 0666;
-  const int descriptor =
-      ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, kRights);
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK,
+                                base::kPrivateFileMode);
   if (descriptor < 0) {
     const bool isPipe = errno == ENXIO;
     return base::fail(base::FileError::NotWritable,

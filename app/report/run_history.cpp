@@ -12,6 +12,7 @@
 #include <cerrno>
 
 #include "base/file.h"
+#include "base/private_file.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "journal/line_file.h"
@@ -36,8 +37,8 @@ constexpr auto limitsFields = [](auto& io, auto& limits) {
 };
 
 base::Result<void> writeJson(const fs::path& file, const ordered_json& root) {
-  return base::writeFile(file,
-                         root.dump(1, ' ', false, ordered_json::error_handler_t::replace) + '\n');
+  return base::writePrivateFile(
+      file, root.dump(1, ' ', false, ordered_json::error_handler_t::replace) + '\n');
 }
 
 /// "20261122T050000Z-rows.nc": sorts by time.
@@ -123,9 +124,7 @@ fs::path RunHistory::indexFile(const std::string& id) const {
 base::Result<fs::path> RunHistory::newRecording(const std::string& programName,
                                                 const std::string& startedAtUtc) const {
   const fs::path recordings = m_folder / "recordings";
-  std::error_code failed;
-  fs::create_directories(recordings, failed);
-  if (failed) {
+  if (!base::makePrivateFolder(m_folder) || !base::makePrivateFolder(recordings)) {
     return base::fail(base::FileError::NotWritable,
                       "The folder cannot be created. Check permissions and free space.",
                       recordings.string());
@@ -140,8 +139,7 @@ base::Result<fs::path> RunHistory::newRecording(const std::string& programName,
 base::Result<streaming::RunSummary> RunHistory::add(
     const streaming::RunReport& report, streaming::RunSummary known,
     std::span<const gcode::StreamPoint> points) const {
-  std::error_code ignored;  // writing says what is wrong
-  fs::create_directories(m_folder, ignored);
+  (void)base::makePrivateFolder(m_folder);  // writing says what is wrong
   FinishedRun run;
   run.report = report;
   run.report.controlTrace.reset();
@@ -221,8 +219,7 @@ HistoryLimits RunHistory::limits() const {
 }
 
 base::Result<void> RunHistory::setLimits(const HistoryLimits& limits) const {
-  std::error_code ignored;
-  fs::create_directories(m_folder, ignored);
+  (void)base::makePrivateFolder(m_folder);  // writing says what is wrong
   const fs::path file = m_folder / kLimitsFile;
   const auto was = base::readFile(file);
   const auto written = writeJson(

@@ -20,6 +20,7 @@
 #include <limits>
 
 #include "base/file.h"
+#include "base/private_file.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "gcode/facts.h"
@@ -253,12 +254,12 @@ fs::path RunStore::pathOf(const SavedRun& run) const {
 
 base::Result<void> RunStore::save(const SavedRun& run,
                                   std::span<const gcode::StreamPoint> points) const {
-  std::error_code ignored;  // writing says what is wrong
-  fs::create_directories(m_folder, ignored);
+  (void)base::makePrivateFolder(m_folder);  // writing says what is wrong
   const fs::path path = pathOf(run);
   // The points first: a run that is listed is complete.
   if (!points.empty()) {
-    if (base::Result<void> written = base::writeFile(pointsPathOf(path), printPoints(points));
+    if (base::Result<void> written =
+            base::writePrivateFile(pointsPathOf(path), printPoints(points));
         !written) {
       return written;
     }
@@ -266,8 +267,8 @@ base::Result<void> RunStore::save(const SavedRun& run,
   const auto was = base::readFile(path, kJsonBytesMax);
   const ordered_json json = jsonInPlaceOf(
       was ? nlohmann::json::parse(*was, nullptr, false) : nlohmann::json(), run, savedRunFields);
-  return base::writeFile(path,
-                         json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
+  return base::writePrivateFile(
+      path, json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
 }
 
 std::vector<SavedRun> RunStore::runs() const {
