@@ -20,6 +20,7 @@
 #include <cstring>
 
 #include "live/error.h"
+#include "platform/port_owner.h"
 
 namespace rivulet::sources {
 
@@ -29,6 +30,7 @@ using base::Result;
 using SourcePtr = std::unique_ptr<live::Source>;
 
 constexpr std::size_t kDatagramMax = 65'536;
+constexpr std::string_view kTaken = "{\"error\":\"Another sender has this source.\"}\n";
 /// For bursts: the run looks every few milliseconds.
 constexpr int kDatagramBuffer = 4 << 20;
 /// A sender that hears the end closes its side within this time.
@@ -151,7 +153,7 @@ void StreamSocketSource::accept() {
     return;
   }
   if (m_sender.isOpen() || m_isClosed) {
-    sendNow(caller.number(), "{\"error\":\"Another sender has this source.\"}\n");
+    sendNow(caller.number(), std::string(kTaken));
     return;
   }
   const int one = 1;  // a reply is of use at once; fails for UNIX sockets, which do not need it
@@ -182,11 +184,37 @@ Result<SourcePtr> DatagramSource::listen(int port) {
   return SourcePtr(new DatagramSource(fmt::format("udp:{}", port), std::move(*socket)));
 }
 
+bool DatagramSource::isSender(std::uint16_t port) {
+  if (m_sender == 0 && port != 0 && !platform::isPortOfAnother(platform::PortKind::Udp, port)) {
+    m_sender = port;
+  }
+  return m_sender != 0 && port == m_sender;
+}
+
 std::size_t DatagramSource::read(std::span<char> into) {
-  if (m_rest.empty()) {
+  // Others may send as much as they want: each look takes a few of theirs.
+  constexpr int kStrangersMax = 100;
+  for (int i = 0; m_rest.empty() && i < kStrangersMax; ++i) {
+    sockaddr_in from{};
+    socklen_t length = sizeof from;
+    auto* const plain = reinterpret_cast<sockaddr*>(&from);
     m_rest.resize(kDatagramMax);
-    const ssize_t count = ::recv(m_socket.number(), m_rest.data(), m_rest.size(), MSG_DONTWAIT);
+    const ssize_t count =
+        ::recvfrom(m_socket.number(), m_rest.data(), m_rest.size(), MSG_DONTWAIT, plain, &length);
     m_rest.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    if (count < 0) {
+      break;
+    }
+    const std::uint16_t port = ntohs(from.sin_port);
+    if (!isSender(port)) {
+      m_rest.clear();
+      if (m_sender != 0 && port != m_refused) {
+        m_refused = port;
+        ::sendto(m_socket.number(), kTaken.data(), kTaken.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
+                 plain, length);
+      }
+      continue;
+    }
     if (!m_rest.empty() && m_rest.back() != '\n') {
       m_rest += '\n';
     }

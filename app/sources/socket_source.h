@@ -6,6 +6,7 @@
 /// is) and UDP. @threadsafety one object, one thread; nothing waits.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <string>
@@ -61,7 +62,8 @@ class StreamSocketSource final : public live::Source {
 };
 
 /// Datagrams to a port of 127.0.0.1; each holds whole lines. One that is lost shows in the numbers
-/// of the points.
+/// of the points. The first program of this user that sends has the source; others are told that it
+/// is taken, and those of other users get no answer.
 class DatagramSource final : public live::Source {
  public:
   [[nodiscard]] static base::Result<std::unique_ptr<live::Source>> listen(int port);
@@ -75,7 +77,12 @@ class DatagramSource final : public live::Source {
       : m_name(std::move(name)), m_socket(std::move(socket)) {}
   std::string m_name;
   Descriptor m_socket;
-  std::string m_rest;  ///< of a datagram
+  /// @return whether its datagrams are taken
+  bool isSender(std::uint16_t port);
+
+  std::string m_rest;           ///< of a datagram
+  std::uint16_t m_sender = 0;   ///< its port; 0: nobody has sent yet
+  std::uint16_t m_refused = 0;  ///< port of the last one that was told
 };
 
 }  // namespace rivulet::sources

@@ -7,6 +7,7 @@
 
 #include "opcua/error.h"
 #include "opcua/open62541/ua_link.h"
+#include "platform/port_owner.h"
 #include "platform/utc_now.h"
 #include "trust/trust_store.h"
 
@@ -28,8 +29,11 @@ opcua::SecurityChoice choiceFor(const ConnectRequest& request,
   }
   opcua::SecurityChoice choice;
   const bool wasEncrypted = known && !known->fingerprint.empty();
-  choice.prefersNone = opcua::isLoopback(request.endpoint) && request.user.empty() &&
-                       !request.userCertificate && !wasEncrypted;
+  // A server of another user of this computer is as strange as one on another computer.
+  choice.prefersNone =
+      opcua::isLoopback(request.endpoint) && request.user.empty() && !request.userCertificate &&
+      !wasEncrypted &&
+      !platform::isPortOfAnother(platform::PortKind::TcpListener, opcua::portOf(request.endpoint));
   return choice;
 }
 

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "opcua/error.h"
+#include "opcua/node_map.h"
 
 namespace rivulet::opcua {
 
@@ -228,6 +229,20 @@ std::string hostOf(std::string_view endpoint) {
     return std::string(host.substr(1, host.find(']') - 1));
   }
   return std::string(host.substr(0, host.find(':')));
+}
+
+std::uint16_t portOf(std::string_view endpoint) {
+  const std::size_t scheme = endpoint.find("://");
+  std::string_view rest = scheme == std::string_view::npos ? endpoint : endpoint.substr(scheme + 3);
+  rest = rest.substr(0, rest.find('/'));
+  const std::size_t bracket = rest.find(']');
+  const std::size_t colon = rest.find(':', bracket == std::string_view::npos ? 0 : bracket);
+  if (colon == std::string_view::npos) {
+    return kPort;
+  }
+  constexpr int kPortMax = 65'535;
+  const auto port = base::parseInteger(rest.substr(colon + 1));
+  return port && *port > 0 && *port <= kPortMax ? static_cast<std::uint16_t>(*port) : 0;
 }
 
 bool isLoopback(std::string_view endpoint) {

@@ -6,6 +6,7 @@
 /// of Part 7), what a user allows, and which offer is taken. @threadsafety pure.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -106,6 +107,8 @@ struct SecurityChoice {
 /// Whether the host of an endpoint is this computer by its very address ("127.0.0.1", "[::1]",
 /// "localhost"): what is sent to it does not leave the computer.
 [[nodiscard]] bool isLoopback(std::string_view endpoint);
+/// The port of an address; that of the standard if it names none, 0 if it is no number.
+[[nodiscard]] std::uint16_t portOf(std::string_view endpoint);
 
 /// What a person has to know about how a connection is protected.
 enum class Protection {

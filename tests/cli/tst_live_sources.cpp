@@ -250,6 +250,23 @@ class TestLiveSources : public QObject {
     }
   }
 
+  /// The first one has the source: what others send moves nothing, and they are told.
+  void datagramsOfOneSender() {
+    const json at{{"x", 0.0}, {"y", 0.0}};
+    Run run = start("udp:0");
+    Sender sender(run.source);
+    Sender stranger(run.source);
+    sender.send(circle(at, 1, 20, true));
+    stranger.send(circle(at, 21, 10, true));
+    QCOMPARE(stranger.reply().value("error", ""), std::string("Another sender has this source."));
+    stranger.send("end");
+    sender.send(circle(at, 21, 10, true));
+    sender.send("end");
+    QCOMPARE(run.finish(), 0);
+    QVERIFY2(run.isRight(), run.report.dump(1).c_str());
+    QCOMPARE(run.number("executed"), 30U);
+  }
+
   void aPipeWithoutAControl() {
     Run run(m_folder.path(),
             "--live - --simulate --preset dmu75-arrays --method credit --points 13");
