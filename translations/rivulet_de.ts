@@ -1048,8 +1048,8 @@
         <translation>Teile des Programms werden nicht verstanden. Siehe die Liste der Befunde.</translation>
     </message>
     <message>
-        <source>The feed F must be greater than zero.</source>
-        <translation>Der Vorschub F muss größer als null sein.</translation>
+        <source>The feed F must be between 0.001 and 1 000 000 mm/min.</source>
+        <translation>Der Vorschub F muss zwischen 0,001 und 1 000 000 mm/min liegen.</translation>
     </message>
     <message>
         <source>The distance δ must be greater than zero.</source>

@@ -1048,8 +1048,8 @@
         <translation>Hay partes del programa que no se entienden. Véase la lista de observaciones.</translation>
     </message>
     <message>
-        <source>The feed F must be greater than zero.</source>
-        <translation>El avance F debe ser mayor que cero.</translation>
+        <source>The feed F must be between 0.001 and 1 000 000 mm/min.</source>
+        <translation>El avance F debe estar entre 0,001 y 1 000 000 mm/min.</translation>
     </message>
     <message>
         <source>The distance δ must be greater than zero.</source>

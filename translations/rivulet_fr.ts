@@ -1048,8 +1048,8 @@
         <translation>Des parties du programme ne sont pas comprises. Voir la liste des observations.</translation>
     </message>
     <message>
-        <source>The feed F must be greater than zero.</source>
-        <translation>L’avance F doit être supérieure à zéro.</translation>
+        <source>The feed F must be between 0.001 and 1 000 000 mm/min.</source>
+        <translation>L’avance F doit être comprise entre 0,001 et 1 000 000 mm/min.</translation>
     </message>
     <message>
         <source>The distance δ must be greater than zero.</source>

@@ -1048,8 +1048,8 @@
         <translation>Parti del programma non sono comprese. Vedi l’elenco delle segnalazioni.</translation>
     </message>
     <message>
-        <source>The feed F must be greater than zero.</source>
-        <translation>L’avanzamento F deve essere maggiore di zero.</translation>
+        <source>The feed F must be between 0.001 and 1 000 000 mm/min.</source>
+        <translation>L’avanzamento F deve essere compreso tra 0,001 e 1 000 000 mm/min.</translation>
     </message>
     <message>
         <source>The distance δ must be greater than zero.</source>

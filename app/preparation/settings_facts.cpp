@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/ranges.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "gcode/feeds.h"
@@ -60,7 +61,7 @@ void applySettings(streaming::StreamSettings& settings, const SettingsFacts& fac
       parameters.windows = *whole;
     } else if (name == "base_cell" && whole) {
       parameters.baseCell = *whole;
-    } else if (name == "feed" && number && *number > 0.0) {
+    } else if (name == "feed" && number && base::isFeedMmPerMin(*number)) {
       settings.feedMmPerS = base::mmPerSFromMmPerMin(*number);
     } else if (name == "feeds") {
       settings.programFeeds = value == "program";

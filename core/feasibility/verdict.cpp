@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/contract.h"
+#include "base/ranges.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "feasibility/equations.h"
@@ -122,11 +123,11 @@ base::Result<Verdict> judge(const OperatingPoint& operatingPoint, const ProgramD
                     base::methodName(operatingPoint.method)));
   }
   // Written so that a value which is not a number is refused as well.
-  if (!(operatingPoint.feedMmPerS > 0.0) || !std::isfinite(operatingPoint.feedMmPerS)) {
-    return base::fail(
-        FeasibilityError::FeedNotPositive,
-        fmt::format("The feed is {} mm/min: choose one greater than 0.",
-                    base::formatFixed(base::mmPerMinFromMmPerS(operatingPoint.feedMmPerS), 3)));
+  const double feedMmPerMin = base::mmPerMinFromMmPerS(operatingPoint.feedMmPerS);
+  if (!base::isFeedMmPerMin(feedMmPerMin)) {
+    return base::fail(FeasibilityError::FeedNotPositive,
+                      fmt::format("The feed is {:g} mm/min: choose one from {:g} to {:.0f}.",
+                                  feedMmPerMin, base::kFeedMmPerMinLeast, base::kFeedMmPerMinMost));
   }
   if (position && (!(operatingPoint.deltaMm > 0.0) || !std::isfinite(operatingPoint.deltaMm))) {
     return base::fail(FeasibilityError::DeltaNotPositive,

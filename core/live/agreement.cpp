@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/units.h"
 #include "live/error.h"
 
@@ -44,10 +45,12 @@ Result<void> Gate::takeFeed(const Line& line) {
   if (!line.feedMmPerMin) {
     return {};
   }
-  if (!(*line.feedMmPerMin > 0.0) || *line.feedMmPerMin > m_agreement.feedMmPerMinMax) {
-    return base::fail(LiveError::FeedTooLarge,
-                      fmt::format("F{} is not in what was agreed: above 0, up to F{}.",
-                                  *line.feedMmPerMin, m_agreement.feedMmPerMinMax));
+  if (!(*line.feedMmPerMin >= base::kFeedMmPerMinLeast) ||
+      *line.feedMmPerMin > m_agreement.feedMmPerMinMax) {
+    return base::fail(
+        LiveError::FeedTooLarge,
+        fmt::format("F{} is not in what was agreed: from F{} to F{}.", *line.feedMmPerMin,
+                    base::kFeedMmPerMinLeast, m_agreement.feedMmPerMinMax));
   }
   m_feedMmPerMin = *line.feedMmPerMin;
   return {};

@@ -172,7 +172,8 @@ class TestVerdict : public QObject {
     const auto code = [](const base::Result<Verdict>& verdict) {
       return verdict ? std::error_code() : verdict.error().code;
     };
-    for (const double feed : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    for (const double feed : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity(),
+                              1e308, 1e-300, 1.01e6, 0.0009}) {
       QVERIFY(code(judge(at(MethodKind::Signal, feed), only(1))) ==
               FeasibilityError::FeedNotPositive);
     }
@@ -187,7 +188,7 @@ class TestVerdict : public QObject {
       QVERIFY(verdict.error().message.find("choose at least 2") != std::string::npos);
     }
     QCOMPARE(judge(at(MethodKind::Signal, -60), only(1)).error().message,
-             std::string("The feed is -60 mm/min: choose one greater than 0."));
+             std::string("The feed is -60 mm/min: choose one from 0.001 to 1000000."));
   }
 
   void largestFeedAndSmallestDeltaAreTheBorders() {

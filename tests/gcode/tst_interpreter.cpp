@@ -395,6 +395,19 @@ class TestInterpreter : public QObject {
     }
   }
 
+  /// F1e-300 would let the axes stand for ever, without a word.
+  void noFeedIsNearlyNothing() {
+    const auto isRefused = [](const char* feed) {
+      const auto found = gcode::interpret(std::string("G90 G94\nG1 X10 F=") + feed + "\n", {});
+      return std::any_of(
+          found.diagnostics.begin(), found.diagnostics.end(),
+          [](const gcode::Diagnostic& one) { return one.code == nc::FaultCode::ValueOutOfRange; });
+    };
+    QVERIFY(isRefused("1EX-300"));
+    QVERIFY(isRefused("0.0009"));
+    QVERIFY(!isRefused("0.001"));
+  }
+
   /// An inch program stays one, X is a diameter, and U and W are increments of X and Z.
   void lathesHaveTheirMode() {
     gcode::LoadOptions options;

@@ -96,7 +96,7 @@ struct ErrorTexts {
     using feasibility::FeasibilityError;
     switch (code) {
       case FeasibilityError::FeedNotPositive:
-        return tr("The feed F must be greater than zero.");
+        return tr("The feed F must be between 0.001 and 1 000 000 mm/min.");
       case FeasibilityError::DeltaNotPositive:
         return tr("The distance δ must be greater than zero.");
       case FeasibilityError::NothingKnown:

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "nc/unknown.h"
@@ -387,7 +388,8 @@ void Executor::setFeed(const BlockWords& words) {
   // A SINUMERIK refuses such a number; others move as fast as the machine can.
   constexpr double kReducedMmPerMinMax = 1e9;
   const bool reduces = !m_language.refusesLargeFeeds;
-  if (!(mmPerMin <= (reduces ? kReducedMmPerMinMax : kCoordinateMmMax))) {
+  const bool isStill = mmPerMin > 0.0 && mmPerMin < base::kFeedMmPerMinLeast;
+  if (isStill || !(mmPerMin <= (reduces ? kReducedMmPerMinMax : kCoordinateMmMax))) {
     m_to.faults.error(*words.feed, FaultCode::ValueOutOfRange);
     return;
   }
