@@ -12,6 +12,7 @@
 #include "opcua/security.h"
 #include "papers/catalogue.h"
 #include "platform/log.h"
+#include "platform/output.h"
 #include "templates/cells.h"
 #include "trace/signal_file.h"
 
@@ -968,6 +969,7 @@ void addConnection(CLI::App& app, rivulet::cli::ConnectionOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  rivulet::output::guard();
   CLI::App app("Streams a tool path to a CNC machine over OPC UA while the machine moves.",
                "rivulet-cli");
   app.set_version_flag("--version", RIVULET_VERSION);
@@ -1010,7 +1012,11 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Help and version are successes; everything else is wrong usage.
-    return app.exit(error) == 0 ? 0 : static_cast<int>(Exit::BadInput);
+    exit = app.exit(error) == 0 ? Exit::Done : Exit::BadInput;
+  }
+  if (const std::string lost = rivulet::output::failure(); !lost.empty()) {
+    rivulet::log::logger().error("{}", lost);
+    exit = exit == Exit::Done ? Exit::Wrong : exit;
   }
   return static_cast<int>(exit);
 }

@@ -19,6 +19,7 @@
 #include "pipeline/ring.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
+#include "platform/output.h"
 
 namespace {
 
@@ -221,6 +222,7 @@ int conformance(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  rivulet::output::guard();
   interrupt::watch();
   Arguments arguments;
   arguments.run.preset = machine::kDefaultPreset;

@@ -13,6 +13,7 @@
 #include "machine/front/server.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
+#include "platform/output.h"
 #include "platform/serving/serving.h"
 
 namespace {
@@ -55,6 +56,7 @@ void addOptions(CLI::App& app, Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  rivulet::output::guard();
   rivulet::interrupt::watch();
 
   Arguments arguments;

@@ -22,6 +22,7 @@
 #include "machine/user.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
+#include "platform/output.h"
 #include "platform/serving/serving.h"
 #include "trust/password.h"
 
@@ -114,6 +115,7 @@ int serve(rivulet::machine::Server& server, const rivulet::machine::Machine& mac
 }  // namespace
 
 int main(int argc, char** argv) {
+  rivulet::output::guard();
   rivulet::interrupt::watch();
 
   Arguments arguments;

@@ -25,11 +25,9 @@ extern "C" void onInterrupt(int /*signal*/) {
 void watch() {
   struct sigaction action {};
   action.sa_handler = &onInterrupt;
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     sigaction(number, &action, nullptr);
   }
-  action.sa_handler = SIG_IGN;
-  sigaction(SIGPIPE, &action, nullptr);
 }
 
 bool wasSeen() {

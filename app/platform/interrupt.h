@@ -10,9 +10,8 @@
 
 namespace rivulet::interrupt {
 
-/// From now on Ctrl-C, SIGTERM, a closed terminal (SIGHUP) and a file that grows beyond the shell's
-/// limit (SIGXFSZ) do not end the program; `wasSeen` reports them. A reader of its output that has
-/// gone (SIGPIPE) does nothing.
+/// From now on Ctrl-C, SIGTERM and a closed terminal (SIGHUP) do not end the program; `wasSeen`
+/// reports them.
 void watch();
 
 [[nodiscard]] bool wasSeen();

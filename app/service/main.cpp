@@ -23,6 +23,7 @@
 #include "opcua/error.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
+#include "platform/output.h"
 #include "platform/serving/serving.h"
 #include "platform/user_folders.h"
 #include "preparation/user_file.h"
@@ -288,6 +289,7 @@ int run(Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  rivulet::output::guard();
   rivulet::interrupt::watch();
 
   Arguments arguments;

@@ -372,6 +372,42 @@ class TestCli : public QObject {
                 .output.contains(QStringLiteral("cut off before the end")));
   }
 
+  /// Output that cannot be written: a sentence and an exit code, and no program that is aborted.
+  void outputThatCannotBeWritten() {
+    const QString program = file("output.nc", "G90 G1 F1000 X1 Y1 Z0\nX2\nX3\nM30\n");
+    const QList<QStringList> commands{
+        {QStringLiteral("check"), program},
+        {QStringLiteral("check"), program, QStringLiteral("--json")},
+        {QStringLiteral("points"), program},
+        {QStringLiteral("job"), program, QStringLiteral("--simulate"), QStringLiteral("--json")},
+        {QStringLiteral("template")},
+        {QStringLiteral("--help")},
+    };
+    struct Sink {
+      const char* how;
+      bool isLost;
+    };
+    for (const Sink& sink :
+         {Sink{"exec \"$0\" \"$@\" >/dev/full", true}, Sink{"exec \"$0\" \"$@\" >&-", true},
+          Sink{"set -o pipefail; \"$0\" \"$@\" | true", false}}) {
+      for (const QStringList& command : commands) {
+        QProcess process;
+        process.start(QStringLiteral("bash"),
+                      QStringList{QStringLiteral("-c"), QString::fromUtf8(sink.how),
+                                  QStringLiteral(RIVULET_CLI)} +
+                          command);
+        QVERIFY(process.waitForFinished());
+        const QByteArray errors = process.readAllStandardError();
+        QVERIFY2(process.exitStatus() == QProcess::NormalExit &&
+                     process.exitCode() == (sink.isLost ? 1 : 0),
+                 (QByteArray(sink.how) + ' ' + command.join(QLatin1Char(' ')).toUtf8() + ' ' +
+                  QByteArray::number(process.exitCode()) + ' ' + errors)
+                     .constData());
+        QCOMPARE(errors.contains("Not all output could be written"), sink.isLost);
+      }
+    }
+  }
+
   /// A pipe that nobody empties holds up neither the run nor its end.
   void aRecordingThatHangsIsCut() {
     const QString pipe = m_folder.filePath(QStringLiteral("pipe"));

@@ -181,6 +181,35 @@ class TestHostFaults : public QObject {
     QVERIFY2(said.contains("not in the history"), said.constData());
   }
 
+  /// What a run prints and logs comes to nothing: it goes on to its end, and says so by its exit
+  /// code.
+  void nothingThatCannotBeWrittenEndsARun_data() {
+    QTest::addColumn<QString>("command");
+    QTest::addColumn<int>("exit");
+    QTest::newRow("a full disk") << QStringLiteral("exec \"$0\" \"$@\" >/dev/full") << 1;
+    QTest::newRow("full disks") << QStringLiteral("exec \"$0\" \"$@\" >/dev/full 2>/dev/full") << 1;
+    QTest::newRow("closed output") << QStringLiteral("exec \"$0\" \"$@\" >&-") << 1;
+    QTest::newRow("closed errors") << QStringLiteral("exec \"$0\" \"$@\" 2>&-") << 0;
+    QTest::newRow("nothing is open") << QStringLiteral("exec \"$0\" \"$@\" <&- >&- 2>&-") << 1;
+    // The log, the recording and what else is kept may not grow.
+    QTest::newRow("no file may grow") << QStringLiteral("ulimit -f 1; exec \"$0\" \"$@\"") << 0;
+    QTest::newRow("a reader that is gone")
+        << QStringLiteral("set -o pipefail; \"$0\" \"$@\" | true") << 0;
+  }
+  void nothingThatCannotBeWrittenEndsARun() {
+    QFETCH(QString, command);
+    QFETCH(int, exit);
+    QProcess client;
+    client.setProcessEnvironment(m_scene.environment());
+    client.start(QStringLiteral("bash"),
+                 QStringList{QStringLiteral("-c"), command, QStringLiteral(RIVULET_CLI)} +
+                     streamed() + words("--log-level trace"));
+    QVERIFY(client.waitForFinished(kRunMs));
+    QVERIFY2(client.exitStatus() == QProcess::NormalExit && client.exitCode() == exit,
+             (QByteArray::number(client.exitCode()) + client.readAllStandardError()).constData());
+    QVERIFY(m_scene.isWhole(m_before));
+  }
+
   void aClockThatJumpsDisturbsNoEncryptedRun() {
     QString library;
     for (QDirIterator each(QStringLiteral("/usr/lib"), {QStringLiteral("libfaketime.so.1")},
