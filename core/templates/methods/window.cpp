@@ -250,6 +250,15 @@ void WindowedTemplate::writeResets(Listing& out, const CellMap& cells) const {
   // The layout number comes later: a client that sees it knows that these are done.
   out.line("R{}=0 R{}=0 R{}=0 R{}=0", cells.run, cells.delivered, cells.latched, cells.executed);
   out.line("R{}=0 R{}=0 R{}=0", cells.state, cells.client, cells.owner);
+  // Late requests of an earlier run may ask, deliver and run as well: what it has left in a window
+  // must not match.
+  std::string checks;
+  for (int window = 0; window < cells.windows; ++window) {
+    checks += fmt::format("{}R{}=0", checks.empty() ? "" : " ", cells.windowCheck(window));
+  }
+  if (!checks.empty()) {
+    out.line("{}", checks);
+  }
 }
 
 void WindowedTemplate::writeFeedCell(Listing& out, const CellMap& cells) const {
