@@ -86,6 +86,8 @@ class KillScene {
     m_machine.reset();
   }
 
+  [[nodiscard]] bool isOff() const { return m_machine == nullptr; }
+
   /// Files of the runs that are kept, the newest first.
   [[nodiscard]] QStringList savedRuns() const {
     const QDir folder(runsFolder());
