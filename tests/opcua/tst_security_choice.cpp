@@ -128,6 +128,17 @@ class TestSecurityChoice : public QObject {
     QVERIFY(!opcua::readCertificate("\x30\x03\x30\x01\x02"));
   }
 
+  void addressesHaveAPort() {
+    QCOMPARE(int{opcua::portOf("opc.tcp://host:4841")}, 4841);
+    QCOMPARE(int{opcua::portOf("opc.tcp://host")}, 4840);
+    QCOMPARE(int{opcua::portOf("opc.tcp://[::1]:4850/x")}, 4850);
+    QCOMPARE(int{opcua::portOf("opc.tcp://[::1]")}, 4840);
+    for (const char* wrong : {"opc.tcp://host:", "opc.tcp://host:99999", "opc.tcp://host:abc",
+                              "opc.tcp://host:-1", "opc.tcp://host:0"}) {
+      QVERIFY2(opcua::portOf(wrong) == 0, wrong);
+    }
+  }
+
   void everyStatusIsInTheTableOfTheManual() {
     QFile manual(QStringLiteral(RIVULET_SOURCE_DIR "/docs/trust.md"));
     QVERIFY(manual.open(QIODevice::ReadOnly));

@@ -7,6 +7,7 @@
 
 #include "base/contract.h"
 #include "opcua/link.h"
+#include "opcua/security.h"
 
 namespace rivulet::opcua {
 
@@ -165,7 +166,10 @@ base::Error requestError(UA_StatusCode status, Operation operation, const std::s
 }
 
 base::Error connectError(UA_StatusCode status, const std::string& endpoint) {
-  if (status == UA_STATUSCODE_BADTCPENDPOINTURLINVALID) {
+  // The library says so of an address that it cannot read, and a server of one that is not its own.
+  const bool isAddress =
+      endpoint.starts_with("opc.tcp://") && !hostOf(endpoint).empty() && portOf(endpoint) != 0;
+  if (status == UA_STATUSCODE_BADTCPENDPOINTURLINVALID && !isAddress) {
     return base::makeError(LinkError::NotReachable,
                            "This is not an OPC UA address. Example: opc.tcp://host:4840.",
                            endpoint);
