@@ -1192,8 +1192,8 @@
         <translation>Das Programm auf der Steuerung wurde während des Laufs neu gestartet. An der Steuerung Reset drücken, dann fortsetzen.</translation>
     </message>
     <message>
-        <source>The control rejected a window that did not match its check number, and did not execute it. Something else writes these R-parameters: find out what it is, then resume.</source>
-        <translation>Die Steuerung hat ein Fenster abgelehnt, das nicht zu seiner Prüfzahl passte, und es nicht ausgeführt. Etwas anderes schreibt diese R-Parameter: Ursache suchen, dann fortsetzen.</translation>
+        <source>The control rejected a window that did not match its check number, and did not execute it. Something else writes these R-parameters, or a value was changed on its way: look for another client, or connect encrypted, then resume.</source>
+        <translation>Die Steuerung hat ein Fenster abgelehnt, das nicht zu seiner Prüfzahl passte, und es nicht ausgeführt. Etwas anderes schreibt diese R-Parameter, oder ein Wert wurde unterwegs verfälscht: nach einem anderen Client suchen oder verschlüsselt verbinden, dann fortsetzen.</translation>
     </message>
     <message>
         <source>The control ended its program because it received nothing from Rivulet for too long. Check the network, then resume.</source>

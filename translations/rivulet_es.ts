@@ -1192,8 +1192,8 @@
         <translation>El programa del control se reinició durante la ejecución. Hacer un Reset del control y reanudar.</translation>
     </message>
     <message>
-        <source>The control rejected a window that did not match its check number, and did not execute it. Something else writes these R-parameters: find out what it is, then resume.</source>
-        <translation>El control rechazó una ventana que no coincidía con su número de comprobación y no la ejecutó. Alguna otra cosa escribe estos parámetros R: averiguar qué es y reanudar.</translation>
+        <source>The control rejected a window that did not match its check number, and did not execute it. Something else writes these R-parameters, or a value was changed on its way: look for another client, or connect encrypted, then resume.</source>
+        <translation>El control rechazó una ventana que no coincidía con su número de comprobación y no la ejecutó. Alguna otra cosa escribe estos parámetros R, o un valor se alteró por el camino: buscar otro cliente o conectarse con cifrado y reanudar.</translation>
     </message>
     <message>
         <source>The control ended its program because it received nothing from Rivulet for too long. Check the network, then resume.</source>

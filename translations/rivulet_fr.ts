@@ -1192,8 +1192,8 @@
         <translation>Le programme sur la commande a été redémarré pendant l’exécution. Faire un Reset de la commande, puis reprendre.</translation>
     </message>
     <message>
-        <source>The control rejected a window that did not match its check number, and did not execute it. Something else writes these R-parameters: find out what it is, then resume.</source>
-        <translation>La commande a refusé une fenêtre qui ne correspondait pas à son numéro de contrôle et ne l’a pas exécutée. Autre chose écrit dans ces paramètres R&#xa0;: trouver quoi, puis reprendre.</translation>
+        <source>The control rejected a window that did not match its check number, and did not execute it. Something else writes these R-parameters, or a value was changed on its way: look for another client, or connect encrypted, then resume.</source>
+        <translation>La commande a refusé une fenêtre qui ne correspondait pas à son numéro de contrôle et ne l’a pas exécutée. Autre chose écrit dans ces paramètres R, ou une valeur a été altérée en chemin&#xa0;: chercher un autre client, ou se connecter avec chiffrement, puis reprendre.</translation>
     </message>
     <message>
         <source>The control ended its program because it received nothing from Rivulet for too long. Check the network, then resume.</source>

@@ -1192,8 +1192,8 @@
         <translation>Il programma sul controllo è stato riavviato durante l’esecuzione. Resettare il controllo, poi riprendere.</translation>
     </message>
     <message>
-        <source>The control rejected a window that did not match its check number, and did not execute it. Something else writes these R-parameters: find out what it is, then resume.</source>
-        <translation>Il controllo ha rifiutato una finestra che non corrispondeva al suo numero di controllo e non l’ha eseguita. Qualcos’altro scrive questi parametri R: scoprire che cosa, poi riprendere.</translation>
+        <source>The control rejected a window that did not match its check number, and did not execute it. Something else writes these R-parameters, or a value was changed on its way: look for another client, or connect encrypted, then resume.</source>
+        <translation>Il controllo ha rifiutato una finestra che non corrispondeva al suo numero di controllo e non l’ha eseguita. Qualcos’altro scrive questi parametri R, oppure un valore è stato alterato lungo il percorso: cercare un altro client o connettersi con cifratura, poi riprendere.</translation>
     </message>
     <message>
         <source>The control ended its program because it received nothing from Rivulet for too long. Check the network, then resume.</source>

@@ -424,8 +424,8 @@ struct ErrorTexts {
       case StreamError::WindowDamaged:
         return tr(
             "The control rejected a window that did not match its check number, and did not "
-            "execute it. Something else writes these R-parameters: find out what it is, then "
-            "resume.");
+            "execute it. Something else writes these R-parameters, or a value was changed on its "
+            "way: look for another client, or connect encrypted, then resume.");
       case StreamError::ClientSilent:
         return tr(
             "The control ended its program because it received nothing from Rivulet for too long. "

@@ -491,8 +491,8 @@ std::optional<ProgramEnd> WindowMethodType::askEnd(
     end.error = base::makeError(
         StreamError::WindowDamaged,
         "The control rejected a window whose check number did not match: something else writes "
-        "these "
-        "R-parameters. The window was not executed. Find the other writer, then resume.");
+        "these R-parameters, or a value was changed on its way. The window was not executed. Look "
+        "for another client, or connect encrypted, then resume.");
   } else if (state == templates::WindowState::Abandoned) {
     end.error = base::makeError(
         StreamError::ClientSilent,
