@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/sha256.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "job/functions.h"
 #include "journal/audit.h"
