@@ -65,6 +65,10 @@ void guard() {
   replace(stderr, g_errors, _IONBF);
 }
 
+bool isLost() {
+  return g_output.error != 0;
+}
+
 std::string failure() {
   std::fflush(stdout);
   if (g_first != nullptr && std::fflush(g_first) != 0 && g_output.error == 0) {

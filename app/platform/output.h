@@ -17,6 +17,9 @@ namespace rivulet::output {
 /// nothing.
 void guard();
 
+/// Something that was printed could not be written: who prints until somebody stops it can end.
+[[nodiscard]] bool isLost();
+
 /// Writes what is left. @return one sentence if not all that was printed could be written, else
 /// empty; a reader that has gone wants no more, and is no error
 [[nodiscard]] std::string failure();

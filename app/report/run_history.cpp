@@ -124,7 +124,10 @@ fs::path RunHistory::indexFile(const std::string& id) const {
 base::Result<fs::path> RunHistory::newRecording(const std::string& programName,
                                                 const std::string& startedAtUtc) const {
   const fs::path recordings = m_folder / "recordings";
-  if (!base::makePrivateFolder(m_folder) || !base::makePrivateFolder(recordings)) {
+  (void)base::makePrivateFolder(m_folder);
+  (void)base::makePrivateFolder(recordings);  // a folder of somebody else may be there already
+  std::error_code status;
+  if (!fs::is_directory(recordings, status)) {
     return base::fail(base::FileError::NotWritable,
                       "The folder cannot be created. Check permissions and free space.",
                       recordings.string());

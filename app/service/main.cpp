@@ -150,7 +150,7 @@ int show(const Arguments& arguments) {
     }
     std::fflush(stdout);
     shown = *seen;
-    if (!arguments.follow) {
+    if (!arguments.follow || rivulet::output::isLost()) {
       return kExitOk;
     }
     for (int i = 0; i < kFollowSteps; ++i) {

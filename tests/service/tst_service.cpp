@@ -172,6 +172,21 @@ class TestService : public QObject {
     QVERIFY(service->call("ForgetRun").accepted);
   }
 
+  /// Nobody reads what it prints any more.
+  void followingEndsWithItsReader() {
+    const auto service = this->service();
+    QVERIFY(service->await("Monitoring/IsConnected", "true"));
+    QProcess follower;
+    follower.start(
+        QStringLiteral("bash"),
+        {QStringLiteral("-c"),
+         QStringLiteral("\"$0\" show --follow \"$1\" | { read -r line; echo \"$line\"; }"),
+         QStringLiteral(RIVULET_SERVICE), service->endpoint()});
+    QVERIFY(follower.waitForReadyRead());
+    QVERIFY(service->call("LoadJob", {file(), kSettings}).accepted);  // something to print
+    QVERIFY(follower.waitForFinished(tests::kRunMs));
+  }
+
   void startsOnlyWhatWasConfirmed() {
     const std::size_t before = m_scene.executed().size();
     const auto service = this->service();
