@@ -13,8 +13,10 @@ namespace rivulet::service {
 namespace {
 
 constexpr std::array kVariables{
-    VariableRow{"Identification/Manufacturer", "Maker of this server.", &Snapshot::maker},
-    VariableRow{"Identification/SoftwareRevision", "Version of this service.", &Snapshot::version},
+    VariableRow{"Identification/Manufacturer", "Maker of this server.",
+                std::string_view("Rivulet")},
+    VariableRow{"Identification/SoftwareRevision", "Version of this service.",
+                std::string_view(RIVULET_VERSION)},
     VariableRow{"Identification/Model",
                 "Product and build of the machine's own server; empty: not known yet.",
                 &Snapshot::model},
@@ -86,20 +88,30 @@ std::span<const VariableRow> variableRows() {
 }
 
 NodeValue valueOf(const VariableRow& row, const Snapshot& seen) {
-  return std::visit([&seen](auto member) -> NodeValue { return seen.*member; }, row.member);
+  return std::visit(
+      [&seen](auto member) -> NodeValue {
+        if constexpr (std::is_member_pointer_v<decltype(member)>) {
+          return seen.*member;
+        } else {
+          return std::string(member);
+        }
+      },
+      row.member);
 }
 
 void take(const VariableRow& row, const opcua::NodeValue& value, Snapshot& seen) {
   std::visit(
       [&](auto member) {
-        auto& into = seen.*member;
-        using Member = std::remove_reference_t<decltype(into)>;
-        into = {};
-        if constexpr (std::is_same_v<Member, std::uint32_t>) {
-          const double* number = std::get_if<double>(&value);
-          into = number != nullptr && *number >= 0.0 ? static_cast<std::uint32_t>(*number) : 0;
-        } else if (const Member* known = std::get_if<Member>(&value)) {
-          into = *known;
+        if constexpr (std::is_member_pointer_v<decltype(member)>) {
+          auto& into = seen.*member;
+          using Member = std::remove_reference_t<decltype(into)>;
+          into = {};
+          if constexpr (std::is_same_v<Member, std::uint32_t>) {
+            const double* number = std::get_if<double>(&value);
+            into = number != nullptr && *number >= 0.0 ? static_cast<std::uint32_t>(*number) : 0;
+          } else if (const Member* known = std::get_if<Member>(&value)) {
+            into = *known;
+          }
         }
       },
       row.member);

@@ -38,8 +38,8 @@ struct VariableRow {
   std::string_view identifier;  ///< "Production/ActiveProgram/Name": folders and browse name
   std::string_view description;
   std::variant<bool Snapshot::*, std::uint32_t Snapshot::*, double Snapshot::*,
-               std::string Snapshot::*, std::vector<double> Snapshot::*>
-      member;
+               std::string Snapshot::*, std::vector<double> Snapshot::*, std::string_view>
+      member;  ///< or a text that never changes
   Readers readers = Readers::Everybody;
 };
 [[nodiscard]] std::span<const VariableRow> variableRows();

@@ -177,21 +177,21 @@ void ServiceSession::takeLink(const session::LinkChanged& link) {
 void ServiceSession::takeUpdate(const streaming::LiveUpdate& update) {
   m_update = update;
   if (!m_whole) {
-    m_update.counters.executed += m_firstPoint;
-    m_update.counters.sent += m_firstPoint;
-    m_update.counters.accepted += m_firstPoint;
-    m_update.counters.total += update.counters.total > 0 ? m_firstPoint : 0;
+    m_update.counters.executed += m_pace.firstPoint;
+    m_update.counters.sent += m_pace.firstPoint;
+    m_update.counters.accepted += m_pace.firstPoint;
+    m_update.counters.total += update.counters.total > 0 ? m_pace.firstPoint : 0;
   }
-  if (update.state == streaming::RunState::Running && !m_paceFrom) {
-    m_paceFrom.emplace(update.at, m_update.counters.executed);
+  if (update.state == streaming::RunState::Running && !m_pace.from) {
+    m_pace.from.emplace(update.at, m_update.counters.executed);
   }
   if (update.margin) {
     const bool isLate = *update.margin < base::Duration::zero();
-    const bool wasLate = m_lastMargin && *m_lastMargin < base::Duration::zero();
-    m_lateWindows += isLate && !wasLate ? 1 : 0;
+    const bool wasLate = m_margins.last && *m_margins.last < base::Duration::zero();
+    m_margins.lateWindows += isLate && !wasLate ? 1 : 0;
     const double marginS = base::toSeconds(*update.margin);
-    m_leastMarginS = m_lastMargin ? std::min(m_leastMarginS, marginS) : marginS;
-    m_lastMargin = update.margin;
+    m_margins.leastS = m_margins.last ? std::min(m_margins.leastS, marginS) : marginS;
+    m_margins.last = update.margin;
   }
   if (update.wrong) {
     m_alarm = "Wrong motion: " + streaming::describe(*update.wrong) +
@@ -215,7 +215,7 @@ void ServiceSession::takeFinished(const session::RunFinished& finished) {
   m_update.state = streaming::endState(m_report->outcome);
   m_update.waitingFor.clear();
   if (m_report->counters.total > 0) {
-    const std::size_t before = m_whole ? 0 : m_firstPoint;
+    const std::size_t before = m_whole ? 0 : m_pace.firstPoint;
     m_update.counters = m_report->counters;
     m_update.counters.executed += before;
     m_update.counters.total += before;
@@ -386,7 +386,7 @@ Answer ServiceSession::loadJob(const Caller& caller, const std::string& file,
   m_question.reset();
   m_report.reset();
   m_update = {};
-  m_firstPoint = 0;
+  m_pace.firstPoint = 0;
   m_message = fmt::format("{} is loaded.", m_job->view->program->name);
   record(caller, Act::OpenProgram,
          {{"program", m_job->view->program->name},
@@ -493,7 +493,7 @@ Answer ServiceSession::start(const Caller& caller, const std::string& confirmati
     command.plan = m_job->view->plan;
     command.dryRunMm = m_job->settings.dryRunMm;
   }
-  m_firstPoint = 0;
+  m_pace.firstPoint = 0;
   return begin(caller, Act::Start, std::move(command));
 }
 
@@ -511,17 +511,17 @@ Answer ServiceSession::begin(const Caller& caller, Act act, session::StartComman
          {{"program", m_job->view->program->name},
           {"hash", m_job->view->program->hash},
           {"machine", m_options.machine.endpoint},
-          {"first_point", std::to_string(m_firstPoint + 1)}});
+          {"first_point", std::to_string(m_pace.firstPoint + 1)}});
   m_update = {};
   m_update.state = streaming::RunState::Armed;
-  m_update.counters.executed = m_firstPoint;
+  m_update.counters.executed = m_pace.firstPoint;
   m_update.counters.total = m_job->view->points.points.size();
   m_whole.reset();
-  m_lengthsMm = lengthsOf(m_job->view->points.points);
-  m_paceFrom.reset();
-  m_lastMargin.reset();
-  m_lateWindows = 0;
-  m_leastMarginS = 0.0;
+  m_pace.lengthsMm = lengthsOf(m_job->view->points.points);
+  m_pace.from.reset();
+  m_margins.last.reset();
+  m_margins.lateWindows = 0;
+  m_margins.leastS = 0.0;
   m_report.reset();
   m_reportFile.clear();
   m_alarm.clear();
@@ -607,6 +607,32 @@ void ServiceSession::endForGood() {
   m_worker.leaveRun();
 }
 
+/// With the answer of the control.
+std::string ServiceSession::describeResume(const report::SavedRun& run) const {
+  std::string text =
+      fmt::format("ResumeRun goes on with run {} of {}", run.checkpoint.runNumber, run.programName);
+  if (m_found->resume) {
+    text += fmt::format(" at point {} of {}.", m_found->resume->point + 1,
+                        m_job->view->points.points.size());
+    if (m_found->resume->changedFrom) {
+      text += fmt::format(
+          " From point {} on, the program differs from that of the interrupted run; none of these "
+          "points has been executed.",
+          *m_found->resume->changedFrom + 1);
+    }
+  } else {
+    text += fmt::format(" in stretch {}. Before that the control does: ", m_found->job->stretch);
+    for (const std::string& step : m_found->job->restart.steps) {
+      text += step + " ";
+    }
+  }
+  const auto& restMm = m_found->resume ? m_found->resume->restMm : m_found->job->restMm;
+  if (const std::string rest = run::restText(restMm); !rest.empty()) {
+    text = rest + " " + text;
+  }
+  return text;
+}
+
 Answer ServiceSession::preflightResume(const Caller& caller) {
   const report::SavedRun* run = leftRun();
   if (m_isAsking) {
@@ -667,27 +693,7 @@ Answer ServiceSession::preflightResume(const Caller& caller) {
   if (const auto blocked = streaming::resumeBlocked(facts(caller, Act::Resume))) {
     return no(blockedText(*blocked));
   }
-  std::string text = fmt::format("ResumeRun goes on with run {} of {}", run->checkpoint.runNumber,
-                                 run->programName);
-  if (m_found->resume) {
-    text += fmt::format(" at point {} of {}.", m_found->resume->point + 1,
-                        m_job->view->points.points.size());
-    if (m_found->resume->changedFrom) {
-      text += fmt::format(
-          " From point {} on, the program differs from that of the interrupted run; none of these "
-          "points has been executed.",
-          *m_found->resume->changedFrom + 1);
-    }
-  } else {
-    text += fmt::format(" in stretch {}. Before that the control does: ", m_found->job->stretch);
-    for (const std::string& step : m_found->job->restart.steps) {
-      text += step + " ";
-    }
-  }
-  const auto& restMm = m_found->resume ? m_found->resume->restMm : m_found->job->restMm;
-  if (const std::string rest = run::restText(restMm); !rest.empty()) {
-    text = rest + " " + text;
-  }
+  const std::string text = describeResume(*run);
   m_shownResume = Shown{newConfirmation(text), *toolMm()};
   return yes(text, m_shownResume->confirmation);
 }
@@ -712,10 +718,10 @@ Answer ServiceSession::resumeRun(const Caller& caller, const std::string& confir
   if (m_found->job) {
     command.plan = std::shared_ptr<const job::Plan>(m_found->job, &m_found->job->restart.plan);
     command.restart = m_found->job;
-    m_firstPoint = 0;
+    m_pace.firstPoint = 0;
   } else {
     command.settings.resume = m_found->resume;
-    m_firstPoint = m_found->resume->point;
+    m_pace.firstPoint = m_found->resume->point;
   }
   return begin(caller, Act::Resume, std::move(command));
 }
@@ -800,18 +806,17 @@ std::string ServiceSession::stateName() const {
 
 double ServiceSession::timeLeftS() const {
   const std::size_t done = m_update.counters.executed;
-  if (!m_isRunning || !m_paceFrom || done <= m_paceFrom->second || done >= m_lengthsMm.size()) {
+  if (!m_isRunning || !m_pace.from || done <= m_pace.from->second ||
+      done >= m_pace.lengthsMm.size()) {
     return -1.0;
   }
-  const double doneMm = m_lengthsMm[done] - m_lengthsMm[m_paceFrom->second];
-  const double leftMm = m_lengthsMm.back() - m_lengthsMm[done];
-  return doneMm > 0.0 ? base::toSeconds(m_update.at - m_paceFrom->first) * leftMm / doneMm : -1.0;
+  const double doneMm = m_pace.lengthsMm[done] - m_pace.lengthsMm[m_pace.from->second];
+  const double leftMm = m_pace.lengthsMm.back() - m_pace.lengthsMm[done];
+  return doneMm > 0.0 ? base::toSeconds(m_update.at - m_pace.from->first) * leftMm / doneMm : -1.0;
 }
 
 Snapshot ServiceSession::snapshot() const {
   Snapshot seen;
-  seen.maker = "Rivulet";
-  seen.version = RIVULET_VERSION;
   seen.machine = m_options.machine.endpoint;
   if (m_machine) {
     seen.model = m_machine->server.productName + " " + m_machine->server.buildNumber;
@@ -847,8 +852,8 @@ Snapshot ServiceSession::snapshot() const {
       seen.points > 0 ? 100.0 * std::min(1.0, static_cast<double>(seen.pointsDone) / seen.points)
                       : 0.0;
   seen.timeLeftS = timeLeftS();
-  seen.lateWindows = m_lateWindows;
-  seen.leastMarginS = m_leastMarginS;
+  seen.lateWindows = m_margins.lateWindows;
+  seen.leastMarginS = m_margins.leastS;
   if (m_update.sample && m_update.sample->positionMm && m_isRunning) {
     const base::Vec3 at = *m_update.sample->positionMm;
     seen.positionMm = {at.x, at.y, at.z};

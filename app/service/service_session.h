@@ -52,8 +52,6 @@ struct Answer {
 
 /// What clients see. States are those of docs/service.md.
 struct Snapshot {
-  std::string maker;    ///< of the service
-  std::string version;  ///< the same
   std::string machine;  ///< address
   std::string model;    ///< product and build of its server; empty: never connected
   bool isConnected = false;
@@ -149,6 +147,7 @@ class ServiceSession {
   [[nodiscard]] base::Result<void> requireNoWayOut(const std::filesystem::path& program) const;
   [[nodiscard]] const report::SavedRun* leftRun() const;
   [[nodiscard]] std::string describeStart() const;
+  [[nodiscard]] std::string describeResume(const report::SavedRun& run) const;
   [[nodiscard]] std::string newConfirmation(const std::string& text);
   /// Since somebody was shown what a start would do; also if its place is not known.
   [[nodiscard]] bool hasToolMoved(const Shown& shown) const;
@@ -174,12 +173,18 @@ class ServiceSession {
   std::optional<Shown> m_shownResume;
   streaming::LiveUpdate m_update;
   std::optional<session::JobUpdate> m_whole;
-  std::vector<double> m_lengthsMm;  ///< from the first point to each, of the run in progress
-  std::optional<std::pair<base::Instant, std::size_t>> m_paceFrom;  ///< first motion, points then
-  std::size_t m_firstPoint = 0;
-  std::uint32_t m_lateWindows = 0;
-  double m_leastMarginS = 0.0;
-  std::optional<base::Duration> m_lastMargin;
+  struct Pace {
+    std::vector<double> lengthsMm;  ///< from the first point to each, of the run in progress
+    std::optional<std::pair<base::Instant, std::size_t>> from;  ///< first motion, points then
+    std::size_t firstPoint = 0;
+  };
+  Pace m_pace;
+  struct Margins {
+    std::uint32_t lateWindows = 0;
+    double leastS = 0.0;
+    std::optional<base::Duration> last;
+  };
+  Margins m_margins;
   std::shared_ptr<const streaming::RunReport> m_report;
   std::string m_reportFile;
   std::string m_alarm;
