@@ -65,7 +65,7 @@ Document::Document(const streaming::StreamSettings& settings)
           [this](const std::shared_ptr<const overview::ProgramTimes>& times,
                  const std::shared_ptr<const overview::ProgramView>& view) {
             if (m_view && view->program == program() && times->atS.size() == points().size()) {
-              m_times = times;
+              m_estimate.times = times;
               Q_EMIT timesEstimated(times);
               Q_EMIT pausesChanged();
             }
@@ -74,14 +74,14 @@ Document::Document(const streaming::StreamSettings& settings)
           [this](const std::shared_ptr<const overview::PauseMap>& pauses,
                  const std::shared_ptr<const overview::ProgramView>& view) {
             if (m_view == view) {
-              m_pauses = pauses;
-              m_pausesFor = m_estimatedFor;
+              m_estimate.pauses = pauses;
+              m_estimate.pausesFor = m_estimate.timesFor;
               Q_EMIT pausesChanged();
             }
           });
   connect(&m_jobCheck, &session::JobCheck::finished, this,
           [this](const std::shared_ptr<const forecast::CheckedJob>& checked) {
-            m_checked = checked;
+            m_checked.job = checked;
             m_findings.hazards = {checked, &checked->hazards};
             Q_EMIT judged();
           });
@@ -192,7 +192,8 @@ void Document::followJob() {
   // The cycles of a TNC need the radius of the tool.
   const bool hasCycles = m_view && m_view->program->dialect == gcode::Dialect::Heidenhain;
   const bool concerns = outline() != nullptr || !foreignFunctions().empty() || hasCycles;
-  if (concerns && differs && !m_isRunning && !m_isHeld && !hasFileChanged() && !m_loader.isBusy()) {
+  if (concerns && differs && !m_motion.isRunning && !m_motion.isHeld && !hasFileChanged() &&
+      !m_loader.isBusy()) {
     read(m_path, m_reading);
   }
 }
@@ -225,7 +226,7 @@ session::ProgramSource Document::source() const {
 }
 
 void Document::readAgain(const session::Reading& reading) {
-  if (m_view && !m_live && !m_isRunning) {
+  if (m_view && !m_live && !m_motion.isRunning) {
     read(m_path, reading);
   }
 }
@@ -243,7 +244,7 @@ void Document::read(const QString& path, const session::Reading& reading) {
 
 void Document::take(const session::LoadedProgram& loaded) {
   Q_EMIT readingProgressed(std::nullopt);
-  if (m_isRunning) {
+  if (m_motion.isRunning) {
     return;  // a run was started meanwhile: what is running stays what is shown
   }
   m_live.reset();
@@ -264,19 +265,19 @@ void Document::takePlaced(const std::shared_ptr<const overview::ProgramView>& vi
     return;
   }
   m_view = view;
-  m_pauses.reset();
-  m_estimatedFor.reset();
+  m_estimate.pauses.reset();
+  m_estimate.timesFor.reset();
   Q_EMIT programPlaced();
-  if (!m_isRunning) {
+  if (!m_motion.isRunning) {
     judge();
   }
 }
 
 void Document::forgetTimes() {
   m_timer.cancel();
-  m_estimatedFor.reset();
-  m_pauses.reset();
-  m_times.reset();
+  m_estimate.timesFor.reset();
+  m_estimate.pauses.reset();
+  m_estimate.times.reset();
 }
 
 std::shared_ptr<const gcode::Program> Document::program() const {
@@ -387,8 +388,8 @@ void Document::setMachine(std::shared_ptr<const machine::MachineConfig> machine)
   const gcode::ProgramFeeds before = m_machineFeeds;
   m_machineFeeds = report::programFeedsOf(m_machine ? *m_machine : report::configOf(nullptr), 1.0);
   m_settings.feedMmPerS = std::min(m_settings.feedMmPerS, feedMmPerSMax());
-  m_rehearsed.reset();
-  m_rehearsedFor.clear();
+  m_rehearsed.outcome.reset();
+  m_rehearsed.key.clear();
   forgetTimes();
   if (!(before == m_machineFeeds)) {
     Q_EMIT settingsChanged();
@@ -399,7 +400,7 @@ void Document::setMachine(std::shared_ptr<const machine::MachineConfig> machine)
 
 void Document::setJobMachine(std::shared_ptr<const machine::MachineConfig> machine) {
   m_jobMachine = std::move(machine);
-  m_checkedPlan.reset();
+  m_checked.plan.reset();
   judge();
 }
 
@@ -410,16 +411,16 @@ void Document::setLoadMachine(const report::LoadMachine& machine) {
 
 void Document::checkJob() {
   const auto plan = isJob() && m_jobMachine ? m_view->plan : nullptr;
-  if (plan != m_checkedPlan) {
-    m_checkedPlan = plan;
-    m_checked.reset();
+  if (plan != m_checked.plan) {
+    m_checked.plan = plan;
+    m_checked.job.reset();
     m_jobCheck.cancel();
     if (plan) {
       m_jobCheck.start(plan, m_jobMachine);
     }
   }
   m_findings.isJobChecked = plan != nullptr;
-  m_findings.hazards = {m_checked, m_checked ? &m_checked->hazards : nullptr};
+  m_findings.hazards = {m_checked.job, m_checked.job ? &m_checked.job->hazards : nullptr};
 }
 
 void Document::setCalibration(std::shared_ptr<const streaming::CalibrationRecord> record,
@@ -431,7 +432,7 @@ void Document::setCalibration(std::shared_ptr<const streaming::CalibrationRecord
 
 void Document::setToolPosition(const base::Vec3& positionMm) {
   m_toolMm = positionMm;
-  if (!m_isRunning && !m_isHeld) {
+  if (!m_motion.isRunning && !m_motion.isHeld) {
     followTool();
   }
 }
@@ -444,15 +445,15 @@ void Document::followTool() {
 }
 
 void Document::setRunning(bool isRunning) {
-  m_isRunning = isRunning;
+  m_motion.isRunning = isRunning;
   if (isRunning) {
     m_timer.cancel();
     m_rehearsal.cancel();
-    if (!m_rehearsed) {
-      m_rehearsedFor.clear();
+    if (!m_rehearsed.outcome) {
+      m_rehearsed.key.clear();
     }
-  } else if (!m_times || !m_times->run || !m_estimatedFor) {
-    m_estimatedFor.reset();  // the run has interrupted it
+  } else if (!m_estimate.times || !m_estimate.times->run || !m_estimate.timesFor) {
+    m_estimate.timesFor.reset();  // the run has interrupted it
     m_estimateTimer.start();
   }
 }
@@ -487,8 +488,8 @@ void Document::judge() {
   // The equations see averages; a feasible verdict is checked by a simulation before any start.
   if (m_findings.verdict && m_findings.verdict->feasible) {
     m_findings.rehearsed = streaming::Rehearsed{};
-    if (m_rehearsed && rehearsalKey() == m_rehearsedFor) {
-      takeRehearsal(m_rehearsed, m_rehearsedFor);
+    if (m_rehearsed.outcome && rehearsalKey() == m_rehearsed.key) {
+      takeRehearsal(m_rehearsed.outcome, m_rehearsed.key);
     }
   }
   m_estimateTimer.start();
@@ -505,11 +506,11 @@ session::TimeSettings Document::timeSettings() const {
 
 void Document::estimateTimes() {
   const session::TimeSettings settings = timeSettings();
-  if (m_live || points().size() < kPointsMin || m_isRunning || m_estimatedFor == settings ||
-      !(settings.feedMmPerS > 0.0)) {
+  if (m_live || points().size() < kPointsMin || m_motion.isRunning ||
+      m_estimate.timesFor == settings || !(settings.feedMmPerS > 0.0)) {
     return;
   }
-  m_estimatedFor = settings;
+  m_estimate.timesFor = settings;
   m_timer.start(m_view, settings);
 }
 
@@ -524,15 +525,15 @@ std::string Document::rehearsalKey() const {
 }
 
 void Document::rehearse() {
-  if (!m_findings.rehearsed || m_findings.rehearsed->isDone || m_isRunning) {
+  if (!m_findings.rehearsed || m_findings.rehearsed->isDone || m_motion.isRunning) {
     return;
   }
   const std::string key = rehearsalKey();
-  if (key == m_rehearsedFor && !m_rehearsed) {
+  if (key == m_rehearsed.key && !m_rehearsed.outcome) {
     return;  // in progress
   }
-  m_rehearsedFor = key;
-  m_rehearsed.reset();
+  m_rehearsed.key = key;
+  m_rehearsed.outcome.reset();
   session::RehearsalJob job;
   job.points = points();
   for (std::size_t i = 0; i < job.points.size(); ++i) {
@@ -548,11 +549,11 @@ void Document::rehearse() {
 
 void Document::takeRehearsal(const std::shared_ptr<const session::RehearsalOutcome>& outcome,
                              const std::string& key) {
-  if (key != m_rehearsedFor) {
+  if (key != m_rehearsed.key) {
     return;
   }
-  const bool isNew = m_rehearsed != outcome;
-  m_rehearsed = outcome;
+  const bool isNew = m_rehearsed.outcome != outcome;
+  m_rehearsed.outcome = outcome;
   if (!m_findings.rehearsed || key != rehearsalKey()) {
     return;
   }
@@ -569,11 +570,12 @@ void Document::takeRehearsal(const std::shared_ptr<const session::RehearsalOutco
 std::shared_ptr<const overview::PauseMap> Document::pauses() const {
   // Pauses of other settings would mislead.
   const session::TimeSettings settings = timeSettings();
-  return m_pausesFor && m_pausesFor->method == settings.method &&
-                 m_pausesFor->pointsPerLoop == settings.pointsPerLoop &&
-                 m_pausesFor->programFeeds.has_value() == settings.programFeeds.has_value() &&
-                 m_pausesFor->feedPerPoint == settings.feedPerPoint
-             ? m_pauses
+  return m_estimate.pausesFor && m_estimate.pausesFor->method == settings.method &&
+                 m_estimate.pausesFor->pointsPerLoop == settings.pointsPerLoop &&
+                 m_estimate.pausesFor->programFeeds.has_value() ==
+                     settings.programFeeds.has_value() &&
+                 m_estimate.pausesFor->feedPerPoint == settings.feedPerPoint
+             ? m_estimate.pauses
              : nullptr;
 }
 
@@ -593,15 +595,15 @@ std::optional<widgets::PauseSummary> Document::pauseSummary() const {
 }
 
 const overview::RunTime* Document::runTime() const {
-  const bool isOfPauses = m_times && m_times->run && m_pauses &&
-                          m_times->run->pauses == m_pauses->count() &&
-                          m_pausesFor == timeSettings();
-  return isOfPauses ? &*m_times->run : nullptr;
+  const bool isOfPauses = m_estimate.times && m_estimate.times->run && m_estimate.pauses &&
+                          m_estimate.times->run->pauses == m_estimate.pauses->count() &&
+                          m_estimate.pausesFor == timeSettings();
+  return isOfPauses ? &*m_estimate.times->run : nullptr;
 }
 
 bool Document::addNativeTimes(widgets::TimeLeft& left, std::size_t executed,
                               std::size_t nativeLine) const {
-  if (!m_checked) {
+  if (!m_checked.job) {
     return false;
   }
   const std::vector<std::uint32_t>& starts = m_view->stretchStarts;
@@ -614,7 +616,7 @@ bool Document::addNativeTimes(widgets::TimeLeft& left, std::size_t executed,
       stretch += std::get<job::Stretch>(part).number > 0 ? 1 : 0;
       continue;
     }
-    const double seconds = base::toSeconds(m_checked->nativeTimes[native++]);
+    const double seconds = base::toSeconds(m_checked.job->nativeTimes[native++]);
     const bool isAhead = stretch >= starts.size() || starts[stretch] >= executed;
     isInProgress = isInProgress || (isAhead && block->place.line.value == nativeLine);
     if (isAhead && isInProgress) {
@@ -636,7 +638,8 @@ std::optional<widgets::TimeLeft> Document::timeLeft(std::size_t executed,
     const auto after = [executed](const std::vector<std::uint32_t>& points) {
       return std::distance(std::lower_bound(points.begin(), points.end(), executed), points.end());
     };
-    const auto pauses = static_cast<double>(after(m_pauses->inCut) + after(m_pauses->offCut));
+    const auto pauses =
+        static_cast<double>(after(m_estimate.pauses->inCut) + after(m_estimate.pauses->offCut));
     left.pausesS = time->pausesCostS() * pauses / static_cast<double>(time->pauses);
   }
   if (isJob() && !addNativeTimes(left, executed, nativeLine)) {

@@ -159,7 +159,7 @@ class Document final : public QObject {
   /// A run is in progress: program and points stay as they are, and the processors are its own.
   void setRunning(bool isRunning);
   /// A run was left that can be resumed: its points must stay as they are.
-  void setHeld(bool isHeld) { m_isHeld = isHeld; }
+  void setHeld(bool isHeld) { m_motion.isHeld = isHeld; }
   /// Judges and announces again: texts of the findings depend on the language.
   void judge();
 
@@ -224,9 +224,13 @@ class Document final : public QObject {
   std::shared_ptr<const machine::MachineConfig> m_machine;     ///< null: that of the paper
   std::shared_ptr<const machine::MachineConfig> m_jobMachine;  ///< null: not known
   report::LoadMachine m_loadMachine;
-  std::shared_ptr<const job::Plan> m_checkedPlan;         ///< of `m_hazards`, or in progress
-  std::shared_ptr<const forecast::CheckedJob> m_checked;  ///< null: not known (yet)
-  gcode::ProgramFeeds m_machineFeeds;                     ///< limits, at 100 %
+  /// The comparison of a whole job with the machine.
+  struct Checked {
+    std::shared_ptr<const job::Plan> plan;            ///< of `job`, or in progress
+    std::shared_ptr<const forecast::CheckedJob> job;  ///< null: not known (yet)
+  };
+  Checked m_checked;
+  gcode::ProgramFeeds m_machineFeeds;  ///< limits, at 100 %
   double m_silenceLimitS = templates::kSilenceLimitS;
   streaming::StreamSettings m_settings;
   /// What `parameters` was last completed for, and the result: it takes a pass over the program.
@@ -247,15 +251,27 @@ class Document final : public QObject {
   base::Vec3 m_toolMm;  ///< the origin while no machine has been seen
   bool m_runsJobs = true;
   bool m_isMotionAlone = false;  ///< see `openMotion`
-  bool m_isRunning = false;
-  bool m_isHeld = false;
+  /// Of the machine.
+  struct Motion {
+    bool isRunning = false;
+    bool isHeld = false;
+  };
+  Motion m_motion;
 
-  std::optional<session::TimeSettings> m_estimatedFor;
-  std::shared_ptr<const overview::ProgramTimes> m_times;  ///< null: not known
-  std::shared_ptr<const overview::PauseMap> m_pauses;     ///< null: not known
-  std::optional<session::TimeSettings> m_pausesFor;
-  std::string m_rehearsedFor;  ///< key of the simulation that was made last or is in progress
-  std::shared_ptr<const session::RehearsalOutcome> m_rehearsed;  ///< of that key; null: not done
+  /// Of times and pauses.
+  struct Estimate {
+    std::optional<session::TimeSettings> timesFor;
+    std::shared_ptr<const overview::ProgramTimes> times;  ///< null: not known
+    std::shared_ptr<const overview::PauseMap> pauses;     ///< null: not known
+    std::optional<session::TimeSettings> pausesFor;
+  };
+  Estimate m_estimate;
+  /// The simulation that was made last or is in progress.
+  struct Rehearsed {
+    std::shared_ptr<const session::RehearsalOutcome> outcome;  ///< null: not done
+    std::string key;                                           ///< see `rehearsalKey`
+  };
+  Rehearsed m_rehearsed;
 };
 
 }  // namespace rivulet::hmi

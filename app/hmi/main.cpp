@@ -39,6 +39,74 @@ void startLog(const std::string& level) {
   rivulet::log::logger().info("rivulet " RIVULET_VERSION " started");
 }
 
+/// What may stand on the command line.
+struct CommandLine {
+  explicit CommandLine(const QApplication& application) {
+    parser.setApplicationDescription(QStringLiteral(
+        "Streams a tool path to a CNC machine over OPC UA while the machine moves."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(
+        QStringLiteral("FILE"), QStringLiteral("Recordings and traces to open on the page Traces."),
+        QStringLiteral("[FILE...]"));
+    parser.addOptions({traces, password, log, connect, open, demo, language, theme});
+    parser.process(application);
+  }
+
+  [[nodiscard]] bool has(const QCommandLineOption& option) const { return parser.isSet(option); }
+  [[nodiscard]] QString value(const QCommandLineOption& option) const {
+    return parser.value(option);
+  }
+
+  const QCommandLineOption connect{QStringLiteral("connect"),
+                                   QStringLiteral("Connect to this OPC UA server."),
+                                   QStringLiteral("URL")};
+  const QCommandLineOption open{QStringLiteral("open"), QStringLiteral("Open this NC program."),
+                                QStringLiteral("FILE")};
+  const QCommandLineOption demo{
+      QStringLiteral("demo"),
+      QStringLiteral("Press Start, leave pictures and the report in this folder, and quit."),
+      QStringLiteral("FOLDER")};
+  const QCommandLineOption language{QStringLiteral("language"),
+                                    QStringLiteral("en, de, fr, it or es."),
+                                    QStringLiteral("LANGUAGE")};
+  const QCommandLineOption theme{QStringLiteral("theme"),
+                                 QStringLiteral("light, dark, contrast or system."),
+                                 QStringLiteral("THEME")};
+  const QCommandLineOption log{
+      QStringLiteral("log-level"),
+      QStringLiteral("What is logged on standard error (default: warning) and in the log file "
+                     "(default: info): trace, debug, info, warning, error, critical or off."),
+      QStringLiteral("LEVEL")};
+  const QCommandLineOption password{
+      QStringLiteral("password-file"),
+      QStringLiteral("Where no keyring has it, read the password of the machine's user from this "
+                     "file (mode 0600)."),
+      QStringLiteral("FILE")};
+  const QCommandLineOption traces{QStringLiteral("traces"),
+                                  QStringLiteral("Compare the files: show them on one time axis.")};
+  QCommandLineParser parser;
+};
+
+rivulet::hmi::Settings settingsOf(const CommandLine& line) {
+  rivulet::hmi::Settings settings = rivulet::hmi::loadSettings();
+  if (line.has(line.demo)) {
+    // The same demonstration everywhere, whatever was set here before.
+    settings = rivulet::hmi::Settings();
+    settings.stream.feedMmPerS = 2000.0 / 60.0;
+    settings.language = QStringLiteral("en");
+    settings.theme = rivulet::widgets::Theme::Light;
+  }
+  if (line.has(line.language)) {
+    settings.language = line.value(line.language);
+  }
+  if (line.has(line.theme)) {
+    settings.theme = rivulet::widgets::themeFromName(line.value(line.theme));
+  }
+  settings.passwordFile = line.value(line.password).toStdString();
+  return settings;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -49,63 +117,11 @@ int main(int argc, char** argv) {
   QApplication::setDesktopFileName(QStringLiteral("rivulet"));
   QApplication::setWindowIcon(QIcon(QStringLiteral(":/rivulet/desktop/rivulet.svg")));
 
-  QCommandLineParser parser;
-  parser.setApplicationDescription(
-      QStringLiteral("Streams a tool path to a CNC machine over OPC UA while the machine moves."));
-  parser.addHelpOption();
-  parser.addVersionOption();
-  const QCommandLineOption connectOption(QStringLiteral("connect"),
-                                         QStringLiteral("Connect to this OPC UA server."),
-                                         QStringLiteral("URL"));
-  const QCommandLineOption openOption(
-      QStringLiteral("open"), QStringLiteral("Open this NC program."), QStringLiteral("FILE"));
-  const QCommandLineOption demoOption(
-      QStringLiteral("demo"),
-      QStringLiteral("Press Start, leave pictures and the report in this folder, and quit."),
-      QStringLiteral("FOLDER"));
-  const QCommandLineOption languageOption(QStringLiteral("language"),
-                                          QStringLiteral("en, de, fr, it or es."),
-                                          QStringLiteral("LANGUAGE"));
-  const QCommandLineOption themeOption(QStringLiteral("theme"),
-                                       QStringLiteral("light, dark, contrast or system."),
-                                       QStringLiteral("THEME"));
-  const QCommandLineOption logOption(
-      QStringLiteral("log-level"),
-      QStringLiteral("What is logged on standard error (default: warning) and in the log file "
-                     "(default: info): trace, debug, info, warning, error, critical or off."),
-      QStringLiteral("LEVEL"));
-  const QCommandLineOption passwordOption(
-      QStringLiteral("password-file"),
-      QStringLiteral("Where no keyring has it, read the password of the machine's user from this "
-                     "file (mode 0600)."),
-      QStringLiteral("FILE"));
-  const QCommandLineOption tracesOption(
-      QStringLiteral("traces"), QStringLiteral("Compare the files: show them on one time axis."));
-  parser.addPositionalArgument(QStringLiteral("FILE"),
-                               QStringLiteral("Recordings and traces to open on the page Traces."),
-                               QStringLiteral("[FILE...]"));
-  parser.addOptions({tracesOption, passwordOption, logOption, connectOption, openOption, demoOption,
-                     languageOption, themeOption});
-  parser.process(application);
-  startLog(parser.value(logOption).toStdString());
+  const CommandLine line(application);
+  startLog(line.value(line.log).toStdString());
 
-  rivulet::hmi::Settings settings = rivulet::hmi::loadSettings();
-  const bool isDemo = parser.isSet(demoOption);
-  if (isDemo) {
-    // The same demonstration everywhere, whatever was set here before.
-    settings = rivulet::hmi::Settings();
-    settings.stream.feedMmPerS = 2000.0 / 60.0;
-    settings.language = QStringLiteral("en");
-    settings.theme = rivulet::widgets::Theme::Light;
-  }
-  if (parser.isSet(languageOption)) {
-    settings.language = parser.value(languageOption);
-  }
-  if (parser.isSet(themeOption)) {
-    settings.theme = rivulet::widgets::themeFromName(parser.value(themeOption));
-  }
-  settings.passwordFile = parser.value(passwordOption).toStdString();
-  rivulet::hmi::MainWindow window(settings, !isDemo);
+  const bool isDemo = line.has(line.demo);
+  rivulet::hmi::MainWindow window(settingsOf(line), !isDemo);
   if (!isDemo) {
     // Stop must be on the screen, also where no window manager cares.
     window.resize(window.size().boundedTo(window.screen()->availableSize()));
@@ -123,17 +139,17 @@ int main(int argc, char** argv) {
   QObject::connect(
       &application, &QGuiApplication::commitDataRequest, &window,
       [&window] { window.stopAndWait(); }, Qt::DirectConnection);
-  if (parser.isSet(openOption)) {
-    window.openProgram(parser.value(openOption));
+  if (line.has(line.open)) {
+    window.openProgram(line.value(line.open));
   }
-  if (!parser.positionalArguments().isEmpty()) {
-    window.openTraces(parser.positionalArguments());
+  if (!line.parser.positionalArguments().isEmpty()) {
+    window.openTraces(line.parser.positionalArguments());
   }
-  if (parser.isSet(connectOption)) {
-    window.connectTo(parser.value(connectOption));
+  if (line.has(line.connect)) {
+    window.connectTo(line.value(line.connect));
   }
   if (isDemo) {
-    new rivulet::hmi::Demo(window, parser.value(demoOption));  // the window owns it
+    new rivulet::hmi::Demo(window, line.value(line.demo));  // the window owns it
   }
   return QApplication::exec();
 }

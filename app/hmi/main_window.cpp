@@ -81,8 +81,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       m_profiles(m_document, m_machine, m_runs, m_messages, report::MachineStore()),
       m_machines(m_document, m_machine, m_runs, m_pastRuns, report::MachineStore()),
       m_services(m_settings.services, report::MachineStore()),
-      m_traces(m_document),
-      m_certificates(m_messages) {
+      m_offline{.traces = Traces(m_document), .certificates = Certificates(m_messages)} {
   m_translator.setLanguage(m_settings.language);
   widgets::applyTheme(m_settings.theme);
   setAcceptDrops(true);
@@ -107,8 +106,8 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
   showLock();
   connect(&m_document, &Document::programLoaded, this, &MainWindow::showTitle);
   connect(&m_runs, &RunController::permissionsChanged, this, [this] {
-    m_openAction->setEnabled(!isRunning() && !m_users.isLocked());
-    m_liveAction->setEnabled(m_openAction->isEnabled());
+    m_actions.open->setEnabled(!isRunning() && !m_users.isLocked());
+    m_actions.live->setEnabled(m_actions.open->isEnabled());
   });
   connect(&m_runs, &RunController::started, this, &MainWindow::runStarted);
   connect(&m_runs, &RunController::finished, this, &MainWindow::runFinished);
@@ -123,7 +122,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
   connect(
       &m_runs, &RunController::finished, this,
       [this] {
-        m_closeBar->hide();
+        m_frame.closeBar->hide();
         if (m_closesAfterRun) {
           close();
         }
@@ -145,8 +144,8 @@ MainWindow::~MainWindow() {
 void MainWindow::buildPages() {
   auto* central = new QWidget(this);
   auto* above = new QVBoxLayout;
-  m_rail = new widgets::PlaceRail(central);
-  auto* beside = widgets::inRow({m_rail, widgets::InBox(above, 1)}, nullptr, QMargins());
+  m_frame.rail = new widgets::PlaceRail(central);
+  auto* beside = widgets::inRow({m_frame.rail, widgets::InBox(above, 1)}, nullptr, QMargins());
   // Header and the strip with Stop have the whole width: in a narrow window the rail would cut
   // them.
   auto* rows =
@@ -158,55 +157,50 @@ void MainWindow::buildPages() {
   above->addWidget(makeLoadBar(&m_document, central));
   above->addWidget(makeFileBanner(&m_messages, &m_document, &m_runs, central));
 
-  m_centre = new widgets::SheetArea(central);
-  m_tabs = new widgets::PlaceTabs(m_centre);
-  m_parts.say(m_rail->addPlace("place-work"), {.text = QT_TR_NOOP("Work")});
-  m_parts.say(m_rail->addPlace("place-analyse"), {.text = QT_TR_NOOP("Analyse")});
-  m_parts.say(m_rail->addPlace("place-set-up"), {.text = QT_TR_NOOP("Set up")});
-  connect(m_tabs, &widgets::PlaceTabs::placeChanged, m_rail, &widgets::PlaceRail::setPlace);
-  connect(m_rail, &widgets::PlaceRail::placeChosen, this, [this](int place) {
+  m_frame.centre = new widgets::SheetArea(central);
+  m_frame.tabs = new widgets::PlaceTabs(m_frame.centre);
+  m_parts.say(m_frame.rail->addPlace("place-work"), {.text = QT_TR_NOOP("Work")});
+  m_parts.say(m_frame.rail->addPlace("place-analyse"), {.text = QT_TR_NOOP("Analyse")});
+  m_parts.say(m_frame.rail->addPlace("place-set-up"), {.text = QT_TR_NOOP("Set up")});
+  connect(m_frame.tabs, &widgets::PlaceTabs::placeChanged, m_frame.rail,
+          &widgets::PlaceRail::setPlace);
+  connect(m_frame.rail, &widgets::PlaceRail::placeChosen, this, [this](int place) {
     leaveSheets();
-    m_tabs->openPlace(place);
+    m_frame.tabs->openPlace(place);
   });
   addPages();
   connectSteps();
-  m_centre->addWidget(m_tabs);
-  m_centre->addWidget(widgets::makeColumn(makePreflightSheet(&m_runs, &m_preflight, nullptr)));
-  m_trustSheet = makeTrustSheet(&m_users, &m_machine, &m_runs, &m_certificates, nullptr);
-  m_centre->addWidget(widgets::makeColumn(m_trustSheet));
-  m_help = new widgets::HelpPage(QStringLiteral(":/rivulet/docs"));
-  m_centre->addWidget(m_help);
-  connect(m_help, &widgets::HelpPage::closeRequested, this, &MainWindow::showCentre);
+  m_frame.centre->addWidget(m_frame.tabs);
+  m_frame.centre->addWidget(
+      widgets::makeColumn(makePreflightSheet(&m_runs, &m_preflight, nullptr)));
+  m_frame.trustSheet =
+      makeTrustSheet(&m_users, &m_machine, &m_runs, &m_offline.certificates, nullptr);
+  m_frame.centre->addWidget(widgets::makeColumn(m_frame.trustSheet));
+  m_frame.help = new widgets::HelpPage(QStringLiteral(":/rivulet/docs"));
+  m_frame.centre->addWidget(m_frame.help);
+  connect(m_frame.help, &widgets::HelpPage::closeRequested, this, &MainWindow::showCentre);
   auto* setUp = new QWidget;
   auto* setUpRows = new QVBoxLayout(setUp);
   setUpRows->setContentsMargins(0, 0, 0, 0);
   setUpRows->setSpacing(0);
   setUpRows->addWidget(makeCorrectionPanel(&m_document, &m_runs));
   setUpRows->addWidget(makeMethodPanel(&m_document, &m_runs), 1);
-  m_columns = new widgets::FoldingColumns(
-      m_centre, makeConnectionPanel(&m_machine, &m_runs, &m_logins), setUp, central);
+  m_frame.columns = new widgets::FoldingColumns(
+      m_frame.centre, makeConnectionPanel(&m_machine, &m_runs, &m_logins), setUp, central);
   // The page takes what header, notices and strip leave.
-  m_columns->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
-  above->addWidget(m_columns, 1);
-  for (int i = 0; i < m_tabs->count(); ++i) {
+  m_frame.columns->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
+  above->addWidget(m_frame.columns, 1);
+  for (int i = 0; i < m_frame.tabs->count(); ++i) {
     auto* key = new QShortcut(pageKey(i), this);
     connect(key, &QShortcut::activated, this, [this, i] { openPage(i); });
   }
-  connect(m_columns, &widgets::FoldingColumns::changed, this, &MainWindow::showColumns);
-  connect(m_centre, &widgets::SheetArea::opened, m_columns, &widgets::FoldingColumns::uncover);
+  connect(m_frame.columns, &widgets::FoldingColumns::changed, this, &MainWindow::showColumns);
+  connect(m_frame.centre, &widgets::SheetArea::opened, m_frame.columns,
+          &widgets::FoldingColumns::uncover);
   connect(&m_preflight, &Preflight::openChanged, this, &MainWindow::showCentre);
   connect(&m_machine, &MachineModel::linkChanged, this, &MainWindow::showQuestion);
 
-  m_closeBar = new widgets::CloseBar(central);
-  connect(m_closeBar, &widgets::CloseBar::stopAndCloseRequested, this, &MainWindow::stopAndClose);
-  m_foundBar = makeFoundRunBar(&m_runs, &m_found, central);
-  m_resumeBar = makeResumeBar(&m_runs, central);
-  auto* notices = new widgets::NoticeArea(central);
-  notices->add(m_closeBar);
-  notices->add(makeWrongMotionBar(&m_alarms, &m_runs, central));
-  notices->add(m_foundBar);
-  notices->add(m_resumeBar);
-  rows->addWidget(notices);
+  rows->addWidget(makeNotices(central));
   rows->addWidget(
       makeRunPanel(&m_users, &m_machine, &m_document, &m_runs, &m_preflight, &m_found, central));
   setCentralWidget(central);
@@ -221,10 +215,24 @@ void MainWindow::buildPages() {
   }
 }
 
+QWidget* MainWindow::makeNotices(QWidget* parent) {
+  m_frame.closeBar = new widgets::CloseBar(parent);
+  connect(m_frame.closeBar, &widgets::CloseBar::stopAndCloseRequested, this,
+          &MainWindow::stopAndClose);
+  m_frame.foundBar = makeFoundRunBar(&m_runs, &m_found, parent);
+  m_frame.resumeBar = makeResumeBar(&m_runs, parent);
+  auto* notices = new widgets::NoticeArea(parent);
+  notices->add(m_frame.closeBar);
+  notices->add(makeWrongMotionBar(&m_alarms, &m_runs, parent));
+  notices->add(m_frame.foundBar);
+  notices->add(m_frame.resumeBar);
+  return notices;
+}
+
 void MainWindow::addPages() {
   const auto add = [this](const PageEntry& entry, QWidget* page) {
     m_entries.push_back(entry);
-    m_tabs->addPage(widgets::makeScrolling(page), static_cast<int>(entry.place));
+    m_frame.tabs->addPage(widgets::makeScrolling(page), static_cast<int>(entry.place));
   };
   add({QT_TRANSLATE_NOOP("Pages", "Program"), "The program"},
       makeProgramPage(&m_settings, &m_messages, &m_machine, &m_document, &m_runs, &m_live, &m_found,
@@ -232,7 +240,7 @@ void MainWindow::addPages() {
   add({QT_TRANSLATE_NOOP("Pages", "Feasibility"), "Feasibility"},
       makeFeasibilityPage(&m_messages, &m_document, &m_runs, nullptr));
   add({QT_TRANSLATE_NOOP("Pages", "Traces"), "Traces", Place::Analyse},
-      makeTracePage(&m_alarms, &m_document, &m_runs, &m_pastRuns, &m_traces, nullptr));
+      makeTracePage(&m_alarms, &m_document, &m_runs, &m_pastRuns, &m_offline.traces, nullptr));
   add({QT_TRANSLATE_NOOP("Pages", "Runs"), "Runs", Place::Analyse},
       makeRunsPage(&m_messages, &m_runs, &m_pastRuns, nullptr));
   add({QT_TRANSLATE_NOOP("Pages", "Alarms"), "Alarms"},
@@ -245,15 +253,15 @@ void MainWindow::addPages() {
       makeUsersPage(&m_messages, &m_users, nullptr));
   add({QT_TRANSLATE_NOOP("Pages", "Configure"), "Configure", Place::SetUp},
       makeSetUpPage(&m_messages, &m_users, &m_machine, &m_document, &m_runs, &m_credit, &m_profiles,
-                    &m_certificates, &m_logins, nullptr));
+                    &m_offline.certificates, &m_logins, nullptr));
   auto* machines = makeMachinesPage(&m_messages, &m_alarms, &m_machine, &m_runs, &m_profiles,
                                     &m_machines, nullptr);
-  connectServices(&m_users, &m_runs, &m_services, &m_certificates, *machines);
+  connectServices(&m_users, &m_runs, &m_services, &m_offline.certificates, *machines);
   add({QT_TRANSLATE_NOOP("Pages", "Machines"), "Machines", Place::SetUp}, machines);
   add({QT_TRANSLATE_NOOP("Pages", "Emulator"), "Emulator", Place::Analyse},
-      makeEmulatorPage(&m_runs, &m_learning, nullptr));
+      makeEmulatorPage(&m_runs, &m_offline.learning, nullptr));
   add({QT_TRANSLATE_NOOP("Pages", "CNC tasks"), "CNC tasks", Place::Analyse},
-      makeParallelPage(&m_document, &m_runs, &m_player, nullptr));
+      makeParallelPage(&m_document, &m_runs, &m_offline.player, nullptr));
 }
 
 /// The first minute: a machine, a program.
@@ -267,7 +275,7 @@ void MainWindow::connectSteps() {
     m_messages.show(gcode::Severity::Warning, [reason] { return reason; });
   });
   connect(steps, &StartSteps::connectRequested, this, [this] {
-    m_columns->setOpen(widgets::FoldingColumns::First, true);
+    m_frame.columns->setOpen(widgets::FoldingColumns::First, true);
     showColumns();
   });
   connect(steps, &StartSteps::openRequested, programPage()->panel(),
@@ -286,26 +294,27 @@ QWidget* MainWindow::makeHeader(QWidget* parent) {
   header->setFixedHeight(kHeaderHeightPx);
   auto* row = new QHBoxLayout(header);
   row->setContentsMargins(4, 0, 4, 0);
-  m_machineButton = makeMachineButton(&m_machine, header);
-  m_setUpButton =
+  m_buttons.machine = makeMachineButton(&m_machine, header);
+  m_buttons.setUp =
       m_parts.say(new QToolButton(header),
                   {.text = QT_TR_NOOP("&Settings"), .tip = QT_TR_NOOP("Method, feed and verdict")});
-  m_setUpButton->setCheckable(true);
-  m_menuButton = m_parts.say(new QToolButton(header), {.text = QT_TR_NOOP("&Menu"), .id = "menu"});
-  m_menuButton->setPopupMode(QToolButton::InstantPopup);
-  for (const auto& [button, side] : {std::pair(m_machineButton, widgets::FoldingColumns::First),
-                                     std::pair(m_setUpButton, widgets::FoldingColumns::Second)}) {
+  m_buttons.setUp->setCheckable(true);
+  m_buttons.menu =
+      m_parts.say(new QToolButton(header), {.text = QT_TR_NOOP("&Menu"), .id = "menu"});
+  m_buttons.menu->setPopupMode(QToolButton::InstantPopup);
+  for (const auto& [button, side] : {std::pair(m_buttons.machine, widgets::FoldingColumns::First),
+                                     std::pair(m_buttons.setUp, widgets::FoldingColumns::Second)}) {
     connect(button, &QToolButton::clicked, this, [this, side = side](bool open) {
-      m_columns->setOpen(side, open);
+      m_frame.columns->setOpen(side, open);
       showColumns();
     });
   }
-  row->addWidget(m_machineButton);
+  row->addWidget(m_buttons.machine);
   row->addWidget(makeAlarmLine(&m_messages, &m_alarms, &m_users, header), 1);
   row->addStretch();
   row->addWidget(makeUserButton(&m_users, header));
-  row->addWidget(m_setUpButton);
-  row->addWidget(m_menuButton);
+  row->addWidget(m_buttons.setUp);
+  row->addWidget(m_buttons.menu);
   return header;
 }
 
@@ -314,19 +323,19 @@ void MainWindow::openPage(int page) {
     return;
   }
   leaveSheets();
-  m_tabs->setCurrentIndex(page);
+  m_frame.tabs->setCurrentIndex(page);
 }
 
 /// What covers the pages, except a question that has to be answered.
 void MainWindow::leaveSheets() {
   m_preflight.close();
   showCentre();
-  m_columns->uncover();
+  m_frame.columns->uncover();
 }
 
 void MainWindow::showColumns() {
-  m_machineButton->setChecked(m_columns->isOpen(widgets::FoldingColumns::First));
-  m_setUpButton->setChecked(m_columns->isOpen(widgets::FoldingColumns::Second));
+  m_buttons.machine->setChecked(m_frame.columns->isOpen(widgets::FoldingColumns::First));
+  m_buttons.setUp->setChecked(m_frame.columns->isOpen(widgets::FoldingColumns::Second));
 }
 
 void MainWindow::showCentre() {
@@ -334,55 +343,55 @@ void MainWindow::showCentre() {
   constexpr int kPreflight = 1;
   constexpr int kQuestion = 2;
   const bool isAsked = m_machine.question() != nullptr && widgets::isOnSheet(*m_machine.question());
-  m_centre->setCurrentIndex(isAsked ? kQuestion : m_preflight.isOpen() ? kPreflight : kPages);
+  m_frame.centre->setCurrentIndex(isAsked ? kQuestion : m_preflight.isOpen() ? kPreflight : kPages);
   if (isAsked || m_preflight.isOpen()) {
-    m_columns->uncover();
+    m_frame.columns->uncover();
   }
 }
 
 void MainWindow::showQuestion() {
-  if (m_machine.question() == m_question) {
+  if (m_machine.question() == m_frame.question) {
     return;  // something else of the connection has changed
   }
-  m_question = m_machine.question();
+  m_frame.question = m_machine.question();
   showCentre();
-  if (m_trustSheet->isVisible()) {
-    m_trustSheet->findChild<QWidget*>(QStringLiteral("trust-decline"))->setFocus();
+  if (m_frame.trustSheet->isVisible()) {
+    m_frame.trustSheet->findChild<QWidget*>(QStringLiteral("trust-decline"))->setFocus();
   }
 }
 
 void MainWindow::toggleHelp() {
-  if (m_centre->currentWidget() == m_help) {
+  if (m_frame.centre->currentWidget() == m_frame.help) {
     showCentre();
     return;
   }
-  const auto page = static_cast<std::size_t>(m_tabs->currentIndex());
+  const auto page = static_cast<std::size_t>(m_frame.tabs->currentIndex());
   const char* heading = m_preflight.isOpen() ? "Running" : m_entries[page].help;
-  m_columns->uncover();
-  m_centre->setCurrentWidget(m_help);
-  m_help->open(QStringLiteral("hmi.md"), QString::fromLatin1(heading));
+  m_frame.columns->uncover();
+  m_frame.centre->setCurrentWidget(m_frame.help);
+  m_frame.help->open(QStringLiteral("hmi.md"), QString::fromLatin1(heading));
 }
 
 /// The page has the window, but for header, position and strip.
 void MainWindow::toggleLarge() {
-  const bool isLarge = m_rail->isVisibleTo(this);
-  m_rail->setVisible(!isLarge);
-  m_tabs->setBarShown(!isLarge);
+  const bool isLarge = m_frame.rail->isVisibleTo(this);
+  m_frame.rail->setVisible(!isLarge);
+  m_frame.tabs->setBarShown(!isLarge);
   programPage()->setLarge(isLarge);
 }
 
 void MainWindow::buildMenu() {
-  auto* menu = new QMenu(m_menuButton);
-  m_menuButton->setMenu(menu);
+  auto* menu = new QMenu(m_buttons.menu);
+  m_buttons.menu->setMenu(menu);
   const auto addItem = [this, menu](const char* text, const QKeySequence& key, auto chosen) {
     QAction* action = m_parts.say(menu->addAction(QString(), this, chosen), {.text = text});
     action->setShortcut(key);
     addAction(action);  // so that its key works while the menu is closed
     return action;
   };
-  m_openAction = addItem(QT_TR_NOOP("&Open program …"), QKeySequence::Open,
-                         [this] { programPage()->panel()->chooseFile(); });
-  m_liveAction =
+  m_actions.open = addItem(QT_TR_NOOP("&Open program …"), QKeySequence::Open,
+                           [this] { programPage()->panel()->chooseFile(); });
+  m_actions.live =
       addItem(QT_TR_NOOP("Li&ve points …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
               [this] { Q_EMIT programPage()->panel()->liveRequested(); });
   menu->addSeparator();
@@ -425,7 +434,7 @@ void MainWindow::buildMenu() {
     widgets::openSheet(about, this);
   });
   menu->addSeparator();
-  m_quitAction = addItem(QT_TR_NOOP("&Quit"), QKeySequence::Quit, [this] { close(); });
+  m_actions.quit = addItem(QT_TR_NOOP("&Quit"), QKeySequence::Quit, [this] { close(); });
 }
 
 void MainWindow::showTitle() {
@@ -442,11 +451,11 @@ void MainWindow::retranslate() {
     keys.push_back(pageKey(static_cast<int>(titles.size())).toString());
     titles.push_back(pageTitle(entry));
   }
-  m_tabs->setTitles(titles, keys);
+  m_frame.tabs->setTitles(titles, keys);
 }
 
 void MainWindow::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange && m_quitAction != nullptr) {
+  if (event->type() == QEvent::LanguageChange && m_actions.quit != nullptr) {
     m_parts.retranslateParts();
     retranslate();
     m_document.judge();
@@ -477,7 +486,7 @@ QString MainWindow::resumeBlockedReason() const {
 }
 
 widgets::ProgramPage* MainWindow::programPage() const {
-  return m_tabs->findChild<widgets::ProgramPage*>();
+  return m_frame.tabs->findChild<widgets::ProgramPage*>();
 }
 
 void MainWindow::watchOperator() {
@@ -519,50 +528,51 @@ void MainWindow::showLock() {
                      : std::string());
   m_alarms.setUser(m_users.name().toStdString());
   const bool isOpen = !m_users.isLocked();
-  m_columns->setColumnsEnabled(isOpen);
-  m_centre->setPagesEnabled(isOpen);
-  for (QWidget* part : std::initializer_list<QWidget*>{m_rail, m_machineButton, m_setUpButton,
-                                                       m_resumeBar, m_foundBar, m_menuButton}) {
+  m_frame.columns->setColumnsEnabled(isOpen);
+  m_frame.centre->setPagesEnabled(isOpen);
+  for (QWidget* part :
+       std::initializer_list<QWidget*>{m_frame.rail, m_buttons.machine, m_buttons.setUp,
+                                       m_frame.resumeBar, m_frame.foundBar, m_buttons.menu}) {
     part->setEnabled(isOpen);
   }
-  m_quitAction->setEnabled(isOpen);
+  m_actions.quit->setEnabled(isOpen);
   setAcceptDrops(isOpen);
   Q_EMIT m_runs.permissionsChanged();
 }
 
 void MainWindow::showAlarms() {
   // A page stands in a scroll area.
-  const auto* page = m_tabs->findChild<widgets::AlarmPage*>();
-  for (int i = 0; i < m_tabs->count(); ++i) {
-    if (m_tabs->widget(i)->isAncestorOf(page)) {
+  const auto* page = m_frame.tabs->findChild<widgets::AlarmPage*>();
+  for (int i = 0; i < m_frame.tabs->count(); ++i) {
+    if (m_frame.tabs->widget(i)->isAncestorOf(page)) {
       leaveSheets();
-      m_tabs->setCurrentIndex(i);
+      m_frame.tabs->setCurrentIndex(i);
     }
   }
 }
 
 void MainWindow::showFirstPage() {
-  const bool isUntouched = !m_isMachineChosen && m_tabs->currentIndex() == 0 &&
+  const bool isUntouched = !m_isMachineChosen && m_frame.tabs->currentIndex() == 0 &&
                            m_document.requestedPath().isEmpty() &&
                            m_machine.link().state == session::LinkState::Disconnected;
   const std::vector<widgets::MachineCardView> cards = m_machines.cards();
   const auto count =
       std::count_if(cards.begin(), cards.end(), [](const auto& card) { return !card.isLeftOver; });
   if ((count > 1 || !m_services.endpoints().isEmpty()) && isUntouched) {
-    showPageOf(m_tabs->findChild<widgets::MachinesPage*>());
+    showPageOf(m_frame.tabs->findChild<widgets::MachinesPage*>());
   }
 }
 
 QTabWidget* MainWindow::pages() const {
-  return m_tabs;
+  return m_frame.tabs;
 }
 
 widgets::TracePage* MainWindow::tracePage() const {
-  return m_tabs->findChild<widgets::TracePage*>();
+  return m_frame.tabs->findChild<widgets::TracePage*>();
 }
 
 widgets::CalibrationPage* MainWindow::calibrationPage() const {
-  return m_tabs->findChild<widgets::CalibrationPage*>();
+  return m_frame.tabs->findChild<widgets::CalibrationPage*>();
 }
 
 void MainWindow::stopAndClose() {
@@ -587,7 +597,7 @@ void MainWindow::stopAndWait() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (isRunning()) {
     // Closing must neither leave the machine alone nor stop it by surprise.
-    m_closeBar->ask();
+    m_frame.closeBar->ask();
     event->ignore();
     return;
   }

@@ -73,7 +73,7 @@ class MainWindow final : public QMainWindow {
   /// Listens for live points in place of a program, and agrees on what may move.
   void openLive(const live::Setup& setup) { m_live.open(setup); }
   /// Opens recordings and traces on the page Traces.
-  void openTraces(const QStringList& paths) { m_traces.open(paths); }
+  void openTraces(const QStringList& paths) { m_offline.traces.open(paths); }
   void connectTo(const QString& endpoint) {
     m_isMachineChosen = true;
     m_machine.connectTo(endpoint);
@@ -144,6 +144,7 @@ class MainWindow final : public QMainWindow {
   void addPages();
   void connectSteps();
   [[nodiscard]] QWidget* makeHeader(QWidget* parent);
+  [[nodiscard]] QWidget* makeNotices(QWidget* parent);
   /// Not while the window is locked.
   void openPage(int page);
   void leaveSheets();
@@ -183,32 +184,46 @@ class MainWindow final : public QMainWindow {
   MachineProfiles m_profiles;
   Machines m_machines;
   Services m_services;
-  Traces m_traces;
-  Certificates m_certificates;
-  EmulatorLearning m_learning;
-  NetPlayer m_player;
-  const opcua::TrustQuestion* m_question = nullptr;  ///< shown; for comparison only
+  /// What needs no machine.
+  struct WithoutMachine {
+    Traces traces;
+    Certificates certificates;
+    EmulatorLearning learning{};
+    NetPlayer player{};
+  };
+  WithoutMachine m_offline;
 
   bool m_closesAfterRun = false;
   bool m_isMachineChosen = false;  ///< the page Machines does not come first
 
   widgets::Parts m_parts{this};
   std::vector<PageEntry> m_entries;  ///< of the tabs
-  QToolButton* m_machineButton = nullptr;
-  QToolButton* m_setUpButton = nullptr;
-  QWidget* m_resumeBar = nullptr;
-  QWidget* m_foundBar = nullptr;
-  widgets::FoldingColumns* m_columns = nullptr;
-  widgets::SheetArea* m_centre = nullptr;  ///< pages, preflight, what is asked, manual
-  widgets::HelpPage* m_help = nullptr;
-  QWidget* m_trustSheet = nullptr;
-  widgets::PlaceRail* m_rail = nullptr;
-  widgets::PlaceTabs* m_tabs = nullptr;
-  QToolButton* m_menuButton = nullptr;
-  widgets::CloseBar* m_closeBar = nullptr;
-  QAction* m_openAction = nullptr;
-  QAction* m_liveAction = nullptr;
-  QAction* m_quitAction = nullptr;
+  struct Buttons {
+    QToolButton* machine = nullptr;
+    QToolButton* setUp = nullptr;
+    QToolButton* menu = nullptr;
+  };
+  Buttons m_buttons;
+  /// What stands around the pages.
+  struct Frame {
+    QWidget* resumeBar = nullptr;
+    QWidget* foundBar = nullptr;
+    widgets::FoldingColumns* columns = nullptr;
+    widgets::SheetArea* centre = nullptr;  ///< pages, preflight, what is asked, manual
+    widgets::HelpPage* help = nullptr;
+    QWidget* trustSheet = nullptr;
+    const opcua::TrustQuestion* question = nullptr;  ///< shown; for comparison only
+    widgets::PlaceRail* rail = nullptr;
+    widgets::PlaceTabs* tabs = nullptr;
+    widgets::CloseBar* closeBar = nullptr;
+  };
+  Frame m_frame;
+  struct Actions {
+    QAction* open = nullptr;
+    QAction* live = nullptr;
+    QAction* quit = nullptr;
+  };
+  Actions m_actions;
 };
 
 }  // namespace rivulet::hmi

@@ -386,8 +386,6 @@ struct ErrorTexts {
   static QString text(streaming::StreamError code) {
     using streaming::StreamError;
     switch (code) {
-      case StreamError::ProgramNotStreamable:
-        return tr("This program cannot be streamed. See the list of findings.");
       case StreamError::WrongProgram:
         return tr(
             "The control does not run the expected template. Select and start the template for "
@@ -430,6 +428,32 @@ struct ErrorTexts {
         return tr(
             "The control ended its program because it received nothing from Rivulet for too long. "
             "Check the network, then resume.");
+      case StreamError::Cancelled:
+        return tr("The test was aborted. Reset the control if its program is still running.");
+      case StreamError::ProgramNotStreamable:
+      case StreamError::TransferRefused:
+      case StreamError::OverlayLeft:
+      case StreamError::OverlayIntegrates:
+      case StreamError::NotCommissioned:
+      case StreamError::CannotResume:
+      case StreamError::AxesNotChosen:
+      case StreamError::AxisMissing:
+      case StreamError::ProgramChanged:
+      case StreamError::FeedUnknown:
+      case StreamError::OneFeedOnly:
+      case StreamError::BadOverride:
+      case StreamError::FeedCellIgnored:
+        return refusal(code);
+    }
+    return {};
+  }
+
+  /// Why a run does not begin.
+  static QString refusal(streaming::StreamError code) {
+    using streaming::StreamError;
+    switch (code) {
+      case StreamError::ProgramNotStreamable:
+        return tr("This program cannot be streamed. See the list of findings.");
       case StreamError::TransferRefused:
         return tr(
             "The control does not let Rivulet write and read part programs. Grant the OPC UA user "
@@ -442,8 +466,6 @@ struct ErrorTexts {
         return tr(
             "The control adds up overlaid values (MD36750 bit 0). Set the bit to 0, or do without "
             "online correction.");
-      case StreamError::Cancelled:
-        return tr("The test was aborted. Reset the control if its program is still running.");
       case StreamError::NotCommissioned:
         return tr(
             "Method credit is experimental and starts only on a control that has passed its test. "
@@ -475,8 +497,9 @@ struct ErrorTexts {
             "The control does not carry out the synchronized actions of the program: hold, stop "
             "and override would not act. Nothing was moved. Check that the control has "
             "synchronized actions.");
+      default:
+        return {};
     }
-    return {};
   }
 };
 

@@ -34,15 +34,14 @@ ServicePanel::ServicePanel(QWidget* parent)
       m_where(say(new ElidedLabel(1, this), {.isMuted = true})),
       m_work(new QWidget(this)),
       m_progress(say(new QProgressBar(m_work), {.name = QT_TR_NOOP("Progress")})),
-      m_start(say(new HoldButton(m_work), {.icon = "play", .id = "panel-start"})),
-      m_fields(new QWidget(m_work)) {
+      m_start(say(new HoldButton(m_work), {.icon = "play", .id = "panel-start"})) {
   setObjectName(QStringLiteral("service"));
   QFont font = m_title->font();
   font.setBold(true);
   font.setPointSizeF(font.pointSizeF() * 1.3);
   m_title->setFont(font);
   m_state->setEmphasis(14.0, true);
-  for (StatusLabel* label : {m_alarm, m_waiting, m_reply, m_whoIs}) {
+  for (StatusLabel* label : {m_alarm, m_waiting, m_reply, m_login.who}) {
     label->setWordWrap(true);
   }
   auto* names = inColumn({m_title, m_where});
@@ -74,8 +73,9 @@ ServicePanel::ServicePanel(QWidget* parent)
   inColumn({inRow({m_back, {names, 1}}), m_state, m_alarm, m_work, spring(1)}, this);
 
   // As the rows stand.
-  const std::initializer_list<QWidget*> order{m_back,  m_file, m_load, m_login,  m_user, m_pin,
-                                              m_enter, m_stop, m_hold, m_resume, m_start};
+  const std::initializer_list<QWidget*> order{
+      m_back,        m_file, m_load, m_login.open, m_login.user, m_login.pin,
+      m_login.enter, m_stop, m_hold, m_resume,     m_start};
   for (const auto* at = order.begin(); at + 1 != order.end(); ++at) {
     setTabOrder(*at, *(at + 1));
   }
@@ -91,7 +91,7 @@ ServicePanel::ServicePanel(QWidget* parent)
     call(QStringLiteral("PreflightResume"));
   });
   connect(m_start, &HoldButton::clicked, this, [this] {
-    if (m_offer == Offer::None && m_asked.isEmpty()) {
+    if (m_offered.offer == Offer::None && m_replied.asked.isEmpty()) {
       call(QStringLiteral("Preflight"));
     }
   });
@@ -118,78 +118,77 @@ void ServicePanel::buildFacts() {
 }
 
 void ServicePanel::buildLogin() {
-  m_login->setCheckable(true);
-  m_pin->setEchoMode(QLineEdit::Password);
-  m_userLabel->setBuddy(m_user);
-  m_pinLabel->setBuddy(m_pin);
-  auto* fields = new QHBoxLayout(m_fields);
+  m_login.open->setCheckable(true);
+  m_login.pin->setEchoMode(QLineEdit::Password);
+  m_login.userLabel->setBuddy(m_login.user);
+  m_login.pinLabel->setBuddy(m_login.pin);
+  auto* fields = new QHBoxLayout(m_login.fields);
   fields->setContentsMargins(0, 0, 0, 0);
-  for (const auto& [label, field] : {std::pair(m_userLabel, m_user), {m_pinLabel, m_pin}}) {
+  for (const auto& [label, field] :
+       {std::pair(m_login.userLabel, m_login.user), {m_login.pinLabel, m_login.pin}}) {
     field->setMinimumHeight(kTouchHeightPx);
     fields->addWidget(label);
     fields->addWidget(field, 1);
   }
-  fields->addWidget(m_enter);
-  m_fields->hide();
+  fields->addWidget(m_login.enter);
+  m_login.fields->hide();
   auto* work = qobject_cast<QVBoxLayout*>(m_work->layout());
-  work->addLayout(inRow({{m_whoIs, 1}, m_login}));
-  work->addWidget(m_fields);
-  connect(m_login, &QPushButton::toggled, this, [this](bool isOpen) {
-    m_fields->setVisible(isOpen);
+  work->addLayout(inRow({{m_login.who, 1}, m_login.open}));
+  work->addWidget(m_login.fields);
+  connect(m_login.open, &QPushButton::toggled, this, [this](bool isOpen) {
+    m_login.fields->setVisible(isOpen);
     if (isOpen) {
-      (m_user->text().isEmpty() ? m_user : m_pin)->setFocus();
+      (m_login.user->text().isEmpty() ? m_login.user : m_login.pin)->setFocus();
     }
   });
-  connect(m_pin, &QLineEdit::returnPressed, this, &ServicePanel::logIn);
+  connect(m_login.pin, &QLineEdit::returnPressed, this, &ServicePanel::logIn);
 }
 
 void ServicePanel::logIn() {
-  const QString user = m_user->text().trimmed();
-  const QString pin = m_pin->text();
-  m_pin->clear();
-  m_login->setChecked(false);
+  const QString user = m_login.user->text().trimmed();
+  const QString pin = m_login.pin->text();
+  m_login.pin->clear();
+  m_login.open->setChecked(false);
   drop();
-  m_asked.clear();
+  m_replied.asked.clear();
   Q_EMIT loginRequested(user, user.isEmpty() ? QString() : pin);
 }
 
 void ServicePanel::call(const QString& method, const QStringList& inputs) {
-  m_asked = method;
-  m_answer.clear();
+  m_replied.asked = method;
+  m_replied.answer.clear();
   showAll();
   Q_EMIT callRequested(method, inputs);
 }
 
 void ServicePanel::begin() {
-  if (m_offer == Offer::None) {
+  if (m_offered.offer == Offer::None) {
     return;
   }
   const QString method =
-      m_offer == Offer::Start ? QStringLiteral("Start") : QStringLiteral("ResumeRun");
-  const QString confirmation = m_confirmation;
+      m_offered.offer == Offer::Start ? QStringLiteral("Start") : QStringLiteral("ResumeRun");
+  const QString confirmation = m_offered.confirmation;
   drop();
   call(method, {confirmation});
 }
 
 /// What was shown is not true any more.
 void ServicePanel::drop() {
-  m_offer = Offer::None;
-  m_confirmation.clear();
-  m_shown.clear();
+  m_offered = {};
 }
 
 void ServicePanel::setAnswer(const QString& method, bool accepted, const QString& message,
                              const QString& confirmation) {
-  if (method == m_asked) {
-    m_asked.clear();
+  if (method == m_replied.asked) {
+    m_replied.asked.clear();
   }
-  m_isRefused = !accepted;
-  m_answer = message;
+  m_replied.isRefused = !accepted;
+  m_replied.answer = message;
   if (accepted && !confirmation.isEmpty()) {
-    m_offer = method == QLatin1String("PreflightResume") ? Offer::Resume : Offer::Start;
-    m_confirmation = confirmation;
-    m_shown = message;
-    m_answer.clear();
+    m_offered.offer = method == QLatin1String("PreflightResume") ? Offer::Resume : Offer::Start;
+    m_offered.confirmation = confirmation;
+    m_offered.text = message;
+    m_replied.answer.clear();
   }
   showAll();
 }
@@ -200,16 +199,16 @@ void ServicePanel::setService(const ServiceView& view) {
     drop();
   }
   if (isOther) {
-    m_asked.clear();
-    m_answer.clear();
-    m_user->clear();
+    m_replied.asked.clear();
+    m_replied.answer.clear();
+    m_login.user->clear();
     m_file->clear();
   }
   if (isOther || !view.isKnown()) {
-    m_pin->clear();
+    m_login.pin->clear();
   }
   if (!view.isKnown()) {
-    m_asked.clear();
+    m_replied.asked.clear();
   }
   const bool asksElse = view.question != m_view.question || isOther;
   m_view = view;
@@ -296,22 +295,24 @@ void ServicePanel::showFacts() {
   }
   m_message->setText(m_view.message);
   m_message->setVisible(m_view.isKnown() && !m_view.message.isEmpty());
-  m_preflight->setText(m_shown);
-  m_preflightTitle->setText(m_offer == Offer::Resume ? tr("What Resume will do")
-                                                     : tr("What Start will do"));
-  m_preflightTitle->setVisible(m_offer != Offer::None);
-  m_preflight->setVisible(m_offer != Offer::None);
-  m_reply->setStatus(!m_asked.isEmpty() ? Status::Busy
-                     : m_isRefused      ? Status::Attention
-                                        : Status::Good,
-                     m_asked.isEmpty() ? m_answer : tr("The service is working on it …"));
-  m_reply->setVisible(!m_asked.isEmpty() || !m_answer.isEmpty());
-  m_whoIs->setStatus(Status::Plain, m_view.user.isEmpty() ? tr("Nobody is logged in.")
-                                                          : tr("Logged in: %1").arg(m_view.user));
+  m_preflight->setText(m_offered.text);
+  m_preflightTitle->setText(m_offered.offer == Offer::Resume ? tr("What Resume will do")
+                                                             : tr("What Start will do"));
+  m_preflightTitle->setVisible(m_offered.offer != Offer::None);
+  m_preflight->setVisible(m_offered.offer != Offer::None);
+  m_reply->setStatus(
+      !m_replied.asked.isEmpty() ? Status::Busy
+      : m_replied.isRefused      ? Status::Attention
+                                 : Status::Good,
+      m_replied.asked.isEmpty() ? m_replied.answer : tr("The service is working on it …"));
+  m_reply->setVisible(!m_replied.asked.isEmpty() || !m_replied.answer.isEmpty());
+  m_login.who->setStatus(Status::Plain, m_view.user.isEmpty()
+                                            ? tr("Nobody is logged in.")
+                                            : tr("Logged in: %1").arg(m_view.user));
 }
 
 void ServicePanel::showButtons() {
-  const bool isFree = m_view.isKnown() && m_asked.isEmpty();
+  const bool isFree = m_view.isKnown() && m_replied.asked.isEmpty();
   // A run that was stopped is held; then it goes on to the end of its window, and ends there.
   const bool isStopped = m_view.isIn(streaming::RunState::Stopping);
   const bool isHolding = isStopped || m_view.isIn(streaming::RunState::Holding);
@@ -322,23 +323,23 @@ void ServicePanel::showButtons() {
                              themeColors(palette()).text));
   m_hold->setEnabled(isFree && canHold);
   m_resume->setVisible(m_view.isKnown() && !m_view.leftRun.isEmpty() && !m_view.isRunning &&
-                       m_offer != Offer::Resume);
+                       m_offered.offer != Offer::Resume);
   m_resume->setEnabled(isFree);
-  m_start->setNeedsHold(m_offer != Offer::None);
-  m_start->setText(m_offer == Offer::Resume  ? tr("Hold to resume")
-                   : m_offer == Offer::Start ? tr("Hold to start")
-                                             : tr("Start …"));
-  m_start->setToolTip(m_offer != Offer::None
+  m_start->setNeedsHold(m_offered.offer != Offer::None);
+  m_start->setText(m_offered.offer == Offer::Resume  ? tr("Hold to resume")
+                   : m_offered.offer == Offer::Start ? tr("Hold to start")
+                                                     : tr("Start …"));
+  m_start->setToolTip(m_offered.offer != Offer::None
                           ? tr("Hold for one second. Then the machine moves.")
                           : tr("Shows what will happen first. Nothing moves yet."));
   m_start->setEnabled(isFree && !m_view.isRunning && !m_view.program.isEmpty());
-  if (m_offer == Offer::Resume) {
+  if (m_offered.offer == Offer::Resume) {
     m_start->setEnabled(isFree && !m_view.isRunning);
   }
   m_file->setEnabled(isFree && !m_view.isRunning);
   m_load->setEnabled(m_file->isEnabled() && !m_file->text().trimmed().isEmpty());
-  m_login->setEnabled(m_view.isKnown());
-  m_login->setText(m_view.user.isEmpty() ? tr("Log in …") : tr("Change user …"));
+  m_login.open->setEnabled(m_view.isKnown());
+  m_login.open->setText(m_view.user.isEmpty() ? tr("Log in …") : tr("Change user …"));
 }
 
 }  // namespace rivulet::widgets

@@ -65,12 +65,19 @@ class ServicePanel final : public Page {
   ServiceView m_view;
   std::optional<opcua::CertificateFacts> m_own;
   QString m_trustBlocked;
-  Offer m_offer = Offer::None;  ///< what the preflight that is shown is of
-  QString m_confirmation;
-  QString m_shown;   ///< the text of the preflight
-  QString m_asked;   ///< method that is not answered yet; empty: none
-  QString m_answer;  ///< the last one that was no preflight
-  bool m_isRefused = false;
+  /// The preflight that is shown.
+  struct Preflight {
+    Offer offer = Offer::None;  ///< what it is of
+    QString confirmation;
+    QString text;
+  };
+  Preflight m_offered;
+  struct Reply {
+    QString asked;   ///< method that is not answered yet; empty: none
+    QString answer;  ///< the last one that was no preflight
+    bool isRefused = false;
+  };
+  Reply m_replied;
 
   QPushButton* m_back = button({.text = QT_TR_NOOP("All machines"),
                                 .tip = QT_TR_NOOP("Back to the board. The run goes on."),
@@ -118,20 +125,31 @@ class ServicePanel final : public Page {
               .icon = "resume",
               .id = "panel-resume"});
   HoldButton* m_start;
-  StatusLabel* m_whoIs = status({.id = "panel-user"});
-  QPushButton* m_login =
-      button({.tip = QT_TR_NOOP("This service has users: log in before you give it commands."),
-              .id = "panel-login"});
-  QWidget* m_fields;
-  QLabel* m_userLabel = label({.text = QT_TR_NOOP("&Name")});
-  QLineEdit* m_user =
-      lineEdit({.tip = QT_TR_NOOP("A user of the service; empty: nobody."), .id = "panel-name"});
-  QLabel* m_pinLabel = label({.text = QT_TR_NOOP("P&IN")});
-  QLineEdit* m_pin = lineEdit({.tip = QT_TR_NOOP("It is not kept."), .id = "panel-pin"});
-  QPushButton* m_enter = button({.text = QT_TR_NOOP("Log in"),
-                                 .tip = QT_TR_NOOP("Connects again as this user."),
-                                 .id = "panel-enter"},
-                                &ServicePanel::logIn);
+  struct Login {
+    StatusLabel* who = nullptr;
+    QPushButton* open = nullptr;
+    QWidget* fields = nullptr;
+    QLabel* userLabel = nullptr;
+    QLineEdit* user = nullptr;
+    QLabel* pinLabel = nullptr;
+    QLineEdit* pin = nullptr;
+    QPushButton* enter = nullptr;
+  };
+  Login m_login{
+      .who = status({.id = "panel-user"}),
+      .open =
+          button({.tip = QT_TR_NOOP("This service has users: log in before you give it commands."),
+                  .id = "panel-login"}),
+      .fields = new QWidget(m_work),
+      .userLabel = label({.text = QT_TR_NOOP("&Name")}),
+      .user = lineEdit(
+          {.tip = QT_TR_NOOP("A user of the service; empty: nobody."), .id = "panel-name"}),
+      .pinLabel = label({.text = QT_TR_NOOP("P&IN")}),
+      .pin = lineEdit({.tip = QT_TR_NOOP("It is not kept."), .id = "panel-pin"}),
+      .enter = button({.text = QT_TR_NOOP("Log in"),
+                       .tip = QT_TR_NOOP("Connects again as this user."),
+                       .id = "panel-enter"},
+                      &ServicePanel::logIn)};
 };
 
 }  // namespace rivulet::widgets

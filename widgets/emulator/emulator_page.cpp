@@ -87,14 +87,14 @@ EmulatorPage::EmulatorPage(QWidget* parent)
            this);
   connectParts();
   retranslate();
-  onTheme([this] { m_curve->update(); });
+  onTheme([this] { m_recordingsTab.curve->update(); });
 }
 
 EmulatorPage::~EmulatorPage() = default;
 
 QWidget* EmulatorPage::makeRecordings() {
   auto* page = new QWidget(this);
-  m_recordingModel = new TableModel<RecordingView>(
+  m_recordingsTab.model = new TableModel<RecordingView>(
       {{[] { return tr("Recording"); },
         [](const RecordingView& row) { return nameOfFile(row.trace); }},
        {[] { return tr("Use"); },
@@ -125,50 +125,53 @@ QWidget* EmulatorPage::makeRecordings() {
         },
         true}},
       this);
-  m_recordingTable = say(makeTable(m_recordingModel, "emulatorRecordings", page),
-                         {.tip = QT_TR_NOOP("Enter changes the use of a recording"),
-                          .name = QT_TR_NOOP("Recordings")});
-  m_recordingTable->setMinimumHeight(kRecordingTablePx);
-  m_recordingTable->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  m_program =
+  m_recordingsTab.table = say(makeTable(m_recordingsTab.model, "emulatorRecordings", page),
+                              {.tip = QT_TR_NOOP("Enter changes the use of a recording"),
+                               .name = QT_TR_NOOP("Recordings")});
+  m_recordingsTab.table->setMinimumHeight(kRecordingTablePx);
+  m_recordingsTab.table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  m_recordingsTab.program =
       button({.text = QT_TR_NOOP("NC program…"),
               .tip = QT_TR_NOOP("The program that ran: needed for a recording without set points"),
               .id = "emulatorProgram"},
              &EmulatorPage::chooseProgram);
-  m_use = button(
+  m_recordingsTab.use = button(
       {.tip = QT_TR_NOOP("A recording used to test is not learned from"), .id = "emulatorUse"});
-  m_remove = button({.text = QT_TR_NOOP("Remove"),
-                     .tip = QT_TR_NOOP("Takes the recording from the list; the file stays"),
-                     .id = "emulatorRemove"});
-  m_presetList = list({.tip = QT_TR_NOOP("Preset that has the limits of the machine; set points of "
-                                         "programs are planned with them"),
-                       .name = QT_TR_NOOP("What recordings do not say"),
-                       .id = "emulatorPreset",
-                       .isTouch = true});
-  m_presetList->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  m_presetList->setMinimumContentsLength(12);
-  m_curve =
+  m_recordingsTab.remove =
+      button({.text = QT_TR_NOOP("Remove"),
+              .tip = QT_TR_NOOP("Takes the recording from the list; the file stays"),
+              .id = "emulatorRemove"});
+  m_recordingsTab.presets =
+      list({.tip = QT_TR_NOOP("Preset that has the limits of the machine; set points of "
+                              "programs are planned with them"),
+            .name = QT_TR_NOOP("What recordings do not say"),
+            .id = "emulatorPreset",
+            .isTouch = true});
+  m_recordingsTab.presets->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  m_recordingsTab.presets->setMinimumContentsLength(12);
+  m_recordingsTab.curve =
       say(new CurveChart(AxisScale::Even, AxisScale::Logarithmic, page), {.id = "emulatorCurve"});
-  m_curve->setMinimumHeight(kCurvePx);
-  m_curve->setCounts();
-  inColumn({{m_recordingTable, 1},
-            inRow({m_program, m_use, m_remove, spring()}),
-            inRow({label({.text = QT_TR_NOOP("What recordings do not say")}, m_presetList),
-                   m_presetList, spring()}),
-            {m_curve, 1}},
-           page, QMargins(4, 6, 4, 4));
+  m_recordingsTab.curve->setMinimumHeight(kCurvePx);
+  m_recordingsTab.curve->setCounts();
+  inColumn(
+      {{m_recordingsTab.table, 1},
+       inRow({m_recordingsTab.program, m_recordingsTab.use, m_recordingsTab.remove, spring()}),
+       inRow({label({.text = QT_TR_NOOP("What recordings do not say")}, m_recordingsTab.presets),
+              m_recordingsTab.presets, spring()}),
+       {m_recordingsTab.curve, 1}},
+      page, QMargins(4, 6, 4, 4));
   return page;
 }
 
 QWidget* EmulatorPage::makeParameters() {
   auto* page = new QWidget(this);
-  m_remark = status({.id = "emulatorRemark"});
-  m_remark->setWordWrap(true);
+  m_parameters.remark = status({.id = "emulatorRemark"});
+  m_parameters.remark->setWordWrap(true);
   const auto withUnit = [](const QString& text, emulator::AxisParameter parameter) {
     const QString unit = parameterUnit(parameter);
     return unit.isEmpty() ? text : QStringLiteral("%1\u00a0%2").arg(text, unit);
   };
-  m_parameterModel = new TableModel<ParameterRow>(
+  m_parameters.model = new TableModel<ParameterRow>(
       {{[] { return tr("Axis"); },
         [](const ParameterRow& row) { return QString(QLatin1Char(row.axis)); }},
        {[] { return tr("Parameter"); },
@@ -190,28 +193,31 @@ QWidget* EmulatorPage::makeParameters() {
        {[] { return tr("Meaning"); },
         [](const ParameterRow& row) { return parameterMeaning(row.estimate.parameter); }}},
       this);
-  m_parameterTable = say(makeTable(m_parameterModel, "emulatorParameters", page),
-                         {.name = QT_TR_NOOP("Parameters")});
-  m_parameterTable->setWordWrap(true);
-  m_parameterTable->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  m_parameterTable->horizontalHeader()->setSectionResizeMode(m_parameterModel->columnCount() - 1,
-                                                             QHeaderView::Stretch);
-  m_parameterTable->setMinimumHeight(kRecordingTablePx);
-  m_more = button({.text = QT_TR_NOOP("Bode and step plots"),
-                   .tip = QT_TR_NOOP("For those who know control engineering"),
-                   .id = "emulatorMore"});
-  m_more->setCheckable(true);
-  m_response = say(new ResponsePanel(page), {.id = "emulatorResponse"});
-  m_response->hide();
-  inColumn({m_remark, {m_parameterTable, 1}, inRow({m_more, spring()}), {m_response, 1}}, page,
-           QMargins(4, 6, 4, 4));
+  m_parameters.table = say(makeTable(m_parameters.model, "emulatorParameters", page),
+                           {.name = QT_TR_NOOP("Parameters")});
+  m_parameters.table->setWordWrap(true);
+  m_parameters.table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  m_parameters.table->horizontalHeader()->setSectionResizeMode(
+      m_parameters.model->columnCount() - 1, QHeaderView::Stretch);
+  m_parameters.table->setMinimumHeight(kRecordingTablePx);
+  m_parameters.more = button({.text = QT_TR_NOOP("Bode and step plots"),
+                              .tip = QT_TR_NOOP("For those who know control engineering"),
+                              .id = "emulatorMore"});
+  m_parameters.more->setCheckable(true);
+  m_parameters.response = say(new ResponsePanel(page), {.id = "emulatorResponse"});
+  m_parameters.response->hide();
+  inColumn({m_parameters.remark,
+            {m_parameters.table, 1},
+            inRow({m_parameters.more, spring()}),
+            {m_parameters.response, 1}},
+           page, QMargins(4, 6, 4, 4));
   return page;
 }
 
 QWidget* EmulatorPage::makeTests() {
   auto* page = new QWidget(this);
-  m_stretches = value({.id = "emulatorStretches", .wraps = true});
-  m_testModel = new TableModel<TestRow>(
+  m_tests.stretches = value({.id = "emulatorStretches", .wraps = true});
+  m_tests.model = new TableModel<TestRow>(
       {{[] { return tr("Recording"); },
         [](const TestRow& row) { return QString::fromStdString(row.fit.name); }},
        {[] { return tr("Use"); },
@@ -227,27 +233,30 @@ QWidget* EmulatorPage::makeTests() {
        {[] { return tr("Speed, %"); },
         [](const TestRow& row) { return significantText(1e2 * row.fit.speedRmsShare, 2); }, true}},
       this);
-  m_testTable = say(makeTable(m_testModel, "emulatorTests", page), {.name = QT_TR_NOOP("Tests")});
-  m_testTable->setMinimumHeight(kRecordingTablePx);
-  m_testTable->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  inColumn({m_stretches, {m_testTable, 1}}, page, QMargins(4, 6, 4, 4));
+  m_tests.table =
+      say(makeTable(m_tests.model, "emulatorTests", page), {.name = QT_TR_NOOP("Tests")});
+  m_tests.table->setMinimumHeight(kRecordingTablePx);
+  m_tests.table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  inColumn({m_tests.stretches, {m_tests.table, 1}}, page, QMargins(4, 6, 4, 4));
   return page;
 }
 
 QWidget* EmulatorPage::makeMatrix() {
   auto* page = new QWidget(this);
-  m_compare = button({.text = QT_TR_NOOP("Compare recordings"),
-                      .tip = QT_TR_NOOP("Takes at most as long as learning, for each recording"),
-                      .id = "emulatorCompare"});
-  m_matrixText = makeValueLabel(page);
-  m_worthText = makeValueLabel(page);
-  m_matrix = say(new HeatMap(page), {.id = "emulatorMatrix"});
-  m_worth = say(new BoxPlot(page), {.id = "emulatorWorth"});
+  m_comparison.compare =
+      button({.text = QT_TR_NOOP("Compare recordings"),
+              .tip = QT_TR_NOOP("Takes at most as long as learning, for each recording"),
+              .id = "emulatorCompare"});
+  m_comparison.text = makeValueLabel(page);
+  m_comparison.worthText = makeValueLabel(page);
+  m_comparison.matrix = say(new HeatMap(page), {.id = "emulatorMatrix"});
+  m_comparison.worth = say(new BoxPlot(page), {.id = "emulatorWorth"});
   auto* charts = new QGridLayout;
   charts->setHorizontalSpacing(16);
   int column = 0;
   for (const auto& [text, chart] :
-       {std::pair<QLabel*, QWidget*>{m_matrixText, m_matrix}, {m_worthText, m_worth}}) {
+       {std::pair<QLabel*, QWidget*>{m_comparison.text, m_comparison.matrix},
+        {m_comparison.worthText, m_comparison.worth}}) {
     text->setWordWrap(true);
     charts->addWidget(text, 0, column, Qt::AlignTop);
     charts->addWidget(chart, 1, column);
@@ -255,36 +264,36 @@ QWidget* EmulatorPage::makeMatrix() {
     ++column;
   }
   charts->setRowStretch(1, 1);
-  inColumn({inRow({m_compare, spring()}), {charts, 1}}, page, QMargins(4, 6, 4, 4));
+  inColumn({inRow({m_comparison.compare, spring()}), {charts, 1}}, page, QMargins(4, 6, 4, 4));
   return page;
 }
 
 void EmulatorPage::connectParts() {
-  connect(m_compare, &QPushButton::clicked, this, [this] {
+  connect(m_comparison.compare, &QPushButton::clicked, this, [this] {
     forgetNews();
     Q_EMIT compareRequested();
   });
-  connect(m_remove, &QPushButton::clicked, this, [this] {
+  connect(m_recordingsTab.remove, &QPushButton::clicked, this, [this] {
     forgetNews();
     Q_EMIT removeRequested(chosenRecording());
   });
   const auto changeUse = [this] {
     const int row = chosenRecording();
-    if (row >= 0 && m_use->isEnabled()) {
+    if (row >= 0 && m_recordingsTab.use->isEnabled()) {
       forgetNews();
       Q_EMIT useChosen(row, !m_recordings[static_cast<std::size_t>(row)].isForTest);
     }
   };
-  connect(m_use, &QPushButton::clicked, this, changeUse);
-  connect(m_recordingTable, &QTableView::activated, this, changeUse);
-  connect(m_recordingTable->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+  connect(m_recordingsTab.use, &QPushButton::clicked, this, changeUse);
+  connect(m_recordingsTab.table, &QTableView::activated, this, changeUse);
+  connect(m_recordingsTab.table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &EmulatorPage::showChoice);
-  connect(m_presetList, &QComboBox::activated, this, &EmulatorPage::choosePreset);
-  connect(m_more, &QPushButton::toggled, m_response, &QWidget::setVisible);
+  connect(m_recordingsTab.presets, &QComboBox::activated, this, &EmulatorPage::choosePreset);
+  connect(m_parameters.more, &QPushButton::toggled, m_parameters.response, &QWidget::setVisible);
 }
 
 int EmulatorPage::chosenRecording() const {
-  const int row = m_recordingTable->currentIndex().row();
+  const int row = m_recordingsTab.table->currentIndex().row();
   return row < static_cast<int>(m_recordings.size()) ? row : -1;
 }
 
@@ -294,11 +303,11 @@ void EmulatorPage::setBlocked(const QString& reason) {
 }
 
 void EmulatorPage::setRecordings(std::vector<RecordingView> recordings) {
-  const int row = m_recordingTable->currentIndex().row();
+  const int row = m_recordingsTab.table->currentIndex().row();
   m_recordings = std::move(recordings);
-  m_recordingModel->setRows(m_recordings);
+  m_recordingsTab.model->setRows(m_recordings);
   if (!m_recordings.empty()) {
-    m_recordingTable->selectRow(std::clamp(row, 0, static_cast<int>(m_recordings.size()) - 1));
+    m_recordingsTab.table->selectRow(std::clamp(row, 0, static_cast<int>(m_recordings.size()) - 1));
   }
   showChoice();
   refresh();
@@ -310,12 +319,12 @@ void EmulatorPage::setPresets(const QStringList& names, const QString& chosen) {
   if (!m_presets.contains(chosen)) {
     m_presets.append(chosen);
   }
-  m_presetList->clear();
+  m_recordingsTab.presets->clear();
   for (const QString& name : std::as_const(m_presets)) {
-    m_presetList->addItem(nameOfFile(name));
+    m_recordingsTab.presets->addItem(nameOfFile(name));
   }
-  m_presetList->addItem(tr("File…"));
-  m_presetList->setCurrentIndex(static_cast<int>(m_presets.indexOf(chosen)));
+  m_recordingsTab.presets->addItem(tr("File…"));
+  m_recordingsTab.presets->setCurrentIndex(static_cast<int>(m_presets.indexOf(chosen)));
 }
 
 void EmulatorPage::startLearning() {
@@ -424,7 +433,7 @@ void EmulatorPage::choosePreset(int index) {
       Q_EMIT presetChosen(preset);
     }
   };
-  m_presetList->setCurrentIndex(static_cast<int>(m_presets.indexOf(m_preset)));
+  m_recordingsTab.presets->setCurrentIndex(static_cast<int>(m_presets.indexOf(m_preset)));
   if (index == m_presets.size()) {
     askForFile(this, {tr("Preset of the machine"), {}, tr("Presets") + QStringLiteral(" (*.toml)")},
                choose);
@@ -448,12 +457,13 @@ void EmulatorPage::chooseFileToSave() {
 void EmulatorPage::showChoice() {
   const int row = chosenRecording();
   const bool isFree = row >= 0 && !m_isLearning && !m_isComparing;
-  for (QPushButton* button : {m_program, m_use, m_remove}) {
+  for (QPushButton* button :
+       {m_recordingsTab.program, m_recordingsTab.use, m_recordingsTab.remove}) {
     button->setEnabled(isFree);
   }
   const bool isForTest = row >= 0 && m_recordings[static_cast<std::size_t>(row)].isForTest;
-  m_use->setText(isForTest ? tr("Use to learn") : tr("Use to test"));
-  m_use->setAccessibleName(m_use->text());
+  m_recordingsTab.use->setText(isForTest ? tr("Use to learn") : tr("Use to test"));
+  m_recordingsTab.use->setAccessibleName(m_recordingsTab.use->text());
 }
 
 void EmulatorPage::showCurve() {
@@ -471,8 +481,8 @@ void EmulatorPage::showCurve() {
     curves.push_back(std::move(tried));
     ++color;
   }
-  m_curve->setCurves(std::move(curves));
-  m_curve->setVisible(m_isLearning || !m_steps.empty());
+  m_recordingsTab.curve->setCurves(std::move(curves));
+  m_recordingsTab.curve->setVisible(m_isLearning || !m_steps.empty());
 }
 
 void EmulatorPage::showResult() {
@@ -494,24 +504,24 @@ void EmulatorPage::showResult() {
       tests.push_back({fit, false});
     }
     const EmulatorRemark remark = emulatorRemark(*m_emulator);
-    m_remark->setStatus(remark.status, remark.text);
+    m_parameters.remark->setStatus(remark.status, remark.text);
   } else {
-    m_remark->setStatus(Status::Unknown, tr("Nothing is learned yet."));
+    m_parameters.remark->setStatus(Status::Unknown, tr("Nothing is learned yet."));
   }
-  m_parameterModel->setRows(parameters);
-  m_testModel->setRows(tests);
-  m_stretches->setText(
+  m_parameters.model->setRows(parameters);
+  m_tests.model->setRows(tests);
+  m_tests.stretches->setText(
       stretches.isEmpty()
           ? tr("Nothing is learned yet.")
           : tr("On stretches that were held out while learning (RMS): %1. A recording used to test "
                "was not learned from at all.")
                 .arg(stretches.join(QStringLiteral(", "))));
-  m_response->setAxes(m_emulator ? m_emulator->emulator.axes
-                                 : std::vector<emulator::LearnedAxis>{});
-  m_parameterTable->setVisible(m_emulator != nullptr);
-  m_testTable->setVisible(m_emulator != nullptr);
-  m_more->setVisible(m_emulator != nullptr);
-  m_response->setVisible(m_emulator != nullptr && m_more->isChecked());
+  m_parameters.response->setAxes(m_emulator ? m_emulator->emulator.axes
+                                            : std::vector<emulator::LearnedAxis>{});
+  m_parameters.table->setVisible(m_emulator != nullptr);
+  m_tests.table->setVisible(m_emulator != nullptr);
+  m_parameters.more->setVisible(m_emulator != nullptr);
+  m_parameters.response->setVisible(m_emulator != nullptr && m_parameters.more->isChecked());
   showMatrix();
 }
 
@@ -527,7 +537,7 @@ void EmulatorPage::showMatrix() {
       value *= 1e3;
     }
   }
-  m_matrix->setCells(names, std::move(micrometre));
+  m_comparison.matrix->setCells(names, std::move(micrometre));
   std::vector<ChartBox> boxes;
   std::size_t color = 0;
   for (const emulator::ParameterWorth& worth : m_crossTest.worth) {
@@ -543,16 +553,16 @@ void EmulatorPage::showMatrix() {
     }
     boxes.push_back(std::move(box));
   }
-  m_worth->setBoxes(std::move(boxes));
-  m_matrixText->setText(
+  m_comparison.worth->setBoxes(std::move(boxes));
+  m_comparison.text->setText(
       isThere ? tr("How far an emulator is off that was learned from one recording alone.")
               : tr("Learns from each recording alone and tests on all others. So you see which "
                    "recordings teach most, and what each parameter is worth."));
-  m_worthText->setText(
+  m_comparison.worthText->setText(
       tr("How much the positions would change on each recording if a parameter were 10 % larger."));
-  m_matrix->setVisible(isThere);
-  m_worthText->setVisible(isThere);
-  m_worth->setVisible(isThere);
+  m_comparison.matrix->setVisible(isThere);
+  m_comparison.worthText->setVisible(isThere);
+  m_comparison.worth->setVisible(isThere);
 }
 
 QString EmulatorPage::obstacle() const {
@@ -582,8 +592,8 @@ void EmulatorPage::refresh() {
   m_bar->setVisible(isBusy);
   m_add->setEnabled(!isBusy);
   m_save->setEnabled(!isBusy && m_emulator != nullptr);
-  m_compare->setEnabled(!isBusy && m_blocked.isEmpty() && m_emulator != nullptr);
-  m_presetList->setEnabled(!isBusy);
+  m_comparison.compare->setEnabled(!isBusy && m_blocked.isEmpty() && m_emulator != nullptr);
+  m_recordingsTab.presets->setEnabled(!isBusy);
   m_learn->setEnabled(m_blocked.isEmpty() && blocking.isEmpty());
   m_bar->setValue(static_cast<int>(std::lround(kBarSteps * m_shareShown)));
   showChoice();
@@ -622,18 +632,19 @@ void EmulatorPage::refresh() {
 }
 
 void EmulatorPage::retranslate() {
-  m_presetList->setItemText(m_presetList->count() - 1, tr("File…"));
-  m_curve->setTitles(tr("Error on stretches held out, while learning"), tr("Models tried"),
-                     tr("Error, µm"));
-  m_matrix->setTitles(tr("Matrix of errors"), tr("Tested on"),
-                      tr("Learned from (error RMS in µm)"));
-  m_worth->setTitles(tr("Worth of the parameters"), tr("Change of the positions, RMS, µm"));
+  m_recordingsTab.presets->setItemText(m_recordingsTab.presets->count() - 1, tr("File…"));
+  m_recordingsTab.curve->setTitles(tr("Error on stretches held out, while learning"),
+                                   tr("Models tried"), tr("Error, µm"));
+  m_comparison.matrix->setTitles(tr("Matrix of errors"), tr("Tested on"),
+                                 tr("Learned from (error RMS in µm)"));
+  m_comparison.worth->setTitles(tr("Worth of the parameters"),
+                                tr("Change of the positions, RMS, µm"));
   m_tabs->setTexts(
       {tr("Recordings"), tr("Parameters"), tr("Tests"), tr("Matrix"), tr("Comparison")},
       tr("Part of the page"));
-  m_recordingModel->refresh();
-  m_parameterModel->refresh();
-  m_testModel->refresh();
+  m_recordingsTab.model->refresh();
+  m_parameters.model->refresh();
+  m_tests.model->refresh();
   showCurve();
   showResult();
   refresh();

@@ -147,29 +147,41 @@ class EmulatorPage final : public Page {
   QProgressBar* m_bar;
   FoldingTabs* m_tabs;
 
-  QTableView* m_recordingTable;
-  TableModel<RecordingView>* m_recordingModel;
-  QPushButton* m_program;
-  QPushButton* m_use;
-  QPushButton* m_remove;
-  QComboBox* m_presetList;
-  CurveChart* m_curve;
+  struct RecordingsTab {
+    QTableView* table = nullptr;
+    TableModel<RecordingView>* model = nullptr;
+    QPushButton* program = nullptr;
+    QPushButton* use = nullptr;
+    QPushButton* remove = nullptr;
+    QComboBox* presets = nullptr;
+    CurveChart* curve = nullptr;
+  };
+  RecordingsTab m_recordingsTab;
 
-  StatusLabel* m_remark;
-  QTableView* m_parameterTable;
-  TableModel<ParameterRow>* m_parameterModel;
-  QPushButton* m_more;
-  ResponsePanel* m_response;
+  struct ParametersTab {
+    StatusLabel* remark = nullptr;
+    QTableView* table = nullptr;
+    TableModel<ParameterRow>* model = nullptr;
+    QPushButton* more = nullptr;
+    ResponsePanel* response = nullptr;
+  };
+  ParametersTab m_parameters;
 
-  QLabel* m_stretches;
-  QTableView* m_testTable;
-  TableModel<TestRow>* m_testModel;
+  struct TestsTab {
+    QLabel* stretches = nullptr;
+    QTableView* table = nullptr;
+    TableModel<TestRow>* model = nullptr;
+  };
+  TestsTab m_tests;
 
-  QPushButton* m_compare;
-  QLabel* m_matrixText;
-  HeatMap* m_matrix;
-  QLabel* m_worthText;
-  BoxPlot* m_worth;
+  struct MatrixTab {
+    QPushButton* compare = nullptr;
+    QLabel* text = nullptr;
+    HeatMap* matrix = nullptr;
+    QLabel* worthText = nullptr;
+    BoxPlot* worth = nullptr;
+  };
+  MatrixTab m_comparison;
 
   OverlayPanel* m_overlay;
 };

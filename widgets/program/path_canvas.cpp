@@ -381,7 +381,7 @@ bool PathCanvas::event(QEvent* event) {
     if (pinch == nullptr) {
       return false;
     }
-    m_dragFrom.reset();
+    m_drag.from.reset();
     if (pinch->scaleFactor() > 0.0) {
       zoom(pinch->scaleFactor(), mapFromGlobal(pinch->centerPoint()));
     }
@@ -420,7 +420,7 @@ void PathCanvas::resizeEvent(QResizeEvent* /*event*/) {
 }
 
 void PathCanvas::paintEvent(QPaintEvent* /*event*/) {
-  m_nowDrawn = 0;
+  m_drawn.now = 0;
   if (m_executed > m_executedInPicture + kPathMoves) {
     m_picture = QImage();  // more than a frame may cost: the levels do it
   }
@@ -438,7 +438,7 @@ void PathCanvas::paintEvent(QPaintEvent* /*event*/) {
   painter.drawImage(0, 0, m_picture);
   // Where the density is shown as colour, marks come when each of them has a place.
   const bool showsDensity = m_style.classes.colouring == overview::PathColouring::Pauses;
-  if (m_pauses && (!showsDensity || m_drawnPauses == m_pausesSeen)) {
+  if (m_pauses && (!showsDensity || m_drawn.pauses == m_drawn.pausesSeen)) {
     painter.drawImage(0, 0, m_marks);
   }
   drawBox(painter);
@@ -486,20 +486,21 @@ void PathCanvas::pan(QPointF byPx) {
 }
 
 void PathCanvas::mousePressEvent(QMouseEvent* event) {
-  m_dragFrom = event->position();
-  m_pressedAt = event->position();
-  m_dragged = false;
+  m_drag.from = event->position();
+  m_drag.pressedAt = event->position();
+  m_drag.moved = false;
   setCursor(Qt::ClosedHandCursor);
 }
 
 void PathCanvas::mouseMoveEvent(QMouseEvent* event) {
-  if (!m_dragFrom) {
+  if (!m_drag.from) {
     return;
   }
-  m_dragged = m_dragged || (event->position() - m_pressedAt).manhattanLength() > kClickPx;
-  if (m_dragged) {
-    const QPointF by = event->position() - *m_dragFrom;
-    m_dragFrom = event->position();
+  m_drag.moved =
+      m_drag.moved || (event->position() - m_drag.pressedAt).manhattanLength() > kClickPx;
+  if (m_drag.moved) {
+    const QPointF by = event->position() - *m_drag.from;
+    m_drag.from = event->position();
     if (m_view == View::Space && event->buttons().testFlag(Qt::LeftButton) &&
         !event->modifiers().testFlag(Qt::ShiftModifier)) {
       turn(-by.x() * Projection::kDegPerPx, by.y() * Projection::kDegPerPx);
@@ -510,12 +511,12 @@ void PathCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PathCanvas::mouseReleaseEvent(QMouseEvent* event) {
-  if (m_dragFrom && !m_dragged && event->button() == Qt::LeftButton) {
+  if (m_drag.from && !m_drag.moved && event->button() == Qt::LeftButton) {
     if (const std::optional<std::size_t> point = pointNear(event->position())) {
       Q_EMIT pointClicked(*point);
     }
   }
-  m_dragFrom.reset();
+  m_drag.from.reset();
   setCursor(Qt::OpenHandCursor);
 }
 
@@ -557,7 +558,7 @@ void PathCanvas::keyPressEvent(QKeyEvent* event) {
 void PathCanvas::dropPicture() {
   m_picture = QImage();
   m_marks = QImage();
-  m_fine = QImage();
+  m_fine.picture = QImage();
   m_refineTimer.stop();
   m_executedInPicture = 0;
   update();
@@ -575,7 +576,7 @@ QImage PathCanvas::emptyPicture() const {
 
 void PathCanvas::makePicture() {
   m_picture = emptyPicture();
-  m_drawnMoves = 0;
+  m_drawn.moves = 0;
   m_executedInPicture = 0;
   m_isFine = true;
   if (!hasPath() || m_levelClasses.empty()) {
@@ -595,15 +596,15 @@ void PathCanvas::makePicture() {
     }
   }
   stroke(m_picture, strokes, m_style.pens, false);
-  m_drawnMoves = strokes.moves;
+  m_drawn.moves = strokes.moves;
   drawExecuted(m_picture, 0, m_executed);
   m_executedInPicture = m_executed;
 
-  m_fineLevel = wanted;
-  while (m_fineLevel < level && visibleMoves(m_fineLevel) > kFineMoves) {
-    ++m_fineLevel;
+  m_fine.level = wanted;
+  while (m_fine.level < level && visibleMoves(m_fine.level) > kFineMoves) {
+    ++m_fine.level;
   }
-  m_isFine = m_fineLevel == level;
+  m_isFine = m_fine.level == level;
   if (!m_isFine) {
     m_refineTimer.start(kRestMs);
   }
@@ -613,34 +614,34 @@ void PathCanvas::refine() {
   if (m_picture.isNull() || m_isFine || !hasPath()) {
     return;
   }
-  if (m_fine.isNull()) {
-    m_fine = emptyPicture();
-    m_fineChunk = 0;
-    m_fineMoves = 0;
+  if (m_fine.picture.isNull()) {
+    m_fine.picture = emptyPicture();
+    m_fine.chunk = 0;
+    m_fine.moves = 0;
   }
-  m_nowDrawn = 0;
+  m_drawn.now = 0;
   Strokes strokes;
-  const std::size_t moves = levels()[m_fineLevel].kept.size() - 1;
+  const std::size_t moves = levels()[m_fine.level].kept.size() - 1;
   std::size_t collected = 0;
-  for (; m_fineChunk * overview::kChunkMoves < moves &&
+  for (; m_fine.chunk * overview::kChunkMoves < moves &&
          collected + overview::kChunkMoves <= kPathMoves;
-       ++m_fineChunk) {
-    if (isVisible(m_fineLevel, m_fineChunk)) {
-      collect(m_fineLevel, m_fineChunk * overview::kChunkMoves + 1,
-              std::min((m_fineChunk + 1) * overview::kChunkMoves, moves) + 1, false, strokes);
+       ++m_fine.chunk) {
+    if (isVisible(m_fine.level, m_fine.chunk)) {
+      collect(m_fine.level, m_fine.chunk * overview::kChunkMoves + 1,
+              std::min((m_fine.chunk + 1) * overview::kChunkMoves, moves) + 1, false, strokes);
       collected += overview::kChunkMoves;
     }
   }
-  stroke(m_fine, strokes, m_style.pens, true);
-  m_fineMoves += strokes.moves;
-  if (m_fineChunk * overview::kChunkMoves < moves) {
+  stroke(m_fine.picture, strokes, m_style.pens, true);
+  m_fine.moves += strokes.moves;
+  if (m_fine.chunk * overview::kChunkMoves < moves) {
     m_refineTimer.start(0);
     return;
   }
-  drawExecuted(m_fine, 0, m_executed);
-  m_picture = std::exchange(m_fine, QImage());
+  drawExecuted(m_fine.picture, 0, m_executed);
+  m_picture = std::exchange(m_fine.picture, QImage());
   m_executedInPicture = m_executed;
-  m_drawnMoves = m_fineMoves;
+  m_drawn.moves = m_fine.moves;
   m_isFine = true;
   update();
 }
@@ -737,8 +738,8 @@ void PathCanvas::collect(std::size_t level, std::size_t from, std::size_t to, bo
 
 void PathCanvas::stroke(QImage& picture, const Strokes& strokes, const std::vector<QPen>& pens,
                         bool isSlice) {
-  m_nowDrawn += strokes.moves;
-  m_mostAtOnce = std::max(m_mostAtOnce, m_nowDrawn);
+  m_drawn.now += strokes.moves;
+  m_drawn.mostAtOnce = std::max(m_drawn.mostAtOnce, m_drawn.now);
   // Slices must look alike: none is smooth.
   if (strokes.moves < kSmoothMoves && strokes.lengthPx < kSmoothPx && !isSlice) {
     QPainter painter(&picture);
@@ -849,8 +850,8 @@ void PathCanvas::makeMarks() {
   m_marks = QImage(size() * ratio, QImage::Format_ARGB32_Premultiplied);
   m_marks.setDevicePixelRatio(ratio);
   m_marks.fill(Qt::transparent);
-  m_drawnPauses = 0;
-  m_pausesSeen = 0;
+  m_drawn.pauses = 0;
+  m_drawn.pausesSeen = 0;
   if (!hasPath() || m_marks.isNull()) {
     return;
   }
@@ -860,7 +861,7 @@ void PathCanvas::makeMarks() {
   const auto thinned = [&](const std::vector<std::uint32_t>& pauses) {
     std::vector<QPointF> shown;
     const std::vector<QPointF> places = placesOf(pauses);
-    m_pausesSeen += places.size();
+    m_drawn.pausesSeen += places.size();
     for (const QPointF& place : places) {
       if (!QRectF(rect()).contains(place)) {
         continue;
@@ -872,7 +873,7 @@ void PathCanvas::makeMarks() {
         shown.push_back(place);
       }
     }
-    m_drawnPauses += shown.size();
+    m_drawn.pauses += shown.size();
     return shown;
   };
   const std::vector<QPointF> inCut = thinned(m_pauses->inCut);

@@ -113,13 +113,13 @@ class PathCanvas final : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
   /// Moves of the path in the picture, and the most drawn in one event since the last call: for
   /// tests of speed.
-  [[nodiscard]] std::size_t drawnMoves() const { return m_drawnMoves; }
-  [[nodiscard]] std::size_t takeMostAtOnce() { return std::exchange(m_mostAtOnce, 0); }
+  [[nodiscard]] std::size_t drawnMoves() const { return m_drawn.moves; }
+  [[nodiscard]] std::size_t takeMostAtOnce() { return std::exchange(m_drawn.mostAtOnce, 0); }
   /// Marks of pauses in the picture, and pauses examined for it: for tests of speed.
-  [[nodiscard]] std::size_t drawnPauses() const { return m_drawnPauses; }
+  [[nodiscard]] std::size_t drawnPauses() const { return m_drawn.pauses; }
   /// Of gaps and tool changes in sight, the most that are drawn.
   static constexpr std::size_t kGapsDrawn = 2'000;
-  [[nodiscard]] std::size_t pausesSeen() const { return m_pausesSeen; }
+  [[nodiscard]] std::size_t pausesSeen() const { return m_drawn.pausesSeen; }
   /// The picture is as fine as the screen can show.
   [[nodiscard]] bool isFine() const { return !m_picture.isNull() && m_isFine; }
 
@@ -208,25 +208,36 @@ class PathCanvas final : public QWidget {
   bool m_fits = true;  ///< the whole path is shown; stays so when the widget is resized
   overview::PlanePoint m_centreMm;
   double m_pixelsPerMm = 10.0;
-  std::optional<QPointF> m_dragFrom;
-  QPointF m_pressedAt;
-  bool m_dragged = false;
+  struct Drag {
+    std::optional<QPointF> from;
+    QPointF pressedAt;
+    bool moved = false;
+  };
+  Drag m_drag;
 
   QImage m_picture;  ///< null: to be drawn
   std::size_t m_executedInPicture = 0;
-  std::size_t m_drawnMoves = 0;
-  std::size_t m_nowDrawn = 0;  ///< moves drawn by the present event
-  std::size_t m_mostAtOnce = 0;
+  /// For tests of speed.
+  struct Drawn {
+    std::size_t moves = 0;
+    std::size_t now = 0;  ///< moves drawn by the present event
+    std::size_t mostAtOnce = 0;
+    std::size_t pauses = 0;
+    std::size_t pausesSeen = 0;
+  };
+  Drawn m_drawn;
 
   QImage m_marks;  ///< over the picture; null: to be made, or none
-  std::size_t m_drawnPauses = 0;
-  std::size_t m_pausesSeen = 0;
 
   QTimer m_refineTimer{this};
-  QImage m_fine;  ///< the finer picture that is being made
-  std::size_t m_fineLevel = 0;
-  std::size_t m_fineChunk = 0;  ///< the next to be drawn into it
-  std::size_t m_fineMoves = 0;
+  /// The finer picture that is being made.
+  struct FinePicture {
+    QImage picture;
+    std::size_t level = 0;
+    std::size_t chunk = 0;  ///< the next to be drawn into it
+    std::size_t moves = 0;
+  };
+  FinePicture m_fine;
   bool m_isFine = false;
 };
 

@@ -126,7 +126,7 @@ ProgramPanel::ProgramPanel(QWidget* parent)
     if (index > 0) {
       wanted = gcode::kDialects.at(static_cast<std::size_t>(index - 1));
     }
-    if (wanted != m_ordered) {
+    if (wanted != m_reading.dialect) {
       Q_EMIT dialectRequested(wanted);
     }
   });
@@ -257,9 +257,9 @@ void ProgramPanel::setProgram(std::shared_ptr<const overview::ProgramView> view)
 void ProgramPanel::setReading(std::optional<gcode::Dialect> dialect,
                               const std::vector<std::string>& accepted,
                               gcode::CentreReading centres) {
-  m_ordered = dialect;
-  m_accepted = accepted;
-  m_centres = centres;
+  m_reading.dialect = dialect;
+  m_reading.accepted = accepted;
+  m_reading.centres = centres;
   showDialect();
   showAccepted();
 }
@@ -507,8 +507,9 @@ void ProgramPanel::showDialect() {
     m_dialect->setItemText(static_cast<int>(i) + 1, controlName(gcode::kDialects[i]));
   }
   int index = 0;
-  if (m_ordered) {
-    const auto* at = std::find(gcode::kDialects.begin(), gcode::kDialects.end(), *m_ordered);
+  if (m_reading.dialect) {
+    const auto* at =
+        std::find(gcode::kDialects.begin(), gcode::kDialects.end(), *m_reading.dialect);
     index = static_cast<int>(at - gcode::kDialects.begin()) + 1;
   }
   m_dialect->setCurrentIndex(index);
@@ -517,7 +518,7 @@ void ProgramPanel::showDialect() {
     const QString dialect = controlName(m_program->program->dialect);
     const QString evidence = QString::fromStdString(m_program->program->dialectEvidence);
     m_evidence->setText(
-        m_ordered ? tr("Read as %1, as selected.").arg(dialect)
+        m_reading.dialect ? tr("Read as %1, as selected.").arg(dialect)
         : evidence.isEmpty()
             ? tr("Read as %1: the text gives no evidence of its dialect.").arg(dialect)
             : tr("Read as %1 because of \"%2\".").arg(dialect, evidence));
@@ -529,11 +530,11 @@ void ProgramPanel::showAccepted() {
     delete item->widget();
     delete item;
   }
-  const bool ordersCentres = m_centres != gcode::CentreReading::AsProgrammed;
-  m_acceptedArea->setVisible(!m_accepted.empty() || ordersCentres);
+  const bool ordersCentres = m_reading.centres != gcode::CentreReading::AsProgrammed;
+  m_acceptedArea->setVisible(!m_reading.accepted.empty() || ordersCentres);
   // A row is deleted while its button is still reporting, so the request is queued.
   if (ordersCentres) {
-    const QString text = m_centres == gcode::CentreReading::Absolute
+    const QString text = m_reading.centres == gcode::CentreReading::Absolute
                              ? tr("I, J, K are read as the centre itself")
                              : tr("I, J, K are read from the centre to the start");
     connect(
@@ -541,7 +542,7 @@ void ProgramPanel::showAccepted() {
         [this] { Q_EMIT centresRequested(gcode::CentreReading::AsProgrammed); },
         Qt::QueuedConnection);
   }
-  for (const std::string& accepted : m_accepted) {
+  for (const std::string& accepted : m_reading.accepted) {
     const QString name = QString::fromStdString(accepted);
     connect(
         addReadingRow(tr("Accepted: %1").arg(name), tr("Take back %1").arg(name)),
@@ -579,7 +580,7 @@ void ProgramPanel::showFinding() {
   const gcode::Diagnostic* finding = currentFinding();
   const bool isReading = finding != nullptr &&
                          finding->code == gcode::DiagnosticCode::CentreReading &&
-                         m_program->program->facts.centreReading != m_centres;
+                         m_program->program->facts.centreReading != m_reading.centres;
   m_accept->setVisible(isReading ||
                        (finding != nullptr && !gcode::acceptableName(*finding).empty()));
   m_accept->setEnabled(m_openEnabled);

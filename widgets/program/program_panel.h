@@ -134,9 +134,13 @@ class ProgramPanel final : public Page {
   std::shared_ptr<const overview::ProgramView> m_program;
   std::shared_ptr<const overview::ProgramTimes> m_times;
   std::optional<feasibility::ProgramDistances> m_distances;
-  std::optional<gcode::Dialect> m_ordered;
-  std::vector<std::string> m_accepted;
-  gcode::CentreReading m_centres{gcode::CentreReading::AsProgrammed};
+  /// How the program was read.
+  struct Reading {
+    std::optional<gcode::Dialect> dialect;
+    std::vector<std::string> accepted;
+    gcode::CentreReading centres{gcode::CentreReading::AsProgrammed};
+  };
+  Reading m_reading;
   QStringList m_recentFiles;
   bool m_openEnabled = true;
   bool m_dropHovers = false;

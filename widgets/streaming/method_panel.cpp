@@ -107,38 +107,40 @@ QString overrideLimitText(const streaming::OverrideLimit& limit) {
 
 MethodPanel::MethodPanel(QWidget* parent)
     : Page(parent),
-      m_points(whole(1, 9999)),
-      m_delta(number({.min = 0.001, .max = 100.0, .step = 0.05, .unit = "mm"}, {.id = "delta"})),
-      m_feed(number({.min = kFeedMmPerMinMin,
-                     .max = 40'000.0,
-                     .decimals = 1,
-                     .step = 50.0,
-                     .unit = "mm/min"},
-                    {.id = "feed"})),
-      m_override(number({.min = kPercent * gcode::kOverrideMin,
-                         .max = kPercent * gcode::kOverrideMax,
-                         .decimals = 0,
-                         .step = 5.0,
-                         .unit = "%"},
-                        {.id = "program-override"})),
+      m_fields{
+          .points = whole(1, 9999),
+          .delta =
+              number({.min = 0.001, .max = 100.0, .step = 0.05, .unit = "mm"}, {.id = "delta"}),
+          .feed = number({.min = kFeedMmPerMinMin,
+                          .max = 40'000.0,
+                          .decimals = 1,
+                          .step = 50.0,
+                          .unit = "mm/min"},
+                         {.id = "feed"}),
+          .overridePercent = number({.min = kPercent * gcode::kOverrideMin,
+                                     .max = kPercent * gcode::kOverrideMax,
+                                     .decimals = 0,
+                                     .step = 5.0,
+                                     .unit = "%"},
+                                    {.id = "program-override"}),
+          .correction = number(
+              {.min = 0.0, .max = templates::kCorrectionLimitMmMax, .step = 0.01, .unit = "mm"},
+              {.special = QT_TR_NOOP("none")}),
+          .height = number({.min = kDryRunMmMin,
+                            .max = job::kRaiseMmMax,
+                            .decimals = 1,
+                            .step = 10.0,
+                            .unit = "mm"})},
       m_rate(new QStackedWidget),
       m_form(new Form(this, m_settingsGroup, Form::Height::Touch)),
-      m_correction(
-          number({.min = 0.0, .max = templates::kCorrectionLimitMmMax, .step = 0.01, .unit = "mm"},
-                 {.special = QT_TR_NOOP("none")})),
-      m_height(number({.min = kDryRunMmMin,
-                       .max = job::kRaiseMmMax,
-                       .decimals = 1,
-                       .step = 10.0,
-                       .unit = "mm"})),
       m_figures(new Form(this, nullptr)) {
   setMinimumWidth(330);
   buildSettings();
   buildVerdict();
   inColumn({m_settingsGroup, m_verdictGroup, m_pausesGroup, spring()}, this);
-  onEdit({m_job, m_height}, &MethodPanel::takeJob);
-  onEdit({m_method, m_layout, m_access, m_byHand, m_points, m_feedSource, m_override, m_delta,
-          m_correction, m_feed},
+  onEdit({m_job, m_fields.height}, &MethodPanel::takeJob);
+  onEdit({m_method, m_layout, m_access, m_byHand, m_fields.points, m_feedSource,
+          m_fields.overridePercent, m_fields.delta, m_fields.correction, m_fields.feed},
          &MethodPanel::takeSettings);
   onLanguage(&MethodPanel::showSettings, &MethodPanel::showVerdict, &MethodPanel::showPauses);
 }
@@ -159,30 +161,31 @@ void MethodPanel::buildSettings() {
                                         AccessPreference::List, AccessPreference::Single}) {
     m_access->setItemData(item++, static_cast<int>(access));
   }
-  m_height->setValue(kDryRunMm);
+  m_fields.height->setValue(kDryRunMm);
   m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   m_form->row({.text = QT_TR_NOOP("Run")}, m_job);
   m_form->row({.text = QT_TR_NOOP("Method")}, m_method);
-  m_form->row({}, m_points);
-  m_form->row({.text = QT_TR_NOOP("δ (point reached)")}, m_delta);
+  m_form->row({}, m_fields.points);
+  m_form->row({.text = QT_TR_NOOP("δ (point reached)")}, m_fields.delta);
   m_form->row({.text = QT_TR_NOOP("Feed")}, m_feedSource);
   // One of the two is shown. A row of a form that was hidden gets no height back (Qt 6.4).
-  m_rate->addWidget(m_feed);
-  m_rate->addWidget(m_override);
+  m_rate->addWidget(m_fields.feed);
+  m_rate->addWidget(m_fields.overridePercent);
   m_form->row({}, m_rate);
   m_form->row({.text = QT_TR_NOOP("R-parameters")}, m_layout);
   m_form->row({.text = QT_TR_NOOP("Correction up to"),
                .tip = QT_TR_NOOP("Largest correction of each axis during the run. The control must "
                                  "not add corrections up (MD36750 bit 0), and its own limit "
                                  "(SD43350) should not be larger.")},
-              m_correction);
+              m_fields.correction);
   m_form->row({.text = QT_TR_NOOP("Access")}, m_access);
   m_form->row({.text = QT_TR_NOOP("Template")}, m_byHand);
   m_form->insertRow(
-      1, label({.text = QT_TR_NOOP("Above the workpiece"), .isTouch = true}, m_height), m_height);
-  setTabOrder(m_job, m_height);
-  setTabOrder(m_height, m_method);
+      1, label({.text = QT_TR_NOOP("Above the workpiece"), .isTouch = true}, m_fields.height),
+      m_fields.height);
+  setTabOrder(m_job, m_fields.height);
+  setTabOrder(m_fields.height, m_method);
 }
 
 void MethodPanel::buildVerdict() {
@@ -208,8 +211,8 @@ void MethodPanel::buildVerdict() {
 }
 
 void MethodPanel::takeOfferedDelta() {
-  if (m_verdict) {
-    m_settings.deltaMm = offeredDeltaMm(m_verdict->deltaMmMin);
+  if (m_judged.verdict) {
+    m_settings.deltaMm = offeredDeltaMm(m_judged.verdict->deltaMmMin);
     showSettings();
     Q_EMIT settingsChanged(m_settings);
   }
@@ -222,49 +225,51 @@ void MethodPanel::setSettings(const streaming::StreamSettings& settings) {
 
 void MethodPanel::setVerdict(const std::optional<feasibility::Verdict>& verdict,
                              const std::optional<QString>& problem) {
-  m_verdict = verdict;
-  m_problem = problem;
+  m_judged.verdict = verdict;
+  m_judged.problem = problem;
   showVerdict();
 }
 
 void MethodPanel::setOverrideLimit(const std::optional<streaming::OverrideLimit>& limit,
                                    double fastestMmPerS) {
-  m_overrideLimit = limit;
-  m_fastestMmPerS = fastestMmPerS;
+  m_judged.overrideLimit = limit;
+  m_judged.fastestMmPerS = fastestMmPerS;
 }
 
 void MethodPanel::setFeedMax(double feedMmPerS) {
   const bool wasShowing = std::exchange(m_isShowing, true);
-  m_feed->setMaximum(base::mmPerMinFromMmPerS(feedMmPerS));
+  m_fields.feed->setMaximum(base::mmPerMinFromMmPerS(feedMmPerS));
   m_isShowing = wasShowing;
 }
 
 void MethodPanel::setRehearsal(const std::optional<RehearsalView>& rehearsal) {
-  m_rehearsal = rehearsal;
+  m_judged.rehearsal = rehearsal;
   showVerdict();
 }
 
 std::optional<double> MethodPanel::offeredFeed() const {
-  if (!m_verdict) {
+  if (!m_judged.verdict) {
     return std::nullopt;
   }
-  const auto byEquation = offeredFeedMmPerS(m_verdict->feedMmPerSMax);
+  const auto byEquation = offeredFeedMmPerS(m_judged.verdict->feedMmPerSMax);
   if (!hasFailedRehearsal()) {
     return byEquation;
   }
-  const auto bySimulation =
-      m_rehearsal->safeFeedMmPerS ? offeredFeedMmPerS(*m_rehearsal->safeFeedMmPerS) : std::nullopt;
+  const auto bySimulation = m_judged.rehearsal->safeFeedMmPerS
+                                ? offeredFeedMmPerS(*m_judged.rehearsal->safeFeedMmPerS)
+                                : std::nullopt;
   return byEquation && bySimulation ? std::optional(std::min(*byEquation, *bySimulation))
                                     : std::nullopt;
 }
 
 std::optional<double> MethodPanel::offeredOverride() const {
-  if (!m_overrideLimit || !(m_fastestMmPerS > 0.0)) {
+  if (!m_judged.overrideLimit || !(m_judged.fastestMmPerS > 0.0)) {
     return std::nullopt;
   }
-  double factor = m_overrideLimit->overrideFactor;
+  double factor = m_judged.overrideLimit->overrideFactor;
   if (hasFailedRehearsal()) {
-    factor = std::min(factor, m_rehearsal->safeFeedMmPerS.value_or(0.0) / m_fastestMmPerS);
+    factor =
+        std::min(factor, m_judged.rehearsal->safeFeedMmPerS.value_or(0.0) / m_judged.fastestMmPerS);
   }
   const double offered = std::floor(kPercent * factor * 0.999) / kPercent;
   return offered >= gcode::kOverrideMin ? std::optional(std::min(offered, gcode::kOverrideMax))
@@ -282,7 +287,7 @@ void MethodPanel::takeOffer() {
 }
 
 void MethodPanel::setPauses(const std::optional<PauseSummary>& pauses) {
-  m_pauses = pauses;
+  m_judged.pauses = pauses;
   showPauses();
 }
 
@@ -306,19 +311,19 @@ void MethodPanel::showSettings() {
   m_layout->setCurrentIndex(m_layout->findData(static_cast<int>(m_settings.parameters.layout)));
   m_access->setCurrentIndex(m_access->findData(static_cast<int>(m_settings.access)));
   m_byHand->setChecked(m_settings.transferByHand);
-  m_points->setValue(m_settings.parameters.pointsPerLoop);
-  m_delta->setValue(m_settings.deltaMm);
-  m_feed->setValue(base::mmPerMinFromMmPerS(m_settings.feedMmPerS));
+  m_fields.points->setValue(m_settings.parameters.pointsPerLoop);
+  m_fields.delta->setValue(m_settings.deltaMm);
+  m_fields.feed->setValue(base::mmPerMinFromMmPerS(m_settings.feedMmPerS));
   showFeedFields();
   showJob();
-  for (QWidget* field : {static_cast<QWidget*>(m_method), static_cast<QWidget*>(m_points),
-                         static_cast<QWidget*>(m_feed), static_cast<QWidget*>(m_access),
+  for (QWidget* field : {static_cast<QWidget*>(m_method), static_cast<QWidget*>(m_fields.points),
+                         static_cast<QWidget*>(m_fields.feed), static_cast<QWidget*>(m_access),
                          static_cast<QWidget*>(m_byHand)}) {
     field->setEnabled(m_editable);
   }
   const bool window = isWindow();
-  m_form->label(m_points)->setText(window ? tr("N (points per window)")
-                                          : tr("N (points per loop)"));
+  m_form->label(m_fields.points)
+      ->setText(window ? tr("N (points per window)") : tr("N (points per loop)"));
   m_layout->setEnabled(m_editable && !window);
   m_layout->setToolTip(window ? tr("Windows have a layout of their own") : QString());
   m_access->setToolTip(
@@ -326,12 +331,12 @@ void MethodPanel::showSettings() {
                   "and the best one is used. The report names it.")
              : tr("Automatic: lists, as this method was published. Arrays need the contiguous "
                   "layout."));
-  m_correction->setValue(m_settings.parameters.correctionLimitMm);
-  m_correction->setEnabled(m_editable && window);
-  m_delta->setEnabled(m_editable && usesDelta());
-  m_form->setTip(m_delta, usesDelta()
-                              ? tr("Distance from the tool at which a point counts as reached")
-                              : tr("This method does not use δ: it watches a cell, not the tool"));
+  m_fields.correction->setValue(m_settings.parameters.correctionLimitMm);
+  m_fields.correction->setEnabled(m_editable && window);
+  m_fields.delta->setEnabled(m_editable && usesDelta());
+  m_form->setTip(m_fields.delta,
+                 usesDelta() ? tr("Distance from the tool at which a point counts as reached")
+                             : tr("This method does not use δ: it watches a cell, not the tool"));
   m_isShowing = wasShowing;
 }
 
@@ -347,11 +352,12 @@ void MethodPanel::showFeedFields() {
           ? tr("This method has one feed for all moves, as it was published")
           : tr("Of the program: each move has the feed of its own block, rapids are rapids. "
                "One for all moves: rapids have it, too."));
-  m_override->setValue(kPercent * m_settings.overrideFactor);
-  m_override->setEnabled(m_editable && !m_isLive);
-  m_feed->setEnabled(m_editable && !m_isLive);
+  m_fields.overridePercent->setValue(kPercent * m_settings.overrideFactor);
+  m_fields.overridePercent->setEnabled(m_editable && !m_isLive);
+  m_fields.feed->setEnabled(m_editable && !m_isLive);
   const QString name = ofProgram ? tr("Override") : tr("F (path feed)");
-  QWidget* const shown = ofProgram ? static_cast<QWidget*>(m_override) : m_feed;
+  QWidget* const shown =
+      ofProgram ? static_cast<QWidget*>(m_fields.overridePercent) : m_fields.feed;
   m_rate->setCurrentWidget(shown);
   shown->setAccessibleName(name);
   m_form->label(m_rate)->setText(name);
@@ -369,9 +375,9 @@ void MethodPanel::setLive(bool isLive) {
 }
 
 void MethodPanel::setJob(bool hasBlocks, bool isJob, const QString& obstacle) {
-  m_hasBlocks = hasBlocks;
-  m_isJob = isJob;
-  m_jobObstacle = obstacle;
+  m_jobChoice.hasBlocks = hasBlocks;
+  m_jobChoice.isChosen = isJob;
+  m_jobChoice.obstacle = obstacle;
   showSettings();
 }
 
@@ -381,30 +387,30 @@ void MethodPanel::takeJob() {
   }
   if (m_job->currentIndex() == kDryRun) {
     m_settings.wholeJob = true;
-    m_settings.dryRunMm = m_height->value();
+    m_settings.dryRunMm = m_fields.height->value();
     showSettings();
     Q_EMIT settingsChanged(m_settings);
     return;
   }
   m_settings.dryRunMm = 0.0;
-  m_isJob = m_job->currentIndex() == kWholeJob;  // the program is read so
-  Q_EMIT jobChosen(m_isJob);
+  m_jobChoice.isChosen = m_job->currentIndex() == kWholeJob;  // the program is read so
+  Q_EMIT jobChosen(m_jobChoice.isChosen);
 }
 
 void MethodPanel::showJob() {
   const bool isDry = m_settings.dryRunMm > 0.0;
-  m_form->setRowVisible(m_job, m_hasBlocks || isDry);
-  m_form->setRowVisible(m_height, isDry);
-  m_height->setEnabled(m_editable);
+  m_form->setRowVisible(m_job, m_jobChoice.hasBlocks || isDry);
+  m_form->setRowVisible(m_fields.height, isDry);
+  m_fields.height->setEnabled(m_editable);
   if (isDry) {
-    m_height->setValue(m_settings.dryRunMm);
+    m_fields.height->setValue(m_settings.dryRunMm);
   }
-  m_job->setCurrentIndex(isDry ? kDryRun : m_isJob ? kWholeJob : kMotionOnly);
-  m_job->setEnabled(m_editable && (m_jobObstacle.isEmpty() || isDry));
+  m_job->setCurrentIndex(isDry ? kDryRun : m_jobChoice.isChosen ? kWholeJob : kMotionOnly);
+  m_job->setEnabled(m_editable && (m_jobChoice.obstacle.isEmpty() || isDry));
   m_form->setTip(
       m_job,
-      !m_jobObstacle.isEmpty()
-          ? m_jobObstacle
+      !m_jobChoice.obstacle.isEmpty()
+          ? m_jobChoice.obstacle
           : tr("Whole job: the control executes tools, spindle, coolant, cycles and retracts at "
                "their place, and Rivulet streams the motion between them. Motion only: these "
                "blocks are left out. Dry run: the whole job above the workpiece, without spindle "
@@ -419,19 +425,19 @@ void MethodPanel::takeSettings() {
   m_settings.parameters.layout = static_cast<templates::Layout>(m_layout->currentData().toInt());
   m_settings.access = static_cast<AccessPreference>(m_access->currentData().toInt());
   m_settings.transferByHand = m_byHand->isChecked();
-  m_settings.parameters.pointsPerLoop = m_points->value();
-  m_settings.parameters.correctionLimitMm = isWindow() ? m_correction->value() : 0.0;
+  m_settings.parameters.pointsPerLoop = m_fields.points->value();
+  m_settings.parameters.correctionLimitMm = isWindow() ? m_fields.correction->value() : 0.0;
   // The fields round; a value the operator did not touch keeps its digits.
-  if (std::abs(m_delta->value() - m_settings.deltaMm) > 5e-4) {
-    m_settings.deltaMm = m_delta->value();
+  if (std::abs(m_fields.delta->value() - m_settings.deltaMm) > 5e-4) {
+    m_settings.deltaMm = m_fields.delta->value();
   }
   if (!base::isPublished(m_settings.parameters.method) && m_feedSource->isEnabled()) {
     m_settings.programFeeds = m_feedSource->currentIndex() == kFeedOfProgram;
   }
-  if (std::abs(m_override->value() - kPercent * m_settings.overrideFactor) > 0.5) {
-    m_settings.overrideFactor = m_override->value() / kPercent;
+  if (std::abs(m_fields.overridePercent->value() - kPercent * m_settings.overrideFactor) > 0.5) {
+    m_settings.overrideFactor = m_fields.overridePercent->value() / kPercent;
   }
-  const double feedMmPerS = base::mmPerSFromMmPerMin(m_feed->value());
+  const double feedMmPerS = base::mmPerSFromMmPerMin(m_fields.feed->value());
   if (std::abs(feedMmPerS - m_settings.feedMmPerS) > base::mmPerSFromMmPerMin(0.05)) {
     m_settings.feedMmPerS = feedMmPerS;
   }
@@ -458,47 +464,49 @@ QString MethodPanel::equationText(feasibility::Equation equation) const {
 }
 
 void MethodPanel::showPauses() {
-  m_planned->setText(m_pauses ? tr("%1, of them %2 in the cut")
-                                    .arg(countText(m_pauses->count), countText(m_pauses->inCut))
-                              : noValue());
-  if (m_pauses && m_pauses->costS && m_pauses->totalS) {
+  m_planned->setText(m_judged.pauses ? tr("%1, of them %2 in the cut")
+                                           .arg(countText(m_judged.pauses->count),
+                                                countText(m_judged.pauses->inCut))
+                                     : noValue());
+  if (m_judged.pauses && m_judged.pauses->costS && m_judged.pauses->totalS) {
     m_cost->setText(
-        tr("%1 of %2").arg(secondsText(*m_pauses->costS), durationText(*m_pauses->totalS)));
+        tr("%1 of %2")
+            .arg(secondsText(*m_judged.pauses->costS), durationText(*m_judged.pauses->totalS)));
   } else {
-    m_cost->setText(m_pauses ? tr("computing …") : noValue());
+    m_cost->setText(m_judged.pauses ? tr("computing …") : noValue());
   }
 }
 
 void MethodPanel::showHeadline() {
-  if (m_rehearsal) {
-    m_rehearsalText->setStatus(hasFailedRehearsal()  ? Status::Fault
-                               : m_rehearsal->isDone ? Status::Good
-                                                     : Status::Busy,
-                               rehearsalText(*m_rehearsal));
+  if (m_judged.rehearsal) {
+    m_rehearsalText->setStatus(hasFailedRehearsal()         ? Status::Fault
+                               : m_judged.rehearsal->isDone ? Status::Good
+                                                            : Status::Busy,
+                               rehearsalText(*m_judged.rehearsal));
   }
   if (hasFailedRehearsal()) {
     m_headline->setStatus(Status::Fault, tr("Not feasible"));
-  } else if (m_rehearsal && !m_rehearsal->isDone) {
+  } else if (m_judged.rehearsal && !m_judged.rehearsal->isDone) {
     m_headline->setStatus(Status::Busy, tr("Checking …"));
-  } else if (m_verdict->waits) {
+  } else if (m_judged.verdict->waits) {
     m_headline->setStatus(Status::Attention, tr("Safe, with waiting"));
   } else {
-    m_headline->setStatus(m_verdict->feasible ? Status::Good : Status::Fault,
-                          m_verdict->feasible ? tr("Feasible") : tr("Not feasible"));
+    m_headline->setStatus(m_judged.verdict->feasible ? Status::Good : Status::Fault,
+                          m_judged.verdict->feasible ? tr("Feasible") : tr("Not feasible"));
   }
 }
 
 void MethodPanel::showLimit() {
-  const auto& place = m_verdict->limiting.place;
-  if (m_overrideLimit) {
+  const auto& place = m_judged.verdict->limiting.place;
+  if (m_judged.overrideLimit) {
     m_figures->label(m_limit)->setText(tr("Largest override"));
-    m_limit->setText(LimitTexts::percent(*m_overrideLimit));
-    m_place->setText(LimitTexts::block(*m_overrideLimit));
+    m_limit->setText(LimitTexts::percent(*m_judged.overrideLimit));
+    m_place->setText(LimitTexts::block(*m_judged.overrideLimit));
     return;
   }
   m_figures->label(m_limit)->setText(isWindow() ? tr("Largest feed without waiting")
                                                 : tr("Largest feed"));
-  m_limit->setText(feedText(m_verdict->feedMmPerSMax));
+  m_limit->setText(feedText(m_judged.verdict->feedMmPerSMax));
   if (!place || place->lastLine.value == 0) {
     m_place->setText(noValue());
   } else if (place->firstLine == place->lastLine) {
@@ -526,46 +534,49 @@ void MethodPanel::showOffer(const QString& reason) {
 }
 
 void MethodPanel::showVerdict() {
-  const bool judged = m_verdict.has_value();
+  const bool judged = m_judged.verdict.has_value();
   for (QLabel* figure : {m_margin, m_limit, m_place}) {
     m_figures->setRowVisible(figure, judged);
   }
   m_useFeed->hide();
   m_useDelta->hide();
-  m_rehearsalText->setVisible(judged && m_rehearsal);
+  m_rehearsalText->setVisible(judged && m_judged.rehearsal);
   if (!judged) {
-    const bool isProblem = m_problem && !m_problem->isEmpty();
+    const bool isProblem = m_judged.problem && !m_judged.problem->isEmpty();
     m_headline->setStatus(isProblem && !m_isLive ? Status::Attention : Status::Unknown,
                           tr("Not judged"));
-    m_reason->setText(isProblem ? *m_problem : tr("Load a program to get a verdict."));
+    m_reason->setText(isProblem ? *m_judged.problem : tr("Load a program to get a verdict."));
     return;
   }
 
   showHeadline();
-  const bool waits = m_verdict->waits;
+  const bool waits = m_judged.verdict->waits;
   showLimit();
-  const feasibility::Condition& limiting = m_verdict->limiting;
-  QString reason = (waits                 ? tr("The machine will wait for points: %1")
-                    : m_verdict->feasible ? tr("Closest limit: %1")
-                                          : tr("Violated: %1"))
+  const feasibility::Condition& limiting = m_judged.verdict->limiting;
+  QString reason = (waits                        ? tr("The machine will wait for points: %1")
+                    : m_judged.verdict->feasible ? tr("Closest limit: %1")
+                                                 : tr("Violated: %1"))
                        .arg(equationText(limiting.equation));
-  if (m_problem && !m_problem->isEmpty()) {
-    reason += QLatin1Char('\n') + *m_problem;
+  if (m_judged.problem && !m_judged.problem->isEmpty()) {
+    reason += QLatin1Char('\n') + *m_judged.problem;
   }
   m_reason->setText(reason);
   m_margin->setText((isWindow() ? tr("%1 × (waits below 1)") : tr("%1 × (must exceed 1)"))
                         .arg(factorText(limiting.margin)));
-  if (m_verdict->feasible && !waits && !hasFailedRehearsal()) {
+  if (m_judged.verdict->feasible && !waits && !hasFailedRehearsal()) {
     return;
   }
   // A larger δ costs no time, so it is suggested first if it is enough alone.
-  const bool onlyDelta = std::none_of(m_verdict->conditions.begin(), m_verdict->conditions.end(),
-                                      [](const feasibility::Condition& condition) {
-                                        return condition.decides && condition.margin <= 1.0 &&
-                                               condition.equation != feasibility::Equation::Delta;
-                                      });
-  if (usesDelta() && onlyDelta && !m_verdict->feasible && m_verdict->deltaMmMin > 0.0) {
-    m_useDelta->setText(tr("Use δ = %1").arg(lengthText(offeredDeltaMm(m_verdict->deltaMmMin))));
+  const bool onlyDelta =
+      std::none_of(m_judged.verdict->conditions.begin(), m_judged.verdict->conditions.end(),
+                   [](const feasibility::Condition& condition) {
+                     return condition.decides && condition.margin <= 1.0 &&
+                            condition.equation != feasibility::Equation::Delta;
+                   });
+  if (usesDelta() && onlyDelta && !m_judged.verdict->feasible &&
+      m_judged.verdict->deltaMmMin > 0.0) {
+    m_useDelta->setText(
+        tr("Use δ = %1").arg(lengthText(offeredDeltaMm(m_judged.verdict->deltaMmMin))));
     m_useDelta->setVisible(true);
     m_useDelta->setEnabled(m_editable);
   }

@@ -111,7 +111,9 @@ class MethodPanel final : public Page {
   void showJob();
   void takeJob();
   void showLimit();
-  [[nodiscard]] bool hasFailedRehearsal() const { return m_rehearsal && m_rehearsal->hasFailed(); }
+  [[nodiscard]] bool hasFailedRehearsal() const {
+    return m_judged.rehearsal && m_judged.rehearsal->hasFailed();
+  }
   void showPauses();
   void takeSettings();
   [[nodiscard]] QString equationText(feasibility::Equation equation) const;
@@ -119,16 +121,23 @@ class MethodPanel final : public Page {
   [[nodiscard]] bool isWindow() const;
 
   streaming::StreamSettings m_settings;
-  std::optional<feasibility::Verdict> m_verdict;
-  std::optional<QString> m_problem;
-  std::optional<streaming::OverrideLimit> m_overrideLimit;
-  double m_fastestMmPerS = 0.0;
-  std::optional<PauseSummary> m_pauses;
-  std::optional<RehearsalView> m_rehearsal;
-  bool m_hasBlocks = false;
-  bool m_isJob = false;
+  struct Judgement {
+    std::optional<feasibility::Verdict> verdict;
+    std::optional<QString> problem;
+    std::optional<streaming::OverrideLimit> overrideLimit;
+    double fastestMmPerS = 0.0;
+    std::optional<PauseSummary> pauses;
+    std::optional<RehearsalView> rehearsal;
+  };
+  Judgement m_judged;
+  /// The choice between the whole job and its motion alone.
+  struct Job {
+    bool hasBlocks = false;
+    bool isChosen = false;
+    QString obstacle;
+  };
+  Job m_jobChoice;
   bool m_isLive = false;
-  QString m_jobObstacle;
   bool m_editable = true;
   bool m_isShowing = false;  ///< fields are being filled, not edited
 
@@ -145,18 +154,21 @@ class MethodPanel final : public Page {
             .items = {QT_TR_NOOP("Window"), QT_TR_NOOP("Position"), QT_TR_NOOP("Signal"),
                       QT_TR_NOOP("Credit (experimental)")},
             .id = "method"});
-  WholeNumberField* m_points;
-  NumberField* m_delta;
+  struct Fields {
+    WholeNumberField* points = nullptr;
+    NumberField* delta = nullptr;
+    NumberField* feed = nullptr;
+    NumberField* overridePercent = nullptr;
+    NumberField* correction = nullptr;
+    NumberField* height = nullptr;  ///< of a dry run
+  };
+  Fields m_fields;
   QComboBox* m_feedSource =
       list({.items = {QT_TR_NOOP("Of the program"), QT_TR_NOOP("One for all moves")}});
-  NumberField* m_feed;
-  NumberField* m_override;
   QStackedWidget* m_rate;  ///< one of the two
   Form* m_form;
   QComboBox* m_layout =
       list({.items = {QT_TR_NOOP("With gaps (R11, R21 …)"), QT_TR_NOOP("In a row (R10 …)")}});
-  NumberField* m_correction;
-  NumberField* m_height;  ///< of a dry run
   QComboBox* m_access = list({.items = {QT_TR_NOOP("Automatic"), QT_TR_NOOP("Arrays, or no start"),
                                         QT_TR_NOOP("Lists"), QT_TR_NOOP("One by one")}});
   QCheckBox* m_byHand =

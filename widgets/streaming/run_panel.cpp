@@ -179,14 +179,14 @@ void RunPanel::buildFigures() {
   row->setSizeConstraint(QLayout::SetNoConstraint);
   row->addWidget(m_progress);
   for (std::size_t figure = 0; figure < FigureCount; ++figure) {
-    m_figureAreas[figure] = new QWidget(m_figures);
-    m_names[figure] = label({.text = kNames[figure], .isMuted = true});
-    m_values[figure] = status();
-    m_values[figure]->setStatus(Status::Plain, noValue());
-    auto* pair =
-        inRow({m_names[figure], m_values[figure]}, m_figureAreas[figure], QMargins(0, 0, 0, 0));
+    m_shown[figure].area = new QWidget(m_figures);
+    m_shown[figure].name = label({.text = kNames[figure], .isMuted = true});
+    m_shown[figure].value = status();
+    m_shown[figure].value->setStatus(Status::Plain, noValue());
+    auto* pair = inRow({m_shown[figure].name, m_shown[figure].value}, m_shown[figure].area,
+                       QMargins(0, 0, 0, 0));
     pair->setSpacing(kPairGapPx);
-    row->addWidget(m_figureAreas[figure]);
+    row->addWidget(m_shown[figure].area);
   }
   m_title->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(m_title, 1);
@@ -321,8 +321,8 @@ void RunPanel::setCanHold(bool canHold) {
 }
 
 void RunPanel::setResume(bool isThere, const QString& reason) {
-  m_canResume = isThere;
-  m_resumeBlocked = reason;
+  m_resuming.isOffered = isThere;
+  m_resuming.blocked = reason;
   showAll();
 }
 
@@ -467,14 +467,14 @@ void RunPanel::showAll() {
 
 void RunPanel::showButtons() {
   const bool active = isActive();
-  const bool offersResume = m_canResume && !active;
+  const bool offersResume = m_resuming.isOffered && !active;
   // What is offered first is far right: after an interrupted run that is Resume.
   m_rightLayout->setDirection(offersResume ? QBoxLayout::RightToLeft : QBoxLayout::LeftToRight);
   m_resume->setVisible(offersResume);
-  m_resume->setEnabled(m_resumeBlocked.isEmpty());
-  m_resume->setToolTip(m_resumeBlocked.isEmpty()
+  m_resume->setEnabled(m_resuming.blocked.isEmpty());
+  m_resume->setToolTip(m_resuming.blocked.isEmpty()
                            ? tr("Asks the control where the run was left. Nothing moves yet.")
-                           : m_resumeBlocked);
+                           : m_resuming.blocked);
   m_override->setVisible(hasFeedCell());
   m_end->setVisible(hasFeedCell() && m_update.feed->holds && !isHeldBySource());
   m_start->setVisible(!hasFeedCell());
@@ -584,8 +584,8 @@ void RunPanel::showReason() {
   } else if (!m_startBlocked.isEmpty()) {
     sentences.append(tr("Start is not possible: %1").arg(m_startBlocked));
   } else if (m_update.state == RunState::Aborted || m_update.state == RunState::Stopped) {
-    sentences.append(m_canResume ? tr("Resume goes on where the run was left.")
-                                 : tr("A new start begins at the first point."));
+    sentences.append(m_resuming.isOffered ? tr("Resume goes on where the run was left.")
+                                          : tr("A new start begins at the first point."));
   } else {
     sentences.append(tr("Ready to start"));
   }
@@ -607,8 +607,8 @@ void RunPanel::showFigures() {
 }
 
 void RunPanel::showFigure(Figure figure, const QString& value, const QString& hint) {
-  m_values[figure]->setStatus(Status::Plain, value.isEmpty() ? noValue() : value);
-  m_figureAreas[figure]->setToolTip(hint);
+  m_shown[figure].value->setStatus(Status::Plain, value.isEmpty() ? noValue() : value);
+  m_shown[figure].area->setToolTip(hint);
 }
 
 void RunPanel::showCounters() {
@@ -719,7 +719,8 @@ void RunPanel::showMargin() {
              millisecondsText(*m_update.margin) +
                  (late ? QStringLiteral(" ") + tr("(too late)") : QString()),
              meaning);
-  m_values[Margin]->setStatus(late ? Status::Attention : Status::Good, m_values[Margin]->text());
+  m_shown[Margin].value->setStatus(late ? Status::Attention : Status::Good,
+                                   m_shown[Margin].value->text());
 }
 
 void RunPanel::showBuffer() {
@@ -737,10 +738,10 @@ void RunPanel::showBuffer() {
 void RunPanel::fitFigures() {
   int room = width() - kProgressWidthPx - 2 * 8;
   for (const Figure figure : {Line, Left, Margin, Buffer, Executed, Sent, Accepted}) {
-    QWidget* area = m_figureAreas[figure];
+    QWidget* area = m_shown[figure].area;
     // Not what the layout remembers: the font may have changed since.
-    const int widthPx = m_names[figure]->sizeHint().width() + kPairGapPx +
-                        m_values[figure]->layout()->totalSizeHint().width();
+    const int widthPx = m_shown[figure].name->sizeHint().width() + kPairGapPx +
+                        m_shown[figure].value->layout()->totalSizeHint().width();
     area->setFixedWidth(widthPx);
     const int needed = widthPx + kFigureGapPx;
     // Which program it is matters more than the counters.

@@ -161,8 +161,11 @@ class RunPanel final : public Page {
   std::optional<double> m_askedPercent;  ///< as override of this run, last
   bool m_canHold = false;
   bool m_preflightPassed = false;
-  bool m_canResume = false;
-  QString m_resumeBlocked;
+  struct Resuming {
+    bool isOffered = false;
+    QString blocked;
+  };
+  Resuming m_resuming;
   std::optional<FoundRunView> m_found;
 
   QGridLayout* m_rows;
@@ -190,9 +193,12 @@ class RunPanel final : public Page {
   QWidget* m_figures;
   QProgressBar* m_progress;
   ElidedLabel* m_title;
-  std::array<QWidget*, FigureCount> m_figureAreas{};
-  std::array<QLabel*, FigureCount> m_names{};
-  std::array<StatusLabel*, FigureCount> m_values{};
+  struct ShownFigure {
+    QWidget* area = nullptr;
+    QLabel* name = nullptr;
+    StatusLabel* value = nullptr;
+  };
+  std::array<ShownFigure, FigureCount> m_shown{};
 };
 
 }  // namespace rivulet::widgets

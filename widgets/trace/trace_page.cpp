@@ -220,10 +220,10 @@ void TracePage::clear() {
   m_cursors->set(ScopeCursors::B, std::nullopt);
   setStops({});
   m_source = Source::Nothing;
-  m_pastStart.clear();
-  m_reading.clear();
-  m_problem.clear();
-  m_saved.clear();
+  m_past.start.clear();
+  m_news.reading.clear();
+  m_news.problem.clear();
+  m_news.saved.clear();
   m_live->setEnabled(true);
   m_window->clear();
   m_triggerPanel->restart();
@@ -285,7 +285,7 @@ void TracePage::showTraces(const ScopeCurves::Traces& traces, Source source) {
              traces[i]->isAnalysed;
   }
   m_source = source;
-  m_reading.clear();
+  m_news.reading.clear();
   const trace::RunAxis axis = isSame ? m_curves->wantedAxis() : trace::RunAxis::Time;
   m_curves->setTraces(traces);
   m_signals->setOffers(m_curves->offers());
@@ -588,21 +588,21 @@ void TracePage::saveSignals(const QString& path) {
 }
 
 void TracePage::showSaved(const QString& path, const QString& problem) {
-  m_saved = problem.isEmpty() ? QFileInfo(path).fileName() : QString();
-  m_problem = problem;
+  m_news.saved = problem.isEmpty() ? QFileInfo(path).fileName() : QString();
+  m_news.problem = problem;
   showNote();
 }
 
 void TracePage::showReading(const QStringList& names) {
-  m_saved.clear();
-  m_reading = names;
-  m_problem.clear();
+  m_news.saved.clear();
+  m_news.reading = names;
+  m_news.problem.clear();
   showNote();
 }
 
 void TracePage::showProblem(const QString& sentence) {
-  m_reading.clear();
-  m_problem = sentence;
+  m_news.reading.clear();
+  m_news.problem = sentence;
   showNote();
 }
 
@@ -672,8 +672,8 @@ void TracePage::retranslate() {
 }
 
 void TracePage::setPastRun(const QString& start, const QString& program) {
-  m_pastStart = start;
-  m_pastProgram = program;
+  m_past.start = start;
+  m_past.program = program;
   showNote();
 }
 
@@ -721,23 +721,25 @@ QString TracePage::tracesText() const {
 }
 
 void TracePage::showNote() {
-  if (!m_reading.isEmpty()) {
-    m_note->setStatus(Status::Busy, tr("Reading %1 …").arg(m_reading.join(QStringLiteral(", "))));
+  if (!m_news.reading.isEmpty()) {
+    m_note->setStatus(Status::Busy,
+                      tr("Reading %1 …").arg(m_news.reading.join(QStringLiteral(", "))));
     return;
   }
-  if (!m_problem.isEmpty()) {
+  if (!m_news.problem.isEmpty()) {
     const QString shown = tracesText();
-    m_note->setStatus(Status::Attention,
-                      shown.isEmpty() ? m_problem : m_problem + QStringLiteral(" · ") + shown);
+    m_note->setStatus(Status::Attention, shown.isEmpty()
+                                             ? m_news.problem
+                                             : m_news.problem + QStringLiteral(" · ") + shown);
     return;
   }
-  if (!m_saved.isEmpty()) {
+  if (!m_news.saved.isEmpty()) {
     m_note->setStatus(Status::Good,
-                      tr("Saved: %1").arg(m_saved) + QStringLiteral(" · ") + tracesText());
+                      tr("Saved: %1").arg(m_news.saved) + QStringLiteral(" · ") + tracesText());
     return;
   }
   const QString of =
-      m_pastStart.isEmpty() ? QString() : tr("Run of %1, %2. ").arg(m_pastStart, m_pastProgram);
+      m_past.start.isEmpty() ? QString() : tr("Run of %1, %2. ").arg(m_past.start, m_past.program);
   switch (m_source) {
     case Source::Nothing:
       m_note->setStatus(Status::Unknown, of + tr("No samples yet"));

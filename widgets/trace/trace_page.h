@@ -142,12 +142,19 @@ class TracePage final : public Page {
   void showPanel();
 
   Source m_source = Source::Nothing;
-  QString m_pastStart;  ///< of a run that ended earlier; empty: the run is the last one
-  QString m_pastProgram;
-  QStringList m_reading;
-  QString m_problem;
+  struct PastRun {
+    QString start;  ///< of a run that ended earlier; empty: the run is the last one
+    QString program;
+  };
+  PastRun m_past;
+  /// What the note says.
+  struct News {
+    QStringList reading;
+    QString problem;
+    QString saved;  ///< file that was written last; empty: none since the traces changed
+  };
+  News m_news;
   QStringList m_asked;  ///< layouts of tables that were asked for of themselves
-  QString m_saved;      ///< file that was written last; empty: none since the traces changed
   base::Duration m_stopTotal{};
   std::optional<bool> m_wantsPanel;  ///< nothing: as there is room
 
