@@ -77,6 +77,9 @@ struct Module {
 /// Nothing in the window is modal: a question is a sheet in place of the page, so that Stop can be
 /// pressed. Only widgets/common/sheet_area makes dialogs of files.
 [[nodiscard]] Findings checkNothingModal(const Sources& sources);
+/// In core, app and widgets, a function has at most 80 lines, from that of its name to its closing
+/// brace, and a class at most 30 data members. What may have more is listed in sizes.cpp.
+[[nodiscard]] Findings checkSizes(const Sources& sources);
 /// Core neither prints nor reads a terminal: no <iostream>.
 [[nodiscard]] Findings checkNoIostreamInCore(const Sources& sources);
 

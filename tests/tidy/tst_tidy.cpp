@@ -70,6 +70,7 @@ class TestTidy : public QObject {
   void noTranslationInCore() { none(checkNoTranslationInCore(m_sources)); }
   void noMachinePaths() { none(checkNoMachinePaths(m_sources)); }
   void nothingModal() { none(checkNothingModal(m_sources)); }
+  void sizes() { none(checkSizes(m_sources)); }
   void noIostreamInCore() { none(checkNoIostreamInCore(m_sources)); }
 
  private:

@@ -282,6 +282,59 @@ class TestTidyRules : public QObject {
     QVERIFY(checkNothingModal({{QStringLiteral("tests/a.cpp"), code}}).isEmpty());
   }
 
+  void aFunctionOf81LinesIsNamed_data() {
+    QTest::addColumn<QString>("head");
+    QTest::addColumn<QString>("name");
+    const auto row = [](const char* head, const char* name) {
+      QTest::newRow(head) << QString::fromUtf8(head) << QString::fromUtf8(name);
+    };
+    row("void move() {", "move");
+    row("std::array<int, 3> Axis::at(int i = {}) const noexcept {", "Axis::at");
+    row("Axis::Axis(int i) : Base{i}, m_i(i) {", "Axis::Axis");
+    row("bool operator==(Axis a, Axis b) {", "operator==");
+    row("template <class T> [[nodiscard]] auto of(T t) -> T::Type {", "of");
+    row("namespace a { struct B final : C<int> { public: explicit B(int i) {", "B");
+    row("const auto kA = f({1}); enum class E { A }; int g() {", "g");
+  }
+  void aFunctionOf81LinesIsNamed() {
+    QFETCH(QString, head);
+    QFETCH(QString, name);
+    const auto check = [&](int lines, const QString& path) {
+      return checkSizes({{path, QStringLiteral("#define A {\\\n{\nint before;\n") + head +
+                                    QString(lines - 1, u'\n') + u'}'}});
+    };
+    QVERIFY(check(80, QStringLiteral("core/a.cpp")).isEmpty());
+    const Findings findings = check(81, QStringLiteral("core/a.cpp"));
+    QCOMPARE(places(findings), QStringList{QStringLiteral("core/a.cpp:4")});
+    QVERIFY2(findings[0].message.startsWith(name + QStringLiteral(" has 81 lines")),
+             qPrintable(findings[0].message));
+    QVERIFY(check(81, QStringLiteral("tests/a.cpp")).isEmpty());
+  }
+
+  void aClassOf31MembersIsNamed() {
+    // One each; none; three.
+    const QString members = QStringLiteral(
+        "int m_a = f({1, 2});\nstd::map<int, T> m_b{{1, 2}};\nvoid (*m_run)(int, int);\n"
+        "std::function<void(int, int)> m_c;\nstruct { int i; } m_d;\n");
+    const QString others = QStringLiteral(
+        "Q_OBJECT\npublic:\nusing X = int;\nclass Y;\nfriend class Z;\nenum E { A, B };\n"
+        "A() : m_a{1} { int local; }\nvoid f(int a, int b) const;\nint g() { return 1; }\n"
+        "friend bool operator<(A a, A b);\nstatic_assert(true);\nint x, y = 1, z;\n");
+    const auto check = [&](int more, const QString& name) {
+      return checkSizes(
+          {{QStringLiteral("core/nc/modal/state.h"),
+            QStringLiteral("class %1 final : public B {\n").arg(name) + others + members +
+                QStringLiteral("int m_i;\n").repeated(more) + QStringLiteral("};\n")}});
+    };
+    QVERIFY(check(22, QStringLiteral("Axis")).isEmpty());
+    const Findings findings = check(23, QStringLiteral("Axis"));
+    QCOMPARE(places(findings), QStringList{QStringLiteral("core/nc/modal/state.h:1")});
+    QVERIFY2(findings[0].message.startsWith(u"Axis has 31 data members"),
+             qPrintable(findings[0].message));
+    QVERIFY(check(23, QStringLiteral("ModalState")).isEmpty());
+    QCOMPARE(check(23, QStringLiteral("Outer::Inner")).size(), 1);
+  }
+
   void coreUsesNoTerminal() {
     QCOMPARE(places(checkNoIostreamInCore({file("core/base/a.cpp", "\n#include <iostream>\n")})),
              QStringList{QStringLiteral("core/base/a.cpp:2")});
