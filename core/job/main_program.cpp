@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "base/hash.h"
@@ -53,6 +54,35 @@ constexpr std::string_view kNamePrefix = "RIVJOB_";
 
 bool mayWaitBefore(NativeReason reason) {
   return reason >= NativeReason::Tool;
+}
+
+/// A block without M2, M17 and M30: what it does besides is done before the program ends.
+std::string withoutEnd(std::string_view block) {
+  std::string left;
+  bool isQuoted = false;
+  for (std::size_t at = 0; at < block.size(); ++at) {
+    const auto isDigit = [&block](std::size_t place) {
+      return place < block.size() && block[place] >= '0' && block[place] <= '9';
+    };
+    const bool isWord = (block[at] == 'M' || block[at] == 'm') && isDigit(at + 1) &&
+                        (at == 0 || (!std::isalpha(static_cast<unsigned char>(block[at - 1])) &&
+                                     block[at - 1] != '_'));
+    std::size_t end = at + 1;
+    int number = 0;
+    while (isWord && isDigit(end) && number < 1000) {
+      number = 10 * number + (block[end++] - '0');
+    }
+    if (block[at] == ';' && !isQuoted) {
+      return left;
+    }
+    isQuoted = isQuoted != (block[at] == '"');
+    if (isWord && !isQuoted && (number == 2 || number == 17 || number == 30)) {
+      at = end - 1;
+    } else {
+      left += block[at];
+    }
+  }
+  return left;
 }
 
 /// After such a block the same coordinates may be another place.
@@ -189,7 +219,15 @@ class PlanWriter {
 class MainWriter final : public PlanWriter {
  public:
   MainWriter(const Plan& plan, const templates::JobLoop& loop, int number)
-      : PlanWriter(plan), m_loop(loop), m_number(number) {}
+      : PlanWriter(plan), m_loop(loop), m_number(number) {
+    for (const Part& part : plan.parts) {
+      const auto* const native = std::get_if<NativeBlock>(&part);
+      if (native == nullptr || !native->text.empty()) {
+        m_last = native;
+      }
+    }
+    m_lastText = m_last != nullptr ? withoutEnd(m_last->text) : std::string();
+  }
 
   std::string write() {
     writeHead();
@@ -237,9 +275,10 @@ class MainWriter final : public PlanWriter {
   void writeDue(const NativeBlock& native, int number) override {
     m_due = number;
     m_isDueWithMotion = false;
-    if (native.reason == NativeReason::End) {
-      writeDone();
-    } else if (mayWaitBefore(native.reason)) {
+    if (&native == m_last && base::trim(m_lastText).empty()) {
+      return;
+    }
+    if (mayWaitBefore(native.reason)) {
       writeWait(number - 1);
       writeBlock(number);
     } else if (native.reason == NativeReason::Retract) {
@@ -290,8 +329,14 @@ class MainWriter final : public PlanWriter {
     line("RIV_G{}:", m_waits);
   }
 
+  [[nodiscard]] const std::string& textOf(const NativeBlock& native) const override {
+    return &native == m_last ? m_lastText : native.text;
+  }
+
   const templates::JobLoop& m_loop;
   int m_number;
+  const NativeBlock* m_last = nullptr;  ///< with which the job ends; null: with a stretch
+  std::string m_lastText;               ///< without the end of the program
   int m_waits = 0;
   int m_due = 0;    ///< the last native block since the stretch; 0: none
   int m_block = 0;  ///< in the block cell, where the program is

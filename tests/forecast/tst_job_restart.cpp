@@ -544,6 +544,8 @@ class TestJobRestart : public QObject {
     QTest::newRow("retraction before the cycle is off") << QStringLiteral("SUPA G0 Z100\nMCALL\n");
     QTest::newRow("spindle") << QStringLiteral("M5\n");
     QTest::newRow("motion") << QStringLiteral("G0 Z30\nX1 Y1\n");
+    QTest::newRow("spindle and end") << QStringLiteral("M5 M30\n");
+    QTest::newRow("motion and end") << QStringLiteral("G0 Z30 M30\n");
     QTest::newRow("coolant and increment")
         << QStringLiteral("G0 X50 Y10\nG91 G1 X40 F900 M8\nG90 G0 X5\n");
     QTest::newRow("coolant and arc")
