@@ -253,7 +253,8 @@ void WindowedTemplate::writeResets(Listing& out, const CellMap& cells) const {
   // Late requests of an earlier run may ask, deliver and run as well: what it has left in a window
   // must not match.
   std::string checks;
-  for (int window = 0; window < cells.windows; ++window) {
+  const int inCells = cells.slotCount() > 0 ? cells.windows : 0;  // not those of method file
+  for (int window = 0; window < inCells; ++window) {
     checks += fmt::format("{}R{}=0", checks.empty() ? "" : " ", cells.windowCheck(window));
   }
   if (!checks.empty()) {
