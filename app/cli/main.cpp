@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Rivulet authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
+#include <sstream>
 
 #include "cli/commands.h"
 #include "cli/connection.h"
@@ -1012,10 +1015,12 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Help and version are successes; everything else is wrong usage.
-    exit = app.exit(error) == 0 ? Exit::Done : Exit::BadInput;
+    std::ostringstream help;
+    exit = app.exit(error, help) == 0 ? Exit::Done : Exit::BadInput;
+    fmt::print("{}", help.str());
   }
   if (const std::string lost = rivulet::output::failure(); !lost.empty()) {
-    rivulet::log::logger().error("{}", lost);
+    fmt::print(stderr, "rivulet-cli: {}\n", lost);  // there is no log behind --help
     exit = exit == Exit::Done ? Exit::Wrong : exit;
   }
   return static_cast<int>(exit);
