@@ -398,7 +398,10 @@ class TestInterpreter : public QObject {
   /// F1e-300 would let the axes stand for ever, without a word.
   void noFeedIsNearlyNothing() {
     const auto isRefused = [](const char* feed) {
-      const auto found = gcode::interpret(std::string("G90 G94\nG1 X10 F=") + feed + "\n", {});
+      gcode::LoadOptions options;
+      options.dialect = gcode::Dialect::Sinumerik;
+      const auto found =
+          gcode::interpret(std::string("G90 G94\nG1 X10 F=") + feed + "\n", options);
       return std::any_of(
           found.diagnostics.begin(), found.diagnostics.end(),
           [](const gcode::Diagnostic& one) { return one.code == nc::FaultCode::ValueOutOfRange; });
