@@ -82,7 +82,7 @@ Document::Document(const streaming::StreamSettings& settings)
   connect(&m_jobCheck, &session::JobCheck::finished, this,
           [this](const std::shared_ptr<const forecast::CheckedJob>& checked) {
             m_checked.job = checked;
-            m_findings.hazards = {checked, &checked->hazards};
+            showHazards();
             Q_EMIT judged();
           });
   connect(&m_rehearsal, &session::Rehearsal::finished, this, &Document::takeRehearsal);
@@ -410,17 +410,25 @@ void Document::setLoadMachine(const report::LoadMachine& machine) {
 }
 
 void Document::checkJob() {
-  const auto plan = isJob() && m_jobMachine ? m_view->plan : nullptr;
+  const auto plan = isJob() ? m_view->plan : nullptr;
   if (plan != m_checked.plan) {
     m_checked.plan = plan;
     m_checked.job.reset();
     m_jobCheck.cancel();
     if (plan) {
-      m_jobCheck.start(plan, m_jobMachine);
+      // How long it takes is said of another machine, too, if this one is not known.
+      m_jobCheck.start(plan, m_jobMachine ? m_jobMachine
+                                          : std::shared_ptr<const machine::MachineConfig>(
+                                                std::shared_ptr<void>(), &usualMachine()));
     }
   }
-  m_findings.isJobChecked = plan != nullptr;
-  m_findings.hazards = {m_checked.job, m_checked.job ? &m_checked.job->hazards : nullptr};
+  m_findings.isJobChecked = plan != nullptr && m_jobMachine != nullptr;
+  showHazards();
+}
+
+void Document::showHazards() {
+  const bool areThere = m_findings.isJobChecked && m_checked.job;
+  m_findings.hazards = {m_checked.job, areThere ? &m_checked.job->hazards : nullptr};
 }
 
 void Document::setCalibration(std::shared_ptr<const streaming::CalibrationRecord> record,

@@ -207,6 +207,7 @@ class Document final : public QObject {
                      const std::string& key);
   /// Compares a whole job with the machine.
   void checkJob();
+  void showHazards();
   void forgetTimes();
   [[nodiscard]] session::TimeSettings timeSettings() const;
   /// Null: not known for the present settings (yet).

@@ -125,9 +125,9 @@ class MachineModel final : public QObject {
   Messages& m_messages;
   QString m_endpoint;
   Logins* m_logins = nullptr;
-  widgets::Login m_login;           ///< of `m_request`
+  widgets::Login m_login;            ///< of `m_request`
   widgets::ControlChoice m_control;  ///< of `m_request`
-  opcua::ConnectRequest m_request;  ///< of the attempt in progress, or that is asked about
+  opcua::ConnectRequest m_request;   ///< of the attempt in progress, or that is asked about
   session::LinkChanged m_link;
   bool m_mayMove = false;
   widgets::MachineView m_view;
