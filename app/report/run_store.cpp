@@ -27,6 +27,7 @@
 #include "journal/line_file.h"
 #include "report/run_fields.h"
 #include "streaming/methods/pause_placement.h"
+#include "templates/job_loop.h"
 
 namespace rivulet::report {
 namespace fs = std::filesystem;

@@ -385,10 +385,9 @@ void PositionLine::showFreshness() {
   } else if (m_machine.positionFreshness() == Freshness::Live) {
     m_freshness->setStatus(Status::Good, tr("Live"));
   } else if (m_machine.positionFreshness() == Freshness::Planned) {
-    m_freshness->setStatus(Status::Busy,
-                           m_machine.isPreparing
-                               ? tr("Read %1 ago: the run is being prepared").arg(age)
-                               : tr("Up to 1 s old: no time to read more often"));
+    m_freshness->setStatus(Status::Busy, m_machine.isPreparing
+                                             ? tr("Read %1 ago: the run is being prepared").arg(age)
+                                             : tr("Up to 1 s old: no time to read more often"));
   } else if (m_machine.standsIn()) {
     m_freshness->setStatus(Status::Busy, tr("Last executed point, %1. The axes were read %2 ago.")
                                              .arg(countText(m_machine.executed->number), age));
@@ -443,9 +442,9 @@ PositionLine::Fit PositionLine::fitIn(bool inTwoRows) const {
   const double byHeight = kProbePt * kDigitsShare * heights(inTwoRows).upperPx / metrics.height();
   fit.digitsPt = std::clamp(std::min(kProbePt * room / atProbe, byHeight), kFontPtMin, kFontPtMax);
   const double belowPx = heights(inTwoRows).lowerPx - QFontMetrics(small).height();
-  fit.othersPt =
-      inTwoRows ? std::min({fit.digitsPt, kLowerPtMax, kProbePt * belowPx / metrics.height()})
-                : fit.digitsPt;
+  fit.othersPt = inTwoRows
+                     ? std::min({fit.digitsPt, kLowerPtMax, kProbePt * belowPx / metrics.height()})
+                     : fit.digitsPt;
   fit.detailPt = std::clamp(kDetailShare * fit.digitsPt, kDetailPtMin,
                             inTwoRows ? kDetailPtMin : kDetailPtMax);
   return fit;
