@@ -271,7 +271,7 @@ Result<Remains> remainsAtStandstill(opcua::Link& link, const RunSettings& settin
                                     const templates::FlexibleProgram& program,
                                     const Checkpoint& last) {
   constexpr Duration kLook = std::chrono::milliseconds{100};
-  constexpr double kStillMm = 0.001;
+  constexpr double kStillMm = 0.01;  // more than a measuring system is off from look to look
   const templates::CellMap& cells = program.cells;
   std::vector<Variable> watched{{VariableKind::ChannelStatus, 0},
                                 opcua::rParameter(cells.layout),
