@@ -4563,6 +4563,10 @@ GPL-3.0-or-later</translation>
         <source>Then in a straight line over %1 to %2.</source>
         <translation>Dann geradlinig über %1 nach %2.</translation>
     </message>
+    <message>
+        <source>This way passes within what the program cuts. Bring the tool above Z %1 first, or make sure that nothing is in the way.</source>
+        <translation>Dieser Weg führt durch das, was das Programm bearbeitet. Das Werkzeug zuerst über Z %1 bringen, oder sicherstellen, dass nichts im Weg ist.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>

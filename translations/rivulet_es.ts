@@ -4563,6 +4563,10 @@ GPL-3.0-or-later</translation>
         <source>Then in a straight line over %1 to %2.</source>
         <translation>Después en línea recta, %1, hasta %2.</translation>
     </message>
+    <message>
+        <source>This way passes within what the program cuts. Bring the tool above Z %1 first, or make sure that nothing is in the way.</source>
+        <translation>Este recorrido pasa por lo que el programa mecaniza. Llevar primero la herramienta por encima de Z %1, o comprobar que no hay nada en el camino.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>

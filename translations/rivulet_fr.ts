@@ -4563,6 +4563,10 @@ GPL-3.0-or-later</translation>
         <source>Then in a straight line over %1 to %2.</source>
         <translation>Ensuite en ligne droite sur %1 jusqu’à %2.</translation>
     </message>
+    <message>
+        <source>This way passes within what the program cuts. Bring the tool above Z %1 first, or make sure that nothing is in the way.</source>
+        <translation>Ce trajet passe dans ce que le programme usine. Amener d’abord l’outil au-dessus de Z %1, ou s’assurer que rien ne se trouve sur le trajet.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>

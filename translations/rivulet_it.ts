@@ -4563,6 +4563,10 @@ GPL-3.0-or-later</translation>
         <source>Then in a straight line over %1 to %2.</source>
         <translation>Poi in linea retta per %1 fino a %2.</translation>
     </message>
+    <message>
+        <source>This way passes within what the program cuts. Bring the tool above Z %1 first, or make sure that nothing is in the way.</source>
+        <translation>Questo percorso passa in ciò che il programma lavora. Portare prima l’utensile sopra Z %1, o verificare che nulla sia d’intralcio.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>

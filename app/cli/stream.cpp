@@ -41,6 +41,7 @@
 #include "streaming/run/job.h"
 #include "streaming/setup/commissioning.h"
 #include "streaming/simulation/template_proof.h"
+#include "streaming/start/first_move.h"
 #include "streaming/start/start_policy.h"
 #include "templates/flexible_program.h"
 
@@ -547,6 +548,13 @@ base::Result<void> StreamCommand::findResume() {
 base::Result<void> StreamCommand::checkTravel() {
   // What else stands in the way of a start, the run says itself.
   const auto flight = streaming::preflight(*m_connection.link, m_program, m_settings);
+  if (flight && !m_settings.resume && !m_options.simulate) {
+    const std::vector<gcode::StreamPoint>& points = flight->points.points;
+    if (const auto heightMm =
+            streaming::cutOnTheWay(flight->toolMm, points.front().positionMm, points)) {
+      log::logger().warn(streaming::describeCutOnTheWay(*heightMm));
+    }
+  }
   return flight ? requireTravel(m_connection, m_options.simulate ? m_options.preset : std::string(),
                                 flight->points.points)
                 : base::Result<void>();

@@ -18,6 +18,7 @@
 #include "hmi/users.h"
 #include "machine/braking.h"
 #include "permission/permission.h"
+#include "streaming/start/first_move.h"
 #include "widgets/alarms/alarm_text.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
@@ -490,6 +491,7 @@ PreflightItem Preflight::firstMoveItem() const {
   item.text = tr("From %1 in a straight line over %2 to point 1 at %3")
                   .arg(positionText(*toolMm), widgets::lengthText(base::distance(*toolMm, firstMm)),
                        positionText(firstMm));
+  warnOfCut(item, firstMm);
   const auto& report = m_runs.report();
   if (report && report->outcome != streaming::Outcome::Completed) {
     item.status = Status::Attention;
@@ -500,6 +502,20 @@ PreflightItem Preflight::firstMoveItem() const {
                           widgets::countText(m_runs.update().counters.total));
   }
   return item;
+}
+
+void Preflight::warnOfCut(PreflightItem& item, const base::Vec3& firstMm) const {
+  const auto toolMm = m_machine.positionNowMm();
+  const auto heightMm = toolMm ? streaming::cutOnTheWay(*toolMm, firstMm, m_document.points())
+                               : std::optional<double>();
+  if (heightMm) {
+    item.status = Status::Attention;
+    item.text +=
+        QLatin1Char('\n') +
+        tr("This way passes within what the program cuts. Bring the tool above Z %1 first, "
+           "or make sure that nothing is in the way.")
+            .arg(widgets::lengthText(*heightMm, 3));
+  }
 }
 
 PreflightItem Preflight::hazardItem() const {
@@ -671,6 +687,7 @@ PreflightItem Preflight::chosenItem(const QString& point) const {
                  .arg(how, widgets::countText(place.line.value), point)) +
       QLatin1Char('\n') +
       tr("The %Ln points before it are not executed.", nullptr, static_cast<int>(place.point));
+  warnOfCut(item, place.positionMm);
   return item;
 }
 

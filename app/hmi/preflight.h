@@ -88,6 +88,8 @@ class Preflight final : public QObject {
   /// control.
   [[nodiscard]] forecast::SetUp missingSetUp() const;
   [[nodiscard]] widgets::PreflightItem firstMoveItem() const;
+  /// Adds that the straight way of the tool to the first point passes within the cut, if it does.
+  void warnOfCut(widgets::PreflightItem& item, const base::Vec3& firstMm) const;
   [[nodiscard]] widgets::PreflightItem travelItem() const;
   /// @param sizesMm  of the path, or of the box that it stays in
   [[nodiscard]] widgets::PreflightItem travelItem(const base::Vec3& sizesMm) const;

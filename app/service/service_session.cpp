@@ -21,6 +21,7 @@
 #include "service/machine_lock.h"
 #include "streaming/control/control_alarm.h"
 #include "streaming/run/run_summary.h"
+#include "streaming/start/first_move.h"
 
 namespace rivulet::service {
 
@@ -436,6 +437,9 @@ std::string ServiceSession::describeStart() const {
         "The tool is at X {:.3f} Y {:.3f} Z {:.3f} and first moves {:.1f} mm in a straight line to "
         "X {:.3f} Y {:.3f} Z {:.3f}.",
         at->x, at->y, at->z, base::distance(*at, to), to.x, to.y, to.z);
+    if (const auto heightMm = streaming::cutOnTheWay(*at, to, points); heightMm && !view.isJob()) {
+      text += ' ' + streaming::describeCutOnTheWay(*heightMm);
+    }
   }
   return text;
 }
