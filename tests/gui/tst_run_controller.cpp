@@ -297,6 +297,9 @@ class TestRunController : public QObject {
     QVERIFY(left.totalS > left.toolChangesS + left.nativeS + left.pausesS);
     const std::size_t last = models.document.points().size();
     QVERIFY(models.document.timeLeft(last)->toolChangesS == 0.0);
+    // The block of the control in progress: what is before it has been done.
+    const widgets::TimeLeft atTool = *models.document.timeLeft(0, 13);
+    QVERIFY(atTool.totalS < left.totalS && atTool.toolChangesS < left.toolChangesS);
     std::vector<int> stretches;
     std::vector<std::size_t> lines;
     connect(&models.runs, &RunController::jobChanged, &models.runs, [&] {
