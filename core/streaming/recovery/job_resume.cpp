@@ -260,12 +260,13 @@ class Search {
   Result<JobRest> afterStretch(std::size_t from, const Told& told) {
     const double block = told.block;
     // Until the loop has returned, the same cell has the number of the run. It could be that of a
-    // block: no block is taken for known then.
+    // block or of the end: nothing is taken for known then.
     const bool isRun = block == told.owner;
-    if (block == 0.0 || (isRun && block > static_cast<double>(m_plan.nativeCount()))) {
+    const double done = job::doneNumber(m_plan);
+    if (block == 0.0 || (isRun && block > done)) {
       return rest(from, {});
     }
-    if (block == job::doneNumber(m_plan) && !isRun) {
+    if (block == done && !isRun) {
       return rest(m_plan.parts.size(), {});
     }
     const double sought = isRun ? 0.0 : std::abs(block);
