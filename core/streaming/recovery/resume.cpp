@@ -366,7 +366,8 @@ class Resumption {
     LeftAt left{Resume{next, m_last.startMm, m_last.startDeg, {}, {}}, {}, m_remains.tool.mm};
     if (m_remains.isActive) {
       left.restMm = restMm(next);
-      left.toolMm = placeBefore(next).mm;
+      // Without a copied window the program stands: a resumed one perhaps within its first move.
+      left.toolMm = hasCopied() ? placeBefore(next).mm : m_uncorrected.mm;
       left.resume->restMm = left.restMm;
     }
     if (next >= m_points.size()) {
@@ -376,9 +377,11 @@ class Resumption {
   }
 
  private:
+  /// Windows that the program executes by itself.
+  [[nodiscard]] bool hasCopied() const { return m_remains.latched > m_remains.executed; }
   /// Of the windows that have been copied, up to this point.
   [[nodiscard]] double restMm(std::size_t next) const {
-    if (m_remains.latched <= m_remains.executed) {
+    if (!hasCopied()) {
       return 0.0;
     }
     const std::vector<std::size_t> ends = windowEnds();
