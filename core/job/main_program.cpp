@@ -7,13 +7,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 #include "base/hash.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "nc/nc_number.h"
+#include "nc/syntax/lexer.h"
+#include "nc/syntax/parser.h"
 #include "templates/feed_cell.h"
 
 namespace rivulet::job {
@@ -56,30 +57,22 @@ bool mayWaitBefore(NativeReason reason) {
   return reason >= NativeReason::Tool;
 }
 
-/// A block without M2, M17 and M30: what it does besides is done before the program ends.
+/// A block without the words that end a program: what it does besides is done before. Nothing that
+/// stands behind RET is executed.
 std::string withoutEnd(std::string_view block) {
+  nc::Lexer lexer(block, nc::Dialect::Sinumerik);
+  nc::Block words;
   std::string left;
-  bool isQuoted = false;
-  for (std::size_t at = 0; at < block.size(); ++at) {
-    const auto isDigit = [&block](std::size_t place) {
-      return place < block.size() && block[place] >= '0' && block[place] <= '9';
-    };
-    const bool isWord = (block[at] == 'M' || block[at] == 'm') && isDigit(at + 1) &&
-                        (at == 0 || (!std::isalpha(static_cast<unsigned char>(block[at - 1])) &&
-                                     block[at - 1] != '_'));
-    std::size_t end = at + 1;
-    int number = 0;
-    while (isWord && isDigit(end) && number < 1000) {
-      number = 10 * number + (block[end++] - '0');
-    }
-    if (block[at] == ';' && !isQuoted) {
-      return left;
-    }
-    isQuoted = isQuoted != (block[at] == '"');
-    if (isWord && !isQuoted && (number == 2 || number == 17 || number == 30)) {
-      at = end - 1;
-    } else {
-      left += block[at];
+  const char* at = block.data();
+  while (lexer.next(words)) {
+    for (const nc::Token& token : words.tokens) {
+      const nc::EndWord end = nc::endWordOf(token);
+      if (end == nc::EndWord::None) {
+        left.append(at, token.text.data() + token.text.size());
+      } else if (end == nc::EndWord::Ret) {
+        return left;
+      }
+      at = token.text.data() + token.text.size();
     }
   }
   return left;

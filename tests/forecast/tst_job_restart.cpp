@@ -4,7 +4,9 @@
 // Jobs that were interrupted go on where they were left: each motion of the source is made once.
 
 #include <QtTest>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "forecast/job_forecast.h"
 #include "forecast/job_restart.h"
 #include "job/dry_plan.h"
+#include "job/main_program.h"
 #include "machine/machine.h"
 #include "opcua/await.h"
 #include "streaming/recovery/run_on_control.h"
@@ -546,6 +549,8 @@ class TestJobRestart : public QObject {
     QTest::newRow("motion") << QStringLiteral("G0 Z30\nX1 Y1\n");
     QTest::newRow("spindle and end") << QStringLiteral("M5 M30\n");
     QTest::newRow("motion and end") << QStringLiteral("G0 Z30 M30\n");
+    QTest::newRow("assigned end") << QStringLiteral("M5 M=30\n");
+    QTest::newRow("return, with an end in a text") << QStringLiteral("M5 MSG(\"M30\")\nRET\n");
     QTest::newRow("coolant and increment")
         << QStringLiteral("G0 X50 Y10\nG91 G1 X40 F900 M8\nG90 G0 X5\n");
     QTest::newRow("coolant and arc")
@@ -606,6 +611,32 @@ class TestJobRestart : public QObject {
     QVERIFY(resumed > 3 && interrupted > resumed + 3);
   }
 
+  /// A finished job whose run has the number that tells the end: nothing of it is left to be made.
+  void theNumberOfTheRunIsNotThatOfTheEnd() {
+    machine::Machine machine(mill(), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    Keeper keeper;
+    const auto done = streaming::runWholeJob(link, link, m_plan, settings(), watcher, watcher,
+                                             {.keeper = &keeper});
+    QVERIFY2(done.outcome == Outcome::Completed, done.error.text().c_str());
+    awaitReset(machine);
+    const auto programs = job::makePrograms(m_plan, settings().parameters);
+    QVERIFY(programs);
+    const std::array<opcua::Variable, 1> owner{
+        opcua::rParameter(programs->loop.cells.owner)};
+    const auto before = opcua::readNumbers(link, owner, std::chrono::seconds{1});
+    QVERIFY(before);
+    const int number = job::doneNumber(m_plan);
+    const std::array<opcua::Assignment, 1> same{{{owner[0], static_cast<double>(number)}}};
+    QVERIFY(opcua::writeNow(link, same, std::chrono::seconds{1}));
+    keeper.last->runNumber += number - streaming::runNumberOf(before->front());
+    const auto rest =
+        streaming::whereJobWasLeft(link, m_plan, settings(), *keeper.last, zeroAt());
+    QVERIFY(!rest);
+    QCOMPARE(rest.error().code, make_error_code(streaming::StreamError::CannotResume));
+  }
+
   /// Interrupted after a stretch and before the next block for the control has begun, at every
   /// cycle of that time: nothing is in doubt.
   void betweenStretchAndBlock() {
@@ -653,7 +684,10 @@ class TestJobRestart : public QObject {
     int resumed = 0;
     int refused = 0;
     int resumes = 0;
-    for (int seed = first; seed < first + scenarios; ++seed) {
+    std::vector<int> seeds(static_cast<std::size_t>(scenarios));
+    std::iota(seeds.begin(), seeds.end(), first);
+    seeds.push_back(937);  // a resumed run that waits within the move to its first point
+    for (const int seed : seeds) {
       base::Random random = base::Random(static_cast<std::uint64_t>(seed)).fork(1);
       const std::string text = drawPart(static_cast<std::uint64_t>(seed));
       const job::Plan plan = planOf(text);
@@ -729,6 +763,7 @@ class TestJobRestart : public QObject {
         if (!went) {
           QVERIFY2(went.error().code == streaming::StreamError::CannotResume,
                    (name + went.error().text()).c_str());
+          qInfo("%s%s", name.c_str(), went.error().text().c_str());
           isRefused = true;
           break;
         }

@@ -50,6 +50,10 @@ bool asksMainRun(const Expression& expression) {
   return asks;
 }
 
+bool tokenIs(const Token& token, std::string_view upper) {
+  return base::toUpper(tokenName(token)) == upper;
+}
+
 /// "/DIR/NAME.SPF" and "NAME" are the same program.
 std::string programName(std::string_view text) {
   text = base::trim(text);
@@ -120,8 +124,10 @@ class SinumerikParser final : public BlockParser {
     for (std::size_t i = 0; i < tokens.size(); ++i) {
       const Token& token = tokens[i];
       m_place = {place.line, place.file, token.column};
-      if (token.kind == TokenKind::Name && tokenIs(token, "RET")) {
-        returns = true;
+      const EndWord end = endWordOf(token);
+      ends = ends || end == EndWord::End;
+      returns = returns || end == EndWord::Return || end == EndWord::Ret;
+      if (end == EndWord::Ret) {
         break;  // what follows is none of the program's
       }
       if (isAssignment(token)) {
@@ -142,9 +148,6 @@ class SinumerikParser final : public BlockParser {
           append(Faulty{*refused});
           return;
         }
-        const auto m = token.kind == TokenKind::Word && token.address == 'M' ? token.value : -1.0;
-        ends = ends || m == 2.0 || m == 30.0;
-        returns = returns || m == 17.0;
         left.tokens.push_back(token);
       }
     }
@@ -158,10 +161,6 @@ class SinumerikParser final : public BlockParser {
     } else if (returns) {
       append(Return{});
     }
-  }
-
-  static bool tokenIs(const Token& token, std::string_view upper) {
-    return base::toUpper(tokenName(token)) == upper;
   }
 
   static bool isSilent(const Token& token) {
@@ -749,6 +748,17 @@ std::size_t BlockParser::add(Statement made) {
 std::unique_ptr<BlockParser> sinumerikParser(Tree& tree, const Language& /*language*/,
                                              Detail detail) {
   return std::make_unique<SinumerikParser>(tree, detail);
+}
+
+EndWord endWordOf(const Token& token) {
+  if (token.kind == TokenKind::Name && tokenIs(token, "RET")) {
+    return EndWord::Ret;
+  }
+  const double m = token.kind == TokenKind::Word && token.address == 'M' ? token.value : -1.0;
+  if (m == 2.0 || m == 30.0) {
+    return EndWord::End;
+  }
+  return m == 17.0 ? EndWord::Return : EndWord::None;
 }
 
 Expected<Call> callOf(const Token& token, const Notation& notation, Place place) {

@@ -27,6 +27,15 @@ enum class Detail : std::uint8_t {
   Statements,  ///< assignments, calls, messages and stops of a block are statements of their own
 };
 
+/// What a word of a SINUMERIK block says of the end of its program.
+enum class EndWord : std::uint8_t {
+  None,
+  End,     ///< M2, M30: at the end of the block
+  Return,  ///< M17: at the end of the block
+  Ret,     ///< RET: at once, what stands behind it is not executed
+};
+[[nodiscard]] EndWord endWordOf(const Token& token);
+
 /// Adds the statements of one program to its tree.
 class BlockParser {
  public:
