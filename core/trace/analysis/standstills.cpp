@@ -185,23 +185,64 @@ bool findHold(Standstill& stop, const Motion& motion) {
   return false;
 }
 
-bool findData(Standstill& stop, const Recording* recording) {
-  if (recording == nullptr) {
-    return false;
-  }
-  const base::Instant end = stop.start + stop.duration;
-  for (const Access& access : recording->accesses) {
-    const base::Instant answered = access.sent + access.took;
-    if (access.write && answered > stop.start && answered <= end &&
-        end - answered <= kDataLeadMax) {
-      setCause(
-          stop, StopCause::WaitingForData,
-          fmt::format("a write of {} values was answered {:.1f} ms before the axes moved again",
-                      access.nodes, base::toMilliseconds(end - answered)));
-      return true;
+/// What a recording tells, in the order of time: each stop looks at what is near it.
+class Evidence {
+ public:
+  explicit Evidence(const Recording* recording) : m_recording(recording) {
+    if (recording == nullptr) {
+      return;
+    }
+    const std::vector<Access>& accesses = recording->accesses;
+    for (std::size_t i = 0; i < accesses.size(); ++i) {
+      if (accesses[i].write) {
+        m_writes.emplace_back(accesses[i].sent + accesses[i].took, i);
+      }
+    }
+    std::sort(m_writes.begin(), m_writes.end());
+    if (recording->controlTrace) {
+      for (const ExecutedBlock& block : recording->controlTrace->blocks) {
+        m_blockEnds.push_back(block.to);
+      }
+      std::sort(m_blockEnds.begin(), m_blockEnds.end());
     }
   }
-  return false;
+  /// Null: there is none.
+  [[nodiscard]] const Recording* recording() const { return m_recording; }
+  /// Of the writes that were answered after `from`, and not after `to`, the first that was sent.
+  [[nodiscard]] const Access* writeWithin(base::Instant from, base::Instant to) const {
+    const Access* first = nullptr;
+    const auto behind = [](base::Instant at, const Write& write) { return at < write.first; };
+    for (auto write = std::upper_bound(m_writes.begin(), m_writes.end(), from, behind);
+         write != m_writes.end() && write->first <= to; ++write) {
+      const Access* const access = &m_recording->accesses[write->second];
+      first = first == nullptr ? access : std::min(first, access);
+    }
+    return first;
+  }
+  [[nodiscard]] bool hasBlockEndWithin(base::Instant from, base::Instant to) const {
+    const auto end = std::lower_bound(m_blockEnds.begin(), m_blockEnds.end(), from);
+    return end != m_blockEnds.end() && *end <= to;
+  }
+
+ private:
+  using Write = std::pair<base::Instant, std::size_t>;  ///< when it was answered, and which it is
+  const Recording* m_recording;
+  std::vector<Write> m_writes;
+  std::vector<base::Instant> m_blockEnds;
+};
+
+bool findData(Standstill& stop, const Evidence& evidence) {
+  const base::Instant end = stop.start + stop.duration;
+  // A lead of exactly the greatest still counts.
+  const base::Instant earliest = end - kDataLeadMax - Duration{1};
+  const Access* const write = evidence.writeWithin(std::max(stop.start, earliest), end);
+  if (write == nullptr) {
+    return false;
+  }
+  setCause(stop, StopCause::WaitingForData,
+           fmt::format("a write of {} values was answered {:.1f} ms before the axes moved again",
+                       write->nodes, base::toMilliseconds(end - (write->sent + write->took))));
+  return true;
 }
 
 /// Whether blocks that follow each other lead from a line to another one. Short blocks between them
@@ -231,22 +272,18 @@ bool isReached(const std::vector<base::Continuation>& continuations, std::uint32
 }
 
 /// Whether a block ends within the stop. Without one, the axes stood in the middle of a block.
-bool isBetweenBlocks(const Standstill& stop, const Motion& motion, const ControlTrace& trace) {
-  const base::Instant from = stop.start - motion.step;
-  const base::Instant to = stop.start + stop.duration + motion.step;
-  return std::any_of(trace.blocks.begin(), trace.blocks.end(), [&](const ExecutedBlock& block) {
-    return block.to >= from && block.to <= to;
-  });
+bool isBetweenBlocks(const Standstill& stop, const Motion& motion, const Evidence& evidence) {
+  return evidence.hasBlockEndWithin(stop.start - motion.step,
+                                    stop.start + stop.duration + motion.step);
 }
 
 /// The recording says which blocks of the program on the control follow each other without a
 /// STOPRE. @param after  line behind the stop
 bool findStopre(Standstill& stop, std::uint32_t after, const Motion& motion,
-                const Recording& recording) {
-  const std::vector<base::Continuation>& continuations = recording.start.continuations;
-  if (continuations.empty() || !recording.controlTrace ||
-      isReached(continuations, stop.line, after) ||
-      !isBetweenBlocks(stop, motion, *recording.controlTrace)) {
+                const Evidence& evidence) {
+  const std::vector<base::Continuation>& continuations = evidence.recording()->start.continuations;
+  if (continuations.empty() || isReached(continuations, stop.line, after) ||
+      !isBetweenBlocks(stop, motion, evidence)) {
     return false;
   }
   setCause(stop, StopCause::PreprocessorStop,
@@ -257,7 +294,7 @@ bool findStopre(Standstill& stop, std::uint32_t after, const Motion& motion,
 
 /// The STOPRE of a flexible program. Where it is not known, a line before the stop that is after
 /// the line behind it tells: the program jumps back to its loop.
-bool findLoop(Standstill& stop, const Motion& motion, const Recording* recording) {
+bool findLoop(Standstill& stop, const Motion& motion, const Evidence& evidence) {
   const std::size_t next = indexAt(motion, stop.start + stop.duration) + 1;
   if (!motion.hasLine || next >= motion.samples.size()) {
     return false;
@@ -266,7 +303,7 @@ bool findLoop(Standstill& stop, const Motion& motion, const Recording* recording
   if (stop.line == 0 || after == 0) {
     return false;
   }
-  if (recording != nullptr && findStopre(stop, after, motion, *recording)) {
+  if (evidence.recording() != nullptr && findStopre(stop, after, motion, evidence)) {
     return true;
   }
   if (after >= stop.line) {
@@ -310,9 +347,10 @@ std::vector<Standstill> findStandstills(const Motion& motion) {
 }
 
 void findCauses(std::vector<Standstill>& stops, const Motion& motion, const Recording* recording) {
+  const Evidence evidence(recording);
   for (Standstill& stop : stops) {
     if (findEvent(stop, motion) || findNote(stop, motion) || findHold(stop, motion) ||
-        findData(stop, recording) || findLoop(stop, motion, recording)) {
+        findData(stop, evidence) || findLoop(stop, motion, evidence)) {
       continue;
     }
     const auto turn = stop.duration <= kExactStopMax ? turnAt(motion, stop) : std::nullopt;
