@@ -1519,6 +1519,10 @@
         <source>The control does not carry out the synchronized actions of the program: hold, stop and override would not act. Nothing was moved. Check that the control has synchronized actions.</source>
         <translation>Die Steuerung führt die Synchronaktionen des Programms nicht aus: Halt, Stopp und Override würden nicht wirken. Es wurde nichts bewegt. Prüfen Sie, ob die Steuerung Synchronaktionen hat.</translation>
     </message>
+    <message>
+        <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
+        <translation>Der gerade Weg zum ersten Punkt führt durch den Bereich, in dem das Programm schneidet. Heben Sie zuerst das Werkzeug ab.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2762,6 +2766,19 @@
     <message>
         <source>%1 coolant</source>
         <translation>%1 Kühlmittel</translation>
+    </message>
+    <message>
+        <source>Straight way to the first point</source>
+        <translation>Gerader Weg zum ersten Punkt</translation>
+    </message>
+    <message>
+        <source>CLEAR</source>
+        <extracomment>What the operator types; a translation may be any one word.</extracomment>
+        <translation>FREI</translation>
+    </message>
+    <message>
+        <source>The tool goes straight through the space in which the program cuts. Look whether anything is in its way: workpiece, clamps. If nothing is, type %1.</source>
+        <translation>Das Werkzeug fährt gerade durch den Bereich, in dem das Programm schneidet. Sehen Sie nach, ob etwas im Weg ist: Werkstück, Spannmittel. Wenn nicht, geben Sie %1 ein.</translation>
     </message>
 </context>
 <context>
@@ -4564,8 +4581,40 @@ GPL-3.0-or-later</translation>
         <translation>Dann geradlinig über %1 nach %2.</translation>
     </message>
     <message>
-        <source>This way passes within what the program cuts. Bring the tool above Z %1 first, or make sure that nothing is in the way.</source>
-        <translation>Dieser Weg führt durch das, was das Programm bearbeitet. Das Werkzeug zuerst über Z %1 bringen, oder sicherstellen, dass nichts im Weg ist.</translation>
+        <source>This way passes within what the program cuts, which reaches up to Z %1.</source>
+        <translation>Dieser Weg führt durch den Bereich, in dem das Programm schneidet; er reicht bis Z %1.</translation>
+    </message>
+    <message>
+        <source>Raise the tool …</source>
+        <translation>Werkzeug abheben …</translation>
+    </message>
+    <message>
+        <source>Bring the tool to a place from which it is clear.</source>
+        <translation>Bringen Sie das Werkzeug an eine Stelle, von der aus er frei ist.</translation>
+    </message>
+    <message>
+        <source>Straight way</source>
+        <translation>Gerader Weg</translation>
+    </message>
+    <message>
+        <source>Confirmed: nothing is in the way of the first move.</source>
+        <translation>Bestätigt: Der ersten Bewegung ist nichts im Weg.</translation>
+    </message>
+    <message>
+        <source>If nothing is in the way of the first move, confirm it.</source>
+        <translation>Wenn der ersten Bewegung nichts im Weg ist, bestätigen Sie es.</translation>
+    </message>
+    <message>
+        <source>It is clear …</source>
+        <translation>Er ist frei …</translation>
+    </message>
+    <message>
+        <source>Raise the tool</source>
+        <translation>Werkzeug abheben</translation>
+    </message>
+    <message>
+        <source>The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page comes again.</source>
+        <translation>Das Werkzeug fährt gerade nach oben, um %1 auf Z %2, mit %3. Sonst bewegt sich nichts. Danach kommt diese Seite wieder.</translation>
     </message>
 </context>
 <context>
@@ -4694,6 +4743,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Pause requested.</source>
         <translation>Pause angefordert.</translation>
+    </message>
+    <message>
+        <source>The tool is raised to Z %1.</source>
+        <translation>Das Werkzeug wird auf Z %1 abgehoben.</translation>
+    </message>
+    <message>
+        <source>The tool has been raised.</source>
+        <translation>Das Werkzeug ist abgehoben.</translation>
+    </message>
+    <message>
+        <source>The tool has not been raised.</source>
+        <translation>Das Werkzeug ist nicht abgehoben.</translation>
     </message>
 </context>
 <context>
@@ -8375,6 +8436,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
         <translation>Noch bewegt sich nichts. Den Knopf unten eine Sekunde lang halten: Dann fährt die Maschine.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold Start for one second: then the tool is raised, and nothing else.</source>
+        <translation>Noch hat sich nichts bewegt. Start eine Sekunde lang halten: Dann wird das Werkzeug abgehoben, sonst nichts.</translation>
+    </message>
+    <message>
+        <source>Before the tool is raised</source>
+        <translation>Bevor das Werkzeug abgehoben wird</translation>
     </message>
 </context>
 <context>

@@ -1519,6 +1519,10 @@
         <source>The control does not carry out the synchronized actions of the program: hold, stop and override would not act. Nothing was moved. Check that the control has synchronized actions.</source>
         <translation>El control no ejecuta las acciones síncronas del programa: la espera, la parada y la corrección de avance no actuarían. No se ha movido nada. Compruebe que el control tiene acciones síncronas.</translation>
     </message>
+    <message>
+        <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
+        <translation>El camino recto al primer punto pasa por la zona que el programa mecaniza. Levante primero la herramienta.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2762,6 +2766,19 @@
     <message>
         <source>%1 coolant</source>
         <translation>%1 refrigerante</translation>
+    </message>
+    <message>
+        <source>Straight way to the first point</source>
+        <translation>Camino recto al primer punto</translation>
+    </message>
+    <message>
+        <source>CLEAR</source>
+        <extracomment>What the operator types; a translation may be any one word.</extracomment>
+        <translation>LIBRE</translation>
+    </message>
+    <message>
+        <source>The tool goes straight through the space in which the program cuts. Look whether anything is in its way: workpiece, clamps. If nothing is, type %1.</source>
+        <translation>La herramienta cruza en línea recta la zona que el programa mecaniza. Compruebe si hay algo en su camino: pieza, sujeciones. Si no hay nada, escriba %1.</translation>
     </message>
 </context>
 <context>
@@ -4564,8 +4581,40 @@ GPL-3.0-or-later</translation>
         <translation>Después en línea recta, %1, hasta %2.</translation>
     </message>
     <message>
-        <source>This way passes within what the program cuts. Bring the tool above Z %1 first, or make sure that nothing is in the way.</source>
-        <translation>Este recorrido pasa por lo que el programa mecaniza. Llevar primero la herramienta por encima de Z %1, o comprobar que no hay nada en el camino.</translation>
+        <source>This way passes within what the program cuts, which reaches up to Z %1.</source>
+        <translation>Este camino pasa por la zona que el programa mecaniza, que llega hasta Z %1.</translation>
+    </message>
+    <message>
+        <source>Raise the tool …</source>
+        <translation>Levantar la herramienta …</translation>
+    </message>
+    <message>
+        <source>Bring the tool to a place from which it is clear.</source>
+        <translation>Lleve la herramienta a un lugar desde el que esté libre.</translation>
+    </message>
+    <message>
+        <source>Straight way</source>
+        <translation>Camino recto</translation>
+    </message>
+    <message>
+        <source>Confirmed: nothing is in the way of the first move.</source>
+        <translation>Confirmado: nada estorba el primer movimiento.</translation>
+    </message>
+    <message>
+        <source>If nothing is in the way of the first move, confirm it.</source>
+        <translation>Si nada estorba el primer movimiento, confírmelo.</translation>
+    </message>
+    <message>
+        <source>It is clear …</source>
+        <translation>Está libre …</translation>
+    </message>
+    <message>
+        <source>Raise the tool</source>
+        <translation>Levantar la herramienta</translation>
+    </message>
+    <message>
+        <source>The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page comes again.</source>
+        <translation>La herramienta sube en línea recta %1 hasta Z %2, a %3. No se mueve nada más. Después vuelve esta página.</translation>
     </message>
 </context>
 <context>
@@ -4694,6 +4743,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Pause requested.</source>
         <translation>Pausa solicitada.</translation>
+    </message>
+    <message>
+        <source>The tool is raised to Z %1.</source>
+        <translation>La herramienta sube a Z %1.</translation>
+    </message>
+    <message>
+        <source>The tool has been raised.</source>
+        <translation>La herramienta está levantada.</translation>
+    </message>
+    <message>
+        <source>The tool has not been raised.</source>
+        <translation>La herramienta no está levantada.</translation>
     </message>
 </context>
 <context>
@@ -8375,6 +8436,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
         <translation>Todavía no se ha movido nada. Mantener pulsado un segundo el botón de abajo: entonces la máquina se mueve.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold Start for one second: then the tool is raised, and nothing else.</source>
+        <translation>Todavía no se ha movido nada. Mantener pulsado Iniciar un segundo: entonces sube la herramienta, y nada más.</translation>
+    </message>
+    <message>
+        <source>Before the tool is raised</source>
+        <translation>Antes de levantar la herramienta</translation>
     </message>
 </context>
 <context>

@@ -1519,6 +1519,10 @@
         <source>The control does not carry out the synchronized actions of the program: hold, stop and override would not act. Nothing was moved. Check that the control has synchronized actions.</source>
         <translation>La commande n’exécute pas les actions synchrones du programme : maintien, arrêt et correction d’avance n’agiraient pas. Rien n’a bougé. Vérifiez que la commande a les actions synchrones.</translation>
     </message>
+    <message>
+        <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
+        <translation>Le trajet direct vers le premier point traverse la zone que le programme usine. Relevez d'abord l'outil.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2762,6 +2766,19 @@
     <message>
         <source>%1 coolant</source>
         <translation>%1 arrosage</translation>
+    </message>
+    <message>
+        <source>Straight way to the first point</source>
+        <translation>Trajet direct vers le premier point</translation>
+    </message>
+    <message>
+        <source>CLEAR</source>
+        <extracomment>What the operator types; a translation may be any one word.</extracomment>
+        <translation>LIBRE</translation>
+    </message>
+    <message>
+        <source>The tool goes straight through the space in which the program cuts. Look whether anything is in its way: workpiece, clamps. If nothing is, type %1.</source>
+        <translation>L'outil traverse en ligne droite la zone que le programme usine. Regardez si quelque chose se trouve sur son trajet : pièce, bridages. Sinon, tapez %1.</translation>
     </message>
 </context>
 <context>
@@ -4564,8 +4581,40 @@ GPL-3.0-or-later</translation>
         <translation>Ensuite en ligne droite sur %1 jusqu’à %2.</translation>
     </message>
     <message>
-        <source>This way passes within what the program cuts. Bring the tool above Z %1 first, or make sure that nothing is in the way.</source>
-        <translation>Ce trajet passe dans ce que le programme usine. Amener d’abord l’outil au-dessus de Z %1, ou s’assurer que rien ne se trouve sur le trajet.</translation>
+        <source>This way passes within what the program cuts, which reaches up to Z %1.</source>
+        <translation>Ce trajet traverse la zone que le programme usine, qui monte jusqu'à Z %1.</translation>
+    </message>
+    <message>
+        <source>Raise the tool …</source>
+        <translation>Relever l'outil …</translation>
+    </message>
+    <message>
+        <source>Bring the tool to a place from which it is clear.</source>
+        <translation>Amenez l'outil à un endroit d'où il est libre.</translation>
+    </message>
+    <message>
+        <source>Straight way</source>
+        <translation>Trajet direct</translation>
+    </message>
+    <message>
+        <source>Confirmed: nothing is in the way of the first move.</source>
+        <translation>Confirmé : rien ne gêne le premier déplacement.</translation>
+    </message>
+    <message>
+        <source>If nothing is in the way of the first move, confirm it.</source>
+        <translation>Si rien ne gêne le premier déplacement, confirmez-le.</translation>
+    </message>
+    <message>
+        <source>It is clear …</source>
+        <translation>Il est libre …</translation>
+    </message>
+    <message>
+        <source>Raise the tool</source>
+        <translation>Relever l'outil</translation>
+    </message>
+    <message>
+        <source>The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page comes again.</source>
+        <translation>L'outil monte tout droit de %1 jusqu'à Z %2, à %3. Rien d'autre ne bouge. Ensuite cette page revient.</translation>
     </message>
 </context>
 <context>
@@ -4694,6 +4743,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Pause requested.</source>
         <translation>Pause demandée.</translation>
+    </message>
+    <message>
+        <source>The tool is raised to Z %1.</source>
+        <translation>L'outil est relevé à Z %1.</translation>
+    </message>
+    <message>
+        <source>The tool has been raised.</source>
+        <translation>L'outil est relevé.</translation>
+    </message>
+    <message>
+        <source>The tool has not been raised.</source>
+        <translation>L'outil n'est pas relevé.</translation>
     </message>
 </context>
 <context>
@@ -8375,6 +8436,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
         <translation>Rien n’a encore bougé. Maintenir une seconde le bouton ci-dessous&#xa0;: alors la machine se déplace.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold Start for one second: then the tool is raised, and nothing else.</source>
+        <translation>Rien n'a encore bougé. Maintenez Démarrer une seconde : l'outil est alors relevé, et rien d'autre.</translation>
+    </message>
+    <message>
+        <source>Before the tool is raised</source>
+        <translation>Avant de relever l'outil</translation>
     </message>
 </context>
 <context>

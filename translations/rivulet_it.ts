@@ -1519,6 +1519,10 @@
         <source>The control does not carry out the synchronized actions of the program: hold, stop and override would not act. Nothing was moved. Check that the control has synchronized actions.</source>
         <translation>Il controllo non esegue le azioni sincrone del programma: arresto temporaneo, arresto e override non agirebbero. Nulla è stato mosso. Verificare che il controllo abbia le azioni sincrone.</translation>
     </message>
+    <message>
+        <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
+        <translation>La via diretta al primo punto passa nella zona che il programma lavora. Sollevare prima l'utensile.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -2762,6 +2766,19 @@
     <message>
         <source>%1 coolant</source>
         <translation>%1 refrigerante</translation>
+    </message>
+    <message>
+        <source>Straight way to the first point</source>
+        <translation>Via diretta al primo punto</translation>
+    </message>
+    <message>
+        <source>CLEAR</source>
+        <extracomment>What the operator types; a translation may be any one word.</extracomment>
+        <translation>LIBERO</translation>
+    </message>
+    <message>
+        <source>The tool goes straight through the space in which the program cuts. Look whether anything is in its way: workpiece, clamps. If nothing is, type %1.</source>
+        <translation>L'utensile attraversa in linea retta la zona che il programma lavora. Controllare se c'è qualcosa sulla sua via: pezzo, staffe. Se non c'è nulla, digitare %1.</translation>
     </message>
 </context>
 <context>
@@ -4564,8 +4581,40 @@ GPL-3.0-or-later</translation>
         <translation>Poi in linea retta per %1 fino a %2.</translation>
     </message>
     <message>
-        <source>This way passes within what the program cuts. Bring the tool above Z %1 first, or make sure that nothing is in the way.</source>
-        <translation>Questo percorso passa in ciò che il programma lavora. Portare prima l’utensile sopra Z %1, o verificare che nulla sia d’intralcio.</translation>
+        <source>This way passes within what the program cuts, which reaches up to Z %1.</source>
+        <translation>Questa via passa nella zona che il programma lavora, che arriva fino a Z %1.</translation>
+    </message>
+    <message>
+        <source>Raise the tool …</source>
+        <translation>Solleva l'utensile …</translation>
+    </message>
+    <message>
+        <source>Bring the tool to a place from which it is clear.</source>
+        <translation>Portare l'utensile in un punto da cui sia libera.</translation>
+    </message>
+    <message>
+        <source>Straight way</source>
+        <translation>Via diretta</translation>
+    </message>
+    <message>
+        <source>Confirmed: nothing is in the way of the first move.</source>
+        <translation>Confermato: nulla ostacola il primo movimento.</translation>
+    </message>
+    <message>
+        <source>If nothing is in the way of the first move, confirm it.</source>
+        <translation>Se nulla ostacola il primo movimento, confermarlo.</translation>
+    </message>
+    <message>
+        <source>It is clear …</source>
+        <translation>È libera …</translation>
+    </message>
+    <message>
+        <source>Raise the tool</source>
+        <translation>Sollevare l'utensile</translation>
+    </message>
+    <message>
+        <source>The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page comes again.</source>
+        <translation>L'utensile sale diritto di %1 fino a Z %2, a %3. Nient'altro si muove. Poi torna questa pagina.</translation>
     </message>
 </context>
 <context>
@@ -4694,6 +4743,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Pause requested.</source>
         <translation>Pausa richiesta.</translation>
+    </message>
+    <message>
+        <source>The tool is raised to Z %1.</source>
+        <translation>L'utensile viene sollevato a Z %1.</translation>
+    </message>
+    <message>
+        <source>The tool has been raised.</source>
+        <translation>L'utensile è stato sollevato.</translation>
+    </message>
+    <message>
+        <source>The tool has not been raised.</source>
+        <translation>L'utensile non è stato sollevato.</translation>
     </message>
 </context>
 <context>
@@ -8375,6 +8436,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Nothing has moved yet. Hold the button below for one second: then the machine moves.</source>
         <translation>Ancora non si è mosso nulla. Tenere premuto per un secondo il pulsante in basso: poi la macchina si muove.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold Start for one second: then the tool is raised, and nothing else.</source>
+        <translation>Non si è ancora mosso nulla. Tenere premuto Avvia per un secondo: allora l'utensile viene sollevato, e nient'altro.</translation>
+    </message>
+    <message>
+        <source>Before the tool is raised</source>
+        <translation>Prima di sollevare l'utensile</translation>
     </message>
 </context>
 <context>

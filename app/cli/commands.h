@@ -131,6 +131,8 @@ struct StreamOptions {
   bool evenPauses = false;
   bool acceptInfeasible = false;
   bool acceptChanges = false;        ///< the program differs where nothing has been executed
+  bool straight = false;             ///< the first move may pass within what the program cuts
+  std::optional<double> raiseToMm;   ///< the tool is raised to this Z; there is no program then
   std::vector<std::string> command;  ///< the words of the command line
   bool json = false;
   LiveOptions live;
@@ -163,6 +165,7 @@ struct JobOptions {
   bool fromStart = false;              ///< although a job was left on this control
   double dryRunMm = 0.0;               ///< > 0: a dry run, so much higher
   std::vector<std::string> functions;  ///< M functions of another machine, see --m
+  bool straight = false;               ///< the first move may pass within what the program cuts
   bool confirmed = false;              ///< what is done before a job goes on has been checked
   std::vector<std::string> command;    ///< the words of the command line
   bool json = false;

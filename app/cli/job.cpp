@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -27,6 +28,7 @@
 #include "job/functions.h"
 #include "job/main_program.h"
 #include "machine/config.h"
+#include "opcua/await.h"
 #include "overview/program_view.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
@@ -172,6 +174,9 @@ class JobCommand {
     return (m_options.simulate || m_options.verify) && m_options.output.empty();
   }
   base::Result<std::optional<machine::MachineConfig>> machine();
+  /// From where the tool stands; nothing has been executed.
+  base::Result<void> requireClearWay(const machine::MachineConfig& machine,
+                                     const streaming::CutBox& cut);
   base::Result<run::JobRestart> findRestart(const machine::MachineConfig& machine);
   base::Result<run::JobRestart> ask(const machine::MachineConfig& machine,
                                     const report::SavedRun& run, streaming::ActiveProgram active);
@@ -526,7 +531,8 @@ base::Result<void> JobCommand::look() {
     return {};
   }
   const forecast::HazardOptions options{(*machine)->start()};
-  m_hazards = forecast::hazardsOf(m_plan, **machine, options);
+  const forecast::CheckedJob checked = forecast::checkJob(m_plan, **machine, options);
+  m_hazards = checked.hazards;
   if (!m_options.json) {
     for (const forecast::Hazard& hazard : m_hazards) {
       log::logger().warn(forecast::describe(hazard));
@@ -547,11 +553,32 @@ base::Result<void> JobCommand::look() {
                                   unknown->alarm, unknown->text),
                       fmt::format("{}:{}", m_plan.program.name, unknown->line.value));
   }
+  // A job that goes on raises the tool itself.
+  if (base::Result<void> clear = m_options.simulate || m_restart
+                                     ? base::Result<void>()
+                                     : requireClearWay(**machine, checked.cut);
+      !clear) {
+    return clear;
+  }
   m_forecast = forecast::forecast(m_plan, **machine, m_settings, options);
   if (!m_options.json) {
     fmt::print("estimated: {}\n", report::describe(m_forecast->times));
   }
   return {};
+}
+
+base::Result<void> JobCommand::requireClearWay(const machine::MachineConfig& machine,
+                                               const streaming::CutBox& cut) {
+  const std::array<opcua::Variable, 3> position{{{opcua::VariableKind::ActualPosition, 0},
+                                                 {opcua::VariableKind::ActualPosition, 1},
+                                                 {opcua::VariableKind::ActualPosition, 2}}};
+  const auto mm = opcua::readNumbers(*m_connection.link, position, m_settings.setupDeadline);
+  if (!mm) {
+    return base::fail(mm.error());
+  }
+  const base::AxisPosition tool{{(*mm)[0], (*mm)[1], (*mm)[2]}, {}};
+  return cli::requireClearWay(forecast::cutOnTheWay(m_plan, machine, tool, cut),
+                              m_options.straight, m_plan.program.name);
 }
 
 void JobCommand::print(const streaming::WholeJobReport& done) const {

@@ -381,6 +381,12 @@ void addMotionOptions(CLI::App* command, rivulet::cli::StreamOptions& options) {
       ->needs(command->get_option("--correction-limit"));
 }
 
+void addStraight(CLI::App* command, bool& straight) {
+  command->add_flag("--straight", straight,
+                    "Nothing is in the way of the first move, though it passes within what the "
+                    "program cuts");
+}
+
 /// @throws CLI::RequiredError
 Exit runStream(rivulet::cli::StreamOptions& options, const CLI::App& command) {
   if (!options.simulate && options.endpoint.empty()) {
@@ -428,6 +434,7 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
   addMotionOptions(command, *options);
   command->add_flag("--from-start", options->fromStart,
                     "Begin a whole job at its beginning although a job was left on this control");
+  addStraight(command, options->straight);
   command->add_flag("--motion-only", options->motionOnly,
                     "Without tools, spindle, coolant and all else that the control executes "
                     "itself: set them there");
@@ -438,6 +445,26 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
                     "Start on a real control although the verdict is not feasible");
   addJson(command, options->json);
   command->callback([options, command, &exit] { exit = runStream(*options, *command); });
+}
+
+void addRaiseCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
+  const auto options = std::make_shared<rivulet::cli::StreamOptions>();
+  options->command = std::move(words);
+  CLI::App* command = app.add_subcommand(
+      "raise", "Raise the tool straight up, as a run of its own: after a stop in the cut");
+  command->add_option("--endpoint", options->endpoint, "OPC UA server")->required();
+  command
+      ->add_option_function<double>(
+          "--to", [options](double mm) { options->raiseToMm = mm; },
+          "Z to which it is raised, mm, in the frame that the control has active")
+      ->required();
+  command->add_option("--feed", options->point.feedMmPerMin, "Feed, mm/min")
+      ->required()
+      ->check(kPositive);
+  addPoint(command, options->point);
+  addLayout(command, options->point);
+  addJson(command, options->json);
+  command->callback([options, &exit] { exit = rivulet::cli::stream(*options); });
 }
 
 void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
@@ -498,6 +525,7 @@ void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
       ->excludes(fromStretch);
   resume->excludes(simulate);
   resume->excludes(dry);
+  addStraight(command, options->straight);
   command->add_flag("--yes", options->confirmed,
                     "What is done before the job goes on has been checked");
   addJson(command, options->json);
@@ -994,6 +1022,7 @@ int main(int argc, char** argv) {
   addFeasibilityCommand(app, exit);
   addTemplateCommand(app, exit);
   addStreamCommand(app, exit, {argv, argv + argc});
+  addRaiseCommand(app, exit, {argv, argv + argc});
   addJobCommand(app, exit, {argv, argv + argc});
   addRunsCommand(app, exit);
   addAuditCommand(app, exit);

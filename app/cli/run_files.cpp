@@ -11,8 +11,28 @@
 #include "cli/found_run.h"
 #include "platform/log.h"
 #include "run/travel.h"
+#include "streaming/run/run.h"
 
 namespace rivulet::cli {
+
+base::Result<void> requireClearWay(const std::optional<streaming::CutOnTheWay>& cut,
+                                   bool isAccepted, const std::string& program) {
+  if (!cut) {
+    return {};
+  }
+  if (isAccepted) {
+    log::logger().warn(streaming::describe(*cut));
+    return {};
+  }
+  return base::fail(
+      streaming::StreamError::CutOnTheWay,
+      streaming::describe(*cut) +
+          (cut->isClearFromAbove
+               ? fmt::format(" To raise it: rivulet-cli raise --to {:.3f}.", cut->heightMm)
+               : std::string()) +
+          " If nothing is in the way, give --straight. Nothing has moved.",
+      program);
+}
 
 base::Result<void> requireTravel(const Connection& connection, const std::string& preset,
                                  std::span<const gcode::StreamPoint> points) {

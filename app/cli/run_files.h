@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <system_error>
@@ -15,6 +16,7 @@
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "run/run_record.h"
+#include "streaming/start/first_move.h"
 
 namespace rivulet::cli {
 
@@ -35,6 +37,11 @@ template <class Options>
   facts.isSimulated = options.simulate;
   return facts;
 }
+
+/// Refuses a first move through what the program cuts, unless the operator has looked.
+/// @param isAccepted  --straight was given
+[[nodiscard]] base::Result<void> requireClearWay(const std::optional<streaming::CutOnTheWay>& cut,
+                                                 bool isAccepted, const std::string& program);
 
 /// Refuses a motion that would leave the travel, and warns of what could not be checked.
 /// @param preset  of a simulation; empty: the machine of the connection

@@ -23,6 +23,7 @@
 #include "cli/run_settings.h"
 #include "feasibility/verdict.h"
 #include "gcode/block_observer.h"
+#include "gcode/error.h"
 #include "gcode/program.h"
 #include "job/main_program.h"
 #include "job/plan.h"
@@ -345,11 +346,14 @@ base::Result<void> StreamCommand::load() {
     return base::fail(templates::TemplateError::NotOnTarget,
                       "The virtual machine is no LinuxCNC: leave out --simulate or --control.");
   }
-  auto program = gcode::loadProgram(m_options.file, m_options.loading.loadOptions());
-  if (!program) {
+  if (m_options.raiseToMm) {
+    m_program = streaming::raiseProgram(*m_options.raiseToMm);
+  } else if (auto program =
+                 gcode::loadProgram(m_options.file, m_options.loading.loadOptions())) {
+    m_program = std::move(*program);
+  } else {
     return base::fail(program.error());
   }
-  m_program = std::move(*program);
   if (base::Result<void> meant = requireMeaning(m_program, false); !meant) {
     return meant;
   }
@@ -531,7 +535,7 @@ base::Result<void> StreamCommand::findResume() {
     log::logger().warn(change);
   }
   if (resume->restMm) {
-    log::logger().info(run::restText(resume->restMm));
+    log::logger().warn(run::restText(resume->restMm));
   }
   const auto ended = ask(streaming::ActiveProgram::IsEnded);
   if (!ended) {
@@ -548,11 +552,18 @@ base::Result<void> StreamCommand::findResume() {
 base::Result<void> StreamCommand::checkTravel() {
   // What else stands in the way of a start, the run says itself.
   const auto flight = streaming::preflight(*m_connection.link, m_program, m_settings);
+  if (flight && m_options.raiseToMm && flight->toolMm.z >= *m_options.raiseToMm) {
+    return base::fail(gcode::GcodeError::NoMotion,
+                      fmt::format("The tool stands at Z {:.3f} already.", flight->toolMm.z));
+  }
   if (flight && !m_settings.resume && !m_options.simulate) {
     const std::vector<gcode::StreamPoint>& points = flight->points.points;
-    if (const auto heightMm =
-            streaming::cutOnTheWay(flight->toolMm, points.front().positionMm, points)) {
-      log::logger().warn(streaming::describeCutOnTheWay(*heightMm));
+    const auto cut = streaming::cutOnTheWay(
+        flight->toolMm, streaming::firstPlace(m_program.trajectory, flight->toolMm),
+        streaming::cutOf(points));
+    if (base::Result<void> clear = requireClearWay(cut, m_options.straight, m_program.name);
+        !clear) {
+      return clear;
     }
   }
   return flight ? requireTravel(m_connection, m_options.simulate ? m_options.preset : std::string(),
@@ -622,6 +633,7 @@ JobOptions jobOf(const StreamOptions& options) {
   job.record = options.record;
   job.noMonitor = options.noMonitor;
   job.fromStart = options.fromStart;
+  job.straight = options.straight;
   job.command = options.command;
   std::replace(job.command.begin(), job.command.end(), std::string("stream"), std::string("job"));
   job.json = options.json;
@@ -643,7 +655,7 @@ base::Result<bool> runsJobs(const StreamOptions& options) {
 /// Says which blocks are left out, if the program has such.
 /// @return true if the program is to be run as a whole job
 base::Result<bool> isWholeJob(const StreamOptions& options) {
-  if (options.motionOnly) {
+  if (options.motionOnly || options.raiseToMm) {
     return false;
   }
   gcode::LoadOptions loading = options.loading.loadOptions();

@@ -139,6 +139,10 @@ class Document final : public QObject {
   /// Commanded feed of the move to a point, mm/s. @param point  index into `points`
   [[nodiscard]] double commandedMmPerS(std::size_t point) const;
   [[nodiscard]] const Findings& findings() const { return m_findings; }
+  /// Of a whole job, machine coordinates; null: not known (yet), or the machine is not.
+  [[nodiscard]] const streaming::CutBox* jobCut() const {
+    return m_findings.hazards ? &m_checked.job->cut : nullptr;
+  }
 
   /// Null: not known for the present settings (yet).
   [[nodiscard]] std::shared_ptr<const overview::PauseMap> pauses() const;

@@ -155,12 +155,13 @@ Preflight::Preflight(Document& document, MachineModel& machine, RunController& r
   connect(&m_runs, &RunController::placeFound, this, &Preflight::open);
   connect(&m_runs, &RunController::resumeForgotten, this, &Preflight::close);
   connect(&m_document, &Document::programLoaded, this, &Preflight::close);
+  connect(&m_runs, &RunController::raised, this, &Preflight::open);
 }
 
 void Preflight::open() {
   if (!m_isOpen && !m_runs.isRunning()) {
     m_isOpen = true;
-    m_isSetUpConfirmed = false;
+    m_isSetUpConfirmed = m_isFirstMoveConfirmed = m_isRaising = false;
     Q_EMIT changed();
     Q_EMIT openChanged();
   }
@@ -192,6 +193,11 @@ std::vector<PreflightItem> Preflight::items() const {
   if (const auto blocked = isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked()) {
     items.push_back({Status::Fault, tr("In the way"), widgets::blockedText(blocked), {}, 0});
   }
+  if (raiseToMm()) {
+    items.push_back(raiseItem());
+    items.push_back(stopItem());
+    return items;
+  }
   for (PreflightItem& item : m_document.live() ? liveItems() : programItems()) {
     items.push_back(std::move(item));
   }
@@ -217,6 +223,9 @@ std::vector<PreflightItem> Preflight::programItems() const {
     items.push_back(functionsItem());
   }
   items.push_back(isForResume() ? resumeItem() : firstMoveItem());
+  if (cutOnTheWay()) {
+    items.push_back(straightItem());
+  }
   if (isForChosenLine()) {
     items.push_back(stateItem());
   }
@@ -479,6 +488,7 @@ PreflightItem Preflight::firstMoveItem() const {
                    "stands to the first point of part 1.")
                     .arg(widgets::countText(first->place.line.value),
                          QString::fromStdString(first->source));
+    warnOfCut(item);
     return item;
   }
   const auto toolMm = m_machine.positionNowMm();
@@ -491,7 +501,7 @@ PreflightItem Preflight::firstMoveItem() const {
   item.text = tr("From %1 in a straight line over %2 to point 1 at %3")
                   .arg(positionText(*toolMm), widgets::lengthText(base::distance(*toolMm, firstMm)),
                        positionText(firstMm));
-  warnOfCut(item, firstMm);
+  warnOfCut(item);
   const auto& report = m_runs.report();
   if (report && report->outcome != streaming::Outcome::Completed) {
     item.status = Status::Attention;
@@ -504,18 +514,76 @@ PreflightItem Preflight::firstMoveItem() const {
   return item;
 }
 
-void Preflight::warnOfCut(PreflightItem& item, const base::Vec3& firstMm) const {
+std::optional<streaming::CutOnTheWay> Preflight::cutOnTheWay() const {
   const auto toolMm = m_machine.positionNowMm();
-  const auto heightMm = toolMm ? streaming::cutOnTheWay(*toolMm, firstMm, m_document.points())
-                               : std::optional<double>();
-  if (heightMm) {
-    item.status = Status::Attention;
-    item.text +=
-        QLatin1Char('\n') +
-        tr("This way passes within what the program cuts. Bring the tool above Z %1 first, "
-           "or make sure that nothing is in the way.")
-            .arg(widgets::lengthText(*heightMm, 3));
+  const bool goesOn = isForResume() && !isForChosenLine();
+  if (!toolMm || goesOn || m_document.live() || m_document.points().empty()) {
+    return std::nullopt;
   }
+  if (m_document.isJob()) {
+    const streaming::CutBox* cut = m_document.jobCut();
+    return cut != nullptr ? forecast::cutOnTheWay(*m_document.view()->plan, *m_document.jobMachine(),
+                                                  {*toolMm, {}}, *cut)
+                          : std::nullopt;
+  }
+  const auto& points = m_document.points();
+  return streaming::cutOnTheWay(
+      *toolMm,
+      isForChosenLine() ? m_runs.place()->positionMm
+                        : streaming::firstPlace(m_document.program()->trajectory, *toolMm),
+      streaming::cutOf(points));
+}
+
+std::optional<double> Preflight::raiseToMm() const {
+  const auto cut = m_isRaising && !isForResume() ? cutOnTheWay() : std::nullopt;
+  return cut && cut->isClearFromAbove ? std::optional(cut->heightMm) : std::nullopt;
+}
+
+void Preflight::warnOfCut(PreflightItem& item) const {
+  const auto cut = cutOnTheWay();
+  if (!cut) {
+    return;
+  }
+  item.status = m_isFirstMoveConfirmed ? Status::Attention : Status::Fault;
+  item.text += QLatin1Char('\n') +
+               tr("This way passes within what the program cuts, which reaches up to Z %1.")
+                   .arg(widgets::lengthText(cut->heightMm, 3));
+  if (cut->isClearFromAbove && !isForResume()) {
+    item.remedy = tr("Raise the tool …");
+    item.remedyId = RaiseTool;
+  } else {
+    item.text += QLatin1Char(' ') + tr("Bring the tool to a place from which it is clear.");
+  }
+}
+
+PreflightItem Preflight::straightItem() const {
+  return m_isFirstMoveConfirmed
+             ? PreflightItem{Status::Attention,
+                             tr("Straight way"),
+                             tr("Confirmed: nothing is in the way of the first move."),
+                             {},
+                             0}
+             : PreflightItem{Status::Plain, tr("Straight way"),
+                             tr("If nothing is in the way of the first move, confirm it."),
+                             tr("It is clear …"), ConfirmFirstMove};
+}
+
+void Preflight::confirmFirstMove() {
+  m_isFirstMoveConfirmed = true;
+  Q_EMIT changed();
+}
+
+PreflightItem Preflight::raiseItem() const {
+  const double byMm = *raiseToMm() - m_machine.positionNowMm()->z;
+  return {Status::Attention,
+          tr("Raise the tool"),
+          tr("The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page "
+             "comes again.")
+              .arg(widgets::lengthText(byMm, 3), widgets::lengthText(*raiseToMm(), 3),
+                   widgets::feedText(m_document.runSettings().feedMmPerS)),
+          {},
+          0,
+          true};
 }
 
 PreflightItem Preflight::hazardItem() const {
@@ -687,7 +755,7 @@ PreflightItem Preflight::chosenItem(const QString& point) const {
                  .arg(how, widgets::countText(place.line.value), point)) +
       QLatin1Char('\n') +
       tr("The %Ln points before it are not executed.", nullptr, static_cast<int>(place.point));
-  warnOfCut(item, place.positionMm);
+  warnOfCut(item);
   return item;
 }
 
@@ -891,6 +959,15 @@ void Preflight::remedy(int remedyId) {
   }
   if (remedyId == ConfirmSetUp) {
     m_isSetUpConfirmed = true;
+    Q_EMIT changed();
+    return;
+  }
+  if (remedyId == ConfirmFirstMove) {
+    Q_EMIT straightRequested();
+    return;
+  }
+  if (remedyId == RaiseTool) {
+    m_isRaising = true;
     Q_EMIT changed();
     return;
   }

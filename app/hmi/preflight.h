@@ -16,6 +16,7 @@
 #include "hmi/releases.h"
 #include "hmi/run_controller.h"
 #include "hmi/users.h"
+#include "streaming/start/first_move.h"
 #include "widgets/streaming/preflight_sheet.h"
 
 namespace rivulet::hmi {
@@ -34,6 +35,8 @@ class Preflight final : public QObject {
     ChooseStretch,
     ChangeLive,
     ConfirmSetUp,
+    ConfirmFirstMove,
+    RaiseTool,
   };
 
   Preflight(Document& document, MachineModel& machine, RunController& runs);
@@ -50,18 +53,25 @@ class Preflight final : public QObject {
   [[nodiscard]] bool isForResume() const { return m_runs.place().has_value(); }
   /// At a line that the operator has chosen, a kind of resuming.
   [[nodiscard]] bool isForChosenLine() const { return isForResume() && m_runs.place()->isChosen; }
+  /// The tool is raised, as a run of its own, before anything else. @return Z, nothing: it is not
+  [[nodiscard]] std::optional<double> raiseToMm() const;
   /// It is shown, and nothing stands in the way.
   [[nodiscard]] bool hasPassed() const {
     return m_isOpen && !(isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked()) &&
-           (m_isSetUpConfirmed || missingSetUp().isEmpty());
+           (raiseToMm() || ((m_isSetUpConfirmed || missingSetUp().isEmpty()) &&
+                            (m_isFirstMoveConfirmed || !cutOnTheWay())));
   }
   /// In the operator's language.
   [[nodiscard]] std::vector<widgets::PreflightItem> items() const;
   void remedy(int remedyId);
+  /// The operator has looked: nothing is in the way of the first move.
+  void confirmFirstMove();
   /// Shows who has released the job; without it nobody has to.
   void setReleases(Releases& releases, Users& users);
 
  Q_SIGNALS:
+  /// The operator wants to confirm that nothing is in the way of the first move.
+  void straightRequested();
   /// Opened or closed.
   void openChanged();
   void changed();
@@ -88,8 +98,12 @@ class Preflight final : public QObject {
   /// control.
   [[nodiscard]] forecast::SetUp missingSetUp() const;
   [[nodiscard]] widgets::PreflightItem firstMoveItem() const;
-  /// Adds that the straight way of the tool to the first point passes within the cut, if it does.
-  void warnOfCut(widgets::PreflightItem& item, const base::Vec3& firstMm) const;
+  /// Whether the way of the tool to the first point passes within what the program cuts.
+  [[nodiscard]] std::optional<streaming::CutOnTheWay> cutOnTheWay() const;
+  /// Says so, and what can be done.
+  void warnOfCut(widgets::PreflightItem& item) const;
+  [[nodiscard]] widgets::PreflightItem straightItem() const;
+  [[nodiscard]] widgets::PreflightItem raiseItem() const;
   [[nodiscard]] widgets::PreflightItem travelItem() const;
   /// @param sizesMm  of the path, or of the box that it stays in
   [[nodiscard]] widgets::PreflightItem travelItem(const base::Vec3& sizesMm) const;
@@ -120,7 +134,10 @@ class Preflight final : public QObject {
   mutable std::weak_ptr<const job::Plan> m_setUpOf;
   mutable std::shared_ptr<const machine::MachineConfig> m_setUpOn;  ///< null: not known
   mutable forecast::SetUp m_setUp;                                  ///< computed once for both
-  bool m_isSetUpConfirmed = false;  ///< by the operator, as long as it is shown
+  // By the operator, as long as it is shown.
+  bool m_isSetUpConfirmed = false;
+  bool m_isFirstMoveConfirmed = false;
+  bool m_isRaising = false;
 };
 
 }  // namespace rivulet::hmi

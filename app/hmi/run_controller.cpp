@@ -10,6 +10,7 @@
 #include "job/main_program.h"
 #include "live/setup.h"
 #include "report/run_history.h"
+#include "streaming/start/first_move.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/note_text.h"
@@ -488,19 +489,7 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
   if (!resume && !restart) {
     m_document.followTool();
   }
-  m_report.reset();
-  m_update.feed.reset();
-  m_isHeld = m_isEnding = false;
-  m_firstMotion.reset();
-  m_wrong.reset();
-  m_hasWrongMotion = false;
-  Q_EMIT wrongMotionChanged();
-  m_messages.clear();
-  for (const alarm::Code code :
-       {alarm::Code::RunFailed, alarm::Code::WrongMotion, alarm::Code::MovesWrong,
-        alarm::Code::NotJudged, alarm::Code::NotRecorded}) {
-    m_messages.settle(code);
-  }
+  forgetLast();
   announceStart(settings, restart.get(), isChosen);
   ActDetails details{{"program", m_document.program()->name},
                      {"hash", m_document.program()->hash},
@@ -533,6 +522,68 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
   Q_EMIT started(shownFrom);
   Q_EMIT permissionsChanged();
   return true;
+}
+
+void RunController::forgetLast() {
+  m_report.reset();
+  m_update.feed.reset();
+  m_isHeld = m_isEnding = false;
+  m_firstMotion.reset();
+  m_wrong.reset();
+  m_hasWrongMotion = false;
+  Q_EMIT wrongMotionChanged();
+  m_messages.clear();
+  for (const alarm::Code code :
+       {alarm::Code::RunFailed, alarm::Code::WrongMotion, alarm::Code::MovesWrong,
+        alarm::Code::NotJudged, alarm::Code::NotRecorded}) {
+    m_messages.settle(code);
+  }
+}
+
+bool RunController::raise(double toMm) {
+  if (refuses(startBlocked())) {
+    return false;
+  }
+  session::StartCommand command;
+  command.program = std::make_shared<const gcode::Program>(streaming::raiseProgram(toMm));
+  command.settings = m_document.runSettings();
+  command.settings.programFeeds.reset();
+  forgetResume();
+  m_left.reset();
+  holdPoints();
+  forgetLast();
+  m_update = {};
+  m_isRaising = true;
+  m_machine.showPreparing(true);
+  m_messages.didAct(Act::Start, {{"program", command.program->name},
+                                 {"machine", m_machine.endpoint().toStdString()},
+                                 {"z_mm", std::to_string(toMm)}});
+  m_messages.show(Severity::Note, [toMm] {
+    return tr("The tool is raised to Z %1.").arg(widgets::lengthText(toMm));
+  });
+  m_session.start(std::move(command));
+  m_document.setRunning(m_session.isRunning());
+  Q_EMIT updated(m_update);
+  Q_EMIT permissionsChanged();
+  return true;
+}
+
+void RunController::takeRaised(const streaming::RunReport& report) {
+  m_isRaising = false;
+  m_update = {};
+  m_machine.showPreparing(false);
+  m_machine.forgetExecuted();
+  m_messages.clear();
+  if (report.error.code) {
+    m_messages.raise(alarm::Code::RunFailed, {report.programName}, report.error);
+  }
+  m_messages.log(Severity::Note, Source::Run, [isDone = report.outcome == streaming::Outcome::Completed] {
+    return isDone ? tr("The tool has been raised.") : tr("The tool has not been raised.");
+  });
+  m_document.setRunning(false);
+  Q_EMIT updated(m_update);
+  Q_EMIT permissionsChanged();
+  Q_EMIT raised();
 }
 
 void RunController::announceStart(const streaming::RunSettings& settings,
@@ -587,6 +638,18 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
   const bool isNewState = update.state != m_update.state;
   const bool isMoving = update.state == streaming::RunState::Running;
   m_update = update;
+  if (m_isRaising) {
+    m_update.counters = {};  // of the program, nothing is executed
+    m_machine.showPreparing(update.state == streaming::RunState::Armed);
+    Q_EMIT updated(m_update);
+    if (update.sample) {
+      m_machine.showSample(*update.sample, std::nullopt);
+    }
+    if (isNewState) {
+      Q_EMIT permissionsChanged();
+    }
+    return;
+  }
   m_update.counters = inProgram(update.counters, m_firstPoint);
   if (isMoving && !m_firstMotion) {
     m_firstMotion = update.at;
@@ -720,6 +783,10 @@ std::optional<widgets::MachineView::ToGo> RunController::toGo(
 }
 
 void RunController::takeFinished(const session::RunFinished& finished) {
+  if (m_isRaising) {
+    takeRaised(*finished.report);
+    return;
+  }
   m_report = finished.report;
   const bool wasJob = m_job.has_value();
   m_job.reset();

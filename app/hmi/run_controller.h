@@ -53,6 +53,9 @@ class RunController final : public QObject {
 
   /// Starts if nothing stands in the way. @return false and says why otherwise
   bool start();
+  /// Raises the tool straight up, as a run of its own, at the largest feed of the program. The run
+  /// that was left cannot be resumed any more. @param toMm  Z  @return false as `start`
+  bool raise(double toMm);
   /// The axes stand at once, as with `hold`; without a feed cell the run ends before its next
   /// window. May be called again and again.
   void stop();
@@ -102,12 +105,18 @@ class RunController final : public QObject {
   [[nodiscard]] std::size_t runBegin() const { return m_runBegin; }
   /// Where the whole job in progress is; nothing: none is in progress.
   [[nodiscard]] const std::optional<session::JobUpdate>& job() const { return m_job; }
+  /// Line of the program whose native block the control executes; 0: none of them.
+  [[nodiscard]] std::size_t nativeLine() const {
+    return m_job && m_job->isNative ? m_job->line.value : 0;
+  }
   /// Null: no run has ended since the last start.
   [[nodiscard]] const std::shared_ptr<const streaming::RunReport>& report() const {
     return m_report;
   }
 
  Q_SIGNALS:
+  /// The tool has been raised, or not: it has been said.
+  void raised();
   /// What may be done, or why not, has changed.
   void permissionsChanged();
   void corrected(const rivulet::base::Vec3& valueMm);
@@ -137,6 +146,9 @@ class RunController final : public QObject {
   /// @return true if something stands in the way; it has been said
   bool refuses(const std::optional<streaming::Blocked>& blocked);
   void noteEnd();
+  /// Nothing of the last run is shown any more.
+  void forgetLast();
+  void takeRaised(const streaming::RunReport& report);
   /// @param resume, restart  by value: the start forgets the place that was found
   bool startRun(std::optional<streaming::Resume> resume,
                 std::shared_ptr<const run::JobRestart> restart = nullptr);
@@ -178,6 +190,7 @@ class RunController final : public QObject {
   std::optional<streaming::WrongMotion> m_wrong;  ///< seen in the run in progress, or in the last
   bool m_hasWrongMotion = false;                  ///< and not acknowledged
   bool m_isHeld = false;                          ///< by the operator
+  bool m_isRaising = false;                       ///< the run in progress is `raise`
   bool m_isEnding = false;                        ///< the run in progress has been told to end
   std::optional<session::JobUpdate> m_job;
   std::size_t m_firstPoint = 0;

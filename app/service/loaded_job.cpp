@@ -212,8 +212,10 @@ base::Result<LoadedJob> loadJob(
   }
   job.place(toolMm, machine);
   if (job.view->isJob() && machine.known) {
-    job.hazards = std::make_shared<const session::Hazards>(
-        forecast::hazardsOf(*job.view->plan, *machine.known, {machine.known->start()}));
+    forecast::CheckedJob checked =
+        forecast::checkJob(*job.view->plan, *machine.known, {machine.known->start()});
+    job.hazards = std::make_shared<const session::Hazards>(std::move(checked.hazards));
+    job.cut = checked.cut;
   }
   return job;
 }

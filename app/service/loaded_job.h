@@ -24,6 +24,7 @@
 #include "report/machine_store.h"
 #include "session/hazards.h"
 #include "streaming/run/run.h"
+#include "streaming/start/first_move.h"
 
 namespace rivulet::service {
 
@@ -68,6 +69,7 @@ struct LoadedJob {
   streaming::RunSettings runSettings;
   preparation::Judged judged;
   std::shared_ptr<const session::Hazards> hazards;  ///< of a whole job on a machine that is known
+  streaming::CutBox cut;                            ///< of that job, machine coordinates
   permission::Job released;                         ///< what a release has to name
 
   /// The file is no longer what was read.

@@ -437,8 +437,14 @@ std::string ServiceSession::describeStart() const {
         "The tool is at X {:.3f} Y {:.3f} Z {:.3f} and first moves {:.1f} mm in a straight line to "
         "X {:.3f} Y {:.3f} Z {:.3f}.",
         at->x, at->y, at->z, base::distance(*at, to), to.x, to.y, to.z);
-    if (const auto heightMm = streaming::cutOnTheWay(*at, to, points); heightMm && !view.isJob()) {
-      text += ' ' + streaming::describeCutOnTheWay(*heightMm);
+    const auto cut =
+        !view.isJob() ? streaming::cutOnTheWay(*at, streaming::firstPlace(view.program->trajectory, *at),
+                                        streaming::cutOf(points))
+        : m_job->hazards && m_machine->known
+            ? forecast::cutOnTheWay(*view.plan, *m_machine->known, {*at, {}}, m_job->cut)
+            : std::nullopt;
+    if (cut) {
+      text += ' ' + streaming::describe(*cut);
     }
   }
   return text;

@@ -668,7 +668,7 @@ base::Result<void> SessionWorker::checkBefore(const StartCommand& command,
     }
     m_proven = flexible.text;
   }
-  // Last: the program of a run that is resumed ends with it.
+  // The program of a run that is resumed ends with it: the travel is checked on an idle control.
   if (base::Result<void> asked = command.resumes ? askAgain(command) : base::Result<void>();
       !asked) {
     return asked;

@@ -143,6 +143,60 @@ std::string whatOf(const Hazard& hazard) {
   return {};
 }
 
+/// A job in short, and what a machine does with it.
+struct DryJob {
+  DryJob(const job::Plan& plan, const machine::MachineConfig& machine, const HazardOptions& options)
+      : nativeCount(plan.nativeCount()),
+        outline(job::outlineOf(plan)),
+        run(machine::dryRun(machine, outline.text, {options.start, [this](base::LineNumber line) {
+                                                      return lineOf(line).native > 0;
+                                                    }})) {}
+  [[nodiscard]] const job::OutlineLine& lineOf(base::LineNumber line) const {
+    return outline.lines[line.value - 1];
+  }
+  /// By their number in the plan, less 1.
+  [[nodiscard]] std::vector<base::Duration> nativeTimes() const {
+    std::vector<base::Duration> times(nativeCount);
+    for (const machine::DryTime& time : run.times) {
+      times[static_cast<std::size_t>(lineOf(time.line).native) - 1] += time.duration;
+    }
+    return times;
+  }
+
+  std::size_t nativeCount;
+  job::Outline outline;
+  machine::DryRun run;
+};
+
+/// In machine coordinates. Of a motion with feed its beginning as well: there it plunges.
+streaming::CutBox cutOf(const job::Plan& plan, const DryJob& dry) {
+  streaming::CutBox cut;
+  std::map<int, base::Vec3> zeroMm;  // of stretches
+  for (const machine::DryMotion& motion : dry.run.motions) {
+    const job::OutlineLine& from = dry.lineOf(motion.line);
+    if (from.stretch > 0) {
+      zeroMm.try_emplace(from.stretch, motion.zeroMm);
+    } else if (!motion.isRapid) {
+      cut.add(motion.from.mm + motion.zeroMm);
+      cut.add(motion.toMm + motion.zeroMm);
+    }
+  }
+  const std::vector<gcode::TrajectoryPoint>& points = plan.program.trajectory.points;
+  for (const job::Part& part : plan.parts) {
+    const auto* const stretch = std::get_if<job::Stretch>(&part);
+    const auto zero = stretch != nullptr ? zeroMm.find(stretch->number) : zeroMm.end();
+    for (std::size_t i = 0; zero != zeroMm.end() && i < stretch->pointCount; ++i) {
+      const gcode::TrajectoryPoint& point = points[stretch->firstPoint + i];
+      if (point.kind != gcode::MoveKind::Rapid) {
+        cut.add(point.positionMm + zero->second);
+        cut.add((i > 0 ? points[stretch->firstPoint + i - 1].positionMm : stretch->startMm) +
+                zero->second);
+      }
+    }
+  }
+  return cut;
+}
+
 }  // namespace
 
 std::string_view hazardName(HazardKind kind) {
@@ -162,15 +216,11 @@ std::string describe(const Hazard& hazard) {
 
 CheckedJob checkJob(const job::Plan& plan, const machine::MachineConfig& machine,
                     const HazardOptions& options) {
-  const job::Outline outline = job::outlineOf(plan);
+  const DryJob dry(plan, machine, options);
   const std::vector<const job::NativeBlock*> natives = nativesOf(plan);
-  const auto isNative = [&outline](base::LineNumber line) {
-    return outline.lines[line.value - 1].native > 0;
-  };
-  const machine::DryRun run = machine::dryRun(machine, outline.text, {options.start, isNative});
   CheckedJob checked;
-  for (const machine::DryFinding& found : run.findings) {
-    const job::OutlineLine& from = outline.lines[found.line.value - 1];
+  for (const machine::DryFinding& found : dry.run.findings) {
+    const job::OutlineLine& from = dry.lineOf(found.line);
     Hazard hazard = hazardOf(found, machine);
     hazard.line = from.line;
     hazard.stretch = from.stretch;
@@ -179,12 +229,54 @@ CheckedJob checkJob(const job::Plan& plan, const machine::MachineConfig& machine
     }
     add(checked.hazards, std::move(hazard));
   }
-  checked.nativeTimes.resize(natives.size());
-  for (const machine::DryTime& time : run.times) {
-    const int native = outline.lines[time.line.value - 1].native;
-    checked.nativeTimes[static_cast<std::size_t>(native) - 1] += time.duration;
-  }
+  checked.nativeTimes = dry.nativeTimes();
+  checked.cut = cutOf(plan, dry);
   return checked;
+}
+
+namespace {
+
+std::optional<streaming::CutOnTheWay> cutFrom(const job::Plan& plan,
+                                              const machine::MachineConfig& machine,
+                                              const base::AxisPosition& tool,
+                                              const streaming::CutBox& cut) {
+  const auto stretch =
+      std::find_if(plan.parts.begin(), plan.parts.end(), [](const job::Part& part) {
+        const auto* const each = std::get_if<job::Stretch>(&part);
+        return each != nullptr && each->number > 0;
+      });
+  const auto until = static_cast<std::size_t>(stretch - plan.parts.begin());
+  const machine::DryRun run =
+      machine::dryRun(machine, job::outlineOf(plan, until).text, {.start = tool, .endsWithFeed = true});
+  for (const machine::DryMotion& motion : run.motions) {
+    const auto found =
+        streaming::cutOnTheWay(motion.from.mm + motion.zeroMm, motion.toMm + motion.zeroMm, cut);
+    if (found || !motion.isRapid) {
+      return found;
+    }
+  }
+  if (stretch == plan.parts.end() || !run.isComplete) {
+    return std::nullopt;
+  }
+  const gcode::Program program = streaming::programOf(plan, std::get<job::Stretch>(*stretch));
+  const base::Vec3 first = streaming::firstPlace(program.trajectory, run.axesMm - run.zeroMm);
+  return streaming::cutOnTheWay(run.axesMm, first + run.zeroMm, cut);
+}
+
+}  // namespace
+
+std::optional<streaming::CutOnTheWay> cutOnTheWay(const job::Plan& plan,
+                                                  const machine::MachineConfig& machine,
+                                                  const base::AxisPosition& tool,
+                                                  const streaming::CutBox& cut) {
+  auto found = cutFrom(plan, machine, tool, cut);
+  if (found) {
+    base::AxisPosition raised = tool;
+    raised.mm.z = found->heightMm;
+    found->isClearFromAbove =
+        found->heightMm > tool.mm.z && !cutFrom(plan, machine, raised, cut).has_value();
+  }
+  return found;
 }
 
 std::vector<Hazard> hazardsOf(const job::Plan& plan, const machine::MachineConfig& machine,
@@ -213,26 +305,20 @@ class Forecaster {
   Forecaster(const job::Plan& plan, const machine::MachineConfig& machine,
              const streaming::RunSettings& settings, const HazardOptions& options)
       : m_plan(plan), m_machine(machine), m_settings(settings) {
-    const job::Outline outline = job::outlineOf(plan);
-    const auto isNative = [&outline](base::LineNumber line) {
-      return outline.lines[line.value - 1].native > 0;
-    };
-    const machine::DryRun run = machine::dryRun(machine, outline.text, {options.start, isNative});
-    for (const machine::DryMotion& motion : run.motions) {
-      m_starts.try_emplace(outline.lines[motion.line.value - 1].stretch, motion.from);
+    const DryJob dry(plan, machine, options);
+    for (const machine::DryMotion& motion : dry.run.motions) {
+      m_starts.try_emplace(dry.lineOf(motion.line).stretch, motion.from);
     }
-    for (const machine::DryTime& time : run.times) {
-      m_nativeTimes[outline.lines[time.line.value - 1].native] += time.duration;
-    }
+    m_nativeTimes = dry.nativeTimes();
   }
 
   JobForecast forecast() {
-    int native = 0;
+    std::size_t native = 0;
     for (std::size_t part = 0; part < m_plan.parts.size(); ++part) {
       streaming::JobTimes times;
       if (const auto* const block = std::get_if<job::NativeBlock>(&m_plan.parts[part])) {
         const bool isTool = block->reason == job::NativeReason::Tool;
-        (isTool ? times.toolChange : times.native) = m_nativeTimes[++native];
+        (isTool ? times.toolChange : times.native) = m_nativeTimes[native++];
       } else if (const auto& stretch = std::get<job::Stretch>(m_plan.parts[part]);
                  stretch.number > 0) {
         times = timesOf(stretch);
@@ -280,8 +366,8 @@ class Forecaster {
   const job::Plan& m_plan;
   const machine::MachineConfig& m_machine;
   const streaming::RunSettings& m_settings;
-  std::map<int, base::Duration> m_nativeTimes;  ///< by number of the block
-  std::map<int, base::AxisPosition> m_starts;   ///< of stretches, workpiece frame, by number
+  std::vector<base::Duration> m_nativeTimes;   ///< by number of the block, less 1
+  std::map<int, base::AxisPosition> m_starts;  ///< of stretches, workpiece frame, by number
   JobForecast m_forecast;
 };
 

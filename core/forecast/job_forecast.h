@@ -19,6 +19,7 @@
 #include "machine/travel.h"
 #include "streaming/run/job_times.h"
 #include "streaming/run/run.h"
+#include "streaming/start/first_move.h"
 
 namespace rivulet::forecast {
 
@@ -62,6 +63,7 @@ struct HazardOptions {
 struct CheckedJob {
   std::vector<Hazard> hazards;
   std::vector<base::Duration> nativeTimes;  ///< by their number in the plan, less 1
+  streaming::CutBox cut;                    ///< of stretches and native blocks, machine coordinates
 };
 
 /// Travel, tools and spindle, for native blocks and stretches. Within a stretch the farthest point
@@ -73,6 +75,14 @@ struct CheckedJob {
 [[nodiscard]] std::vector<Hazard> hazardsOf(const job::Plan& plan,
                                             const machine::MachineConfig& machine,
                                             const HazardOptions& options);
+
+/// Whether what a job does before it cuts for the first time passes within its cut. Where only the
+/// control knows what a block does, what follows is not looked at.
+/// @param tool  where the axes stand, machine coordinates  @param cut  of this job
+/// @return nothing: the way is clear; else the height in machine coordinates  @pre plan.isWhole()
+[[nodiscard]] std::optional<streaming::CutOnTheWay> cutOnTheWay(
+    const job::Plan& plan, const machine::MachineConfig& machine, const base::AxisPosition& tool,
+    const streaming::CutBox& cut);
 
 /// @return error `JobError::BeyondMachine`: the first that stops, and how many more there are
 [[nodiscard]] base::Result<void> requireNoHazard(const job::Plan& plan,

@@ -56,7 +56,12 @@ class DryRunner {
   void take(const PreparedEnd&) { m_hasEnded = true; }
 
   void take(const PreparedMotion& motion) {
-    m_run.motions.push_back({motion.line, {m_at.mm - motion.zeroMm, m_at.deg}});
+    m_run.motions.push_back({motion.line,
+                             {m_at.mm - motion.zeroMm, m_at.deg},
+                             motion.targetMm - motion.zeroMm,
+                             motion.zeroMm,
+                             motion.isRapid});
+    m_hasEnded = m_options.endsWithFeed && !motion.isRapid;
     if (const std::optional<BeyondTravel> travel = beyondTravel(m_config, motion)) {
       find(motion.line).travel = travel;
     }

@@ -36,10 +36,13 @@ struct DryTime {
   base::Duration duration{};
 };
 
-/// Where the axes stand before a motion.
+/// A motion, and where the axes stand before it.
 struct DryMotion {
   base::LineNumber line;
   base::AxisPosition from;  ///< workpiece frame of the motion
+  base::Vec3 toMm;          ///< likewise
+  base::Vec3 zeroMm;        ///< of that frame, machine coordinates
+  bool isRapid = false;
 };
 
 struct DryRun {
@@ -57,6 +60,7 @@ struct DryRunOptions {
   base::AxisPosition start;  ///< of the axes, machine coordinates
   /// Lines whose time is wanted; null: none.
   std::function<bool(base::LineNumber)> isTimed{};
+  bool endsWithFeed = false;  ///< nothing behind the first motion with feed is read
 };
 
 /// Reads to the end, past motions beyond a limit and tools that are missing: only an alarm of

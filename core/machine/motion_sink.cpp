@@ -35,6 +35,7 @@ void MotionSink::line(const nc::Position& from, base::Vec3 targetMm, const nc::M
   motion.line = move.line;
   motion.targetMm = endMm;
   motion.targetDeg = move.turns ? move.rotaryDeg : from.rotaryDeg;
+  motion.isRapid = isRapid;
   motion.feedMmPerS = isRapid ? m_options.rapidMmPerS : move.feedMmPerS;
   motion.feedDegPerS = isRapid ? kRapidDegPerS : move.feedDegPerS;
   m_stops = move.exactStop;

@@ -39,6 +39,7 @@ struct PreparedMotion {
   base::LineNumber line;
   base::Vec3 targetMm;
   double feedMmPerS = 0.0;  ///< path speed: the programmed feed, or the rapid speed
+  bool isRapid = false;      ///< G0
   BlockEnd end = BlockEnd::ExactStop;
   RoundingKind rounding = RoundingKind::Deviation;
   double roundingMm = 0.0;  ///< >= 0

@@ -284,6 +284,32 @@ class TestResume : public QObject {
     QVERIFY(!list.runs.back().ownsRecording);
     QVERIFY(list.runs.back().recording.ends_with("1.rivulet"));
   }
+
+  /// After a stop in the cut, a start from the beginning would go straight through the part: it is
+  /// refused before anything moves, the tool is raised by a run of its own, and then it starts.
+  void theToolIsRaisedBeforeAnotherStart() {
+    QFile pocket(path(QStringLiteral("pocket.nc")));
+    QVERIFY(pocket.open(QIODevice::WriteOnly));
+    QVERIFY(pocket.write("G1 X0 Y0 Z20 F3000\nZ15\nX30\nY30\nX0\nY0\nX30\nY30\nZ20\n") > 0);
+    pocket.close();
+    const QString machine = QStringLiteral(RIVULET_MACHINE);
+    tests::MachineProcess own(machine, words("--seed 1"));
+    const auto run = [&](const QStringList& words, int exit) {
+      return ask(words + QStringList{QStringLiteral("--json"), QStringLiteral("--endpoint"),
+                                     own.endpoint()},
+                 exit);
+    };
+    const QStringList stream{QStringLiteral("stream"), pocket.fileName(), QStringLiteral("--feed"),
+                             QStringLiteral("1500")};
+    QVERIFY(run(stream + words("--straight --stop-after 4"), 0).is_object());
+    const json refused = run(stream, 2);
+    const QByteArray text = QByteArray::fromStdString(refused.dump());
+    QVERIFY2(text.contains("raise --to 20.000"), text.constData());
+    QVERIFY(run(words("raise --feed 500 --to 2"), 2).is_object());  // it would go down
+    const json raised = run(words("raise --feed 500 --to 20"), 0);
+    QVERIFY2(raised.is_object() && raised["executed"] == 1, raised.dump().c_str());
+    QVERIFY(run(stream + words("--stop-after 1"), 0).is_object());
+  }
 };
 
 RIVULET_TEST(TestResume)

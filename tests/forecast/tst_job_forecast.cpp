@@ -11,6 +11,7 @@
 
 #include "base/units.h"
 #include "forecast/job_forecast.h"
+#include "forecast/job_restart.h"
 #include "forecast/large_machine.h"
 #include "job/main_program.h"
 #include "machine/machine.h"
@@ -288,6 +289,51 @@ class TestJobForecast : public QObject {
     QVERIFY(executed > 3 && executed < 102);
     // G0 in line 4 is the first point.
     QCOMPARE(inStretch.reached.line.value, static_cast<unsigned>(executed + 3));
+  }
+
+  /// From where a stop has left the tool, a job that begins at its beginning may go straight
+  /// through the part. Height and place are in machine coordinates, whatever offset and tool.
+  void firstMovesThroughTheCut_data() {
+    QTest::addColumn<QString>("head");
+    QTest::addColumn<bool>("isInCut");
+    QTest::addColumn<bool>("passesCut");
+    QTest::addColumn<double>("topMm");
+    const QString plain = QStringLiteral("G54\nT1 D1 M6\nS3000 M3\nG0 X20 Y0 Z20\n");
+    QTest::newRow("from its start") << plain << false << false << 20.0;
+    QTest::newRow("from the cut") << plain << true << true << 20.0;
+    QTest::newRow("from the cut, retracted first")
+        << QStringLiteral("SUPA G0 Z200 D0\n") + plain << true << false << 20.0;
+    QTest::newRow("from the cut, retracted too late")
+        << QStringLiteral("G54\nT1 D1 M6\nG0 X20 Y0\nSUPA G0 Z200 D0\nG0 Z20\n") << true << true << 20.0;
+    QTest::newRow("from the cut, drilling first")
+        << QStringLiteral("G54\nT1 D1 M6\nS900 M3\nG0 X-9 Y0 Z20 F300\nCYCLE81(20,0,2,-5)\n")
+        << true << true << 2.0;  // where the tool is behind a cycle, only the control knows
+    // The first move of a stretch counts as well.
+    QTest::newRow("from the cut, streamed") << QStringLiteral("G0 X20 Y0 Z20\n") << true << true << 20.0;
+  }
+  void firstMovesThroughTheCut() {
+    QFETCH(const QString, head);
+    QFETCH(const bool, isInCut);
+    QFETCH(const bool, passesCut);
+    QFETCH(const double, topMm);
+    const job::Plan plan = planOf(head.toStdString() + "G1 Z-1 F800\nX-20\nY15\nX20\nY0\n" +
+                                  "G0 Z20\nM5\nX60 Y60\nM30\n");
+    const auto checked = forecast::checkJob(plan, mill(), {mill().start()});
+    QVERIFY2(checked.hazards.empty(), found(checked.hazards).toUtf8().constData());
+    const auto zero = forecast::zeroAt(plan, mill(), plan.parts.size() - 1);
+    QVERIFY(zero.has_value());
+    QCOMPARE(checked.cut.highestMm.z - zero->z, topMm);
+    const base::AxisPosition tool =
+        isInCut ? base::AxisPosition{*zero + base::Vec3{-3, 8, -1}, {}} : mill().start();
+    const auto cut = forecast::cutOnTheWay(plan, mill(), tool, checked.cut);
+    QCOMPARE(cut.has_value(), passesCut);
+    if (cut) {
+      QCOMPARE(cut->heightMm, checked.cut.highestMm.z);
+      QVERIFY(cut->isClearFromAbove);
+      base::AxisPosition raised = tool;
+      raised.mm.z = cut->heightMm;
+      QVERIFY(!forecast::cutOnTheWay(plan, mill(), raised, checked.cut));
+    }
   }
 };
 

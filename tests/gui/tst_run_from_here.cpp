@@ -3,6 +3,8 @@
 
 /// A run that begins at a line the operator has chosen: shown first, then held like a resumed one.
 
+#include <QInputDialog>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -76,6 +78,31 @@ class TestRunFromHere : public QObject {
       text += label->text() + QLatin1Char('\n');
     }
     return text;
+  }
+
+  void openText(const char* name, const char* program) {
+    QFile file(m_folder.filePath(QString::fromUtf8(name)));
+    if (!file.open(QIODevice::WriteOnly) || file.write(program) <= 0) {
+      qFatal("the program cannot be written");
+    }
+    file.close();
+    m_window->openProgram(file.fileName());
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+  }
+  /// False: there is no such button.
+  static bool press(const QWidget* sheet, const QString& name) {
+    for (auto* button : sheet->findChildren<QPushButton*>()) {
+      if (button->isVisible() && button->text() == name) {
+        QTest::mouseClick(button, Qt::LeftButton);
+        return true;
+      }
+    }
+    return false;
+  }
+  void hold(QWidget* button) const {
+    QTest::mousePress(button, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->isRunning(), kSoonMs);
+    QTest::mouseRelease(button, Qt::LeftButton);
   }
 
  private Q_SLOTS:
@@ -167,6 +194,66 @@ class TestRunFromHere : public QObject {
     choose(200);
     QVERIFY(!m_window->resume());
     QVERIFY(!m_window->isRunning());
+  }
+
+  /// A start from the beginning while the tool stands in the cut: nothing starts before the tool
+  /// has been raised, as a run of its own, or somebody has typed that the way is clear.
+  void theToolIsRaisedBeforeAStartInTheCut() {
+    openWindow(base::MethodKind::Window);
+    openText("place.nc", "G1 X10 Y10 Z-5 F3000\n");
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->start());
+    QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
+    openText("pocket.nc", "G1 X0 Y0 Z20 F3000\nZ-5\nX30\nY30\nX0\nY0\nZ20\n");
+    auto* start = m_window->findChild<widgets::HoldButton*>(QStringLiteral("start"));
+    const auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
+    QTest::mouseClick(start, Qt::LeftButton);
+    QTRY_VERIFY(text(sheet).contains(QStringLiteral("passes within what the program cuts")));
+    QVERIFY(text(sheet).contains(QStringLiteral("Start is not possible yet.")));
+    settle();
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/first-move-light.png")));
+    QVERIFY(press(sheet, QStringLiteral("It is clear …")));
+    auto* question = m_window->findChild<QInputDialog*>();
+    QVERIFY(question != nullptr);
+    question->setTextValue(QStringLiteral("yes"));
+    question->accept();
+    QTRY_VERIFY(text(sheet).contains(QStringLiteral("Start is not possible yet.")));
+    QVERIFY(press(sheet, QStringLiteral("Raise the tool …")));
+    QVERIFY(text(sheet).contains(QStringLiteral("Before the tool is raised")));
+    QVERIFY2(text(sheet).contains(QStringLiteral("by 25.000 mm to Z 20.000 mm")),
+             qPrintable(text(sheet)));
+    settle();
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/raise-light.png")));
+    hold(start);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->isRunning() && sheet->isVisible(), kRunMs);
+    QCOMPARE(finished.size(), 1);  // no run of the program
+    QTRY_VERIFY(text(sheet).contains(QStringLiteral("Hold Start for one second: then the machine "
+                                                    "moves.")));
+    QVERIFY(!text(sheet).contains(QStringLiteral("passes within")));
+    hold(start);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 2, kRunMs);
+    QVERIFY(m_window->lastReport()->isFaultless());
+    QCOMPARE(m_window->lastReport()->counters.executed, std::size_t{7});
+  }
+
+  void aTypedWordTakesTheStraightWay() {
+    openWindow(base::MethodKind::Window);
+    openText("place.nc", "G1 X10 Y10 Z-5 F3000\n");
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->start());
+    QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
+    openText("pocket.nc", "G1 X0 Y0 Z20 F3000\nZ-5\nX30\nY30\nX0\nY0\nZ20\n");
+    auto* start = m_window->findChild<widgets::HoldButton*>(QStringLiteral("start"));
+    const auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
+    QTest::mouseClick(start, Qt::LeftButton);
+    QTRY_VERIFY(press(sheet, QStringLiteral("It is clear …")));
+    auto* question = m_window->findChild<QInputDialog*>();
+    QVERIFY(question != nullptr);
+    question->setTextValue(QStringLiteral("clear"));
+    question->accept();
+    QTRY_VERIFY(text(sheet).contains(QStringLiteral("then the machine moves.")));
+    hold(start);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 2, kRunMs);
   }
 };
 

@@ -55,8 +55,12 @@ class TestFirstMove : public QObject {
     const auto read = gcode::interpretProgram("part.nc", program.toStdString());
     QVERIFY(read.has_value());
     const auto points = gcode::streamPoints(read->trajectory, tool).points;
-    QCOMPARE(streaming::cutOnTheWay(tool, points.front().positionMm, points).has_value(),
-             passesCut);
+    const base::Vec3 first = streaming::firstPlace(read->trajectory, tool);
+    const auto cut = streaming::cutOnTheWay(tool, first, streaming::cutOf(points));
+    QCOMPARE(cut.has_value(), passesCut);
+    if (cut) {  // what the program leaves open is left there when the tool is higher, too
+      QVERIFY(cut->isClearFromAbove);
+    }
   }
 
   /// Above the height that is told, the way is clear.
@@ -64,11 +68,34 @@ class TestFirstMove : public QObject {
     const auto read = gcode::interpretProgram(
         "part.nc", "G0 X0 Y0 Z20\nZ2\nG1 Z-5 F500\nX50 Z-2\nY30\nX0 Z-5\nG0 Z20\nM30\n");
     const auto points = gcode::streamPoints(read->trajectory, {}).points;
-    const auto height = streaming::cutOnTheWay({25, 10, -5}, points.front().positionMm, points);
-    QVERIFY(height.has_value());
-    QCOMPARE(*height, 2.0);
-    QVERIFY(!streaming::cutOnTheWay({25, 10, *height}, points.front().positionMm, points));
+    const streaming::CutBox box = streaming::cutOf(points);
+    const auto cut = streaming::cutOnTheWay({25, 10, -5}, points.front().positionMm, box);
+    QVERIFY(cut.has_value());
+    QCOMPARE(cut->heightMm, 2.0);
+    QVERIFY(cut->isClearFromAbove);
+    QVERIFY(!streaming::cutOnTheWay({25, 10, cut->heightMm}, points.front().positionMm, box));
+    QVERIFY(!streaming::cutOnTheWay({25, 10, -5}, {25, 10, cut->heightMm}, box));
   }
+
+  /// A program whose first point is in the cut is not reached from above.
+  void raisingDoesNotAlwaysHelp() {
+    const auto read = gcode::interpretProgram(
+        "part.nc", "G1 X0 Y0 Z-5 F500\nX50\nY30\nZ20\nX0 Y0 Z-5\nM30\n");
+    const auto points = gcode::streamPoints(read->trajectory, {}).points;
+    const auto cut = streaming::cutOnTheWay({25, 10, -5}, points.front().positionMm,
+                                            streaming::cutOf(points));
+    QVERIFY(cut && !cut->isClearFromAbove);
+  }
+
+  /// One move, in Z alone.
+  void theToolIsRaised() {
+    const gcode::Program raise = streaming::raiseProgram(22.5);
+    QVERIFY(raise.isStreamable());
+    const auto points = gcode::streamPoints(raise.trajectory, {7, 8, -5}).points;
+    QCOMPARE(points.size(), std::size_t{1});
+    QCOMPARE(points.front().positionMm, (base::Vec3{7, 8, 22.5}));
+  }
+
 };
 
 RIVULET_TEST(TestFirstMove)

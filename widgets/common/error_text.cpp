@@ -442,6 +442,7 @@ struct ErrorTexts {
       case StreamError::FeedUnknown:
       case StreamError::OneFeedOnly:
       case StreamError::BadOverride:
+      case StreamError::CutOnTheWay:
       case StreamError::FeedCellIgnored:
         return refusal(code);
     }
@@ -492,6 +493,10 @@ struct ErrorTexts {
         return tr("This method has one feed for all moves, as it was published.");
       case StreamError::BadOverride:
         return tr("The override is out of range: choose 1 to 200 %.");
+      case StreamError::CutOnTheWay:
+        return tr(
+            "The straight way to the first point passes within what the program cuts. Raise the "
+            "tool first.");
       case StreamError::FeedCellIgnored:
         return tr(
             "The control does not carry out the synchronized actions of the program: hold, stop "

@@ -71,7 +71,10 @@ void PreflightSheet::showItems() {
       addItem(item, row++);
     }
   }
-  if (m_kind != Kind::Start) {
+  if (isVisible()) {
+    m_rows->activate();  // a new button is never seen at the corner, over the title
+  }
+  if (m_kind == Kind::StartHere || m_kind == Kind::Resume) {
     m_outcome->setStatus(m_passed ? Status::Good : Status::Attention,
                          m_passed ? tr("Nothing has moved yet. Hold the button below for one "
                                        "second: then the machine moves.")
@@ -80,7 +83,10 @@ void PreflightSheet::showItems() {
     return;
   }
   m_outcome->setStatus(m_passed ? Status::Good : Status::Attention,
-                       m_passed ? tr("Nothing has moved yet. Hold Start for one second: then the "
+                       m_passed && m_kind == Kind::Raise
+                           ? tr("Nothing has moved yet. Hold Start for one second: then the tool "
+                                "is raised, and nothing else.")
+                       : m_passed ? tr("Nothing has moved yet. Hold Start for one second: then the "
                                      "machine moves.")
                                 : tr("Start is not possible yet."));
 }
@@ -141,7 +147,8 @@ void PreflightSheet::fold() {
 }
 
 void PreflightSheet::retranslate() {
-  m_title->setText(m_kind == Kind::Resume ? tr("Before the run is resumed")
+  m_title->setText(m_kind == Kind::Raise    ? tr("Before the tool is raised")
+                   : m_kind == Kind::Resume ? tr("Before the run is resumed")
                                           : tr("Before the start"));
   showItems();
 }

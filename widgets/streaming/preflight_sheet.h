@@ -36,8 +36,8 @@ class PreflightSheet final : public Page {
 
  public:
   /// What is confirmed elsewhere: by Start, or by the bar with the place of a run that was left.
-  /// `StartHere`: at a line that the operator has chosen.
-  enum class Kind { Start, StartHere, Resume };
+  /// `StartHere`: at a line that the operator has chosen. `Raise`: of the tool, by Start.
+  enum class Kind { Start, StartHere, Resume, Raise };
 
   explicit PreflightSheet(QWidget* parent = nullptr);
 

@@ -252,8 +252,7 @@ QWidget* makeProgramPage(Settings* settings, Messages* messages, MachineModel* m
     page->setExecuted(firstPoint);
   });
   const auto showRun = [page, runs] {
-    const bool isNative = runs->job() && runs->job()->isNative;
-    page->setExecuted(runs->update().counters.executed, isNative ? runs->job()->line.value : 0);
+    page->setExecuted(runs->update().counters.executed, runs->nativeLine());
   };
   QObject::connect(runs, &RunController::updated, page, showRun);
   QObject::connect(runs, &RunController::jobChanged, page, showRun);

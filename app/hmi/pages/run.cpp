@@ -94,6 +94,14 @@ struct RunTexts {
     return tr("Part (1 to %1). What the machine needs there is listed before anything moves.")
         .arg(stretches);
   }
+  static QString straightTitle() { return tr("Straight way to the first point"); }
+  //: What the operator types; a translation may be any one word.
+  static QString clearWord() { return tr("CLEAR"); }
+  static QString straight() {
+    return tr("The tool goes straight through the space in which the program cuts. Look whether "
+              "anything is in its way: workpiece, clamps. If nothing is, type %1.")
+        .arg(clearWord());
+  }
   static QString title(const Document& document, bool isRunning) {
     const gcode::Program& program = *document.program();
     if (document.live()) {
@@ -146,12 +154,10 @@ widgets::RunProgress progressOf(const Document& document, const RunController& r
   if (executed > 0 && executed <= points.size()) {
     progress.line = points[executed - 1].line.value;
   }
-  const bool isNative = runs.job() && runs.job()->isNative && runs.job()->line.value > 0;
-  const std::size_t nativeLine = isNative ? runs.job()->line.value : 0;
-  if (isNative) {
-    progress.line = nativeLine;
+  if (runs.nativeLine() > 0) {
+    progress.line = runs.nativeLine();
   }
-  progress.left = document.timeLeft(executed, nativeLine);
+  progress.left = document.timeLeft(executed, runs.nativeLine());
   if (update.state == streaming::RunState::Stopping) {
     progress.delivered = motionLeft(document, update.counters);
   }
@@ -290,10 +296,10 @@ QWidget* makePreflightSheet(RunController* runs, Preflight* preflight, QWidget* 
   const auto show = [sheet, preflight] {
     if (preflight->isOpen()) {
       sheet->setItems(preflight->items(), preflight->hasPassed(),
-                      preflight->isForResume() ? preflight->isForChosenLine()
-                                                     ? PreflightSheet::Kind::StartHere
-                                                     : PreflightSheet::Kind::Resume
-                                               : PreflightSheet::Kind::Start);
+                      preflight->isForChosenLine() ? PreflightSheet::Kind::StartHere
+                      : preflight->isForResume()   ? PreflightSheet::Kind::Resume
+                      : preflight->raiseToMm()     ? PreflightSheet::Kind::Raise
+                                                   : PreflightSheet::Kind::Start);
     }
   };
   QObject::connect(preflight, &Preflight::changed, sheet, show);
@@ -307,6 +313,20 @@ QWidget* makePreflightSheet(RunController* runs, Preflight* preflight, QWidget* 
     question->setIntRange(1, stretches);
     QObject::connect(question, &QInputDialog::intValueSelected, runs,
                      &RunController::askFromStretch);
+    widgets::openSheet(question, sheet);
+  });
+  QObject::connect(preflight, &Preflight::straightRequested, sheet, [sheet, preflight] {
+    auto* question = new QInputDialog;
+    question->setInputMode(QInputDialog::TextInput);
+    question->setWindowTitle(RunTexts::straightTitle());
+    question->setLabelText(RunTexts::straight());
+    QObject::connect(question, &QInputDialog::textValueSelected, preflight,
+                     [preflight](const QString& typed) {
+                       if (typed.trimmed().compare(RunTexts::clearWord(), Qt::CaseInsensitive) ==
+                           0) {
+                         preflight->confirmFirstMove();
+                       }
+                     });
     widgets::openSheet(question, sheet);
   });
   QObject::connect(preflight, &Preflight::liveRequested, sheet, [sheet] {
@@ -326,7 +346,13 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
                       Preflight* preflight, FoundRuns* found, QWidget* parent) {
   auto* panel = new RunPanel(parent);
   QObject::connect(panel, &RunPanel::preflightRequested, preflight, &Preflight::openForStart);
-  QObject::connect(panel, &RunPanel::startRequested, runs, &RunController::start);
+  QObject::connect(panel, &RunPanel::startRequested, runs, [runs, preflight] {
+    if (const auto toMm = preflight->raiseToMm()) {
+      runs->raise(*toMm);
+    } else {
+      runs->start();
+    }
+  });
   QObject::connect(panel, &RunPanel::stopRequested, runs, [runs, found] {
     if (runs->isRunning() || !found->isOnControl()) {
       runs->stop();

@@ -65,6 +65,7 @@ enum class StreamError {
   FeedUnknown,               ///< a move of the program has no known feed
   OneFeedOnly,               ///< the method has one feed for all moves
   BadOverride,               ///< out of range
+  CutOnTheWay,               ///< the first move would pass within what the program cuts
   FeedCellIgnored,           ///< the control does not carry out the actions of the feed cell
 };
 

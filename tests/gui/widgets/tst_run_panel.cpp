@@ -289,6 +289,12 @@ class TestRunPanel : public QObject {
     const auto text = [&sheet] { return test::visibleText(sheet); };
     QVERIFY(text().contains("not released") && text().contains("straight down"));
     QVERIFY(text().contains("2 checks: Verdict, Cells") && !text().contains("margin 2"));
+    // A changed list is laid out before it is seen: no button over the title.
+    sheet.setItems({good, kept, other}, true);
+    for (auto* button : sheet.findChildren<QPushButton*>()) {
+      QVERIFY(!button->isVisible() || button->y() > 0);
+    }
+    sheet.setItems({good, kept, other, wrong}, false);
     const auto press = [&sheet](const QString& name) {
       for (auto* button : sheet.findChildren<QPushButton*>()) {
         if (button->isVisible() && button->text() == name) {
