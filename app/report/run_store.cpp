@@ -26,7 +26,7 @@
 #include "gcode/facts.h"
 #include "journal/line_file.h"
 #include "report/run_fields.h"
-#include "streaming/methods/pause_placement.h"
+#include "streaming/recovery/resume.h"
 #include "templates/job_loop.h"
 
 namespace rivulet::report {
@@ -407,19 +407,9 @@ base::Result<std::optional<FoundRun>> findRun(const RunStore& store, opcua::Link
 
 std::vector<std::size_t> pointsAfterWindows(const RunStore& store, const SavedRun& run) {
   const std::vector<gcode::StreamPoint> points = store.points(run);
-  const std::size_t first = run.checkpoint.firstPoint;
-  std::vector<std::size_t> ends;
-  if (first < points.size()) {
-    const streaming::PausePlacement cut =
-        streaming::cutWindows(std::span(points).subspan(first),
-                              static_cast<std::size_t>(run.settings.parameters.pointsPerLoop),
-                              streaming::windowCut(run.settings));
-    for (const std::size_t begin : cut.begins) {
-      ends.push_back(first + begin);
-    }
-    ends.push_back(points.size());
-  }
-  return ends;
+  return run.checkpoint.firstPoint < points.size()
+             ? streaming::windowEnds(points, run.settings, run.checkpoint)
+             : std::vector<std::size_t>();
 }
 
 std::string describeRun(const FoundRun& run) {

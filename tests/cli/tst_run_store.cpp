@@ -133,6 +133,35 @@ class TestRunStore : public QObject {
     QVERIFY(record.left() && record.left()->number() == 200);
   }
 
+  /// However its windows were cut: with pauses placed, the rapid ends the first one early.
+  void countsPointsAsTheWindowsWereCut() {
+    report::SavedRun run = someRun();
+    run.checkpoint.firstPoint = 1;
+    std::vector<gcode::StreamPoint> points;
+    for (std::size_t i = 0; i < 10; ++i) {
+      const auto kind = i == 3 ? gcode::MoveKind::Rapid : gcode::MoveKind::Feed;
+      points.push_back({{static_cast<double>(i), 0.0, 0.0}, base::LineNumber{1}, kind, {}});
+    }
+    const auto ends = [&](bool arePlaced) {
+      run.checkpoint.pausesPlaced = arePlaced;
+      // As in a run that was not read from its file: it may be placed or not by its settings.
+      run.settings.placePauses = true;
+      return store().save(run, points) ? report::pointsAfterWindows(store(), run)
+                                       : std::vector<std::size_t>();
+    };
+    QCOMPARE(ends(false), (std::vector<std::size_t>{1, 5, 9, 10}));
+    QCOMPARE(ends(true), (std::vector<std::size_t>{1, 4, 8, 10}));
+    // And of one that was.
+    run.checkpoint.pausesPlaced = false;
+    QVERIFY(store().save(run, points).has_value());
+    const auto read = store().find(run.checkpoint.runNumber);
+    QVERIFY(read);
+    QCOMPARE(report::pointsAfterWindows(store(), *read), (std::vector<std::size_t>{1, 5, 9, 10}));
+    // Nothing is known of a run whose points are not kept.
+    store().remove(run);
+    QVERIFY(report::pointsAfterWindows(store(), run).empty());
+  }
+
   void readsWhatWasSaved() {
     QCOMPARE(store().pathOf(someRun()).filename().string(), std::string("rows-one.nc-123456.json"));
     const auto runs = store().runs();

@@ -345,7 +345,7 @@ class Resumption {
                         "The control has run another program since then: it is not known where "
                         "this run was left. Start from the beginning.");
     }
-    const std::vector<std::size_t> ends = windowEnds();
+    const std::vector<std::size_t> ends = windowEnds(m_points, m_settings, m_last);
     const auto pointOf = [&](double windows) {
       return ends[std::min(static_cast<std::size_t>(windows), ends.size() - 1)];
     };
@@ -384,7 +384,7 @@ class Resumption {
     if (!hasCopied()) {
       return 0.0;
     }
-    const std::vector<std::size_t> ends = windowEnds();
+    const std::vector<std::size_t> ends = windowEnds(m_points, m_settings, m_last);
     const std::size_t from =
         ends[std::min(static_cast<std::size_t>(m_remains.executed), ends.size() - 1)];
     std::vector<gcode::StreamPoint> windows;
@@ -441,24 +441,6 @@ class Resumption {
       return beside(placeBefore(first));
     }
     return first;
-  }
-
-  /// Points before each window, and all of them at the end. The windows are cut again as in the
-  /// interrupted run.
-  [[nodiscard]] std::vector<std::size_t> windowEnds() const {
-    const std::size_t first = std::min(m_last.firstPoint, m_points.size());
-    const std::span<const gcode::StreamPoint> streamed = std::span(m_points).subspan(first);
-    std::vector<std::size_t> ends;
-    if (!streamed.empty()) {
-      const auto perWindow = static_cast<std::size_t>(m_settings.parameters.pointsPerLoop);
-      WindowCut cut = windowCut(m_settings);
-      cut.place = m_last.pausesPlaced;
-      for (const std::size_t begin : cutWindows(streamed, perWindow, cut).begins) {
-        ends.push_back(first + begin);
-      }
-    }
-    ends.push_back(m_points.size());
-    return ends;
   }
 
   /// Reset within copied windows: the tool is on their path, or at its end.
@@ -541,6 +523,22 @@ Result<std::optional<std::size_t>> findChange(std::span<const gcode::StreamPoint
 }
 
 }  // namespace
+
+std::vector<std::size_t> windowEnds(std::span<const gcode::StreamPoint> points,
+                                    const RunSettings& settings, const Checkpoint& last) {
+  const std::size_t first = std::min(last.firstPoint, points.size());
+  std::vector<std::size_t> ends;
+  if (const auto streamed = points.subspan(first); !streamed.empty()) {
+    WindowCut cut = windowCut(settings);
+    cut.place = last.pausesPlaced;
+    const auto perWindow = static_cast<std::size_t>(settings.parameters.pointsPerLoop);
+    for (const std::size_t begin : cutWindows(streamed, perWindow, cut).begins) {
+      ends.push_back(first + begin);
+    }
+  }
+  ends.push_back(points.size());
+  return ends;
+}
 
 std::uint64_t hashOfPoints(std::span<const gcode::StreamPoint> points) {
   std::uint64_t hash = base::kHashBasis;

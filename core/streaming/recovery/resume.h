@@ -52,6 +52,13 @@ struct LeftAt {
                                           std::span<const gcode::StreamPoint> earlier,
                                           ActiveProgram active);
 
+/// Points that are executed after each number of windows of an earlier run, from none to all: its
+/// windows are cut again as they were.
+/// @param points  of the whole program  @param settings  of that run  @param last  its checkpoint
+[[nodiscard]] std::vector<std::size_t> windowEnds(std::span<const gcode::StreamPoint> points,
+                                                  const RunSettings& settings,
+                                                  const Checkpoint& last);
+
 /// A hash of everything that decides how points are streamed: their places, the kinds of their
 /// moves and feeds of their own, not their lines. Never 0.
 [[nodiscard]] std::uint64_t hashOfPoints(std::span<const gcode::StreamPoint> points);
