@@ -188,7 +188,6 @@ base::Result<void> ServiceServer::Impl::configure(const machine::ServerOptions& 
     return machine::setUpFailed("be configured", m_logger);
   }
   config.tcpReuseAddr = options.port != 0;
-  config.maxSecureChannels = kConnectionsMax;
   config.maxSessionTimeout = kSessionTimeoutMsMax;
   config.maxNodesPerRead = kNodesPerRequestMax;
   config.maxNodesPerBrowse = kNodesPerRequestMax;
@@ -197,7 +196,7 @@ base::Result<void> ServiceServer::Impl::configure(const machine::ServerOptions& 
   config.maxMonitoredItems = kMonitoredItemsMax;
   machine::refuseChanges(config.accessControl);
   config.accessControl.getUserAccessLevel = &Impl::onAccessLevel;
-  m_gate.clients().configure(config, kSessionsMax);
+  m_gate.clients().configure(config, kSessionsMax, kConnectionsMax);
   config.context = this;
   m_activate = std::exchange(config.accessControl.activateSession, &Impl::onActivate);
   m_server = UA_Server_newWithConfig(&config);

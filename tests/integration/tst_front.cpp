@@ -22,6 +22,7 @@
 #include "opcua/await.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/quiet_logger.h"
+#include "support/idle_connection.h"
 #include "support/loopback_machine.h"
 #include "support/patience.h"
 #include "support/test_program.h"
@@ -471,6 +472,28 @@ class TestFront : public QObject {
     for (const auto& client : clients) {
       QCOMPARE(client->read("/Channel/State/chanStatus"), UA_STATUSCODE_GOOD);
     }
+  }
+
+  /// Who opens connections and sends nothing takes no more than a half of those that nobody has
+  /// logged in on, and ends none of another address.
+  void idleConnectionsOfOneAddressLockNobodyOut() {
+    const LoopbackMachine cell;
+    const RawClient watching(cell.endpoint());
+    const tests::IdleConnection slow(cell.endpoint(), "127.0.0.3");
+    tests::IdleConnections flood;
+    for (int i = 0; i < 10; ++i) {
+      flood.open(cell.endpoint(), "127.0.0.2", 10);
+      QTRY_COMPARE_WITH_TIMEOUT(flood.stillOpen(), std::size_t{5}, tests::kSoonMs);
+      QVERIFY(slow.isOpen());
+      QCOMPARE(RawClient(cell.endpoint()).read("/Channel/State/chanStatus"), UA_STATUSCODE_GOOD);
+    }
+    // Of several addresses, the ones with most of them lose theirs.
+    tests::IdleConnections more;
+    more.open(cell.endpoint(), "127.0.0.4", 10);
+    QTRY_COMPARE_WITH_TIMEOUT(flood.stillOpen() + more.stillOpen(), std::size_t{9}, tests::kSoonMs);
+    QVERIFY(slow.isOpen());
+    QCOMPARE(RawClient(cell.endpoint()).read("/Channel/State/chanStatus"), UA_STATUSCODE_GOOD);
+    QCOMPARE(watching.read("/Channel/State/chanStatus"), UA_STATUSCODE_GOOD);
   }
 
   /// A client that is there keeps its run; the run of one that is gone can be reset.

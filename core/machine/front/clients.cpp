@@ -45,8 +45,13 @@ std::string networkOf(std::string_view address) {
   return inet_ntop(AF_INET6, &parsed, written.data(), written.size());
 }
 
-void Clients::configure(UA_ServerConfig& config, std::size_t loggedInMax) {
+void Clients::configure(UA_ServerConfig& config, std::size_t loggedInMax,
+                        std::size_t connectionsMax) {
+  RIVULET_ASSERT(connectionsMax >= loggedInMax + 2);
   m_loggedInMax = loggedInMax;
+  m_strangersMax = connectionsMax - loggedInMax;
+  // One more: it is taken before another one is closed for it.
+  config.maxSecureChannels = static_cast<UA_UInt16>(connectionsMax + 1);
   // One more: it is there before another one is closed for it.
   config.maxSessions = static_cast<UA_UInt16>(loggedInMax + kHalfOpenInAll + 1);
   config.nodeLifecycle.constructor = &Clients::onNode;
@@ -82,8 +87,8 @@ void Clients::tell(std::function<void(std::uintptr_t)> closed,
 
 const std::string& Clients::network() const {
   static const std::string unknown;
-  const auto found = m_networks.find(m_receiving);
-  return found == m_networks.end() ? unknown : found->second;
+  const auto found = m_origins.find(m_receiving);
+  return found == m_origins.end() ? unknown : found->second.network;
 }
 
 void Clients::add(const UA_NodeId& session) {
@@ -119,6 +124,39 @@ void Clients::closeTooMany() {
   }
 }
 
+bool Clients::isStranger(std::uintptr_t connection) const {
+  return std::none_of(m_loggedIn.begin(), m_loggedIn.end(),
+                      [&](const auto& session) { return session.second == connection; });
+}
+
+void Clients::closeTooManyStrangers() {
+  struct OfAddress {
+    std::size_t count = 0;
+    std::map<std::uintptr_t, Origin>::iterator oldest;
+  };
+  std::map<std::string, OfAddress> addresses;
+  std::size_t all = 0;
+  for (auto each = m_origins.begin(); each != m_origins.end(); ++each) {
+    if (each->second.isClosing || !isStranger(each->first)) {
+      continue;
+    }
+    OfAddress& own = addresses[each->second.network];
+    const bool isOldest = own.count == 0 || each->second.serial < own.oldest->second.serial;
+    own.oldest = isOldest ? each : own.oldest;
+    ++own.count;
+    ++all;
+  }
+  const auto most = std::max_element(
+      addresses.begin(), addresses.end(),
+      [](const auto& one, const auto& other) { return one.second.count < other.second.count; });
+  const bool isTooMany = most != addresses.end() &&
+                         (all > m_strangersMax || most->second.count > strangersOfOneAddress());
+  if (isTooMany) {
+    most->second.oldest->second.isClosing = true;
+    m_manager->closeConnection(m_manager, most->second.oldest->first);
+  }
+}
+
 UA_StatusCode Clients::onNode(UA_Server* server, const UA_NodeId* /*session*/, void* /*context*/,
                               const UA_NodeId* node, void** /*nodeContext*/) noexcept {
   if (isSession(*node)) {
@@ -139,8 +177,12 @@ void Clients::onConnection(UA_ConnectionManager* manager, std::uintptr_t connect
                            void* application, void** context, UA_ConnectionState state,
                            const UA_KeyValueMap* parameters, UA_ByteString message) noexcept {
   Clients& self = of(*manager);
+  bool isNew = false;
   if (state == UA_CONNECTIONSTATE_CLOSING) {
-    self.m_networks.erase(connection);
+    self.m_origins.erase(connection);
+    for (auto& [session, itsConnection] : self.m_loggedIn) {
+      itsConnection = itsConnection == connection ? 0 : itsConnection;  // numbers are used again
+    }
     if (self.m_closed) {
       self.m_closed(connection);
     }
@@ -149,7 +191,10 @@ void Clients::onConnection(UA_ConnectionManager* manager, std::uintptr_t connect
         parameters, UA_QUALIFIEDNAME(0, const_cast<char*>("remote-address")),
         &UA_TYPES[UA_TYPES_STRING]));
     if (address != nullptr) {
-      self.m_networks[connection] = networkOf(opcua::view(*address));
+      isNew = self.m_origins
+                  .insert_or_assign(connection,
+                                    Origin{networkOf(opcua::view(*address)), ++self.m_taken})
+                  .second;
     }
   }
   if (message.length > 0 && self.m_heard) {
@@ -160,6 +205,9 @@ void Clients::onConnection(UA_ConnectionManager* manager, std::uintptr_t connect
   self.m_connection(manager, connection, application, context, state, parameters, message);
   if (self.m_halfOpen.size() > before) {
     self.closeTooMany();
+  }
+  if (isNew) {
+    self.closeTooManyStrangers();
   }
   self.m_receiving = 0;
 }
@@ -177,7 +225,7 @@ UA_StatusCode Clients::onActivate(UA_Server* server, UA_AccessControl* control,
       self.m_activate(server, control, endpoint, certificate, session, token, context);
   if (status == UA_STATUSCODE_GOOD) {
     self.forget(*session);
-    self.m_loggedIn.insert(key);
+    self.m_loggedIn[key] = self.m_receiving;
   }
   return status;
 }

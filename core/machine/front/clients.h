@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Where the messages of a server come from, and which of its sessions are not logged in. Those
-/// have a small share of their own: whoever creates sessions without activating them keeps nobody
-/// out.
+/// Where the messages of a server come from, and which of its sessions and connections are not
+/// logged in. Those have a small share of their own: whoever opens connections or creates sessions
+/// without activating them keeps nobody out.
 /// @threadsafety as the server.
 #pragma once
 
@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,7 +42,11 @@ class Clients {
 
   /// The last change of access control before the server is made. This object outlives the server.
   /// @param loggedInMax  sessions that are logged in at a time; further ones are refused
-  void configure(UA_ServerConfig& config, std::size_t loggedInMax);
+  /// @param connectionsMax  at a time; what is left beside the sessions is for connections that
+  ///                        nobody has logged in on, of one address a half of that. One more
+  ///                        closes the oldest of the address that has most
+  /// @pre connectionsMax >= loggedInMax + 2
+  void configure(UA_ServerConfig& config, std::size_t loggedInMax, std::size_t connectionsMax);
   /// After the server is made. @return false: its connections cannot be watched
   [[nodiscard]] bool watch(UA_Server* server);
   /// The object that watches the connections of this manager.
@@ -73,6 +76,8 @@ class Clients {
   void forget(const UA_NodeId& session);
   void close(std::size_t index);
   void closeTooMany();
+  /// After a connection has been taken.
+  void closeTooManyStrangers();
 
   static UA_StatusCode onNode(UA_Server* server, const UA_NodeId* session, void* context,
                               const UA_NodeId* node, void** nodeContext) noexcept;
@@ -100,9 +105,21 @@ class Clients {
   decltype(UA_AccessControl::closeSession) m_closeSession = nullptr;
   std::size_t m_loggedInMax = 0;
   std::uintptr_t m_receiving = 0;
-  std::map<std::uintptr_t, std::string> m_networks;  ///< by connection
-  std::vector<HalfOpen> m_halfOpen;                  ///< the oldest first
-  std::set<std::string> m_loggedIn;                  ///< sessions
+  /// Of a connection.
+  struct Origin {
+    std::string network;
+    std::uint64_t serial = 0;  ///< the order in which they were taken
+    bool isClosing = false;
+  };
+  [[nodiscard]] bool isStranger(std::uintptr_t connection) const;
+  [[nodiscard]] std::size_t strangersOfOneAddress() const { return m_strangersMax / 2; }
+
+  std::map<std::uintptr_t, Origin> m_origins;
+  std::uint64_t m_taken = 0;
+  std::size_t m_strangersMax = 0;
+  std::vector<HalfOpen> m_halfOpen;  ///< the oldest first
+  /// Sessions, and their connections; 0: it is gone.
+  std::map<std::string, std::uintptr_t> m_loggedIn;
 };
 
 }  // namespace rivulet::machine

@@ -222,7 +222,6 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   // the system must not be shared with others.
   config.tcpReuseAddr = options.port != 0;
   config.tcpMaxMsgSize = kMessageBytesMax;
-  config.maxSecureChannels = kConnectionsMax;
   config.maxSessionTimeout = kSessionTimeoutMsMax;
   config.maxNodesPerRead = kNodesPerRequestMax;
   config.maxNodesPerWrite = kNodesPerRequestMax;
@@ -243,7 +242,7 @@ base::Result<void> Server::Impl::configure(const ServerOptions& options) {
   config.publishingIntervalLimits = {samplingMsMin, kSamplingIntervalMsMax};
   config.queueSizeLimits = {1, kQueueSizeMax};
   refuseChanges(config.accessControl);
-  m_clients.configure(config, kSessionsMax);
+  m_clients.configure(config, kSessionsMax, kConnectionsMax);
   config.context = this;
   m_activate = std::exchange(config.accessControl.activateSession, &Impl::onActivate);
   m_closeSession = std::exchange(config.accessControl.closeSession, &Impl::onCloseSession);
