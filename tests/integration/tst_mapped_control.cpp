@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -29,6 +30,7 @@ using nlohmann::json;
 
 namespace {
 
+using rivulet::base::Instant;
 using rivulet::tests::kRunMs;
 constexpr int kPoints = 20;
 constexpr auto kDeadline = 10s;
@@ -103,6 +105,35 @@ name = "/Program"
     QCOMPARE((*readings)[3].number, 0.0);
     QCOMPARE((*readings)[4].status, make_error_code(LinkError::VariableMissing));
     QCOMPARE((*readings)[5].text, std::string("A.MPF"));
+  }
+
+  /// The connection is there, and the network is not to blame.
+  void anEndedSessionIsSaidSo() {
+    std::atomic<bool> closes{false};
+    const tests::PlainServer server({{"X", 2.0}}, {}, [&closes](tests::PlainServer& own) {
+      if (closes.exchange(false)) {
+        own.closeSessions();
+      }
+    });
+    auto link = connectTo(server, "[position]\nx = \"/X\"\n");
+    QVERIFY2(link.has_value(), link ? "" : link.error().text().c_str());
+    const std::array<Variable, 1> asked{{{VariableKind::ActualPosition, 0}}};
+    QVERIFY(readNow(**link, asked, kDeadline).has_value());
+    closes = true;
+    const Instant limit = (*link)->now() + kDeadline;
+    auto readings = readNow(**link, asked, kDeadline);
+    while (readings && (*link)->now() < limit) {
+      readings = readNow(**link, asked, kDeadline);
+    }
+    QVERIFY(!readings);
+    QCOMPARE(readings.error().code, make_error_code(LinkError::ConnectionLost));
+    for (int again = 0; again < 2; ++again) {
+      const std::string said = readings.error().text();
+      QVERIFY2(said.find("The server has ended the session") != std::string::npos, said.c_str());
+      QVERIFY2(said.find("Check network") == std::string::npos, said.c_str());
+      readings = readNow(**link, asked, kDeadline);
+      QVERIFY(!readings);
+    }
   }
 
   void aStateThatTheMapDoesNotKnowCannotBeRead() {

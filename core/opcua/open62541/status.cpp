@@ -156,6 +156,9 @@ bool meansDamage(UA_StatusCode status) {
 }  // namespace
 
 base::Error requestError(UA_StatusCode status, Operation operation, const std::string& context) {
+  if (meansSessionEnded(status)) {
+    return sessionEnded(context);
+  }
   const LinkError error = linkErrorOf(status, operation);
   const std::string sentence =
       meansDamage(status)
@@ -194,6 +197,17 @@ base::Error silenceError(base::Duration silenceMax, const std::string& endpoint)
                   "the server hangs. Check cable, switch and server, then connect again.",
                   base::toSeconds(silenceMax)),
       endpoint);
+}
+
+bool meansSessionEnded(UA_StatusCode status) {
+  return status == UA_STATUSCODE_BADSESSIONIDINVALID || status == UA_STATUSCODE_BADSESSIONCLOSED;
+}
+
+base::Error sessionEnded(const std::string& endpoint) {
+  return base::makeError(LinkError::ConnectionLost,
+                         "The server has ended the session of this client; the network is not to "
+                         "blame. Connect again for a new session, then go on.",
+                         endpoint);
 }
 
 base::Error unknownForm(std::string_view method) {

@@ -41,6 +41,12 @@ namespace rivulet::opcua {
 /// The other side has been silent for so long that the connection counts as lost.
 [[nodiscard]] base::Error silenceError(base::Duration silenceMax, const std::string& endpoint);
 
+/// True if this status means that the server has ended the session; the network is not to blame.
+[[nodiscard]] bool meansSessionEnded(UA_StatusCode status);
+
+/// The server has ended the session of this client. Code: ConnectionLost.
+[[nodiscard]] base::Error sessionEnded(const std::string& endpoint);
+
 /// A method has answered with other arguments than those of a SINUMERIK.
 [[nodiscard]] base::Error unknownForm(std::string_view method);
 

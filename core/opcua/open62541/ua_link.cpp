@@ -95,6 +95,7 @@ void UaLink::Impl::answered(std::uint64_t serial, void* response) {
   std::erase_if(m_calls.asked, [&](const Asked& asked) { return asked.serial == serial; });
   const UA_StatusCode status = static_cast<const UA_ResponseHeader*>(response)->serviceResult;
   if (meansConnectionLost(status)) {
+    m_connection.isSessionEnded = m_connection.isSessionEnded || meansSessionEnded(status);
     m_connection.isLost = m_connection.isLost || m_connection.isEstablished;
     return;
   }
@@ -207,7 +208,7 @@ void UaLink::Impl::takeCall(Pending& pending, const UA_CallResponse& response) {
 base::RequestId UaLink::Impl::begin(Pending pending, bool hasMethod) {
   noticeLoss();  // comes before this request
   if (m_connection.isLost) {
-    fail(pending, error(LinkError::ConnectionLost));
+    fail(pending, lossError());
   } else if (!hasMethod) {
     fail(pending, error(LinkError::MethodMissing));
   } else {
@@ -233,7 +234,7 @@ base::RequestId UaLink::Impl::request(Operation operation, std::vector<Variable>
 
   noticeLoss();  // comes before this request
   if (m_connection.isLost) {
-    fail(pending, error(LinkError::ConnectionLost));
+    fail(pending, lossError());
   } else if (const auto fault = requestFault(pending.variables, pending.values)) {
     fail(pending, error(*fault));
   } else if (const auto lost = lostByFloat(pending)) {
@@ -527,6 +528,9 @@ void UaLink::Impl::noticeState() {
 }
 
 base::Error UaLink::Impl::lossError() const {
+  if (m_connection.isSessionEnded) {
+    return sessionEnded(endpoint());
+  }
   if (!m_connection.isSilent) {
     return error(LinkError::ConnectionLost);
   }

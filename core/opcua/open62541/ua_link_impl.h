@@ -308,9 +308,10 @@ class UaLink::Impl {
     base::Instant heardAt{};  ///< the last answer, be it late
     int handshakes = 0;
     int retries = 0;
-    bool isSilent = false;       ///< the reason of the loss
-    bool isEstablished = false;  ///< from now on a bad state is a loss
-    bool hasActivity = false;    ///< a callback has run
+    bool isSilent = false;        ///< the reason of the loss
+    bool isSessionEnded = false;  ///< the same: by the server
+    bool isEstablished = false;   ///< from now on a bad state is a loss
+    bool hasActivity = false;     ///< a callback has run
     bool isLost = false;
     bool isLossReported = false;
   };
