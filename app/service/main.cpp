@@ -269,7 +269,16 @@ int run(Arguments& arguments) {
   }
   service::ServiceSession session(
       {*std::move(request), jobs, rivulet::journal::stateFolderOfUser()},
-      [](const rivulet::opcua::ConnectRequest& asked) { return rivulet::trust::connect(asked); },
+      [](const rivulet::opcua::ConnectRequest& asked) {
+        auto attempt = rivulet::trust::connect(asked);
+        if (attempt.connection) {
+          const std::string warning = rivulet::trust::warningOn(*attempt.connection);
+          if (!warning.empty()) {
+            rivulet::log::logger().warn("{}", warning);
+          }
+        }
+        return attempt;
+      },
       rivulet::report::MachineStore());
   arguments.serving.server.onFailedLogin =
       [&session](const rivulet::machine::LoginFailure& failure) {

@@ -144,6 +144,9 @@ std::string warningOn(const opcua::Connection& connection) {
   if (!connection.security) {
     return {};
   }
+  if (connection.certificate && !connection.certificate->strangerUri.empty()) {
+    return strangerText(*connection.certificate) + '.';
+  }
   switch (opcua::protectionOf(*connection.security, connection.name)) {
     case opcua::Protection::Encrypted:
     case opcua::Protection::Signed:

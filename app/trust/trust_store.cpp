@@ -80,9 +80,18 @@ std::string dateText(base::UtcMs at) {
 }  // namespace
 
 std::string describe(const opcua::CertificateFacts& facts) {
-  return fmt::format("{}, valid from {} to {}, fingerprint {}", facts.subject,
+  const std::string stranger =
+      facts.strangerUri.empty() ? std::string() : ". " + strangerText(facts);
+  return fmt::format("{}, valid from {} to {}, fingerprint {}{}", facts.subject,
                      dateText(facts.validFrom), dateText(facts.validTo),
-                     opcua::fingerprintText(facts.fingerprint));
+                     opcua::fingerprintText(facts.fingerprint), stranger);
+}
+
+std::string strangerText(const opcua::CertificateFacts& facts) {
+  return fmt::format(
+      "This certificate was made for another application ({}) than the server says it is ({}): it "
+      "may have been copied. Ask who looks after the control",
+      facts.applicationUris.empty() ? "none" : facts.applicationUris.front(), facts.strangerUri);
 }
 
 void keepRejected(const fs::path& folder, const opcua::CertificateFacts& facts,

@@ -121,7 +121,10 @@ class TrustStore {
 [[nodiscard]] base::Result<std::vector<opcua::RevocationList>> readRevocations(
     const std::filesystem::path& folder);
 
-/// Fingerprint, subject and dates, as a person compares them.
+/// Fingerprint, subject and dates, as a person compares them, and `strangerText`.
 [[nodiscard]] std::string describe(const opcua::CertificateFacts& facts);
+/// Of a certificate that was made for another application: one sentence without its full stop.
+/// @param facts  with `strangerUri`
+[[nodiscard]] std::string strangerText(const opcua::CertificateFacts& facts);
 
 }  // namespace rivulet::trust

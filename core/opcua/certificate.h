@@ -25,6 +25,9 @@ struct CertificateFacts {
   base::UtcMs validTo = 0;
   std::vector<std::string> applicationUris;  ///< of the subject's alternative names
   std::vector<std::string> hostNames;        ///< there, too: names, and addresses of IPv4
+  /// Of the server that has shown it: the URI by which it calls itself, if the certificate does not
+  /// name it. Empty: it does, or no server has shown it.
+  std::string strangerUri{};
 
   friend bool operator==(const CertificateFacts&, const CertificateFacts&) = default;
 };

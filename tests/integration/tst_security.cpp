@@ -27,6 +27,7 @@
 #include "opcua/open62541/ua_link.h"
 #include "opcua/revocation.h"
 #include "opcua/user_certificate.h"
+#include "support/plain_server.h"
 #include "support/test_program.h"
 #include "trust/connect.h"
 #include "trust/trust_store.h"
@@ -468,6 +469,39 @@ class TestSecurity : public QObject {
     const opcua::Attempt known = trust::connect({cell.endpoint()}, path);
     QVERIFY2(known.connection, known.connection ? "" : known.connection.error().text().c_str());
     QCOMPARE(known.connection->security->mode, opcua::MessageMode::SignAndEncrypt);
+  }
+
+  /// A certificate that was made for another application may be a copy.
+  void aCertificateOfAnotherApplicationIsSaid() {
+    const tests::PlainServer server({{"X", 0.0}}, {}, {}, {}, {}, tests::PlainServer::Kind::Server,
+                                    &certificateOf("server"));
+    const QTemporaryDir folder;
+    const std::filesystem::path store = folder.path().toStdString();
+    opcua::ConnectRequest request;
+    request.endpoint = server.endpoint();
+    request.security = opcua::SecurityChoice{};
+    request.nodes[{opcua::VariableKind::ActualPosition, 0}] = "ns=1;s=X";
+    const std::string stranger =
+        "made for another application (urn:test:server) than the server says it is (urn:";
+    auto attempt = trust::connect(request, store);
+    QVERIFY(!attempt.connection && attempt.question);
+    const std::string said = attempt.connection.error().text();
+    QVERIFY2(said.find(stranger) != std::string::npos, said.c_str());
+    QVERIFY(!attempt.question->shown.strangerUri.empty());
+    request.fingerprint = attempt.question->shown.fingerprint;
+    attempt = trust::connect(request, store);
+    QVERIFY2(attempt.connection,
+             attempt.connection ? "" : attempt.connection.error().text().c_str());
+    QVERIFY(trust::warningOn(*attempt.connection).find(stranger) != std::string::npos);
+    // One of its own needs no word.
+    Cell cell(encrypted());
+    request.endpoint = cell.endpoint();
+    request.nodes.clear();
+    request.fingerprint = fingerprintOf("machine");
+    attempt = trust::connect(request, store);
+    QVERIFY2(attempt.connection,
+             attempt.connection ? "" : attempt.connection.error().text().c_str());
+    QCOMPARE(trust::warningOn(*attempt.connection), std::string());
   }
 
   void aChangedServerIsAskedAboutWithBothCertificates() {

@@ -7,6 +7,7 @@
 /// which calls `turn`.
 #pragma once
 
+#include <open62541/plugin/pki_default.h>
 #include <open62541/server.h>
 #include <open62541/server_config_default.h>
 
@@ -22,6 +23,7 @@
 
 #include "base/contract.h"
 #include "opcua/open62541/handle.h"
+#include "opcua/security.h"
 
 namespace rivulet::tests {
 
@@ -37,12 +39,27 @@ class PlainServer {
                        const std::map<std::string, std::string>& texts = {}, Turn turn = {},
                        const std::map<std::string, std::vector<double>>& arrays = {},
                        const std::map<std::string, std::vector<float>>& floats = {},
-                       Kind kind = Kind::Server)
+                       Kind kind = Kind::Server, const opcua::OwnCertificate* own = nullptr)
       : m_turn(std::move(turn)) {
     m_logger.log = [](void*, UA_LogLevel, UA_LogCategory, const char*, va_list) {};
     UA_ServerConfig config{};
     config.logging = &m_logger;
-    RIVULET_ASSERT(UA_ServerConfig_setMinimal(&config, 0, nullptr) == UA_STATUSCODE_GOOD);
+    if (own == nullptr) {
+      RIVULET_ASSERT(UA_ServerConfig_setMinimal(&config, 0, nullptr) == UA_STATUSCODE_GOOD);
+    } else {
+      // It calls itself as the library does, whatever the certificate says.
+      const UA_ByteString certificate = opcua::borrow(own->certificate);
+      const UA_ByteString key = opcua::borrow(own->privateKey);
+      RIVULET_ASSERT(UA_ServerConfig_setDefaultWithSecurityPolicies(&config, 0, &certificate, &key,
+                                                                    nullptr, 0, nullptr, 0, nullptr,
+                                                                    0) == UA_STATUSCODE_GOOD);
+      for (UA_CertificateVerification* pki : {&config.secureChannelPKI, &config.sessionPKI}) {
+        pki->clear(pki);
+        UA_CertificateVerification_AcceptAll(pki);
+      }
+    }
+    config.context = this;
+    m_activate = std::exchange(config.accessControl.activateSession, &PlainServer::onActivate);
     UA_String_clear(&config.serverUrls[0]);
     config.serverUrls[0] = UA_String_fromChars("opc.tcp://127.0.0.1:0");
     config.tcpReuseAddr = false;
@@ -105,6 +122,12 @@ class PlainServer {
     UA_String text = opcua::borrow(value);
     write(name, opcua::borrowScalar(text, UA_TYPES_STRING));
   }
+  /// The same: of all clients, over connections that stay.
+  void closeSessions() {
+    for (const UA_NodeId& session : std::exchange(m_sessions, {})) {
+      UA_Server_closeSession(m_server, &session);
+    }
+  }
   [[nodiscard]] double number(const std::string& name) {
     opcua::Handle<UA_Variant, UA_TYPES_VARIANT> value;
     UA_Server_readValue(m_server, opcua::borrowNodeId(1, name), value.get());
@@ -114,6 +137,14 @@ class PlainServer {
   }
 
  private:
+  static UA_StatusCode onActivate(UA_Server* server, UA_AccessControl* control,
+                                  const UA_EndpointDescription* endpoint,
+                                  const UA_ByteString* certificate, const UA_NodeId* session,
+                                  const UA_ExtensionObject* token, void** context) {
+    auto& self = *static_cast<PlainServer*>(UA_Server_getConfig(server)->context);
+    self.m_sessions.push_back(*session);  // a GUID: owns nothing
+    return self.m_activate(server, control, endpoint, certificate, session, token, context);
+  }
   void add(const std::string& name, UA_Variant value) {
     UA_VariableAttributes attributes = UA_VariableAttributes_default;
     attributes.value = value;
@@ -140,6 +171,8 @@ class PlainServer {
   Turn m_turn;
   UA_Logger m_logger{};
   UA_Server* m_server = nullptr;
+  decltype(UA_AccessControl::activateSession) m_activate = nullptr;
+  std::vector<UA_NodeId> m_sessions;
   std::string m_endpoint;
   std::atomic<bool> m_stop{false};
   std::thread m_thread;

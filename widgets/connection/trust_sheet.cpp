@@ -204,7 +204,11 @@ void TrustSheet::showCertificate() {
          old(before ? untrustedText(before->subject) : QString()));
   addRow(tr("Issued by"), Status::Plain, issuerText(shown),
          old(before ? issuerText(*before) : QString()));
-  addRow(tr("Application"), Status::Plain, listText(shown.applicationUris),
+  const bool isStranger = !shown.strangerUri.empty();
+  addRow(tr("Application"), isStranger ? Status::Attention : Status::Plain,
+         isStranger ? tr("%1: the server says that it is %2")
+                          .arg(listText(shown.applicationUris), untrustedText(shown.strangerUri))
+                    : listText(shown.applicationUris),
          old(before ? listText(before->applicationUris) : QString()));
   const std::string host = opcua::hostOf(m_question->endpoint);
   const bool isForHost = opcua::isForHost(shown, host);

@@ -233,9 +233,14 @@ base::Result<void> UaLink::Impl::checkServer(const SecureEndpoint& endpoint) {
   m_own = std::move(*own);
   // The password is encrypted for this certificate even where messages are not.
   const std::string_view der = leafOf(view(endpoint.description->serverCertificate));
-  const auto facts = readCertificate(der);
+  auto facts = readCertificate(der);
   if (!facts) {
     return base::fail(facts.error().code, facts.error().message, this->endpoint());
+  }
+  const std::string_view calledItself = view(endpoint.description->server.applicationUri);
+  if (std::find(facts->applicationUris.begin(), facts->applicationUris.end(), calledItself) ==
+      facts->applicationUris.end()) {
+    facts->strangerUri = calledItself.empty() ? "(nothing)" : calledItself;
   }
   if (auto trusted = m_options.trust(*facts, der); !trusted) {
     return base::fail(trusted.error().code, trusted.error().message, this->endpoint());
