@@ -26,7 +26,8 @@ void printText(const opcua::RightsReport& report) {
     fmt::print("{:<20} {:<10} {}\n", opcua::rightTitle(finding.right), answerOf(finding),
                opcua::rightPurpose(finding.right));
     if (!finding.isGiven.value_or(false)) {
-      fmt::print("{:<20} {:<10} -> {}\n", "", "", opcua::rightRemedy(finding.right));
+      fmt::print("{:<20} {:<10} -> {}\n", "", "",
+                 opcua::rightRemedy(finding.right, report.isMapped));
     }
   }
   if (!report.excess.empty()) {

@@ -19,6 +19,7 @@ struct RightFacts {
   std::string_view title;
   std::string_view purpose;
   std::string_view remedy;
+  std::string_view remedyOfMapped;
   /// Each of these rights of the server includes it.
   std::array<std::string_view, 2> names;
   bool isEssential;
@@ -31,6 +32,9 @@ constexpr std::array<RightFacts, 5> kRights{
       RIVULET_SENTENCE("RightTexts",
                        "Call GiveUserAccess with StateRead; if that is not enough, with "
                        "SinuReadAll."),
+      RIVULET_SENTENCE("RightTexts",
+                       "Let this OPC UA user read the nodes of the map, in the settings of the "
+                       "server."),
       {"StateRead", "SinuReadAll"},
       true},
      {RunRight::WriteParameters,
@@ -40,6 +44,9 @@ constexpr std::array<RightFacts, 5> kRights{
                        "Call GiveUserAccess with StateWrite; if that is not enough, with "
                        "SinuWriteAll. The protection level of R-parameters (MD51051) must allow "
                        "it, too."),
+      RIVULET_SENTENCE("RightTexts",
+                       "Let this OPC UA user write the cells of the map, in the settings of the "
+                       "server."),
       {"StateWrite", "SinuWriteAll"},
       true},
      {RunRight::ReadPrograms,
@@ -47,6 +54,9 @@ constexpr std::array<RightFacts, 5> kRights{
       RIVULET_SENTENCE("RightTexts",
                        "checks which program is on the control; without it the operator does"),
       RIVULET_SENTENCE("RightTexts", "Call GiveUserAccess with FsRead."),
+      RIVULET_SENTENCE("RightTexts",
+                       "Name the method in the map (methods.read), if the server has one, and let "
+                       "this OPC UA user call it."),
       {"FsRead", ""},
       false},
      {RunRight::WritePrograms,
@@ -54,12 +64,18 @@ constexpr std::array<RightFacts, 5> kRights{
       RIVULET_SENTENCE("RightTexts",
                        "brings its program to the control; without it the operator copies it"),
       RIVULET_SENTENCE("RightTexts", "Call GiveUserAccess with FsWrite."),
+      RIVULET_SENTENCE("RightTexts",
+                       "Name the method in the map (methods.write), if the server has one, and let "
+                       "this OPC UA user call it."),
       {"FsWrite", ""},
       false},
      {RunRight::SelectProgram,
       RIVULET_SENTENCE("RightTexts", "select a program"),
       RIVULET_SENTENCE("RightTexts", "selects its program; without it the operator does"),
       RIVULET_SENTENCE("RightTexts", "Call GiveUserAccess with ApWrite."),
+      RIVULET_SENTENCE("RightTexts",
+                       "Name the method in the map (methods.select), if the server has one, and "
+                       "let this OPC UA user call it."),
       {"ApWrite", ""},
       false}}};
 
@@ -127,7 +143,12 @@ constexpr const char* kAbsentProgram = "RIVULET_RIGHTS_TEST.MPF";
 
 base::Result<RightsReport> examineRights(const Connection& connection) {
   const int cell = connection.map != nullptr ? connection.map->cells.first : 0;
-  return examineRights(*connection.link, *connection.control, kRightsDeadline, rParameter(cell));
+  auto report =
+      examineRights(*connection.link, *connection.control, kRightsDeadline, rParameter(cell));
+  if (report) {
+    report->isMapped = connection.map != nullptr;
+  }
+  return report;
 }
 
 base::Result<RightsReport> examineRights(Link& link, Control& control, base::Duration deadline,
@@ -167,8 +188,8 @@ std::string_view rightTitle(RunRight right) {
 std::string_view rightPurpose(RunRight right) {
   return factsOf(right).purpose;
 }
-std::string_view rightRemedy(RunRight right) {
-  return factsOf(right).remedy;
+std::string_view rightRemedy(RunRight right, bool isMapped) {
+  return isMapped ? factsOf(right).remedyOfMapped : factsOf(right).remedy;
 }
 bool isEssential(RunRight right) {
   return factsOf(right).isEssential;

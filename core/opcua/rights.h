@@ -29,6 +29,7 @@ struct RightsReport {
   std::vector<RightFinding> findings;  ///< one per `RunRight`, in its order
   std::vector<std::string> excess;     ///< rights that no run needs, as the server names them
   bool isListed = false;               ///< the server has listed the user's rights
+  bool isMapped = false;  ///< the control is no SINUMERIK: a map says where it has what
 };
 
 /// How long one question of `examineRights` waits for its answer.
@@ -48,8 +49,8 @@ inline constexpr base::Duration kRightsDeadline = std::chrono::seconds(5);
 [[nodiscard]] std::string_view rightTitle(RunRight right);
 /// What a run does with it, and what remains to the operator without it.
 [[nodiscard]] std::string_view rightPurpose(RunRight right);
-/// How it is given on a SINUMERIK.
-[[nodiscard]] std::string_view rightRemedy(RunRight right);
+/// How it is given. @param isMapped  see `RightsReport`; else by the methods of a SINUMERIK
+[[nodiscard]] std::string_view rightRemedy(RunRight right, bool isMapped);
 /// Whether no run can do without it.
 [[nodiscard]] bool isEssential(RunRight right);
 

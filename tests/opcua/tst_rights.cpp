@@ -4,9 +4,11 @@
 #include <QtTest>
 #include <algorithm>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "opcua/control_map.h"
 #include "opcua/rights.h"
 #include "support/test_program.h"
 
@@ -144,6 +146,26 @@ class TestRights : public QObject {
     const auto report = opcua::examineRights(server, server, 1s);
     QVERIFY(report);
     QCOMPARE(report->excess, (std::vector<std::string>{"PlcWrite", "TeaWrite"}));
+  }
+
+  /// The methods of a SINUMERIK are no advice for somebody else's server.
+  void aMappedControlHasItsOwnAdvice() {
+    Server server;
+    opcua::Connection connection;
+    connection.link = &server;
+    connection.control = &server;
+    for (const bool isMapped : {false, true}) {
+      connection.map = isMapped ? std::make_shared<const opcua::ControlMap>() : nullptr;
+      const auto report = opcua::examineRights(connection);
+      QVERIFY(report);
+      QCOMPARE(report->isMapped, isMapped);
+      for (const opcua::RightFinding& finding : report->findings) {
+        const std::string advice(opcua::rightRemedy(finding.right, report->isMapped));
+        QVERIFY(!advice.empty());
+        QCOMPARE(advice.find("GiveUserAccess") == std::string::npos, isMapped);
+        QCOMPARE(advice.find("map") != std::string::npos, isMapped);
+      }
+    }
   }
 
   void aLostConnectionIsAnError() {

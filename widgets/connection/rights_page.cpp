@@ -73,7 +73,7 @@ void RightsPage::addRow(const opcua::RightFinding& finding) {
                                              : tr("given"));
   QString text = translated(opcua::rightPurpose(finding.right));
   if (!finding.isGiven.value_or(false)) {
-    text += QLatin1Char('\n') + translated(opcua::rightRemedy(finding.right));
+    text += QLatin1Char('\n') + translated(opcua::rightRemedy(finding.right, m_report->isMapped));
   }
   auto* purpose = makeValueLabel(this);
   purpose->setWordWrap(true);
