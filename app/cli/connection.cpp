@@ -67,7 +67,8 @@ base::Result<std::string> passwordOnce(const ConnectionOptions& options) {
   static std::optional<std::string> kept;
   if (!kept) {
     auto password =
-        trust::readPassword(options.passwordFile, fmt::format("Password of {}: ", options.user));
+        trust::readPassword(options.passwordFile, fmt::format("Password of {}: ", options.user),
+                            trust::kPasswordFileOption);
     if (!password) {
       return password;
     }

@@ -83,7 +83,7 @@ rivulet::base::Result<void> select(rivulet::machine::Machine& machine, const std
 
 /// For a preset: the password of a user, which nobody can read back.
 int printHash() {
-  const auto password = rivulet::trust::readPassword({}, "Password: ");
+  const auto password = rivulet::trust::readPassword({}, "Password: ", {});
   if (!password) {
     return complain(password.error(), kExitUsage);
   }

@@ -4,6 +4,7 @@
 #include "trust/password.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -75,13 +76,14 @@ class QuietTerminal {
 
 }  // namespace
 
-base::Result<std::string> askForPassword(const std::string& question) {
+base::Result<std::string> askForPassword(const std::string& question, const std::string& option) {
   const QuietTerminal terminal;
   if (!terminal.isThere()) {
     return base::fail(opcua::LinkError::LoginRefused,
-                      "There is no password and no terminal to ask for it. Give it in a file "
-                      "(--password-file), in RIVULET_PASSWORD, or as the systemd credential "
-                      "rivulet-password.");
+                      fmt::format("There is no password and no terminal to ask for it. Give it "
+                                  "{}in RIVULET_PASSWORD, or as the systemd credential "
+                                  "rivulet-password.",
+                                  option.empty() ? "" : "in a file (" + option + "), "));
   }
   terminal.print(question);
   std::string password = terminal.readLine();
@@ -106,12 +108,13 @@ base::Result<std::optional<std::string>> givenPassword(const fs::path& file) {
   return firstLine(std::move(*text));
 }
 
-base::Result<std::string> readPassword(const fs::path& file, const std::string& question) {
+base::Result<std::string> readPassword(const fs::path& file, const std::string& question,
+                                       const std::string& option) {
   auto given = givenPassword(file);
   if (!given) {
     return base::fail(given.error());
   }
-  return *given ? base::Result<std::string>(std::move(**given)) : askForPassword(question);
+  return *given ? base::Result<std::string>(std::move(**given)) : askForPassword(question, option);
 }
 
 }  // namespace rivulet::trust
