@@ -159,7 +159,8 @@ Analysed analyseRecording(const trace::Recording& recording, const trace::TraceA
   }
   const trace::DurationStatistics access = accessTimes(recording);
   Analysed analysed;
-  analysed.isWrong = finding == RunFinding::Faulty || !recording.complete;
+  analysed.isWrong =
+      finding == RunFinding::Faulty || run.outcome == Outcome::Failed || !recording.complete;
   analysed.outcome = run.outcome;
   analysed.finding = finding;
   analysed.json = {{"method", recording.start.method},

@@ -92,7 +92,9 @@ Exit exitAfter(const streaming::RunReport& done, const run::RunRecord& record) {
   if (done.error.code && exitForRun(done.error) != Exit::Wrong) {
     return exitForRun(done.error);
   }
-  return done.finding() != streaming::RunFinding::Faulty && isComplete ? Exit::Done : Exit::Wrong;
+  const bool isRight =
+      done.outcome != streaming::Outcome::Failed && done.finding() != streaming::RunFinding::Faulty;
+  return isRight && isComplete ? Exit::Done : Exit::Wrong;
 }
 
 }  // namespace rivulet::cli

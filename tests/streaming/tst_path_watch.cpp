@@ -181,6 +181,30 @@ class TestPathWatch : public QObject {
     QVERIFY(unjudged.finding() == streaming::RunFinding::NotJudged);
   }
 
+  /// A run that has only lost the network has done nothing wrong that anybody knows of.
+  void aLostConnectionIsNoWrongMotion() {
+    using streaming::RunFinding;
+    streaming::RunReport report;
+    report.outcome = streaming::Outcome::Failed;
+    report.error = base::makeError(opcua::LinkError::ConnectionLost, "lost");
+    QVERIFY(report.finding() == RunFinding::NotJudged);
+    report.wrong.emplace();
+    QVERIFY(report.finding() == RunFinding::Faulty);
+    report.wrong.reset();
+    // The trace of what was executed until the control ended its program.
+    report.error = base::makeError(streaming::StreamError::ClientSilent, "silent");
+    report.integrity.judged = true;
+    report.counters.total = 10;
+    report.integrity.executed = 4;
+    QVERIFY(report.finding() == RunFinding::NotJudged);
+    report.integrity.repeated = 1;
+    QVERIFY(report.finding() == RunFinding::Faulty);
+    report.integrity.repeated = 0;
+    // An alarm is another matter.
+    report.error = base::makeError(streaming::StreamError::ControlAlarm, "alarm");
+    QVERIFY(report.finding() == RunFinding::Faulty);
+  }
+
   /// The control has passed two windows before the client looks: one signal is lost.
   void missedSignalsAreSeen() {
     const Streamed streamed =

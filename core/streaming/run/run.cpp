@@ -110,14 +110,17 @@ std::string describe(const WrongMotion& wrong) {
 }
 
 RunFinding RunReport::finding() const {
-  if (outcome == Outcome::Failed) {
+  if (integrity.judged ? !integrity.isFaultless() : wrong.has_value()) {
     return RunFinding::Faulty;
   }
-  if (!integrity.judged) {
-    return wrong ? RunFinding::Faulty : RunFinding::NotJudged;
+  // Nobody knows how far the control has come since.
+  const bool isCutOff =
+      error.code == opcua::LinkError::ConnectionLost || error.code == StreamError::ClientSilent;
+  if (!integrity.judged || isCutOff) {
+    return RunFinding::NotJudged;
   }
   const bool isWhole = outcome == Outcome::Stopped || integrity.executed == counters.total;
-  return isWhole && integrity.isFaultless() ? RunFinding::Faultless : RunFinding::Faulty;
+  return isWhole && outcome != Outcome::Failed ? RunFinding::Faultless : RunFinding::Faulty;
 }
 
 }  // namespace rivulet::streaming

@@ -183,7 +183,7 @@ struct RunSettings {
   RunOrigin origin{};
 };
 
-/// How this run is cut into windows, by the client and again when it is resumed.
+/// How a run is cut into windows by its client.
 [[nodiscard]] WindowCut windowCut(const RunSettings& settings);
 
 struct Counters {
@@ -254,9 +254,11 @@ enum class Outcome { Completed, Stopped, Failed };
 /// What is known of the motion of a run.
 enum class RunFinding {
   Faultless,  ///< judged by the control's trace: each point once, in order
-  NotJudged,  ///< the control keeps no trace, or a part of it was lost before it was fetched
-  /// The run failed, or the trace shows points repeated, skipped or foreign; without a trace: wrong
-  /// motion was seen during the run.
+  /// The control keeps no trace, a part of it was lost before it was fetched, or the connection was
+  /// lost during the run; no wrong motion was seen.
+  NotJudged,
+  /// The trace shows points repeated, skipped or foreign, or that some are missing; without a
+  /// trace: wrong motion was seen during the run.
   Faulty,
 };
 
