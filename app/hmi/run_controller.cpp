@@ -321,11 +321,14 @@ widgets::ResumePlace RunController::placeOf(const run::JobRestart& restart) cons
   return place;
 }
 
-QString RunController::jobRefusal(bool isMachineKnown, bool isChosen) {
+QString RunController::jobRefusal(bool isMachineKnown, int chosen) {
   return !isMachineKnown
              ? tr("The tools and offsets of this machine are not known, so the state in which the "
                   "job goes on cannot be computed. Start from the beginning.")
-         : isChosen
+         : chosen == 1
+             ? tr("The state before the first part is not known: only the control knows what an "
+                  "earlier block does. Start from the beginning.")
+         : chosen > 1
              ? tr("The state before this part is not known: only the control knows what an "
                   "earlier block does. Choose an earlier part, or start from the beginning.")
              : tr("It is not known for certain where the job was left. Press Start, then Begin "
@@ -347,8 +350,8 @@ void RunController::takeResume(const session::ResumeFound& found) {
   if (!found.resume) {
     const bool isJob = m_question->plan && found.error.code == streaming::StreamError::CannotResume;
     refuseResume([error = found.error, isJob, isMachineKnown = m_question->machine != nullptr,
-                  isChosen = m_question->fromStretch > 0] {
-      return isJob ? jobRefusal(isMachineKnown, isChosen) : widgets::errorText(error);
+                  chosen = m_question->fromStretch] {
+      return isJob ? jobRefusal(isMachineKnown, chosen) : widgets::errorText(error);
     });
     return;
   }
@@ -879,7 +882,7 @@ void RunController::raiseOutcome() {
              (integrity.judged || !m_report->wrong)) {
     m_messages.raise(alarm::Code::RunIncomplete, {name, std::to_string(integrity.executed),
                                                   std::to_string(m_report->counters.total)});
-  } else if (m_report->finding() == streaming::RunFinding::NotJudged &&
+  } else if (m_report->finding() == streaming::RunFinding::NotJudged && !m_report->error.code &&
              m_machine.view().isVirtualMachine) {
     // Most controls keep no trace: there it is no news, and the report says it.
     m_messages.raise(alarm::Code::NotJudged, {name});

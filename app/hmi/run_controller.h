@@ -153,8 +153,8 @@ class RunController final : public QObject {
   bool startRun(std::optional<streaming::Resume> resume,
                 std::shared_ptr<const run::JobRestart> restart = nullptr);
   void ask(session::ResumeQuestion question);
-  /// Why a job does not go on. @param isChosen  with a stretch that was chosen
-  [[nodiscard]] static QString jobRefusal(bool isMachineKnown, bool isChosen);
+  /// Why a job does not go on. @param chosen  stretch to begin with; 0: it is resumed
+  [[nodiscard]] static QString jobRefusal(bool isMachineKnown, int chosen);
   /// The place at which a job goes on, as it is shown.
   [[nodiscard]] widgets::ResumePlace placeOf(const run::JobRestart& restart) const;
   [[nodiscard]] std::optional<streaming::JobCheck> jobCheck(permission::Act act) const;

@@ -352,8 +352,7 @@ Result<Restart> restartAtStretch(const job::Plan& plan, const machine::MachineCo
       return base::fail(
           StreamError::CannotResume,
           fmt::format("Where the tool stands before stretch {} is not known. {}", stretch,
-                      stretch == firstStretchOf(plan) ? "Start the job from the beginning, without "
-                                                        "--from-stretch."
+                      stretch == firstStretchOf(plan) ? "Start the job from its beginning."
                                                       : "Choose an earlier stretch."),
           plan.program.name);
     }
