@@ -382,10 +382,10 @@ std::string_view WindowedMethod::adviceWhenLost() const {
 }
 
 std::string_view WindowedMethod::adviceWhenStalled() const {
-  return "The stream made no progress although the program was active: the control was on "
-         "hold, or something else writes the R-parameters of the run. Nothing was repeated. "
-         "Release "
-         "the hold or find the other writer, then resume.";
+  return "The stream made no progress although the program was active: the control was on hold, "
+         "something else writes the R-parameters of the run, or a value was changed on its way. "
+         "Nothing was repeated. Release the hold, look for another client, or connect encrypted, "
+         "then resume.";
 }
 
 /// Coordinates, number of points, feed, check: the same sum as on the control, term by term in the
