@@ -27,8 +27,10 @@ int firstStretch(const job::Plan& plan) {
 base::Error jobChanged(const job::Plan& plan) {
   return base::makeError(
       streaming::StreamError::ProgramChanged,
-      "The program, or an option or setting that changes its blocks, is not that of the job that "
-      "was left. Restore it, or choose a stretch to begin with (--from-stretch).",
+      fmt::format(
+          "The program, or an option or setting that changes its blocks, is not that of the "
+          "job that was left. Restore it, or begin in the middle. {}",
+          streaming::kChooseStretch),
       plan.program.name);
 }
 

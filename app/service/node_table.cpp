@@ -51,6 +51,13 @@ constexpr std::array kVariables{
     VariableRow{"Production/ActiveProgram/State/CurrentState",
                 "Initializing, Running, Interrupted, Ended or Aborted, as OPC 40501-1 has it.",
                 &Snapshot::programState},
+    VariableRow{"Production/ActiveProgram/Stretches",
+                "Stretches of a whole job, between the blocks of the control; 0: none.",
+                &Snapshot::stretches},
+    VariableRow{"Production/ActiveProgram/Stretch",
+                "Stretch in progress, or the one after the blocks of the control in progress; 0: "
+                "none. PreflightStretch takes these numbers.",
+                &Snapshot::stretch},
     VariableRow{"Production/ActiveProgram/PointsDone", "Points that the machine has executed.",
                 &Snapshot::pointsDone},
     VariableRow{"Production/ActiveProgram/Points", "Points of the program.", &Snapshot::points},
@@ -141,8 +148,15 @@ const std::vector<MethodRow>& methodRows() {
        [](ServiceSession& session, const Caller& caller, const Inputs&) {
          return session.preflight(caller);
        }},
+      {"PreflightStretch",
+       "The same of a whole job that is to begin with this stretch (1, 2, ...): what the control "
+       "does first. Call again for the answer. Nothing moves.",
+       {"Stretch"},
+       [](ServiceSession& session, const Caller& caller, const Inputs& inputs) {
+         return session.preflightStretch(caller, inputs[0]);
+       }},
       {"Start",
-       "Starts the job. Confirmation: as the last Preflight has returned it.",
+       "Starts the job. Confirmation: as the last Preflight or PreflightStretch has returned it.",
        {"Confirmation"},
        [](ServiceSession& session, const Caller& caller, const Inputs& inputs) {
          return session.start(caller, inputs[0]);

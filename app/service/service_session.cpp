@@ -34,6 +34,8 @@ constexpr std::chrono::seconds kConnectInterval{2};
 /// Axes that stand are told so much off from one reading to the next, at most.
 constexpr double kStandsMm = 0.05;
 constexpr std::size_t kConfirmationDigits = 16;
+constexpr const char* kIsAsked =
+    "The control is being asked where the run or job can go on. Call again in a second.";
 
 Answer no(std::string why) {
   return {false, std::move(why), {}};
@@ -83,6 +85,25 @@ std::string faultOf(const streaming::RunReport& report) {
 bool isBelow(const std::filesystem::path& folder, const std::filesystem::path& path) {
   const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   return end == folder.end();
+}
+
+/// Where a job begins or goes on, and what is done first. Everything only the control knows is
+/// named: it is not done again.
+std::string beginningOf(const run::JobRestart& restart, std::size_t stretches) {
+  if (restart.restart.steps.empty()) {
+    return " at its beginning: nothing of it has been executed.";
+  }
+  std::string text = restart.stretch > 0
+                         ? fmt::format(" with stretch {} of {}.", restart.stretch, stretches)
+                         : fmt::format(" after stretch {}, the last.", stretches);
+  text += " Before that the control does: ";
+  for (const std::string& step : restart.restart.steps) {
+    text += step + " ";
+  }
+  for (const std::string& block : restart.restart.notRestored) {
+    text += fmt::format("Not done again, because only the control knows its effect: {}. ", block);
+  }
+  return text;
 }
 
 std::vector<double> lengthsOf(const std::vector<gcode::StreamPoint>& points) {
@@ -165,6 +186,7 @@ void ServiceSession::takeLink(const session::LinkChanged& link) {
   m_seen.reset();
   m_shown.reset();
   m_shownResume.reset();
+  m_found.reset();  // the control is asked again
   m_isAsking = m_isAsking && link.state == session::LinkState::Connecting;
   if (link.error.code) {
     const std::string text = link.error.text();
@@ -265,7 +287,8 @@ std::optional<Answer> ServiceSession::refused(const Caller& caller, Act act) con
   return refusal ? std::optional(no(refusalText(*refusal))) : std::nullopt;
 }
 
-streaming::StartFacts ServiceSession::facts(const Caller& caller, Act act) const {
+streaming::StartFacts ServiceSession::facts(const Caller& caller, Act act,
+                                            const run::JobRestart* restart) const {
   streaming::StartFacts facts;
   facts.activity = m_isRunning  ? streaming::Activity::Streaming
                    : m_isAsking ? streaming::Activity::CheckingResume
@@ -288,10 +311,7 @@ streaming::StartFacts ServiceSession::facts(const Caller& caller, Act act) const
   facts.method = m_job->settings.parameters.method;
   facts.settingsError = m_job->judged.settingsError;
   facts.verdict = m_job->judged.verdict;
-  const bool isRestart = act == Act::Resume && m_found && m_found->job;
-  const session::Hazards* hazards = isRestart        ? &m_found->job->hazards
-                                    : m_job->hazards ? m_job->hazards.get()
-                                                     : nullptr;
+  const session::Hazards* hazards = restart != nullptr ? &restart->hazards : m_job->hazards.get();
   if (hazards != nullptr) {
     facts.jobCheck = streaming::JobCheck{true, {}};
     if (const auto none = forecast::requireNoHazard(*m_job->view->plan, *hazards); !none) {
@@ -393,16 +413,29 @@ Answer ServiceSession::loadJob(const Caller& caller, const std::string& file,
          {{"program", m_job->view->program->name},
           {"hash", m_job->view->program->hash},
           {"settings", m_job->released.settings}});
-  return yes(fmt::format("{} is loaded: {} points, {}.", m_job->view->program->name,
-                         m_job->view->points.points.size(),
-                         m_job->view->isJob() ? "a whole job" : "motion alone"));
+  return yes(fmt::format(
+      "{} is loaded: {} points, {}.", m_job->view->program->name, m_job->view->points.points.size(),
+      m_job->view->isJob()
+          ? fmt::format("a whole job of {} stretches", m_job->view->plan->stretchCount())
+          : "motion alone"));
+}
+
+std::string ServiceSession::replacedText() const {
+  const report::SavedRun* left = leftRun();
+  return left == nullptr || left->isUntouched()
+             ? std::string()
+             : fmt::format(
+                   "The {} {} was left and can be resumed (PreflightResume); once another one has "
+                   "begun, it cannot. ",
+                   left->job ? "job" : "run", left->name());
 }
 
 std::string ServiceSession::describeStart() const {
   const overview::ProgramView& view = *m_job->view;
   const auto& points = view.points.points;
   const streaming::RunSettings& settings = m_job->runSettings;
-  std::string text = fmt::format(
+  std::string text = replacedText();
+  text += fmt::format(
       "Start streams {} ({}, read from {}) to {}: {} points by method {}, {} per window. ",
       view.program->name, view.program->hash, m_job->file.string(), m_options.machine.endpoint,
       points.size(), base::methodName(settings.parameters.method),
@@ -484,8 +517,56 @@ Answer ServiceSession::preflight(const Caller& caller) {
   return yes(text, m_shown->confirmation);
 }
 
-Answer ServiceSession::start(const Caller& caller, const std::string& confirmation) {
+Answer ServiceSession::preflightStretch(const Caller& caller, const std::string& stretch) {
+  // Where a job begins is a setting of it.
+  for (const Act act : {Act::Start, Act::ChangeSettings}) {
+    if (auto answer = refused(caller, act)) {
+      return *answer;  // what somebody else was shown stays
+    }
+  }
+  m_shown.reset();
+  if (m_isAsking) {
+    return no(kIsAsked);
+  }
   if (const auto blocked = streaming::startBlocked(facts(caller, Act::Start))) {
+    return no(blockedText(*blocked));
+  }
+  const auto number = base::parseInteger(stretch);
+  if (!m_job->view->isJob() || !number || *number < 1) {
+    return no(m_job->view->isJob() ? fmt::format("\"{}\" is no stretch: choose 1 to {}.", stretch,
+                                                 m_job->view->plan->stretchCount())
+                                   : "Only a whole job begins with a stretch. Call Preflight.");
+  }
+  const auto at = toolMm();
+  if (!at) {
+    return no("The control has not been read yet. Call PreflightStretch again in a second.");
+  }
+  if (!m_found || !m_question || m_question->fromStretch != *number) {
+    return ask({m_job->view->program,
+                m_job->runSettings,
+                {},
+                m_job->view->plan,
+                m_machine->known,
+                *number});
+  }
+  if (const base::Error error = m_found->error; error.code) {
+    m_found.reset();  // the next call asks again
+    return no(error);
+  }
+  if (const auto blocked = streaming::startBlocked(facts(caller, Act::Start, m_found->job.get()))) {
+    return no(blockedText(*blocked));
+  }
+  const std::string text = describeBeginning(*m_found->job);
+  m_shown = Shown{newConfirmation(text), *at, m_found->job};
+  return yes(text, m_shown->confirmation);
+}
+
+Answer ServiceSession::start(const Caller& caller, const std::string& confirmation) {
+  const auto restart = m_shown ? m_shown->restart : nullptr;
+  if (auto answer = restart ? refused(caller, Act::ChangeSettings) : std::nullopt) {
+    return *answer;
+  }
+  if (const auto blocked = streaming::startBlocked(facts(caller, Act::Start, restart.get()))) {
     return no(blockedText(*blocked));
   }
   if (!m_shown || confirmation != m_shown->confirmation) {
@@ -503,6 +584,11 @@ Answer ServiceSession::start(const Caller& caller, const std::string& confirmati
     command.plan = m_job->view->plan;
     command.dryRunMm = m_job->settings.dryRunMm;
   }
+  if (restart) {
+    command.plan = std::shared_ptr<const job::Plan>(restart, &restart->restart.plan);
+    command.restart = restart;
+    command.resumes = m_question;
+  }
   m_pace.firstPoint = 0;
   return begin(caller, Act::Start, std::move(command));
 }
@@ -517,11 +603,15 @@ Answer ServiceSession::begin(const Caller& caller, Act act, session::StartComman
     command.points = m_job->view->points.points.size();
   }
   command.startedAtUtc = base::utcText(utc::now());
-  record(caller, act,
-         {{"program", m_job->view->program->name},
-          {"hash", m_job->view->program->hash},
-          {"machine", m_options.machine.endpoint},
-          {"first_point", std::to_string(m_pace.firstPoint + 1)}});
+  std::vector<std::pair<std::string, std::string>> details{
+      {"program", m_job->view->program->name},
+      {"hash", m_job->view->program->hash},
+      {"machine", m_options.machine.endpoint},
+      {"first_point", std::to_string(m_pace.firstPoint + 1)}};
+  if (command.restart) {
+    details.emplace_back("stretch", std::to_string(command.restart->stretch));
+  }
+  record(caller, act, std::move(details));
   m_update = {};
   m_update.state = streaming::RunState::Armed;
   m_update.counters.executed = m_pace.firstPoint;
@@ -631,10 +721,7 @@ std::string ServiceSession::describeResume(const report::SavedRun& run) const {
           *m_found->resume->changedFrom + 1);
     }
   } else {
-    text += fmt::format(" in stretch {}. Before that the control does: ", m_found->job->stretch);
-    for (const std::string& step : m_found->job->restart.steps) {
-      text += step + " ";
-    }
+    text += beginningOf(*m_found->job, m_job->view->plan->stretchCount());
   }
   const auto& restMm = m_found->resume ? m_found->resume->restMm : m_found->job->restMm;
   if (const std::string rest = run::restText(restMm); !rest.empty()) {
@@ -643,10 +730,26 @@ std::string ServiceSession::describeResume(const report::SavedRun& run) const {
   return text;
 }
 
+std::string ServiceSession::describeBeginning(const run::JobRestart& restart) const {
+  return replacedText() +
+         fmt::format("Start begins {} ({}, read from {}) on {}", m_job->view->program->name,
+                     m_job->view->program->hash, m_job->file.string(), m_options.machine.endpoint) +
+         beginningOf(restart, m_job->view->plan->stretchCount());
+}
+
+Answer ServiceSession::ask(session::ResumeQuestion question) {
+  m_question = std::move(question);
+  m_found.reset();
+  m_shown.reset();  // what was shown belongs to the question before
+  m_shownResume.reset();
+  m_isAsking = m_worker.post(*m_question);
+  return no(kIsAsked);
+}
+
 Answer ServiceSession::preflightResume(const Caller& caller) {
   const report::SavedRun* run = leftRun();
   if (m_isAsking) {
-    return no("The control is being asked where the run was left. Call again in a second.");
+    return no(kIsAsked);
   }
   if (run == nullptr) {
     streaming::Blocked blocked;
@@ -684,23 +787,21 @@ Answer ServiceSession::preflightResume(const Caller& caller) {
     if (const auto blocked = streaming::resumeBlocked(facts(caller, Act::Resume))) {
       return no(blockedText(*blocked));
     }
-    m_question =
-        session::ResumeQuestion{m_job->view->program, run->settings, run->checkpoint, {}, {}, 0};
+    session::ResumeQuestion question{m_job->view->program, run->settings, run->checkpoint};
     if (m_job->view->isJob()) {
-      m_question->plan = m_job->view->plan;
-      m_question->machine = m_machine->known;
-      m_question->job = run->job;
+      question.plan = m_job->view->plan;
+      question.machine = m_machine->known;
+      question.job = run->job;
     }
-    m_found.reset();
-    m_isAsking = m_worker.post(*m_question);
-    return no("The control is being asked where the run was left. Call again in a second.");
+    return ask(std::move(question));
   }
   if (m_found->error.code) {
     const base::Error error = m_found->error;
     m_found.reset();  // the next call asks again
     return no(error);
   }
-  if (const auto blocked = streaming::resumeBlocked(facts(caller, Act::Resume))) {
+  if (const auto blocked =
+          streaming::resumeBlocked(facts(caller, Act::Resume, m_found->job.get()))) {
     return no(blockedText(*blocked));
   }
   const std::string text = describeResume(*run);
@@ -709,7 +810,8 @@ Answer ServiceSession::preflightResume(const Caller& caller) {
 }
 
 Answer ServiceSession::resumeRun(const Caller& caller, const std::string& confirmation) {
-  if (const auto blocked = streaming::resumeBlocked(facts(caller, Act::Resume))) {
+  if (const auto blocked = streaming::resumeBlocked(
+          facts(caller, Act::Resume, m_found ? m_found->job.get() : nullptr))) {
     return no(blockedText(*blocked));
   }
   if (!m_shownResume || confirmation != m_shownResume->confirmation || !m_found || !m_question) {
@@ -852,7 +954,10 @@ Snapshot ServiceSession::snapshot() const {
     seen.hash = m_job->view->program->hash;
     seen.settings = m_job->released.settings;
     seen.points = static_cast<std::uint32_t>(m_job->view->points.points.size());
+    seen.stretches =
+        m_job->view->isJob() ? static_cast<std::uint32_t>(m_job->view->plan->stretchCount()) : 0;
   }
+  seen.stretch = m_whole ? static_cast<std::uint32_t>(std::max(0, m_whole->stretch)) : 0;
   if (m_isRunning && m_update.feed) {
     seen.overridePercent = m_update.feed->actsPercent.value_or(-1.0);
     seen.stands = m_update.feed->holds && m_update.feed->stoodAfter && !m_update.feed->isIgnored;

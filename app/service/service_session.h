@@ -64,6 +64,8 @@ struct Snapshot {
   std::string file;
   std::string hash;
   std::string settings;
+  std::uint32_t stretches = 0;  ///< of a whole job; 0: the motion alone
+  std::uint32_t stretch = 0;    ///< in progress, or the one after the blocks in progress; 0: none
   std::uint32_t pointsDone = 0;
   std::uint32_t points = 0;
   double progressPercent = 0.0;
@@ -103,6 +105,10 @@ class ServiceSession {
   Answer loadJob(const Caller& caller, const std::string& file, const std::string& settings);
   /// What Start would do now. Nothing moves.
   Answer preflight(const Caller& caller);
+  /// The same of a whole job that is to begin with one of its stretches; the answer is that of a
+  /// later call. @param stretch  a number from 1 on
+  Answer preflightStretch(const Caller& caller, const std::string& stretch);
+  /// What the last of the two has shown.
   Answer start(const Caller& caller, const std::string& confirmation);
   /// The axes stand at once, where the program has a feed cell, else before the next window; or
   /// they go on.
@@ -129,6 +135,8 @@ class ServiceSession {
   struct Shown {
     std::string confirmation;
     base::Vec3 toolMm;
+    /// Of a job that is to begin with one of its stretches; null: at its beginning.
+    std::shared_ptr<const run::JobRestart> restart{};
   };
 
   void take(const session::SessionEvent& event);
@@ -137,7 +145,9 @@ class ServiceSession {
   void takeRuns(const session::RunsSeen& runs);
   void takeFinished(const session::RunFinished& finished);
   void takeResume(const session::ResumeFound& found);
-  [[nodiscard]] streaming::StartFacts facts(const Caller& caller, permission::Act act) const;
+  /// @param restart  of a job that goes on or begins in the middle; null: it does not
+  [[nodiscard]] streaming::StartFacts facts(const Caller& caller, permission::Act act,
+                                            const run::JobRestart* restart = nullptr) const;
   [[nodiscard]] bool isReleased() const;
   /// What the act is refused for; nothing: it is permitted.
   [[nodiscard]] std::optional<Answer> refused(const Caller& caller, permission::Act act) const;
@@ -146,8 +156,13 @@ class ServiceSession {
   [[nodiscard]] base::Result<std::filesystem::path> pathOf(const std::string& file) const;
   [[nodiscard]] base::Result<void> requireNoWayOut(const std::filesystem::path& program) const;
   [[nodiscard]] const report::SavedRun* leftRun() const;
+  /// Asks the control; the answer is that of a later call.
+  Answer ask(session::ResumeQuestion question);
+  /// The run that was left and could no longer be resumed; empty: there is none.
+  [[nodiscard]] std::string replacedText() const;
   [[nodiscard]] std::string describeStart() const;
   [[nodiscard]] std::string describeResume(const report::SavedRun& run) const;
+  [[nodiscard]] std::string describeBeginning(const run::JobRestart& restart) const;
   [[nodiscard]] std::string newConfirmation(const std::string& text);
   /// Since somebody was shown what a start would do; also if its place is not known.
   [[nodiscard]] bool hasToolMoved(const Shown& shown) const;

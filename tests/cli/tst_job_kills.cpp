@@ -90,27 +90,6 @@ class TestJobKills : public QObject {
     return file.fileName();
   }
 
-  /// Moves that were made, each to the next whole millimetre in X; -1: one was left out, made
-  /// twice, or is foreign. The approach to the place where the job was left is no move.
-  [[nodiscard]] int movesMade(std::size_t before) const {
-    constexpr double kStandsMm = 0.01;
-    int moves = 0;
-    double xMm = 0.0;
-    for (const trace::ExecutedBlock& block : m_scene.executed(before)) {
-      const bool isApproach =
-          std::abs(block.targetMm.x - xMm) <= kStandsMm || (moves == 0 && block.targetMm.x == 0.0);
-      xMm = block.targetMm.x;
-      if (isApproach) {
-        continue;
-      }
-      ++moves;
-      if (block.targetMm.x != moves) {
-        return -1;
-      }
-    }
-    return moves;
-  }
-
   static QByteArray runCli(const QStringList& arguments, const QProcessEnvironment& environment) {
     QProcess process;
     process.setProcessEnvironment(environment);
@@ -261,7 +240,7 @@ class TestJobKills : public QObject {
     bool isDone = false;
     for (int starts = 0; !isDone && starts < kStartsMax; ++starts) {
       const QStringList kept = m_scene.savedRuns();
-      const int made = movesMade(before);
+      const int made = m_scene.movesMade(before);
       if (kept.isEmpty() && made != 0) {
         isDone = made == m_moves;
         if (!isDone) {
@@ -286,7 +265,8 @@ class TestJobKills : public QObject {
         endOnControl();
       }
     }
-    const bool isRight = isDone && movesMade(before) == m_moves && m_scene.savedRuns().isEmpty();
+    const bool isRight =
+        isDone && m_scene.movesMade(before) == m_moves && m_scene.savedRuns().isEmpty();
     if (!isRight) {
       qWarning("%s", qPrintable(m_history.join(QLatin1Char('\n'))));
       for (const trace::ExecutedBlock& block : m_scene.executed(before)) {

@@ -479,6 +479,129 @@ class TestService : public QObject {
     QCOMPARE(xMm.back(), 30.0);
   }
 
+  /// What the control does first is shown, and then nothing of the stretches before is done.
+  void beginsAWholeJobWithAStretch() {
+    const std::size_t before = m_scene.executed().size();
+    const auto service = this->service();
+    QVERIFY(service->await("Monitoring/IsConnected", "true"));
+    QVERIFY(!service->call("PreflightStretch", {"1"}).accepted);  // nothing is loaded
+    QVERIFY(service->call("LoadJob", {file(), kSettings}).accepted);
+    QCOMPARE(service->call("PreflightStretch", {"1"}).message,
+             "Only a whole job begins with a stretch. Call Preflight.");
+    QFile job(m_scene.path("halves.mpf"));
+    QVERIFY(job.open(QIODevice::WriteOnly));
+    job.write(
+        "G17 G90 G71\nT1 D1 M6\nG0 X0 Y0 Z45\nG1 Z44 F3000\nX10\nY10\nS500 M3\nG4 F0.5\n"
+        "G1 X20 F3000\nX30 Y0\nM5\nM30\n");
+    job.close();
+    const service::Answer loaded = service->call("LoadJob", {"halves.mpf", ""});
+    QVERIFY2(loaded.message.ends_with("a whole job of 2 stretches."), loaded.message.c_str());
+    QCOMPARE(service->value("Production/ActiveProgram/Stretches"), "2");
+    for (const char* wrong : {"0", "-1", "two", "", "1.5"}) {
+      const std::string said = service->call("PreflightStretch", {wrong}).message;
+      QVERIFY2(said.ends_with("is no stretch: choose 1 to 2."), said.c_str());
+    }
+    const auto preflight = [&](const std::string& stretch) {
+      service::Answer answer;
+      service->awaitThat([&](const ServiceProcess::Values&) {
+        answer = service->call("PreflightStretch", {stretch});
+        return !service::isNotYet(answer);
+      });
+      return answer;
+    };
+    QVERIFY(preflight("3").message.find("There is no stretch 3") != std::string::npos);
+    const service::Answer shown = preflight("2");
+    QVERIFY2(shown.accepted, shown.message.c_str());
+    for (const char* part : {"with stretch 2 of 2. Before that the control does:", "M3", "M6"}) {
+      QVERIFY2(shown.message.find(part) != std::string::npos, shown.message.c_str());
+    }
+    // What was shown last counts.
+    const std::string whole = service->confirmation("Preflight");
+    QVERIFY(!service->call("Start", {shown.confirmation}).accepted);
+    const service::Answer again = preflight("2");
+    QVERIFY(!service->call("Start", {whole}).accepted);
+    QVERIFY(!service->call("ResumeRun", {again.confirmation}).accepted);
+    const service::Answer started = service->call("Start", {again.confirmation});
+    QVERIFY2(started.accepted, started.message.c_str());
+    QVERIFY(service->await("Session/LastOutcome", "completed"));
+    QCOMPARE(service->value("Notification/Alarm"), "");
+    std::vector<base::Vec3> cut;
+    for (const trace::ExecutedBlock& block : m_scene.executed(before)) {
+      QVERIFY(block.targetMm != (base::Vec3{10.0, 0.0, 44.0}));  // of the first stretch
+      cut.push_back(block.targetMm);
+    }
+    QVERIFY(cut.size() >= 2);
+    QVERIFY(cut[cut.size() - 2] == (base::Vec3{20.0, 10.0, 44.0}));
+    QVERIFY(cut.back() == (base::Vec3{30.0, 0.0, 44.0}));
+  }
+
+  /// The service is killed in each stretch of a job, of which every one but the first is executed
+  /// by a resume, and in the blocks of the control between two of them.
+  void aJobGoesOnHoweverOftenItIsKilled() {
+    m_scene.switchOff();
+    tests::KillScene mill{QStringLiteral(RIVULET_MACHINE), QStringLiteral("dmu75-mill"),
+                          tests::KillScene::Kept::Jobs};
+    mill.switchOn();
+    constexpr int kStretches = 4;
+    constexpr int kMoves = 10;
+    QByteArray text("G54\nT1 D1 M6\nS3000 M3\nG0 X0 Y0 Z20\n");
+    for (int move = 1; move <= kStretches * kMoves; ++move) {
+      text += "G1 X" + QByteArray::number(move) + " Y" + QByteArray::number(move % 2) + " F600\n";
+      text += move % kMoves == 0 ? "M8\nG4 F2\n" : "";
+    }
+    QFile job(mill.path("part.mpf"));
+    QVERIFY(job.open(QIODevice::WriteOnly));
+    QVERIFY(job.write(text + "G0 Z30\nM5 M9\nM30\n") > 0);
+    job.close();
+    const auto serviceOfMill = [&mill] {
+      auto service = std::make_unique<ServiceProcess>(
+          QStringLiteral(RIVULET_SERVICE), mill.endpoint(), mill.environment(),
+          QStringList{QStringLiteral("--jobs"), mill.path("")});
+      return service->await("Monitoring/IsConnected", "true") ? std::move(service) : nullptr;
+    };
+    auto service = serviceOfMill();
+    QVERIFY(service);
+    QVERIFY(service->call("LoadJob", {"part.mpf", ""}).accepted);
+    QVERIFY(service->call("Start", {service->confirmation("Preflight")}).accepted);
+    const auto resume = [&]() -> std::string {
+      std::string confirmation = service->await("Monitoring/State", "left")
+                                     ? service->confirmation("PreflightResume")
+                                     : std::string();
+      if (confirmation.empty() &&
+          service->refusal().find("EndRun of a service") != std::string::npos) {
+        // It stands in a block of its own: somebody lets it end.
+        const bool isEnded =
+            service->call("EndRun").accepted &&
+            service->await("Notification/Message", "The program on the control has ended.");
+        mill.awaitStandstill();
+        confirmation = isEnded ? service->confirmation("PreflightResume") : std::string();
+      }
+      const service::Answer resumed = service->call("ResumeRun", {confirmation});
+      return resumed.accepted ? std::string() : service->refusal() + ' ' + resumed.message;
+    };
+    int resumed = 0;
+    for (int stretch = 1; stretch <= kStretches; ++stretch) {
+      // In the stretch, and at its end: then in the blocks after it.
+      for (const int points : {stretch * kMoves - 6, stretch * kMoves}) {
+        QVERIFY2(awaitPoints(*service, points), qPrintable(QString::number(points)));
+        service->end(SIGKILL);
+        mill.awaitRest();
+        service = serviceOfMill();
+        QVERIFY(service);
+        const std::string why = resume();
+        QVERIFY2(why.empty(), why.c_str());
+        ++resumed;
+      }
+    }
+    QVERIFY(service->await("Session/LastOutcome", "completed"));
+    QCOMPARE(resumed, 2 * kStretches);
+    QCOMPARE(mill.movesMade(0), kStretches * kMoves);
+    QVERIFY(mill.savedRuns().isEmpty());
+    service.reset();
+    mill.switchOff();
+    m_scene.switchOn();
+  }
+
   /// The rules of the window: an operator starts what is released, with the released settings.
   void asksWhoMayStart() {
     const std::filesystem::path folder = m_scene.path("state/rivulet").toStdString();
@@ -520,6 +643,8 @@ class TestService : public QObject {
     QVERIFY(session.loadJob(operatorAt(), file(), "").accepted);
     QCOMPARE(session.snapshot().settings, seen.settings);
     QVERIFY(session.preflight(operatorAt()).accepted);
+    QCOMPARE(session.preflightStretch(operatorAt(), "1").message,
+             "Only an engineer may do this. Log in as one.");
     const std::string confirmation = session.preflight(operatorAt()).confirmation;
     QVERIFY(!session.start(nobody, confirmation).accepted);
     // Who may not start does not take the confirmation from somebody who may.

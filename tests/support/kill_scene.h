@@ -17,6 +17,7 @@
 #include <QTemporaryDir>
 #include <QThread>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -170,6 +171,28 @@ class KillScene {
     }
     const auto first = static_cast<std::ptrdiff_t>(std::min(skip, blocks.size()));
     return {blocks.begin() + first, blocks.end()};
+  }
+
+  /// Of a job whose moves go to one whole millimetre in X after the other: how many were made; -1:
+  /// one was left out, made twice, or is foreign. The approach to the place where the job was left
+  /// is no move. @param skip  blocks of earlier jobs
+  [[nodiscard]] int movesMade(std::size_t skip) const {
+    constexpr double kStandsMm = 0.01;
+    int moves = 0;
+    double xMm = 0.0;
+    for (const trace::ExecutedBlock& block : executed(skip)) {
+      const bool isApproach =
+          std::abs(block.targetMm.x - xMm) <= kStandsMm || (moves == 0 && block.targetMm.x == 0.0);
+      xMm = block.targetMm.x;
+      if (isApproach) {
+        continue;
+      }
+      ++moves;
+      if (block.targetMm.x != moves) {
+        return -1;
+      }
+    }
+    return moves;
   }
 
   /// Each point of the program once and in order. @param skip  blocks of earlier runs

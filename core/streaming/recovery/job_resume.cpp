@@ -27,8 +27,6 @@ using opcua::Variable;
 using opcua::VariableKind;
 using templates::JobProtocol;
 
-constexpr const char* kFromStretch = " Choose a stretch to begin with (--from-stretch).";
-
 /// Tells the positions of the axes in a workpiece frame, as an active program does.
 class FrameLink final : public opcua::ForwardingLink {
  public:
@@ -172,8 +170,8 @@ class Search {
     if (!isBeforeFirstBlock(m_last)) {
       return base::fail(StreamError::CannotResume,
                         std::string("The control does not know this job: it was switched off since "
-                                    "then, or has run another program.") +
-                            kFromStretch,
+                                    "then, or has run another program. ") +
+                            kChooseStretch,
                         m_plan.program.name);
     }
     return told.isReset ? rest(0, {}) : base::fail(channelBusy());
@@ -188,8 +186,8 @@ class Search {
     if (!isOurs || std::abs(told.call) != JobProtocol::callNumber(job, stretch)) {
       return base::fail(StreamError::CannotResume,
                         std::string("The control has run this job once more since then: what it "
-                                    "has done is not known here.") +
-                            kFromStretch,
+                                    "has done is not known here. ") +
+                            kChooseStretch,
                         m_plan.program.name);
     }
     const std::size_t part = stretch > 0 ? partOfStretch(stretch) : 0;
@@ -211,7 +209,8 @@ class Search {
   [[nodiscard]] std::string stillExecutes(int stretch) const {
     return fmt::format(
         "The control still is in blocks of the job, {}, where its axes stand without a client. End "
-        "it with rivulet-cli runs --end: it executes the block that it is in. Then resume.",
+        "it (rivulet-cli runs --end, or EndRun of a service): it executes the block that it is in. "
+        "Then resume.",
         stretch > 0 ? fmt::format("after stretch {}", stretch) : "before its first stretch");
   }
 
@@ -245,8 +244,8 @@ class Search {
     if (told.hasMoved) {
       return base::fail(StreamError::CannotResume,
                         std::string("The control has executed points of which nothing was kept "
-                                    "here.") +
-                            kFromStretch,
+                                    "here. ") +
+                            kChooseStretch,
                         m_plan.program.name);
     }
     Result<JobRest> found = rest(part, {});
@@ -283,16 +282,17 @@ class Search {
       if (at < from || !isRepeatable(*native)) {
         return base::fail(
             StreamError::CannotResume,
-            fmt::format("The job ended within line {} ({}): what that block has done is not known.",
-                        native->place.line.value, native->source) +
-                kFromStretch,
+            fmt::format(
+                "The job ended within line {} ({}): what that block has done is not known. ",
+                native->place.line.value, native->source) +
+                kChooseStretch,
             m_plan.program.name);
       }
       return rest(at, {});
     }
     return base::fail(
         StreamError::CannotResume,
-        std::string("It is not known which block the control executed last.") + kFromStretch,
+        std::string("It is not known which block the control executed last. ") + kChooseStretch,
         m_plan.program.name);
   }
 

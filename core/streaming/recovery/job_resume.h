@@ -18,6 +18,10 @@
 
 namespace rivulet::streaming {
 
+/// What is left where a job cannot be resumed.
+inline constexpr const char* kChooseStretch =
+    "Choose a stretch to begin with (--from-stretch, or PreflightStretch of a service).";
+
 /// Where a job goes on.
 struct JobRest {
   std::size_t part = 0;          ///< the first that is not done, index in `Plan::parts`
