@@ -211,6 +211,25 @@ class TestCli : public QObject {
     QCOMPARE(run({QStringLiteral("check"), empty.path()}).exit, 2);
   }
 
+  /// The page of Figure 13 in a folder that does not exist yet, and again in what was made of it.
+  void writesFigure13IntoANewFolder() {
+    const QString folder = m_folder.filePath(QStringLiteral("new/docs"));
+    const QStringList command{QStringLiteral("petri"), QStringLiteral("figure13"),
+                              QStringLiteral("--report"), folder};
+    const auto page = [&] {
+      QFile read(folder + QStringLiteral("/parallel.md"));
+      return read.open(QIODevice::ReadOnly) ? read.readAll() : QByteArray();
+    };
+    const Outcome first = run(command);
+    QVERIFY2(first.exit == 0 || first.exit == 1, qPrintable(first.errors));
+    QVERIFY(page().startsWith("<!--"));
+    QVERIFY(page().contains("## `figure13`"));
+    QVERIFY(QFile::exists(folder + QStringLiteral("/images/parallel/figure13-9.svg")));
+    const QByteArray before = page();
+    QCOMPARE(run(command).exit, first.exit);
+    QCOMPARE(page(), before);
+  }
+
   void verifiesAuditTrails() {
     const QString path = m_folder.filePath(QStringLiteral("audit.jsonl"));
     for (int i = 0; i < 3; ++i) {
