@@ -10,11 +10,12 @@
 ///     κ4 dw/dt = p26 (P15 + P16 / s) (u - κ2 (i' + κ3 p27)) - w'                        (3)
 ///     di/dt = κ6 (w - κ5 v') - κ7 i'            dv/dt = κ8 i - κ9 v'       dx/dt = v    (4, 5)
 ///
-/// A value with a stroke was sampled δt ago. Each is held for one cycle, so between two cycles the
-/// axis is a linear system with constant inputs, and the matrix exponential gives its next state
-/// without error. The bilinear transform would be an approximation and not less work: the feedbacks
-/// leave no loop inside a cycle except those of the oscillators, so most of the matrix is zero, and
-/// a step multiplies the rest only.
+/// A value with a stroke is that of δt before the beginning of the cycle, where the reference is
+/// taken: e(t) = reference(t) - x(t - δt) at each such t. Each is held for one cycle, so between
+/// two cycles the axis is a linear system with constant inputs, and the matrix exponential gives
+/// its next state without error. The bilinear transform would be an approximation and not less
+/// work: the feedbacks leave no loop inside a cycle except those of the oscillators, so most of the
+/// matrix is zero, and a step multiplies the rest only.
 ///
 /// @source [P2] eq. (1), (2), (3), (4), (5); Figure 2.
 /// @deviation Where the paper is ambiguous:
@@ -67,7 +68,12 @@ class Cascade {
 
   /// One cycle. Cost: about 80 multiplications for Y and 120 for X.
   void step(double referenceMm) {
+    // The oldest makes room for what is sampled now, at the beginning of the cycle.
     const std::array<double, 4> late = m_ring[m_ringAt];
+    m_ring[m_ringAt] = {m_tail[kX], m_tail[kV], m_tail[kI], m_tail[kW]};
+    if (++m_ringAt == m_ringSize) {
+      m_ringAt = 0;
+    }
     const double error = referenceMm - late[0];
     const double speed = late[1];
     const double current = late[2];
@@ -98,10 +104,6 @@ class Cascade {
     }
     for (std::size_t row = 0; row < kTail; ++row) {
       m_tail[row] = fromInputs[row] + (fromTail[row] + fromOscillators[row]);
-    }
-    m_ring[m_ringAt] = {m_tail[kX], m_tail[kV], m_tail[kI], m_tail[kW]};
-    if (++m_ringAt == m_ringSize) {
-      m_ringAt = 0;
     }
   }
 
@@ -153,7 +155,7 @@ class Cascade {
 
   std::array<std::array<double, 2>, kOscillators> m_states{};
   Tail m_tail{};
-  /// x, v, i, w of the last cycles; the entry at m_ringAt is the oldest.
+  /// x, v, i, w at the beginnings of the last cycles; the entry at m_ringAt is the oldest.
   std::array<std::array<double, 4>, kFeedbackDelayStepsMax> m_ring{};
   std::size_t m_ringAt = 0;
   std::size_t m_ringSize = 1;

@@ -43,12 +43,13 @@ struct ParameterInfo {
 /// κ1 to κ9, and the delay δt. @source [P2] eq. (1) to (5), which give no values.
 /// @deviation The default values are ours: a drive of 1 ms cycle with an electrical time constant
 /// of 10 ms and a mechanical one of 1 s. The feedbacks are sampled once in `stepS` and held, as a
-/// digital control does it.
+/// digital control does it. κ4 is twice δt: the power controller's own feedback alone makes eq. (3)
+/// unstable for a κ4 of δt or less, whatever the gains are (held, w obeys z² - z + δt/κ4 = 0).
 struct PlantSettings {
   double speedFeedback = 1.0;       ///< κ1, gain of the speed fed back to the speed controller
   double currentFeedback = 1.0;     ///< κ2, gain of the current fed back to the power controller
   double currentDisturbance = 1.0;  ///< κ3, added to this current, times p27
-  double powerDelayS = 0.001;       ///< κ4, s, lag of the power controller
+  double powerDelayS = 0.002;       ///< κ4, s, lag of the power controller
   double backEmf = 0.02;            ///< κ5, gain of the speed fed back to the electronics
   double electronicsGain = 100.0;   ///< κ6, 1/s
   double electronicsDecay = 100.0;  ///< κ7, 1/s, gain of the current's own feedback

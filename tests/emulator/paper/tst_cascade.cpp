@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <QtTest>
-#include <deque>
 
 #include "base/random.h"
 #include "emulator/paper/cascade.h"
@@ -22,12 +21,15 @@ class SlowAxis {
         m_values(values),
         m_plant(plant),
         m_gains(controllerGains(values, plant)),
-        m_state(2 * m_elements.size() + 6, 0.0),
-        m_late(static_cast<std::size_t>(plant.feedbackDelaySteps), Late{}) {}
+        m_state(2 * m_elements.size() + 6, 0.0) {}
 
   void step(double reference) {
-    const Late late = m_late.front();
-    m_late.pop_front();
+    // This is instant k; fed back is what was at k - δt.
+    const std::size_t n = m_state.size();
+    m_past.push_back({m_state[n - 1], m_state[n - 2], m_state[n - 3], m_state[n - 4]});
+    const auto k = static_cast<int>(m_past.size()) - 1;
+    const int sampled = k - m_plant.feedbackDelaySteps;
+    const Late late = sampled < 0 ? Late{} : m_past[static_cast<std::size_t>(sampled)];
     constexpr int kParts = 20;
     const double h = m_plant.stepS / kParts;
     for (int i = 0; i < kParts; ++i) {
@@ -39,8 +41,6 @@ class SlowAxis {
         m_state[s] += h / 6.0 * (k1[s] + 2.0 * k2[s] + 2.0 * k3[s] + k4[s]);
       }
     }
-    const std::size_t n = m_state.size();
-    m_late.push_back({m_state[n - 1], m_state[n - 2], m_state[n - 3], m_state[n - 4]});
   }
   [[nodiscard]] double positionMm() const { return m_state.back(); }
 
@@ -99,7 +99,7 @@ class SlowAxis {
   PlantSettings m_plant;
   ControllerGains m_gains;
   State m_state;
-  std::deque<Late> m_late;
+  std::vector<Late> m_past;  ///< at each instant from 0 on
 };
 
 /// A corner: up a ramp of 6 mm/s, then stop.
@@ -200,21 +200,71 @@ class TestCascade : public QObject {
     QCOMPARE_LT(farthestApart(nominalParameters(), plant), kToleranceMm);
   }
 
-  void lagsAsItsPositionGainSays() {
-    // On a steady ramp the oscillators give nothing, and the integral parts leave no speed error.
+  /// What is at instant j acts first in the cycle that begins at j + δt: after one cycle the axis
+  /// has moved, and the end of cycle δt + 2 is the first that a shorter delay could not give.
+  void P2_eq_1_feedsBackWhatWasADelayAgo() {
     const Parameters values = nominalParameters();
-    const PlantSettings plant;
-    Cascade<4> x(oscillatorsOfX(values), values, plant);
-    const double mmPerS = 6.0;
-    double reference = 0.0;
-    for (int step = 0; step < 40000; ++step) {
-      reference = mmPerS * plant.stepS * step;
-      x.step(reference);
+    PlantSettings open;  // nothing comes back within the steps looked at
+    open.feedbackDelaySteps = kFeedbackDelayStepsMax;
+    for (const int delay : {1, 2, 5}) {
+      PlantSettings plant;
+      plant.feedbackDelaySteps = delay;
+      // Gains depend on the delay: here they are those of the open one.
+      Parameters same = values;
+      const ControllerGains wanted = controllerGains(values, open);
+      const ControllerGains ours = controllerGains(values, plant);
+      same[12] *= wanted.speedProportional / ours.speedProportional;
+      same[13] *= wanted.speedIntegral / ours.speedIntegral;
+      same[14] *= wanted.powerProportional / ours.powerProportional;
+      same[15] *= wanted.powerIntegral / ours.powerIntegral;
+      Cascade<4> fed(oscillatorsOfX(same), same, plant);
+      Cascade<4> unfed(oscillatorsOfX(values), values, open);
+      int firstApart = 0;
+      for (int cycle = 1; cycle <= 10 && firstApart == 0; ++cycle) {
+        fed.step(1.0);
+        unfed.step(1.0);
+        const double scale = std::abs(unfed.positionMm());
+        firstApart = std::abs(fed.positionMm() - unfed.positionMm()) > 1e-9 * scale ? cycle : 0;
+      }
+      QCOMPARE(firstApart, delay + 2);
     }
-    QVERIFY(std::abs(x.speedMmPerS() - mmPerS) < 1e-6);
-    // The error is that of the position one cycle ago, which `x` has moved on from.
-    const double errorMm = reference - (x.positionMm() - mmPerS * plant.stepS);
-    QVERIFY(std::abs(errorMm - mmPerS / (parameter(values, 23) * parameter(values, 24))) < 1e-6);
+  }
+
+  /// On a steady ramp the oscillators give nothing, and the integral parts leave no speed error: so
+  /// reference(t) - x(t - δt) is the speed over p23 p24, at each instant.
+  void P2_eq_1_lagsAsItsPositionGainSays() {
+    const Parameters values = nominalParameters();
+    for (const int delay : {1, 3}) {
+      PlantSettings plant;
+      plant.stepS = 0.0005;
+      plant.feedbackDelaySteps = delay;
+      Cascade<4> x(oscillatorsOfX(values), values, plant);
+      const double mmPerS = 6.0;
+      std::vector<double> atMm{0.0};
+      constexpr int kSteps = 80000;
+      for (int step = 0; step < kSteps; ++step) {
+        x.step(mmPerS * plant.stepS * step);
+        atMm.push_back(x.positionMm());
+      }
+      QVERIFY(std::abs(x.speedMmPerS() - mmPerS) < 1e-6);
+      const double referenceMm = mmPerS * plant.stepS * kSteps;
+      const double lateMm = atMm[static_cast<std::size_t>(kSteps - delay)];
+      const double lagMm = mmPerS / (parameter(values, 23) * parameter(values, 24));
+      QVERIFY(std::abs(referenceMm - lateMm - lagMm) < 1e-6);
+    }
+  }
+
+  void nominalSetIsStable() {
+    Parameters values = nominalParameters();
+    values[26] = 0.0;  // no constant disturbance
+    Cascade<4> x(oscillatorsOfX(values), values, {});
+    Cascade<2> y(oscillatorsOfY(values), values, {});
+    for (int step = 0; step < 10000; ++step) {
+      x.step(step < 100 ? 1.0 : 0.0);
+      y.step(step < 100 ? 1.0 : 0.0);
+    }
+    QVERIFY(std::abs(x.positionMm()) < 1e-6);
+    QVERIFY(std::abs(y.positionMm()) < 1e-6);
   }
 
   void everyParameterMatters() {
