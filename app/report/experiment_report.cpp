@@ -51,13 +51,57 @@ std::string accepted(const Check& check) {
   return figure(check.lowest) + " to " + figure(check.highest);
 }
 
+const char* textOf(papers::Mark mark) {
+  using papers::Mark;
+  switch (mark) {
+    case Mark::None:
+      return "";
+    case Mark::Input:
+      return "input";
+    case Mark::Fitted:
+      return "fitted";
+    case Mark::ByConstruction:
+      return "by construction";
+    case Mark::Predicted:
+      return "predicted";
+  }
+  return "";
+}
+
+std::string verdict(const Check& check) {
+  std::string text = check.passed() ? "ok" : "OUTSIDE";
+  if (check.nullModelPasses()) {
+    text += "; the null model passes";
+  }
+  return text;
+}
+
+/// Marks and null models have a column where there are any.
 Table checkTable(const Experiment& experiment) {
-  Table table{
-      "", {"figure", "reference", "ours", "deviation", "accepted", "source", "verdict"}, {}};
+  const bool hasMarks = std::ranges::any_of(
+      experiment.checks, [](const Check& check) { return check.mark != papers::Mark::None; });
+  const bool hasNullModels = std::ranges::any_of(
+      experiment.checks, [](const Check& check) { return std::isfinite(check.nullModel); });
+  Table table{"", {"figure", "reference", "ours", "deviation"}, {}};
+  const auto add = [](std::vector<std::string>& cells, bool isShown, std::string text) {
+    if (isShown) {
+      cells.push_back(std::move(text));
+    }
+  };
+  add(table.columns, hasNullModels, "null model");
+  add(table.columns, true, "accepted");
+  add(table.columns, hasMarks, "mark");
+  add(table.columns, true, "source");
+  add(table.columns, true, "verdict");
   for (const Check& check : experiment.checks) {
-    table.rows.push_back({check.what, withUnit(check.reference, check.unit),
-                          withUnit(check.ours, check.unit), deviation(check), accepted(check),
-                          check.source, check.passed() ? "ok" : "OUTSIDE"});
+    std::vector<std::string> row{check.what, withUnit(check.reference, check.unit),
+                                 withUnit(check.ours, check.unit), deviation(check)};
+    add(row, hasNullModels, withUnit(check.nullModel, check.unit));
+    add(row, true, accepted(check));
+    add(row, hasMarks, textOf(check.mark));
+    add(row, true, check.source);
+    add(row, true, verdict(check));
+    table.rows.push_back(std::move(row));
   }
   return table;
 }
@@ -162,6 +206,8 @@ ordered_json experimentJson(const Experiment& experiment) {
                               {"deviation", number(check.deviation())},
                               {"lowest", number(check.lowest)},
                               {"highest", number(check.highest)},
+                              {"mark", textOf(check.mark)},
+                              {"null_model", number(check.nullModel)},
                               {"passed", check.passed()}});
   }
   for (const Table& table : experiment.tables) {
@@ -187,14 +233,14 @@ ordered_json experimentJson(const Experiment& experiment) {
 
 std::string experimentCsv(const Experiment& experiment) {
   std::string text = csvLine({"experiment", "check", "unit", "source", "reference", "ours",
-                              "lowest", "highest", "passed"});
+                              "lowest", "highest", "mark", "null model", "passed"});
   const auto exact = [](double value) {
     return std::isfinite(value) ? fmt::format("{}", value) : std::string();
   };
   for (const Check& check : experiment.checks) {
     text += csvLine({experiment.name, check.what, check.unit, check.source, exact(check.reference),
                      exact(check.ours), exact(check.lowest), exact(check.highest),
-                     check.passed() ? "1" : "0"});
+                     textOf(check.mark), exact(check.nullModel), check.passed() ? "1" : "0"});
   }
   for (const Table& table : experiment.tables) {
     text += "\n" + csvLine(table.columns);

@@ -15,6 +15,15 @@
 
 namespace rivulet::papers {
 
+/// What the agreement of a figure with its reference says.
+enum class Mark {
+  None,            ///< not stated
+  Input,           ///< the machine was given it
+  Fitted,          ///< free parameters of the machine were chosen by it
+  ByConstruction,  ///< follows from how program or machine are built; a fault of them would show
+  Predicted,       ///< nothing was chosen by it
+};
+
 /// One figure, its reference, and the range in which it must be.
 struct Check {
   std::string what;    ///< "read, 20 parameters in a list, average"
@@ -24,8 +33,14 @@ struct Check {
   double ours = 0.0;
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
+  Mark mark = Mark::None;
+  /// The same figure of a machine or model without what is shown; not a number: none was run.
+  double nullModel = std::numeric_limits<double>::quiet_NaN();
 
-  [[nodiscard]] bool passed() const { return ours >= lowest && ours <= highest; }
+  [[nodiscard]] bool passed() const { return accepts(ours); }
+  /// Then the check says nothing of what it is named after.
+  [[nodiscard]] bool nullModelPasses() const { return accepts(nullModel); }
+  [[nodiscard]] bool accepts(double value) const { return value >= lowest && value <= highest; }
   /// ours / reference - 1; not a number without a reference or with reference 0.
   [[nodiscard]] double deviation() const {
     return reference == 0.0 ? std::numeric_limits<double>::quiet_NaN() : ours / reference - 1.0;

@@ -57,7 +57,7 @@ class TestExperimentReport : public QObject {
 
   void csvQuotesAndKeepsColumns() {
     const QString text = QString::fromStdString(report::experimentCsv(sample()));
-    QVERIFY(text.contains(u"sample,\"first, with a comma\",ms,[P1] Table I,4,4.2,3,5,1\n"));
+    QVERIFY(text.contains(u"sample,\"first, with a comma\",ms,[P1] Table I,4,4.2,3,5,,,1\n"));
     QVERIFY(text.contains(u"1.5,\"say \"\"x\"\"\"\n"));
     QVERIFY(text.contains(u"band,0,0,2\n"));
   }
@@ -67,6 +67,20 @@ class TestExperimentReport : public QObject {
         QString::fromStdString(report::experimentMarkdown(sample(), {"images/x.svg"}));
     QVERIFY(text.contains(u"](images/x.svg)"));
     QVERIFY(text.contains(u"| first, with a comma | 4 ms | 4.2 ms |"));
+  }
+
+  /// A check that a null model passes as well shows nothing, and the page says so.
+  void marksAndNullModelsHaveColumnsWhereThereAreAny() {
+    Experiment experiment = sample();
+    QVERIFY(report::experimentMarkdown(experiment, {}).find("null model") == std::string::npos);
+    experiment.checks[0].mark = papers::Mark::Fitted;
+    experiment.checks[0].nullModel = 3.5;
+    experiment.checks[1].nullModel = 2.0;
+    QVERIFY(experiment.checks[0].nullModelPasses() && !experiment.checks[1].nullModelPasses());
+    const QString text = QString::fromStdString(report::experimentMarkdown(experiment, {}));
+    QVERIFY(
+        text.contains(u"| 3.5 ms | 3 to 5 | fitted | [P1] Table I | ok; the null model passes |"));
+    QVERIFY(text.contains(u"| 2 | 0 to 1 |  | none | OUTSIDE |"));
   }
 
   void svgIsWellFormedAndTheSameEachTime() {
