@@ -3,7 +3,8 @@
 
 /// @file
 /// The emulator of [P2] as published, learned from recordings of the designs G1, G2 and G3: each
-/// figure and table of the paper's section 3 with ours beside it. @threadsafety blocks its caller;
+/// figure and table of the paper's section 3 with ours beside it, and what models score that have
+/// learned nothing; the same on a machine that they fail by far. @threadsafety blocks its caller;
 /// emulator runs go to the caller's executor.
 #pragma once
 
@@ -18,7 +19,8 @@
 namespace rivulet::papers {
 
 struct PublishedEmulatorOptions {
-  emulator::paper::GeneticSettings genetic{};
+  emulator::paper::GeneticSettings genetic{};  ///< its seed is the first one
+  std::size_t seeds = 1;                       ///< each table is learned so often, >= 1
   /// Generations of the second learning, which varies the ten most important parameters only.
   int generationsOfTen = 25;
   /// Share done, 0 to 1; false stops.

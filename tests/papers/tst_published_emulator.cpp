@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <QtTest>
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <string>
 
 #include "emulator/emulator_error.h"
 #include "papers/published_emulator.h"
@@ -45,8 +48,10 @@ class TestPublishedEmulator : public QObject {
     QVERIFY(result.error().text().find("G1_g61") != std::string::npos);
   }
 
-  /// A small population for a few generations: already better than the paper's.
-  void isBetterThanThePaper() {
+  /// A small population for a few generations: not what the page shows, and so no verdict on the
+  /// paper. What it has to show is that each figure of learning has its null model beside it, and
+  /// that on these recordings the null models pass the paper's limits.
+  void hasNullModelsBesideItsFigures() {
     if (!haveRecordings()) {
       QSKIP("The recordings of the other motion controller are not here.");
     }
@@ -55,14 +60,30 @@ class TestPublishedEmulator : public QObject {
     options.genetic.populationSize = 12;
     options.genetic.generations = 3;
     options.generationsOfTen = 1;
+    options.seeds = 2;
     const auto result = papers::runPublishedEmulator(kRecordings, executor, options);
     QVERIFY2(result, result ? "" : result.error().text().c_str());
+    int passedByNullModels = 0;
+    int learning = 0;
     for (const papers::Check& check : result->checks) {
-      qInfo("%s: %g %s ([P2] %g)", check.what.c_str(), check.ours, check.unit.c_str(),
-            check.reference);
-      QVERIFY2(check.passed(), check.what.c_str());
+      qInfo("%s: %g %s ([P2] %g, null model %g)", check.what.c_str(), check.ours,
+            check.unit.c_str(), check.reference, check.nullModel);
+      const bool isPapers = check.source.starts_with("[P2] Table") && !std::isnan(check.reference);
+      passedByNullModels += isPapers && check.nullModelPasses() ? 1 : 0;
+      if (check.what.starts_with("greatest share that learning leaves")) {
+        ++learning;
+        QVERIFY2(!check.nullModelPasses(), check.what.c_str());
+      }
     }
-    QCOMPARE(result->tables.size(), std::size_t{6});
+    QCOMPARE(passedByNullModels, 4);  // least and greatest of Tables 2 and 3
+    QCOMPARE(learning, 3);
+    // Position = set point, as planned from the programs (docs/emulator-p2.md).
+    const std::array<double, 3> setPointMm{0.145, 0.223, 0.259};
+    for (std::size_t design = 0; design < setPointMm.size(); ++design) {
+      const double mm = std::stod(result->tables[1].rows[design][4]);
+      QVERIFY2(std::abs(mm - setPointMm[design]) < 0.001, std::to_string(mm).c_str());
+    }
+    QVERIFY(result->tables.size() >= 6);
     QCOMPARE(result->plots.size(), std::size_t{6});
     for (const papers::Plot& plot : result->plots) {
       for (const papers::Series& series : plot.series) {
