@@ -16,6 +16,10 @@
 #include "opcua/link.h"
 #include "papers/experiment.h"
 
+namespace rivulet::streaming {
+struct Scenario;
+}  // namespace rivulet::streaming
+
 namespace rivulet::papers {
 
 enum class ExperimentError {
@@ -35,6 +39,9 @@ struct ExperimentOptions {
   /// Called with the share done, 0 to 1, possibly from several threads; false cancels. May be
   /// empty.
   std::function<bool(double)> progress;
+  /// A wrong method, to see which checks catch it: changes each run before it is made. May be
+  /// empty.
+  std::function<void(streaming::Scenario&)> wrong{};
 };
 
 /// A real control, or the virtual machine behind its server.

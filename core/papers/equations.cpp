@@ -248,12 +248,12 @@ class Equations {
     if (!complete) {
       experiment.notes.push_back(
           "Cancelled: the figures include only the runs completed until then.");
-      experiment.checks.push_back(
-          {"runs left out", "", "", 0.0, static_cast<double>(m_missing), 0.0, 0.0});
+      experiment.checks.push_back({"runs left out", "", "", 0.0, static_cast<double>(m_missing),
+                                   0.0, 0.0, Mark::ByConstruction});
     }
     if (m_refused > 0) {
       experiment.checks.push_back({"runs that could not be executed", "", "", 0.0,
-                                   static_cast<double>(m_refused), 0.0, 0.0});
+                                   static_cast<double>(m_refused), 0.0, 0.0, Mark::ByConstruction});
       experiment.notes.push_back("A run could not be executed: " + m_error.text());
     }
     return experiment;
@@ -418,7 +418,8 @@ class Equations {
                               half ? number(1.0 / *half, 2) : std::string("none found")});
       if (rule == Rule::VerdictPosition || rule == Rule::ThreeReal) {
         experiment.checks.push_back({ruleName(rule) + ", share of the allowed runs that failed", "",
-                                     "[P1] VI.A", 0.0, share.seen, 0.0, kVerdictShare});
+                                     "[P1] VI.A", 0.0, share.seen, 0.0, kVerdictShare,
+                                     Mark::Predicted});
       }
       if (rule == Rule::ThreeReal) {
         // [P1] VI.A: (3) ignores the standstill.
@@ -429,7 +430,7 @@ class Equations {
              "", "[P1] VI.A: (3) is too strict", std::numeric_limits<double>::quiet_NaN(),
              half ? *half
                   : kLowestFactor * std::pow(kFactorStep, static_cast<double>(kFactors - 1)),
-             1.0, std::numeric_limits<double>::infinity()});
+             1.0, std::numeric_limits<double>::infinity(), Mark::Predicted});
       }
     }
     experiment.tables.push_back(std::move(confusion));
@@ -450,7 +451,7 @@ class Equations {
     experiment.checks.push_back(
         {"(1) with delta = d_min, feed at which half of the runs fail beside the limit with "
          "25.8 ms (12.9 ms would be 2)",
-         "", "[P1] V.B", std::nan(""), halfOf(figure).value_or(0.0), 1.0, 2.0});
+         "", "[P1] V.B", std::nan(""), halfOf(figure).value_or(0.0), 1.0, 2.0, Mark::Predicted});
   }
 
   void addStrictness(Experiment& experiment) const {
@@ -524,7 +525,7 @@ class Equations {
     experiment.checks.push_back(
         {"extended model, mean difference of predicted probability and simulated frequency", "",
          "core/feasibility/probability.h", 0.0, count > 0 ? sum / static_cast<double>(count) : 1.0,
-         0.0, feasibility::kProbabilityError});
+         0.0, feasibility::kProbabilityError, Mark::Predicted});
     Plot plot;
     plot.title = "Extended model beside the simulation";
     plot.xLabel = "predicted probability of a failed run";

@@ -8,14 +8,19 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "base/result.h"
+#include "machine/config.h"
 #include "papers/experiment.h"
 
 namespace rivulet::papers {
 
 /// @param folder  with `programs` and `data` (see recorded_run.h)
+/// @param wrong  changes the planning machine, to see which checks catch it; may be empty
 /// @return FileUnreadable, Malformed
-[[nodiscard]] base::Result<Experiment> runLookahead(const std::filesystem::path& folder);
+[[nodiscard]] base::Result<Experiment> runLookahead(
+    const std::filesystem::path& folder,
+    const std::function<void(machine::MachineConfig&)>& wrong = {});
 
 }  // namespace rivulet::papers

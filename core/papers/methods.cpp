@@ -209,6 +209,7 @@ Check promiseOf(const std::string& name, std::size_t wrong) {
   never.ours = static_cast<double>(wrong);
   never.lowest = 0.0;
   never.highest = 0.0;
+  never.mark = Mark::ByConstruction;
   return never;
 }
 

@@ -3,6 +3,7 @@
 
 #include <QtTest>
 #include <filesystem>
+#include <vector>
 
 #include "papers/lookahead.h"
 #include "papers/recorded_run.h"
@@ -62,6 +63,64 @@ class TestLookahead : public QObject {
       qInfo("%s %s %s", row[0].c_str(), row[1].c_str(), row[2].c_str());
     }
     QCOMPARE(result->plots.size(), std::size_t{1});
+  }
+
+  /// Each check fails on some wrong planner, and each wrong planner fails some check.
+  void wrongPlannersAreCaught() {
+    const std::filesystem::path folder = RIVULET_SOURCE_DIR "/../shared/groundtruth";
+    std::error_code missing;
+    if (!std::filesystem::exists(folder, missing)) {
+      QSKIP("The recordings of the other motion planner are not here.");
+    }
+    struct Planner {
+      const char* name;
+      void (*change)(machine::MachineConfig& config);
+    };
+    const auto scaleAcceleration = [](machine::MachineConfig& config, double factor) {
+      for (machine::AxisLimits& axis : config.axes) {
+        axis.accelerationMmPerS2Max *= factor;
+      }
+    };
+    static const auto scaled = scaleAcceleration;
+    const std::vector<Planner> planners{
+        {"half the acceleration", [](machine::MachineConfig& config) { scaled(config, 0.5); }},
+        {"a fifth more acceleration", [](machine::MachineConfig& config) { scaled(config, 1.2); }},
+        {"limited jerk",
+         [](machine::MachineConfig& config) {
+           for (machine::AxisLimits& axis : config.axes) {
+             axis.jerkMmPerS3Max = 5000.0;
+           }
+           config.resetDynamics = machine::Dynamics::Soft;
+         }},
+        {"a fifth of the speed",
+         [](machine::MachineConfig& config) {
+           for (machine::AxisLimits& axis : config.axes) {
+             axis.speedMmPerSMax *= 0.2;
+           }
+         }},
+        {"three times the acceleration",
+         [](machine::MachineConfig& config) { scaled(config, 3.0); }},
+    };
+    const auto right = papers::runLookahead(folder);
+    QVERIFY(right.has_value());
+    std::vector<int> catches(right->checks.size(), 0);
+    for (const Planner& planner : planners) {
+      const auto wrong = papers::runLookahead(folder, planner.change);
+      QVERIFY(wrong.has_value());
+      int caught = 0;
+      for (std::size_t i = 0; i < catches.size(); ++i) {
+        const bool isCaught = right->checks[i].passed() && !wrong->checks[i].passed();
+        catches[i] += isCaught ? 1 : 0;
+        caught += isCaught ? 1 : 0;
+      }
+      qInfo("%s: caught by %d of %d checks", planner.name, caught,
+            static_cast<int>(catches.size()));
+      QVERIFY2(caught > 0, planner.name);
+    }
+    for (std::size_t i = 0; i < catches.size(); ++i) {
+      QVERIFY2(catches[i] > 0, right->checks[i].what.c_str());
+      QVERIFY2(right->checks[i].mark != papers::Mark::None, right->checks[i].what.c_str());
+    }
   }
 };
 
