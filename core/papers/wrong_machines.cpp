@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/contract.h"
 #include "papers/access_experiments.h"
 #include "papers/meter.h"
 #include "papers/stream_experiments.h"
@@ -66,8 +67,8 @@ constexpr std::array kWrong{
     WrongOne{"interpolation cycle of 8 ms",
              [](MachineConfig& config) { config.interpolationCycle *= 2; }, nullptr},
     WrongOne{
-        "interpolation cycle of 4.3 ms, not a whole number of ms",
-        [](MachineConfig& config) { config.interpolationCycle = std::chrono::microseconds{4300}; },
+        "interpolation cycle of 5 ms",
+        [](MachineConfig& config) { config.interpolationCycle = std::chrono::milliseconds{5}; },
         nullptr},
     WrongOne{"blocks prepared four times as slowly",
              [](MachineConfig& config) { config.blockPreparation *= 4; }, nullptr},
@@ -79,8 +80,8 @@ constexpr std::array kWrong{
                scenario.settings.parameters.signalStop = templates::SignalStop::OncePerLoop;
              }},
     WrongOne{"half the δ", nullptr, [](Scenario& scenario) { scenario.settings.deltaMm *= 0.5; }},
-    WrongOne{"four times the δ", nullptr,
-             [](Scenario& scenario) { scenario.settings.deltaMm *= 4.0; }},
+    WrongOne{"ten times the δ", nullptr,
+             [](Scenario& scenario) { scenario.settings.deltaMm *= 10.0; }},
     WrongOne{"half the feed", nullptr,
              [](Scenario& scenario) { scenario.settings.feedMmPerS *= 0.5; }},
     WrongOne{"twice the feed", nullptr,
@@ -159,6 +160,7 @@ base::Result<Experiment> runWrongMachines(const ExperimentOptions& options) {
     if (!outcomes) {
       return base::fail(outcomes.error());
     }
+    RIVULET_ASSERT(outcomes->size() == right->size());
     std::vector<std::string> caught;
     for (std::size_t i = 0; i < right->size(); ++i) {
       if ((*right)[i].passed && !(*outcomes)[i].passed) {
