@@ -1516,8 +1516,8 @@
         <translation>Der Text lässt offen, was er bedeutet. Den Dialekt, die Einheit oder die Lesart von Zahlen ohne Dezimalpunkt wählen.</translation>
     </message>
     <message>
-        <source>The control does not carry out the synchronized actions of the program: hold, stop and override would not act. Nothing was moved. Check that the control has synchronized actions.</source>
-        <translation>Die Steuerung führt die Synchronaktionen des Programms nicht aus: Halt, Stopp und Override würden nicht wirken. Es wurde nichts bewegt. Prüfen Sie, ob die Steuerung Synchronaktionen hat.</translation>
+        <source>The control does not obey the feed cell: hold, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
+        <translation>Die Steuerung gehorcht der Vorschubzelle nicht: Halt, Stopp und Override würden nicht wirken. Es wurde nichts bewegt. Prüfen Sie, ob eine SINUMERIK Synchronaktionen hat und ein LinuxCNC die Komponenten aus docs/linuxcnc.md.</translation>
     </message>
     <message>
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>

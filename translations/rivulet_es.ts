@@ -1516,8 +1516,8 @@
         <translation>El texto deja abierto lo que significa. Elija el dialecto, la unidad o la lectura de los números sin punto decimal.</translation>
     </message>
     <message>
-        <source>The control does not carry out the synchronized actions of the program: hold, stop and override would not act. Nothing was moved. Check that the control has synchronized actions.</source>
-        <translation>El control no ejecuta las acciones síncronas del programa: la espera, la parada y la corrección de avance no actuarían. No se ha movido nada. Compruebe que el control tiene acciones síncronas.</translation>
+        <source>The control does not obey the feed cell: hold, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
+        <translation>El control no obedece a la celda de avance: la espera, la parada y la corrección de avance no actuarían. No se ha movido nada. Compruebe que un SINUMERIK tiene acciones síncronas, o un LinuxCNC los componentes de docs/linuxcnc.md.</translation>
     </message>
     <message>
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>

@@ -1516,8 +1516,8 @@
         <translation>Le texte laisse ouvert ce qu’il signifie. Choisissez le dialecte, l’unité ou la lecture des nombres sans point décimal.</translation>
     </message>
     <message>
-        <source>The control does not carry out the synchronized actions of the program: hold, stop and override would not act. Nothing was moved. Check that the control has synchronized actions.</source>
-        <translation>La commande n’exécute pas les actions synchrones du programme : maintien, arrêt et correction d’avance n’agiraient pas. Rien n’a bougé. Vérifiez que la commande a les actions synchrones.</translation>
+        <source>The control does not obey the feed cell: hold, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
+        <translation>La commande n’obéit pas à la cellule d’avance : maintien, arrêt et correction d’avance n’agiraient pas. Rien n’a bougé. Vérifiez qu’une SINUMERIK a les actions synchrones, ou un LinuxCNC les composants de docs/linuxcnc.md.</translation>
     </message>
     <message>
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>

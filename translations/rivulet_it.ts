@@ -1516,8 +1516,8 @@
         <translation>Il testo lascia aperto il suo significato. Scegliere il dialetto, l’unità o la lettura dei numeri senza punto decimale.</translation>
     </message>
     <message>
-        <source>The control does not carry out the synchronized actions of the program: hold, stop and override would not act. Nothing was moved. Check that the control has synchronized actions.</source>
-        <translation>Il controllo non esegue le azioni sincrone del programma: arresto temporaneo, arresto e override non agirebbero. Nulla è stato mosso. Verificare che il controllo abbia le azioni sincrone.</translation>
+        <source>The control does not obey the feed cell: hold, stop and override would not act. Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.</source>
+        <translation>Il controllo non obbedisce alla cella di avanzamento: arresto temporaneo, arresto e override non agirebbero. Nulla è stato mosso. Verificare che una SINUMERIK abbia le azioni sincrone, o un LinuxCNC i componenti di docs/linuxcnc.md.</translation>
     </message>
     <message>
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>

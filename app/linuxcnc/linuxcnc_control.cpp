@@ -22,6 +22,7 @@ namespace rivulet::linuxcnc {
 
 namespace {
 
+using templates::FeedCell;
 using templates::LinuxCncProtocol;
 using templates::WindowProtocol;
 
@@ -46,6 +47,10 @@ constexpr base::Duration kReportShown = std::chrono::seconds{2};
 constexpr double kWaitedShareMax = 0.2;
 /// Less is no figure of the program, but of one moment.
 constexpr double kWaitedMinS = 0.5;
+/// The HAL holds the axes when nothing has changed for so long, where no client is watched: then
+/// these are the signs of life of the bridge itself.
+constexpr double kBridgeSilenceS = 1.0;
+constexpr base::Duration kBridgeBeat = std::chrono::milliseconds{250};
 /// `task_state` of a machine that is switched on.
 constexpr int kSwitchedOn = 4;
 
@@ -100,7 +105,7 @@ std::optional<WindowProtocol::Header> headerOf(std::size_t output) {
 constexpr std::array kResetAtStart{WindowProtocol::Run,     WindowProtocol::Delivered,
                                    WindowProtocol::Latched, WindowProtocol::Executed,
                                    WindowProtocol::State,   WindowProtocol::Client,
-                                   WindowProtocol::Owner};
+                                   WindowProtocol::Owner,   WindowProtocol::OverrideActs};
 
 }  // namespace
 
@@ -200,6 +205,7 @@ void LinuxCncControl::advance(base::Instant until) {
     take(*line);
   }
   takeSamples();
+  beat();
   if (m_helper.hasEnded()) {
     fail({LinuxCncError::NotRunning,
           "The helper in LinuxCNC has ended: start rivulet-linuxcnc again.",
@@ -225,6 +231,12 @@ void LinuxCncControl::take(const std::string& line) {
       m_reported = number;
       m_reportedUntil = m_now + kReportShown;
     }
+  } else if (kind == "acts") {
+    takeActs(numberOr0(rest));
+  } else if (kind == "ignored") {
+    m_state.message = fmt::format(
+        "No override acts: {}. Put the lines of docs/linuxcnc.md into the HAL file of the machine.",
+        rest);
   } else if (kind == "waited") {
     takeWaited(numberOr0(rest));
   } else if (kind == "behind") {
@@ -270,8 +282,11 @@ void LinuxCncControl::takeOutputs(std::string_view values) {
     for (const WindowProtocol::Header header : kResetAtStart) {
       setCell(cellOf(header), 0.0);
     }
+    setCell(cellOf(WindowProtocol::Override), FeedCell::kProgrammed);
     readMarks();
-    tell(fmt::format("started {}", base::formatNumber(outputs[LinuxCncProtocol::Start])));
+    const double limitS = outputs[LinuxCncProtocol::SilenceLimit];
+    tell(fmt::format("started {} {}", base::formatNumber(outputs[LinuxCncProtocol::Start]),
+                     base::formatNumber(limitS > 0.0 ? limitS : kBridgeSilenceS)));
   } else if (fits) {
     for (std::size_t output = 0; output < outputs.size(); ++output) {
       const auto header = headerOf(output);
@@ -281,6 +296,37 @@ void LinuxCncControl::takeOutputs(std::string_view values) {
     }
   }
   m_outputs = std::move(outputs);
+}
+
+void LinuxCncControl::takeActs(double percent) {
+  const int cell = m_firstCell + WindowProtocol::OverrideActs;
+  if (hasRParameter(cell)) {
+    setCell(cell, percent);
+  }
+}
+
+/// What a client writes and the program does not read: the helper has it act.
+void LinuxCncControl::takeFeedCells(int index, double before, double value) {
+  if (index == m_firstCell + WindowProtocol::Override) {
+    // Also for what is not a number.
+    const bool mayMove = value >= FeedCell::kHold && value <= FeedCell::kMax;
+    tell(fmt::format("override {}", base::formatNumber(mayMove ? value : FeedCell::kHold)));
+  } else if (index == m_firstCell + WindowProtocol::Heartbeat &&
+             (value > before || value < before) && watchesClient()) {
+    tell("beat");
+  }
+}
+
+bool LinuxCncControl::watchesClient() const {
+  return !m_outputs.empty() && m_outputs[LinuxCncProtocol::SilenceLimit] > 0.0;
+}
+
+/// Where the client is not watched, this program is.
+void LinuxCncControl::beat() {
+  if (!m_outputs.empty() && !watchesClient() && m_now >= m_nextBeat) {
+    m_nextBeat = m_now + kBridgeBeat;
+    tell("beat");
+  }
 }
 
 /// Which lines of the program that has been started move to the points of which window.
@@ -478,7 +524,9 @@ double LinuxCncControl::rParameter(int index) const {
 
 void LinuxCncControl::writeRParameter(int index, double value) {
   RIVULET_ASSERT(hasRParameter(index));
+  const double before = rParameter(index);
   setCell(index, value);
+  takeFeedCells(index, before, value);
 }
 
 std::filesystem::path LinuxCncControl::pathOf(const std::string& name) const {

@@ -84,6 +84,10 @@ class LinuxCncControl final : public machine::ServedControl {
   [[nodiscard]] base::Result<void> awaitReady();
   void take(const std::string& line);
   void takeOutputs(std::string_view values);
+  void takeActs(double percent);
+  void takeFeedCells(int index, double before, double value);
+  [[nodiscard]] bool watchesClient() const;
+  void beat();
   void readMarks();
   void takeLine(std::size_t line);
   void takeState(std::string_view text);
@@ -111,6 +115,7 @@ class LinuxCncControl final : public machine::ServedControl {
   bool m_isSwitchedOn = true;
   int m_reported = 0;  ///< kind of the error that LinuxCNC reported last
   base::Instant m_reportedUntil{};
+  base::Instant m_nextBeat{};    ///< of the bridge itself
   double m_waitedS = 0.0;        ///< for a processor, since LinuxCNC was started
   double m_waitedBeforeS = 0.0;  ///< the present program
   base::Instant m_activeSince{};

@@ -5,6 +5,8 @@
 /// How a flexible program on LinuxCNC and the bridge in front of it exchange cells. The program
 /// reads a cell as a pin of the HAL. It has no assignment to a pin, so it writes through analog
 /// outputs of the motion controller, at standstill: the bridge copies their values into the cells.
+/// `FeedCell` is not the program's business there, which only puts the planner under the pin
+/// `motion.adaptive-feed` (M52 P1): the bridge and the components of docs/linuxcnc.md make it.
 /// @threadsafety plain values.
 #pragma once
 
@@ -14,14 +16,16 @@ struct LinuxCncProtocol {
   /// Analog outputs (M67 and M68 E<n>), from 0: `motion.analog-out-00` and so on.
   enum Output {
     /// Counts the starts of the program. At a change the bridge sets the header cells to 0, all
-    /// but layout and heartbeat, and then the pin `rivulet.started` to this number.
+    /// but layout and heartbeat, and the feed cell to 100. It tries whether the planner obeys the
+    /// feed cell, and then sets the pin `rivulet.started` to this number.
     Start,
     Latched,  ///< as the cells of `WindowProtocol`
     Executed,
     Layout,
     State,
     Owner,
-    Base,  ///< number of the first cell
+    Base,          ///< number of the first cell
+    SilenceLimit,  ///< as in `WindowSettings`, s; set before `Start`
     Outputs,
   };
   /// `#<_hal[rivulet.r-12]>`: pin of cell 12.

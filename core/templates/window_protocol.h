@@ -61,7 +61,7 @@ struct WindowProtocol {
 /// Path override by the client: a synchronized action reads the feed cell in every interpolation
 /// cycle, so that it acts at once, wherever the program is. A value that is not a number from 0 to
 /// 200 holds the axes, and so does a client that gives no sign. The override in force is written by
-/// one action alone, which also tells it in a cell of its own.
+/// one action alone, which also tells it in a cell of its own. On LinuxCNC see `LinuxCncProtocol`.
 struct FeedCell {
   static constexpr double kHold = 0.0;
   static constexpr double kProgrammed = 100.0;  ///< the value at the start of a program

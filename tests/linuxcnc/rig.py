@@ -5,6 +5,7 @@
 who knows only the points of the program and what LinuxCNC's own halsampler has recorded in every servo
 cycle. For test_linuxcnc and scripts/linuxcnc."""
 
+import contextlib
 import csv
 import io
 import json
@@ -12,6 +13,7 @@ import math
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -19,6 +21,7 @@ import time
 
 TOLERANCE_MM = 0.05  # that of Rivulet's own judgement of traces
 CYCLE_S = 0.001
+WORDS = 10  # of a recorded sample
 CLIENT_S = 150.0
 RECORDER_S = 30.0  # more than the sampler holds
 SKIPPED = 77
@@ -48,6 +51,7 @@ class Sample:
         self.set = tuple(numbers[1:4])
         self.actual = tuple(numbers[4:7])
         self.speed = numbers[7]
+        self.override = numbers[9] if len(numbers) > 9 else 1.0  # 1: as programmed
 
 
 def has_priority():
@@ -55,6 +59,22 @@ def has_priority():
     return os.geteuid() == 0 and subprocess.run(
         ["chrt", "--rr", "1", "true"], stderr=subprocess.DEVNULL, check=False
     ).returncode == 0
+
+
+def exit_code(test):
+    """Of a test program. @param test  is given the arguments SOURCE BRIDGE CLI"""
+    if not has_priority() and not os.environ.get("RIVULET_TEST_LINUXCNC"):
+        print(
+            "skipped: LinuxCNC has no priority unless root starts it, where root may give any. Run this "
+            "test as root, or set RIVULET_TEST_LINUXCNC=1 on a computer that does nothing else."
+        )
+        return SKIPPED
+    try:
+        test(pathlib.Path(sys.argv[1]).resolve(), *sys.argv[2:4])
+    except Failed as why:
+        print("FAIL:", why)
+        return 1
+    return 0
 
 
 def as_linuxcnc():
@@ -66,19 +86,26 @@ def as_linuxcnc():
 
 
 class Machine:
-    """@param bridge  rivulet-linuxcnc; its helper stands beside it"""
+    """@param bridge  rivulet-linuxcnc; its helper stands beside it
+    @param changed  what is otherwise in its configuration: file, then text and what is in its place"""
 
-    def __init__(self, source, bridge, cli):
+    def __init__(self, source, bridge, cli, changed=None):
         self.source = pathlib.Path(source)
         self.cli = cli
         self.process = None
         # Not in the home of root, which the user nobody cannot read.
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="rivulet-linuxcnc-"))
         self.folder.chmod(0o755)
-        if os.geteuid() == 0:
-            for name in (bridge, bridge + "-helper"):
-                shutil.copy(name, self.folder)
-            bridge = str(self.folder / pathlib.Path(bridge).name)
+        for name in (bridge, bridge + "-helper"):
+            shutil.copy(name, self.folder)
+        bridge = str(self.folder / pathlib.Path(bridge).name)
+        setup = self.folder / "setup"
+        shutil.copytree(self.source / "examples" / "linuxcnc", setup)
+        for name, (right, wrong) in (changed or {}).items():
+            text = (setup / name).read_text(encoding="utf-8")
+            if text.count(right) != 1:
+                raise Failed("%s has no line %s" % (name, right))
+            (setup / name).write_text(text.replace(right, wrong), encoding="utf-8")
         self.home = self.folder / "client"
         self.home.mkdir()
         self.recorded = self.folder / "machine" / "samples.txt"
@@ -86,7 +113,7 @@ class Machine:
             [
                 # A test that takes too long is killed, and LinuxCNC must not stay behind.
                 *["setpriv", "--pdeathsig", "TERM"],
-                self.source / "examples" / "linuxcnc" / "start",
+                setup / "start",
                 "--record",
                 self.folder / "machine",
                 bridge,
@@ -107,11 +134,64 @@ class Machine:
                 sys.exit(SKIPPED)
             raise Failed("LinuxCNC or the bridge did not start (exit code %d)\n%s" % (code, text))
 
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.end()
+
     def end(self):
         if self.process is not None and self.process.poll() is None:
             self.process.terminate()
             self.process.wait(30)
         shutil.rmtree(self.folder, ignore_errors=True)
+
+    @contextlib.contextmanager
+    def unwatched(self):
+        """LinuxCNC goes on without its bridge."""
+        self.process.send_signal(signal.SIGSTOP)
+        try:
+            yield
+        finally:
+            self.process.send_signal(signal.SIGCONT)
+
+    @contextlib.contextmanager
+    def new_bridge(self):
+        """In the place of one that has ended."""
+        folder = self.folder / "machine"
+        home = folder / "home"
+        environment = dict(os.environ, HOME=str(home), XDG_RUNTIME_DIR=str(home / "runtime"))
+        for name in ("config", "data"):
+            environment["XDG_%s_HOME" % name.upper()] = str(home / name)
+        words = [self.folder / "rivulet-linuxcnc", "--programs", folder / "programs", "--sampler"]
+        process = subprocess.Popen(
+            [*as_linuxcnc(), *words, "--port", "0", "--allow-start"],
+            stdout=subprocess.PIPE,
+            text=True,
+            env=environment,
+            cwd=folder,
+        )
+        self.endpoint = process.stdout.readline().strip()
+        try:
+            yield
+        finally:
+            process.terminate()
+            process.communicate()
+
+    def process_named(self, name):
+        """@return the id of the process below `start`, whose command begins with this name"""
+        found, parents = [], [self.process.pid]
+        while parents:
+            parent = parents.pop()
+            for task in pathlib.Path("/proc/%d/task" % parent).iterdir():
+                children = map(int, (task / "children").read_text(encoding="ascii").split())
+                for child in children:
+                    parents.append(child)
+                    words = pathlib.Path("/proc/%d/cmdline" % child).read_bytes().split(b"\0")
+                    found += [child] if any(w.endswith(name.encode()) for w in words[:2]) else []
+        if len(found) != 1:
+            raise Failed("%d processes %s" % (len(found), name))
+        return found[0]
 
     def client(self, *words):
         """Starts rivulet-cli with settings of its own."""
@@ -122,6 +202,7 @@ class Machine:
             environment["XDG_" + name] = str(place)
         return subprocess.Popen(
             [self.cli, *map(str, words)],
+            stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
@@ -189,13 +270,13 @@ class Machine:
         with open(self.recorded, "rb") as file:
             file.seek(max(self.recorded.stat().st_size - 1000, 0))
             lines = [line.split() for line in file.read().split(b"\n")[:-1]]
-        return Sample([line for line in lines if len(line) == 9][-1])
+        return Sample([line for line in lines if len(line) == WORDS][-1])
 
     def samples(self, since):
         with open(self.recorded, encoding="ascii") as file:
             file.seek(since)
             lines = [line.split() for line in file]
-        samples = [Sample(line) for line in lines if len(line) == 9]
+        samples = [Sample(line) for line in lines if len(line) == WORDS]
         gaps = any(b.cycle != a.cycle + 1 for a, b in zip(samples, samples[1:]))
         if ["overrun"] in lines or gaps:
             raise Failed("the sampler has lost samples")

@@ -10,6 +10,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <cmath>
 
 #include "linuxcnc/linuxcnc_control.h"
 #include "linuxcnc/sampler.h"
@@ -225,7 +226,7 @@ class TestLinuxCncControl : public QObject {
     QVERIFY(made);
     LinuxCncControl& control = **made;
     // Base 10; latched 5 and executed 4 of an earlier run.
-    QVERIFY(helper.say(control, "out 1.0 5.0 4.0 77.0 1.0 9.0 10.0\n",
+    QVERIFY(helper.say(control, "out 1.0 5.0 4.0 77.0 1.0 9.0 10.0 0.0\n",
                        [&] { return control.rParameter(12) == 5.0; }));
     QCOMPARE(control.rParameter(13), 4.0);
     QCOMPARE(control.rParameter(14), 77.0);
@@ -233,20 +234,79 @@ class TestLinuxCncControl : public QObject {
     control.writeRParameter(10, 1.0);
     control.writeRParameter(11, 6.0);
     control.writeRParameter(18, 3.0);
-    QVERIFY(helper.say(control, "out 2.0 5.0 4.0 0.0 1.0 9.0 10.0\n",
+    QVERIFY(helper.say(control, "out 2.0 5.0 4.0 0.0 1.0 9.0 10.0 0.5\n",
                        [&] { return control.rParameter(12) == 0.0; }));
     for (const int cell : {10, 11, 12, 13, 15, 16, 17}) {
       QCOMPARE(control.rParameter(cell), 0.0);
     }
     QCOMPARE(control.rParameter(18), 3.0);  // the client's heartbeat
-    QTRY_VERIFY(helper.heard().contains("started 2\n"));
+    QTRY_VERIFY(helper.heard().contains("started 2 0.5\n"));
     // Only a change is copied: what the client has written since stays.
     control.writeRParameter(11, 1.0);
-    QVERIFY(helper.say(control, "out 2.0 1.0 0.0 78.0 0.0 4.0 10.0\n",
+    QVERIFY(helper.say(control, "out 2.0 1.0 0.0 78.0 0.0 4.0 10.0 0.5\n",
                        [&] { return control.rParameter(12) == 1.0; }));
     QCOMPARE(control.rParameter(11), 1.0);
     QCOMPARE(control.rParameter(14), 78.0);
     QTRY_VERIFY(helper.heard().contains("set 17 4\n"));
+  }
+
+  /// What is not an override holds; a sign of life is a change of the heartbeat.
+  void feedCell() {
+    Helper helper;
+    const auto made = LinuxCncControl::connect(helper.options());
+    QVERIFY(made);
+    LinuxCncControl& control = **made;
+    const QByteArray idle = "out 1.0 0.0 0.0 77.0 0.0 0.0 10.0 1.0\n";
+    QVERIFY(helper.say(control, idle, [&] { return control.rParameter(14) == 77.0; }));
+    control.writeRParameter(20, 30.0);  // what an earlier program has left
+    QVERIFY(helper.say(control, "acts 40.0\n", [&] { return control.rParameter(21) == 40.0; }));
+    QVERIFY(helper.say(control, "out 2.0 0.0 0.0 0.0 0.0 0.0 10.0 1.0\n",
+                       [&] { return control.rParameter(21) == 0.0; }));
+    QCOMPARE(control.rParameter(20), 100.0);
+    QTRY_VERIFY(helper.heard().endsWith("started 2 1\n"));
+    for (const double wanted : {50.0, 0.0, 200.0, 200.5, -1.0, std::nan(""), HUGE_VAL, 120.0}) {
+      control.writeRParameter(20, wanted);
+    }
+    for (const double beat : {7.0, 7.0, 8.0, std::nan("")}) {
+      control.writeRParameter(18, beat);
+    }
+    QByteArray lines;
+    QTRY_VERIFY([&] {
+      lines.clear();
+      const QByteArray heard = helper.heard();
+      for (const QByteArray& line : heard.mid(heard.indexOf("started 2 1\n")).split('\n')) {
+        lines += line.startsWith("set ") || line.isEmpty() ? QByteArray() : line + ", ";
+      }
+      return lines.count("beat") >= 2;
+    }());
+    QCOMPARE(lines, QByteArray("started 2 1, override 50, override 0, override 200, override 0, "
+                               "override 0, override 0, override 0, override 120, beat, beat, "));
+    QVERIFY(helper.say(control, "ignored the HAL has no signal rivulet-beat\n",
+                       [&] { return !control.state().message.empty(); }));
+    QVERIFY(control.state().message.find("rivulet-beat. Put the lines of") != std::string::npos);
+    QCOMPARE(control.state().alarm, 0);
+  }
+
+  /// Where no client is watched, the bridge itself is.
+  void signsOfLifeOfTheBridge() {
+    Helper helper;
+    const auto made = LinuxCncControl::connect(helper.options());
+    QVERIFY(made);
+    LinuxCncControl& control = **made;
+    QVERIFY(helper.say(control, "out 1.0 0.0 0.0 0.0 0.0 0.0 10.0 0.0\n" + state(2, 7, 0.0, 0.0),
+                       [&] { return control.state().line == 7; }));
+    QVERIFY(helper.say(control,
+                       "out 2.0 0.0 0.0 77.0 0.0 0.0 10.0 0.0\nout 2.0 0.0 0.0 78.0 0.0 0.0 10.0 "
+                       "0.0\n",
+                       [&] { return control.rParameter(14) == 78.0; }));
+    QTRY_VERIFY(helper.heard().contains("started 2 1\n"));
+    const auto beats = [&] { return helper.heard().count("beat\n"); };
+    const auto before = beats();
+    control.writeRParameter(18, 7.0);  // that of a client does not count
+    for (int i = 0; i < 4; ++i) {
+      control.advance(control.now() + std::chrono::milliseconds{250});
+    }
+    QTRY_COMPARE(beats(), before + 4);
   }
 
   /// A program that was opened and started while the bridge had no processor: its start is seen
@@ -258,11 +318,11 @@ class TestLinuxCncControl : public QObject {
     LinuxCncControl& control = **made;
     QVERIFY(control.storeProgram(
         "PART.MPF", "G90\nG1 X1 ;window 0\nG1 X2 ;window 1\nG1 X3 ;window 2\nM2\n", false));
-    QVERIFY(helper.say(control, "out 1.0 0.0 0.0 77.0 0.0 0.0 10.0\n",
+    QVERIFY(helper.say(control, "out 1.0 0.0 0.0 77.0 0.0 0.0 10.0 1.0\n",
                        [&] { return control.rParameter(14) == 77.0; }));
     QByteArray seen = state(2, 2, 0.0, 0.0);
     seen.replace("/tmp", QByteArray::fromStdString(helper.options().programs.string()));
-    QVERIFY(helper.say(control, "out 2.0 0.0 0.0 0.0 0.0 0.0 10.0\n" + seen + "line 3\n",
+    QVERIFY(helper.say(control, "out 2.0 0.0 0.0 0.0 0.0 0.0 10.0 1.0\n" + seen + "line 3\n",
                        [&] { return control.state().line == 2; }));
     QCOMPARE(control.rParameter(12), 2.0);  // begun
     QCOMPARE(control.rParameter(13), 1.0);  // executed

@@ -499,9 +499,9 @@ struct ErrorTexts {
             "tool first.");
       case StreamError::FeedCellIgnored:
         return tr(
-            "The control does not carry out the synchronized actions of the program: hold, stop "
-            "and override would not act. Nothing was moved. Check that the control has "
-            "synchronized actions.");
+            "The control does not obey the feed cell: hold, stop and override would not act. "
+            "Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the "
+            "components of docs/linuxcnc.md.");
       default:
         return {};
     }

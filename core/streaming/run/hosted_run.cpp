@@ -140,7 +140,7 @@ Result<void> HostedRun::requireFeedCell() {
       !done) {
     return done;
   }
-  // The program has begun with 0 there: only a synchronized action has written another value.
+  // The program has begun with 0 there: only what acts on the feed has written another value.
   const Instant until = m_link.now() + kFeedCellDeadline;
   double acts = 0.0;
   for (;;) {
@@ -165,9 +165,9 @@ Result<void> HostedRun::requireFeedCell() {
     if (m_link.now() >= until) {
       return base::fail(
           StreamError::FeedCellIgnored,
-          fmt::format("The control does not carry out the synchronized actions of the program (R{} "
-                      "is {:g}): hold, stop and override would not act. Nothing was moved: check "
-                      "that the control has synchronized actions.",
+          fmt::format("The control does not obey the feed cell (R{} is {:g}): hold, stop and "
+                      "override would not act. Nothing was moved: check that a SINUMERIK has "
+                      "synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.",
                       m_cells.overrideActs, acts));
     }
     pause(kFeedCellInterval);

@@ -66,7 +66,7 @@ enum class StreamError {
   OneFeedOnly,               ///< the method has one feed for all moves
   BadOverride,               ///< out of range
   CutOnTheWay,               ///< the first move would pass within what the program cuts
-  FeedCellIgnored,           ///< the control does not carry out the actions of the feed cell
+  FeedCellIgnored,           ///< the control does not obey the feed cell
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);

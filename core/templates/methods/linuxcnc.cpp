@@ -80,6 +80,7 @@ void writeEnding(Listing& out, WindowState state) {
   out.line("M66 E0 L0");
   writeProgress(out);
   out.line("M68 E{} Q{}", static_cast<int>(Protocol::State), static_cast<int>(state));
+  out.line("M52 P0");
   out.line("M2");
 }
 
@@ -200,6 +201,9 @@ void LinuxCncWindowTemplate::writeStart(Listing& out, const CellMap& cells,
     out.line("#<riv_{}>=0", name);
   }
   out.line("#<riv_stands>=1");
+  // All that moves from here on obeys the feed cell; the bridge tries it before it answers.
+  out.line("M52 P1");
+  out.line("M68 E{} Q{:g}", static_cast<int>(Protocol::SilenceLimit), cells.silenceLimitS);
   out.line("M68 E{} Q{}", static_cast<int>(Protocol::Base), cells.run);
   // The layout number of this program must be a change, also if the one before was the same.
   out.line("M68 E{} Q0", static_cast<int>(Protocol::Layout));

@@ -168,7 +168,7 @@ std::string WindowedTemplate::nameSuffix(const TemplateParameters& parameters) c
   std::string name = fmt::format("X{}", parameters.windows);
   name += parameters.baseCell != 0 ? fmt::format("B{}", parameters.baseCell) : "";
   name += parameters.slotStride != 0 ? fmt::format("S{}", parameters.slotStride) : "";
-  if (parameters.silenceLimitS != kSilenceLimitS && parameters.target == TargetControl::Sinumerik) {
+  if (parameters.silenceLimitS != kSilenceLimitS) {
     name += fmt::format("T{}", std::lround(1000.0 * parameters.silenceLimitS));
   }
   return name;
@@ -189,11 +189,9 @@ CellMap WindowedTemplate::header(const TemplateParameters& parameters) const {
   cells.client = first + WindowProtocol::Client;
   cells.owner = first + WindowProtocol::Owner;
   cells.heartbeat = first + WindowProtocol::Heartbeat;
-  if (parameters.target == TargetControl::Sinumerik) {
-    cells.overrideWanted = first + WindowProtocol::Override;
-    cells.overrideActs = first + WindowProtocol::OverrideActs;
-    cells.silenceLimitS = parameters.silenceLimitS;
-  }
+  cells.overrideWanted = first + WindowProtocol::Override;
+  cells.overrideActs = first + WindowProtocol::OverrideActs;
+  cells.silenceLimitS = parameters.silenceLimitS;
   // Not used here; `last` and the lists of cells must not find those of [P1].
   cells.signal = cells.stop = cells.feed = cells.run;
   cells.slotStride = parameters.slotStride > 0 ? parameters.slotStride : cellsPerPoint(parameters);
