@@ -2593,6 +2593,26 @@
         <source>Call GiveUserAccess with ApWrite.</source>
         <translation>GiveUserAccess mit ApWrite aufrufen.</translation>
     </message>
+    <message>
+        <source>Let this OPC UA user read the nodes of the map, in the settings of the server.</source>
+        <translation>Diesem OPC-UA-Benutzer in den Einstellungen des Servers erlauben, die Knoten der Zuordnung zu lesen.</translation>
+    </message>
+    <message>
+        <source>Let this OPC UA user write the cells of the map, in the settings of the server.</source>
+        <translation>Diesem OPC-UA-Benutzer in den Einstellungen des Servers erlauben, die Zellen der Zuordnung zu schreiben.</translation>
+    </message>
+    <message>
+        <source>Name the method in the map (methods.read), if the server has one, and let this OPC UA user call it.</source>
+        <translation>Die Methode in der Zuordnung nennen (methods.read), wenn der Server eine hat, und diesem OPC-UA-Benutzer erlauben, sie aufzurufen.</translation>
+    </message>
+    <message>
+        <source>Name the method in the map (methods.write), if the server has one, and let this OPC UA user call it.</source>
+        <translation>Die Methode in der Zuordnung nennen (methods.write), wenn der Server eine hat, und diesem OPC-UA-Benutzer erlauben, sie aufzurufen.</translation>
+    </message>
+    <message>
+        <source>Name the method in the map (methods.select), if the server has one, and let this OPC UA user call it.</source>
+        <translation>Die Methode in der Zuordnung nennen (methods.select), wenn der Server eine hat, und diesem OPC-UA-Benutzer erlauben, sie aufzurufen.</translation>
+    </message>
 </context>
 <context>
     <name>RunStateTexts</name>
@@ -4755,6 +4775,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The tool has not been raised.</source>
         <translation>Das Werkzeug ist nicht abgehoben.</translation>
+    </message>
+    <message>
+        <source>The state before the first part is not known: only the control knows what an earlier block does. Start from the beginning.</source>
+        <translation>Der Zustand vor dem ersten Abschnitt ist nicht bekannt: Nur die Steuerung weiß, was ein früherer Satz bewirkt. Von vorn beginnen.</translation>
     </message>
 </context>
 <context>
@@ -11047,6 +11071,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Hold it for one second, with the mouse, a finger or the space bar.</source>
         <translation>Eine Sekunde lang halten, mit Maus, Finger oder Leertaste.</translation>
+    </message>
+    <message>
+        <source>%1: the server says that it is %2</source>
+        <translation>%1: der Server nennt sich %2</translation>
     </message>
 </context>
 <context>

@@ -2593,6 +2593,26 @@
         <source>Call GiveUserAccess with ApWrite.</source>
         <translation>Llamar a GiveUserAccess con ApWrite.</translation>
     </message>
+    <message>
+        <source>Let this OPC UA user read the nodes of the map, in the settings of the server.</source>
+        <translation>Permita a este usuario de OPC UA, en los ajustes del servidor, leer los nodos del mapa.</translation>
+    </message>
+    <message>
+        <source>Let this OPC UA user write the cells of the map, in the settings of the server.</source>
+        <translation>Permita a este usuario de OPC UA, en los ajustes del servidor, escribir las celdas del mapa.</translation>
+    </message>
+    <message>
+        <source>Name the method in the map (methods.read), if the server has one, and let this OPC UA user call it.</source>
+        <translation>Nombre el método en el mapa (methods.read), si el servidor tiene uno, y permita a este usuario de OPC UA llamarlo.</translation>
+    </message>
+    <message>
+        <source>Name the method in the map (methods.write), if the server has one, and let this OPC UA user call it.</source>
+        <translation>Nombre el método en el mapa (methods.write), si el servidor tiene uno, y permita a este usuario de OPC UA llamarlo.</translation>
+    </message>
+    <message>
+        <source>Name the method in the map (methods.select), if the server has one, and let this OPC UA user call it.</source>
+        <translation>Nombre el método en el mapa (methods.select), si el servidor tiene uno, y permita a este usuario de OPC UA llamarlo.</translation>
+    </message>
 </context>
 <context>
     <name>RunStateTexts</name>
@@ -4755,6 +4775,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The tool has not been raised.</source>
         <translation>La herramienta no está levantada.</translation>
+    </message>
+    <message>
+        <source>The state before the first part is not known: only the control knows what an earlier block does. Start from the beginning.</source>
+        <translation>No se conoce el estado antes del primer tramo: solo el control sabe qué hace una secuencia anterior. Empiece desde el principio.</translation>
     </message>
 </context>
 <context>
@@ -11047,6 +11071,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Hold it for one second, with the mouse, a finger or the space bar.</source>
         <translation>Mantener un segundo, con el ratón, un dedo o la barra espaciadora.</translation>
+    </message>
+    <message>
+        <source>%1: the server says that it is %2</source>
+        <translation>%1: el servidor dice que es %2</translation>
     </message>
 </context>
 <context>

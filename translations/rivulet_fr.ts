@@ -1521,7 +1521,7 @@
     </message>
     <message>
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
-        <translation>Le trajet direct vers le premier point traverse la zone que le programme usine. Relevez d'abord l'outil.</translation>
+        <translation>Le trajet direct vers le premier point traverse la zone que le programme usine. Relevez d&apos;abord l&apos;outil.</translation>
     </message>
 </context>
 <context>
@@ -2593,6 +2593,26 @@
         <source>Call GiveUserAccess with ApWrite.</source>
         <translation>Appeler GiveUserAccess avec ApWrite.</translation>
     </message>
+    <message>
+        <source>Let this OPC UA user read the nodes of the map, in the settings of the server.</source>
+        <translation>Autorisez cet utilisateur OPC UA, dans les réglages du serveur, à lire les nœuds de la table de correspondance.</translation>
+    </message>
+    <message>
+        <source>Let this OPC UA user write the cells of the map, in the settings of the server.</source>
+        <translation>Autorisez cet utilisateur OPC UA, dans les réglages du serveur, à écrire les cellules de la table de correspondance.</translation>
+    </message>
+    <message>
+        <source>Name the method in the map (methods.read), if the server has one, and let this OPC UA user call it.</source>
+        <translation>Nommez la méthode dans la table de correspondance (methods.read), si le serveur en a une, et autorisez cet utilisateur OPC UA à l’appeler.</translation>
+    </message>
+    <message>
+        <source>Name the method in the map (methods.write), if the server has one, and let this OPC UA user call it.</source>
+        <translation>Nommez la méthode dans la table de correspondance (methods.write), si le serveur en a une, et autorisez cet utilisateur OPC UA à l’appeler.</translation>
+    </message>
+    <message>
+        <source>Name the method in the map (methods.select), if the server has one, and let this OPC UA user call it.</source>
+        <translation>Nommez la méthode dans la table de correspondance (methods.select), si le serveur en a une, et autorisez cet utilisateur OPC UA à l’appeler.</translation>
+    </message>
 </context>
 <context>
     <name>RunStateTexts</name>
@@ -2778,7 +2798,7 @@
     </message>
     <message>
         <source>The tool goes straight through the space in which the program cuts. Look whether anything is in its way: workpiece, clamps. If nothing is, type %1.</source>
-        <translation>L'outil traverse en ligne droite la zone que le programme usine. Regardez si quelque chose se trouve sur son trajet : pièce, bridages. Sinon, tapez %1.</translation>
+        <translation>L&apos;outil traverse en ligne droite la zone que le programme usine. Regardez si quelque chose se trouve sur son trajet : pièce, bridages. Sinon, tapez %1.</translation>
     </message>
 </context>
 <context>
@@ -4582,15 +4602,15 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>This way passes within what the program cuts, which reaches up to Z %1.</source>
-        <translation>Ce trajet traverse la zone que le programme usine, qui monte jusqu'à Z %1.</translation>
+        <translation>Ce trajet traverse la zone que le programme usine, qui monte jusqu&apos;à Z %1.</translation>
     </message>
     <message>
         <source>Raise the tool …</source>
-        <translation>Relever l'outil …</translation>
+        <translation>Relever l&apos;outil …</translation>
     </message>
     <message>
         <source>Bring the tool to a place from which it is clear.</source>
-        <translation>Amenez l'outil à un endroit d'où il est libre.</translation>
+        <translation>Amenez l&apos;outil à un endroit d&apos;où il est libre.</translation>
     </message>
     <message>
         <source>Straight way</source>
@@ -4610,11 +4630,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Raise the tool</source>
-        <translation>Relever l'outil</translation>
+        <translation>Relever l&apos;outil</translation>
     </message>
     <message>
         <source>The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page comes again.</source>
-        <translation>L'outil monte tout droit de %1 jusqu'à Z %2, à %3. Rien d'autre ne bouge. Ensuite cette page revient.</translation>
+        <translation>L&apos;outil monte tout droit de %1 jusqu&apos;à Z %2, à %3. Rien d&apos;autre ne bouge. Ensuite cette page revient.</translation>
     </message>
 </context>
 <context>
@@ -4746,15 +4766,19 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>The tool is raised to Z %1.</source>
-        <translation>L'outil est relevé à Z %1.</translation>
+        <translation>L&apos;outil est relevé à Z %1.</translation>
     </message>
     <message>
         <source>The tool has been raised.</source>
-        <translation>L'outil est relevé.</translation>
+        <translation>L&apos;outil est relevé.</translation>
     </message>
     <message>
         <source>The tool has not been raised.</source>
-        <translation>L'outil n'est pas relevé.</translation>
+        <translation>L&apos;outil n&apos;est pas relevé.</translation>
+    </message>
+    <message>
+        <source>The state before the first part is not known: only the control knows what an earlier block does. Start from the beginning.</source>
+        <translation>L’état avant le premier tronçon n’est pas connu&#xa0;: seule la commande sait ce que fait un bloc précédent. Recommencer depuis le début.</translation>
     </message>
 </context>
 <context>
@@ -8439,11 +8463,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Nothing has moved yet. Hold Start for one second: then the tool is raised, and nothing else.</source>
-        <translation>Rien n'a encore bougé. Maintenez Démarrer une seconde : l'outil est alors relevé, et rien d'autre.</translation>
+        <translation>Rien n&apos;a encore bougé. Maintenez Démarrer une seconde : l&apos;outil est alors relevé, et rien d&apos;autre.</translation>
     </message>
     <message>
         <source>Before the tool is raised</source>
-        <translation>Avant de relever l'outil</translation>
+        <translation>Avant de relever l&apos;outil</translation>
     </message>
 </context>
 <context>
@@ -11047,6 +11071,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Hold it for one second, with the mouse, a finger or the space bar.</source>
         <translation>Maintenir une seconde, avec la souris, un doigt ou la barre d’espace.</translation>
+    </message>
+    <message>
+        <source>%1: the server says that it is %2</source>
+        <translation>%1&#xa0;: le serveur dit être %2</translation>
     </message>
 </context>
 <context>

@@ -1521,7 +1521,7 @@
     </message>
     <message>
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
-        <translation>La via diretta al primo punto passa nella zona che il programma lavora. Sollevare prima l'utensile.</translation>
+        <translation>La via diretta al primo punto passa nella zona che il programma lavora. Sollevare prima l&apos;utensile.</translation>
     </message>
 </context>
 <context>
@@ -2593,6 +2593,26 @@
         <source>Call GiveUserAccess with ApWrite.</source>
         <translation>Chiamare GiveUserAccess con ApWrite.</translation>
     </message>
+    <message>
+        <source>Let this OPC UA user read the nodes of the map, in the settings of the server.</source>
+        <translation>Permettere a questo utente OPC UA, nelle impostazioni del server, di leggere i nodi della mappa.</translation>
+    </message>
+    <message>
+        <source>Let this OPC UA user write the cells of the map, in the settings of the server.</source>
+        <translation>Permettere a questo utente OPC UA, nelle impostazioni del server, di scrivere le celle della mappa.</translation>
+    </message>
+    <message>
+        <source>Name the method in the map (methods.read), if the server has one, and let this OPC UA user call it.</source>
+        <translation>Nominare il metodo nella mappa (methods.read), se il server ne ha uno, e permettere a questo utente OPC UA di chiamarlo.</translation>
+    </message>
+    <message>
+        <source>Name the method in the map (methods.write), if the server has one, and let this OPC UA user call it.</source>
+        <translation>Nominare il metodo nella mappa (methods.write), se il server ne ha uno, e permettere a questo utente OPC UA di chiamarlo.</translation>
+    </message>
+    <message>
+        <source>Name the method in the map (methods.select), if the server has one, and let this OPC UA user call it.</source>
+        <translation>Nominare il metodo nella mappa (methods.select), se il server ne ha uno, e permettere a questo utente OPC UA di chiamarlo.</translation>
+    </message>
 </context>
 <context>
     <name>RunStateTexts</name>
@@ -2778,7 +2798,7 @@
     </message>
     <message>
         <source>The tool goes straight through the space in which the program cuts. Look whether anything is in its way: workpiece, clamps. If nothing is, type %1.</source>
-        <translation>L'utensile attraversa in linea retta la zona che il programma lavora. Controllare se c'è qualcosa sulla sua via: pezzo, staffe. Se non c'è nulla, digitare %1.</translation>
+        <translation>L&apos;utensile attraversa in linea retta la zona che il programma lavora. Controllare se c&apos;è qualcosa sulla sua via: pezzo, staffe. Se non c&apos;è nulla, digitare %1.</translation>
     </message>
 </context>
 <context>
@@ -4586,11 +4606,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Raise the tool …</source>
-        <translation>Solleva l'utensile …</translation>
+        <translation>Solleva l&apos;utensile …</translation>
     </message>
     <message>
         <source>Bring the tool to a place from which it is clear.</source>
-        <translation>Portare l'utensile in un punto da cui sia libera.</translation>
+        <translation>Portare l&apos;utensile in un punto da cui sia libera.</translation>
     </message>
     <message>
         <source>Straight way</source>
@@ -4610,11 +4630,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Raise the tool</source>
-        <translation>Sollevare l'utensile</translation>
+        <translation>Sollevare l&apos;utensile</translation>
     </message>
     <message>
         <source>The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page comes again.</source>
-        <translation>L'utensile sale diritto di %1 fino a Z %2, a %3. Nient'altro si muove. Poi torna questa pagina.</translation>
+        <translation>L&apos;utensile sale diritto di %1 fino a Z %2, a %3. Nient&apos;altro si muove. Poi torna questa pagina.</translation>
     </message>
 </context>
 <context>
@@ -4746,15 +4766,19 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>The tool is raised to Z %1.</source>
-        <translation>L'utensile viene sollevato a Z %1.</translation>
+        <translation>L&apos;utensile viene sollevato a Z %1.</translation>
     </message>
     <message>
         <source>The tool has been raised.</source>
-        <translation>L'utensile è stato sollevato.</translation>
+        <translation>L&apos;utensile è stato sollevato.</translation>
     </message>
     <message>
         <source>The tool has not been raised.</source>
-        <translation>L'utensile non è stato sollevato.</translation>
+        <translation>L&apos;utensile non è stato sollevato.</translation>
+    </message>
+    <message>
+        <source>The state before the first part is not known: only the control knows what an earlier block does. Start from the beginning.</source>
+        <translation>Lo stato prima del primo tratto non è noto: solo il controllo sa che cosa fa un blocco precedente. Ricominciare dall’inizio.</translation>
     </message>
 </context>
 <context>
@@ -8439,11 +8463,11 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Nothing has moved yet. Hold Start for one second: then the tool is raised, and nothing else.</source>
-        <translation>Non si è ancora mosso nulla. Tenere premuto Avvia per un secondo: allora l'utensile viene sollevato, e nient'altro.</translation>
+        <translation>Non si è ancora mosso nulla. Tenere premuto Avvia per un secondo: allora l&apos;utensile viene sollevato, e nient&apos;altro.</translation>
     </message>
     <message>
         <source>Before the tool is raised</source>
-        <translation>Prima di sollevare l'utensile</translation>
+        <translation>Prima di sollevare l&apos;utensile</translation>
     </message>
 </context>
 <context>
@@ -11047,6 +11071,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Hold it for one second, with the mouse, a finger or the space bar.</source>
         <translation>Tenere per un secondo, con mouse, dito o barra spaziatrice.</translation>
+    </message>
+    <message>
+        <source>%1: the server says that it is %2</source>
+        <translation>%1: il server dice di essere %2</translation>
     </message>
 </context>
 <context>
