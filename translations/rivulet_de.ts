@@ -1032,10 +1032,6 @@
         <translation>Die Datei ist nicht lesbar. Prüfen, ob sie vorhanden ist und gelesen werden darf.</translation>
     </message>
     <message>
-        <source>The file is too large. Split the program into parts.</source>
-        <translation>Die Datei ist zu groß. Das Programm in Teile aufteilen.</translation>
-    </message>
-    <message>
         <source>The program is empty. Choose a file with NC blocks.</source>
         <translation>Das Programm ist leer. Eine Datei mit NC-Sätzen wählen.</translation>
     </message>
@@ -1523,6 +1519,10 @@
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
         <translation>Der gerade Weg zum ersten Punkt führt durch den Bereich, in dem das Programm schneidet. Heben Sie zuerst das Werkzeug ab.</translation>
     </message>
+    <message>
+        <source>This would take more memory than a file may. Choose a smaller one.</source>
+        <translation>Das bräuchte mehr Speicher, als eine Datei darf. Eine kleinere wählen.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1901,6 +1901,10 @@
     <message>
         <source>the unit of the feed was chosen behind the last F</source>
         <translation>Die Einheit des Vorschubs wurde nach dem letzten F gewählt</translation>
+    </message>
+    <message>
+        <source>the program takes more memory than is allowed: split it</source>
+        <translation>Das Programm braucht mehr Speicher, als erlaubt ist: Programm aufteilen</translation>
     </message>
 </context>
 <context>

@@ -1032,10 +1032,6 @@
         <translation>No se puede leer el archivo. Comprobar que existe y que se tiene permiso para leerlo.</translation>
     </message>
     <message>
-        <source>The file is too large. Split the program into parts.</source>
-        <translation>El archivo es demasiado grande. Dividir el programa en partes.</translation>
-    </message>
-    <message>
         <source>The program is empty. Choose a file with NC blocks.</source>
         <translation>El programa está vacío. Elegir un archivo con secuencias CN.</translation>
     </message>
@@ -1523,6 +1519,10 @@
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
         <translation>El camino recto al primer punto pasa por la zona que el programa mecaniza. Levante primero la herramienta.</translation>
     </message>
+    <message>
+        <source>This would take more memory than a file may. Choose a smaller one.</source>
+        <translation>Esto necesitaría más memoria de la que puede ocupar un archivo. Elija uno más pequeño.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1901,6 +1901,10 @@
     <message>
         <source>the unit of the feed was chosen behind the last F</source>
         <translation>la unidad del avance se eligió después del último F</translation>
+    </message>
+    <message>
+        <source>the program takes more memory than is allowed: split it</source>
+        <translation>el programa necesita más memoria de la permitida: divídalo</translation>
     </message>
 </context>
 <context>

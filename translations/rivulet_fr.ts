@@ -1032,10 +1032,6 @@
         <translation>Le fichier ne peut pas être lu. Vérifier qu’il existe et que vous avez le droit de le lire.</translation>
     </message>
     <message>
-        <source>The file is too large. Split the program into parts.</source>
-        <translation>Le fichier est trop grand. Diviser le programme en plusieurs parties.</translation>
-    </message>
-    <message>
         <source>The program is empty. Choose a file with NC blocks.</source>
         <translation>Le programme est vide. Choisir un fichier avec des blocs CN.</translation>
     </message>
@@ -1523,6 +1519,10 @@
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
         <translation>Le trajet direct vers le premier point traverse la zone que le programme usine. Relevez d&apos;abord l&apos;outil.</translation>
     </message>
+    <message>
+        <source>This would take more memory than a file may. Choose a smaller one.</source>
+        <translation>Cela prendrait plus de mémoire qu’un fichier ne peut en occuper. En choisir un plus petit.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1901,6 +1901,10 @@
     <message>
         <source>the unit of the feed was chosen behind the last F</source>
         <translation>l&apos;unité de l&apos;avance a été choisie après le dernier F</translation>
+    </message>
+    <message>
+        <source>the program takes more memory than is allowed: split it</source>
+        <translation>le programme prend plus de mémoire qu’il n’est permis&#xa0;: le diviser</translation>
     </message>
 </context>
 <context>

@@ -1032,10 +1032,6 @@
         <translation>Impossibile leggere il file. Controllare che esista e che sia permesso leggerlo.</translation>
     </message>
     <message>
-        <source>The file is too large. Split the program into parts.</source>
-        <translation>Il file è troppo grande. Dividere il programma in più parti.</translation>
-    </message>
-    <message>
         <source>The program is empty. Choose a file with NC blocks.</source>
         <translation>Il programma è vuoto. Scegliere un file con blocchi NC.</translation>
     </message>
@@ -1523,6 +1519,10 @@
         <source>The straight way to the first point passes within what the program cuts. Raise the tool first.</source>
         <translation>La via diretta al primo punto passa nella zona che il programma lavora. Sollevare prima l&apos;utensile.</translation>
     </message>
+    <message>
+        <source>This would take more memory than a file may. Choose a smaller one.</source>
+        <translation>Richiederebbe più memoria di quanta ne può occupare un file. Sceglierne uno più piccolo.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1901,6 +1901,10 @@
     <message>
         <source>the unit of the feed was chosen behind the last F</source>
         <translation>l&apos;unità dell&apos;avanzamento è stata scelta dopo l&apos;ultimo F</translation>
+    </message>
+    <message>
+        <source>the program takes more memory than is allowed: split it</source>
+        <translation>il programma richiede più memoria di quanta ne è consentita: dividerlo</translation>
     </message>
 </context>
 <context>

@@ -35,10 +35,6 @@ tl::unexpected<Error> unreadable(const fs::path& path, std::string_view why) {
               path.string());
 }
 
-tl::unexpected<Error> tooLarge(const fs::path& path, std::uintmax_t bytesMax) {
-  return unreadable(path, fmt::format("it is larger than {} MiB", bytesMax >> 20));
-}
-
 tl::unexpected<Error> notWritable(const fs::path& path, std::string_view why) {
   return fail(FileError::NotWritable, fmt::format("The file cannot be written: {}.", why),
               path.string());
@@ -171,7 +167,10 @@ std::error_code make_error_code(FileError code) {
   return {static_cast<int>(code), category};
 }
 
-Result<std::string> readFile(const fs::path& path, std::uintmax_t bytesMax) {
+namespace {
+
+/// @param tooLarge  what is said of a file that is larger than `bytesMax`
+Result<std::string> readUpTo(const fs::path& path, std::uintmax_t bytesMax, const Error& tooLarge) {
   std::error_code status;
   if (fs::is_directory(path, status)) {
     return unreadable(path, "it is a folder");
@@ -183,7 +182,7 @@ Result<std::string> readFile(const fs::path& path, std::uintmax_t bytesMax) {
   std::string text;
   const std::uintmax_t size = fs::file_size(path, status);
   if (!status && size > bytesMax) {
-    return tooLarge(path, bytesMax);
+    return fail(tooLarge);
   }
   if (!status) {
     text.reserve(static_cast<std::size_t>(size));
@@ -192,13 +191,27 @@ Result<std::string> readFile(const fs::path& path, std::uintmax_t bytesMax) {
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
     text.append(buffer.data(), count);
     if (text.size() > bytesMax) {
-      return tooLarge(path, bytesMax);
+      return fail(tooLarge);
     }
   }
   if (std::ferror(file.get()) != 0) {
     return unreadable(path, reason(errno));
   }
   return text;
+}
+
+}  // namespace
+
+Result<std::string> readFile(const fs::path& path, const Budget& budget) {
+  Error tooLarge = budget.exceeded("The file");
+  tooLarge.context = path.string();
+  return readUpTo(path, budget.left(), tooLarge);
+}
+
+Result<std::string> readFile(const fs::path& path, std::uintmax_t bytesMax) {
+  return readUpTo(
+      path, bytesMax,
+      unreadable(path, fmt::format("it is larger than {} MiB", bytesMax >> 20)).value());
 }
 
 Result<void> writeFile(const fs::path& path, std::string_view text) {

@@ -11,12 +11,10 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/budget.h"
 #include "base/result.h"
 
 namespace rivulet::base {
-
-/// Larger files are refused instead of filling the memory.
-inline constexpr std::uintmax_t kFileBytesMax = std::uintmax_t{2} << 30;
 
 enum class FileError {
   Unreadable = 1,
@@ -25,10 +23,13 @@ enum class FileError {
 
 [[nodiscard]] std::error_code make_error_code(FileError code);
 
-/// @param bytesMax  a device without an end is not read farther either
-/// @return error Unreadable: missing, a folder, no permission, larger than `bytesMax`
+/// A device without an end is not read farther than the budget either.
+/// @return error Unreadable: missing, a folder, no permission; BudgetError::Exceeded
 [[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path,
-                                           std::uintmax_t bytesMax = kFileBytesMax);
+                                           const Budget& budget = {});
+/// A file of a kind that is never larger than `bytesMax`. @return error Unreadable, also if it is
+[[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path,
+                                           std::uintmax_t bytesMax);
 
 /// Replaces the file as a whole: the text goes to a temporary file in the same folder, which then
 /// takes the file's name. Whatever happens, the file holds the old or the new text, never a part. A

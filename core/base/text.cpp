@@ -145,6 +145,15 @@ std::string asUtf8(std::string content) {
   return out;
 }
 
+bool hasEndlessKey(std::string_view text) {
+  constexpr int kDotsMax = 500;
+  int dots = 0;
+  return std::any_of(text.begin(), text.end(), [&dots](char c) {
+    dots = c == '\n' ? 0 : dots + (c == '.' ? 1 : 0);
+    return dots > kDotsMax;
+  });
+}
+
 std::string invisibleCharacter(std::string_view text) {
   const auto byte = [&text](std::size_t i) {
     return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i]));

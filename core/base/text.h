@@ -47,6 +47,10 @@ namespace rivulet::base {
 /// converted, everything else stays as it is.
 [[nodiscard]] std::string asUtf8(std::string content);
 
+/// True if a TOML key has so many parts (a.b.c) that its reader, which calls itself for each, might
+/// not come back.
+[[nodiscard]] bool hasEndlessKey(std::string_view text);
+
 /// The code of the invisible character that `text` begins with, "U+00A0" for a no-break blank in
 /// UTF-8 or Latin-1; "" if it begins with another one.
 [[nodiscard]] std::string invisibleCharacter(std::string_view text);

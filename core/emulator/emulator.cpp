@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "base/vec3.h"
 #include "emulator/emulator_error.h"
 
@@ -382,6 +383,10 @@ std::string printEmulator(const Emulator& emulator) {
 }
 
 base::Result<Emulator> parseEmulator(std::string_view text, const std::string& origin) {
+  if (base::hasEndlessKey(text)) {
+    return base::fail(EmulatorError::BadFile, "This is no emulator: a key has too many parts.",
+                      origin);
+  }
   toml::table root;
   try {
     root = toml::parse(text);

@@ -49,6 +49,8 @@ class BlockObserver {
   virtual void end(nc::Executor& executor, std::size_t points) = 0;
   /// Blocks that it has left to the control.
   [[nodiscard]] virtual std::size_t nativeBlocks() const { return 0; }
+  /// What it holds, bytes.
+  [[nodiscard]] virtual std::size_t memoryBytes() const { return 0; }
   /// False: one of them may have changed the frame in a way that is not followed.
   [[nodiscard]] virtual bool knowsFrame() const { return true; }
   /// After the last block. A curve may have ended there.

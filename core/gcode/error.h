@@ -11,7 +11,6 @@ namespace rivulet::gcode {
 
 enum class GcodeError {
   FileUnreadable = 1,  ///< missing, a folder, or no permission
-  FileTooLarge,        ///< over the stated limit
   EmptyProgram,        ///< no block at all
   NoMotion,            ///< blocks, but none moves an axis
   NotUnderstood,       ///< a finding of severity Error: the path cannot be trusted

@@ -64,6 +64,10 @@ class SourceLines {
     }
   }
 
+  [[nodiscard]] std::size_t memoryBytes() const {
+    return m_text.capacity() + m_begins.capacity() * sizeof(m_begins[0]) +
+           m_sizes.capacity() * sizeof(m_sizes[0]);
+  }
   [[nodiscard]] std::string_view at(base::LineNumber line) const {
     const std::size_t index = line.value - std::size_t{1};
     return index < m_begins.size()
@@ -131,7 +135,8 @@ class Interpreter final : private nc::CallObserver {
 
   Interpretation run() {
     const auto lineFeeds = static_cast<std::size_t>(std::count(m_text.begin(), m_text.end(), '\n'));
-    m_out.trajectory.points.reserve(std::min(lineFeeds + 1, kTrajectoryPointsMax));
+    m_out.trajectory.points.reserve(
+        std::min(lineFeeds + 1, m_options.budget.items(sizeof(TrajectoryPoint))));
     if (m_language.semicolonEndsBlock &&
         nc::semicolonOf(m_text, m_language) == nc::Semicolon::EndsBlock) {
       m_dependsOnDialect = true;
@@ -186,6 +191,10 @@ class Interpreter final : private nc::CallObserver {
         break;
       }
     }
+    if (m_flow.isCut() || memoryBytes() > m_options.budget.left()) {
+      m_out.refused = m_options.budget.exceeded("The program");
+      return std::move(m_out);
+    }
     finish();
     return std::move(m_out);
   }
@@ -227,7 +236,7 @@ class Interpreter final : private nc::CallObserver {
   /// Subprograms from elsewhere are kept for an observer.
   [[nodiscard]] nc::CursorOptions cursorOptions() {
     nc::CursorOptions made{m_options.blockSkip, m_options.repeatedLinesMax, m_options.subprogram,
-                           m_options.toolRadiusMm, this};
+                           m_options.budget,    m_options.toolRadiusMm,     this};
     if (m_observer != nullptr && m_options.subprogram) {
       made.load = [this](std::string_view name) {
         std::optional<nc::LoadedText> loaded = m_options.subprogram(name);
@@ -321,13 +330,26 @@ class Interpreter final : private nc::CallObserver {
     return m_counted;
   }
 
+  /// So far, beside the text.
+  [[nodiscard]] std::size_t memoryBytes() const {
+    const auto bytesOf = [](const auto& list) { return base::Budget::bytesOf(list); };
+    const Trajectory& path = m_out.trajectory;
+    return bytesOf(path.points) + bytesOf(path.rotary) + bytesOf(path.toolDirections) +
+           bytesOf(path.arcs) + bytesOf(path.events) + 2 * bytesOf(path.toolNames) +
+           bytesOf(m_out.statistics.feedsMmPerMin) + m_flow.memoryBytes() +
+           (m_observer != nullptr ? m_observer->memoryBytes() : 0) +
+           (m_lines ? m_lines->memoryBytes() : 0);
+  }
+
   /// What loops and calls repeat has a lower limit than what the file holds.
   [[nodiscard]] bool isTooLarge() {
     const std::size_t repeated = m_flow.repeatedLines();
-    const std::size_t pointsMax = repeated > 0 ? nc::kRepeatedPointsMax : kTrajectoryPointsMax;
-    if (m_out.trajectory.points.size() > pointsMax) {
+    if (repeated > 0 && m_out.trajectory.points.size() > nc::kRepeatedPointsMax) {
       m_findings.report(Severity::Error, 1, DiagnosticCode::TooManyPoints,
-                        fmt::format("{}", pointsMax));
+                        fmt::format("{}", nc::kRepeatedPointsMax));
+      return true;
+    }
+    if (memoryBytes() > m_options.budget.left()) {
       return true;
     }
     if (m_observer != nullptr && repeated > nc::kRepeatedNativeBlocksMax &&

@@ -26,6 +26,7 @@ struct Interpretation {
   std::string dialectEvidence;
   std::vector<Dialect> otherDialects;  ///< what the text may be as well
   std::size_t blocks = 0;              ///< lines that hold more than a number and a comment
+  std::optional<base::Error> refused;  ///< BudgetError::Exceeded: the rest is not there
   bool cancelled = false;              ///< `LoadOptions::progress` said so: the rest is not there
 };
 

@@ -82,6 +82,11 @@ std::optional<nc::LoadedText> subprogramIn(const FilesByName& files, std::string
   return std::nullopt;
 }
 
+base::Error inFile(base::Error error, std::string file) {
+  error.context = std::move(file);
+  return error;
+}
+
 struct ReadinessText {
   std::string_view name;
   std::string_view sentence;
@@ -147,27 +152,41 @@ std::optional<Ambiguity> difference(const Interpretation& a, const Interpretatio
 
 /// Reads the text as the other dialects it may be of. One that has words which that control does
 /// not know is none. @param again  `read` is of blocks that are not all executed: read it as well
-std::optional<Ambiguity> findAmbiguity(const std::string& text, const LoadOptions& options,
-                                       const std::string& name, const Interpretation& read,
-                                       bool again) {
+/// @return error BudgetError::Exceeded: for a moment there are two or three paths
+base::Result<std::optional<Ambiguity>> findAmbiguity(const std::string& text,
+                                                     const LoadOptions& options,
+                                                     const std::string& name,
+                                                     const Interpretation& read, bool again) {
   LoadOptions own = options;
   own.progress = nullptr;
   const auto as = [&](Dialect dialect) {
     own.dialect = dialect;
     return interpret(text, own, name);
   };
+  const auto keepBeside = [&own](const Interpretation& kept) {
+    const std::vector<TrajectoryPoint>& points = kept.trajectory.points;
+    own.budget = own.budget.without(points.capacity() * sizeof(TrajectoryPoint));
+  };
+  keepBeside(read);
   std::optional<Interpretation> whole;
   for (const Dialect other : read.otherDialects) {
     if (!whole && again) {
       whole = as(read.dialect);
+      keepBeside(*whole);
     }
     const Interpretation& first = whole ? *whole : read;
+    if (first.refused) {
+      return base::fail(*first.refused);
+    }
     if (hasErrors(first)) {
       return std::nullopt;
     }
     own.accepted.clear();  // what one control has, and a person accepts, is no word of another
     const Interpretation second = as(other);
     own.accepted = options.accepted;
+    if (second.refused) {
+      return base::fail(*second.refused);
+    }
     if (hasErrors(second)) {
       continue;
     }
@@ -275,8 +294,18 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
 
 base::Result<Program> interpretProgram(std::string name, std::string text,
                                        const LoadOptions& options, BlockObserver* observer) {
+  // Converted, a text is there twice.
+  const base::Budget& budget = options.budget;
+  if (auto fits = budget.require(2.0 * static_cast<double>(text.size()), "The program"); !fits) {
+    return base::fail(inFile(fits.error(), name));
+  }
   text = base::asUtf8(std::move(text));
-  Interpretation interpretation = interpret(text, options, name, observer);
+  LoadOptions own = options;
+  own.budget = budget.without(text.capacity());
+  Interpretation interpretation = interpret(text, own, name, observer);
+  if (interpretation.refused) {
+    return base::fail(inFile(std::move(*interpretation.refused), name));
+  }
   if (interpretation.cancelled) {
     return base::fail(GcodeError::Cancelled, "Loading the program was cancelled.", std::move(name));
   }
@@ -286,7 +315,11 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
   }
   std::optional<Ambiguity> ambiguity;
   if (interpretation.facts.dependsOnDialect && !interpretation.cancelled) {
-    ambiguity = findAmbiguity(text, options, name, interpretation, observer != nullptr);
+    auto found = findAmbiguity(text, own, name, interpretation, observer != nullptr);
+    if (!found) {
+      return base::fail(inFile(std::move(found.error()), name));
+    }
+    ambiguity = std::move(*found);
   }
   if (ambiguity) {
     interpretation.diagnostics.insert(interpretation.diagnostics.begin(),
@@ -337,12 +370,8 @@ base::Result<Program> loadProgram(const std::filesystem::path& path, const LoadO
   if (status) {
     return unreadable("The size of the file cannot be read: check its permissions.");
   }
-  if (bytes > kProgramBytesMax) {
-    return base::fail(
-        GcodeError::FileTooLarge,
-        fmt::format("The file has {} MiB, more than the {} MiB accepted: split the program.",
-                    bytes / (1024 * 1024), kProgramBytesMax / (1024 * 1024)),
-        path.string());
+  if (auto fits = options.budget.require(2.0 * static_cast<double>(bytes), "The program"); !fits) {
+    return base::fail(inFile(fits.error(), path.string()));
   }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
@@ -359,9 +388,7 @@ base::Result<Program> loadProgram(const std::filesystem::path& path, const LoadO
   }
   base::Result<Program> program = interpretProgram(path.filename().string(), std::move(text), own);
   if (!program) {
-    base::Error error = program.error();
-    error.context = path.string();
-    return base::fail(std::move(error));
+    return base::fail(inFile(program.error(), path.string()));
   }
   return program;
 }

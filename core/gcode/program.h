@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/budget.h"
 #include "base/result.h"
 #include "gcode/control_settings.h"
 #include "gcode/diagnostic.h"
@@ -37,9 +38,7 @@ using nc::kDialects;
 inline constexpr std::size_t kDiagnosticsMax = 1000;
 /// How often the same finding is listed; the first one says how many there are.
 inline constexpr std::size_t kRepeatsListed = 20;
-using nc::kProgramBytesMax;
 using nc::kRepeatedLinesMax;
-using nc::kTrajectoryPointsMax;
 
 enum class NoPoint : unsigned char {
   Units,       ///< X10 is 10 mm or 10 inch
@@ -80,6 +79,8 @@ struct LoadOptions : TextReading {
   double defaultFeedMmPerS = 0.0;
   bool keepArcs = false;  ///< arcs stay one point each, see `Trajectory::arcs`
   std::size_t repeatedLinesMax = kRepeatedLinesMax;
+  /// Of the program as it is held: its text, its path, and what is read of it in trees.
+  base::Budget budget{};
   /// The text of a subprogram by its name (upper case, no ending), nothing if there is none.
   /// `loadProgram` looks in the folder of the file if this is empty.
   std::function<std::optional<nc::LoadedText>(std::string_view name)> subprogram;
@@ -164,13 +165,14 @@ struct Program {
 /// What has been taken from settings of the control that nobody has said, by its findings.
 [[nodiscard]] ControlSettings openSettings(const Program& program);
 
-/// Interprets an NC text. @return error EmptyProgram or NoMotion; findings are in the program.
+/// Interprets an NC text. @return error EmptyProgram, NoMotion or BudgetError::Exceeded; findings
+/// are in the program.
 /// @threadsafety pure.
 [[nodiscard]] base::Result<Program> interpretProgram(std::string name, std::string text,
                                                      const LoadOptions& options = {});
 
-/// Reads and interprets a file (at most 512 MiB). @return error FileUnreadable, FileTooLarge,
-/// EmptyProgram, NoMotion. @threadsafety reads the file, else pure.
+/// Reads and interprets a file. @return error FileUnreadable, EmptyProgram, NoMotion,
+/// BudgetError::Exceeded. @threadsafety reads the file, else pure.
 [[nodiscard]] base::Result<Program> loadProgram(const std::filesystem::path& path,
                                                 const LoadOptions& options = {});
 

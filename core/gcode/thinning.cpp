@@ -3,6 +3,8 @@
 
 #include "gcode/thinning.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -142,6 +144,17 @@ class Thinner {
   double m_errorMm = 0.0;
 };
 
+/// Into how many parts the move to point `i` is divided: a whole number, of any size.
+double partsOf(const Trajectory& trajectory, std::size_t i, double lengthMm) {
+  const TrajectoryPoint& point = trajectory.points[i];
+  if (i == 0 || point.kind == MoveKind::Arc) {
+    return 1.0;
+  }
+  const double moveMm = base::distance(trajectory.points[i - 1].positionMm, point.positionMm);
+  // A length that is a whole number of parts but for rounding needs no part more.
+  return moveMm > lengthMm ? std::ceil(moveMm / lengthMm - 1e-9) : 1.0;
+}
+
 }  // namespace
 
 ThinnedTrajectory thin(const Trajectory& trajectory, double toleranceMm) {
@@ -149,9 +162,23 @@ ThinnedTrajectory thin(const Trajectory& trajectory, double toleranceMm) {
   return Thinner(trajectory, toleranceMm).run();
 }
 
-Trajectory split(const Trajectory& trajectory, double lengthMm) {
+base::Result<Trajectory> split(const Trajectory& trajectory, double lengthMm,
+                               const base::Budget& budget) {
   RIVULET_ASSERT(lengthMm > 0.0);
+  double count = 0.0;
+  for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
+    count += partsOf(trajectory, i, lengthMm);
+  }
+  const std::size_t each = sizeof(TrajectoryPoint) +
+                           (trajectory.rotary.empty() ? 0 : sizeof(RotaryPosition)) +
+                           (trajectory.toolDirections.empty() ? 0 : sizeof(Vec3));
+  if (auto fits = budget.require(count * static_cast<double>(each),
+                                 fmt::format("A path of {:.0f} points", count));
+      !fits) {
+    return base::fail(fits.error());
+  }
   Trajectory out;
+  out.points.reserve(static_cast<std::size_t>(count));
   out.toolNames = trajectory.toolNames;
   std::size_t event = 0;
   std::size_t arc = 0;
@@ -164,12 +191,7 @@ Trajectory split(const Trajectory& trajectory, double lengthMm) {
   for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
     appendEvents(i);
     const TrajectoryPoint& point = trajectory.points[i];
-    std::size_t parts = 1;
-    if (i > 0 && point.kind != MoveKind::Arc) {
-      const double moveMm = base::distance(trajectory.points[i - 1].positionMm, point.positionMm);
-      // A length that is a whole number of parts but for rounding needs no part more.
-      parts = moveMm > lengthMm ? static_cast<std::size_t>(std::ceil(moveMm / lengthMm - 1e-9)) : 1;
-    }
+    const auto parts = static_cast<std::size_t>(partsOf(trajectory, i, lengthMm));
     for (std::size_t part = 1; part <= parts; ++part) {
       TrajectoryPoint piece = point;
       const double share = static_cast<double>(part) / static_cast<double>(parts);

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/budget.h"
+#include "base/result.h"
 #include "gcode/trajectory.h"
 
 namespace rivulet::gcode {
@@ -30,6 +32,9 @@ struct ThinnedTrajectory {
 /// Puts points on straight moves so that none is longer than `lengthMm`; the path stays what it
 /// was. Moves from a place that is not known, and arcs kept whole, stay as they are.
 /// @param lengthMm  > 0
-[[nodiscard]] Trajectory split(const Trajectory& trajectory, double lengthMm);
+/// @param budget  of the new trajectory
+/// @return error BudgetError::Exceeded
+[[nodiscard]] base::Result<Trajectory> split(const Trajectory& trajectory, double lengthMm,
+                                             const base::Budget& budget = {});
 
 }  // namespace rivulet::gcode

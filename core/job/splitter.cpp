@@ -209,6 +209,9 @@ class Splitter final : public gcode::BlockObserver,
         m_each(std::move(each)) {}
 
   [[nodiscard]] std::size_t nativeBlocks() const override { return m_parts.size(); }
+  [[nodiscard]] std::size_t memoryBytes() const override {
+    return base::Budget::bytesOf(m_parts) + m_textBytes;
+  }
   [[nodiscard]] bool knowsFrame() const override { return m_knowsFrame; }
 
   nc::Sinks observe(const nc::Language& language, nc::Sinks own) override {
@@ -301,6 +304,7 @@ class Splitter final : public gcode::BlockObserver,
     if (!reason) {
       forward();
       stretch().blocks.push_back(block.place);
+      m_textBytes += 2 * sizeof(block.place);  // of a list that grows
     } else if (isForeign()) {
       endForeign(*reason);
     } else {
@@ -1336,10 +1340,24 @@ class Splitter final : public gcode::BlockObserver,
     keep(std::move(native));
   }
 
+  /// What the part holds beside itself.
+  [[nodiscard]] static std::size_t textBytes(const Part& part) {
+    const auto* const native = std::get_if<NativeBlock>(&part);
+    if (native == nullptr) {
+      return 0;  // counted block by block
+    }
+    std::size_t bytes = native->source.capacity() + native->text.capacity();
+    for (const std::string& line : native->frame) {
+      bytes += sizeof(line) + line.capacity();
+    }
+    return bytes;
+  }
+
   void keep(Part part) {
     if (m_each) {
       m_each(part);
     } else {
+      m_textBytes += textBytes(part);
       m_parts.push_back(std::move(part));
     }
   }
@@ -1525,6 +1543,7 @@ class Splitter final : public gcode::BlockObserver,
   int m_stretches = 0;                      ///< that move
   std::function<void(const Part&)> m_each;  ///< gets the parts; empty: they are kept
   std::vector<Part> m_parts;
+  std::size_t m_textBytes = 0;  ///< held by the parts beside themselves
   std::vector<Refusal> m_refusals;
   std::map<FunctionName, FunctionUse> m_functions;
   int m_lastEdge = 0;

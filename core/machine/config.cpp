@@ -440,21 +440,8 @@ void readUsers(Reader& reader, UserManagement& management) {
   }
 }
 
-/// Presets have a few kilobytes.
-constexpr std::uintmax_t kPresetBytesMax = std::uintmax_t{1} << 20U;
-
-/// The parser calls itself for each part of a dotted key, without a limit.
-bool hasEndlessKey(std::string_view text) {
-  constexpr int kDotsMax = 500;
-  int dots = 0;
-  return std::any_of(text.begin(), text.end(), [&dots](char c) {
-    dots = c == '\n' ? 0 : dots + (c == '.' ? 1 : 0);
-    return dots > kDotsMax;
-  });
-}
-
 Result<toml::table> parseTable(std::string_view text, const std::string& origin) {
-  if (hasEndlessKey(text)) {
+  if (base::hasEndlessKey(text)) {
     return base::fail(MachineError::PresetMalformed,
                       "This is not a machine preset: a key has too many parts.", origin);
   }

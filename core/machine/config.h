@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -196,6 +197,8 @@ inline constexpr int kNoWorkOffset = 500;
 
 /// The virtual machine that is meant where none is named.
 inline constexpr const char* kDefaultPreset = "dmu75";
+/// Presets have a few kilobytes.
+inline constexpr std::uintmax_t kPresetBytesMax = std::uintmax_t{1} << 20U;
 
 /// Names of the presets that are built in, sorted.
 [[nodiscard]] std::vector<std::string> presetNames();

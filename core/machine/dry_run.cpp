@@ -32,8 +32,12 @@ class DryRunner {
     RParameters parameters(m_config.rParameterCount);
     InterpreterOptions options = interpreterOptions(m_config, m_at);
     options.library = [](const std::string&) { return nullptr; };
-    Interpreter interpreter(nc::parseSinumerik(text), parameters, options);
+    Interpreter interpreter(nc::parseSinumerik(text, m_options.budget), parameters, options);
     for (std::size_t block = 0; block < kBlocksMax && !m_hasEnded; ++block) {
+      if (memoryBytes() > m_options.budget.left()) {
+        find(interpreter.line()).alarm = alarmOf(nc::Fault{nc::FaultCode::ProgramTooLarge, {}, {}});
+        break;
+      }
       const Prepared prepared = interpreter.next();
       if (std::holds_alternative<PreparedStopre>(prepared)) {
         interpreter.refresh();
@@ -99,6 +103,11 @@ class DryRunner {
     add(actions.line, time);
   }
 
+  /// Of what was found.
+  [[nodiscard]] std::size_t memoryBytes() const {
+    return base::Budget::bytesOf(m_run.findings) + base::Budget::bytesOf(m_run.times) +
+           base::Budget::bytesOf(m_run.motions);
+  }
   [[nodiscard]] bool isTimed(base::LineNumber line) const {
     return m_options.isTimed && m_options.isTimed(line);
   }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/axes.h"
+#include "base/budget.h"
 #include "base/id.h"
 #include "base/instant.h"
 #include "machine/alarm.h"
@@ -61,6 +62,8 @@ struct DryRunOptions {
   /// Lines whose time is wanted; null: none.
   std::function<bool(base::LineNumber)> isTimed{};
   bool endsWithFeed = false;  ///< nothing behind the first motion with feed is read
+  /// Of the statements of the program, and of what is found of it. Beyond it, it ends in an alarm.
+  base::Budget budget{};
 };
 
 /// Reads to the end, past motions beyond a limit and tools that are missing: only an alarm of

@@ -105,6 +105,7 @@ constexpr std::array kClauses{
     Clause{FaultCode::ControlWritten, RIVULET_SENTENCE("FaultTexts", "a variable of the control would be written")},
     Clause{FaultCode::NumberNotWritable, RIVULET_SENTENCE("FaultTexts", "%1 cannot be written by a program here")},
     Clause{FaultCode::AlarmRaised, RIVULET_SENTENCE("FaultTexts", "the program stops here with its alarm %1")},
+    Clause{FaultCode::ProgramTooLarge, RIVULET_SENTENCE("FaultTexts", "the program takes more memory than is allowed: split it")},
     Clause{FaultCode::ProgramTwice, RIVULET_SENTENCE("FaultTexts", "the file holds two programs of the name %1: rename or remove one of them")},
     Clause{FaultCode::TooManyArguments, RIVULET_SENTENCE("FaultTexts", "the subprogram takes %1 values")},
     Clause{FaultCode::ReferenceNeedsVariable, RIVULET_SENTENCE("FaultTexts", "the parameter %1 is given by reference and needs a variable")},

@@ -155,6 +155,7 @@ enum class FaultCode : std::uint8_t {
   ControlWritten,
   NumberNotWritable,       ///< argument: "#2001"
   AlarmRaised,             ///< by the program: argument its number and text; it ends there
+  ProgramTooLarge,         ///< for the memory that it may take: no argument
   ProgramTwice,            ///< argument: the name of two programs of the file
   TooManyArguments,        ///< argument: how many the subprogram takes
   ReferenceNeedsVariable,  ///< argument: the parameter

@@ -12,9 +12,7 @@
 namespace rivulet::nc {
 
 // Files.
-/// Bytes of a program file: 512 MiB.
-inline constexpr std::uintmax_t kProgramBytesMax = std::uintmax_t{512} * 1024 * 1024;
-/// Bytes of a file beside it that is called: 16 MiB. Subprograms are small.
+/// Bytes of a file beside a program that is called: 16 MiB. Subprograms are small.
 inline constexpr std::uintmax_t kSubprogramBytesMax = std::uintmax_t{16} * 1024 * 1024;
 
 // What is read.
@@ -37,10 +35,9 @@ inline constexpr std::size_t kRepeatedLinesMax = 5'000'000;
 inline constexpr std::size_t kRepeatedPlainTextMax = 1'250'000;
 /// Those of them that a job leaves to the control.
 inline constexpr std::size_t kRepeatedNativeBlocksMax = 100'000;
-/// Points of one trajectory, where its loops and calls repeat blocks.
+/// Points of one trajectory, where its loops and calls repeat blocks. How much memory they may take
+/// else, the reader's `base::Budget` says.
 inline constexpr std::size_t kRepeatedPointsMax = 3'000'000;
-/// Points of one trajectory.
-inline constexpr std::size_t kTrajectoryPointsMax = 32'000'000;
 
 // Variables.
 /// Elements of one array, and of all variables with names.

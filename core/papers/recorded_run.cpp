@@ -246,12 +246,15 @@ Result<RecordedRun> loadRecordedRun(const std::filesystem::path& folder, const s
   if (!packed) {
     return base::fail(packed.error());
   }
-  const trace::Unpacked table = trace::unpack(*packed);
-  if (!table.whole) {
+  const auto table = trace::unpack(*packed);
+  if (!table) {
+    return base::fail(table.error());
+  }
+  if (!table->whole) {
     return base::fail(RecordedRunError::Malformed, "The file is not a whole zstd archive.",
                       data.string());
   }
-  auto samples = parseRecordedSamples(table.text);
+  auto samples = parseRecordedSamples(table->text);
   if (!samples) {
     return base::fail(samples.error());
   }

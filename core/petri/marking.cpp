@@ -17,6 +17,17 @@ Marking initialMarking(const Net& net) {
   return marking;
 }
 
+std::size_t memoryBytes(const Marking& marking) {
+  std::size_t bytes = 0;
+  for (const std::vector<Token>& tokens : marking) {
+    bytes += tokens.capacity() * sizeof(Token);
+    for (const Token& token : tokens) {
+      bytes += token.value.capacity() * sizeof(Word);
+    }
+  }
+  return bytes;
+}
+
 // --- compiling ------------------------------------------------------------------------------
 
 namespace {

@@ -25,6 +25,8 @@ namespace rivulet::petri {
 using Marking = std::vector<std::vector<Token>>;
 
 [[nodiscard]] Marking initialMarking(const Net& net);
+/// What its tokens take, bytes. O(tokens)
+[[nodiscard]] std::size_t memoryBytes(const Marking& marking);
 
 inline constexpr Word kNever = std::numeric_limits<Word>::max();
 

@@ -30,8 +30,9 @@ using PlacesOfPage = std::map<std::string, std::size_t>;
 
 class NetReader {
  public:
-  NetReader(const toml::table& root, std::string origin, const ParameterValues& parameters)
-      : m_root(root), m_origin(std::move(origin)), m_parameters(parameters) {}
+  NetReader(const toml::table& root, std::string origin, const ParameterValues& parameters,
+            const base::Budget& budget)
+      : m_root(root), m_origin(std::move(origin)), m_parameters(parameters), m_budget(budget) {}
 
   Result<Net> read() {
     m_net.name = text(m_root, "name");
@@ -63,6 +64,15 @@ class NetReader {
   void failAt(const std::string& where, const base::Error& error) {
     if (!m_error) {
       m_error = base::Error{error.code, fmt::format("{}: {}", where, error.message), m_origin};
+    }
+  }
+  /// A page stands for all that is on it, as often as it is used.
+  void hold(double bytes) {
+    m_held += bytes;
+    const double nodes = 2.0 * static_cast<double>(m_net.nodes.size() * sizeof(Node));
+    if (auto fits = m_budget.require(m_held + nodes, "The net"); !fits && !m_error) {
+      m_error = fits.error();
+      m_error->context = m_origin;
     }
   }
   std::string text(const toml::table& table, const std::string& key) {
@@ -297,6 +307,8 @@ class NetReader {
     m_net.pages.push_back({path, parent, {}});
     const auto draw = [&](PageNode::Kind kind, const std::string& name, std::size_t index,
                           const toml::node& node) {
+      constexpr double kDrawnBytes = 2.0 * (sizeof(PageNode) + sizeof(Transition));
+      hold(kDrawnBytes + 4.0 * static_cast<double>(path.size() + name.size()));
       if (!m_error) {
         m_net.pages[self].nodes.push_back(nodeOf(kind, name, index, node));
       }
@@ -442,14 +454,23 @@ class NetReader {
       failAt(where, root.error());
       return;
     }
-    if (count < 0 || count > Word{1'000'000}) {
+    if (count < 0) {
       failNow(PetriError::NotANet, fmt::format("{} cannot have {} tokens.", where, count));
+      return;
+    }
+    hold(2.0 * static_cast<double>(count) * static_cast<double>(sizeof(Token) + sizeof(Words)));
+    if (m_error) {
       return;
     }
     if (checkColour(*root, index, where, value)) {
       Token made;
       made.time = time;
       evaluator.evaluate(*root, {}, made.value);
+      hold(2.0 * static_cast<double>(count) *
+           static_cast<double>(made.value.size() * sizeof(Word)));
+      if (m_error) {
+        return;
+      }
       m_net.places[index].initial.insert(m_net.places[index].initial.end(),
                                          static_cast<std::size_t>(count), made);
     }
@@ -719,6 +740,8 @@ class NetReader {
   const toml::table& m_root;
   std::string m_origin;
   const ParameterValues& m_parameters;
+  base::Budget m_budget;
+  double m_held = 0.0;  ///< bytes
   Net m_net;
   Constants m_constants;
   std::map<std::string, std::size_t> m_fusions;
@@ -729,7 +752,15 @@ class NetReader {
 }  // namespace
 
 Result<Net> parseNet(std::string_view text, const std::string& origin,
-                     const ParameterValues& parameters) {
+                     const ParameterValues& parameters, const base::Budget& budget) {
+  constexpr double kTreeBytes = 80.0;  // a byte of the text, in the tree of its parser
+  const double tree = kTreeBytes * static_cast<double>(text.size());
+  if (auto fits = budget.require(tree, "The net"); !fits) {
+    return base::fail(fits.error().code, fits.error().message, origin);
+  }
+  if (base::hasEndlessKey(text)) {
+    return base::fail(PetriError::NotANet, "A key has too many parts.", origin);
+  }
   toml::table root;
   try {
     root = toml::parse(text);
@@ -739,10 +770,12 @@ Result<Net> parseNet(std::string_view text, const std::string& origin,
         fmt::format("Line {} is not TOML: {}.", error.source().begin.line, error.description()),
         origin);
   }
-  return NetReader(root, origin, parameters).read();
+  return NetReader(root, origin, parameters, budget.without(static_cast<std::uint64_t>(tree)))
+      .read();
 }
 
-Result<Net> loadNet(const std::string& nameOrPath, const ParameterValues& parameters) {
+Result<Net> loadNet(const std::string& nameOrPath, const ParameterValues& parameters,
+                    const base::Budget& budget) {
   for (const auto& net : nets::kEmbeddedTexts) {
     if (net.name == nameOrPath) {
       return parseNet(net.text, "net " + nameOrPath, parameters);
@@ -754,11 +787,11 @@ Result<Net> loadNet(const std::string& nameOrPath, const ParameterValues& parame
                                   "file.",
                                   nameOrPath, fmt::join(netNames(), ", ")));
   }
-  auto text = base::readFile(nameOrPath);
+  auto text = base::readFile(nameOrPath, budget);
   if (!text) {
     return base::fail(text.error());
   }
-  return parseNet(*text, nameOrPath, parameters);
+  return parseNet(*text, nameOrPath, parameters, budget.without(text->capacity()));
 }
 
 std::vector<std::string> netNames() {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/budget.h"
 #include "base/result.h"
 #include "petri/net.h"
 
@@ -20,13 +21,17 @@ namespace rivulet::petri {
 using ParameterValues = std::map<std::string, Word>;
 
 /// @param origin  names the text in errors
-/// @return NotANet, Unknown or WrongColour, with one sentence that names the place in the net
+/// @param budget  of the net, without the text
+/// @return NotANet, Unknown or WrongColour, with one sentence that names the place in the net;
+/// BudgetError::Exceeded
 [[nodiscard]] base::Result<Net> parseNet(std::string_view text, const std::string& origin,
-                                         const ParameterValues& parameters = {});
+                                         const ParameterValues& parameters = {},
+                                         const base::Budget& budget = {});
 
 /// A net that comes with Rivulet ("p3") or the path of a .toml file.
 [[nodiscard]] base::Result<Net> loadNet(const std::string& nameOrPath,
-                                        const ParameterValues& parameters = {});
+                                        const ParameterValues& parameters = {},
+                                        const base::Budget& budget = {});
 [[nodiscard]] std::vector<std::string> netNames();
 
 }  // namespace rivulet::petri

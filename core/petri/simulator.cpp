@@ -155,7 +155,23 @@ bool Simulator::step(Word until) {
 }
 
 bool Simulator::run(Word until) {
+  return *run(until, [](std::size_t) { return base::Result<void>(); });
+}
+
+base::Result<bool> Simulator::run(Word until,
+                                  const std::function<base::Result<void>(std::size_t)>& mayHold) {
+  constexpr std::uint64_t kFirings = 4096;  // that are not asked for
+  std::uint64_t next = m_firings + kFirings;
   while (step(until)) {
+    if (m_firings < next) {
+      continue;
+    }
+    // As rarely as it is long: no run takes much longer for it.
+    const std::size_t bytes = memoryBytes(m_marking);
+    next = m_firings + kFirings + bytes / sizeof(Token);
+    if (auto may = mayHold(bytes); !may) {
+      return base::fail(may.error());
+    }
   }
   return std::any_of(m_bindings.begin(), m_bindings.end(),
                      [](const Binding& binding) { return binding.time != kNever; });

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "base/result.h"
 #include "petri/marking.h"
 #include "petri/net.h"
 
@@ -43,6 +44,9 @@ class Simulator {
   /// Fires until the time is after `until` or nothing can fire any more.
   /// @return whether it can go on
   bool run(Word until);
+  /// The same, of a net that may make tokens without end.
+  /// @param mayHold  asked now and then with the bytes of the marking  @return its error
+  base::Result<bool> run(Word until, const std::function<base::Result<void>(std::size_t)>& mayHold);
   /// Fires one transition. @return false if none will ever be enabled, or not up to `until`
   bool step(Word until = kNever - 1);
   /// The transition that `step` fires next; time goes on to the moment at which it is enabled.

@@ -43,9 +43,14 @@ class Explorer {
     while (!m_open.empty()) {
       const Words state = std::move(m_open.front());
       m_open.pop_front();
+      m_openBytes -= bytesOf(state);
       decode(state);
       inspect();
       follow(state);
+      constexpr std::size_t kKnownBytes = 48;  // a node and its share of the table
+      if (m_known.size() * kKnownBytes + m_openBytes > m_options.budget.left()) {
+        return base::fail(m_options.budget.exceeded("The reachable markings"));
+      }
       if (m_known.size() > m_options.statesMax) {
         return base::fail(
             PetriError::TooManyStates,
@@ -141,6 +146,10 @@ class Explorer {
     }
   }
 
+  static std::size_t bytesOf(const Words& state) {
+    return sizeof(Words) + state.capacity() * sizeof(Word);
+  }
+
   void add() {
     Words state = encode();
     std::uint64_t hash = base::kHashBasis;
@@ -149,6 +158,7 @@ class Explorer {
       hash ^= hash >> 32U;
     }
     if (m_known.insert(hash).second) {
+      m_openBytes += bytesOf(state);
       m_open.push_back(std::move(state));
     }
   }
@@ -234,6 +244,7 @@ class Explorer {
   std::vector<bool> m_holds;
   std::unordered_set<std::uint64_t> m_known;
   std::deque<Words> m_open;
+  std::size_t m_openBytes = 0;
   std::size_t m_inspected = 0;
   StateSpace m_space;
 };

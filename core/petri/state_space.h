@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "base/budget.h"
 #include "base/result.h"
 #include "petri/net.h"
 
@@ -26,6 +27,7 @@ namespace rivulet::petri {
 
 struct StateSpaceOptions {
   std::size_t statesMax = 2'000'000;
+  base::Budget budget{};
 };
 
 /// What a place holds in all markings.
@@ -47,7 +49,7 @@ struct StateSpace {
   std::vector<std::string> violated;  ///< invariants, by name
 };
 
-/// @return TooManyStates
+/// @return TooManyStates, BudgetError::Exceeded
 [[nodiscard]] base::Result<StateSpace> exploreStates(const Net& net,
                                                      const StateSpaceOptions& options = {});
 

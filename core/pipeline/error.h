@@ -15,8 +15,7 @@ enum class PipelineError {
   RingLayout = 1,   ///< a ring was made by another version, or is none
   RingRubbish,      ///< what is in a ring cannot have been written by its producer
   SetPointMissing,  ///< position control got another set point than the next one
-  ProgramTooLong,
-  TaskBroken,  ///< a task said something that cannot be
+  TaskBroken,       ///< a task said something that cannot be
   TaskDied,
 };
 

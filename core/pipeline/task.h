@@ -53,7 +53,7 @@ class Stage {
   virtual ~Stage() = default;
   [[nodiscard]] virtual Need need() const = 0;
   /// To be called only if what it needs is there, and room for one item in the buffer after it.
-  /// @return RingRubbish, SetPointMissing, ProgramTooLong
+  /// @return RingRubbish, SetPointMissing, BudgetError::Exceeded
   [[nodiscard]] virtual base::Result<StepDone> step() = 0;
 };
 

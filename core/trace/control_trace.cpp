@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "trace/lines.h"
@@ -151,7 +152,13 @@ std::string printControlTrace(const ControlTrace& trace) {
   return out;
 }
 
-base::Result<ControlTrace> parseControlTrace(std::string_view text) {
+std::size_t memoryBytes(const ControlTrace& trace) {
+  const auto bytesOf = [](const auto& list) { return base::Budget::bytesOf(list, kLinesUnasked); };
+  return bytesOf(trace.samples) + trace.samples.size() * kAnalysedSampleBytes +
+         bytesOf(trace.blocks) + bytesOf(trace.events);
+}
+
+base::Result<ControlTrace> parseControlTrace(std::string_view text, const base::Budget& budget) {
   lines::LineReader reader(text);
   const auto first = reader.next();
   const lines::Header header = first ? lines::readHeader(first->text, kName) : lines::Header{};
@@ -171,12 +178,18 @@ base::Result<ControlTrace> parseControlTrace(std::string_view text) {
   if (!first->whole || !readHead(header.rest, trace)) {
     return damaged(1, "the header cannot be read");
   }
-  trace.samples.reserve(text.size() / (2 * kSampleBytes));
+  trace.samples.reserve(
+      std::min(text.size() / (2 * kSampleBytes), budget.items(sizeof(ControlSample))));
 
   std::size_t lastLine = 1;
+  std::size_t read = 0;
   bool ended = false;
   while (const auto line = reader.next()) {
     lastLine = line->number;
+    read += line->text.size();  // names are at most this
+    if (lastLine % kLinesUnasked == 0 && memoryBytes(trace) + read > budget.left()) {
+      return base::fail(budget.exceeded("The trace of the control"));
+    }
     if (!line->whole) {
       return damaged(line->number, "the file was cut off here");
     }

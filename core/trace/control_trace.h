@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/axes.h"
+#include "base/budget.h"
 #include "base/id.h"
 #include "base/instant.h"
 #include "base/result.h"
@@ -82,7 +83,18 @@ enum class TraceError {
 /// Versioned line format (docs/formats.md). `parse(print(t))` equals `t`. A trace without events is
 /// written in format 2, one without rotary axes too in format 1.
 [[nodiscard]] std::string printControlTrace(const ControlTrace& trace);
-[[nodiscard]] base::Result<ControlTrace> parseControlTrace(std::string_view text);
+/// @param budget  without the text
+/// @return error `TraceError`, BudgetError::Exceeded
+[[nodiscard]] base::Result<ControlTrace> parseControlTrace(std::string_view text,
+                                                           const base::Budget& budget = {});
+
+/// What the analysis of a trace takes for each sample, beside the sample itself, bytes: a
+/// `MotionSample`, its speeds and what is drawn of it.
+inline constexpr std::size_t kAnalysedSampleBytes = 200;
+/// What the trace takes with its analysis, bytes, without the names of its events.
+[[nodiscard]] std::size_t memoryBytes(const ControlTrace& trace);
+/// Lines that are read before somebody asks the budget again: they hold less than a megabyte.
+inline constexpr std::size_t kLinesUnasked = 4096;
 
 }  // namespace rivulet::trace
 

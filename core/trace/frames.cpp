@@ -6,6 +6,7 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "base/contract.h"
 #include "trace/import/compression.h"
@@ -25,8 +26,10 @@ constexpr std::uint32_t kIndexMagic = 0x184D2A50U;
 constexpr int kIndexLevel = 9;
 constexpr std::size_t kFooterBytes = 9;
 constexpr std::size_t kEntryBytes = 8;
-/// No frame of ours is larger.
-constexpr std::uint64_t kFrameTextMax = std::uint64_t{1} << 30U;
+/// The table has 32 bits for the size of a frame.
+constexpr std::uint64_t kFrameTextMax = std::numeric_limits<std::uint32_t>::max();
+/// Of an index, packed and unpacked; one of `RecordingIndex::kGroupsMax` groups is much smaller.
+constexpr base::Budget kIndexBudget(std::uint64_t{64} << 20U);
 
 void appendLittle(std::string& out, std::uint32_t value) {
   for (unsigned shift = 0; shift < 32; shift += 8) {
@@ -94,38 +97,38 @@ FramePlaces findFrames(std::string_view bytes) {
   return places;
 }
 
-/// By the table at the end; nothing: there is none.
-std::optional<std::vector<FramePlace>> readSeekTable(std::string_view bytes) {
-  if (bytes.size() < kFooterBytes + 8 || littleAt(bytes, bytes.size() - 4) != kSeekableMagic) {
-    return std::nullopt;
-  }
-  const std::size_t count = littleAt(bytes, bytes.size() - kFooterBytes);
-  const std::size_t size = 8 + count * kEntryBytes + kFooterBytes;
-  if (size > bytes.size() || littleAt(bytes, bytes.size() - size) != kSkippableMagic) {
-    return std::nullopt;
-  }
-  std::vector<FramePlace> frames;
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t entry = bytes.size() - size + 8 + i * kEntryBytes;
-    const std::size_t packed = littleAt(bytes, entry);
-    // The index has no text.
-    if (littleAt(bytes, entry + 4) != 0) {
-      frames.push_back({at, packed});
-    }
-    at += packed;
-  }
-  return at + size == bytes.size() ? std::optional(std::move(frames)) : std::nullopt;
+/// The bytes of a frame's text; nothing: they are not said, or no frame of its size can hold them.
+/// @source RFC 8878, 3.1.1.2: a block of 4 bytes stands for 128 KiB at most
+std::optional<std::size_t> textBytes(std::string_view frame) {
+  constexpr unsigned long long kGrowthMax = (128U << 10U) / 4;
+  const unsigned long long size = ZSTD_getFrameContentSize(frame.data(), frame.size());
+  const bool isSaid = size != ZSTD_CONTENTSIZE_ERROR && size != ZSTD_CONTENTSIZE_UNKNOWN;
+  return isSaid && size / kGrowthMax <= frame.size() ? std::optional(static_cast<std::size_t>(size))
+                                                     : std::nullopt;
 }
 
-std::optional<std::string> textOf(std::string_view frame) {
-  const unsigned long long size = ZSTD_getFrameContentSize(frame.data(), frame.size());
-  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > kFrameTextMax) {
-    return std::nullopt;
+/// Appends the text of a frame. @return false: it is damaged, and nothing is appended
+bool appendText(std::string& text, std::string_view frame) {
+  const std::optional<std::size_t> size = textBytes(frame);
+  if (!size) {
+    return false;
   }
-  std::string text(static_cast<std::size_t>(size), '\0');
-  const std::size_t read = ZSTD_decompress(text.data(), text.size(), frame.data(), frame.size());
-  return ZSTD_isError(read) == 0 && read == size ? std::optional(std::move(text)) : std::nullopt;
+  const std::size_t before = text.size();
+  text.resize(before + *size);
+  const std::size_t read = ZSTD_decompress(text.data() + before, *size, frame.data(), frame.size());
+  const bool isWhole = ZSTD_isError(read) == 0 && read == *size;
+  text.resize(isWhole ? text.size() : before);
+  return isWhole;
+}
+
+base::Result<void> requireText(std::size_t size, const base::Budget& budget) {
+  return budget.require(static_cast<double>(size), "The text of the recording");
+}
+
+/// Of a frame that is cut, or of what is none.
+base::Result<std::string> unpackRest(std::string_view bytes, const base::Budget& budget) {
+  auto last = unpack(bytes, budget);
+  return last ? base::Result<std::string>(std::move(last->text)) : base::fail(last.error());
 }
 
 }  // namespace
@@ -167,7 +170,7 @@ std::optional<IndexPlace> findIndex(std::string_view tail, std::uint64_t fileByt
   const std::uint64_t count = littleAt(tail, kEntryBytes);
   const std::uint64_t table = 8 + count * kEntryBytes + kFooterBytes;
   const std::uint64_t bytes = littleAt(tail, 0);
-  if (littleAt(tail, 4) != 0 || table + bytes > fileBytes) {
+  if (littleAt(tail, 4) != 0 || table + bytes > fileBytes || bytes > kIndexBudget.left()) {
     return std::nullopt;
   }
   return IndexPlace{fileBytes - table - bytes, bytes};
@@ -178,74 +181,66 @@ std::optional<RecordingIndex> unpackIndex(std::string_view bytes) {
       std::uint64_t{littleAt(bytes, 4)} + 8 != bytes.size() || !isCompressed(bytes.substr(8))) {
     return std::nullopt;
   }
-  const Unpacked text = unpack(bytes.substr(8));
-  return text.whole ? parseIndex(text.text) : std::nullopt;
+  const auto text = unpack(bytes.substr(8), kIndexBudget);
+  return text && text->whole ? parseIndex(text->text) : std::nullopt;
 }
 
-void forEachFrame(std::string_view bytes,
-                  const std::function<void(std::string_view text, std::uint64_t size)>& take) {
+base::Result<void> forEachFrame(
+    std::string_view bytes, const base::Budget& budget,
+    const std::function<void(std::string_view text, std::uint64_t size)>& take) {
   if (!isCompressed(bytes)) {
     take(bytes, bytes.size());
-    return;
+    return {};
   }
   const FramePlaces places = findFrames(bytes);
   const std::size_t end = places.isCut ? places.cutAt : bytes.size();
+  std::string text;
   for (std::size_t i = 0; i < places.frames.size(); ++i) {
-    const FramePlace& place = places.frames[i];
+    const std::string_view frame = bytes.substr(places.frames[i].begin, places.frames[i].size);
+    if (auto fits = requireText(textBytes(frame).value_or(0), budget); !fits) {
+      return fits;
+    }
+    text.clear();
+    appendText(text, frame);
     const std::size_t next = i + 1 < places.frames.size() ? places.frames[i + 1].begin : end;
-    take(textOf(bytes.substr(place.begin, place.size)).value_or(std::string()), next - place.begin);
+    take(text, next - places.frames[i].begin);
   }
   if (places.isCut) {
     const std::string_view rest = bytes.substr(places.cutAt);
-    take(unpack(rest).text, rest.size());
+    const auto last = unpackRest(rest, budget);
+    if (!last) {
+      return base::fail(last.error());
+    }
+    take(*last, rest.size());
   }
+  return {};
 }
 
-Frames readFrames(std::string_view bytes) {
+base::Result<Frames> readFrames(std::string_view bytes, const base::Budget& budget) {
   const FramePlaces places = findFrames(bytes);
   Frames frames;
   frames.isCut = places.isCut;
   frames.hasTable = places.hasTable;
   frames.damaged = places.damaged;
+  std::size_t size = 0;
   for (const FramePlace& place : places.frames) {
-    if (const auto text = textOf(bytes.substr(place.begin, place.size))) {
-      frames.text += *text;
-    } else {
-      ++frames.damaged;
-    }
+    size += textBytes(bytes.substr(place.begin, place.size)).value_or(0);
+  }
+  if (auto fits = requireText(size, budget); !fits) {
+    return base::fail(fits.error());
+  }
+  frames.text.reserve(size);
+  for (const FramePlace& place : places.frames) {
+    frames.damaged += appendText(frames.text, bytes.substr(place.begin, place.size)) ? 0U : 1U;
   }
   if (places.isCut) {
-    frames.text += unpack(bytes.substr(places.cutAt)).text;
+    const auto last = unpackRest(bytes.substr(places.cutAt), budget.without(2 * size));
+    if (!last) {
+      return base::fail(last.error());
+    }
+    frames.text += *last;
   }
   return frames;
-}
-
-std::optional<FrameEnds> readFrameEnds(std::string_view bytes, std::size_t tailBytes) {
-  auto places = readSeekTable(bytes);
-  if (!places) {
-    places = findFrames(bytes).frames;
-  }
-  FrameEnds ends;
-  ends.frames = places->size();
-  for (const FramePlace& place : *places) {
-    const unsigned long long size =
-        ZSTD_getFrameContentSize(bytes.data() + place.begin, place.size);
-    ends.textBytes += size < kFrameTextMax ? size : 0;
-  }
-  const auto head = places->empty()
-                        ? std::nullopt
-                        : textOf(bytes.substr(places->front().begin, places->front().size));
-  // Without a whole frame, the beginning of the first one.
-  ends.head = head ? *head : unpack(bytes).text;
-  if (ends.head.empty()) {
-    return std::nullopt;
-  }
-  for (std::size_t i = places->size(); i-- > 0 && ends.tail.size() < tailBytes;) {
-    if (const auto text = textOf(bytes.substr((*places)[i].begin, (*places)[i].size))) {
-      ends.tail.insert(0, *text);
-    }
-  }
-  return ends;
 }
 
 }  // namespace rivulet::trace

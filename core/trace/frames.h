@@ -15,6 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/budget.h"
+#include "base/result.h"
 #include "trace/recording_index.h"
 
 namespace rivulet::trace {
@@ -45,13 +47,16 @@ struct IndexPlace {
 };
 /// @param tail  the last `kIndexTailBytes` of the file  @return nothing: it has no index
 [[nodiscard]] std::optional<IndexPlace> findIndex(std::string_view tail, std::uint64_t fileBytes);
-/// @return nothing: it is damaged
+/// @return nothing: it is damaged, or larger than any index is
 [[nodiscard]] std::optional<RecordingIndex> unpackIndex(std::string_view bytes);
 
 /// The text of each frame in turn, and the bytes from it to the next: what is damaged between is
 /// counted with the frame before. A text that is not compressed is one frame.
-void forEachFrame(std::string_view bytes,
-                  const std::function<void(std::string_view text, std::uint64_t size)>& take);
+/// @param budget  of one frame
+/// @return error BudgetError::Exceeded; the frames before have been taken
+[[nodiscard]] base::Result<void> forEachFrame(
+    std::string_view bytes, const base::Budget& budget,
+    const std::function<void(std::string_view text, std::uint64_t size)>& take);
 
 struct Frames {
   std::string text;         ///< of all frames that can be read, and of the beginning of a cut one
@@ -61,17 +66,8 @@ struct Frames {
 };
 
 /// @param bytes  of which `isCompressed` is true
-[[nodiscard]] Frames readFrames(std::string_view bytes);
-
-/// The text of the first and of the last frames, without reading what is between: by the table, or,
-/// in a file without one, by the sizes in the frames. O(frames), not O(bytes).
-/// @param tailBytes  text at the end, at least
-struct FrameEnds {
-  std::string head;
-  std::string tail;
-  std::size_t frames = 0;
-  std::uint64_t textBytes = 0;
-};
-[[nodiscard]] std::optional<FrameEnds> readFrameEnds(std::string_view bytes, std::size_t tailBytes);
+/// @return error BudgetError::Exceeded: the text is larger
+[[nodiscard]] base::Result<Frames> readFrames(std::string_view bytes,
+                                              const base::Budget& budget = {});
 
 }  // namespace rivulet::trace

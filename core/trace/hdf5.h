@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/budget.h"
 #include "base/instant.h"
 #include "base/result.h"
 #include "trace/export.h"
@@ -46,8 +47,10 @@ struct Hdf5Content {
 };
 
 /// All datasets of one dimension (others of which are 1) that hold numbers.
-/// @return error ImportError::NotATable: damaged, or there are none
-[[nodiscard]] base::Result<Hdf5Content> readHdf5(std::string_view bytes);
+/// @param budget  without the bytes; of the rows and their analysis
+/// @return error ImportError::NotATable: damaged, or there are none; BudgetError::Exceeded
+[[nodiscard]] base::Result<Hdf5Content> readHdf5(std::string_view bytes,
+                                                 const base::Budget& budget = {});
 
 /// The samples between two instants, both included, without loss; compressed, with checksums.
 /// @param events  those that begin or end between them are written

@@ -21,7 +21,7 @@ bool hasHdf5() {
   return false;
 }
 
-base::Result<Hdf5Content> readHdf5(std::string_view) {
+base::Result<Hdf5Content> readHdf5(std::string_view, const base::Budget&) {
   return notBuiltIn();
 }
 

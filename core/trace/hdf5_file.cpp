@@ -19,8 +19,8 @@
 
 #include "base/contract.h"
 #include "base/hash.h"
+#include "trace/control_trace.h"
 #include "trace/hdf5.h"
-#include "trace/import/compression.h"
 #include "trace/import/import_error.h"
 
 namespace rivulet::trace {
@@ -39,8 +39,9 @@ constexpr std::size_t kObjectsMax = 20'000;
 constexpr std::size_t kTextMax = 1000;
 /// Less than this part of a file is not worth the memory of the whole.
 constexpr std::uint64_t kGrowthMax = 100;
-/// A few bytes can declare any number of values.
-constexpr std::size_t kValuesMax = kUnpackedBytesMax / sizeof(double);
+// What is held of a file, with what is made of it, bytes.
+constexpr std::size_t kRowBytes = 1000;  // beside its values: names, role, remarks
+constexpr std::size_t kValueBytes = 2 * sizeof(double);
 
 /// Not every build of the library can be used by several threads.
 std::mutex libraryMutex;
@@ -153,11 +154,12 @@ std::string attributeText(hid_t object, const char* name) {
 /// Reads one file.
 class Reader {
  public:
-  explicit Reader(std::string_view bytes) : m_bytes(bytes) {}
+  Reader(std::string_view bytes, const base::Budget& budget) : m_bytes(bytes), m_budget(budget) {}
 
   base::Result<Hdf5Content> read() {
+    hold(m_bytes.size());  // the library has a copy
     const Handle file = open();
-    if (!file.ok()) {
+    if (!file.ok() && !m_isExceeded) {
       return base::fail(ImportError::NotATable,
                         m_isCut ? "The HDF5 file was cut off: what is left cannot be read."
                                 : "The HDF5 file is damaged and cannot be read.");
@@ -169,6 +171,9 @@ class Reader {
     }
     if (m_isOurs) {
       readEvents(root.id());
+    }
+    if (m_isExceeded) {
+      return base::fail(m_budget.exceeded("The HDF5 file, unpacked and with its analysis,"));
     }
     if (m_content.rows.empty()) {
       return base::fail(ImportError::NotATable,
@@ -197,7 +202,14 @@ class Reader {
     m_isCut = declared && *declared > m_bytes.size();
     std::string filled;
     std::string_view image = m_bytes;
-    if (m_isCut && *declared / kGrowthMax <= m_bytes.size() && *declared <= kUnpackedBytesMax) {
+    const bool isFilled = m_isCut && *declared / kGrowthMax <= m_bytes.size();
+    if (isFilled) {
+      hold(*declared, 2);  // here, and in the library
+    }
+    if (m_isExceeded) {
+      return {-1, H5Fclose};
+    }
+    if (isFilled) {
       filled = m_bytes;
       filled.resize(*declared, '\0');
       image = filled;
@@ -217,7 +229,7 @@ class Reader {
     }
     const H5_index_t index = isOrdered(group) ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
     std::vector<std::string> folders;
-    for (hsize_t i = 0; i < info.nlinks && m_objects < kObjectsMax; ++i) {
+    for (hsize_t i = 0; i < info.nlinks && m_objects < kObjectsMax && !m_isExceeded; ++i) {
       ++m_objects;
       H5L_info_t link{};
       // Links into other files are not followed.
@@ -272,7 +284,7 @@ class Reader {
     const H5D_layout_t layout = H5Pget_layout(creation.id());
     const bool isInside = layout != H5D_VIRTUAL && H5Pget_external_count(creation.id()) == 0;
     const auto shape = shapeOf(space.id());
-    if (!isNumber || !isInside || !shape || m_values + shape->count > kValuesMax) {
+    if (!isNumber || !isInside || !shape) {
       ++m_others;
       m_firstOther = m_others == 1 ? pathOf(folder, name) : m_firstOther;
       return;
@@ -280,7 +292,14 @@ class Reader {
     if (shape->count == 0) {
       return;
     }
-    m_values += shape->count;
+    const ChunkSizes chunks(creation.id(), type.id(), *shape);
+    // A chunk is unpacked and converted as a whole, beside the values that it has.
+    m_longest = std::max<std::uint64_t>(m_longest, shape->count);
+    if (!hold(kRowBytes) || !hold(shape->count, kValueBytes) || !fits(chunks.bytes(), 2) ||
+        !fits(m_longest, kAnalysedSampleBytes)) {
+      m_isExceeded = true;
+      return;
+    }
     Hdf5Row row;
     const std::string title = attributeText(dataset, "name");
     row.folder = folder;
@@ -291,7 +310,6 @@ class Reader {
     const std::size_t whole = m_isCut || layout == H5D_COMPACT
                                   ? wholeValues(dataset, layout, *shape, type.id())
                                   : shape->count;
-    const ChunkSizes chunks(creation.id(), type.id(), *shape);
     const bool isWhole = readValues(dataset, space.id(), chunks, *shape, whole, row.values);
     if (!isWhole) {
       noteDamaged(folder, name);
@@ -389,6 +407,8 @@ class Reader {
       }
     }
 
+    /// Of one, unpacked; 0: there are no chunks.
+    [[nodiscard]] std::uint64_t bytes() const { return m_bytes; }
     /// Values in one along the axis; 0: there are no chunks.
     [[nodiscard]] std::size_t values() const { return m_values; }
     /// Whether all that hold these values have the size that they should have. What a filter makes
@@ -480,7 +500,7 @@ class Reader {
     }
   }
 
-  static std::vector<double> numbersOf(hid_t group, const char* name) {
+  std::vector<double> numbersOf(hid_t group, const char* name) {
     const Handle dataset(H5Dopen2(group, name, H5P_DEFAULT), H5Dclose);
     const auto count = countOf(dataset);
     std::vector<double> values(count.value_or(0));
@@ -491,18 +511,18 @@ class Reader {
     return values;
   }
 
-  static std::vector<std::string> textsOf(hid_t group, const char* name) {
+  std::vector<std::string> textsOf(hid_t group, const char* name) {
     const Handle dataset(H5Dopen2(group, name, H5P_DEFAULT), H5Dclose);
     const auto count = countOf(dataset);
     if (!count || *count == 0) {
       return {};
     }
-    constexpr std::size_t kBytesMax = std::size_t{1} << 28U;
     const Handle type(H5Dget_type(dataset.id()), H5Tclose);
     const bool isText =
         type.ok() && H5Tget_class(type.id()) == H5T_STRING && H5Tis_variable_str(type.id()) == 0;
     const std::size_t size = isText ? H5Tget_size(type.id()) : 0;
-    if (size == 0 || size > kBytesMax / *count) {
+    // In the file, beside each other, and one by one.
+    if (size == 0 || !fits(size, 3) || !hold(*count, 3 * size)) {
       return {};
     }
     std::string cells(*count * size, '\0');
@@ -516,7 +536,7 @@ class Reader {
     return texts;
   }
 
-  static std::optional<std::size_t> countOf(const Handle& dataset) {
+  std::optional<std::size_t> countOf(const Handle& dataset) {
     if (!dataset.ok()) {
       return std::nullopt;
     }
@@ -526,9 +546,8 @@ class Reader {
     if (!type.ok() || !space.ok() || !creation.ok()) {
       return std::nullopt;
     }
-    constexpr std::size_t kEventsMax = 10'000'000;
     const auto shape = shapeOf(space.id());
-    if (!shape || shape->count > kEventsMax) {
+    if (!shape || !hold(shape->count, sizeof(SignalEvent))) {
       return std::nullopt;
     }
     const bool isCompact = H5Pget_layout(creation.id()) == H5D_COMPACT;
@@ -539,6 +558,16 @@ class Reader {
                : std::nullopt;
   }
 
+  /// A few bytes can declare any number of items.
+  [[nodiscard]] bool fits(std::uint64_t count, std::size_t bytesEach) const {
+    return count <= m_budget.without(m_held).items(bytesEach);
+  }
+  /// @return false: the budget is exceeded
+  bool hold(std::uint64_t count, std::size_t bytesEach = 1) {
+    m_isExceeded = m_isExceeded || !fits(count, bytesEach);
+    m_held += m_isExceeded ? 0 : count * bytesEach;
+    return !m_isExceeded;
+  }
   static std::string pathOf(const std::string& folder, const std::string& name) {
     return folder.empty() ? name : folder + "/" + name;
   }
@@ -548,10 +577,13 @@ class Reader {
   }
 
   std::string_view m_bytes;
+  base::Budget m_budget;
   bool m_isCut = false;
   bool m_isOurs = false;
   std::size_t m_objects = 0;
-  std::size_t m_values = 0;
+  std::uint64_t m_longest = 0;  ///< values of one row
+  std::uint64_t m_held = 0;
+  bool m_isExceeded = false;
   std::size_t m_others = 0;
   std::size_t m_damaged = 0;
   std::string m_firstOther;
@@ -714,10 +746,10 @@ bool hasHdf5() {
   return true;
 }
 
-base::Result<Hdf5Content> readHdf5(std::string_view bytes) {
+base::Result<Hdf5Content> readHdf5(std::string_view bytes, const base::Budget& budget) {
   const std::lock_guard lock(libraryMutex);
   silence();
-  return Reader(bytes).read();
+  return Reader(bytes, budget).read();
 }
 
 base::Result<std::string> printHdf5(const std::vector<ExportedSignal>& exported,

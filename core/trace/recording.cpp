@@ -96,6 +96,8 @@ void appendNumber(std::string& out, std::string_view key, Number value) {
 class Reader {
  public:
   bool read(std::string_view line);
+  /// So far, with what the analysis will take, without texts.
+  [[nodiscard]] std::size_t memoryBytes() const;
   [[nodiscard]] Recording take(std::size_t unreadableLines) &&;
 
  private:
@@ -114,6 +116,14 @@ class Reader {
   std::optional<std::size_t> m_pointsAnnounced;
   bool m_traceWhole = false;
 };
+
+std::size_t Reader::memoryBytes() const {
+  const Recording& so = m_recording;
+  const auto bytesOf = [](const auto& list) { return base::Budget::bytesOf(list, kLinesUnasked); };
+  return bytesOf(so.points.points) + bytesOf(so.samples) +
+         so.samples.size() * kAnalysedSampleBytes + bytesOf(so.accesses) + bytesOf(so.pauses) +
+         bytesOf(so.notes) + (so.controlTrace ? trace::memoryBytes(*so.controlTrace) : 0);
+}
 
 bool Reader::read(std::string_view line) {
   Fields fields(line);
@@ -603,13 +613,18 @@ std::string printRecording(const Recording& recording) {
   return text;
 }
 
-base::Result<Recording> parseRecording(std::string_view bytes) {
+base::Result<Recording> parseRecording(std::string_view bytes, const base::Budget& budget) {
   Frames frames;
   std::string_view text = bytes;
   if (isCompressed(bytes)) {
-    frames = readFrames(bytes);
+    auto unpacked = readFrames(bytes, budget);
+    if (!unpacked) {
+      return base::fail(unpacked.error());
+    }
+    frames = std::move(*unpacked);
     text = frames.text;
   }
+  const base::Budget rest = budget.without(frames.text.capacity());
   lines::LineReader reader(text);
   const auto first = reader.next();
   const std::string_view begin = first ? first->text : std::string_view();
@@ -637,9 +652,14 @@ base::Result<Recording> parseRecording(std::string_view bytes) {
   // A cut that left part of a line is counted with the lines.
   const bool isCutBetweenLines = frames.isCut && (text.empty() || text.back() == '\n');
   std::size_t unreadable = frames.damaged + static_cast<std::size_t>(isCutBetweenLines);
+  std::size_t read = 0;
   while (const auto line = reader.next()) {
     if (!line->whole || (!line->text.empty() && !recording.read(line->text))) {
       ++unreadable;
+    }
+    read += line->text.size();  // notes and names are at most this
+    if (line->number % kLinesUnasked == 0 && recording.memoryBytes() + read > rest.left()) {
+      return base::fail(budget.exceeded("The recording"));
     }
   }
   return std::move(recording).take(unreadable);

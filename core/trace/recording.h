@@ -145,8 +145,11 @@ class RecordingWriter {
 [[nodiscard]] std::string printRecording(const Recording& recording);
 
 /// Reads as much as possible: unreadable lines and frames are left out and counted.
-/// @param bytes  the text, or a file of frames (`trace/frames`)
-/// @return error NotATrace, NewerVersion; Damaged if not even the first line is whole
-[[nodiscard]] base::Result<Recording> parseRecording(std::string_view bytes);
+/// @param bytes   the text, or a file of frames (`trace/frames`)
+/// @param budget  without the bytes
+/// @return error NotATrace, NewerVersion; Damaged if not even the first line is whole;
+/// BudgetError::Exceeded, also if only its analysis would take more
+[[nodiscard]] base::Result<Recording> parseRecording(std::string_view bytes,
+                                                     const base::Budget& budget = {});
 
 }  // namespace rivulet::trace

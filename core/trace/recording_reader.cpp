@@ -3,12 +3,9 @@
 
 #include "trace/recording_reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "base/contract.h"
-#include "base/file.h"
 #include "trace/frames.h"
 #include "trace/import/compression.h"
 
@@ -16,8 +13,7 @@ namespace rivulet::trace {
 
 namespace {
 
-/// An index of `RecordingIndex::kGroupsMax` groups is much smaller.
-constexpr std::uint64_t kIndexBytesMax = std::uint64_t{64} << 20U;
+constexpr std::string_view kPart = "This part of the recording";
 
 template <class Record, class Time>
 void keepWithin(std::vector<Record>& records, base::Instant from, base::Instant until, Time time) {
@@ -30,9 +26,10 @@ void keepWithin(std::vector<Record>& records, base::Instant from, base::Instant 
 
 }  // namespace
 
-base::Result<RecordingReader> RecordingReader::open(std::unique_ptr<base::ByteSource> bytes) {
+base::Result<RecordingReader> RecordingReader::open(std::unique_ptr<base::ByteSource> bytes,
+                                                    const base::Budget& budget) {
   RIVULET_ASSERT(bytes != nullptr);
-  RecordingReader reader;
+  RecordingReader reader(budget);
   reader.m_bytes = std::move(bytes);
   if (auto done = reader.readIndex(); !done) {
     return base::fail(done.error());
@@ -51,12 +48,18 @@ base::Result<RecordingReader> RecordingReader::open(std::unique_ptr<base::ByteSo
   return reader;
 }
 
-base::Result<std::string> RecordingReader::textAt(std::uint64_t at, std::uint64_t bytes) {
+base::Result<std::string> RecordingReader::textAt(std::uint64_t at, std::uint64_t bytes,
+                                                  std::uint64_t held) {
+  const base::Budget budget = m_budget.without(2 * held);  // what holds the parts grows
+  if (auto fits = budget.require(static_cast<double>(bytes), kPart); !fits) {
+    return base::fail(fits.error());
+  }
   auto part = m_bytes->read(at, bytes);
-  if (!part) {
+  if (!part || !isCompressed(*part)) {
     return part;
   }
-  return isCompressed(*part) ? readFrames(*part).text : *part;
+  auto frames = readFrames(*part, budget.without(bytes));
+  return frames ? base::Result<std::string>(std::move(frames->text)) : base::fail(frames.error());
 }
 
 base::Result<void> RecordingReader::readIndex() {
@@ -66,7 +69,7 @@ base::Result<void> RecordingReader::readIndex() {
     return base::fail(tail.error());
   }
   const std::optional<IndexPlace> place = findIndex(*tail, size);
-  if (!place || place->bytes > kIndexBytesMax) {
+  if (!place) {
     return {};
   }
   const auto packed = m_bytes->read(place->at, place->bytes);
@@ -81,19 +84,21 @@ base::Result<void> RecordingReader::readIndex() {
 }
 
 base::Result<void> RecordingReader::makeIndex() {
-  if (m_bytes->size() > base::kFileBytesMax) {
-    return base::fail(
-        base::FileError::Unreadable,
-        fmt::format("The file has no index, or a damaged one, and is larger than {} MiB: it cannot "
-                    "be read as a whole.",
-                    base::kFileBytesMax >> 20U));
+  const std::uint64_t size = m_bytes->size();
+  if (auto fits = m_budget.require(static_cast<double>(size), "A recording without its index");
+      !fits) {
+    return fits;
   }
-  const auto bytes = m_bytes->read(0, m_bytes->size());
+  const auto bytes = m_bytes->read(0, size);
   if (!bytes) {
     return base::fail(bytes.error());
   }
-  forEachFrame(*bytes,
-               [this](std::string_view text, std::uint64_t size) { m_index.addFrame(text, size); });
+  const auto done = forEachFrame(
+      *bytes, m_budget.without(size),
+      [this](std::string_view text, std::uint64_t packed) { m_index.addFrame(text, packed); });
+  if (!done) {
+    return done;
+  }
   // What has no first line is no recording: say so as everywhere.
   if (m_index.head.empty()) {
     m_index.head = bytes->substr(0, 100);
@@ -107,7 +112,7 @@ base::Result<Recording> RecordingReader::read(base::Instant from, base::Instant 
   std::uint64_t at = 0;
   for (const IndexGroup& group : m_index.groups) {
     if (group.first <= until && group.last >= from) {
-      auto part = textAt(at, group.bytes);
+      auto part = textAt(at, group.bytes, text.size());
       if (!part) {
         return base::fail(part.error());
       }
@@ -115,7 +120,7 @@ base::Result<Recording> RecordingReader::read(base::Instant from, base::Instant 
     }
     at += group.bytes;
   }
-  auto recording = parseRecording(text);
+  auto recording = parseRecording(text, m_budget.without(text.capacity()));
   if (!recording) {
     return recording;
   }

@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "base/budget.h"
 #include "base/byte_source.h"
 #include "base/result.h"
 #include "trace/recording.h"
@@ -21,9 +22,10 @@ class RecordingReader {
  public:
   /// A recording without its index (cut off, or of an earlier version) is read once as a whole.
   /// @param bytes  not null
-  /// @return errors of `parseRecording`, and of the source; Unreadable: it has no index and is
-  /// larger than `base::kFileBytesMax`
-  [[nodiscard]] static base::Result<RecordingReader> open(std::unique_ptr<base::ByteSource> bytes);
+  /// @param budget  of each call
+  /// @return errors of `parseRecording`, and of the source
+  [[nodiscard]] static base::Result<RecordingReader> open(std::unique_ptr<base::ByteSource> bytes,
+                                                          const base::Budget& budget = {});
 
   [[nodiscard]] const RunStart& start() const { return m_start; }
   /// Nothing: the recording was cut off.
@@ -40,12 +42,14 @@ class RecordingReader {
   [[nodiscard]] base::Result<Recording> read(base::Instant from, base::Instant until);
 
  private:
-  RecordingReader() = default;
+  explicit RecordingReader(const base::Budget& budget) : m_budget(budget) {}
   [[nodiscard]] base::Result<void> readIndex();
   [[nodiscard]] base::Result<void> makeIndex();
-  /// The text of a part of the file.
-  [[nodiscard]] base::Result<std::string> textAt(std::uint64_t at, std::uint64_t bytes);
+  /// The text of a part of the file. @param held  bytes of the parts before
+  [[nodiscard]] base::Result<std::string> textAt(std::uint64_t at, std::uint64_t bytes,
+                                                 std::uint64_t held);
 
+  base::Budget m_budget;
   std::unique_ptr<base::ByteSource> m_bytes;
   RunStart m_start;
   std::optional<RunEnd> m_end;

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "trace/analysis/trace_analysis.h"
-#include "trace/frames.h"
 #include "trace/import/compression.h"
 
 namespace rivulet::trace {
@@ -92,20 +91,18 @@ Trace Trace::cut(double fromS, double untilS) const {
       m_of);
 }
 
-base::Result<Trace> parseTrace(std::string_view bytes, const TableMapping& mapping) {
+base::Result<Trace> parseTrace(std::string_view bytes, const TableMapping& mapping,
+                               const base::Budget& budget) {
   // Recordings are compressed in frames, but for those of earlier versions.
-  const auto ends = isCompressed(bytes) ? readFrameEnds(bytes, 0) : std::nullopt;
-  const std::string_view head = ends ? std::string_view(ends->head) : bytes;
-  const auto begins = [](std::string_view text, std::string_view with) {
-    return text.substr(0, with.size()) == with;
-  };
-  if (begins(head, "rivulet-recording")) {
-    return traceOf(parseRecording(bytes));
+  constexpr std::string_view kRecording = "rivulet-recording";
+  if (isCompressed(bytes) ? unpackFirst(bytes, kRecording.size()) == kRecording
+                          : bytes.starts_with(kRecording)) {
+    return traceOf(parseRecording(bytes, budget));
   }
-  if (begins(bytes, "rivulet-control-trace")) {
-    return traceOf(parseControlTrace(bytes));
+  if (bytes.starts_with("rivulet-control-trace")) {
+    return traceOf(parseControlTrace(bytes, budget));
   }
-  return traceOf(importTrace(bytes, mapping));
+  return traceOf(importTrace(bytes, mapping, budget));
 }
 
 }  // namespace rivulet::trace

@@ -52,8 +52,10 @@ class Trace {
 };
 
 /// Reads a file of any of the three kinds. @param mapping  for tables of other tools
+/// @param budget  without the bytes themselves
 /// @return errors of `parseRecording`, `parseControlTrace` and `importTrace`
 [[nodiscard]] base::Result<Trace> parseTrace(std::string_view bytes,
-                                             const TableMapping& mapping = {});
+                                             const TableMapping& mapping = {},
+                                             const base::Budget& budget = {});
 
 }  // namespace rivulet::trace

@@ -226,7 +226,7 @@ class TestCurves : public QObject {
     QVERIFY(rc::check("splitting", [] {
       const gcode::Trajectory path = drawPath();
       const double lengthMm = *rc::gen::inRange(50, 500) / 1000.0;
-      const gcode::Trajectory split = gcode::split(path, lengthMm);
+      const gcode::Trajectory split = gcode::split(path, lengthMm).value();
       std::vector<Vec3> whole;
       for (const gcode::TrajectoryPoint& each : path.points) {
         whole.push_back(each.positionMm);

@@ -80,7 +80,7 @@ class TestRecordingFile : public QObject {
       QVERIFY(!sink("too late\n"));
     }
     const std::string bytes = base::readFile(path("whole")).value();
-    const trace::Frames frames = trace::readFrames(bytes);
+    const trace::Frames frames = trace::readFrames(bytes).value();
     QCOMPARE(frames.text, expected);
     QVERIFY(frames.hasTable && !frames.isCut && frames.damaged == 0);
     QVERIFY(bytes.size() < expected.size() / 2);
@@ -107,13 +107,13 @@ class TestRecordingFile : public QObject {
     }
     const auto isThere = [&] {
       const auto bytes = base::readFile(file);
-      return bytes && trace::readFrames(*bytes).text == expected;
+      return bytes && trace::readFrames(*bytes)->text == expected;
     };
     const bool arrived = QTest::qWaitFor(isThere, tests::kSoonMs);
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     QVERIFY(arrived);
-    const trace::Frames frames = trace::readFrames(*base::readFile(file));
+    const trace::Frames frames = trace::readFrames(*base::readFile(file)).value();
     QCOMPARE(frames.text, expected);
     QVERIFY(!frames.hasTable && frames.damaged == 0);
   }
@@ -179,7 +179,8 @@ class TestRecordingFile : public QObject {
       QVERIFY((*file)->append(piece));
     }
     QVERIFY((*file)->finish().has_value());
-    QCOMPARE(trace::readFrames(*base::readFile(path("list"))).text.size(), std::size_t{200} << 16U);
+    QCOMPARE(trace::readFrames(*base::readFile(path("list")))->text.size(),
+             std::size_t{200} << 16U);
   }
 
   /// The records of a stream never wait: this test would not end.

@@ -9,6 +9,7 @@
 #include "trace/recording.h"
 
 using namespace rivulet::trace;
+namespace base = rivulet::base;
 
 namespace {
 
@@ -43,7 +44,7 @@ class TestFrames : public QObject {
   void everythingIsReadAgain() {
     for (const bool withTable : {false, true}) {
       const Written all = written(20, withTable);
-      const Frames frames = readFrames(all.bytes);
+      const Frames frames = readFrames(all.bytes).value();
       QCOMPARE(frames.text, all.text);
       QCOMPARE(frames.hasTable, withTable);
       QVERIFY(!frames.isCut && frames.damaged == 0);
@@ -55,7 +56,7 @@ class TestFrames : public QObject {
     const Written all = written(5, true);
     const std::size_t frameText = all.text.size() / 5;
     for (std::size_t size = 4; size < all.bytes.size(); ++size) {
-      const Frames frames = readFrames(std::string_view(all.bytes).substr(0, size));
+      const Frames frames = readFrames(std::string_view(all.bytes).substr(0, size)).value();
       const auto whole = std::count_if(all.ends.begin(), all.ends.end(),
                                        [size](std::size_t end) { return end <= size; });
       QCOMPARE(all.text.compare(0, frames.text.size(), frames.text), 0);
@@ -73,7 +74,7 @@ class TestFrames : public QObject {
     }
     FrameWriter writer;
     const std::string bytes = writer.frame(lines);
-    const Frames frames = readFrames(std::string_view(bytes).substr(0, bytes.size() / 2));
+    const Frames frames = readFrames(std::string_view(bytes).substr(0, bytes.size() / 2)).value();
     QVERIFY(frames.isCut);
     QVERIFY2(frames.text.size() > lines.size() / 4 && frames.text.size() < lines.size(),
              std::to_string(frames.text.size()).c_str());
@@ -87,24 +88,35 @@ class TestFrames : public QObject {
     for (std::size_t at = all.ends[1] + 1; at < all.ends[2]; ++at) {
       std::string damaged = all.bytes;
       damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
-      const Frames frames = readFrames(damaged);
+      const Frames frames = readFrames(damaged).value();
       detected += frames.text != all.text && (frames.damaged > 0 || frames.isCut) ? 1U : 0U;
       QVERIFY(frames.text.find("n 1049 ") != std::string::npos);
     }
     QCOMPARE(detected, all.ends[2] - all.ends[1] - 1);
   }
 
-  void theEndsAreFoundWithoutReadingAll() {
-    for (const bool withTable : {false, true}) {
-      const Written all = written(2000, withTable);
-      const auto ends = readFrameEnds(all.bytes, 100);
-      QVERIFY(ends.has_value());
-      QCOMPARE(ends->frames, std::size_t{2000});
-      QCOMPARE(ends->textBytes, all.text.size());
-      QCOMPARE(all.text.compare(0, ends->head.size(), ends->head), 0);
-      QVERIFY(ends->tail.size() < 5000);
-      QCOMPARE(all.text.substr(all.text.size() - ends->tail.size()), ends->tail);
-    }
+  /// Nobody unpacks what is larger than he may hold, and a size that no frame of so few bytes can
+  /// have is a damage and no size.
+  void theTextIsReadWithinItsBudget() {
+    const Written all = written(20, true);
+    const base::Budget enough(all.text.size());
+    QCOMPARE(readFrames(all.bytes, enough)->text, all.text);
+    const auto refused = readFrames(all.bytes, enough.without(1));
+    QVERIFY(!refused && refused.error().code == base::BudgetError::Exceeded);
+    std::size_t taken = 0;
+    const base::Budget one(all.text.size() / 2);
+    QVERIFY(forEachFrame(all.bytes, one, [&](std::string_view text, std::uint64_t) {
+              taken += text.size();
+            }).has_value());
+    QCOMPARE(taken, all.text.size());
+    QVERIFY(!forEachFrame(all.bytes, base::Budget(10), [](std::string_view, std::uint64_t) {}));
+    // 4 bytes of magic, a descriptor that announces 8 bytes of size, and no block.
+    const std::string boast = std::string("\x28\xB5\x2F\xFD\xE0", 5) +
+                              std::string("\0\0\0\0\0\1\0\0", 8) + std::string("\1\0\0", 3);
+    const auto frames = readFrames(boast + all.bytes, enough);
+    QVERIFY(frames.has_value());
+    QCOMPARE(frames->damaged, std::size_t{1});
+    QCOMPARE(frames->text, all.text);
   }
 
   void aRecordingInFramesIsARecording() {

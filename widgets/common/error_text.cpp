@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include "base/budget.h"
 #include "base/file.h"
 #include "emulator/emulator_error.h"
 #include "feasibility/verdict.h"
@@ -43,8 +44,6 @@ struct ErrorTexts {
     switch (code) {
       case GcodeError::FileUnreadable:
         return tr("The file cannot be read. Check that it exists and that you may read it.");
-      case GcodeError::FileTooLarge:
-        return tr("The file is too large. Split the program into parts.");
       case GcodeError::EmptyProgram:
         return tr("The program is empty. Choose a file with NC blocks.");
       case GcodeError::NoMotion:
@@ -261,6 +260,14 @@ struct ErrorTexts {
         return tr("The file cannot be read. Check that it exists and that you may read it.");
       case base::FileError::NotWritable:
         return tr("The file cannot be written. Check the folder and the free space.");
+    }
+    return {};
+  }
+
+  static QString text(base::BudgetError code) {
+    switch (code) {
+      case base::BudgetError::Exceeded:
+        return tr("This would take more memory than a file may. Choose a smaller one.");
     }
     return {};
   }
@@ -531,6 +538,9 @@ QString errorCodeText(const std::error_code& code) {
   }
   if (belongsTo<base::FileError>(code)) {
     return ErrorTexts::text(static_cast<base::FileError>(code.value()));
+  }
+  if (belongsTo<base::BudgetError>(code)) {
+    return ErrorTexts::text(static_cast<base::BudgetError>(code.value()));
   }
   if (belongsTo<trace::TraceError>(code)) {
     return ErrorTexts::text(static_cast<trace::TraceError>(code.value()));

@@ -39,7 +39,7 @@ void Cursor::grow() {
     return;
   }
   Source& file = m_sources.front();
-  file.programs = readPrograms(file.text, m_language.dialect, 0);
+  read(file, 0);
   const bool begins = m_place.line.value == 0;
   const Tree& tree = *(begins ? file.programs.main() : file.programs.at(m_place.line)).tree;
   m_flow.emplace((begins ? file.programs.main() : file.programs.at(m_place.line)).tree, m_variables,
@@ -59,6 +59,14 @@ void Cursor::grow() {
   m_reached.assign(file.programs.lines + 1, false);
   std::fill_n(m_reached.begin(), std::min<std::size_t>(m_place.line.value + 1, m_reached.size()),
               !begins);
+}
+
+void Cursor::read(Source& source, std::uint16_t file) {
+  m_bytes += source.own.capacity();
+  source.programs = readPrograms(source.text, m_language.dialect, file, Detail::Blocks,
+                                 m_options.budget.without(m_bytes));
+  m_bytes += source.programs.bytes;
+  m_isCut = m_isCut || source.programs.isCut;
 }
 
 std::shared_ptr<const Tree> Cursor::find(const std::string& name) {
@@ -82,8 +90,7 @@ std::shared_ptr<const Tree> Cursor::find(const std::string& name) {
     source.text = source.own;
     source.fileName = std::move(text->fileName);
     loaded = m_loaded.emplace(name, m_sources.size() - 1).first;
-    source.programs =
-        readPrograms(source.text, m_language.dialect, static_cast<std::uint16_t>(loaded->second));
+    read(source, static_cast<std::uint16_t>(loaded->second));
   }
   // A file of its own begins with the subprogram of its name, or is all of it.
   const Source& source = m_sources[loaded->second];
@@ -380,6 +387,9 @@ Expected<void> Cursor::steer(const heidenhain::Steering& steering) {
 }
 
 Cursor::Step Cursor::next() {
+  if (m_isCut) {
+    return Step::End;
+  }
   if (m_control) {
     return nextOfKlartext();
   }

@@ -44,6 +44,8 @@ struct CursorOptions {
   /// The text of a subprogram that is not in the file: by its name in upper case, "O100" for
   /// numbers. Nothing: there is none. May be empty.
   std::function<std::optional<LoadedText>(std::string_view name)> load;
+  /// Of the trees, without the text of the program itself.
+  base::Budget budget{};
   /// Of the machine on which the program is to run. Only plain text asks: its cycles need it.
   heidenhain::ToolRadius toolRadiusMm;
   /// Outlives the cursor; null: nobody is told of calls.
@@ -144,6 +146,10 @@ class Cursor {
     const std::size_t lines = m_sources.front().programs.lines;
     return m_flow && m_executed > lines ? m_executed - lines : 0;
   }
+  /// What the trees take, and the texts of files beside the program, bytes.
+  [[nodiscard]] std::uint64_t memoryBytes() const { return m_bytes; }
+  /// That is more than the budget: the end came before that of the program.
+  [[nodiscard]] bool isCut() const { return m_isCut; }
   /// The file has programs with names, be they empty.
   [[nodiscard]] bool holdsPrograms() const { return !m_sources.front().programs.named.empty(); }
   /// Lines of the program file.
@@ -164,6 +170,8 @@ class Cursor {
   [[nodiscard]] Expected<void> steer(const heidenhain::Steering& steering);
   void grow();
   [[nodiscard]] std::shared_ptr<const Tree> find(const std::string& name);
+  /// Makes trees of the text, as far as the budget goes.
+  void read(Source& source, std::uint16_t file);
   void setPlace(const Place& place);
   [[nodiscard]] Outcome leave(const Return& with);
   void setReturned(std::optional<double> value);
@@ -191,6 +199,8 @@ class Cursor {
   Place m_place;
   base::LineNumber m_line;
   std::size_t m_executed = 0;
+  std::uint64_t m_bytes = 0;
+  bool m_isCut = false;
   bool m_hasWords = false;      ///< without a tree: a block of the program has been read
   bool m_isAtHeading = false;   ///< without a tree: another program ended this one
   std::vector<bool> m_reached;  ///< with a tree: lines of the program file

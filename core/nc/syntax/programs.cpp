@@ -74,9 +74,11 @@ class Splitter {
  public:
   /// @param detail  nothing: no statements
   /// @param lineEnds  of the whole text, about
+  /// @param budget  of the statements
   Splitter(const Lexer& lexer, Dialect dialect, std::uint16_t file, std::optional<Detail> detail,
-           std::size_t lineEnds)
+           std::size_t lineEnds, const base::Budget& budget)
       : m_lexer(lexer),
+        m_budget(budget),
         m_lineEnds(lineEnds),
         m_language(languageOf(dialect)),
         m_file(file),
@@ -87,7 +89,9 @@ class Splitter {
 
   Programs split() {
     Block block;
-    while (m_lexer.next(block)) {
+    while (!m_programs.isCut && m_lexer.next(block)) {
+      m_programs.bytes += m_isOutline ? 0 : bytesOf(block);
+      m_programs.isCut = m_programs.bytes > m_budget.left();
       line(block);
     }
     m_programs.lines = m_lexer.lines();
@@ -107,6 +111,19 @@ class Splitter {
     std::unique_ptr<BlockParser> parser;
     Place place;
   };
+
+  /// At least what the statements of a block take, with labels and calculations.
+  [[nodiscard]] std::size_t bytesOf(const Words& block) const {
+    constexpr std::size_t kTokenBytes = sizeof(Token) + sizeof(Label);
+    constexpr std::size_t kCalculatedBytes = sizeof(Expression) / 2 + sizeof(Token);  // per letter
+    std::size_t bytes = sizeof(Statement) + sizeof(Words);
+    for (const Token& token : block.tokens) {
+      const bool isMore = token.kind == TokenKind::Statement || token.calculation != nullptr;
+      bytes += kTokenBytes + (isMore ? token.text.size() * kCalculatedBytes : 0) +
+               (m_detail == Detail::Statements || isMore ? sizeof(Statement) : 0);
+    }
+    return bytes;
+  }
 
   Part& begin(Place place) {
     Part& part = m_parts.emplace_back();
@@ -234,8 +251,9 @@ class Splitter {
     constexpr std::size_t kLong = 4096;
     std::vector<Statement>& statements = m_parts.back().tree->statements;
     if (statements.size() >= kLong && statements.size() == statements.capacity()) {
-      statements.reserve(statements.size() + kLong + m_lineEnds -
-                         std::min(m_lineEnds, m_lexer.lines()));
+      const std::size_t left = m_lineEnds - std::min(m_lineEnds, m_lexer.lines());
+      statements.reserve(statements.size() + kLong +
+                         std::min(left, m_budget.items(sizeof(Statement))));
     }
   }
 
@@ -344,6 +362,7 @@ class Splitter {
   }
 
   Lexer m_lexer;
+  base::Budget m_budget;
   std::size_t m_lineEnds;
   const Language& m_language;
   std::uint16_t m_file;
@@ -371,22 +390,26 @@ const TextProgram& Programs::at(base::LineNumber line) const {
   return last != all.rend() ? *last : main();
 }
 
-Programs readPrograms(std::string_view text, Dialect dialect, std::uint16_t file, Detail detail) {
+Programs readPrograms(std::string_view text, Dialect dialect, std::uint16_t file, Detail detail,
+                      const base::Budget& budget) {
   const auto lineEnds = std::max(std::count(text.begin(), text.end(), '\n'),
                                  std::count(text.begin(), text.end(), '\r'));
   return Splitter(Lexer(text, dialect, file), dialect, file, detail,
-                  static_cast<std::size_t>(lineEnds))
+                  static_cast<std::size_t>(lineEnds), budget)
       .split();
 }
 
 Programs outlineOf(const Lexer& rest, Dialect dialect) {
-  return Splitter(rest, dialect, 0, std::nullopt, 0).split();
+  return Splitter(rest, dialect, 0, std::nullopt, 0, {}).split();
 }
 
-std::shared_ptr<const Tree> parseSinumerik(std::string text) {
+std::shared_ptr<const Tree> parseSinumerik(std::string text, const base::Budget& budget) {
   const auto owned = std::make_shared<const std::string>(std::move(text));
-  const Programs programs = readPrograms(*owned, Dialect::Sinumerik, 0, Detail::Statements);
-  auto tree = std::make_shared<Tree>(*programs.main().tree);
+  const Programs programs = readPrograms(*owned, Dialect::Sinumerik, 0, Detail::Statements, budget);
+  if (programs.isCut) {
+    return treeOf({FaultCode::ProgramTooLarge, {}, {}});
+  }
+  const auto tree = std::const_pointer_cast<Tree>(programs.main().tree);  // ours alone
   tree->text = owned;
   return tree;
 }

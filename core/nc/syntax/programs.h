@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/budget.h"
 #include "nc/syntax/dialect.h"
 #include "nc/syntax/language.h"
 #include "nc/syntax/lexer.h"
@@ -58,6 +59,8 @@ struct Programs {
   /// stands for two programs leads to a fault.
   std::map<std::string, std::shared_ptr<const Tree>, std::less<>> named;
   std::size_t lines = 0;
+  std::uint64_t bytes = 0;  ///< of memory, about: at least what the trees take
+  bool isCut = false;       ///< the trees take more than the budget; the rest was not read
 
   /// Where the control begins: the first one that is not there to be called, or the first one.
   [[nodiscard]] const TextProgram& main() const;
@@ -66,9 +69,10 @@ struct Programs {
 };
 
 /// Never fails: see tree.h. @param text  outlives the trees @param file  its number, for the places
-/// in it
+/// in it @param budget  of the trees, without the text
 [[nodiscard]] Programs readPrograms(std::string_view text, Dialect dialect, std::uint16_t file,
-                                    Detail detail = Detail::Blocks);
+                                    Detail detail = Detail::Blocks,
+                                    const base::Budget& budget = {});
 /// What the lexer has not read yet, with the numbers of its lines; without the statements.
 [[nodiscard]] Programs outlineOf(const Lexer& rest, Dialect dialect);
 
@@ -83,8 +87,10 @@ struct Programs {
 /// quick on a text that has none.
 [[nodiscard]] bool mayHoldSeveral(std::string_view text, const Language& language);
 
-/// The first program of a SINUMERIK's text, in all detail. The tree owns the text.
-[[nodiscard]] std::shared_ptr<const Tree> parseSinumerik(std::string text);
+/// The first program of a SINUMERIK's text, in all detail. The tree owns the text. One that takes
+/// more than the budget is a fault and nothing else. @param budget  without the text
+[[nodiscard]] std::shared_ptr<const Tree> parseSinumerik(std::string text,
+                                                         const base::Budget& budget = {});
 
 /// True if a `TokenKind::Statement` jumps, decides, repeats, defines or calls. Others are messages
 /// to the control: modal calls, synchronized actions.

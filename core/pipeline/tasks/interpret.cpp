@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/budget.h"
 #include "machine/travel.h"
 #include "nc/syntax/programs.h"
 #include "pipeline/machine_of.h"
@@ -15,7 +16,7 @@ namespace rivulet::pipeline {
 
 namespace {
 
-constexpr std::size_t kProgramBytesMax = 256U << 20U;
+constexpr base::Budget kBudget;
 /// Blocks in one step that move nothing: a program that jumps back for ever stops nobody else.
 constexpr int kSilentBlocksMax = 1000;
 
@@ -66,13 +67,12 @@ base::Result<StepDone> InterpretTask::collect() {
     return base::fail(item.error());
   }
   m_text += item->text.view();
-  if (m_text.size() > kProgramBytesMax) {
-    return base::fail(PipelineError::ProgramTooLong,
-                      "The program is longer than the 256 MiB that the interpreter takes. Split it "
-                      "into several programs.");
+  if (auto fits = kBudget.require(static_cast<double>(m_text.capacity()), "The program"); !fits) {
+    return base::fail(fits.error());
   }
   if (item->endsProgram) {
-    m_interpreter.emplace(nc::parseSinumerik(std::move(m_text)), m_parameters,
+    const base::Budget left = kBudget.without(m_text.capacity());
+    m_interpreter.emplace(nc::parseSinumerik(std::move(m_text), left), m_parameters,
                           machine::interpreterOptions(m_config, m_config.start()));
   }
   return StepDone{false, need()};

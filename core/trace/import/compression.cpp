@@ -44,25 +44,31 @@ bool isCompressed(std::string_view bytes) {
   return bytes.substr(0, kMagic.size()) == kMagic;
 }
 
-Unpacked unpack(std::string_view bytes) {
+base::Result<Unpacked> unpack(std::string_view bytes, const base::Budget& budget) {
   // What the archive says of its size need not be true. Counted first, it is unpacked where it
   // stays: a text that grows is copied, and needs up to three times its size.
-  Unpacked unpacked;
   std::size_t size = 0;
-  unpackInto(bytes, [&size](std::string_view chunk) {
-    return (size += chunk.size()) <= kUnpackedBytesMax;
-  });
-  if (size > kUnpackedBytesMax) {
-    unpacked.whole = false;
-    unpacked.isTooLarge = true;
-    return unpacked;
+  unpackInto(bytes,
+             [&](std::string_view chunk) { return (size += chunk.size()) <= budget.left(); });
+  if (size > budget.left()) {
+    return base::fail(budget.exceeded("The unpacked archive"));
   }
+  Unpacked unpacked;
   unpacked.text.reserve(size);
   unpacked.whole = unpackInto(bytes, [&unpacked](std::string_view chunk) {
     unpacked.text += chunk;
     return true;
   });
   return unpacked;
+}
+
+std::string unpackFirst(std::string_view bytes, std::size_t count) {
+  std::string text;
+  unpackInto(bytes, [&](std::string_view chunk) {
+    text += chunk.substr(0, count - text.size());
+    return text.size() < count;
+  });
+  return text;
 }
 
 std::string pack(std::string_view text, int level) {

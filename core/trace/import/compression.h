@@ -9,21 +9,25 @@
 #include <string>
 #include <string_view>
 
-namespace rivulet::trace {
+#include "base/budget.h"
+#include "base/result.h"
 
-/// A file may not become larger than this: a few bytes can stand for any amount.
-inline constexpr std::size_t kUnpackedBytesMax = std::size_t{1} << 30U;
+namespace rivulet::trace {
 
 [[nodiscard]] bool isCompressed(std::string_view bytes);
 
 struct Unpacked {
   std::string text;
-  bool whole = true;        ///< false: the archive is cut or damaged; `text` is what came before
-  bool isTooLarge = false;  ///< larger than `kUnpackedBytesMax`; `text` is empty
+  bool whole = true;  ///< false: the archive is cut or damaged; `text` is what came before
 };
 
 /// @param bytes  of which `isCompressed` is true
-[[nodiscard]] Unpacked unpack(std::string_view bytes);
+/// @return error BudgetError::Exceeded: the text is larger
+[[nodiscard]] base::Result<Unpacked> unpack(std::string_view bytes,
+                                            const base::Budget& budget = {});
+
+/// The first characters of the text, at most `count`; fewer: there are no more that can be read.
+[[nodiscard]] std::string unpackFirst(std::string_view bytes, std::size_t count);
 
 /// One frame, with its checksum.
 [[nodiscard]] std::string pack(std::string_view text, int level);

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/file.h"
 #include "base/median.h"
 #include "base/text.h"
 #include "trace/hdf5.h"
@@ -147,10 +146,12 @@ std::vector<Column> headedColumns(TextTable& table) {
 
 void makeUnique(std::vector<Column>& columns, std::vector<Remark>& remarks) {
   std::set<std::string> taken;
+  std::map<std::string, int> counts;
   for (Column& column : columns) {
     std::string name = column.name;
-    for (int count = 2; !taken.insert(name).second; ++count) {
-      name = fmt::format("{} ({})", column.name, count);
+    // Counted on for each name: thousands may have the same.
+    for (int& count = counts.try_emplace(name, 1).first->second; !taken.insert(name).second;) {
+      name = fmt::format("{} ({})", column.name, ++count);
     }
     if (name != column.name) {
       remarks.push_back({RemarkCode::DuplicateColumn, {column.name, name}});
@@ -233,7 +234,8 @@ const Hdf5Row* timeOf(const Hdf5Row& row, const std::vector<const Hdf5Row*>& tim
 }
 
 /// Each row of time, followed by the rows that belong to it. Names are short where they are unique.
-std::vector<Column> datasetColumns(Hdf5Content& content) {
+/// @return error BudgetError::Exceeded: rows of other lengths would have to be filled up
+base::Result<std::vector<Column>> datasetColumns(Hdf5Content& content, const base::Budget& budget) {
   std::map<std::string, int> count;
   std::vector<const Hdf5Row*> times;
   for (const Hdf5Row& row : content.rows) {
@@ -269,6 +271,10 @@ std::vector<Column> datasetColumns(Hdf5Content& content) {
     }
   }
   if (times.empty()) {
+    const double values = static_cast<double>(content.rows.size()) * static_cast<double>(longest);
+    if (auto fits = budget.require(2 * sizeof(double) * values, "A table of all datasets"); !fits) {
+      return base::fail(fits.error());
+    }
     for (Hdf5Row& row : content.rows) {
       add(row, longest);
     }
@@ -510,8 +516,9 @@ TablePreview previewOf(const std::vector<Column>& columns, const TableMapping& m
   return preview;
 }
 
-base::Result<ImportedTrace> importXml(std::string_view text, const TableMapping& mapping) {
-  auto trace = readSinumerikTrace(text);
+base::Result<ImportedTrace> importXml(std::string_view text, const TableMapping& mapping,
+                                      const base::Budget& budget) {
+  auto trace = readSinumerikTrace(text, budget);
   if (!trace) {
     return base::fail(trace.error());
   }
@@ -559,8 +566,9 @@ base::Result<ImportedTrace> importColumns(std::vector<Column> columns, std::vect
   return imported;
 }
 
-base::Result<ImportedTrace> importTable(std::string_view text, const TableMapping& mapping) {
-  auto table = readTable(text);
+base::Result<ImportedTrace> importTable(std::string_view text, const TableMapping& mapping,
+                                        const base::Budget& budget) {
+  auto table = readTable(text, budget);
   if (!table) {
     return base::fail(table.error());
   }
@@ -574,13 +582,17 @@ base::Result<ImportedTrace> importTable(std::string_view text, const TableMappin
   return imported;
 }
 
-base::Result<ImportedTrace> importDatasets(std::string_view bytes, const TableMapping& mapping) {
-  auto content = readHdf5(bytes);
+base::Result<ImportedTrace> importDatasets(std::string_view bytes, const TableMapping& mapping,
+                                           const base::Budget& budget) {
+  auto content = readHdf5(bytes, budget);
   if (!content) {
     return base::fail(content.error());
   }
-  std::vector<Column> columns = datasetColumns(*content);
-  auto imported = importColumns(std::move(columns), std::move(content->remarks), mapping);
+  auto columns = datasetColumns(*content, budget);
+  if (!columns) {
+    return base::fail(columns.error());
+  }
+  auto imported = importColumns(std::move(*columns), std::move(content->remarks), mapping);
   if (imported) {
     imported->trace.format = "HDF5";
     imported->trace.events = std::move(content->events);
@@ -595,23 +607,29 @@ std::error_code make_error_code(ImportError code) {
   return {static_cast<int>(code), category};
 }
 
-base::Result<ImportedTrace> importTrace(std::string_view bytes, const TableMapping& mapping) {
+base::Result<ImportedTrace> importTrace(std::string_view bytes, const TableMapping& mapping,
+                                        const base::Budget& budget) {
   Unpacked unpacked;
   if (isCompressed(bytes)) {
-    unpacked = unpack(bytes);
-    bytes = unpacked.text;
-    if (unpacked.isTooLarge) {
-      return base::fail(base::FileError::Unreadable,
-                        fmt::format("Unpacked, this archive is larger than {} MB. Unpack it "
-                                    "yourself and give a part of it.",
-                                    kUnpackedBytesMax >> 20U));
+    auto done = unpack(bytes, budget);
+    if (!done) {
+      return base::fail(done.error());
     }
+    unpacked = std::move(*done);
+    bytes = unpacked.text;
   }
+  base::Budget rest = budget.without(unpacked.text.capacity());
   if (isHdf5(bytes)) {
-    return importDatasets(bytes, mapping);
+    return importDatasets(bytes, mapping, rest);
   }
-  const std::string text = toUtf8(bytes);
-  auto imported = isSinumerikTrace(text) ? importXml(text, mapping) : importTable(text, mapping);
+  std::string converted;
+  const auto text = utf8Of(bytes, converted, rest);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  rest = rest.without(converted.capacity());
+  auto imported =
+      isSinumerikTrace(*text) ? importXml(*text, mapping, rest) : importTable(*text, mapping, rest);
   if (imported && !unpacked.whole) {
     imported->trace.remarks.insert(imported->trace.remarks.begin(), {RemarkCode::CutCompressed});
   }

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/budget.h"
 #include "base/result.h"
 #include "trace/import/columns.h"
 #include "trace/signals.h"
@@ -43,8 +44,11 @@ struct ImportedTrace {
   TablePreview table;
 };
 
-/// @return error NotATable: nothing can be read; BadMapping: a column is not there
+/// @param budget  without the bytes themselves
+/// @return error NotATable: nothing can be read; BadMapping: a column is not there;
+/// BudgetError::Exceeded, also if only the analysis would take more
 [[nodiscard]] base::Result<ImportedTrace> importTrace(std::string_view bytes,
-                                                      const TableMapping& mapping = {});
+                                                      const TableMapping& mapping = {},
+                                                      const base::Budget& budget = {});
 
 }  // namespace rivulet::trace

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/text.h"
+#include "trace/control_trace.h"
 #include "trace/import/import_error.h"
 
 namespace rivulet::trace {
@@ -19,6 +20,11 @@ namespace {
 
 /// A NaN that was written as an unsigned whole number is at least this.
 constexpr double kNanAsInteger = 9.2e18;
+
+// What is held of a trace, with what is made of it, bytes.
+constexpr std::size_t kSignalBytes = 1000;  // beside its values: names, role, remarks
+/// With its time, in lists that grow.
+constexpr std::size_t kValueBytes = 2 * (sizeof(double) + sizeof(base::Instant));
 
 /// Elements without content, one after another: all that this file needs of XML.
 class ElementReader {
@@ -105,15 +111,20 @@ bool isSinumerikTrace(std::string_view text) {
   return text.substr(0, 4096).find("<traceSession") != std::string_view::npos;
 }
 
-base::Result<SignalTrace> readSinumerikTrace(std::string_view text) {
+base::Result<SignalTrace> readSinumerikTrace(std::string_view text, const base::Budget& budget) {
   SignalTrace trace;
   trace.format = "SINUMERIK trace";
   std::map<std::string, std::size_t, std::less<>> signalOfId;
   const std::size_t frame = text.find("<dataFrame");
   ElementReader reader(text, std::min(frame, text.size()));
   std::size_t backwards = 0;
+  std::size_t held = 0;
   while (const auto tag = reader.next()) {
+    if (held > budget.left()) {
+      return base::fail(budget.exceeded("The trace with its analysis"));
+    }
     if (nameOf(*tag) == "dataSignal") {
+      held += kSignalBytes + 2 * tag->size();
       const std::string id = attribute(*tag, "id");
       Signal signal;
       const std::string path = attribute(*tag, "name");
@@ -137,6 +148,7 @@ base::Result<SignalTrace> readSinumerikTrace(std::string_view text) {
       continue;
     }
     const base::Instant at{base::fromSeconds(*seconds)};
+    held += kAnalysedSampleBytes;
     eachAttribute(*tag, [&](std::string_view name, std::string_view value) {
       const auto found = signalOfId.find(name);
       const auto number = found == signalOfId.end() ? std::nullopt : base::parseNumber(value);
@@ -149,6 +161,7 @@ base::Result<SignalTrace> readSinumerikTrace(std::string_view text) {
         ++backwards;
         return;
       }
+      held += kValueBytes;
       times.push_back(at);
       signal.values.push_back(*number);
     });

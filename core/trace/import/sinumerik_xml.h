@@ -7,6 +7,7 @@
 
 #include <string_view>
 
+#include "base/budget.h"
 #include "base/result.h"
 #include "trace/signals.h"
 
@@ -16,7 +17,10 @@ namespace rivulet::trace {
 
 /// One time base for each signal, because signals have their own sampling interval. Speeds are in
 /// mm/min, as the control shows them. A file that was cut is read up to there.
-/// @return error ImportError::NotATable: no signals, or their values in an unknown encoding
-[[nodiscard]] base::Result<SignalTrace> readSinumerikTrace(std::string_view text);
+/// @param budget  without the text; of the signals and their analysis
+/// @return error ImportError::NotATable: no signals, or their values in an unknown encoding;
+/// BudgetError::Exceeded
+[[nodiscard]] base::Result<SignalTrace> readSinumerikTrace(std::string_view text,
+                                                           const base::Budget& budget);
 
 }  // namespace rivulet::trace

@@ -24,6 +24,10 @@ constexpr std::size_t kLayoutLines = 400;
 /// A head may hold that many lines.
 constexpr std::size_t kHeadLinesMax = 200;
 
+// What is held of a table, with the signals that are made of it and their analysis, bytes.
+constexpr std::size_t kCellBytes = 2 * sizeof(double);
+constexpr std::size_t kColumnBytes = 1000;  // beside its values: names, roles, remarks
+
 struct TableLayout {
   char separator = ',';  ///< ' ' means any number of blanks and tabs
   char decimal = '.';
@@ -229,6 +233,17 @@ void appendUtf8(std::string& out, char32_t c) {
   }
 }
 
+/// Cells are split line by line, and the longest line may be all of the text.
+base::Result<void> requireCells(std::string_view text, const base::Budget& budget) {
+  constexpr double kBytesPerCharacter = 2 * sizeof(std::string_view);  // a list that grows
+  std::size_t longest = 0;
+  lines::LineReader reader(text);
+  while (const auto line = reader.next()) {
+    longest = std::max(longest, line->text.size());
+  }
+  return budget.require(kBytesPerCharacter * static_cast<double>(longest), "A row of the table");
+}
+
 /// One row that does not fit.
 struct OddRows {
   std::size_t count = 0;
@@ -267,9 +282,7 @@ bool isUtf8(std::string_view bytes) {
 }
 
 /// Each byte is a character, as tools on old computers write it.
-std::string fromLatin1(std::string_view bytes) {
-  std::string text;
-  text.reserve(bytes.size());
+void appendLatin1(std::string& text, std::string_view bytes) {
   for (const char c : bytes) {
     const auto code = static_cast<unsigned char>(c);
     if (code < 0x80) {
@@ -279,30 +292,42 @@ std::string fromLatin1(std::string_view bytes) {
       text += static_cast<char>(0x80U | (code & 0x3FU));
     }
   }
-  return text;
 }
 
 }  // namespace
 
-std::string toUtf8(std::string_view bytes) {
+base::Result<std::string_view> utf8Of(std::string_view bytes, std::string& converted,
+                                      const base::Budget& budget) {
   constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
-  if (bytes.substr(0, 3) == kUtf8Mark) {
-    return std::string(bytes.substr(3));
+  if (bytes.starts_with(kUtf8Mark)) {
+    return bytes.substr(kUtf8Mark.size());
   }
-  const bool isLittle = bytes.substr(0, 2) == "\xFF\xFE";
-  if (!isLittle && bytes.substr(0, 2) != "\xFE\xFF") {
-    return isUtf8(bytes) ? std::string(bytes) : fromLatin1(bytes);
+  const bool isLittle = bytes.starts_with("\xFF\xFE");
+  const bool isWide = isLittle || bytes.starts_with("\xFE\xFF");
+  if (!isWide && isUtf8(bytes)) {
+    return bytes;
   }
-  std::string text;
+  const std::size_t size = isWide ? bytes.size() / 2 * 3 : 2 * bytes.size();  // at most
+  if (auto fits = budget.require(static_cast<double>(size), "The text as UTF-8"); !fits) {
+    return base::fail(fits.error());
+  }
+  converted.reserve(size);
+  if (!isWide) {
+    appendLatin1(converted, bytes);
+    return converted;
+  }
   for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
     const auto low = static_cast<unsigned char>(bytes[i + (isLittle ? 0 : 1)]);
     const auto high = static_cast<unsigned char>(bytes[i + (isLittle ? 1 : 0)]);
-    appendUtf8(text, static_cast<char32_t>(high << 8U | low));
+    appendUtf8(converted, static_cast<char32_t>(high << 8U | low));
   }
-  return text;
+  return converted;
 }
 
-base::Result<TextTable> readTable(std::string_view text) {
+base::Result<TextTable> readTable(std::string_view text, const base::Budget& budget) {
+  if (auto fits = requireCells(text, budget); !fits) {
+    return base::fail(fits.error());
+  }
   const auto layout = text.find('\0') == std::string_view::npos ? recognise(firstLines(text))
                                                                 : std::optional<TableLayout>();
   if (!layout) {
@@ -311,6 +336,8 @@ base::Result<TextTable> readTable(std::string_view text) {
   }
   TextTable table;
   table.columns.resize(layout->width);
+  const std::size_t rowBytes = layout->width * kCellBytes + kAnalysedSampleBytes;
+  std::size_t held = layout->width * kColumnBytes;
   OddRows odd;
   OddRows noNumbers;
   std::size_t cutCells = 0;
@@ -329,6 +356,10 @@ base::Result<TextTable> readTable(std::string_view text) {
       if (!hasBegun) {
         if (table.head.size() < kHeadLinesMax) {
           table.head.emplace_back(cells.begin(), cells.end());
+          held += cells.size() * sizeof(std::string) + line->text.size();
+        }
+        if (held > budget.left()) {
+          return base::fail(budget.exceeded("The head of the table"));
         }
         continue;
       }
@@ -340,6 +371,10 @@ base::Result<TextTable> readTable(std::string_view text) {
         cutCells = width;
       }
       continue;
+    }
+    held += rowBytes;
+    if (held > budget.left()) {
+      return base::fail(budget.exceeded("The table with its analysis"));
     }
     for (std::size_t column = 0; column < layout->width; ++column) {
       const auto value = cellValue(cells[column], layout->decimal);

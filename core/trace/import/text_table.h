@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/budget.h"
 #include "base/result.h"
 #include "trace/remark.h"
 
@@ -23,11 +24,15 @@ struct TextTable {
 };
 
 /// UTF-8 of a text that may be UTF-16 or Latin-1, or begin with a byte order mark.
-[[nodiscard]] std::string toUtf8(std::string_view bytes);
+/// @param converted  holds the text where the bytes are something else
+/// @return error BudgetError::Exceeded
+[[nodiscard]] base::Result<std::string_view> utf8Of(std::string_view bytes, std::string& converted,
+                                                    const base::Budget& budget);
 
 /// Columns are recognised by the rows that hold numbers. A time of day, with or without a date,
 /// counts as a number of seconds; "true" and "false" as 1 and 0. Rows that do not fit are left out
-/// and counted. @return error ImportError::NotATable: no rows of numbers
-[[nodiscard]] base::Result<TextTable> readTable(std::string_view text);
+/// and counted. @param budget  without the text; of the numbers and their analysis
+/// @return error ImportError::NotATable: no rows of numbers; BudgetError::Exceeded
+[[nodiscard]] base::Result<TextTable> readTable(std::string_view text, const base::Budget& budget);
 
 }  // namespace rivulet::trace
