@@ -74,12 +74,14 @@ base::Result<void> requireSound(const trace::ImportedTrace& imported, const std:
 }  // namespace
 
 base::Result<Recording> readRecording(const RecordingFile& file,
-                                      const machine::MachineConfig& machine) {
-  const auto bytes = base::readFile(file.trace);
+                                      const machine::MachineConfig& machine,
+                                      const base::Budget& budget) {
+  const auto bytes = base::readFile(file.trace, budget);
   if (!bytes) {
     return base::fail(bytes.error());
   }
-  const auto source = report::openTrace(file.trace, file.columns, 0.0);
+  const auto source =
+      report::openTrace(file.trace, file.columns, 0.0, budget.without(bytes->capacity()));
   if (!source) {
     return base::fail(source.error());
   }

@@ -32,7 +32,8 @@ struct Recording {
 /// @param machine  its limits plan the set points where they come from a program
 /// @return errors of files and traces; EmulatorError::WrongProgram without set points
 [[nodiscard]] base::Result<Recording> readRecording(const RecordingFile& file,
-                                                    const machine::MachineConfig& machine);
+                                                    const machine::MachineConfig& machine,
+                                                    const base::Budget& budget = {});
 
 /// What is said of a recording beside its name.
 struct RecordingFacts {

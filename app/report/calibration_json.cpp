@@ -150,14 +150,14 @@ base::Result<streaming::CalibrationRecord> calibrationOf(const nlohmann::json& f
   return record;
 }
 
-base::Result<streaming::CalibrationRecord> readCalibration(const std::filesystem::path& path) {
-  const base::Result<std::string> text = base::readFile(path);
-  if (!text) {
-    return base::fail(text.error());
+base::Result<streaming::CalibrationRecord> readCalibration(const std::filesystem::path& path,
+                                                           const base::Budget& budget) {
+  const auto file = readJson(path, budget);
+  if (!file) {
+    return base::fail(file.error());
   }
-  const nlohmann::json file = nlohmann::json::parse(*text, nullptr, false);
-  const bool isMachine = file.is_object() && file.contains("rivulet_machine");
-  return calibrationOf(isMachine ? file.value("calibration", nlohmann::json()) : file,
+  const bool isMachine = file->is_object() && file->contains("rivulet_machine");
+  return calibrationOf(isMachine ? file->value("calibration", nlohmann::json()) : *file,
                        path.string());
 }
 

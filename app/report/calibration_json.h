@@ -21,9 +21,9 @@ namespace rivulet::report {
 [[nodiscard]] base::Result<streaming::CalibrationRecord> calibrationOf(const nlohmann::json& json,
                                                                        const std::string& origin);
 /// A calibration, or the file of a machine with one in it.
-/// @return FileUnreadable, and as `calibrationOf`
+/// @return errors of `readJson`, and as `calibrationOf`
 [[nodiscard]] base::Result<streaming::CalibrationRecord> readCalibration(
-    const std::filesystem::path& path);
+    const std::filesystem::path& path, const base::Budget& budget = {});
 
 /// The part of a calibration that the equations use. If the form was not measured, lists are used,
 /// which every control has. @param grouping  the form the run uses

@@ -6,19 +6,51 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
+
+#include "base/budget.h"
+#include "base/file.h"
+#include "base/result.h"
 
 namespace rivulet::report {
 
-/// A report of a long run holds a pause for each window.
-inline constexpr std::uintmax_t kJsonBytesMax = std::uintmax_t{256} << 20U;
 inline constexpr double kJsonCountMax = 1e9;  ///< of points, requests, pauses
 inline constexpr double kJsonCellMax = 1e6;   ///< number of an R-parameter
 inline constexpr double kJsonPlaceMax = 1e9;  ///< mm or degrees
+
+/// Whether the text is JSON that is not nested more deeply than anything of ours: who copies or
+/// prints a tree calls himself for each level. Nothing is made of it.
+/// @return error BudgetError::Exceeded: its tree would take more; a byte may stand for forty
+[[nodiscard]] base::Result<bool> isSoundJson(std::string_view text, const base::Budget& budget);
+
+/// The tree of a text; discarded if `isSoundJson` is false. @return error BudgetError::Exceeded
+template <class Json = nlohmann::json>
+[[nodiscard]] base::Result<Json> parseJson(std::string_view text, const base::Budget& budget = {}) {
+  auto isSound = isSoundJson(text, budget);
+  if (!isSound) {
+    return base::fail(std::move(isSound.error()));
+  }
+  return *isSound ? Json::parse(text, nullptr, false) : Json(nlohmann::detail::value_t::discarded);
+}
+
+/// That of a file. @return errors of `base::readFile` and `parseJson`
+template <class Json = nlohmann::json>
+[[nodiscard]] base::Result<Json> readJson(const std::filesystem::path& file,
+                                          const base::Budget& budget = {}) {
+  const auto text = base::readFile(file, budget);
+  if (!text) {
+    return base::fail(text.error());
+  }
+  auto json = parseJson<Json>(*text, budget.without(text->capacity()));
+  return json ? std::move(json)
+              : base::fail(json.error().code, json.error().message, file.string());
+}
 
 /// Reads members of a JSON text that may hold anything. The first that is missing, has another type
 /// or is out of range is remembered.

@@ -17,6 +17,7 @@
 #include "platform/user_folders.h"
 #include "report/calibration_json.h"
 #include "report/credit_test_json.h"
+#include "report/json_members.h"
 #include "report/known_machine.h"
 
 namespace rivulet::report {
@@ -53,15 +54,14 @@ template <class Pick>
 std::optional<ordered_json> findEarlier(const fs::path& folder, Pick pick) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const base::Result<std::string> text = base::readFile(entry.path());
-    if (entry.path().extension() != ".json" || !text) {
+    if (entry.path().extension() != ".json") {
       continue;
     }
-    const ordered_json file = ordered_json::parse(*text, nullptr, false);
-    if (!file.is_object()) {
+    const auto file = readJson<ordered_json>(entry.path());
+    if (!file || !file->is_object()) {
       continue;
     }
-    if (std::optional<ordered_json> found = pick(file)) {
+    if (std::optional<ordered_json> found = pick(*file)) {
       return found;
     }
   }
@@ -142,11 +142,11 @@ base::Result<ordered_json> MachineStore::read(const std::string& endpoint,
     }
     return machine;
   }
-  const base::Result<std::string> text = base::readFile(path);
-  if (!text) {
-    return base::fail(text.error());
+  auto read = readJson<ordered_json>(path);
+  if (!read) {
+    return base::fail(read.error());
   }
-  ordered_json machine = ordered_json::parse(*text, nullptr, false);
+  ordered_json& machine = *read;
   if (!machine.is_object() || !machine.contains(kMachineFormatKey) ||
       !machine[kMachineFormatKey].is_number_integer()) {
     return base::fail(MachineFileError::NotAMachineFile,
@@ -230,9 +230,7 @@ std::vector<KnownMachine> MachineStore::machines() const {
   std::vector<KnownMachine> found;
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(m_folders.machines, ignored)) {
-    const base::Result<std::string> text = base::readFile(entry.path());
-    const ordered_json json =
-        text ? ordered_json::parse(*text, nullptr, false) : ordered_json::object();
+    const ordered_json json = readJson<ordered_json>(entry.path()).value_or(ordered_json::object());
     if (entry.path().extension() != ".json" || !json.is_object() ||
         !json.contains(kMachineFormatKey)) {
       continue;
@@ -304,9 +302,8 @@ base::Result<void> MachineStore::remove(const std::string& endpoint, base::UtcMs
 
 std::map<std::string, base::UtcMs> MachineStore::removed() const {
   std::map<std::string, base::UtcMs> machines;
-  const base::Result<std::string> text = base::readFile(m_folders.machines / kRemovedFile);
   const ordered_json file =
-      text ? ordered_json::parse(*text, nullptr, false) : ordered_json::object();
+      readJson<ordered_json>(m_folders.machines / kRemovedFile).value_or(ordered_json::object());
   const auto list = file.is_object() ? file.find("machines") : file.end();
   if (list == file.end() || !list->is_object()) {
     return machines;

@@ -116,9 +116,8 @@ base::Result<FinishedRun> finishedRunOf(const nlohmann::json& json, const fs::pa
 }
 
 base::Result<FinishedRun> readFinishedRun(const fs::path& file) {
-  const base::Result<std::string> text = base::readFile(file, kJsonBytesMax);
-  return text ? finishedRunOf(nlohmann::json::parse(*text, nullptr, false), file)
-              : base::Result<FinishedRun>(base::fail(text.error()));
+  const auto json = readJson(file);
+  return json ? finishedRunOf(*json, file) : base::fail(json.error());
 }
 
 ordered_json summaryJson(const streaming::RunSummary& summary) {

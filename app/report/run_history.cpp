@@ -172,9 +172,8 @@ HistoryList RunHistory::list() const {
       continue;
     }
     const std::string id = name.substr(0, name.size() - kReportEnding.size());
-    const base::Result<std::string> text = base::readFile(indexFile(id));
-    if (text) {
-      if (auto summary = summaryOf(nlohmann::json::parse(*text, nullptr, false), indexFile(id))) {
+    if (const auto json = readJson(indexFile(id))) {
+      if (auto summary = summaryOf(*json, indexFile(id))) {
         summary->id = id;
         list.runs.push_back(std::move(*summary));
         continue;
@@ -209,12 +208,11 @@ void RunHistory::remove(const streaming::RunSummary& run) const {
 
 HistoryLimits RunHistory::limits() const {
   HistoryLimits limits;
-  const base::Result<std::string> text = base::readFile(m_folder / kLimitsFile);
-  if (!text) {
+  const auto root = readJson(m_folder / kLimitsFile);
+  if (!root) {
     return limits;
   }
-  const nlohmann::json root = nlohmann::json::parse(*text, nullptr, false);
-  Members members(root);
+  Members members(*root);
   HistoryLimits read;
   FieldReader io(members);
   limitsFields(io, read);
@@ -224,10 +222,8 @@ HistoryLimits RunHistory::limits() const {
 base::Result<void> RunHistory::setLimits(const HistoryLimits& limits) const {
   (void)base::makePrivateFolder(m_folder);  // writing says what is wrong
   const fs::path file = m_folder / kLimitsFile;
-  const auto was = base::readFile(file);
   const auto written = writeJson(
-      file, jsonInPlaceOf(was ? nlohmann::json::parse(*was, nullptr, false) : nlohmann::json(),
-                          limits, limitsFields));
+      file, jsonInPlaceOf(readJson(file).value_or(nlohmann::json()), limits, limitsFields));
   if (written) {
     prune({});
   }

@@ -233,12 +233,9 @@ base::Result<SavedRun> savedRunOf(const nlohmann::json& json, const fs::path& fi
   return run;
 }
 
-base::Result<SavedRun> readSavedRun(const fs::path& file) {
-  const base::Result<std::string> text = base::readFile(file, kJsonBytesMax);
-  if (!text) {
-    return base::fail(text.error());
-  }
-  return savedRunOf(nlohmann::json::parse(*text, nullptr, false), file);
+base::Result<SavedRun> readSavedRun(const fs::path& file, const base::Budget& budget) {
+  const auto json = readJson(file, budget);
+  return json ? savedRunOf(*json, file) : base::fail(json.error());
 }
 
 fs::path RunStore::folderOfUser() {
@@ -265,9 +262,8 @@ base::Result<void> RunStore::save(const SavedRun& run,
       return written;
     }
   }
-  const auto was = base::readFile(path, kJsonBytesMax);
-  const ordered_json json = jsonInPlaceOf(
-      was ? nlohmann::json::parse(*was, nullptr, false) : nlohmann::json(), run, savedRunFields);
+  const ordered_json json =
+      jsonInPlaceOf(readJson(path).value_or(nlohmann::json()), run, savedRunFields);
   return base::writePrivateFile(
       path, json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n');
 }

@@ -68,8 +68,9 @@ struct SavedRun {
 /// @return CannotResume: it is neither, or a member is missing, has another type or is out of range
 [[nodiscard]] base::Result<SavedRun> savedRunOf(const nlohmann::json& json,
                                                 const std::filesystem::path& file);
-/// The same for a file. @return also Unreadable
-[[nodiscard]] base::Result<SavedRun> readSavedRun(const std::filesystem::path& file);
+/// The same for a file. @return also errors of `readJson`
+[[nodiscard]] base::Result<SavedRun> readSavedRun(const std::filesystem::path& file,
+                                                  const base::Budget& budget = {});
 
 class RunStore {
  public:

@@ -49,9 +49,13 @@ std::string sweepPartText(const SweepPart& part) {
          "\n";
 }
 
-base::Result<SweepPart> sweepPartOf(std::string_view text, const std::string& name) {
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-  Members members(json);
+base::Result<SweepPart> sweepPartOf(std::string_view text, const std::string& name,
+                                    const base::Budget& budget) {
+  const auto json = parseJson(text, budget);
+  if (!json) {
+    return base::fail(json.error().code, json.error().message, name);
+  }
+  Members members(*json);
   SweepPart part;
   if (members.text("/kind") != kKind) {
     return base::fail(SweepPartError::Unreadable,

@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/budget.h"
 #include "base/result.h"
 #include "base/share.h"
 
@@ -43,7 +44,9 @@ struct SweepPart {
 [[nodiscard]] std::string sweepPartText(const SweepPart& part);
 
 /// @param name  of the file, for the message
-[[nodiscard]] base::Result<SweepPart> sweepPartOf(std::string_view text, const std::string& name);
+/// @return error Unreadable, BudgetError::Exceeded
+[[nodiscard]] base::Result<SweepPart> sweepPartOf(std::string_view text, const std::string& name,
+                                                  const base::Budget& budget = {});
 
 /// All parts of one experiment. @return the whole of it; Unlike, or what base::merged returns
 [[nodiscard]] base::Result<SweepPart> mergedParts(const std::vector<SweepPart>& parts);

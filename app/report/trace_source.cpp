@@ -12,6 +12,7 @@
 #include "base/file_lock.h"
 #include "base/hash.h"
 #include "platform/user_folders.h"
+#include "report/json_members.h"
 
 namespace rivulet::report {
 
@@ -24,15 +25,14 @@ std::filesystem::path layoutsFile() {
 /// Mappings by the headings of their tables. A file that is damaged counts as empty; it is kept
 /// under another name before it is replaced.
 nlohmann::ordered_json readLayouts() {
-  const auto text = base::readFile(layoutsFile());
-  nlohmann::ordered_json layouts = text ? nlohmann::ordered_json::parse(*text, nullptr, false)
-                                        : nlohmann::ordered_json::object();
+  nlohmann::ordered_json layouts =
+      readJson<nlohmann::ordered_json>(layoutsFile()).value_or(nlohmann::ordered_json::object());
   return layouts.is_object() ? layouts : nlohmann::ordered_json::object();
 }
 
 bool isDamaged(const std::filesystem::path& file) {
-  const auto text = base::readFile(file);
-  return text && !nlohmann::ordered_json::parse(*text, nullptr, false).is_object();
+  const auto layouts = readJson(file);
+  return layouts ? !layouts->is_object() : layouts.error().code == base::BudgetError::Exceeded;
 }
 
 /// What was said of a layout; empty: nothing.
@@ -42,18 +42,20 @@ std::string rememberedMapping(const std::string& layout) {
   return found != layouts.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// @param bytes  of a file of another tool
+/// @param bytes    of a file of another tool, read with `mapping`
 base::Result<trace::Trace> parseAsRemembered(const std::string& bytes, trace::Trace trace,
-                                             double rateHz) {
+                                             const trace::TableMapping& mapping,
+                                             const base::Budget& budget) {
   const std::string remembered = rememberedMapping(trace.imported()->layout);
   auto known = trace::parseTableMapping(remembered);
   if (remembered.empty() || !known) {
     return trace;
   }
-  known->rateHz = rateHz > 0.0 ? rateHz : known->rateHz;
-  auto mapped = trace::importTrace(bytes, *known);
+  known->rateHz = mapping.rateHz ? mapping.rateHz : known->rateHz;
+  trace = trace::Trace(trace::ImportedTrace());  // both would be there at once
+  auto mapped = trace::importTrace(bytes, *known, budget);
   if (!mapped) {
-    return trace;
+    return trace::parseTrace(bytes, mapping, budget);
   }
   mapped->table.isCertain = true;  // somebody has said so
   mapped->trace.remarks.push_back({trace::RemarkCode::Remembered, {remembered}});
@@ -98,8 +100,8 @@ base::Result<std::optional<gcode::Program>> loadComparedProgram(const std::files
 }
 
 base::Result<trace::Trace> openTrace(const std::filesystem::path& file, const std::string& columns,
-                                     double rateHz) {
-  const auto bytes = base::readFile(file);
+                                     double rateHz, const base::Budget& budget) {
+  const auto bytes = base::readFile(file, budget);
   if (!bytes) {
     return base::fail(bytes.error());
   }
@@ -112,7 +114,8 @@ base::Result<trace::Trace> openTrace(const std::filesystem::path& file, const st
     return inFile(mapping.error());
   }
   mapping->rateHz = rateHz > 0.0 ? rateHz : mapping->rateHz;
-  auto trace = trace::parseTrace(*bytes, *mapping);
+  const base::Budget rest = budget.without(bytes->capacity());
+  auto trace = trace::parseTrace(*bytes, *mapping, rest);
   if (!trace) {
     return inFile(trace.error());
   }
@@ -120,7 +123,7 @@ base::Result<trace::Trace> openTrace(const std::filesystem::path& file, const st
     return trace;
   }
   if (columns.empty()) {
-    return parseAsRemembered(*bytes, std::move(*trace), rateHz);
+    return parseAsRemembered(*bytes, std::move(*trace), *mapping, rest);
   }
   // Failing to remember is no reason not to analyse.
   if (const auto done = rememberMapping(trace->imported()->layout, columns); !done) {

@@ -27,8 +27,10 @@ inline constexpr double kComparedChordMm = 0.0002;
 
 /// @param columns  as `trace::parseTableMapping`; empty: as remembered for this layout, or guessed
 /// @param rateHz   of a table without time; 0: not said
+/// @return errors of `trace::parseTrace` and of the file
 [[nodiscard]] base::Result<trace::Trace> openTrace(const std::filesystem::path& file,
-                                                   const std::string& columns, double rateHz);
+                                                   const std::string& columns, double rateHz,
+                                                   const base::Budget& budget = {});
 
 /// The program that traces are compared with. @param file  empty: none
 [[nodiscard]] base::Result<std::optional<gcode::Program>> loadComparedProgram(
