@@ -300,7 +300,7 @@ base::Result<void> writeReport([[maybe_unused]] const AnalyseOptions& options,
   facts.file = std::filesystem::path(file).filename().string();
   facts.programFile = options.program;
   facts.appVersion = RIVULET_VERSION;
-  const auto bytes = base::readFile(file);
+  const auto bytes = base::readFile(file, memoryBudget());
   facts.fileHash = bytes ? base::sha256Hex(*bytes) : std::string();
   return trace_report::writeTracePage(options.report, options.language, facts);
 #else

@@ -280,6 +280,7 @@ void printTable(const std::vector<Checked>& all) {
 
 gcode::LoadOptions LoadingOptions::loadOptions() const {
   gcode::LoadOptions options;
+  options.budget = memoryBudget();
   options.chordToleranceMm = chordToleranceMm;
   options.blockSkip = blockSkip;
   options.dialect = gcode::dialectOfName(dialect);

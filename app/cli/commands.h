@@ -51,7 +51,7 @@ struct ResamplingOptions {
   double splitMm = 0.0;  ///< 0: not
 
   /// Prints on standard error what was left out.
-  /// @return error ProgramNotStreamable: more points than memory holds
+  /// @return error BudgetError::Exceeded
   [[nodiscard]] base::Result<gcode::Trajectory> resampled(gcode::Trajectory trajectory) const;
 };
 

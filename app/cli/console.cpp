@@ -13,6 +13,23 @@
 
 namespace rivulet::cli {
 
+namespace {
+
+base::Budget& budgetOfAll() {
+  static base::Budget budget;
+  return budget;
+}
+
+}  // namespace
+
+void setMemoryBudget(const base::Budget& budget) {
+  budgetOfAll() = budget;
+}
+
+const base::Budget& memoryBudget() {
+  return budgetOfAll();
+}
+
 void printJson(const nlohmann::ordered_json& json) {
   // A file name may hold bytes that are not UTF-8: they are replaced, and the rest stays readable.
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));

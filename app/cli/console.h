@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "base/budget.h"
 #include "base/error.h"
 #include "base/method_kind.h"
 #include "streaming/run/run.h"
@@ -17,6 +18,10 @@ namespace rivulet::cli {
 
 /// Exit codes of rivulet-cli (docs/cli.md).
 enum class Exit { Done = 0, Wrong = 1, BadInput = 2, Connection = 3, RuleApplies = 4 };
+
+/// Of each file that is read and each thing that is expanded, from now on (--memory-limit).
+void setMemoryBudget(const base::Budget& budget);
+[[nodiscard]] const base::Budget& memoryBudget();
 
 /// Prints the object on standard output, as one JSON text.
 void printJson(const nlohmann::ordered_json& json);

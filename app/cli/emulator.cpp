@@ -33,7 +33,7 @@ using emulator::TrainingRun;
 using nlohmann::ordered_json;
 
 base::Result<Emulator> loadEmulator(const std::string& file) {
-  const auto text = base::readFile(file);
+  const auto text = base::readFile(file, machine::kPresetBytesMax);
   return text ? emulator::parseEmulator(*text, file) : base::fail(text.error());
 }
 

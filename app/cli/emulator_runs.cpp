@@ -11,7 +11,7 @@
 namespace rivulet::cli {
 
 base::Result<emulator::TrainingRun> loadRun(const std::string& file, const std::string& columns) {
-  auto recording = learning::readRecording({file, {}, columns}, {});
+  auto recording = learning::readRecording({file, {}, columns}, {}, memoryBudget());
   return recording ? base::Result<emulator::TrainingRun>(std::move(recording->run))
                    : base::fail(recording.error());
 }
@@ -30,7 +30,7 @@ base::Result<std::vector<learning::Recording>> loadRecordings(const EmulatorOpti
     auto recording = learning::readRecording(
         {options.files[i], options.programs.empty() ? std::string() : options.programs[i],
          options.columns},
-        *machine);
+        *machine, memoryBudget());
     if (!recording) {
       return base::fail(recording.error());
     }

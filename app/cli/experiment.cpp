@@ -247,7 +247,7 @@ base::Result<std::string> presetHashOf(const std::string& preset) {
   if (!fs::exists(preset)) {
     return std::string();
   }
-  const auto text = base::readFile(preset);
+  const auto text = base::readFile(preset, memoryBudget());
   return text ? base::Result<std::string>(base::sha256Hex(*text)) : base::fail(text.error());
 }
 
@@ -299,11 +299,11 @@ Exit experimentPart(const ExperimentCommandOptions& options,
 base::Result<std::vector<report::SweepPart>> readParts(const std::vector<std::string>& files) {
   std::vector<std::vector<report::SweepPart>> groups;
   for (const std::string& file : files) {
-    const auto text = base::readFile(file);
+    const auto text = base::readFile(file, memoryBudget());
     if (!text) {
       return base::fail(text.error());
     }
-    auto part = report::sweepPartOf(*text, file);
+    auto part = report::sweepPartOf(*text, file, memoryBudget().without(text->capacity()));
     if (!part) {
       return base::fail(part.error());
     }

@@ -164,7 +164,7 @@ void put(nlohmann::ordered_json& json, const PlannedPauses& pauses) {
 /// What `--calibration` or `--endpoint` says about access; nothing without them.
 base::Result<CalibrationChoice> calibrationFor(const FeasibilityOptions& options) {
   if (!options.calibration.empty()) {
-    auto record = report::readCalibration(options.calibration);
+    auto record = report::readCalibration(options.calibration, memoryBudget());
     if (!record) {
       return base::fail(record.error());
     }

@@ -346,6 +346,9 @@ base::Result<void> JobCommand::writeFiles() const {
 }
 
 base::Result<void> JobCommand::makePrograms() {
+  if (auto fits = requireRunMemory(m_plan.program.trajectory.points.size()); !fits) {
+    return fits;
+  }
   auto programs = job::makePrograms(m_plan, m_settings.parameters);
   if (!programs) {
     return base::fail(programs.error());
@@ -455,7 +458,7 @@ base::Result<run::JobRestart> JobCommand::findRestart(const machine::MachineConf
   if (m_options.fromStretch > 0) {
     return run::beginWith(m_options.fromStretch, m_plan, machine);
   }
-  const auto run = report::readSavedRun(m_options.resume);
+  const auto run = report::readSavedRun(m_options.resume, memoryBudget());
   if (!run) {
     return base::fail(run.error());
   }

@@ -1012,8 +1012,16 @@ int main(int argc, char** argv) {
                  "What is logged on standard error (default: warning) and in the log file "
                  "(default: info)")
       ->check(CLI::IsMember(rivulet::log::levelNames()));
+  constexpr std::uint64_t kMegabyte = 1'000'000;
+  std::uint64_t memoryLimit = rivulet::base::Budget::kUsualBytes;
+  app.add_option("--memory-limit", memoryLimit,
+                 "Most memory that a file may take when it is read or expanded, such as 2GB "
+                 "(default: 1GB)")
+      ->transform(CLI::AsSizeValue(true))
+      ->check(CLI::Range(kMegabyte, kMegabyte * kMegabyte));
   rivulet::cli::ConnectionOptions connection;
   app.parse_complete_callback([&] {
+    rivulet::cli::setMemoryBudget(rivulet::base::Budget(memoryLimit));
     rivulet::cli::startLog(logLevel, argc, argv);
     rivulet::cli::setConnectionOptions(connection);
   });

@@ -21,7 +21,8 @@ base::Result<trace::RecordingReader> openRecording(const std::string& path) {
   if (!file) {
     return base::fail(file.error());
   }
-  auto reader = trace::RecordingReader::open(std::make_unique<base::FileBytes>(std::move(*file)));
+  auto reader = trace::RecordingReader::open(std::make_unique<base::FileBytes>(std::move(*file)),
+                                             memoryBudget());
   if (!reader) {
     base::Error error = reader.error();
     error.context = path;

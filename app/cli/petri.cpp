@@ -63,7 +63,7 @@ base::Result<petri::ParameterValues> valuesOf(const std::vector<std::string>& se
 
 base::Result<petri::Net> netOf(const PetriOptions& options) {
   const auto values = valuesOf(options.settings);
-  return values ? petri::loadNet(options.net, *values)
+  return values ? petri::loadNet(options.net, *values, memoryBudget())
                 : base::Result<petri::Net>(base::fail(values.error()));
 }
 
@@ -124,8 +124,15 @@ Exit petriSimulate(const PetriOptions& options) {
     simulator.setRecorder(
         [&](const petri::Recorded& token) { recorded += recordLine(*net, token); });
   }
-  const bool goesOn =
-      simulator.run(static_cast<petri::Word>(options.untilMs * static_cast<double>(kUnitsPerMs)));
+  const auto goesOn =
+      simulator.run(static_cast<petri::Word>(options.untilMs * static_cast<double>(kUnitsPerMs)),
+                    [&](std::size_t held) {
+                      return memoryBudget().require(static_cast<double>(held + recorded.capacity()),
+                                                    "The net with its tokens");
+                    });
+  if (!goesOn) {
+    return reportError(goesOn.error(), options.json);
+  }
   if (!options.recorded.empty()) {
     if (auto done = base::writeFile(options.recorded, recorded); !done) {
       return reportError(done.error(), options.json);
@@ -140,12 +147,12 @@ Exit petriSimulate(const PetriOptions& options) {
                {"time", simulator.now()},
                {"timeUnit", net->timeUnit},
                {"firings", simulator.firings()},
-               {"ended", !goesOn},
+               {"ended", !*goesOn},
                {"fired", fired},
                {"violations", simulator.violations()}});
   } else {
     fmt::print("{} firings up to {} {}{}\n", simulator.firings(), simulator.now(), net->timeUnit,
-               goesOn ? "" : "; nothing can fire any more");
+               *goesOn ? "" : "; nothing can fire any more");
     for (const auto& [name, count] : fired.items()) {
       fmt::print("{:>10}  {}\n", count.get<std::uint64_t>(), name);
     }
@@ -161,7 +168,8 @@ Exit petriAnalyse(const PetriOptions& options) {
   if (!net) {
     return reportError(net.error(), options.json);
   }
-  const auto space = petri::exploreStates(*net, {.statesMax = options.statesMax});
+  const auto space =
+      petri::exploreStates(*net, {.statesMax = options.statesMax, .budget = memoryBudget()});
   if (!space) {
     return reportError(space.error(), options.json);
   }

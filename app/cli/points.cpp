@@ -14,7 +14,6 @@
 #include "gcode/program.h"
 #include "gcode/thinning.h"
 #include "platform/log.h"
-#include "streaming/run/run.h"
 
 namespace rivulet::cli {
 
@@ -74,24 +73,15 @@ base::Result<gcode::Trajectory> ResamplingOptions::resampled(gcode::Trajectory t
                        thinned.errorMmMax);
     trajectory = std::move(thinned.trajectory);
   }
-  if (splitMm > 0.0) {
-    // Some 100 bytes each: a gigabyte.
-    constexpr double kPointsMax = 1e7;
-    double points = static_cast<double>(trajectory.points.size());
-    for (std::size_t i = 1; i < trajectory.points.size(); ++i) {
-      const double moveMm =
-          base::distance(trajectory.points[i - 1].positionMm, trajectory.points[i].positionMm);
-      points += std::isfinite(moveMm) ? moveMm / splitMm : 0.0;
-    }
-    if (points > kPointsMax) {
-      return base::fail(streaming::StreamError::ProgramNotStreamable,
-                        fmt::format("--split {:g} would make {:.0f} points of this program, more "
-                                    "than {:.0f}. Give a longer move.",
-                                    splitMm, points, kPointsMax));
-    }
-    return gcode::split(trajectory, splitMm);
+  if (splitMm <= 0.0) {
+    return trajectory;
   }
-  return trajectory;
+  const std::uint64_t held = trajectory.points.capacity() * sizeof(gcode::TrajectoryPoint);
+  auto split = gcode::split(trajectory, splitMm, memoryBudget().without(held));
+  if (!split) {
+    split.error().message += " Or give a longer move with --split.";
+  }
+  return split;
 }
 
 Exit points(const PointsOptions& options) {

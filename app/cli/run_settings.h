@@ -26,6 +26,9 @@ namespace rivulet::cli {
                                            const gcode::Program& program);
 [[nodiscard]] streaming::FeedCells feedCellsOf(const OperatingOptions& options);
 
+/// @return error BudgetError::Exceeded: the run would take more memory, whatever its method
+[[nodiscard]] base::Result<void> requireRunMemory(std::size_t points);
+
 /// What was entered for the machine, where nothing else is said. @return a file of the machine that
 /// cannot be read
 [[nodiscard]] base::Result<void> takeSilenceLimit(templates::TemplateParameters& parameters,

@@ -83,6 +83,12 @@ streaming::RunSettings settingsOf(const StreamOptions& options,
   return settings;
 }
 
+base::Result<void> requireRunMemory(std::size_t points) {
+  constexpr double kPointBytes = 240.0;  // text, path, copies for run and method (docs/trust.md)
+  return memoryBudget().require(kPointBytes * static_cast<double>(points),
+                                fmt::format("A run of {} points", points));
+}
+
 base::Result<void> takeFeeds(streaming::RunSettings& settings, const OperatingOptions& options,
                              const machine::MachineConfig& machine, const gcode::Program& program) {
   if (options.feedMmPerMin > 0.0) {
@@ -367,6 +373,9 @@ base::Result<void> StreamCommand::load() {
     return base::fail(resampled.error());
   }
   m_program.trajectory = *std::move(resampled);
+  if (auto fits = requireRunMemory(m_program.trajectory.points.size()); !fits) {
+    return fits;
+  }
   m_settings = settingsOf(m_options, m_program.trajectory);
   const auto machine = machine::loadPreset(m_options.preset);
   if (!machine) {
@@ -508,7 +517,7 @@ base::Result<void> StreamCommand::findResume() {
   if (m_options.resume.empty()) {
     return {};
   }
-  const auto run = report::readSavedRun(m_options.resume);
+  const auto run = report::readSavedRun(m_options.resume, memoryBudget());
   if (!run) {
     return base::fail(run.error());
   }

@@ -85,7 +85,7 @@ bool isSound(const TemplateProof& proof, bool verified) {
 
 /// A program from a file, maybe written by hand.
 Exit lintFile(const templates::FlexibleProgram& meant, const TemplateOptions& options) {
-  const base::Result<std::string> text = base::readFile(options.lint);
+  const base::Result<std::string> text = base::readFile(options.lint, memoryBudget());
   if (!text) {
     return reportError(text.error(), options.json);
   }

@@ -6,7 +6,7 @@
 namespace rivulet::cli {
 
 base::Result<trace::Trace> openTrace(const std::string& file, const AnalyseOptions& options) {
-  auto trace = report::openTrace(file, options.columns, options.rateHz);
+  auto trace = report::openTrace(file, options.columns, options.rateHz, memoryBudget());
   return trace && options.hasWindow() ? trace->cut(options.fromS, options.untilS) : trace;
 }
 

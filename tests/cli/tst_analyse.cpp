@@ -355,7 +355,7 @@ class TestAnalyse : public QObject {
     for (const char* option : {"--json", "--overview"}) {
       const Outcome outcome = run({huge.fileName(), QString::fromUtf8(option)});
       QCOMPARE(outcome.exit, 2);
-      QVERIFY((outcome.output + outcome.errors).find("larger than") != std::string::npos);
+      QVERIFY((outcome.output + outcome.errors).find("--memory-limit") != std::string::npos);
     }
     QVERIFY(huge.remove());
   }

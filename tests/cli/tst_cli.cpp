@@ -747,7 +747,7 @@ class TestCli : public QObject {
     QFile written(recording);
     QVERIFY(written.open(QIODevice::ReadOnly));
     QVERIFY(trace::readFrames(written.readAll().toStdString())
-                .text.find("online correction in mm: X 0.0500 Y -0.0200 Z 0.0000") !=
+                ->text.find("online correction in mm: X 0.0500 Y -0.0200 Z 0.0000") !=
             std::string::npos);
 
     QProcess process;  // standard input
@@ -760,7 +760,7 @@ class TestCli : public QObject {
     QFile again(recording);
     QVERIFY(again.open(QIODevice::ReadOnly));
     QVERIFY(trace::readFrames(again.readAll().toStdString())
-                .text.find("online correction in mm: X 0.0000 Y 0.0000 Z -0.0300") !=
+                ->text.find("online correction in mm: X 0.0000 Y 0.0000 Z -0.0300") !=
             std::string::npos);
   }
 

@@ -153,7 +153,7 @@ class TestResume : public QObject {
       QFile file(path(QStringLiteral("2.rivulet")));
       const std::string bytes =
           file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
-      const std::string text = trace::readFrames(bytes).text;
+      const std::string text = trace::readFrames(bytes)->text;
       return std::count(text.begin(), text.end(), '\n');
     };
     QTRY_VERIFY_WITH_TIMEOUT(accesses() > 400, kRunMs);
@@ -190,9 +190,9 @@ class TestResume : public QObject {
             .points;
     QCOMPARE(static_cast<int>(points.size()), parsed1["points"].get<int>());
     const trace::Integrity integrity = trace::judgeIntegrity(points, blocks, 1e-6);
-    // The signal has held the axes in the middle of a window. What they executed of the windows that
-    // the control had then, before the third run, is in no recording (tst_kills judges it by the
-    // machine's own list).
+    // The signal has held the axes in the middle of a window. What they executed of the windows
+    // that the control had then, before the third run, is in no recording (tst_kills judges it by
+    // the machine's own list).
     constexpr std::size_t kDelivered = 14;
     QVERIFY(parsed2["left_held"].get<bool>());
     QCOMPARE(integrity.repeated + integrity.foreign + integrity.outOfOrder, std::size_t{0});

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// Small inputs that stand for much more memory than a computer has. Each is refused with one
+/// sentence that names the option, before it takes a fifth more than it may. What a program takes
+/// is what was resident of it at most, as the system counts it.
+
+#include <sys/resource.h>
+
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <functional>
+#include <string>
+
+#include "base/budget.h"
+#include "base/file.h"
+#include "support/patience.h"
+#include "support/test_program.h"
+#include "trace/frames.h"
+#include "trace/import/compression.h"
+
+using namespace rivulet;
+
+namespace {
+
+constexpr std::size_t kLimit = 400'000'000;
+
+std::string repeated(std::string_view text, std::size_t count) {
+  std::string all;
+  all.reserve(text.size() * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    all += text;
+  }
+  return all;
+}
+
+/// A gigabyte and a half of this text, in as many frames; each is packed once.
+std::string archive(std::string_view head, std::string_view line) {
+  constexpr std::size_t kFrame = 16'000'000;
+  constexpr std::size_t kFrames = 96;
+  const std::string frame = trace::pack(repeated(line, kFrame / line.size()), 3);
+  return (head.empty() ? std::string() : trace::pack(head, 3)) + repeated(frame, kFrames);
+}
+
+std::string recording(std::string_view line) {
+  return archive("rivulet-recording 1\nrun method=\"window\"\n", line);
+}
+
+/// The text is small, and stands for a million times as much.
+struct Input {
+  const char* name;
+  const char* file;
+  QStringList arguments;  ///< "FILE" is the file
+  std::function<std::string()> text;
+  const char* what;  ///< begins the sentence
+};
+
+QStringList words(const char* text) {
+  return QString::fromUtf8(text).split(QLatin1Char(' '));
+}
+
+const std::vector<Input>& inputs() {
+  static const std::vector<Input> kInputs{
+      {"table in an archive", "a.csv.zst", words("analyse FILE"),
+       [] { return archive({}, "0,1\n"); }, "The unpacked archive"},
+      {"table of one column", "b.csv.zst", words("analyse FILE --map x_act=#1"),
+       [] { return trace::pack(repeated("1\n", 10'000'000), 3); }, "The table"},
+      {"row without an end", "c.csv.zst", words("analyse FILE"),
+       [] { return trace::pack("1,2\n" + std::string(50'000'000, ','), 3); }, "A row of the table"},
+      {"trace of a SINUMERIK", "d.xml.zst", words("analyse FILE"),
+       [] {
+         return trace::pack("<traceSession><dataSignal id=\"f1\"/><dataFrame>" +
+                                repeated("<dataSignal/>", 1'000'000),
+                            3);
+       },
+       "The trace"},
+      {"recording", "e.rivrec", words("analyse FILE"), [] { return recording("n 1 \"\"\n"); },
+       "The text of the recording"},
+      {"records of a recording", "f.rivrec", words("analyse FILE"),
+       [] {
+         return "rivulet-recording 1\nrun method=\"window\"\n" + repeated("l 1 - -\n", 5'000'000);
+       },
+       "The recording"},
+      {"overview of a recording", "g.rivrec", words("analyse --overview FILE"),
+       [] {
+         return trace::pack("rivulet-recording 1\nrun method=\"window\"\n", 3) +
+                trace::pack(repeated("n 1 \"\"\n", 60'000'000), 3);
+       },
+       "The text of the recording"},
+      {"trace of a control", "h.txt", words("analyse FILE"),
+       [] {
+         return "rivulet-control-trace 3 cycle_ns=4000000\n" +
+                repeated("b 1 2 3 0 0 0 0\n", 6'000'000);
+       },
+       "The trace of the control"},
+      {"loop", "i.mpf", words("check --dialect sinumerik FILE"),
+       [] { return "R1=0\nNEXT:\nR1=R1+1\n" + repeated("M3 ", 100) + "\nGOTOB NEXT\n"; },
+       "The program"},
+      {"loop of a job", "j.mpf", words("check --job --dialect sinumerik FILE"),
+       [] { return "R1=0\nNEXT:\nR1=R1+1\n" + repeated("M3 ", 100) + "\nGOTOB NEXT\n"; },
+       "The program"},
+      {"tree", "k.mpf", words("check --dialect sinumerik FILE"),
+       [] { return "GOTOF DONE\n" + repeated("X1\n", 4'000'000) + "DONE:\nM30\n"; }, "The program"},
+      {"blocks of a job", "l.mpf", words("check --job --dialect sinumerik FILE"),
+       [] { return repeated("M7\n", 2'000'000) + "M30\n"; }, "The program"},
+      {"divided moves", "m.mpf", words("points --split 1e-6 --dialect sinumerik FILE"),
+       [] { return std::string("G0 X0 Y0 Z0\nG1 X1000 F1000\nM30\n"); }, "A path of"},
+      {"tokens", "n.toml", words("petri simulate FILE"),
+       [] {
+         return std::string(
+             "name = \"n\"\ntime_unit = \"ms\"\ntop = \"Top\"\n[pages.Top.places]\n"
+             "A = { colour = \"INT\", initial = \"1000000000`1\" }\n");
+       },
+       "The net"},
+      {"parts of an experiment", "o.json", words("merge FILE"),
+       [] { return "[" + repeated("0,", 20'000'000) + "0]"; }, "The JSON text"},
+      {"calibration", "p.json", words("feasibility --calibration FILE"),
+       [] { return "[" + repeated("[],", 8'000'000) + "0]"; }, "The JSON text"},
+  };
+  return kInputs;
+}
+
+}  // namespace
+
+class TestMemory : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+
+ private Q_SLOTS:
+  void isRefusedInTime_data() {
+    QTest::addColumn<std::size_t>("input");
+    for (std::size_t i = 0; i < inputs().size(); ++i) {
+      QTest::newRow(inputs()[i].name) << i;
+    }
+  }
+
+  void isRefusedInTime() {
+    QFETCH(std::size_t, input);
+    const Input& one = inputs()[input];
+    const QString path = m_folder.filePath(QString::fromUtf8(one.file));
+    QVERIFY(base::writeFile(path.toStdString(), one.text()).has_value());
+    QStringList arguments{QStringLiteral("--memory-limit"), QString::number(kLimit)};
+    arguments += one.arguments;
+    arguments.replaceInStrings(QStringLiteral("FILE"), path);
+    QProcess process;
+    process.start(QStringLiteral(RIVULET_CLI), arguments);
+    QVERIFY(process.waitForFinished(tests::kRunMs));
+    QFile::remove(path);
+    const QByteArray errors = process.readAllStandardError();
+    QVERIFY2(process.exitStatus() == QProcess::NormalExit && process.exitCode() == 2,
+             errors.constData());
+    QVERIFY2(errors.contains(one.what) && errors.contains("--memory-limit"), errors.constData());
+    if (!tests::kIsSanitized) {
+      // The largest of all programs so far.
+      rusage used{};
+      QCOMPARE(getrusage(RUSAGE_CHILDREN, &used), 0);
+      const double bytes = 1024.0 * static_cast<double>(used.ru_maxrss);
+      QVERIFY2(bytes < 1.2 * kLimit, qPrintable(QString::number(bytes)));
+    }
+  }
+
+  /// It is a limit of one file, and who has more memory can say so.
+  void theOptionAllowsMore() {
+    const QString path = m_folder.filePath(QStringLiteral("table.csv"));
+    std::string table = "t;x_act\n";
+    for (int i = 0; i < 50'000; ++i) {
+      table += std::to_string(0.001 * i) + ";1\n";
+    }
+    QVERIFY(base::writeFile(path.toStdString(), table).has_value());
+    const auto exitWith = [&](const char* limit) {
+      return QProcess::execute(QStringLiteral(RIVULET_CLI),
+                               {QStringLiteral("--memory-limit"), QString::fromUtf8(limit),
+                                QStringLiteral("analyse"), path, QStringLiteral("--json")});
+    };
+    QCOMPARE(exitWith("1MB"), 2);
+    QCOMPARE(exitWith("100MB"), 0);
+    QCOMPARE(exitWith("0.1GiB"), 0);
+    QCOMPARE(exitWith("1kB"), 2);
+    QCOMPARE(exitWith("much"), 2);
+  }
+};
+
+RIVULET_TEST(TestMemory)
+
+#include "tst_memory.moc"
