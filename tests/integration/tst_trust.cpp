@@ -273,6 +273,23 @@ class TestTrust : public QObject {
              qPrintable(refused.output));
   }
 
+  /// Only ways that the program has: it has no --password-file.
+  void whereAPasswordCanBeGivenIsSaid() {
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("RIVULET_PASSWORD"));
+    environment.remove(QStringLiteral("CREDENTIALS_DIRECTORY"));
+    process.setProcessEnvironment(environment);
+    // Without a terminal.
+    process.start(QStringLiteral("setsid"),
+                  {QStringLiteral("--wait"), QStringLiteral(RIVULET_MACHINE_PROGRAM),
+                   QStringLiteral("--hash-password")});
+    QVERIFY(process.waitForFinished(kRunMs));
+    QCOMPARE(process.exitCode(), 2);
+    const QByteArray errors = process.readAllStandardError();
+    QVERIFY2(errors.contains("RIVULET_PASSWORD") && !errors.contains("--"), errors.constData());
+  }
+
   void aPasswordFileMustBePrivate() {
     const QString file = write("password", QByteArray(kPassword) + "\n");
     QFile(file).setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup);
