@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/budget.h"
 #include "base/contract.h"
 
 namespace rivulet::petri {
@@ -20,9 +21,10 @@ Marking initialMarking(const Net& net) {
 std::size_t memoryBytes(const Marking& marking) {
   std::size_t bytes = 0;
   for (const std::vector<Token>& tokens : marking) {
-    bytes += tokens.capacity() * sizeof(Token);
+    constexpr std::size_t kPieceBytes = 24;  // what each piece of memory takes besides
+    bytes += base::Budget::bytesOf(tokens, tokens.size() / 4);
     for (const Token& token : tokens) {
-      bytes += token.value.capacity() * sizeof(Word);
+      bytes += token.value.capacity() * sizeof(Word) + kPieceBytes;
     }
   }
   return bytes;

@@ -160,15 +160,15 @@ bool Simulator::run(Word until) {
 
 base::Result<bool> Simulator::run(Word until,
                                   const std::function<base::Result<void>(std::size_t)>& mayHold) {
-  constexpr std::uint64_t kFirings = 4096;  // that are not asked for
+  constexpr std::uint64_t kFirings = 256;  // that are not asked for
   std::uint64_t next = m_firings + kFirings;
   while (step(until)) {
     if (m_firings < next) {
       continue;
     }
-    // As rarely as it is long: no run takes much longer for it.
+    // The rarer the longer it takes, so that no run takes much longer for it.
     const std::size_t bytes = memoryBytes(m_marking);
-    next = m_firings + kFirings + bytes / sizeof(Token);
+    next = m_firings + kFirings + bytes / (8 * sizeof(Token));
     if (auto may = mayHold(bytes); !may) {
       return base::fail(may.error());
     }
