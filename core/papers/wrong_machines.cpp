@@ -79,6 +79,8 @@ constexpr std::array kWrong{
              [](Scenario& scenario) {
                scenario.settings.parameters.signalStop = templates::SignalStop::OncePerLoop;
              }},
+    WrongOne{"loops of 5 points instead of 7", nullptr,
+             [](Scenario& scenario) { scenario.settings.parameters.pointsPerLoop = 5; }},
     WrongOne{"half the δ", nullptr, [](Scenario& scenario) { scenario.settings.deltaMm *= 0.5; }},
     WrongOne{"ten times the δ", nullptr,
              [](Scenario& scenario) { scenario.settings.deltaMm *= 10.0; }},
@@ -95,7 +97,7 @@ struct Probe {
 };
 constexpr std::array kProbes{
     Probe{runTable1, 300}, Probe{runFigure2, 20}, Probe{runSubscription, 20}, Probe{runFigure3, 3},
-    Probe{runFigure4, 1},  Probe{runMethod2, 12}, Probe{runDelta, 10}};
+    Probe{runFigure4, 1},  Probe{runMethod2, 12}, Probe{runDelta, 5}};
 
 /// A check of an experiment on one machine.
 struct CheckOutcome {
