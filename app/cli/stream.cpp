@@ -354,8 +354,7 @@ base::Result<void> StreamCommand::load() {
   }
   if (m_options.raiseToMm) {
     m_program = streaming::raiseProgram(*m_options.raiseToMm);
-  } else if (auto program =
-                 gcode::loadProgram(m_options.file, m_options.loading.loadOptions())) {
+  } else if (auto program = gcode::loadProgram(m_options.file, m_options.loading.loadOptions())) {
     m_program = std::move(*program);
   } else {
     return base::fail(program.error());

@@ -193,7 +193,7 @@ std::vector<PreflightItem> Preflight::items() const {
   if (const auto blocked = isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked()) {
     items.push_back({Status::Fault, tr("In the way"), widgets::blockedText(blocked), {}, 0});
   }
-  if (raiseToMm()) {
+  if (raise()) {
     items.push_back(raiseItem());
     items.push_back(stopItem());
     return items;
@@ -522,8 +522,8 @@ std::optional<streaming::CutOnTheWay> Preflight::cutOnTheWay() const {
   }
   if (m_document.isJob()) {
     const streaming::CutBox* cut = m_document.jobCut();
-    return cut != nullptr ? forecast::cutOnTheWay(*m_document.view()->plan, *m_document.jobMachine(),
-                                                  {*toolMm, {}}, *cut)
+    return cut != nullptr ? forecast::cutOnTheWay(*m_document.view()->plan,
+                                                  *m_document.jobMachine(), {*toolMm, {}}, *cut)
                           : std::nullopt;
   }
   const auto& points = m_document.points();
@@ -534,9 +534,17 @@ std::optional<streaming::CutOnTheWay> Preflight::cutOnTheWay() const {
       streaming::cutOf(points));
 }
 
-std::optional<double> Preflight::raiseToMm() const {
+std::optional<Preflight::Raise> Preflight::raise() const {
   const auto cut = m_isRaising && !isForResume() ? cutOnTheWay() : std::nullopt;
-  return cut && cut->isClearFromAbove ? std::optional(cut->heightMm) : std::nullopt;
+  if (!cut || !cut->isClearFromAbove) {
+    return std::nullopt;
+  }
+  // Not faster than it cuts: it may stand in the workpiece.
+  const streaming::StreamSettings& settings = m_document.settings();
+  const auto feeds = programFeeds(*m_document.view());
+  return Raise{cut->heightMm, settings.usesProgramFeeds() && feeds
+                                  ? feeds->first * std::min(1.0, settings.overrideFactor)
+                                  : m_document.runSettings().feedMmPerS};
 }
 
 void Preflight::warnOfCut(PreflightItem& item) const {
@@ -563,7 +571,7 @@ PreflightItem Preflight::straightItem() const {
                              tr("Confirmed: nothing is in the way of the first move."),
                              {},
                              0}
-             : PreflightItem{Status::Plain, tr("Straight way"),
+             : PreflightItem{Status::Attention, tr("Straight way"),
                              tr("If nothing is in the way of the first move, confirm it."),
                              tr("It is clear …"), ConfirmFirstMove};
 }
@@ -574,13 +582,14 @@ void Preflight::confirmFirstMove() {
 }
 
 PreflightItem Preflight::raiseItem() const {
-  const double byMm = *raiseToMm() - m_machine.positionNowMm()->z;
+  const Raise raise = *this->raise();
+  const double byMm = raise.toMm - m_machine.positionNowMm()->z;
   return {Status::Attention,
           tr("Raise the tool"),
           tr("The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page "
              "comes again.")
-              .arg(widgets::lengthText(byMm, 3), widgets::lengthText(*raiseToMm(), 3),
-                   widgets::feedText(m_document.runSettings().feedMmPerS)),
+              .arg(widgets::lengthText(byMm, 3), widgets::lengthText(raise.toMm, 3),
+                   widgets::feedText(raise.feedMmPerS)),
           {},
           0,
           true};

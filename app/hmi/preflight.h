@@ -53,13 +53,18 @@ class Preflight final : public QObject {
   [[nodiscard]] bool isForResume() const { return m_runs.place().has_value(); }
   /// At a line that the operator has chosen, a kind of resuming.
   [[nodiscard]] bool isForChosenLine() const { return isForResume() && m_runs.place()->isChosen; }
-  /// The tool is raised, as a run of its own, before anything else. @return Z, nothing: it is not
-  [[nodiscard]] std::optional<double> raiseToMm() const;
+  /// Of the tool, as a run of its own before anything else.
+  struct Raise {
+    double toMm = 0.0;  ///< Z
+    double feedMmPerS = 0.0;
+  };
+  /// Nothing: the tool is not raised.
+  [[nodiscard]] std::optional<Raise> raise() const;
   /// It is shown, and nothing stands in the way.
   [[nodiscard]] bool hasPassed() const {
     return m_isOpen && !(isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked()) &&
-           (raiseToMm() || ((m_isSetUpConfirmed || missingSetUp().isEmpty()) &&
-                            (m_isFirstMoveConfirmed || !cutOnTheWay())));
+           (raise() || ((m_isSetUpConfirmed || missingSetUp().isEmpty()) &&
+                        (m_isFirstMoveConfirmed || !cutOnTheWay())));
   }
   /// In the operator's language.
   [[nodiscard]] std::vector<widgets::PreflightItem> items() const;

@@ -543,7 +543,7 @@ void RunController::forgetLast() {
   }
 }
 
-bool RunController::raise(double toMm) {
+bool RunController::raise(double toMm, double feedMmPerS) {
   if (refuses(startBlocked())) {
     return false;
   }
@@ -551,6 +551,7 @@ bool RunController::raise(double toMm) {
   command.program = std::make_shared<const gcode::Program>(streaming::raiseProgram(toMm));
   command.settings = m_document.runSettings();
   command.settings.programFeeds.reset();
+  command.settings.feedMmPerS = feedMmPerS;
   forgetResume();
   m_left.reset();
   holdPoints();
@@ -580,9 +581,10 @@ void RunController::takeRaised(const streaming::RunReport& report) {
   if (report.error.code) {
     m_messages.raise(alarm::Code::RunFailed, {report.programName}, report.error);
   }
-  m_messages.log(Severity::Note, Source::Run, [isDone = report.outcome == streaming::Outcome::Completed] {
-    return isDone ? tr("The tool has been raised.") : tr("The tool has not been raised.");
-  });
+  m_messages.log(
+      Severity::Note, Source::Run, [isDone = report.outcome == streaming::Outcome::Completed] {
+        return isDone ? tr("The tool has been raised.") : tr("The tool has not been raised.");
+      });
   m_document.setRunning(false);
   Q_EMIT updated(m_update);
   Q_EMIT permissionsChanged();

@@ -53,9 +53,9 @@ class RunController final : public QObject {
 
   /// Starts if nothing stands in the way. @return false and says why otherwise
   bool start();
-  /// Raises the tool straight up, as a run of its own, at the largest feed of the program. The run
-  /// that was left cannot be resumed any more. @param toMm  Z  @return false as `start`
-  bool raise(double toMm);
+  /// Raises the tool straight up, as a run of its own. The run that was left cannot be resumed any
+  /// more. @param toMm  Z  @return false as `start`
+  bool raise(double toMm, double feedMmPerS);
   /// The axes stand at once, as with `hold`; without a feed cell the run ends before its next
   /// window. May be called again and again.
   void stop();

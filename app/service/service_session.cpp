@@ -471,8 +471,9 @@ std::string ServiceSession::describeStart() const {
         "X {:.3f} Y {:.3f} Z {:.3f}.",
         at->x, at->y, at->z, base::distance(*at, to), to.x, to.y, to.z);
     const auto cut =
-        !view.isJob() ? streaming::cutOnTheWay(*at, streaming::firstPlace(view.program->trajectory, *at),
-                                        streaming::cutOf(points))
+        !view.isJob()
+            ? streaming::cutOnTheWay(*at, streaming::firstPlace(view.program->trajectory, *at),
+                                     streaming::cutOf(points))
         : m_job->hazards && m_machine->known
             ? forecast::cutOnTheWay(*view.plan, *m_machine->known, {*at, {}}, m_job->cut)
             : std::nullopt;

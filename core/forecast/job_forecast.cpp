@@ -246,8 +246,8 @@ std::optional<streaming::CutOnTheWay> cutFrom(const job::Plan& plan,
         return each != nullptr && each->number > 0;
       });
   const auto until = static_cast<std::size_t>(stretch - plan.parts.begin());
-  const machine::DryRun run =
-      machine::dryRun(machine, job::outlineOf(plan, until).text, {.start = tool, .endsWithFeed = true});
+  const machine::DryRun run = machine::dryRun(machine, job::outlineOf(plan, until).text,
+                                              {.start = tool, .endsWithFeed = true});
   for (const machine::DryMotion& motion : run.motions) {
     const auto found =
         streaming::cutOnTheWay(motion.from.mm + motion.zeroMm, motion.toMm + motion.zeroMm, cut);

@@ -304,12 +304,14 @@ class TestJobForecast : public QObject {
     QTest::newRow("from the cut, retracted first")
         << QStringLiteral("SUPA G0 Z200 D0\n") + plain << true << false << 20.0;
     QTest::newRow("from the cut, retracted too late")
-        << QStringLiteral("G54\nT1 D1 M6\nG0 X20 Y0\nSUPA G0 Z200 D0\nG0 Z20\n") << true << true << 20.0;
+        << QStringLiteral("G54\nT1 D1 M6\nG0 X20 Y0\nSUPA G0 Z200 D0\nG0 Z20\n") << true << true
+        << 20.0;
     QTest::newRow("from the cut, drilling first")
         << QStringLiteral("G54\nT1 D1 M6\nS900 M3\nG0 X-9 Y0 Z20 F300\nCYCLE81(20,0,2,-5)\n")
         << true << true << 2.0;  // where the tool is behind a cycle, only the control knows
     // The first move of a stretch counts as well.
-    QTest::newRow("from the cut, streamed") << QStringLiteral("G0 X20 Y0 Z20\n") << true << true << 20.0;
+    QTest::newRow("from the cut, streamed")
+        << QStringLiteral("G0 X20 Y0 Z20\n") << true << true << 20.0;
   }
   void firstMovesThroughTheCut() {
     QFETCH(const QString, head);

@@ -623,16 +623,14 @@ class TestJobRestart : public QObject {
     awaitReset(machine);
     const auto programs = job::makePrograms(m_plan, settings().parameters);
     QVERIFY(programs);
-    const std::array<opcua::Variable, 1> owner{
-        opcua::rParameter(programs->loop.cells.owner)};
+    const std::array<opcua::Variable, 1> owner{opcua::rParameter(programs->loop.cells.owner)};
     const auto before = opcua::readNumbers(link, owner, std::chrono::seconds{1});
     QVERIFY(before);
     const int number = job::doneNumber(m_plan);
     const std::array<opcua::Assignment, 1> same{{{owner[0], static_cast<double>(number)}}};
     QVERIFY(opcua::writeNow(link, same, std::chrono::seconds{1}));
     keeper.last->runNumber += number - streaming::runNumberOf(before->front());
-    const auto rest =
-        streaming::whereJobWasLeft(link, m_plan, settings(), *keeper.last, zeroAt());
+    const auto rest = streaming::whereJobWasLeft(link, m_plan, settings(), *keeper.last, zeroAt());
     QVERIFY(!rest);
     QCOMPARE(rest.error().code, make_error_code(streaming::StreamError::CannotResume));
   }

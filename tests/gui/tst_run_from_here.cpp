@@ -87,6 +87,8 @@ class TestRunFromHere : public QObject {
     }
     file.close();
     m_window->openProgram(file.fileName());
+    QTRY_COMPARE_WITH_TIMEOUT(QString::fromStdString(m_window->program()->name),
+                              QString::fromUtf8(name), kSoonMs);
     QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
   }
   /// False: there is no such button.
@@ -220,15 +222,16 @@ class TestRunFromHere : public QObject {
     QTRY_VERIFY(text(sheet).contains(QStringLiteral("Start is not possible yet.")));
     QVERIFY(press(sheet, QStringLiteral("Raise the tool …")));
     QVERIFY(text(sheet).contains(QStringLiteral("Before the tool is raised")));
-    QVERIFY2(text(sheet).contains(QStringLiteral("by 25.000 mm to Z 20.000 mm")),
+    QVERIFY2(text(sheet).contains(QStringLiteral("by 25.000 mm to Z 20.000 mm, at 120 mm/min")),
              qPrintable(text(sheet)));
     settle();
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/raise-light.png")));
     hold(start);
     QTRY_VERIFY_WITH_TIMEOUT(!m_window->isRunning() && sheet->isVisible(), kRunMs);
     QCOMPARE(finished.size(), 1);  // no run of the program
-    QTRY_VERIFY(text(sheet).contains(QStringLiteral("Hold Start for one second: then the machine "
-                                                    "moves.")));
+    QTRY_VERIFY(
+        text(sheet).contains(QStringLiteral("Hold Start for one second: then the machine "
+                                            "moves.")));
     QVERIFY(!text(sheet).contains(QStringLiteral("passes within")));
     hold(start);
     QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 2, kRunMs);

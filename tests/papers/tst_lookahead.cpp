@@ -85,13 +85,6 @@ class TestLookahead : public QObject {
     const std::vector<Planner> planners{
         {"half the acceleration", [](machine::MachineConfig& config) { scaled(config, 0.5); }},
         {"a fifth more acceleration", [](machine::MachineConfig& config) { scaled(config, 1.2); }},
-        {"limited jerk",
-         [](machine::MachineConfig& config) {
-           for (machine::AxisLimits& axis : config.axes) {
-             axis.jerkMmPerS3Max = 5000.0;
-           }
-           config.resetDynamics = machine::Dynamics::Soft;
-         }},
         {"a fifth of the speed",
          [](machine::MachineConfig& config) {
            for (machine::AxisLimits& axis : config.axes) {

@@ -79,11 +79,11 @@ class TestFirstMove : public QObject {
 
   /// A program whose first point is in the cut is not reached from above.
   void raisingDoesNotAlwaysHelp() {
-    const auto read = gcode::interpretProgram(
-        "part.nc", "G1 X0 Y0 Z-5 F500\nX50\nY30\nZ20\nX0 Y0 Z-5\nM30\n");
+    const auto read =
+        gcode::interpretProgram("part.nc", "G1 X0 Y0 Z-5 F500\nX50\nY30\nZ20\nX0 Y0 Z-5\nM30\n");
     const auto points = gcode::streamPoints(read->trajectory, {}).points;
-    const auto cut = streaming::cutOnTheWay({25, 10, -5}, points.front().positionMm,
-                                            streaming::cutOf(points));
+    const auto cut =
+        streaming::cutOnTheWay({25, 10, -5}, points.front().positionMm, streaming::cutOf(points));
     QVERIFY(cut && !cut->isClearFromAbove);
   }
 
@@ -95,7 +95,6 @@ class TestFirstMove : public QObject {
     QCOMPARE(points.size(), std::size_t{1});
     QCOMPARE(points.front().positionMm, (base::Vec3{7, 8, 22.5}));
   }
-
 };
 
 RIVULET_TEST(TestFirstMove)

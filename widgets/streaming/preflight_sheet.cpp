@@ -87,8 +87,8 @@ void PreflightSheet::showItems() {
                            ? tr("Nothing has moved yet. Hold Start for one second: then the tool "
                                 "is raised, and nothing else.")
                        : m_passed ? tr("Nothing has moved yet. Hold Start for one second: then the "
-                                     "machine moves.")
-                                : tr("Start is not possible yet."));
+                                       "machine moves.")
+                                  : tr("Start is not possible yet."));
 }
 
 void PreflightSheet::addItem(const PreflightItem& item, int row) {
@@ -149,7 +149,7 @@ void PreflightSheet::fold() {
 void PreflightSheet::retranslate() {
   m_title->setText(m_kind == Kind::Raise    ? tr("Before the tool is raised")
                    : m_kind == Kind::Resume ? tr("Before the run is resumed")
-                                          : tr("Before the start"));
+                                            : tr("Before the start"));
   showItems();
 }
 

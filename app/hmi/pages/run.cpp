@@ -298,7 +298,7 @@ QWidget* makePreflightSheet(RunController* runs, Preflight* preflight, QWidget* 
       sheet->setItems(preflight->items(), preflight->hasPassed(),
                       preflight->isForChosenLine() ? PreflightSheet::Kind::StartHere
                       : preflight->isForResume()   ? PreflightSheet::Kind::Resume
-                      : preflight->raiseToMm()     ? PreflightSheet::Kind::Raise
+                      : preflight->raise()         ? PreflightSheet::Kind::Raise
                                                    : PreflightSheet::Kind::Start);
     }
   };
@@ -320,13 +320,12 @@ QWidget* makePreflightSheet(RunController* runs, Preflight* preflight, QWidget* 
     question->setInputMode(QInputDialog::TextInput);
     question->setWindowTitle(RunTexts::straightTitle());
     question->setLabelText(RunTexts::straight());
-    QObject::connect(question, &QInputDialog::textValueSelected, preflight,
-                     [preflight](const QString& typed) {
-                       if (typed.trimmed().compare(RunTexts::clearWord(), Qt::CaseInsensitive) ==
-                           0) {
-                         preflight->confirmFirstMove();
-                       }
-                     });
+    QObject::connect(
+        question, &QInputDialog::textValueSelected, preflight, [preflight](const QString& typed) {
+          if (typed.trimmed().compare(RunTexts::clearWord(), Qt::CaseInsensitive) == 0) {
+            preflight->confirmFirstMove();
+          }
+        });
     widgets::openSheet(question, sheet);
   });
   QObject::connect(preflight, &Preflight::liveRequested, sheet, [sheet] {
@@ -347,8 +346,8 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
   auto* panel = new RunPanel(parent);
   QObject::connect(panel, &RunPanel::preflightRequested, preflight, &Preflight::openForStart);
   QObject::connect(panel, &RunPanel::startRequested, runs, [runs, preflight] {
-    if (const auto toMm = preflight->raiseToMm()) {
-      runs->raise(*toMm);
+    if (const auto raise = preflight->raise()) {
+      runs->raise(raise->toMm, raise->feedMmPerS);
     } else {
       runs->start();
     }

@@ -108,8 +108,8 @@ std::string describe(const CutOnTheWay& cut) {
 gcode::Program raiseProgram(double toMm) {
   gcode::LoadOptions options;
   options.dialect = gcode::Dialect::Sinumerik;
-  auto program = gcode::interpretProgram(
-      "RAISE", fmt::format("G90 G710 G1 Z{:.3f}\nM30\n", toMm), options);
+  auto program =
+      gcode::interpretProgram("RAISE", fmt::format("G90 G710 G1 Z{:.3f}\nM30\n", toMm), options);
   RIVULET_ASSERT(program.has_value());
   return std::move(*program);
 }
