@@ -580,7 +580,8 @@ base::Result<void> JobCommand::requireClearWay(const machine::MachineConfig& mac
     return base::fail(mm.error());
   }
   const base::AxisPosition tool{{(*mm)[0], (*mm)[1], (*mm)[2]}, {}};
-  return cli::requireClearWay(forecast::cutOnTheWay(m_plan, machine, tool, cut), m_options.straight,
+  return cli::requireClearWay(forecast::cutOnTheWay(m_plan, machine, tool, cut),
+                              m_options.straight || m_connection.control->isVirtualMachine(),
                               m_plan.program.name);
 }
 

@@ -569,8 +569,9 @@ base::Result<void> StreamCommand::checkTravel() {
     const auto cut = streaming::cutOnTheWay(
         flight->toolMm, streaming::firstPlace(m_program.trajectory, flight->toolMm),
         streaming::cutOf(points));
-    if (base::Result<void> clear = requireClearWay(cut, m_options.straight, m_program.name);
-        !clear) {
+    // A virtual machine has nothing in its way.
+    const bool isAccepted = m_options.straight || m_connection.control->isVirtualMachine();
+    if (base::Result<void> clear = requireClearWay(cut, isAccepted, m_program.name); !clear) {
       return clear;
     }
   }

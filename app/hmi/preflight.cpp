@@ -161,7 +161,9 @@ Preflight::Preflight(Document& document, MachineModel& machine, RunController& r
 void Preflight::open() {
   if (!m_isOpen && !m_runs.isRunning()) {
     m_isOpen = true;
-    m_isSetUpConfirmed = m_isFirstMoveConfirmed = m_isRaising = false;
+    m_isSetUpConfirmed = m_isRaising = false;
+    // A virtual machine has nothing in its way.
+    m_isFirstMoveConfirmed = m_machine.view().isVirtualMachine;
     Q_EMIT changed();
     Q_EMIT openChanged();
   }
@@ -223,7 +225,7 @@ std::vector<PreflightItem> Preflight::programItems() const {
     items.push_back(functionsItem());
   }
   items.push_back(isForResume() ? resumeItem() : firstMoveItem());
-  if (cutOnTheWay()) {
+  if (cutOnTheWay() && !m_machine.view().isVirtualMachine) {
     items.push_back(straightItem());
   }
   if (isForChosenLine()) {

@@ -285,38 +285,23 @@ class TestResume : public QObject {
     QVERIFY(list.runs.back().recording.ends_with("1.rivulet"));
   }
 
-  /// After a stop in the cut, a start from the beginning would go straight through the part: it is
-  /// refused before anything moves, the tool is raised by a run of its own, and then it starts.
-  void theToolIsRaisedBeforeAnotherStart() {
-    QFile pocket(path(QStringLiteral("pocket.nc")));
-    QVERIFY(pocket.open(QIODevice::WriteOnly));
-    QVERIFY(pocket.write("G1 X0 Y0 Z20 F3000\nZ-5\nX30\nY30\nX0\nY0\nX30\nY30\nZ20\n") > 0);
-    pocket.close();
-    const QString machine = QStringLiteral(RIVULET_MACHINE);
-    tests::MachineProcess own(machine, words("--seed 1"));
+  /// Out of the cut, by a run of its own; never down.
+  void theToolIsRaised() {
+    QFile place(path(QStringLiteral("place.nc")));
+    QVERIFY(place.open(QIODevice::WriteOnly) && place.write("G1 X10 Y10 Z-5 F3000\n") > 0);
+    place.close();
+    tests::MachineProcess own(QStringLiteral(RIVULET_MACHINE), words("--seed 1"));
     const auto run = [&](const QStringList& words, int exit) {
       return ask(words + QStringList{QStringLiteral("--json"), QStringLiteral("--endpoint"),
                                      own.endpoint()},
                  exit);
     };
-    // In the cut: from there to the first point through the part.
-    const QStringList stream{QStringLiteral("stream"), pocket.fileName(), QStringLiteral("--feed"),
-                             QStringLiteral("1500")};
-    // Where a stop may have left it.
-    QFile place(path(QStringLiteral("place.nc")));
-    QVERIFY(place.open(QIODevice::WriteOnly) && place.write("G1 X10 Y10 Z-5 F3000\n") > 0);
-    place.close();
-    QVERIFY(run({QStringLiteral("stream"), place.fileName(), QStringLiteral("--feed"),
-                 QStringLiteral("9000"), QStringLiteral("--straight")},
-                0)
-                .is_object());
-    const json refused = run(stream, 2);
-    const QByteArray text = QByteArray::fromStdString(refused.dump());
-    QVERIFY2(text.contains("raise --to 20.000"), text.constData());
-    QVERIFY(run(words("raise --feed 500 --to -8"), 2).is_object());  // it would go down
+    const QStringList stream{QStringLiteral("stream"), place.fileName(), QStringLiteral("--feed"),
+                             QStringLiteral("9000")};
+    QVERIFY(run(stream, 0).is_object());
+    QVERIFY(run(words("raise --feed 500 --to -8"), 2).is_object());
     const json raised = run(words("raise --feed 500 --to 20"), 0);
     QVERIFY2(raised.is_object() && raised["executed"] == 1, raised.dump().c_str());
-    QVERIFY(run(stream + words("--stop-after 1"), 0).is_object());
   }
 };
 

@@ -152,6 +152,7 @@ class TestSilentClient : public QObject {
     QVERIFY2(awaitPlace(**link, client, isWithin), client.readAllStandardError().constData());
 
     // Silent, the axes stand where they are: not at an end of the move.
+    QVERIFY(client.processId() > 0);  // 0 would stop all that the tests have started
     ::kill(static_cast<pid_t>(client.processId()), SIGSTOP);
     const Look stopped = awaitRest(**link);
     QVERIFY(!stopped.isReset && isWithin(stopped));

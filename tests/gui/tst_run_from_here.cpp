@@ -3,7 +3,6 @@
 
 /// A run that begins at a line the operator has chosen: shown first, then held like a resumed one.
 
-#include <QInputDialog>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -198,8 +197,8 @@ class TestRunFromHere : public QObject {
     QVERIFY(!m_window->isRunning());
   }
 
-  /// A start from the beginning while the tool stands in the cut: nothing starts before the tool
-  /// has been raised, as a run of its own, or somebody has typed that the way is clear.
+  /// A start from the beginning while the tool stands in the cut: it is said, and the tool can be
+  /// raised first, as a run of its own.
   void theToolIsRaisedBeforeAStartInTheCut() {
     openWindow(base::MethodKind::Window);
     openText("place.nc", "G1 X10 Y10 Z-5 F3000\n");
@@ -211,15 +210,8 @@ class TestRunFromHere : public QObject {
     const auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
     QTest::mouseClick(start, Qt::LeftButton);
     QTRY_VERIFY(text(sheet).contains(QStringLiteral("passes within what the program cuts")));
-    QVERIFY(text(sheet).contains(QStringLiteral("Start is not possible yet.")));
     settle();
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/first-move-light.png")));
-    QVERIFY(press(sheet, QStringLiteral("It is clear …")));
-    auto* question = m_window->findChild<QInputDialog*>();
-    QVERIFY(question != nullptr);
-    question->setTextValue(QStringLiteral("yes"));
-    question->accept();
-    QTRY_VERIFY(text(sheet).contains(QStringLiteral("Start is not possible yet.")));
     QVERIFY(press(sheet, QStringLiteral("Raise the tool …")));
     QVERIFY(text(sheet).contains(QStringLiteral("Before the tool is raised")));
     QVERIFY2(text(sheet).contains(QStringLiteral("by 25.000 mm to Z 20.000 mm, at 120 mm/min")),
@@ -237,26 +229,6 @@ class TestRunFromHere : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 2, kRunMs);
     QVERIFY(m_window->lastReport()->isFaultless());
     QCOMPARE(m_window->lastReport()->counters.executed, std::size_t{7});
-  }
-
-  void aTypedWordTakesTheStraightWay() {
-    openWindow(base::MethodKind::Window);
-    openText("place.nc", "G1 X10 Y10 Z-5 F3000\n");
-    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
-    QVERIFY(m_window->start());
-    QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
-    openText("pocket.nc", "G1 X0 Y0 Z20 F3000\nZ-5\nX30\nY30\nX0\nY0\nZ20\n");
-    auto* start = m_window->findChild<widgets::HoldButton*>(QStringLiteral("start"));
-    const auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
-    QTest::mouseClick(start, Qt::LeftButton);
-    QTRY_VERIFY(press(sheet, QStringLiteral("It is clear …")));
-    auto* question = m_window->findChild<QInputDialog*>();
-    QVERIFY(question != nullptr);
-    question->setTextValue(QStringLiteral("clear"));
-    question->accept();
-    QTRY_VERIFY(text(sheet).contains(QStringLiteral("then the machine moves.")));
-    hold(start);
-    QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 2, kRunMs);
   }
 };
 
