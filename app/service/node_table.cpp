@@ -149,8 +149,7 @@ const std::vector<MethodRow>& methodRows() {
          return session.preflight(caller);
        }},
       {"PreflightStretch",
-       "The same of a whole job that is to begin with this stretch (1, 2, ...): what the control "
-       "does first. Call again for the answer. Nothing moves.",
+       "The same of a job that begins with this stretch (1, 2, ...). Call again for the answer.",
        {"Stretch"},
        [](ServiceSession& session, const Caller& caller, const Inputs& inputs) {
          return session.preflightStretch(caller, inputs[0]);
@@ -186,16 +185,14 @@ const std::vector<MethodRow>& methodRows() {
          return session.stop(caller);
        }},
       {"PreflightResume",
-       "Asks the control where the run was left, and what it executes first if its program still "
-       "stands there; call again for the answer. Nothing moves. Its confirmation is what ResumeRun "
-       "asks for.",
+       "Asks the control where the run was left, and what its program still executes first; call "
+       "again for the answer. Nothing moves. Its confirmation is what ResumeRun asks for.",
        {},
        [](ServiceSession& session, const Caller& caller, const Inputs&) {
          return session.preflightResume(caller);
        }},
       {"ResumeRun",
-       "Goes on with the run that was left. Confirmation: as the last PreflightResume has returned "
-       "it.",
+       "Goes on with the run that was left. Confirmation: as PreflightResume has returned it.",
        {"Confirmation"},
        [](ServiceSession& session, const Caller& caller, const Inputs& inputs) {
          return session.resumeRun(caller, inputs[0]);

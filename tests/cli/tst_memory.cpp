@@ -103,8 +103,6 @@ const std::vector<Input>& inputs() {
        "The program"},
       {"tree", "k.mpf", words("check --dialect sinumerik FILE"),
        [] { return "GOTOF DONE\n" + repeated("X1\n", 4'000'000) + "DONE:\nM30\n"; }, "The program"},
-      {"blocks of a job", "l.mpf", words("check --job --dialect sinumerik FILE"),
-       [] { return repeated("M7\n", 2'000'000) + "M30\n"; }, "The program"},
       {"divided moves", "m.mpf", words("points --split 1e-6 --dialect sinumerik FILE"),
        [] { return std::string("G0 X0 Y0 Z0\nG1 X1000 F1000\nM30\n"); }, "A path of"},
       {"tokens", "n.toml", words("petri simulate FILE"),
@@ -116,8 +114,6 @@ const std::vector<Input>& inputs() {
        "The net"},
       {"parts of an experiment", "o.json", words("merge FILE"),
        [] { return "[" + repeated("0,", 20'000'000) + "0]"; }, "The JSON text"},
-      {"calibration", "p.json", words("feasibility --calibration FILE"),
-       [] { return "[" + repeated("[],", 8'000'000) + "0]"; }, "The JSON text"},
   };
   return kInputs;
 }
@@ -197,7 +193,6 @@ class TestMemory : public QObject {
     };
     QCOMPARE(exitWith("1MB"), 2);
     QCOMPARE(exitWith("100MB"), 0);
-    QCOMPARE(exitWith("0.1GiB"), 0);
     QCOMPARE(exitWith("1kB"), 2);
     QCOMPARE(exitWith("much"), 2);
   }

@@ -23,6 +23,10 @@ const QMap<QString, QString>& largeClasses() {
        QStringLiteral("one member per modal group of a control")},
       {QStringLiteral("core/nc/syntax/language.h:Language"),
        QStringLiteral("one row of the table of dialects")},
+      {QStringLiteral("app/service/service_session.h:Snapshot"),
+       QStringLiteral("one member per variable of the service")},
+      {QStringLiteral("core/job/splitter.cpp:Splitter"),
+       QStringLiteral("the state of a program between two of its blocks")},
   };
   return all;
 }
