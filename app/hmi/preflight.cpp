@@ -517,7 +517,8 @@ PreflightItem Preflight::firstMoveItem() const {
 }
 
 std::optional<streaming::CutOnTheWay> Preflight::cutOnTheWay() const {
-  const auto toolMm = m_machine.positionNowMm();
+  // Also between two readings: a place that is a second old is better than none.
+  const auto& toolMm = m_machine.view().positionMm;
   const bool goesOn = isForResume() && !isForChosenLine();
   if (!toolMm || goesOn || m_document.live() || m_document.points().empty()) {
     return std::nullopt;
@@ -585,7 +586,7 @@ void Preflight::confirmFirstMove() {
 
 PreflightItem Preflight::raiseItem() const {
   const Raise raise = *this->raise();
-  const double byMm = raise.toMm - m_machine.positionNowMm()->z;
+  const double byMm = raise.toMm - m_machine.view().positionMm->z;
   return {Status::Attention,
           tr("Raise the tool"),
           tr("The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page "

@@ -84,6 +84,8 @@ class TestLookahead : public QObject {
     static const auto scaled = scaleAcceleration;
     const std::vector<Planner> planners{
         {"half the acceleration", [](machine::MachineConfig& config) { scaled(config, 0.5); }},
+        {"a tenth of the acceleration",
+         [](machine::MachineConfig& config) { scaled(config, 0.1); }},
         {"a fifth more acceleration", [](machine::MachineConfig& config) { scaled(config, 1.2); }},
         {"a fifth of the speed",
          [](machine::MachineConfig& config) {

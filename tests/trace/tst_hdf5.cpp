@@ -438,9 +438,12 @@ class TestHdf5 : public QObject {
     const auto imported = importTrace(file.bytes());
     QVERIFY(imported);
     QCOMPARE(structureOf(imported->trace), std::string("t x_act"));
-    file.emptyRow("/huge", hsize_t{1} << 50U);
-    const auto huge = importTrace(file.bytes());
-    QVERIFY(!huge && huge.error().code == base::BudgetError::Exceeded);
+    OtherFile large;
+    large.row("/t", H5T_NATIVE_DOUBLE, ramp(100, 0.001));
+    large.emptyRow("/huge", hsize_t{1} << 50U);
+    const auto huge = importTrace(large.bytes());
+    QVERIFY(!huge);
+    QVERIFY2(huge.error().code == base::BudgetError::Exceeded, huge.error().text().c_str());
     OtherFile empty;
     const auto none = importTrace(empty.bytes());
     QVERIFY(!none && none.error().code == ImportError::NotATable);
