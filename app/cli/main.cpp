@@ -38,6 +38,16 @@ const CLI::Validator kPositive(
     },
     "POSITIVE");
 
+/// Where an axis can be, mm.
+const CLI::Validator kPlace(
+    [](std::string& text) {
+      double value = 0.0;
+      return CLI::detail::lexical_cast(text, value) && std::abs(value) < 1e6
+                 ? std::string()
+                 : "must be a place in mm, not " + text;
+    },
+    "MM");
+
 /// Letters of axes.
 const CLI::Validator kAxes(
     [](std::string& text) {
@@ -457,7 +467,8 @@ void addRaiseCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) 
       ->add_option_function<double>(
           "--to", [options](double mm) { options->raiseToMm = mm; },
           "Z to which it is raised, mm, in the frame that the control has active")
-      ->required();
+      ->required()
+      ->check(kPlace);
   command->add_option("--feed", options->point.feedMmPerMin, "Feed, mm/min")
       ->required()
       ->check(kPositive);

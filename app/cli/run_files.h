@@ -39,7 +39,7 @@ template <class Options>
 }
 
 /// Refuses a first move through what the program cuts, unless the operator has looked.
-/// @param isAccepted  --straight was given
+/// @param isAccepted  --straight was given, or nothing can be in the way: it is only said
 [[nodiscard]] base::Result<void> requireClearWay(const std::optional<streaming::CutOnTheWay>& cut,
                                                  bool isAccepted, const std::string& program);
 

@@ -58,13 +58,16 @@ class Preflight final : public QObject {
     double toMm = 0.0;  ///< Z
     double feedMmPerS = 0.0;
   };
-  /// Nothing: the tool is not raised.
+  /// The operator has chosen to raise it: nothing else starts.
+  [[nodiscard]] bool isRaising() const { return m_isRaising; }
+  /// Nothing: the tool is not raised, or need not be any more.
   [[nodiscard]] std::optional<Raise> raise() const;
   /// It is shown, and nothing stands in the way.
   [[nodiscard]] bool hasPassed() const {
     return m_isOpen && !(isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked()) &&
-           (raise() || ((m_isSetUpConfirmed || missingSetUp().isEmpty()) &&
-                        (m_isFirstMoveConfirmed || !cutOnTheWay())));
+           (isRaising() ? raise().has_value()
+                        : (m_isSetUpConfirmed || missingSetUp().isEmpty()) &&
+                              (m_isFirstMoveConfirmed || !cutOnTheWay()));
   }
   /// In the operator's language.
   [[nodiscard]] std::vector<widgets::PreflightItem> items() const;

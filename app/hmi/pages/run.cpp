@@ -346,10 +346,10 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
   auto* panel = new RunPanel(parent);
   QObject::connect(panel, &RunPanel::preflightRequested, preflight, &Preflight::openForStart);
   QObject::connect(panel, &RunPanel::startRequested, runs, [runs, preflight] {
-    if (const auto raise = preflight->raise()) {
-      runs->raise(raise->toMm, raise->feedMmPerS);
-    } else {
+    if (!preflight->isRaising()) {
       runs->start();
+    } else if (const auto raise = preflight->raise()) {
+      runs->raise(raise->toMm, raise->feedMmPerS);
     }
   });
   QObject::connect(panel, &RunPanel::stopRequested, runs, [runs, found] {
