@@ -4773,14 +4773,6 @@ GPL-3.0-or-later</translation>
         <translation>Das Werkzeug wird auf Z %1 abgehoben.</translation>
     </message>
     <message>
-        <source>The tool has been raised.</source>
-        <translation>Das Werkzeug ist abgehoben.</translation>
-    </message>
-    <message>
-        <source>The tool has not been raised.</source>
-        <translation>Das Werkzeug ist nicht abgehoben.</translation>
-    </message>
-    <message>
         <source>The state before the first part is not known: only the control knows what an earlier block does. Start from the beginning.</source>
         <translation>Der Zustand vor dem ersten Abschnitt ist nicht bekannt: Nur die Steuerung weiß, was ein früherer Satz bewirkt. Von vorn beginnen.</translation>
     </message>

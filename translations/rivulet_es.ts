@@ -4773,14 +4773,6 @@ GPL-3.0-or-later</translation>
         <translation>La herramienta sube a Z %1.</translation>
     </message>
     <message>
-        <source>The tool has been raised.</source>
-        <translation>La herramienta está levantada.</translation>
-    </message>
-    <message>
-        <source>The tool has not been raised.</source>
-        <translation>La herramienta no está levantada.</translation>
-    </message>
-    <message>
         <source>The state before the first part is not known: only the control knows what an earlier block does. Start from the beginning.</source>
         <translation>No se conoce el estado antes del primer tramo: solo el control sabe qué hace una secuencia anterior. Empiece desde el principio.</translation>
     </message>

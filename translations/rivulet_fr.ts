@@ -4773,14 +4773,6 @@ GPL-3.0-or-later</translation>
         <translation>L&apos;outil est relevé à Z %1.</translation>
     </message>
     <message>
-        <source>The tool has been raised.</source>
-        <translation>L&apos;outil est relevé.</translation>
-    </message>
-    <message>
-        <source>The tool has not been raised.</source>
-        <translation>L&apos;outil n&apos;est pas relevé.</translation>
-    </message>
-    <message>
         <source>The state before the first part is not known: only the control knows what an earlier block does. Start from the beginning.</source>
         <translation>L’état avant le premier tronçon n’est pas connu&#xa0;: seule la commande sait ce que fait un bloc précédent. Recommencer depuis le début.</translation>
     </message>

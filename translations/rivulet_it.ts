@@ -4773,14 +4773,6 @@ GPL-3.0-or-later</translation>
         <translation>L&apos;utensile viene sollevato a Z %1.</translation>
     </message>
     <message>
-        <source>The tool has been raised.</source>
-        <translation>L&apos;utensile è stato sollevato.</translation>
-    </message>
-    <message>
-        <source>The tool has not been raised.</source>
-        <translation>L&apos;utensile non è stato sollevato.</translation>
-    </message>
-    <message>
         <source>The state before the first part is not known: only the control knows what an earlier block does. Start from the beginning.</source>
         <translation>Lo stato prima del primo tratto non è noto: solo il controllo sa che cosa fa un blocco precedente. Ricominciare dall’inizio.</translation>
     </message>

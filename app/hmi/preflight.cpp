@@ -149,7 +149,7 @@ QStringList setUpLines(const forecast::SetUp& missing, const streaming::Equipmen
 
 Preflight::Preflight(Document& document, MachineModel& machine, RunController& runs)
     : m_document(document), m_machine(machine), m_runs(runs) {
-  connect(&m_runs, &RunController::permissionsChanged, this, &Preflight::changed);
+  connect(&m_runs, &RunController::permissionsChanged, this, &Preflight::change);
   connect(&m_runs, &RunController::started, this, &Preflight::close);
   connect(&m_runs, &RunController::resumeAsked, this, &Preflight::close);
   connect(&m_runs, &RunController::placeFound, this, &Preflight::open);
@@ -164,7 +164,7 @@ void Preflight::open() {
     m_isSetUpConfirmed = m_isRaising = false;
     // A virtual machine has nothing in its way.
     m_isFirstMoveConfirmed = m_machine.view().isVirtualMachine;
-    Q_EMIT changed();
+    change();
     Q_EMIT openChanged();
   }
 }
@@ -182,7 +182,7 @@ void Preflight::dismiss() {
 void Preflight::close() {
   if (m_isOpen) {
     m_isOpen = false;
-    Q_EMIT changed();
+    change();
     Q_EMIT openChanged();
   }
 }
@@ -516,7 +516,19 @@ PreflightItem Preflight::firstMoveItem() const {
   return item;
 }
 
-std::optional<streaming::CutOnTheWay> Preflight::cutOnTheWay() const {
+const std::optional<streaming::CutOnTheWay>& Preflight::cutOnTheWay() const {
+  if (!m_cut) {
+    m_cut = findCut();
+  }
+  return *m_cut;
+}
+
+void Preflight::change() {
+  m_cut.reset();
+  Q_EMIT changed();
+}
+
+std::optional<streaming::CutOnTheWay> Preflight::findCut() const {
   // Also between two readings: a place that is a second old is better than none.
   const auto& toolMm = m_machine.view().positionMm;
   const bool goesOn = isForResume() && !isForChosenLine();
@@ -581,7 +593,7 @@ PreflightItem Preflight::straightItem() const {
 
 void Preflight::confirmFirstMove() {
   m_isFirstMoveConfirmed = true;
-  Q_EMIT changed();
+  change();
 }
 
 PreflightItem Preflight::raiseItem() const {
@@ -943,7 +955,7 @@ PreflightItem Preflight::accessItem() const {
 void Preflight::setReleases(Releases& releases, Users& users) {
   m_releases = &releases;
   m_users = &users;
-  connect(m_releases, &Releases::changed, this, &Preflight::changed);
+  connect(m_releases, &Releases::changed, this, &Preflight::change);
 }
 
 PreflightItem Preflight::releaseItem() const {
@@ -971,7 +983,7 @@ void Preflight::remedy(int remedyId) {
   }
   if (remedyId == ConfirmSetUp) {
     m_isSetUpConfirmed = true;
-    Q_EMIT changed();
+    change();
     return;
   }
   if (remedyId == ConfirmFirstMove) {
@@ -980,7 +992,7 @@ void Preflight::remedy(int remedyId) {
   }
   if (remedyId == RaiseTool) {
     m_isRaising = true;
-    Q_EMIT changed();
+    change();
     return;
   }
   if (remedyId == RunWholeJob) {

@@ -107,7 +107,10 @@ class Preflight final : public QObject {
   [[nodiscard]] forecast::SetUp missingSetUp() const;
   [[nodiscard]] widgets::PreflightItem firstMoveItem() const;
   /// Whether the way of the tool to the first point passes within what the program cuts.
-  [[nodiscard]] std::optional<streaming::CutOnTheWay> cutOnTheWay() const;
+  [[nodiscard]] const std::optional<streaming::CutOnTheWay>& cutOnTheWay() const;
+  /// The same, anew: a pass over the program.
+  [[nodiscard]] std::optional<streaming::CutOnTheWay> findCut() const;
+  void change();
   /// Says so, and what can be done.
   void warnOfCut(widgets::PreflightItem& item) const;
   [[nodiscard]] widgets::PreflightItem straightItem() const;
@@ -142,6 +145,8 @@ class Preflight final : public QObject {
   mutable std::weak_ptr<const job::Plan> m_setUpOf;
   mutable std::shared_ptr<const machine::MachineConfig> m_setUpOn;  ///< null: not known
   mutable forecast::SetUp m_setUp;                                  ///< computed once for both
+  /// Found once between two changes; nothing: not yet.
+  mutable std::optional<std::optional<streaming::CutOnTheWay>> m_cut;
   // By the operator, as long as it is shown.
   bool m_isSetUpConfirmed = false;
   bool m_isFirstMoveConfirmed = false;

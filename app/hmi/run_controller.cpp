@@ -557,6 +557,7 @@ bool RunController::raise(double toMm, double feedMmPerS) {
   holdPoints();
   forgetLast();
   m_update = {};
+  m_runBegin = 0;
   m_isRaising = true;
   m_machine.showPreparing(true);
   m_messages.didAct(Act::Start, {{"program", command.program->name},
@@ -572,19 +573,16 @@ bool RunController::raise(double toMm, double feedMmPerS) {
   return true;
 }
 
-void RunController::takeRaised(const streaming::RunReport& report) {
+void RunController::takeRaised(const session::RunFinished& finished) {
   m_isRaising = false;
-  m_update = {};
   m_machine.showPreparing(false);
   m_machine.forgetExecuted();
   m_messages.clear();
-  if (report.error.code) {
-    m_messages.raise(alarm::Code::RunFailed, {report.programName}, report.error);
-  }
-  m_messages.log(
-      Severity::Note, Source::Run, [isDone = report.outcome == streaming::Outcome::Completed] {
-        return isDone ? tr("The tool has been raised.") : tr("The tool has not been raised.");
-      });
+  m_report = finished.report;  // for what is said of it
+  m_update.counters = m_report->counters;
+  logOutcome(finished);
+  m_report.reset();
+  m_update = {};
   m_document.setRunning(false);
   Q_EMIT updated(m_update);
   Q_EMIT permissionsChanged();
@@ -789,7 +787,7 @@ std::optional<widgets::MachineView::ToGo> RunController::toGo(
 
 void RunController::takeFinished(const session::RunFinished& finished) {
   if (m_isRaising) {
-    takeRaised(*finished.report);
+    takeRaised(finished);
     return;
   }
   m_report = finished.report;

@@ -64,6 +64,8 @@ class RunController final : public QObject {
   /// The axes stand at once, or without a feed cell before the next window; or they go on.
   void hold(bool hold);
   [[nodiscard]] bool isHeld() const { return m_isHeld; }
+  /// The run in progress is `raise`, and none of the program.
+  [[nodiscard]] bool isRaising() const { return m_isRaising; }
   /// The axes stand at once, and the run ends there: its program is left held, if it has not ended.
   /// Without a feed cell the run ends before its next window.
   void leave();
@@ -148,7 +150,7 @@ class RunController final : public QObject {
   void noteEnd();
   /// Nothing of the last run is shown any more.
   void forgetLast();
-  void takeRaised(const streaming::RunReport& report);
+  void takeRaised(const session::RunFinished& finished);
   /// @param resume, restart  by value: the start forgets the place that was found
   bool startRun(std::optional<streaming::Resume> resume,
                 std::shared_ptr<const run::JobRestart> restart = nullptr);
@@ -190,7 +192,7 @@ class RunController final : public QObject {
   std::optional<streaming::WrongMotion> m_wrong;  ///< seen in the run in progress, or in the last
   bool m_hasWrongMotion = false;                  ///< and not acknowledged
   bool m_isHeld = false;                          ///< by the operator
-  bool m_isRaising = false;                       ///< the run in progress is `raise`
+  bool m_isRaising = false;
   bool m_isEnding = false;                        ///< the run in progress has been told to end
   std::optional<session::JobUpdate> m_job;
   std::size_t m_firstPoint = 0;

@@ -3,11 +3,13 @@
 
 /// A run that begins at a line the operator has chosen: shown first, then held like a resumed one.
 
+#include <QInputDialog>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
+#include <utility>
 
 #include "hmi/main_window.h"
 #include "support/patience.h"
@@ -44,8 +46,11 @@ class TestRunFromHere : public QObject {
   std::unique_ptr<tests::SimulatedControl> m_machine;
   std::unique_ptr<MainWindow> m_window;
 
-  void openWindow(base::MethodKind method, bool wholeJob = false) {
+  void openWindow(base::MethodKind method, bool wholeJob = false, bool isReal = false) {
     m_machine = std::make_unique<tests::SimulatedControl>("dmu75");
+    if (isReal) {
+      m_machine->passForReal();
+    }
     hmi::Settings settings;
     settings.language = QStringLiteral("en");
     settings.stream.parameters.method = method;
@@ -89,6 +94,17 @@ class TestRunFromHere : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(QString::fromStdString(m_window->program()->name),
                               QString::fromUtf8(name), kSoonMs);
     QTRY_COMPARE_WITH_TIMEOUT(m_window->startBlockedReason(), QString(), kSoonMs);
+  }
+  /// The preflight of a pocket, where a program before it has left the tool in the cut.
+  void openInTheCut(bool isReal) {
+    openWindow(base::MethodKind::Window, false, isReal);
+    openText("place.nc", "G1 X10 Y10 Z-5 F3000\n");
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    QVERIFY(m_window->start());
+    QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
+    openText("pocket.nc", "G1 X0 Y0 Z20 F3000\nZ-5\nX30\nY30\nX0\nY0\nZ20\n");
+    QTest::mouseClick(m_window->findChild<widgets::HoldButton*>(QStringLiteral("start")),
+                      Qt::LeftButton);
   }
   /// False: there is no such button.
   static bool press(const QWidget* sheet, const QString& name) {
@@ -197,19 +213,20 @@ class TestRunFromHere : public QObject {
     QVERIFY(!m_window->isRunning());
   }
 
-  /// A start from the beginning while the tool stands in the cut: it is said, and the tool can be
-  /// raised first, as a run of its own.
+  /// A start from the beginning while the tool stands in the cut: it can be raised first, as a run
+  /// of its own. Until then nothing starts on a real control; on a virtual machine it is only said.
+  void theToolIsRaisedBeforeAStartInTheCut_data() {
+    QTest::addColumn<bool>("isReal");
+    QTest::newRow("real") << true;
+    QTest::newRow("virtual") << false;
+  }
   void theToolIsRaisedBeforeAStartInTheCut() {
-    openWindow(base::MethodKind::Window);
-    openText("place.nc", "G1 X10 Y10 Z-5 F3000\n");
-    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
-    QVERIFY(m_window->start());
-    QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
-    openText("pocket.nc", "G1 X0 Y0 Z20 F3000\nZ-5\nX30\nY30\nX0\nY0\nZ20\n");
+    QFETCH(const bool, isReal);
+    openInTheCut(isReal);
     auto* start = m_window->findChild<widgets::HoldButton*>(QStringLiteral("start"));
     const auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
-    QTest::mouseClick(start, Qt::LeftButton);
     QTRY_VERIFY(text(sheet).contains(QStringLiteral("passes within what the program cuts")));
+    QCOMPARE(text(sheet).contains(QStringLiteral("Start is not possible yet.")), isReal);
     settle();
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/first-move-light.png")));
     QVERIFY(press(sheet, QStringLiteral("Raise the tool …")));
@@ -220,17 +237,39 @@ class TestRunFromHere : public QObject {
              qPrintable(said));
     settle();
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/raise-light.png")));
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
     hold(start);
     QTRY_VERIFY_WITH_TIMEOUT(!m_window->isRunning() && sheet->isVisible(), kRunMs);
-    QCOMPARE(finished.size(), 1);  // no run of the program
+    QVERIFY(finished.isEmpty());  // no run of the program
     QTRY_VERIFY(
         text(sheet).contains(QStringLiteral("Hold Start for one second: then the machine "
                                             "moves.")));
     QVERIFY(!text(sheet).contains(QStringLiteral("passes within")));
     hold(start);
-    QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 2, kRunMs);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, kRunMs);
     QVERIFY(m_window->lastReport()->isFaultless());
     QCOMPARE(m_window->lastReport()->counters.executed, std::size_t{7});
+  }
+
+  /// The straight way is taken when the right word has been typed.
+  void aTypedWordTakesTheStraightWay() {
+    openInTheCut(true);
+    auto* start = m_window->findChild<widgets::HoldButton*>(QStringLiteral("start"));
+    const auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
+    for (const auto& [word, isRight] : {std::pair("yes", false), std::pair("clear", true)}) {
+      QTRY_VERIFY(press(sheet, QStringLiteral("It is clear …")));
+      auto* question = m_window->findChild<QInputDialog*>();
+      QVERIFY(question != nullptr);
+      question->setTextValue(QString::fromUtf8(word));
+      question->accept();
+      delete question;
+      settle();
+      QCOMPARE(text(sheet).contains(QStringLiteral("Start is not possible yet.")), !isRight);
+    }
+    QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
+    hold(start);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, kRunMs);
+    QVERIFY(m_window->lastReport()->isFaultless());
   }
 };
 

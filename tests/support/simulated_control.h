@@ -57,6 +57,8 @@ class SimulatedControl {
   }
 
   void setPace(double pace) { m_shared->setPace(pace); }
+  /// Says to clients that connect from now on that real axes move.
+  void passForReal() { m_shared->isReal = true; }
   /// The machine's time at the last answer.
   [[nodiscard]] base::Instant now() const { return m_shared->lastNow.load(); }
   /// As if its power failed.
@@ -121,6 +123,7 @@ class SimulatedControl {
     const std::string preset;
     machine::Machine machine;  ///< the client's thread
     std::atomic<base::Instant> lastNow{};
+    std::atomic<bool> isReal = false;
     std::mutex mutex;
     std::condition_variable changed;
     double pace;
@@ -174,7 +177,7 @@ class SimulatedControl {
     base::Result<opcua::ServerIdentity> identity() override {
       return opcua::ServerIdentity{"urn:rivulet:simulated", "Rivulet", "1", m_shared->preset};
     }
-    [[nodiscard]] bool isVirtualMachine() const override { return true; }
+    [[nodiscard]] bool isVirtualMachine() const override { return !m_shared->isReal; }
     [[nodiscard]] opcua::Abilities abilities() const override { return m_link.abilities(); }
     base::Result<void> cycleStart() override {
       return isLost() ? base::fail(lost()) : m_link.cycleStart();

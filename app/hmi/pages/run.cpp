@@ -384,7 +384,7 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
     panel->setOverrideAllowed(runs->canOverride(),
                               permission::overridePercentMax(users->standing().role));
     if (document->program()) {
-      panel->setTitle(RunTexts::title(*document, runs->isRunning()));
+      panel->setTitle(RunTexts::title(*document, runs->isRunning() && !runs->isRaising()));
     }
   });
   const auto showProgress = [panel, document, runs] {
