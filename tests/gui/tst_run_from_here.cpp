@@ -98,19 +98,24 @@ class TestRunFromHere : public QObject {
   /// The preflight of a pocket, where a program before it has left the tool in the cut.
   void openInTheCut(bool isReal) {
     openWindow(base::MethodKind::Window, false, isReal);
-    openText("place.nc", "G1 X10 Y10 Z-5 F3000\n");
+    openText("place.nc", "G21 G90 G1 X10 Y10 Z-5 F3000\n");
+    if (QTest::currentTestFailed()) {
+      return;
+    }
     QSignalSpy finished(m_window.get(), &MainWindow::runFinished);
     QVERIFY(m_window->start());
     QVERIFY(!finished.isEmpty() || finished.wait(kRunMs));
-    openText("pocket.nc", "G1 X0 Y0 Z20 F3000\nZ-5\nX30\nY30\nX0\nY0\nZ20\n");
+    openText("pocket.nc", "G21 G90 G1 X0 Y0 Z20 F3000\nZ-5\nX30\nY30\nX0\nY0\nZ20\n");
     QTest::mouseClick(m_window->findChild<widgets::HoldButton*>(QStringLiteral("start")),
                       Qt::LeftButton);
   }
   /// False: there is no such button.
   static bool press(const QWidget* sheet, const QString& name) {
+    settle();
     for (auto* button : sheet->findChildren<QPushButton*>()) {
       if (button->isVisible() && button->text() == name) {
         QTest::mouseClick(button, Qt::LeftButton);
+        settle();
         return true;
       }
     }
@@ -223,6 +228,9 @@ class TestRunFromHere : public QObject {
   void theToolIsRaisedBeforeAStartInTheCut() {
     QFETCH(const bool, isReal);
     openInTheCut(isReal);
+    if (QTest::currentTestFailed()) {
+      return;
+    }
     auto* start = m_window->findChild<widgets::HoldButton*>(QStringLiteral("start"));
     const auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
     QTRY_VERIFY(text(sheet).contains(QStringLiteral("passes within what the program cuts")));
@@ -254,10 +262,14 @@ class TestRunFromHere : public QObject {
   /// The straight way is taken when the right word has been typed.
   void aTypedWordTakesTheStraightWay() {
     openInTheCut(true);
+    if (QTest::currentTestFailed()) {
+      return;
+    }
     auto* start = m_window->findChild<widgets::HoldButton*>(QStringLiteral("start"));
     const auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
     for (const auto& [word, isRight] : {std::pair("yes", false), std::pair("clear", true)}) {
-      QTRY_VERIFY(press(sheet, QStringLiteral("It is clear …")));
+      QTRY_VERIFY(text(sheet).contains(QStringLiteral("passes within what the program cuts")));
+      QVERIFY(press(sheet, QStringLiteral("It is clear …")));
       auto* question = m_window->findChild<QInputDialog*>();
       QVERIFY(question != nullptr);
       question->setTextValue(QString::fromUtf8(word));
