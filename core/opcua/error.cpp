@@ -14,9 +14,13 @@ namespace {
 /// docs/trust.md has the same table; a test compares them.
 constexpr std::array<StatusAdvice, 63> kAdvice{{
     {0x800A0000, "BadTimeout", "the server does not answer in time",
-     "Check the network and the load of the server, then try again.", LinkError::NotReachable},
+     "Check that this is the port of the OPC UA server, the network and the load of the server, "
+     "then try again.",
+     LinkError::NotReachable},
     {0x80850000, "BadRequestTimeout", "the server does not answer in time",
-     "Check the network and the load of the server, then try again.", LinkError::NotReachable},
+     "Check that this is the port of the OPC UA server, the network and the load of the server, "
+     "then try again.",
+     LinkError::NotReachable},
     {0x80AE0000, "BadConnectionClosed", "nothing answers at the address, or the server hangs up",
      "Check address, port and network, and that the server is running.", LinkError::NotReachable},
     {0x80AC0000, "BadConnectionRejected", "no service accepts connections at this address",
@@ -36,9 +40,9 @@ constexpr std::array<StatusAdvice, 63> kAdvice{{
     {0x80830000, "BadTcpEndpointUrlInvalid", "the server does not take this address for its own",
      "Connect by the host name or number that the server shows, like opc.tcp://host:4840.",
      LinkError::NotReachable},
-    {0x80800000, "BadTcpMessageTooLarge",
-     "what answers is not an OPC UA server, or a message is larger than it takes",
-     "Check the port; if it is right, choose fewer points per window.", LinkError::NotReachable},
+    // The first messages are small: what answers speaks another language, as HTTP.
+    {0x80800000, "BadTcpMessageTooLarge", "what answers is not an OPC UA server",
+     "Check the port of the OPC UA server.", LinkError::NotReachable},
     {0x80810000, "BadTcpNotEnoughResources", "the server is out of memory",
      "Close other clients, or restart the server.", LinkError::NotReachable},
     {0x80820000, "BadTcpInternalError", "the server has failed",

@@ -3,7 +3,14 @@
 
 /// The real link over a network with faults, to the real server of a virtual machine.
 
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
 #include <QtTest>
+#include <array>
+#include <string_view>
+#include <thread>
 
 #include "support/fault_proxy.h"
 #include "support/loopback_machine.h"
@@ -54,6 +61,48 @@ Event readOnce(opcua::Link& link, base::Duration deadline) {
     }
   }
 }
+
+/// Says the same to whoever has said something, and hangs up.
+class Stranger {
+ public:
+  explicit Stranger(std::string_view words) : m_words(words) {
+    sockaddr_in address{};
+    socklen_t size = sizeof address;
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    auto* const place = reinterpret_cast<sockaddr*>(&address);
+    RIVULET_ASSERT(bind(m_listener, place, size) == 0 && listen(m_listener, 8) == 0 &&
+                   getsockname(m_listener, place, &size) == 0);
+    m_port = ntohs(address.sin_port);
+    m_thread = std::thread([this] { serve(); });
+  }
+  Stranger(const Stranger&) = delete;
+  Stranger& operator=(const Stranger&) = delete;
+  ~Stranger() {
+    shutdown(m_listener, SHUT_RDWR);
+    m_thread.join();
+    close(m_listener);
+  }
+  [[nodiscard]] std::string endpoint() const {
+    return "opc.tcp://127.0.0.1:" + std::to_string(m_port);
+  }
+
+ private:
+  void serve() const {
+    for (int client = 0; (client = accept(m_listener, nullptr, nullptr)) >= 0;) {
+      std::array<char, 256> heard{};
+      if (recv(client, heard.data(), heard.size(), 0) > 0) {
+        send(client, m_words.data(), m_words.size(), MSG_NOSIGNAL);
+      }
+      close(client);
+    }
+  }
+
+  std::string_view m_words;
+  int m_listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  std::uint16_t m_port = 0;
+  std::thread m_thread;
+};
 
 }  // namespace
 
@@ -161,6 +210,24 @@ class TestNetwork : public QObject {
     QVERIFY(refused.error().code == LinkError::NotReachable);
     QVERIFY2(proxy.connections() <= 8U, std::to_string(proxy.connections()).c_str());
     QVERIFY(proxy.connections() >= 2U);
+  }
+
+  /// A port at which something else answers is not said to be an overloaded control.
+  void whoSpeaksAnotherLanguageIsNoServer_data() {
+    QTest::addColumn<std::string>("words");
+    QTest::newRow("HTTP") << std::string("HTTP/1.1 400 Bad Request\r\nConnection: close\r\n\r\n");
+    QTest::newRow("SSH") << std::string("SSH-2.0-OpenSSH_9.2\r\n");
+    QTest::newRow("zeros") << std::string(64, '\0');
+    QTest::newRow("high bytes") << std::string(64, '\xee');
+  }
+  void whoSpeaksAnotherLanguageIsNoServer() {
+    QFETCH(const std::string, words);
+    const Stranger stranger(words);
+    const auto refused = connectTo(stranger.endpoint(), 2s);
+    QVERIFY(!refused);
+    const std::string said = refused.error().text();
+    QVERIFY2(said.find("not an OPC UA server. Check the port") != std::string::npos, said.c_str());
+    QVERIFY2(said.find("fewer points") == std::string::npos, said.c_str());
   }
 
   /// The deadline is for each answer: connecting takes a dozen of them.
