@@ -181,6 +181,11 @@ class KillScene {
     int moves = 0;
     double xMm = 0.0;
     for (const trace::ExecutedBlock& block : executed(skip)) {
+      // A program has whole millimetres only: others are where a move was interrupted, and returned
+      // to.
+      if (block.targetMm.x > moves && block.targetMm.x < moves + 1) {
+        continue;
+      }
       const bool isApproach =
           std::abs(block.targetMm.x - xMm) <= kStandsMm || (moves == 0 && block.targetMm.x == 0.0);
       xMm = block.targetMm.x;
