@@ -635,6 +635,57 @@ class TestJobRestart : public QObject {
     QCOMPARE(rest.error().code, make_error_code(streaming::StreamError::CannotResume));
   }
 
+  /// The client is lost while it begins a job that the control has executed before: the control's
+  /// cells tell of the earlier run until it is allowed to begin.
+  void theSameJobOnceMore() {
+    constexpr int kMoments = 50;
+    constexpr std::chrono::milliseconds kStep{4};
+    int early = 0;
+    int moved = 0;
+    for (int moment = 0; moment < kMoments; ++moment) {
+      machine::Machine machine(mill(), 1);
+      streaming::FaultyLink link(machine, {}, 1);
+      Watcher watcher;
+      const auto earlier =
+          streaming::runWholeJob(link, link, m_plan, settings(), watcher, watcher, {});
+      QVERIFY2(earlier.outcome == Outcome::Completed, earlier.error.text().c_str());
+      awaitReset(machine);
+      LeftJob left{m_plan};
+      const base::Instant from = link.now();
+      const base::Instant lostAt = from + moment * moment * kStep;
+      link.onTime = [&] {
+        if (link.now() >= lostAt) {
+          link.setFaults({.disconnectProbability = 1.0});
+        }
+      };
+      const auto begun = streaming::runWholeJob(link, link, m_plan, settings(), watcher, watcher,
+                                                {.keeper = &left.keeper});
+      QVERIFY(begun.outcome != Outcome::Completed);
+      leaveAlone(machine, std::chrono::minutes{2});
+      if (!left.keeper.last) {
+        continue;  // nothing was begun
+      }
+      early += left.keeper.last->granted ? 0 : 1;
+      streaming::SimulatedLink again(machine);
+      Judge judge(m_source, 4);
+      const std::string name = std::to_string(moment) + ": ";
+      const auto went = left.goOn(again, settings());
+      QVERIFY2(went, went ? "" : (name + went.error().text()).c_str());
+      // With the rest of the window in which the silent client's axes were held.
+      const std::vector<std::string> before = motions(traceSince(again, from));
+      moved += before.empty() ? 0 : 1;
+      judge.add(before, isAtNextEnd(m_trace, before.size(), left.restart->rest, zeroAt()));
+      Watcher onwards;
+      const auto rest = streaming::runWholeJob(again, again, left.inProgress(), settings(), onwards,
+                                               onwards, {.resume = left.restart->rest.resume});
+      QVERIFY2(rest.outcome == Outcome::Completed, (name + rest.error.text()).c_str());
+      judge.add(motions(*rest.controlTrace));
+      const std::string wrong = judge.verdict();
+      QVERIFY2(wrong.empty(), (name + wrong).c_str());
+    }
+    QVERIFY2(early > 3 && moved > 3, qPrintable(QStringLiteral("%1 %2").arg(early).arg(moved)));
+  }
+
   /// Interrupted after a stretch and before the next block for the control has begun, at every
   /// cycle of that time: nothing is in doubt.
   void betweenStretchAndBlock() {

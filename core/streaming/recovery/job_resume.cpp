@@ -114,7 +114,9 @@ class Search {
     }
     Told told = *first;
     if (JobProtocol::jobOf(told.call) != job) {
-      return ofUnknownJob(told);
+      return ofAnother(told,
+                       "The control does not know this job: it was switched off since then, or has "
+                       "run another program. ");
     }
     const bool waits = !told.isReset && told.call >= 0.0;
     const bool isBegun =
@@ -166,12 +168,10 @@ class Search {
     return m_last.runNumber - (told.owner - JobProtocol::stretchOf(told.call));
   }
 
-  Result<JobRest> ofUnknownJob(const Told& told) {
+  /// The control tells of something else than what was kept. @param why  it does
+  Result<JobRest> ofAnother(const Told& told, std::string why) {
     if (!isBeforeFirstBlock(m_last)) {
-      return base::fail(StreamError::CannotResume,
-                        std::string("The control does not know this job: it was switched off since "
-                                    "then, or has run another program. ") +
-                            kChooseStretch,
+      return base::fail(StreamError::CannotResume, std::move(why) + kChooseStretch,
                         m_plan.program.name);
     }
     return told.isReset ? rest(0, {}) : base::fail(channelBusy());
@@ -184,11 +184,9 @@ class Search {
                                      : begun >= 0 && begun <= stretch &&
                                            partOfStretch(stretch) < m_plan.parts.size();
     if (!isOurs || std::abs(told.call) != JobProtocol::callNumber(job, stretch)) {
-      return base::fail(StreamError::CannotResume,
-                        std::string("The control has run this job once more since then: what it "
-                                    "has done is not known here. ") +
-                            kChooseStretch,
-                        m_plan.program.name);
+      return ofAnother(told,
+                       "The control has run this job once more since then: what it has done is not "
+                       "known here. ");
     }
     const std::size_t part = stretch > 0 ? partOfStretch(stretch) : 0;
     if (told.call < 0.0) {
