@@ -31,6 +31,8 @@ namespace {
 
 /// How often a machine that is gone is looked for.
 constexpr std::chrono::seconds kConnectInterval{2};
+/// A position that is older is not told.
+constexpr std::chrono::seconds kPositionAgeMax{1};
 /// Axes that stand are told so much off from one reading to the next, at most.
 constexpr double kStandsMm = 0.05;
 constexpr std::size_t kConfirmationDigits = 16;
@@ -198,7 +200,13 @@ void ServiceSession::takeLink(const session::LinkChanged& link) {
 }
 
 void ServiceSession::takeUpdate(const streaming::LiveUpdate& update) {
+  // Not each update comes with a position; what was read before the run is none of it.
+  std::optional<trace::LiveSample> last = std::move(m_update.sample);
   m_update = update;
+  const bool hasPosition = update.sample && update.sample->positionMm;
+  if (!hasPosition && last && last->positionMm && update.at - last->at <= kPositionAgeMax) {
+    m_update.sample = std::move(last);
+  }
   if (!m_whole) {
     m_update.counters.executed += m_pace.firstPoint;
     m_update.counters.sent += m_pace.firstPoint;
@@ -970,9 +978,11 @@ Snapshot ServiceSession::snapshot() const {
   seen.timeLeftS = timeLeftS();
   seen.lateWindows = m_margins.lateWindows;
   seen.leastMarginS = m_margins.leastS;
-  if (m_update.sample && m_update.sample->positionMm && m_isRunning) {
-    const base::Vec3 at = *m_update.sample->positionMm;
-    seen.positionMm = {at.x, at.y, at.z};
+  if (m_isRunning && m_update.at > base::Instant{}) {
+    if (m_update.sample && m_update.sample->positionMm) {
+      const base::Vec3 at = *m_update.sample->positionMm;
+      seen.positionMm = {at.x, at.y, at.z};
+    }
   } else if (const auto at = toolMm()) {
     seen.positionMm = {at->x, at->y, at->z};
   }

@@ -70,6 +70,8 @@ struct ControlTrace {
   std::vector<ExecutedBlock> blocks;
   std::vector<ControlEvent> events;  ///< in the order of their beginning
   bool truncated = false;            ///< the control's trace memory was full before the run ended
+  /// Blocks that are not of the run were left out: the samples show more than the blocks say.
+  bool hasOwnBlocksOnly = false;
 };
 
 enum class TraceError {

@@ -340,6 +340,8 @@ bool Reader::readTrace(Fields fields) {
       trace.cycle = fields.duration();
     } else if (key == "truncated") {
       trace.truncated = fields.integer<int>() != 0;
+    } else if (key == "own_blocks") {
+      trace.hasOwnBlocksOnly = fields.integer<int>() != 0;
     } else if (key == "rotary") {
       trace.rotaryAxes = lines::readRotaryNames(fields);
     } else {
@@ -534,6 +536,9 @@ bool RecordingWriter::controlTraceBegin(const ControlTrace& trace) {
   m_lines += "trace";
   appendNumber(m_lines, "cycle_ns", trace.cycle.count());
   appendNumber(m_lines, "truncated", trace.truncated ? 1 : 0);
+  if (trace.hasOwnBlocksOnly) {
+    appendNumber(m_lines, "own_blocks", 1);
+  }
   if (base::any(trace.rotaryAxes)) {
     m_lines += " rotary=" + base::rotaryNames(trace.rotaryAxes);
   }

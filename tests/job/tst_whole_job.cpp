@@ -726,6 +726,33 @@ class TestWholeJob : public QObject {
     QVERIFY(!motions(*report.controlTrace).contains(QStringLiteral("X5 Y12 Z20")));
   }
 
+  /// Stop before the first window of a stretch: what the control has executed of its own is no
+  /// wrong motion, for the job as for its recording, which holds only blocks that were streamed.
+  void stopBeforeAnythingIsStreamed() {
+    machine::Machine machine(*machine::loadPreset("dmu75"), 1);
+    streaming::SimulatedLink link(machine);
+    Watcher watcher;
+    watcher.stopWhen = [&](base::Instant) { return watcher.begun.size() == 1; };
+    std::string text;
+    trace::RecordingWriter writer([&text](std::string_view lines) {
+      text += lines;
+      return true;
+    });
+    streaming::WholeJobOptions options;
+    options.writer = &writer;
+    const streaming::WholeJobReport report = streaming::runWholeJob(
+        link, link, planOf("SUPA G0 Z150\nG0 X50 Y50 Z20\nG1 Z-1 F500\nX80\nM30\n"), settingsOf(),
+        watcher, watcher, options);
+    QVERIFY2(report.outcome == Outcome::Stopped, report.error.text().c_str());
+    QVERIFY(!motions(*report.controlTrace).isEmpty());
+    QVERIFY(report.integrity.judged && report.integrity.isFaultless());
+    QCOMPARE(report.integrity.executed, std::size_t{0});
+    const auto recording = trace::parseRecording(text);
+    QVERIFY2(recording.has_value(), recording ? "" : recording.error().text().c_str());
+    QVERIFY(recording->controlTrace->blocks.empty());
+    QVERIFY(trace::judgeRun(recording->points.points, *recording->controlTrace, {}).isFaultless());
+  }
+
   /// Stop while the control executes native blocks: it ends before the next one.
   void stopInNativeBlocks() {
     const char* const text = "G0 X1 Y1 Z1\nG4 F2\nG4 F2\nM8\nG0 X9\nM30\n";

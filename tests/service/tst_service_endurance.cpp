@@ -77,8 +77,8 @@ class TestServiceEndurance : public QObject {
     std::ofstream file(m_folder.path().toStdString() + "/jobs/part.mpf");
     file << "G54 G90 G94\nT" << 1 + drawn(2) << " D1 M6\nS3000 M3\nG0 X0 Y0 Z20\n";
     int x = 0;
-    for (int stretch = 0; stretch < 2 + drawn(4); ++stretch) {
-      for (int i = 0; i < 40 + drawn(100); ++i) {
+    for (int stretches = 2 + drawn(4); stretches > 0; --stretches) {
+      for (int points = 40 + drawn(100); points > 0; --points) {
         ++x;
         file << "G1 X" << x << " Y" << x % 2 << " F1200\n";
       }
@@ -137,9 +137,12 @@ class TestServiceEndurance : public QObject {
       session.stop(m_caller);
       session.hold(m_caller, false);
       QVERIFY(turnUntil(session, [&](const auto&) { return !session.isRunning(); }));
-      if (!session.snapshot().canResume) {
+      if (session.snapshot().outcome == "completed") {
         break;  // it came to its end all the same
       }
+      QVERIFY2(session.snapshot().outcome == "stopped" && session.snapshot().alarm.empty(),
+               session.snapshot().alarm.c_str());
+      QVERIFY(turnUntil(session, [](const service::Snapshot& now) { return now.canResume; }));
       const service::Answer place = ask(session, [&] { return session.preflightResume(m_caller); });
       QVERIFY2(!place.confirmation.empty(), place.message.c_str());
       begun = session.resumeRun(m_caller, place.confirmation);

@@ -179,7 +179,8 @@ class KillScene {
   [[nodiscard]] int movesMade(std::size_t skip) const {
     constexpr double kStandsMm = 0.01;
     int moves = 0;
-    double xMm = 0.0;
+    const auto all = executed();
+    double xMm = skip > 0 && skip <= all.size() ? all[skip - 1].targetMm.x : 0.0;
     for (const trace::ExecutedBlock& block : executed(skip)) {
       // A program has whole millimetres only: others are where a move was interrupted, and returned
       // to.

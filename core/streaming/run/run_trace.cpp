@@ -68,13 +68,16 @@ void RunTrace::take(const trace::TracePiece& piece) {
     if (m_writer != nullptr) {
       trace::ControlTrace head = m_kept;
       head.truncated = records.truncated;
+      head.hasOwnBlocksOnly = m_isOfRun != nullptr;
       m_writer->controlTraceBegin(head);
     }
   }
   m_isTruncated = m_isTruncated || records.truncated;
   m_position = piece.next;
   if (m_isOfRun) {
+    m_hasBlocks = m_hasBlocks || !records.blocks.empty();
     trace::ControlTrace ofRun = records;
+    ofRun.hasOwnBlocksOnly = true;
     std::erase_if(ofRun.blocks,
                   [this](const trace::ExecutedBlock& block) { return !m_isOfRun(block); });
     judge(ofRun);
@@ -114,7 +117,9 @@ void RunTrace::keepBeginning(const trace::ControlTrace& records) {
 TraceFindings RunTrace::finish() {
   TraceFindings found;
   found.isWhole = !m_isTruncated;
-  found.integrity = m_judge.finish();
+  if (!m_isOfRun || m_hasBlocks || !m_first) {
+    found.integrity = m_judge.finish();
+  }  // else who has moved is not known
   found.pauses = std::move(m_pauses);
   if (m_first) {
     found.duration = m_last - *m_first;

@@ -107,6 +107,7 @@ class RunTrace final : public TraceTaker {
   base::Instant m_last{};
   trace::ControlTrace m_kept;
   bool m_isBegun = false;
+  bool m_hasBlocks = false;  ///< of the run or not
   bool m_isTruncated = false;
 };
 

@@ -522,7 +522,7 @@ void RunJudge::add(const ControlTrace& piece) {
   if (m_isTruncated) {
     return;
   }
-  if (!piece.blocks.empty() && !m_hasBlocks) {
+  if ((!piece.blocks.empty() || piece.hasOwnBlocksOnly) && !m_hasBlocks) {
     m_hasBlocks = true;
     m_withoutBlocks = {};
   }

@@ -93,8 +93,8 @@ inline constexpr double kPointToleranceMm = 1e-6;
 /// The judgement of a run from the control's trace, for the run itself and for its recording alike.
 /// A trace of which a part is missing is not judged. A trace without blocks is judged by its set
 /// points (`path_match`), to its tolerance; not if rotary axes were streamed, nor if its samples
-/// are too far apart to show each point. Such a trace is kept until the end; of all others only
-/// what `IntegrityJudge` needs.
+/// are too far apart to show each point, or show other motion, too (`hasOwnBlocksOnly`). Such a
+/// trace is kept until the end; of all others only what `IntegrityJudge` needs.
 class RunJudge {
  public:
   /// @param points  see `IntegrityJudge`
