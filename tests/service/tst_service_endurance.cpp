@@ -80,7 +80,7 @@ class TestServiceEndurance : public QObject {
     for (int stretches = 2 + drawn(4); stretches > 0; --stretches) {
       for (int points = 40 + drawn(100); points > 0; --points) {
         ++x;
-        file << "G1 X" << x << " Y" << x % 2 << " F1200\n";
+        file << "G1 X" << 0.5 * x << " Y" << x % 2 << " F1200\n";
       }
       file << std::array{"M8\n", "G4 F0.4\n", "S2500 M3\n", "M9\n"}.at(
           static_cast<std::size_t>(drawn(4)));

@@ -101,6 +101,9 @@ StreamEnd Driver::run() {
   if (m_outstanding.feed && m_outstanding.feed->write) {
     m_feed.lost(m_link.now());
   }
+  if (!m_end.programEnded) {
+    confirmSuspicion();
+  }
   settlePauses(true);
   noteCorrection(true);
   noticeSlowness();
@@ -587,7 +590,7 @@ void Driver::handleMethod(const opcua::Event& event) {
   m_pauses.infer(progress.stopsPassed, m_link.now());
   if (const std::optional<base::Vec3> position = m_method.positionMm();
       position && !event.readings.empty()) {
-    checkPlace(*position);
+    checkPlace(*position, event.at);
     publishPosition(*position, event.at);
   }
 }
@@ -601,13 +604,27 @@ void Driver::publishPosition(base::Vec3 positionMm, Instant at) {
   }
 }
 
-void Driver::checkPlace(base::Vec3 positionMm) {
-  if (!m_path || m_end.wrong) {
+/// After its end, also by a reset at the control, the positions are those of another frame: what is
+/// read off the path counts once the program was seen to be active after that.
+void Driver::checkPlace(base::Vec3 positionMm, Instant at) {
+  if (!m_path || m_end.wrong || m_suspicion) {
     return;
   }
   const std::size_t executed = m_method.progress().executed;
   if (const auto offMm = m_path->add(positionMm, executed, m_counters.sent)) {
-    noteWrong({WrongMotion::Kind::OffPath, executed, *offMm});
+    m_suspicion = {{WrongMotion::Kind::OffPath, executed, *offMm}, at};
+    if (m_settings.monitor) {
+      m_reads.askStatusAt(m_link.now());
+    } else {
+      confirmSuspicion();
+    }
+  }
+}
+
+void Driver::confirmSuspicion() {
+  if (m_suspicion) {
+    noteWrong(m_suspicion->wrong);
+    m_suspicion.reset();
   }
 }
 
@@ -623,7 +640,11 @@ void Driver::noteWrong(WrongMotion wrong) {
 void Driver::handleMonitor(const opcua::Event& event) {
   if (m_outstanding.monitorKind == MonitorReads::Kind::Status) {
     m_reads.statusAnswered(event);
-    if (event.readings[0].number == opcua::kChannelReset) {
+    const bool isReset = event.readings[0].number == opcua::kChannelReset;
+    if (m_suspicion && !isReset && event.sent > m_suspicion->at) {
+      confirmSuspicion();
+    }
+    if (isReset) {
       m_end.programEnded = true;
       if (m_ending.wantedAt) {
         m_end.stopConfirmedAfter = event.at - *m_ending.wantedAt;
@@ -644,7 +665,7 @@ void Driver::handleMonitor(const opcua::Event& event) {
   }
   const trace::LiveSample sample = m_reads.takeDisplay(event);
   if (sample.positionMm) {
-    checkPlace(*sample.positionMm);
+    checkPlace(*sample.positionMm, event.at);
   }
   if (const auto measured = m_pauses.measure(event.at, *sample.feedMmPerS)) {
     publishPause(*measured);

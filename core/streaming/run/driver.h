@@ -202,7 +202,8 @@ class Driver {
                std::optional<EquipmentSeen> equipment = std::nullopt);
   void publishPause(const trace::Pause& pause);
   /// Looks whether the tool has left the path.
-  void checkPlace(base::Vec3 positionMm);
+  void checkPlace(base::Vec3 positionMm, base::Instant at);
+  void confirmSuspicion();
   void noteWrong(WrongMotion wrong);
   /// A position that the method has read, with the feed as far as the position shows it.
   void publishPosition(base::Vec3 positionMm, base::Instant at);
@@ -256,6 +257,11 @@ class Driver {
   PauseLog m_pauses;
   trace::StandstillByPosition m_standstill;
   std::optional<PathWatch> m_path;
+  struct Suspicion {
+    WrongMotion wrong;
+    base::Instant at;
+  };
+  std::optional<Suspicion> m_suspicion;
   live::PointSupplier* m_supplier = nullptr;
   TraceFetch m_trace;
   StreamEnd m_end;

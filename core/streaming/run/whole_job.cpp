@@ -472,7 +472,7 @@ class WholeJob : public HostedRun {
       }
       const bool isCalled =
           next < m_stretches.size() && state->call == call(m_stretches[next]->number);
-      if (!isCalled) {
+      if (!isCalled || m_isStopped) {
         for (const auto step : {&WholeJob::followOrders, &WholeJob::waitAttentively}) {
           if (Result<void> done = (this->*step)(); !done) {
             return done;
@@ -481,6 +481,9 @@ class WholeJob : public HostedRun {
         continue;
       }
       if (Result<void> done = stream(*m_stretches[next]); !done) {
+        if (done.error().code == job::JobError::PositionDiffers && hasEnded()) {
+          continue;  // positions were those of another frame
+        }
         return done;
       }
       ++next;
@@ -792,6 +795,11 @@ class WholeJob : public HostedRun {
     }
     return base::fail(StreamError::StopNotConfirmed,
                       "The control did not end the job. Stop it at the control.");
+  }
+
+  [[nodiscard]] bool hasEnded() {
+    const Result<State> state = look();
+    return state && state->isReset;
   }
 
   Result<State> look() {
