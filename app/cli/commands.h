@@ -109,6 +109,13 @@ struct LiveOptions {
   double endAfterS = base::toSeconds(live::Limits{}.endAfter);
 };
 
+/// Who has a say in a run, and who is told how far it is.
+struct OrderOptions {
+  std::string source;    ///< of hold and override; empty: keys on a terminal
+  bool endsRun = false;  ///< the end of the source is a stop: whoever gives the orders has gone
+  std::string progress;  ///< file or pipe for `ProgressLines`; empty: none
+};
+
 struct StreamOptions {
   OperatingOptions point;
   std::string file;
@@ -126,7 +133,7 @@ struct StreamOptions {
   std::string transfer = "auto";      ///< auto, by-hand
   std::string programFile;            ///< by-hand: where the program is written; empty: its name
   std::string correct;                ///< source of corrections, - is standard input; empty: none
-  std::string orders;                 ///< source of hold and override; empty: keys on a terminal
+  OrderOptions orders;
   bool noMonitor = false;
   bool evenPauses = false;
   bool acceptInfeasible = false;
@@ -156,8 +163,8 @@ struct JobOptions {
   std::string preset = "dmu75-mill";
   bool namesMachine = false;  ///< else one that is large enough takes the place of the preset
   std::uint64_t seed = 1;
-  double stopAfterS = 0.0;             ///< 0: not
-  std::string orders;                  ///< source of hold and override; empty: keys on a terminal
+  double stopAfterS = 0.0;  ///< 0: not
+  OrderOptions orders;
   std::string record;                  ///< file; empty: none
   bool noMonitor = false;              ///< no reads for the display within stretches
   std::string resume;                  ///< file of a job that was left; empty: from the beginning

@@ -11,7 +11,7 @@ namespace rivulet::cli {
 
 bool ConsoleOrders::stopRequested(base::Instant now) {
   m_first = m_first.value_or(now);
-  if (interrupt::wasSeen() && !m_continues) {
+  if ((interrupt::wasSeen() || m_feed.hasGone()) && !m_continues) {
     m_continues = m_feed.continues();
     if (m_feed.hasKeys()) {
       fmt::print(stderr,
@@ -32,7 +32,7 @@ bool ConsoleOrders::letsEnd(base::Instant) {
 }
 
 bool ConsoleOrders::leaves(base::Instant) {
-  return interrupt::count() > 1 || (interrupt::wasSeen() && !m_feed.hasKeys());
+  return interrupt::count() > 1 || m_feed.hasGone() || (interrupt::wasSeen() && !m_feed.hasKeys());
 }
 
 std::string leftHeldText(const std::string& endpoint) {

@@ -27,7 +27,23 @@ constexpr double kPercentMax = permission::overridePercentMax(permission::Role::
 
 }  // namespace
 
-base::Result<FeedSource> FeedSource::open(const std::string& path, bool isInputTaken) {
+base::Result<FeedSource> FeedSource::open(const OrderOptions& options, bool isInputTaken) {
+  base::Result<FeedSource> source = openSource(options.source, isInputTaken);
+  if (!source) {
+    return source;
+  }
+  source->m_endsRun = options.endsRun;
+  if (!options.progress.empty()) {
+    base::Result<ProgressLines> progress = ProgressLines::open(options.progress);
+    if (!progress) {
+      return base::fail(progress.error());
+    }
+    source->m_progress.emplace(std::move(*progress));
+  }
+  return source;
+}
+
+base::Result<FeedSource> FeedSource::openSource(const std::string& path, bool isInputTaken) {
   if (path == "-") {
     return FeedSource(STDIN_FILENO, false, false);
   }
@@ -61,6 +77,9 @@ FeedSource::FeedSource(FeedSource&& other) noexcept
       m_line(std::move(other.m_line)),
       m_order(other.m_order),
       m_continues(other.m_continues),
+      m_endsRun(other.m_endsRun),
+      m_isOver(other.m_isOver),
+      m_progress(std::move(other.m_progress)),
       m_told(other.m_told) {
 }
 
@@ -82,6 +101,7 @@ streaming::FeedOrder FeedSource::order() {
   pollfd asked{m_descriptor, POLLIN, 0};
   if (mayRead() && ::poll(&asked, 1, 0) > 0 && (asked.revents & (POLLIN | POLLHUP)) != 0) {
     const ssize_t count = ::read(m_descriptor, bytes.data(), bytes.size());
+    m_isOver = count == 0;
     for (ssize_t i = 0; i < count; ++i) {
       const char byte = bytes[static_cast<std::size_t>(i)];
       if (m_hasKeys) {
@@ -139,6 +159,9 @@ void FeedSource::change(double percent) {
 }
 
 void FeedSource::tell(const streaming::LiveUpdate& update) {
+  if (m_progress) {
+    m_progress->tell(update);
+  }
   if (!update.feed || m_told == update.feed) {
     return;
   }

@@ -14,6 +14,8 @@
 #include <string_view>
 
 #include "base/result.h"
+#include "cli/commands.h"
+#include "cli/progress_lines.h"
 #include "streaming/run/feed_order.h"
 #include "streaming/run/run.h"
 
@@ -21,9 +23,11 @@ namespace rivulet::cli {
 
 class FeedSource {
  public:
-  /// @param path  file or pipe; "-": standard input; empty: keys, if it is a terminal that nobody
-  ///              else reads  @param isInputTaken  somebody else does  @return FileUnreadable
-  [[nodiscard]] static base::Result<FeedSource> open(const std::string& path, bool isInputTaken);
+  /// @param options  source: file or pipe; "-": standard input; empty: keys, if it is a terminal
+  ///              that nobody else reads  @param isInputTaken  somebody else does
+  /// @return FileUnreadable, and as `ProgressLines::open`
+  [[nodiscard]] static base::Result<FeedSource> open(const OrderOptions& options,
+                                                     bool isInputTaken);
   FeedSource(FeedSource&& other) noexcept;
   FeedSource& operator=(FeedSource&&) = delete;
   ~FeedSource();
@@ -32,9 +36,12 @@ class FeedSource {
   [[nodiscard]] streaming::FeedOrder order();
   /// A person has keys: nobody else can order anything after the program has been told to end.
   [[nodiscard]] bool hasKeys() const { return m_hasKeys && mayRead(); }
+  /// Whoever gave the orders has gone, and the run is not to go on without.
+  [[nodiscard]] bool hasGone() const { return m_isOver && m_endsRun; }
   /// How often it was ordered to continue.
   [[nodiscard]] int continues() const { return m_continues; }
-  /// Says on standard error what has become of it, when that changes.
+  /// Says on standard error what has become of it, when that changes, and how far the run is to
+  /// whoever wants to know.
   void tell(const streaming::LiveUpdate& update);
 
  private:
@@ -45,6 +52,8 @@ class FeedSource {
   void takeKey(char key);
   void takeLine(std::string_view line);
   void change(double percent);
+  [[nodiscard]] static base::Result<FeedSource> openSource(const std::string& path,
+                                                           bool isInputTaken);
 
   int m_descriptor;  ///< < 0: there is none
   bool m_isOwn;
@@ -53,6 +62,9 @@ class FeedSource {
   std::string m_line;
   streaming::FeedOrder m_order;
   int m_continues = 0;
+  bool m_endsRun = false;  ///< the end of the orders is a stop
+  bool m_isOver = false;   ///< they have ended
+  std::optional<ProgressLines> m_progress;
   std::optional<streaming::FeedSeen> m_told;
 };
 

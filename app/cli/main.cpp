@@ -352,6 +352,28 @@ constexpr std::array kForMotionAlone{"--thin",
                                      "--accept-changes",
                                      "--accept-infeasible"};
 
+/// What the operator wants of the run, and who is told how far it is.
+void addOrders(CLI::App* command, rivulet::cli::OrderOptions& options) {
+  auto* orders = command->add_option(
+      "--orders", options.source,
+      "File, pipe or - for standard input with lines: hold, continue, override 50. "
+      "Without it: keys h, c, + and - on a terminal");
+  command
+      ->add_flag_callback(
+          "--end-with-orders",
+          [&options] {
+            if (options.source != "-") {
+              throw CLI::ValidationError("--end-with-orders",
+                                         "is for orders by standard input: --orders -");
+            }
+            options.endsRun = true;
+          },
+          "The end of standard input is a stop, as by Ctrl-C: whoever gives the orders has gone")
+      ->needs(orders);
+  command->add_option("--progress", options.progress,
+                      "File or pipe that is told how far the run is, in lines of JSON");
+}
+
 /// How the points travel, and what the operator wants of the run.
 void addMotionOptions(CLI::App* command, rivulet::cli::StreamOptions& options) {
   command
@@ -361,9 +383,7 @@ void addMotionOptions(CLI::App* command, rivulet::cli::StreamOptions& options) {
       ->capture_default_str();
   command->add_option("--stop-after", options.stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
-  command->add_option("--orders", options.orders,
-                      "File, pipe or - for standard input with lines: hold, continue, override 50. "
-                      "Without it: keys h, c, + and - on a terminal");
+  addOrders(command, options.orders);
   command->add_option("--resume", options.resume,
                       "Resume the run of this file: one that runs lists, or a JSON report "
                       "(methods window and credit)");
@@ -515,9 +535,7 @@ void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   command->add_flag("--no-monitor", options->noMonitor, "No reads for the display in stretches");
   command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
-  command->add_option("--orders", options->orders,
-                      "File, pipe or - for standard input with lines: hold, continue, override 50. "
-                      "Without it: keys h, c, + and - on a terminal");
+  addOrders(command, options->orders);
   command->add_option("--m", options->functions,
                       "What the control does for an M function of another machine: NUMBER=ignore, "
                       "NUMBER=pass, or NUMBER=\"LINE\"; for its axis W: W=ignore or W=pass. Kept "

@@ -639,6 +639,7 @@ JobOptions jobOf(const StreamOptions& options) {
   }
   job.seed = options.seed;
   job.stopAfterS = options.stopAfterS;
+  job.orders = options.orders;
   job.record = options.record;
   job.noMonitor = options.noMonitor;
   job.fromStart = options.fromStart;

@@ -217,12 +217,7 @@ void ServiceSession::takeUpdate(const streaming::LiveUpdate& update) {
     m_pace.from.emplace(update.at, m_update.counters.executed);
   }
   if (update.margin) {
-    const bool isLate = *update.margin < base::Duration::zero();
-    const bool wasLate = m_margins.last && *m_margins.last < base::Duration::zero();
-    m_margins.lateWindows += isLate && !wasLate ? 1 : 0;
-    const double marginS = base::toSeconds(*update.margin);
-    m_margins.leastS = m_margins.last ? std::min(m_margins.leastS, marginS) : marginS;
-    m_margins.last = update.margin;
+    m_margins.add(*update.margin);
   }
   if (update.wrong) {
     m_alarm = "Wrong motion: " + streaming::describe(*update.wrong) +
@@ -628,9 +623,7 @@ Answer ServiceSession::begin(const Caller& caller, Act act, session::StartComman
   m_whole.reset();
   m_pace.lengthsMm = lengthsOf(m_job->view->points.points);
   m_pace.from.reset();
-  m_margins.last.reset();
-  m_margins.lateWindows = 0;
-  m_margins.leastS = 0.0;
+  m_margins = {};
   m_report.reset();
   m_reportFile.clear();
   m_alarm.clear();
@@ -976,8 +969,8 @@ Snapshot ServiceSession::snapshot() const {
       seen.points > 0 ? 100.0 * std::min(1.0, static_cast<double>(seen.pointsDone) / seen.points)
                       : 0.0;
   seen.timeLeftS = timeLeftS();
-  seen.lateWindows = m_margins.lateWindows;
-  seen.leastMarginS = m_margins.leastS;
+  seen.lateWindows = static_cast<std::uint32_t>(m_margins.lateWindows());
+  seen.leastMarginS = base::toSeconds(m_margins.least());
   if (m_isRunning && m_update.at > base::Instant{}) {
     if (m_update.sample && m_update.sample->positionMm) {
       const base::Vec3 at = *m_update.sample->positionMm;

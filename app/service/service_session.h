@@ -24,6 +24,7 @@
 #include "service/loaded_job.h"
 #include "session/session_event.h"
 #include "session/session_worker.h"
+#include "streaming/run/margins.h"
 #include "streaming/start/start_policy.h"
 
 namespace rivulet::service {
@@ -194,12 +195,7 @@ class ServiceSession {
     std::size_t firstPoint = 0;
   };
   Pace m_pace;
-  struct Margins {
-    std::uint32_t lateWindows = 0;
-    double leastS = 0.0;
-    std::optional<base::Duration> last;
-  };
-  Margins m_margins;
+  streaming::Margins m_margins;
   std::shared_ptr<const streaming::RunReport> m_report;
   std::string m_reportFile;
   std::string m_alarm;
