@@ -3417,6 +3417,26 @@
         <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
         <translation>Datensätze, zu deren Länge keine Zeit gehört und die weggelassen wurden: %1, der erste „%2“.</translation>
     </message>
+    <message>
+        <source>The rows are not in the order of their time &quot;%1&quot;, the first at row %2: they were sorted.</source>
+        <translation>Die Zeilen stehen nicht in der Reihenfolge ihrer Zeit „%1“, zuerst in Zeile %2: Sie wurden sortiert.</translation>
+    </message>
+    <message>
+        <source>The time &quot;%1&quot; starts again, the first time at row %2. %3 sections are shown %4 s apart, and the longest one is analysed.</source>
+        <translation>Die Zeit „%1“ beginnt von neuem, zuerst in Zeile %2. %3 Abschnitte werden mit %4 s Abstand gezeigt, der längste wird ausgewertet.</translation>
+    </message>
+    <message>
+        <source>The signals stand in rows of their own: straight lines are assumed between the values of each.</source>
+        <translation>Jedes Signal steht in eigenen Zeilen: Zwischen seinen Werten werden Geraden angenommen.</translation>
+    </message>
+    <message>
+        <source>Rows of text that hold no values and were left out: %1, the first in line %2.</source>
+        <translation>Zeilen aus Text, ohne Werte, weggelassen: %1, die erste ist Zeile %2.</translation>
+    </message>
+    <message>
+        <source>No date tells what comes first in it: day/month is assumed.</source>
+        <translation>Kein Datum zeigt, was darin zuerst steht: Tag/Monat wird angenommen.</translation>
+    </message>
 </context>
 <context>
     <name>TraceTexts</name>

@@ -3417,6 +3417,26 @@
         <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
         <translation>Conjuntos de datos sin un tiempo de la misma longitud, omitidos: %1, el primero «%2».</translation>
     </message>
+    <message>
+        <source>The rows are not in the order of their time &quot;%1&quot;, the first at row %2: they were sorted.</source>
+        <translation>Las filas no están en el orden de su tiempo «%1», la primera es la %2: se han ordenado.</translation>
+    </message>
+    <message>
+        <source>The time &quot;%1&quot; starts again, the first time at row %2. %3 sections are shown %4 s apart, and the longest one is analysed.</source>
+        <translation>El tiempo «%1» vuelve a empezar, la primera vez en la fila %2. Se muestran %3 tramos separados %4 s, y se analiza el más largo.</translation>
+    </message>
+    <message>
+        <source>The signals stand in rows of their own: straight lines are assumed between the values of each.</source>
+        <translation>Cada señal está en filas propias: entre sus valores se suponen rectas.</translation>
+    </message>
+    <message>
+        <source>Rows of text that hold no values and were left out: %1, the first in line %2.</source>
+        <translation>Filas de texto sin valores, omitidas: %1, la primera en la línea %2.</translation>
+    </message>
+    <message>
+        <source>No date tells what comes first in it: day/month is assumed.</source>
+        <translation>Ninguna fecha indica qué va primero: se supone día/mes.</translation>
+    </message>
 </context>
 <context>
     <name>TraceTexts</name>

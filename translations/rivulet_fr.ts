@@ -3417,6 +3417,26 @@
         <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
         <translation>Jeux de données sans temps de la même longueur, omis&#xa0;: %1, le premier «&#xa0;%2&#xa0;».</translation>
     </message>
+    <message>
+        <source>The rows are not in the order of their time &quot;%1&quot;, the first at row %2: they were sorted.</source>
+        <translation>Les lignes ne sont pas dans l’ordre de leur temps «&#xa0;%1&#xa0;», la première est la %2&#xa0;: elles ont été triées.</translation>
+    </message>
+    <message>
+        <source>The time &quot;%1&quot; starts again, the first time at row %2. %3 sections are shown %4 s apart, and the longest one is analysed.</source>
+        <translation>Le temps «&#xa0;%1&#xa0;» recommence, pour la première fois à la ligne %2. %3 sections sont affichées à %4 s d’intervalle, et la plus longue est analysée.</translation>
+    </message>
+    <message>
+        <source>The signals stand in rows of their own: straight lines are assumed between the values of each.</source>
+        <translation>Chaque signal est dans ses propres lignes&#xa0;: entre ses valeurs, des droites sont supposées.</translation>
+    </message>
+    <message>
+        <source>Rows of text that hold no values and were left out: %1, the first in line %2.</source>
+        <translation>Lignes de texte sans valeurs, omises&#xa0;: %1, la première est la ligne %2.</translation>
+    </message>
+    <message>
+        <source>No date tells what comes first in it: day/month is assumed.</source>
+        <translation>Aucune date ne dit ce qui vient en premier&#xa0;: jour/mois est supposé.</translation>
+    </message>
 </context>
 <context>
     <name>TraceTexts</name>

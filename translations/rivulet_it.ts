@@ -3417,6 +3417,26 @@
         <source>Datasets to whose length no time belongs and that were left out: %1, the first &quot;%2&quot;.</source>
         <translation>Insiemi di dati senza un tempo della stessa lunghezza, tralasciati: %1, il primo «%2».</translation>
     </message>
+    <message>
+        <source>The rows are not in the order of their time &quot;%1&quot;, the first at row %2: they were sorted.</source>
+        <translation>Le righe non sono nell’ordine del loro tempo «%1», la prima è la %2: sono state ordinate.</translation>
+    </message>
+    <message>
+        <source>The time &quot;%1&quot; starts again, the first time at row %2. %3 sections are shown %4 s apart, and the longest one is analysed.</source>
+        <translation>Il tempo «%1» ricomincia, la prima volta alla riga %2. %3 sezioni sono mostrate a %4 s di distanza, e si analizza la più lunga.</translation>
+    </message>
+    <message>
+        <source>The signals stand in rows of their own: straight lines are assumed between the values of each.</source>
+        <translation>Ogni segnale sta in righe proprie: tra i suoi valori si suppongono rette.</translation>
+    </message>
+    <message>
+        <source>Rows of text that hold no values and were left out: %1, the first in line %2.</source>
+        <translation>Righe di testo senza valori, tralasciate: %1, la prima alla riga %2.</translation>
+    </message>
+    <message>
+        <source>No date tells what comes first in it: day/month is assumed.</source>
+        <translation>Nessuna data indica che cosa viene prima: si suppone giorno/mese.</translation>
+    </message>
 </context>
 <context>
     <name>TraceTexts</name>

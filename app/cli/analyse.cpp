@@ -23,6 +23,7 @@
 #include "trace/analysis/pauses.h"
 #include "trace/analysis/statistics.h"
 #include "trace/analysis/trace_analysis.h"
+#include "trace/import/import_error.h"
 #include "trace/signal_file.h"
 #ifdef RIVULET_WITH_REPORTS
 #include "trace_report/write_page.h"
@@ -259,10 +260,32 @@ Analysed analyseImported(const trace::ImportedTrace& imported,
                                  : isRate ? " Give the rate with --rate."
                                           : "");
   }
-  if (analysis.motion.samples.empty()) {
-    analysed.text += "  no column is known as a position: say which with --map\n";
-  }
   return analysed;
+}
+
+/// Without a position there is nothing to analyse: what was looked for, and where.
+base::Error noPosition(const trace::ImportedTrace& imported) {
+  std::vector<std::string> names;
+  for (const trace::Signal& signal : imported.trace.signalList) {
+    names.push_back(signal.name);
+  }
+  std::string why;
+  for (const trace::Remark& remark : imported.trace.remarks) {
+    why += " " + trace::remarkText(remark);
+  }
+  const bool isKnown = std::any_of(
+      imported.columns.begin(), imported.columns.end(),
+      [](const trace::ColumnRole& column) { return column.role != trace::SignalRole::Time; });
+  return base::makeError(
+      trace::ImportError::BadMapping,
+      isKnown
+          ? fmt::format("No sample has a time and all positions of {}.{} Say what the columns mean "
+                        "with --map x_act=COLUMN,time=COLUMN:UNIT.",
+                        trace::printColumnRoles(imported.columns), why)
+          : fmt::format("No column is known as the position of an axis (X, Y or Z; set, act, cmd, "
+                        "fb, soll, ist, ...): the columns are {}.{} Say which with --map "
+                        "x_act=COLUMN; with --save, all signals are saved as they are.",
+                        fmt::join(names, ", "), why));
 }
 
 std::string summaryCell(const ordered_json& json, std::string_view column) {
@@ -316,6 +339,9 @@ base::Result<Analysed> analyseFile(const std::string& file, const AnalyseOptions
     return base::fail(source.error());
   }
   const trace::TraceAnalysis analysis = trace::analyseTrace(*source, analysisOf(options, program));
+  if (source->imported() != nullptr && analysis.motion.samples.empty() && options.save.empty()) {
+    return base::fail(noPosition(*source->imported()));
+  }
   Analysed analysed =
       source->recording() != nullptr  ? analyseRecording(*source->recording(), analysis)
       : source->imported() != nullptr ? analyseImported(*source->imported(), analysis)

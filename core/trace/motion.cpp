@@ -120,6 +120,41 @@ bool hasAnyAxis(Readers& readers, SignalRole ofX) {
          readerOf(readers, ofAxis(ofX, 2));
 }
 
+/// That of the first axis that is not much sparser than another one. @param ofX  of an axis that
+/// was recorded
+const TimeBase& baseOf(const SignalTrace& trace, Readers& readers, SignalRole ofX) {
+  std::vector<const TimeBase*> bases;
+  std::size_t most = 0;
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (const auto& reader = readerOf(readers, ofAxis(ofX, axis))) {
+      bases.push_back(&trace.timeBases[reader->timeBase()]);
+      most = std::max(most, bases.back()->at.size());
+    }
+  }
+  return **std::find_if(bases.begin(), bases.end(),
+                        [most](const TimeBase* base) { return 2 * base->at.size() >= most; });
+}
+
+using Instants = std::vector<base::Instant>::const_iterator;
+
+/// The instants of the section that lasts longest.
+std::pair<Instants, Instants> longestSection(const SignalTrace& trace, const TimeBase& base) {
+  std::pair<Instants, Instants> longest{base.at.begin(), base.at.end()};
+  base::Duration lasts{-1};
+  Instants begin = base.at.begin();
+  for (std::size_t i = 0; i <= trace.sections.size() && !trace.sections.empty(); ++i) {
+    const Instants end = i == trace.sections.size()
+                             ? base.at.end()
+                             : std::lower_bound(begin, base.at.end(), trace.sections[i]);
+    if (begin != end && *(end - 1) - *begin > lasts) {
+      lasts = *(end - 1) - *begin;
+      longest = {begin, end};
+    }
+    begin = end;
+  }
+  return longest;
+}
+
 /// The recorded path speed, or that of the axes; NaN: neither was recorded.
 double speedAt(Readers& readers, base::Instant at) {
   if (auto& path = readerOf(readers, SignalRole::PathSpeed)) {
@@ -159,15 +194,12 @@ Motion motionOf(const ImportedTrace& imported) {
   motion.hasLine = readerOf(readers, SignalRole::Line).has_value();
   motion.hasFeed = readerOf(readers, SignalRole::ProgrammedFeed).has_value();
   motion.hasOverride = readerOf(readers, SignalRole::Override).has_value();
-  const SignalRole first = motion.hasSet ? SignalRole::XSet : SignalRole::XActual;
-  std::size_t axis = 0;
-  while (!readerOf(readers, ofAxis(first, axis))) {
-    ++axis;
-  }
   const TimeBase& base =
-      imported.trace.timeBases[readerOf(readers, ofAxis(first, axis))->timeBase()];
-  motion.samples.reserve(base.at.size());
-  for (const base::Instant at : base.at) {
+      baseOf(imported.trace, readers, motion.hasSet ? SignalRole::XSet : SignalRole::XActual);
+  const auto [begin, end] = longestSection(imported.trace, base);
+  motion.samples.reserve(static_cast<std::size_t>(end - begin));
+  for (auto next = begin; next != end; ++next) {
+    const base::Instant at = *next;
     const auto set = positionAt(readers, SignalRole::XSet, at);
     const auto actual = positionAt(readers, SignalRole::XActual, at);
     const double speed = motion.hasSpeed ? speedAt(readers, at) : 0.0;

@@ -47,9 +47,10 @@ struct Motion {
   }
 };
 
-/// The signals that have a role, on the time base of the positions. Signals of another time base
-/// are interpolated; an axis that was not recorded stands at 0; samples without position are left
-/// out. Nothing has a position: `samples` is empty.
+/// The signals that have a role, on the time base of the positions with the most samples. Signals
+/// of another time base are interpolated; an axis that was not recorded stands at 0; samples
+/// without position are left out. Of several sections, the longest. Nothing has a position:
+/// `samples` is empty.
 [[nodiscard]] Motion motionOf(const ImportedTrace& imported);
 
 /// Set points, actual positions, speed and lines. The feed of the program is not known.

@@ -3,84 +3,117 @@
 
 #include "trace/remark.h"
 
+#include <array>
 #include <cstddef>
+#include <utility>
 
-#include "base/contract.h"
 #include "base/sentence.h"
 
 namespace rivulet::trace {
 
-const char* remarkPattern(RemarkCode code) {
-  switch (code) {
-    case RemarkCode::DuplicateColumn:
-      return RIVULET_SENTENCE(
-          "TraceRemarks", "The column \"%1\" occurs more than once: this one is called \"%2\".");
-    case RemarkCode::TimeUnitAssumed:
-      return RIVULET_SENTENCE("TraceRemarks", "The time \"%1\" has no unit: %2 is assumed.");
-    case RemarkCode::RateAssumed:
-      return RIVULET_SENTENCE("TraceRemarks", "The file has no column of time: %1 Hz is assumed.");
-    case RemarkCode::TimeBackwards:
-      return RIVULET_SENTENCE("TraceRemarks",
-                              "The time \"%1\" runs backwards at row %2. Rows that were left out "
-                              "until it goes on: %3.");
-    case RemarkCode::TimeRepeated:
-      return RIVULET_SENTENCE("TraceRemarks",
-                              "Rows that repeat the time of the row before and were left out: %1.");
-    case RemarkCode::ValuesBackwards:
-      return RIVULET_SENTENCE("TraceRemarks",
-                              "Values whose time runs backwards and that were left out: %1.");
-    case RemarkCode::SeveralTimes:
-      return RIVULET_SENTENCE(
-          "TraceRemarks", "The file has %1 columns of time; each belongs to the columns after it.");
-    case RemarkCode::OddRows:
-      return RIVULET_SENTENCE("TraceRemarks",
-                              "Rows that do not have %1 columns and were left out: %2, the first "
-                              "in line %3.");
-    case RemarkCode::NoNumbers:
-      return RIVULET_SENTENCE(
-          "TraceRemarks",
-          "Cells that are no numbers and were left empty: %1, the first in line %2.");
-    case RemarkCode::CutInRow:
-      return RIVULET_SENTENCE("TraceRemarks", "The file ends within a row: it was cut off there.");
-    case RemarkCode::CutFile:
-      return RIVULET_SENTENCE("TraceRemarks", "The file was cut off: its end is missing.");
-    case RemarkCode::CutCompressed:
-      return RIVULET_SENTENCE("TraceRemarks",
-                              "The compressed file is cut or damaged: what came before was read.");
-    case RemarkCode::SpeedUnitsAssumed:
-      return RIVULET_SENTENCE("TraceRemarks",
-                              "The file does not say the units of its speeds: mm/min is assumed, "
-                              "as the control shows them.");
-    case RemarkCode::Remembered:
-      return RIVULET_SENTENCE("TraceRemarks",
-                              "The columns mean what was said for this layout before: %1.");
-    case RemarkCode::OtherDatasets:
-      return RIVULET_SENTENCE(
-          "TraceRemarks",
-          "Datasets that are no row of numbers and were left out: %1, the first \"%2\".");
-    case RemarkCode::DamagedDatasets:
-      return RIVULET_SENTENCE(
-          "TraceRemarks",
-          "Datasets that are damaged and were read in part or not at all: %1, the first \"%2\".");
-    case RemarkCode::DatasetsWithoutTime:
-      return RIVULET_SENTENCE("TraceRemarks",
-                              "Datasets to whose length no time belongs and that were left out: "
-                              "%1, the first \"%2\".");
-    case RemarkCode::RecordingCut:
-      return RIVULET_SENTENCE("TraceRemarks",
-                              "The recording ends before its run: what came before is shown.");
-    case RemarkCode::UnreadableLines:
-      return RIVULET_SENTENCE("TraceRemarks",
-                              "Lines of the recording that cannot be read and were left out: %1.");
-    case RemarkCode::TraceTruncated:
-      return RIVULET_SENTENCE("TraceRemarks",
-                              "The trace of the control is incomplete: its memory was full.");
-    case RemarkCode::OtherProgram:
-      return RIVULET_SENTENCE("TraceRemarks",
-                              "The program does not belong to this trace from %1 s on.");
+namespace {
+
+/// In the order of the codes.
+constexpr std::array<std::pair<RemarkCode, const char*>, 26> kPatterns{{
+    {RemarkCode::DuplicateColumn,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "The column \"%1\" occurs more than once: this one is called \"%2\".")},
+    {RemarkCode::TimeUnitAssumed,
+     RIVULET_SENTENCE("TraceRemarks", "The time \"%1\" has no unit: %2 is assumed.")},
+    {RemarkCode::RateAssumed,
+     RIVULET_SENTENCE("TraceRemarks", "The file has no column of time: %1 Hz is assumed.")},
+    {RemarkCode::TimeBackwards,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "The time \"%1\" runs backwards at row %2. Rows that were left out "
+                      "until it goes on: %3.")},
+    {RemarkCode::TimeRepeated,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Rows that repeat the time of the row before and were left out: %1.")},
+    {RemarkCode::RowsSorted,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "The rows are not in the order of their time \"%1\", the first at "
+                      "row %2: they were sorted.")},
+    {RemarkCode::Sections,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "The time \"%1\" starts again, the first time at row %2. %3 sections "
+                      "are shown %4 s apart, and the longest one is analysed.")},
+    {RemarkCode::SparseRows,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "The signals stand in rows of their own: straight lines are assumed "
+                      "between the values of each.")},
+    {RemarkCode::TextRows,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Rows of text that hold no values and were left out: %1, the first "
+                      "in line %2.")},
+    {RemarkCode::DayFirstAssumed,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "No date tells what comes first in it: day/month is assumed.")},
+    {RemarkCode::ValuesBackwards,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Values whose time runs backwards and that were left out: %1.")},
+    {RemarkCode::SeveralTimes,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "The file has %1 columns of time; each belongs to the columns after it.")},
+    {RemarkCode::OddRows,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Rows that do not have %1 columns and were left out: %2, the first "
+                      "in line %3.")},
+    {RemarkCode::NoNumbers,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Cells that are no numbers and were left empty: %1, the first in line %2.")},
+    {RemarkCode::CutInRow,
+     RIVULET_SENTENCE("TraceRemarks", "The file ends within a row: it was cut off there.")},
+    {RemarkCode::CutFile,
+     RIVULET_SENTENCE("TraceRemarks", "The file was cut off: its end is missing.")},
+    {RemarkCode::CutCompressed,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "The compressed file is cut or damaged: what came before was read.")},
+    {RemarkCode::SpeedUnitsAssumed,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "The file does not say the units of its speeds: mm/min is assumed, "
+                      "as the control shows them.")},
+    {RemarkCode::Remembered,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "The columns mean what was said for this layout before: %1.")},
+    {RemarkCode::OtherDatasets,
+     RIVULET_SENTENCE(
+         "TraceRemarks",
+         "Datasets that are no row of numbers and were left out: %1, the first \"%2\".")},
+    {RemarkCode::DamagedDatasets,
+     RIVULET_SENTENCE(
+         "TraceRemarks",
+         "Datasets that are damaged and were read in part or not at all: %1, the first \"%2\".")},
+    {RemarkCode::DatasetsWithoutTime,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Datasets to whose length no time belongs and that were left out: "
+                      "%1, the first \"%2\".")},
+    {RemarkCode::RecordingCut,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "The recording ends before its run: what came before is shown.")},
+    {RemarkCode::UnreadableLines,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "Lines of the recording that cannot be read and were left out: %1.")},
+    {RemarkCode::TraceTruncated,
+     RIVULET_SENTENCE("TraceRemarks",
+                      "The trace of the control is incomplete: its memory was full.")},
+    {RemarkCode::OtherProgram,
+     RIVULET_SENTENCE("TraceRemarks", "The program does not belong to this trace from %1 s on.")},
+}};
+
+constexpr bool isInOrder() {
+  for (std::size_t i = 0; i < kPatterns.size(); ++i) {
+    if (static_cast<std::size_t>(kPatterns[i].first) != i) {
+      return false;
+    }
   }
-  RIVULET_ASSERT(false);
-  return "";
+  return kPatterns.size() == static_cast<std::size_t>(RemarkCode::OtherProgram) + 1;
+}
+static_assert(isInOrder(), "each code has its sentence");
+
+}  // namespace
+
+const char* remarkPattern(RemarkCode code) {
+  return kPatterns[static_cast<std::size_t>(code)].second;
 }
 
 std::string remarkText(const Remark& remark) {

@@ -18,6 +18,11 @@ enum class RemarkCode {
   RateAssumed,          ///< Hz
   TimeBackwards,        ///< name of the column, first row, rows
   TimeRepeated,         ///< rows
+  RowsSorted,           ///< name of the column, first row
+  Sections,             ///< name of the column, first row of the second one, sections, s between
+  SparseRows,           ///< no value
+  TextRows,             ///< rows, line of the first
+  DayFirstAssumed,      ///< no value
   ValuesBackwards,      ///< values
   SeveralTimes,         ///< columns of time
   OddRows,              ///< columns, rows, first line

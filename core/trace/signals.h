@@ -47,6 +47,9 @@ struct SignalTrace {
   std::vector<TimeBase> timeBases;
   std::vector<Signal> signalList;
   std::vector<SignalEvent> events;
+  /// Where the time of the file went back: sections follow each other on one time axis, and what is
+  /// between them is not known. Empty: there is one.
+  std::vector<base::Instant> sections;
   std::vector<Remark> remarks;  ///< what could not be read or had to be assumed
 };
 

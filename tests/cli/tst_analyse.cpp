@@ -374,7 +374,10 @@ class TestAnalyse : public QObject {
 
   void remembersTheColumns() {
     const QString trace = file("own.csv", traceText("clock;a;b\n", false));
-    QVERIFY(run({trace}).output.find("say which with --map") != std::string::npos);
+    const Outcome unknown = run({trace});
+    QCOMPARE(unknown.exit, 2);
+    QVERIFY2(unknown.errors.find("the columns are a, b. Say which with --map") != std::string::npos,
+             unknown.errors.c_str());
     QCOMPARE(
         run({trace, QStringLiteral("--map"), QStringLiteral("time=clock:s,x_set=a,y_set=b")}).exit,
         0);

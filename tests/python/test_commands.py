@@ -90,6 +90,26 @@ def test_a_stop_is_no_error(part, machine):
     assert report.outcome == "stopped" and report.executed < 30 and report.left_held
 
 
+def test_a_whole_job_obeys_too(machine, tmp_path):
+    """Its blocks for the control make a job of the program."""
+    file = tmp_path / "job.mpf"
+    file.write_text("G71 G90 G94 F120\nM8\n" + "".join("G1 X%d\n" % i for i in range(1, 31)) + "M9\nM30\n")
+    run = rivulet.start(file, machine)
+    while run.executed < 2:
+        assert run._process.poll() is None, run.messages
+    run.hold()
+    while not run.state.stands:
+        assert run._process.poll() is None, run.messages
+    report = run.stop()
+    assert report.outcome == "stopped" and report.stretches == 1 and report.executed_points < 30
+
+
+def test_the_end_of_orders_is_that_of_standard_input(part):
+    for words in (["--end-with-orders"], ["--end-with-orders", "--orders", str(part)]):
+        with pytest.raises(rivulet.BadInput, match="--orders"):
+            command.call(["stream", part, "--simulate", *words])
+
+
 def test_a_run_that_is_wrong_is_an_exception(tmp_path):
     file = tmp_path / "dense.mpf"
     steps = "".join("G1 X%.2f\n" % (0.02 * i) for i in range(1, 60))

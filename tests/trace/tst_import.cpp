@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "support/test_program.h"
+#include "trace/import/clock_text.h"
 #include "trace/import/compression.h"
 #include "trace/import/import.h"
 #include "trace/import/import_error.h"
@@ -53,6 +54,16 @@ class TestImport : public QObject {
   void previewsTables();
   void keepsWhatCanBeRead();
   void keepsALastColumnThatIsMostlyEmpty();
+  void readsClocks_data();
+  void readsClocks();
+  void readsTimesOfAllKinds_data();
+  void readsTimesOfAllKinds();
+  void knowsTheOrderOfDates();
+  void passesOverRowsOfText_data();
+  void passesOverRowsOfText();
+  void combinesSparseRows();
+  void sortsRowsInDisorder();
+  void beginsASectionWhereTimeStartsAgain();
   void leavesOutTimeThatRunsBackwards();
   void namesDuplicateColumns();
   void readsTwoTimeBases();
@@ -116,6 +127,7 @@ void TestImport::guessesRoles_data() {
       "time=__time:s,x_set=/axis1/setpoint,y_set=/axis2/setpoint,x_act=/axis1/actual");
   row("time,joint.0.pos-cmd,joint.1.pos-cmd,joint.0.f-error,feed override",
       "time=time:s,x_set=joint.0.pos-cmd,y_set=joint.1.pos-cmd,override=feed override");
+  row("t_s,Xact,Yact", "time=t_s:s,x_act=Xact,y_act=Yact");
   row("timestamp,ActPosX,SetPosX,x acceleration", "time=timestamp:s,x_set=SetPosX,x_act=ActPosX");
   // What panes and recordings save: formulas are no positions, and names of ours are exact.
   row("t [s],program_line,d(x_act) [mm/s],x_set - x_act [mm],line,x_act [mm]",
@@ -231,15 +243,191 @@ void TestImport::keepsALastColumnThatIsMostlyEmpty() {
   QCOMPARE(bare.trace.signalList.size(), std::size_t{2});
 }
 
-void TestImport::leavesOutTimeThatRunsBackwards() {
+void TestImport::readsClocks_data() {
+  QTest::addColumn<QByteArray>("text");
+  QTest::addColumn<double>("seconds");  // < 0: it is no clock
+  const auto row = [](const char* text, double seconds) {
+    QTest::newRow(text) << QByteArray(text) << seconds;
+  };
+  constexpr double kNewYear = 1767225600.0;  // 2026-01-01, UTC, as `date -u +%s` says
+  constexpr double kAfternoon = 15 * 3600.0 + 4 * 60.0 + 5.25;
+  row("2026-01-01T15:04:05.25Z", kNewYear + kAfternoon);
+  row("2026-01-01 15:04:05,25", kNewYear + kAfternoon);
+  row("2026/01/01 15:04:05.25", kNewYear + kAfternoon);
+  row("2026-01-01T17:04:05.25+02:00", kNewYear + kAfternoon);
+  row("2026-01-01T09:34:05.25-0530", kNewYear + kAfternoon);
+  row("2026-01-01T16:04:05.25+01", kNewYear + kAfternoon);
+  row("1.1.2026 15:04:05.250", kNewYear + kAfternoon);
+  row("01/01/2026 3:04:05.25 PM", kNewYear + kAfternoon);
+  row("01/01/2026 12:04:05.25 a.m.", kNewYear + kAfternoon - 15 * 3600.0);
+  row("01/01/2026 12:04:05.25 PM", kNewYear + kAfternoon - 3 * 3600.0);
+  row("2026-01-01", kNewYear);
+  row("01.01.2026", kNewYear);
+  row("15:04:05:250", kAfternoon);
+  row("3:04:05.25 pm", kAfternoon);
+  row("00:00:00", 0.0);
+  for (const char* wrong :
+       {"13:04:05 PM", "25:00:00", "10:60:00", "2026-13-01", "1.2.3", "12:30", "10:00:00+x",
+        "2026-01-01X10:00:00", "01-02-03 10:00:00", "10:00:00.", "PM"}) {
+    row(wrong, -1.0);
+  }
+}
+
+void TestImport::readsClocks() {
+  QFETCH(QByteArray, text);
+  QFETCH(double, seconds);
+  const auto clock = parseClock(text.toStdString(), DateOrder::DayFirst);
+  QCOMPARE(clock.has_value(), seconds >= 0.0);
+  QVERIFY(!clock || std::abs(clock->seconds - seconds) < 1e-6);
+}
+
+/// Four samples, 10 ms apart, over what each kind of clock has: midnight, noon.
+void TestImport::readsTimesOfAllKinds_data() {
+  QTest::addColumn<QByteArray>("text");
+  const auto row = [](const char* name, QByteArray text) { QTest::newRow(name) << text; };
+  row("date and time in two columns",
+      "Date,Time,x_act\n31.12.2025,23:59:59.980,0\n31.12.2025,23:59:59.990,1\n01.01.2026,00:00:00."
+      "000,2\n"
+      "01.01.2026,00:00:00.010,3\n");
+  row("the date once",
+      "Uhrzeit;Datum;x_act\n23:59:59.970;31.12.2025;0\n23:59:59.980;;1\n23:59:59.990;;2\n00:00:00."
+      "000;01.01.2026;3\n");
+  row("no date", "clock;x_act\n23:59:59.980;0\n23:59:59.990;1\n00:00:00.000;2\n00:00:00.010;3\n");
+  row("offset",
+      "timestamp,x_act\n2025-04-24T10:00:00.000+02:00,0\n2025-04-24T10:00:00.010+02:00,1\n"
+      "2025-04-24T08:00:00.020Z,2\n2025-04-24T10:00:00.030+02:00,3\n");
+  row("am and pm",
+      "Time,x_act\n12/31/2025 11:59:59.980 PM,0\n12/31/2025 11:59:59.990 PM,1\n"
+      "01/01/2026 12:00:00.000 AM,2\n01/01/2026 12:00:00.010 AM,3\n");
+  row("month first",
+      "Time,x_act\n01/31/2026 23:59:59.980,0\n01/31/2026 23:59:59.990,1\n"
+      "02/01/2026 00:00:00.000,2\n02/01/2026 00:00:00.010,3\n");
+  row("FILETIME",
+      "Timestamp;x_act\n133869456000000000;0\n133869456000100000;1\n133869456000200000;2\n"
+      "133869456000300000;3\n");
+  row("ms since 1970",
+      "Timestamp;x_act\n1745488800000;0\n1745488800010;1\n1745488800020;2\n1745488800030;3\n");
+  row("ns since 1970",
+      "Timestamp;x_act\n1745488800000000000;0\n1745488800010000000;1\n1745488800020000000;2\n"
+      "1745488800030000000;3\n");
+  row("TwinCAT Scope, full times",
+      "Name\tProject\n\nName\tAxis.ActPosX\nSampleTime[ms]\t10\nUnit\tmm\n\n133869456000000000\t0\n"
+      "133869456000100000\t1\n133869456000200000\t2\n133869456000300000\t3\n");
+  row("line break in a heading", "\"t, s\",\"X, actual\n(mm)\"\n0,0\n0.01,1\n0.02,2\n0.03,3\n");
+}
+
+void TestImport::readsTimesOfAllKinds() {
+  QFETCH(QByteArray, text);
+  const ImportedTrace trace = imported(text.toStdString());
+  QCOMPARE(remarks(trace), std::string());
+  const Motion motion = motionOf(trace);
+  QCOMPARE(motion.samples.size(), std::size_t{4});
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double seconds = base::toSeconds(motion.samples[i].at - motion.samples[0].at);
+    QVERIFY2(std::abs(seconds - 0.01 * static_cast<double>(i)) < 1e-5,
+             qPrintable(QString::number(seconds)));
+    QCOMPARE(motion.samples[i].actualMm.x, static_cast<double>(i));
+  }
+}
+
+/// What no date says is assumed, and said.
+void TestImport::knowsTheOrderOfDates() {
+  QVERIFY(dateOrderOf("13/01/2026") == DateOrder::DayFirst);
+  QVERIFY(dateOrderOf("01/13/2026 10:00:00") == DateOrder::MonthFirst);
+  QVERIFY(dateOrderOf("01/02/2026 10:00:00 pm") == DateOrder::MonthFirst);
+  QVERIFY(!dateOrderOf("01/02/2026 10:00:00") && !dateOrderOf("2026/01/13"));
+  const ImportedTrace trace =
+      imported("Time,x_act\n01/02/2026 10:00:00,1\n01/02/2026 10:00:01,2\n01/02/2026 10:00:02,3\n");
+  QVERIFY(trace.trace.remarks.back().code == RemarkCode::DayFirstAssumed);
+}
+
+void TestImport::passesOverRowsOfText_data() {
+  QTest::addColumn<QByteArray>("rows");
+  QTest::addColumn<QByteArray>("expected");
+  const QByteArray first =
+      "Rows of text that hold no values and were left out: 1, the first in line 2.";
+  QTest::newRow("no values yet") << QByteArray(
+                                        "n/a,UNAVAILABLE,UNAVAILABLE\n0,1,2\n0.1,1,2\n0.2,1,2\n")
+                                 << first;
+  QTest::newRow("only a time") << QByteArray(
+                                      "-0.1,UNAVAILABLE,UNAVAILABLE\n0,1,2\n0.1,1,2\n0.2,1,2\n")
+                               << first;
+  QTest::newRow("the heading again") << QByteArray("0,1,2\nt_s,x_act,y_act\n0.1,1,2\n0.2,1,2\n")
+                                     << QByteArray(first).replace("line 2", "line 3");
+}
+
+void TestImport::passesOverRowsOfText() {
+  QFETCH(QByteArray, rows);
+  QFETCH(QByteArray, expected);
+  const ImportedTrace trace = imported("t_s,x_act,y_act\n" + rows.toStdString());
+  QCOMPARE(roles(trace), std::string("time=t_s:s,x_act=x_act,y_act=y_act"));
+  QCOMPARE(QByteArray::fromStdString(remarks(trace)), expected);
+  QCOMPARE(motionOf(trace).samples.size(), std::size_t{3});
+}
+
+/// Each signal in rows of its own; Z only once.
+void TestImport::combinesSparseRows() {
   const ImportedTrace trace = imported(
-      "t_s,x_cmd\n0,1\n0.1,2\n0.05,3\n0.06,4\n0.1,5\n0.2,6\n0.3,7\n0.4,1\n0.5,1\n0.6,1\n"
-      "0.7,1\n0.8,1\n0.9,1\n1,1\n1.1,1\n1.2,1\n1.3,1\n1.4,1\n1.5,1\n1.6,1\n1.7,1\n1.8,1\n");
-  QCOMPARE(trace.trace.signalList[0].values[2], 6.0);
-  QCOMPARE(
-      remarks(trace),
-      std::string("The time \"t_s\" runs backwards at row 3. Rows that were left out until it goes "
-                  "on: 2.\nRows that repeat the time of the row before and were left out: 1."));
+      "t_s,x_act,y_act,z_act\n0,0,,\n0.01,,10,\n0.02,,,5\n0.1,1,,\n0.11,,11,\n0.2,2,,\n0.21,,12,"
+      "\n0.3,3,,\n0.31,,13,\n");
+  const Motion motion = motionOf(trace);
+  QCOMPARE(motion.samples.size(), std::size_t{4});
+  QVERIFY(base::distance(motion.samples[0].actualMm, {0.0, 10.0, 5.0}) < 1e-9);
+  QVERIFY(base::distance(motion.samples[1].actualMm, {1.0, 10.9, 5.0}) < 1e-9);
+  QVERIFY(base::distance(motion.samples[3].actualMm, {3.0, 12.9, 5.0}) < 1e-9);
+  QVERIFY(trace.trace.remarks.back().code == RemarkCode::SparseRows);
+}
+
+void TestImport::sortsRowsInDisorder() {
+  std::string text = "t_s,x_act\n";
+  for (int i = 0; i < 100; ++i) {
+    const int row =
+        i >= 40 && i < 60 ? 99 - i : i;  // 40 to 59 the other way round, as two threads write
+    text += fmt::format("{:.2f},{}\n",
+                        0.01 * (i >= 20 && i < 40   ? i + 20
+                                : i >= 40 && i < 60 ? i - 20
+                                                    : i),
+                        row);
+  }
+  const ImportedTrace trace = imported(text);
+  QCOMPARE(remarks(trace), std::string("The rows are not in the order of their time \"t_s\", the "
+                                       "first at row 41: they were sorted."));
+  QCOMPARE(trace.trace.timeBases[0].at.size(), std::size_t{100});
+  QVERIFY(trace.trace.sections.empty());
+}
+
+/// A recorder that was started again: nothing is left out, and no motion invented between both.
+void TestImport::beginsASectionWhereTimeStartsAgain() {
+  std::string text = "t_s,x_act\n";
+  for (const auto& [count, from] :
+       {std::pair{30, 0.0}, std::pair{50, 100.0}, std::pair{20, -70.0}}) {
+    for (int i = 0; i < count; ++i) {
+      text += fmt::format("{:.2f},{}\n", 0.01 * i, from + 0.1 * i);
+    }
+  }
+  const ImportedTrace trace = imported(text);
+  QCOMPARE(trace.trace.sections.size(), std::size_t{2});
+  QCOMPARE(trace.trace.timeBases[0].at.size(), std::size_t{100});
+  QCOMPARE(remarks(trace), std::string("The time \"t_s\" starts again, the first time at row 31. 3 "
+                                       "sections are shown 1 s apart, "
+                                       "and the longest one is analysed."));
+  const Motion motion = motionOf(trace);
+  QCOMPARE(motion.samples.size(), std::size_t{50});
+  QCOMPARE(motion.samples[0].actualMm.x, 100.0);
+  QVERIFY(std::abs(base::toSeconds(motion.samples[0].at - trace.trace.timeBases[0].at[0]) - 1.29) <
+          1e-9);
+}
+
+/// A clock that runs unevenly is no recorder that was started again.
+void TestImport::leavesOutTimeThatRunsBackwards() {
+  std::string text = "t_s,x_act\n";
+  for (int i = 0; i < 1000; ++i) {
+    text += fmt::format("{:.3f},{}\n", 0.01 * i - (i % 40 == 39 ? 0.012 : 0.0), i);
+  }
+  const ImportedTrace trace = imported(text);
+  QCOMPARE(remarks(trace), std::string("The time \"t_s\" runs backwards at row 40. Rows that were "
+                                       "left out until it goes on: 25."));
+  QCOMPARE(trace.trace.timeBases[0].at.size(), std::size_t{975});
 }
 
 void TestImport::namesDuplicateColumns() {

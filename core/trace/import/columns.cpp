@@ -27,15 +27,16 @@ struct Unit {
   std::string_view name;
   double factor;
 };
-constexpr std::array<Unit, 9> kTimeUnits{{{"s", 1.0},
-                                          {"sec", 1.0},
-                                          {"ms", 1e-3},
-                                          {"us", 1e-6},
-                                          {"µs", 1e-6},
-                                          {"μs", 1e-6},
-                                          {"ns", 1e-9},
-                                          {"min", 60.0},
-                                          {"h", 3600.0}}};
+constexpr std::array<Unit, 10> kTimeUnits{{{"s", 1.0},
+                                           {"sec", 1.0},
+                                           {"ms", 1e-3},
+                                           {"us", 1e-6},
+                                           {"µs", 1e-6},
+                                           {"μs", 1e-6},
+                                           {"ns", 1e-9},
+                                           {"100ns", 1e-7},
+                                           {"min", 60.0},
+                                           {"h", 3600.0}}};
 constexpr std::array<Unit, 9> kLengthUnits{{{"mm", 1.0},
                                             {"um", 1e-3},
                                             {"µm", 1e-3},
@@ -106,8 +107,8 @@ bool holdsOne(const Words& words, std::initializer_list<std::string_view> of) {
 /// 0, 1, 2 for X, Y, Z.
 std::optional<std::size_t> axisOf(const Words& words) {
   static constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
-  static constexpr std::array<std::string_view, 6> kPrefixed{"posx", "posy", "posz",
-                                                             "vx",   "vy",   "vz"};
+  static constexpr std::array<std::string_view, 9> kPrefixed{"posx", "posy", "posz", "vx",  "vy",
+                                                             "vz",   "xact", "yact", "zact"};
   static constexpr std::array<std::string_view, 3> kNumbered{"1", "2", "3"};
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
@@ -121,7 +122,7 @@ std::optional<std::size_t> axisOf(const Words& words) {
       const bool isIndex = i + 1 == words.size() && i >= 2 && words[i - 2] == "u" &&
                            words[i - 1] == "1" && word == kNumbered[axis];
       if (word == kAxes[axis] || word == kPrefixed[axis] || word == kPrefixed[axis + 3] ||
-          isNumberOfAxis || isJoint || isIndex) {
+          word == kPrefixed[axis + 6] || isNumberOfAxis || isJoint || isIndex) {
         return axis;
       }
     }

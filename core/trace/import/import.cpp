@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -29,6 +30,13 @@ namespace {
 constexpr double kRateHzAssumed = 1000.0;
 /// Beyond that many seconds an `Instant` overflows: clocks count from 1970 or 1601 at most.
 constexpr double kSecondsMax = 9e9;
+constexpr const char* kFiletimeUnit = "100ns";
+/// Sections of a trace whose time starts again follow each other at this distance.
+constexpr double kSectionGapS = 1.0;
+/// So few rows whose time is too early are a fault of the recorder, which was not started again.
+constexpr std::size_t kGlitchRows = 3;
+/// More sections than this are a clock that runs unevenly: what runs backwards is left out.
+constexpr std::size_t kSectionsMax = 20;
 
 /// A column of a table with what is known of it.
 struct Column {
@@ -38,6 +46,7 @@ struct Column {
   std::optional<SignalRole> role{};
   double factor = 1.0;  ///< to s, mm, mm/s
   bool isChosen = false;
+  bool isClock = false;  ///< its cells are times, with or without a date
 };
 
 using Row = std::vector<std::string>;
@@ -48,15 +57,16 @@ std::string joined(const Row& row) {
 
 /// TwinCAT Scope writes pairs of columns, and in its head pairs of a key and a value.
 bool isTwinCat(const TextTable& table) {
-  return std::any_of(table.head.begin(), table.head.end(),
-                     [](const Row& row) { return !row.empty() && row[0] == "SampleTime[ms]"; });
+  return std::any_of(table.head.begin(), table.head.end(), [](const HeadRow& row) {
+    return !row.cells.empty() && row.cells[0] == "SampleTime[ms]";
+  });
 }
 
 /// The value of a key for each channel.
 std::vector<std::string> scopeValues(const TextTable& table, std::string_view key) {
   std::vector<std::string> values;
   // The key "Name" also stands in the first line, for the project: the last row counts.
-  for (const Row& row : table.head) {
+  for (const auto& [row, line, holdsValue] : table.head) {
     if (row.empty() || row[0] != key) {
       continue;
     }
@@ -66,6 +76,24 @@ std::vector<std::string> scopeValues(const TextTable& table, std::string_view ke
     }
   }
   return values;
+}
+
+/// Windows counts 100 ns since 1601. Whatever else counts to such numbers has another magnitude:
+/// the same moments since 1970 are less than 5e12 in ms, more than 5e14 in µs and 5e17 in ns.
+void takeFiletime(Column& column) {
+  constexpr double kYear1980 = 1.19e17;
+  constexpr double kYear2100 = 1.58e17;
+  constexpr double kYear1970 = 116'444'736'000'000'000.0;
+  const auto first = std::find_if(column.values.begin(), column.values.end(),
+                                  [](double value) { return std::isfinite(value); });
+  if (first == column.values.end() || *first < kYear1980 || *first > kYear2100) {
+    return;
+  }
+  for (double& value : column.values) {
+    value -= kYear1970;
+  }
+  column.unit = kFiletimeUnit;
+  column.factor = unitFactor(column.unit, SignalRole::Time).value_or(1.0);
 }
 
 std::vector<Column> scopeColumns(TextTable& table) {
@@ -91,6 +119,7 @@ std::vector<Column> scopeColumns(TextTable& table) {
       column.unit = "ms";
       column.factor = 1e-3 * (isCounted ? stepMs : 1.0);
       column.isChosen = true;
+      takeFiletime(column);
     }
     columns.push_back(std::move(column));
   }
@@ -103,15 +132,41 @@ bool holdsUnits(const Row& row) {
   return units > 0 && 2 * static_cast<std::size_t>(units) >= row.size();
 }
 
+/// A row of data that has no numbers yet: "UNAVAILABLE" again and again, or values among texts.
+bool isTextRow(const HeadRow& row) {
+  std::map<std::string_view, std::size_t> counts;
+  std::size_t filled = 0;
+  std::size_t most = 0;
+  for (const std::string& cell : row.cells) {
+    if (!cell.empty()) {
+      ++filled;
+      most = std::max(most, ++counts[cell]);
+    }
+  }
+  return row.holdsValue || (most > 1 && 2 * most >= filled);
+}
+
 /// The columns with their headings: the last row before the numbers, or the last but one if the
-/// last holds units.
+/// last holds units. Rows of data without numbers are passed over if a heading stands before them.
 std::vector<Column> headedColumns(TextTable& table) {
   const std::size_t width = table.columns.size();
   Row names;
   Row units;
+  std::size_t textRows = 0;
+  std::size_t firstTextRow = 0;
+  const auto isHeading = [width](const HeadRow& row) {
+    return row.cells.size() >= width && !isTextRow(row);
+  };
   for (std::size_t i = table.head.size(); i-- > 0 && names.empty();) {
-    Row& row = table.head[i];
+    Row& row = table.head[i].cells;
     if (row.size() < width) {
+      continue;
+    }
+    const auto here = table.head.begin() + static_cast<std::ptrdiff_t>(i);
+    if (isTextRow(table.head[i]) && !holdsUnits(row) &&
+        std::any_of(table.head.begin(), here, isHeading)) {
+      ++textRows;
+      firstTextRow = table.head[i].line;
       continue;
     }
     row.resize(width);
@@ -120,6 +175,10 @@ std::vector<Column> headedColumns(TextTable& table) {
     } else {
       names = row;
     }
+  }
+  if (textRows > 0) {
+    table.remarks.push_back(
+        {RemarkCode::TextRows, {std::to_string(textRows), std::to_string(firstTextRow)}});
   }
   std::vector<Column> columns;
   for (std::size_t i = 0; i < width; ++i) {
@@ -139,6 +198,11 @@ std::vector<Column> headedColumns(TextTable& table) {
     if (column.name.empty()) {
       column.name = fmt::format("#{}", i + 1);
     }
+    column.isClock = table.kinds[i] == ClockKind::Timestamp;
+    if (column.isClock || table.kinds[i] == ClockKind::Date) {
+      column.unit = "s";
+    }
+    takeFiletime(column);
     columns.push_back(std::move(column));
   }
   return columns;
@@ -163,11 +227,15 @@ void makeUnique(std::vector<Column>& columns, std::vector<Remark>& remarks) {
 bool isAscending(const std::vector<double>& values) {
   std::size_t steps = 0;
   std::size_t ascending = 0;
-  for (std::size_t i = 1; i < values.size(); ++i) {
+  double before = kNoValue;
+  for (const double value : values) {
     // Of several columns of time, the shorter ones end with empty cells.
-    const bool isStep = std::isfinite(values[i]) && std::isfinite(values[i - 1]);
-    steps += static_cast<std::size_t>(isStep);
-    ascending += static_cast<std::size_t>(isStep && values[i] > values[i - 1]);
+    if (!std::isfinite(value)) {
+      continue;
+    }
+    steps += static_cast<std::size_t>(std::isfinite(before));
+    ascending += static_cast<std::size_t>(value > before);
+    before = value;
   }
   return steps > 1 && 20 * ascending >= 19 * steps;
 }
@@ -193,6 +261,20 @@ double medianStep(const std::vector<double>& values) {
 
 /// The unit of a time that says none, from its steps: a control samples at 1 Hz to 10 kHz.
 void guessTimeUnit(Column& column, std::vector<Remark>& remarks) {
+  // Since 1970, the magnitude tells: a date of this century.
+  constexpr double kYear2000S = 9.5e8;
+  constexpr double kYear2100S = 4.1e9;
+  const auto known = std::find_if(column.values.begin(), column.values.end(),
+                                  [](double value) { return std::isfinite(value); });
+  for (const char* const unit : {"ms", "us", "ns"}) {
+    const double factor = unitFactor(unit, SignalRole::Time).value_or(1.0);
+    if (known != column.values.end() && factor * *known > kYear2000S &&
+        factor * *known < kYear2100S) {
+      column.unit = unit;
+      column.factor = factor;
+      return;
+    }
+  }
   const double step = medianStep(column.values);
   if (step <= 0.5) {
     column.unit = "s";
@@ -352,7 +434,7 @@ void guessRoles(std::vector<Column>& columns, bool isComplete, std::vector<Remar
         continue;
       }
       const std::string name = column.unit.empty() ? column.name : splitUnit(column.name).name;
-      const auto role = guessRole(name);
+      const auto role = column.isClock ? SignalRole::Time : guessRole(name);
       if (!role || (isNamed && name != signalRoleName(*role)) ||
           (*role == SignalRole::Time ? timeIsChosen : taken.contains(*role)) ||
           !isOfRole(column.unit, *role)) {
@@ -379,34 +461,129 @@ void guessRoles(std::vector<Column>& columns, bool isComplete, std::vector<Remar
   }
 }
 
-/// Rows that a column of time allows: those whose time is after that of all rows before.
-std::vector<std::size_t> rowsInTime(const Column& time, std::vector<Remark>& remarks) {
+/// The rows of a time base, in the order of their time.
+struct RowsInTime {
   std::vector<std::size_t> rows;
-  std::size_t backwards = 0;
-  std::size_t first = 0;
+  std::vector<double> seconds;      ///< one per row, ascending
+  std::vector<std::size_t> begins;  ///< of the sections but the first: indices of `rows`
+};
+
+/// Those whose time is not that of the row before, as far as it is a time. @return with the
+/// sections that begin where it runs backwards, `seconds` as they are
+RowsInTime rowsOf(const Column& time, std::vector<Remark>& remarks) {
+  RowsInTime found;
   std::size_t same = 0;
-  double latest = -std::numeric_limits<double>::infinity();
   for (std::size_t row = 0; row < time.values.size(); ++row) {
     const double seconds = time.factor * time.values[row];
     if (!std::isfinite(seconds) || std::abs(seconds) > kSecondsMax) {
       continue;
     }
-    if (seconds <= latest) {
-      first = backwards == 0 ? row : first;
-      ++(seconds == latest ? same : backwards);
+    if (!found.rows.empty() && seconds == found.seconds.back()) {
+      ++same;
       continue;
     }
-    latest = seconds;
-    rows.push_back(row);
-  }
-  if (backwards > 0) {
-    remarks.push_back({RemarkCode::TimeBackwards,
-                       {time.name, std::to_string(first + 1), std::to_string(backwards)}});
+    if (!found.rows.empty() && seconds < found.seconds.back()) {
+      found.begins.push_back(found.rows.size());
+    }
+    found.rows.push_back(row);
+    found.seconds.push_back(seconds);
   }
   if (same > 0) {
     remarks.push_back({RemarkCode::TimeRepeated, {std::to_string(same)}});
   }
-  return rows;
+  return found;
+}
+
+/// Rows that are in disorder: sorted, none of them comes too soon after another one. Rows of a
+/// clock that has started again would fall among the others.
+bool sortRows(const Column& time, RowsInTime& found, std::vector<Remark>& remarks) {
+  std::vector<std::size_t> order(found.rows.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&found](std::size_t a, std::size_t b) { return found.seconds[a] < found.seconds[b]; });
+  const double leastStep = 0.75 * medianStep(found.seconds);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (found.seconds[order[i]] - found.seconds[order[i - 1]] < leastStep) {
+      return false;
+    }
+  }
+  remarks.push_back(
+      {RemarkCode::RowsSorted, {time.name, std::to_string(found.rows[found.begins[0]] + 1)}});
+  RowsInTime sorted;
+  for (const std::size_t i : order) {
+    sorted.rows.push_back(found.rows[i]);
+    sorted.seconds.push_back(found.seconds[i]);
+  }
+  found = std::move(sorted);
+  return true;
+}
+
+/// Leaves out runs of at most `rowsMax` rows that are not after all rows before; at longer ones
+/// sections begin.
+void dropBackwards(const Column& time, std::size_t rowsMax, RowsInTime& found,
+                   std::vector<Remark>& remarks) {
+  RowsInTime kept;
+  std::size_t dropped = 0;
+  std::size_t first = 0;
+  const std::size_t count = found.rows.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!kept.rows.empty() && found.seconds[i] <= kept.seconds.back()) {
+      std::size_t next = i + 1;
+      while (next < count && found.seconds[next] <= kept.seconds.back()) {
+        ++next;
+      }
+      if (next - i <= rowsMax) {
+        first = dropped == 0 ? found.rows[i] : first;
+        dropped += next - i;
+        i = next - 1;
+        continue;
+      }
+      kept.begins.push_back(kept.rows.size());
+    }
+    kept.rows.push_back(found.rows[i]);
+    kept.seconds.push_back(found.seconds[i]);
+  }
+  if (dropped > 0) {
+    remarks.push_back({RemarkCode::TimeBackwards,
+                       {time.name, std::to_string(first + 1), std::to_string(dropped)}});
+  }
+  found = std::move(kept);
+}
+
+/// Puts the sections one after another.
+void placeSections(const Column& time, RowsInTime& found, std::vector<Remark>& remarks) {
+  std::vector<std::size_t> ends = found.begins;
+  ends.push_back(found.rows.size());
+  double shift = 0.0;
+  for (std::size_t section = 1; section < ends.size(); ++section) {
+    const std::size_t begin = ends[section - 1];
+    shift = found.seconds[begin - 1] + kSectionGapS - found.seconds[begin];
+    for (std::size_t i = begin; i < ends[section]; ++i) {
+      found.seconds[i] += shift;
+    }
+  }
+  remarks.push_back({RemarkCode::Sections,
+                     {time.name, std::to_string(found.rows[found.begins[0]] + 1),
+                      std::to_string(ends.size()), fmt::format("{:g}", kSectionGapS)}});
+}
+
+/// @param isAlone  no other column of time: a jump back starts a new section
+RowsInTime rowsInTime(const Column& time, bool isAlone, std::vector<Remark>& remarks) {
+  RowsInTime found = rowsOf(time, remarks);
+  if (found.begins.empty() || sortRows(time, found, remarks)) {
+    return found;
+  }
+  if (isAlone) {
+    dropBackwards(time, kGlitchRows, found, remarks);
+  }
+  if (isAlone && found.begins.size() < kSectionsMax) {
+    if (!found.begins.empty()) {
+      placeSections(time, found, remarks);
+    }
+  } else {
+    dropBackwards(time, found.rows.size(), found, remarks);
+  }
+  return found;
 }
 
 /// A column that counts the samples shows gaps: its values are the time, at the rate.
@@ -447,13 +624,18 @@ SignalTrace signalsOf(std::vector<Column>& columns, const TableMapping& mapping,
     }
     at = std::move(kept);
   }
+  const bool isAlone = std::count_if(columns.begin(), columns.end(), isTime) == 1;
   const auto addBase = [&](const Column& time) {
-    rows = rowsInTime(time, remarks);
+    RowsInTime found = rowsInTime(time, isAlone, remarks);
     TimeBase base{time.name, {}};
-    base.at.reserve(rows.size());
-    for (const std::size_t row : rows) {
-      base.at.push_back(base::Instant{base::fromSeconds(time.factor * time.values[row])});
+    base.at.reserve(found.rows.size());
+    for (const double seconds : found.seconds) {
+      base.at.push_back(base::Instant{base::fromSeconds(seconds)});
     }
+    for (const std::size_t begin : found.begins) {
+      trace.sections.push_back(base.at[begin]);
+    }
+    rows = std::move(found.rows);
     trace.timeBases.push_back(std::move(base));
   };
   if (firstTime != columns.end()) {
@@ -479,6 +661,107 @@ SignalTrace signalsOf(std::vector<Column>& columns, const TableMapping& mapping,
   }
   trace.remarks.insert(trace.remarks.begin(), remarks.begin(), remarks.end());
   return trace;
+}
+
+bool isPosition(const ColumnRole& column) {
+  return column.role >= SignalRole::XSet && column.role <= SignalRole::ZActual;
+}
+
+/// Whether the positions stand in rows of their own: hardly a row has all of them.
+bool isSparse(const SignalTrace& trace, const std::vector<ColumnRole>& roles) {
+  std::vector<const Signal*> positions;
+  for (const Signal& signal : trace.signalList) {
+    const bool is = std::any_of(roles.begin(), roles.end(), [&signal](const ColumnRole& column) {
+      return isPosition(column) && column.column == signal.name;
+    });
+    if (is && signal.timeBase == 0) {
+      positions.push_back(&signal);
+    }
+  }
+  std::size_t all = 0;
+  std::vector<std::size_t> counts(positions.size());
+  for (std::size_t row = 0; row < trace.timeBases[0].at.size(); ++row) {
+    std::size_t here = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const bool is = std::isfinite(positions[i]->values[row]);
+      counts[i] += static_cast<std::size_t>(is);
+      here += static_cast<std::size_t>(is);
+    }
+    all += static_cast<std::size_t>(here == positions.size());
+  }
+  return positions.size() > 1 && *std::min_element(counts.begin(), counts.end()) > 0 &&
+         2 * all < *std::max_element(counts.begin(), counts.end());
+}
+
+/// Where the signal has values.
+std::vector<std::size_t> rowsWith(const Signal& signal) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < signal.values.size(); ++row) {
+    if (std::isfinite(signal.values[row])) {
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+/// The rows of the position on whose times the others are read: the first that has not much fewer
+/// values than another one.
+std::vector<std::size_t> leadingRows(const SignalTrace& trace,
+                                     const std::vector<ColumnRole>& roles) {
+  std::vector<std::vector<std::size_t>> all;
+  std::size_t most = 0;
+  for (const ColumnRole& column : roles) {
+    for (const Signal& signal : trace.signalList) {
+      if (isPosition(column) && column.column == signal.name) {
+        all.push_back(rowsWith(signal));
+        most = std::max(most, all.back().size());
+      }
+    }
+  }
+  return *std::find_if(all.begin(), all.end(),
+                       [most](const auto& rows) { return 2 * rows.size() >= most; });
+}
+
+/// Each signal that is not in all rows gets a time base of its own rows. At the ends of the trace
+/// it has its first and its last value, unless the others are read at its times.
+void separateSparse(SignalTrace& trace, const std::vector<ColumnRole>& roles) {
+  if (trace.timeBases.size() != 1 || !isSparse(trace, roles)) {
+    return;
+  }
+  const std::vector<base::Instant> all = trace.timeBases[0].at;
+  const std::vector<std::size_t> leading = leadingRows(trace, roles);
+  std::map<std::vector<std::size_t>, std::size_t> bases;  // of the same rows
+  for (Signal& signal : trace.signalList) {
+    std::vector<std::size_t> rows = rowsWith(signal);
+    if (rows.empty() || rows.size() == all.size()) {
+      continue;
+    }
+    const bool isLeading = rows == leading;
+    std::vector<std::pair<std::size_t, std::size_t>> kept;  // row of the time, row of the value
+    if (!isLeading && rows.front() > 0) {
+      kept.emplace_back(0, rows.front());
+    }
+    for (const std::size_t row : rows) {
+      kept.emplace_back(row, row);
+    }
+    if (!isLeading && rows.back() + 1 < all.size()) {
+      kept.emplace_back(all.size() - 1, rows.back());
+    }
+    const auto [found, isNew] = bases.try_emplace(std::move(rows), trace.timeBases.size());
+    if (isNew) {
+      trace.timeBases.push_back({trace.timeBases[0].name, {}});
+    }
+    std::vector<double> values;
+    for (const auto& [at, from] : kept) {
+      if (isNew) {
+        trace.timeBases.back().at.push_back(all[at]);
+      }
+      values.push_back(signal.values[from]);
+    }
+    signal.timeBase = found->second;
+    signal.values = std::move(values);
+  }
+  trace.remarks.push_back({RemarkCode::SparseRows});
 }
 
 std::vector<ColumnRole> rolesOf(const std::vector<Column>& columns) {
@@ -563,6 +846,7 @@ base::Result<ImportedTrace> importColumns(std::vector<Column> columns, std::vect
   imported.columns = rolesOf(columns);
   imported.table = previewOf(columns, mapping, remarks);
   imported.trace = signalsOf(columns, mapping, std::move(remarks));
+  separateSparse(imported.trace, imported.columns);
   return imported;
 }
 

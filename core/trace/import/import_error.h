@@ -11,7 +11,7 @@ namespace rivulet::trace {
 
 enum class ImportError {
   NotATable = 1,  ///< no rows of numbers, and no other format that is known
-  BadMapping,     ///< a column that is not there, or a role that is not known
+  BadMapping,     ///< a column that is not there, a role that is not known, or no position
   RoleTwice,      ///< two columns are to be the same; its role is the context
   NoHdf5,         ///< HDF5, and this program was built without its library
 };

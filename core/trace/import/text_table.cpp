@@ -32,6 +32,7 @@ struct TableLayout {
   char separator = ',';  ///< ' ' means any number of blanks and tabs
   char decimal = '.';
   std::size_t width = 0;  ///< columns of a row of numbers
+  DateOrder dates = DateOrder::DayFirst;
 };
 
 /// The cells of a line, without blanks and quotes around them.
@@ -67,66 +68,36 @@ void splitCells(std::string_view line, char separator, std::vector<std::string_v
   }
 }
 
-/// Days from 1970-01-01, Gregorian. @source H. Hinnant: chrono-compatible low-level date algorithms
-std::int64_t daysOf(int year, int month, int day) {
-  const int y = month <= 2 ? year - 1 : year;
-  const int era = (y >= 0 ? y : y - 399) / 400;
-  const int ofEra = y - era * 400;
-  const int ofYear = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
-  return std::int64_t{era} * 146097 + ofEra * 365 + ofEra / 4 - ofEra / 100 + ofYear - 719468;
+struct CellValue {
+  double value = 0.0;
+  ClockKind kind = ClockKind::None;
+};
+
+std::optional<CellValue> clockValue(std::string_view cell, const TableLayout& layout) {
+  const auto clock = parseClock(cell, layout.dates);
+  return clock ? std::optional(CellValue{clock->seconds, clock->kind}) : std::nullopt;
 }
 
-/// "2026-01-02T03:04:05.678Z" and "03:04:05,678" as seconds.
-std::optional<double> clockSeconds(std::string_view cell) {
-  double seconds = 0.0;
-  if (cell.size() > 11 && cell[4] == '-' && cell[7] == '-' &&
-      (cell[10] == 'T' || cell[10] == ' ')) {
-    const auto year = base::parseInteger(cell.substr(0, 4));
-    const auto month = base::parseInteger(cell.substr(5, 2));
-    const auto day = base::parseInteger(cell.substr(8, 2));
-    if (!year || !month || !day || *month < 1 || *month > 12) {
-      return std::nullopt;
-    }
-    seconds = 86400.0 * static_cast<double>(daysOf(*year, *month, *day));
-    cell.remove_prefix(11);
-  }
-  if (!cell.empty() && cell.back() == 'Z') {
-    cell.remove_suffix(1);
-  }
-  if (cell.size() < 8 || cell[2] != ':' || cell[5] != ':') {
-    return std::nullopt;
-  }
-  std::string last(cell.substr(6));
-  std::replace(last.begin(), last.end(), ',', '.');
-  const auto hours = base::parseInteger(cell.substr(0, 2));
-  const auto minutes = base::parseInteger(cell.substr(3, 2));
-  const auto rest = base::parseNumber(last);
-  if (!hours || !minutes || !rest) {
-    return std::nullopt;
-  }
-  return seconds + 3600.0 * *hours + 60.0 * *minutes + *rest;
-}
-
-std::optional<double> cellValue(std::string_view cell, char decimal) {
-  if (decimal == ',') {
+std::optional<CellValue> cellValue(std::string_view cell, const TableLayout& layout) {
+  if (layout.decimal == ',') {
     std::array<char, 64> text{};
     if (cell.size() >= text.size() || cell.find('.') != std::string_view::npos) {
-      return clockSeconds(cell);
+      return clockValue(cell, layout);
     }
     std::replace_copy(cell.begin(), cell.end(), text.begin(), ',', '.');
     if (const auto value = base::parseNumber({text.data(), cell.size()})) {
-      return value;
+      return CellValue{*value};
     }
   } else if (const auto value = base::parseNumber(cell)) {
-    return value;
+    return CellValue{*value};
   }
   if (cell.size() == 4 || cell.size() == 5) {
     const std::string word = base::toUpper(cell);
     if (word == "TRUE" || word == "FALSE") {
-      return word == "TRUE" ? 1.0 : 0.0;
+      return CellValue{word == "TRUE" ? 1.0 : 0.0};
     }
   }
-  return clockSeconds(cell);
+  return clockValue(cell, layout);
 }
 
 /// Empty cells at the end come from a separator at the end of the line.
@@ -135,12 +106,12 @@ std::size_t widthOf(const std::vector<std::string_view>& cells) {
 }
 
 /// True if more than half of what the cells hold are numbers.
-bool isNumbers(const std::vector<std::string_view>& cells, char decimal) {
+bool isNumbers(const std::vector<std::string_view>& cells, const TableLayout& layout) {
   std::size_t numbers = 0;
   std::size_t filled = 0;
   for (const std::string_view cell : cells) {
     filled += static_cast<std::size_t>(!cell.empty());
-    numbers += static_cast<std::size_t>(cellValue(cell, decimal).has_value());
+    numbers += static_cast<std::size_t>(cellValue(cell, layout).has_value());
   }
   return 2 * numbers > filled;
 }
@@ -162,16 +133,12 @@ bool hasLastColumn(const std::vector<std::string_view>& sample, char separator, 
 
 /// The layout in which most of the text are numbers.
 std::optional<TableLayout> recognise(const std::vector<std::string_view>& sample) {
-  struct Candidate {
-    char separator;
-    char decimal;
-  };
-  static constexpr std::array<Candidate, 7> kCandidates{
+  static const std::array<TableLayout, 7> kCandidates{
       {{'\t', '.'}, {';', '.'}, {',', '.'}, {' ', '.'}, {'\t', ','}, {';', ','}, {' ', ','}}};
   std::optional<TableLayout> best;
   double bestScore = 0.0;
   std::vector<std::string_view> cells;
-  for (const Candidate& candidate : kCandidates) {
+  for (const TableLayout& candidate : kCandidates) {
     std::map<std::size_t, std::size_t> widths;
     std::size_t numbers = 0;
     std::size_t all = 0;
@@ -179,10 +146,10 @@ std::optional<TableLayout> recognise(const std::vector<std::string_view>& sample
     for (std::size_t i = sample.size() / 2; i < sample.size(); ++i) {
       splitCells(sample[i], candidate.separator, cells);
       for (std::size_t cell = 0; cell < widthOf(cells); ++cell) {
-        numbers += static_cast<std::size_t>(cellValue(cells[cell], candidate.decimal).has_value());
+        numbers += static_cast<std::size_t>(cellValue(cells[cell], candidate).has_value());
         ++all;
       }
-      if (isNumbers(cells, candidate.decimal)) {
+      if (isNumbers(cells, candidate)) {
         ++widths[widthOf(cells)];
       }
     }
@@ -197,7 +164,8 @@ std::optional<TableLayout> recognise(const std::vector<std::string_view>& sample
     const double score = share + (usual->first > 1 ? 1.0 : 0.0);
     if (score > bestScore + 1e-9) {
       bestScore = score;
-      best = TableLayout{candidate.separator, candidate.decimal, usual->first};
+      best = candidate;
+      best->width = usual->first;
     }
   }
   if (best && hasLastColumn(sample, best->separator, best->width)) {
@@ -324,80 +292,240 @@ base::Result<std::string_view> utf8Of(std::string_view bytes, std::string& conve
   return converted;
 }
 
+namespace {
+
+/// The rows of a table. In its head, quotes may hold line ends.
+class RowReader {
+ public:
+  explicit RowReader(std::string_view text) : m_reader(text) {}
+
+  /// @param isHead  the numbers have not begun
+  [[nodiscard]] std::optional<lines::LineReader::Line> next(bool isHead) {
+    auto line = m_reader.next();
+    if (!line || !isHead || !isOpen(line->text)) {
+      return line;
+    }
+    // What does not end soon is no quote, but an inch sign.
+    lines::LineReader ahead = m_reader;
+    m_joined = line->text;
+    for (int i = 0; i < kLinesOfCell; ++i) {
+      const auto more = ahead.next();
+      if (!more) {
+        break;
+      }
+      (m_joined += ' ') += more->text;
+      if (!isOpen(m_joined)) {
+        m_reader = ahead;
+        return lines::LineReader::Line{m_joined, line->number, more->whole};
+      }
+    }
+    return line;
+  }
+
+ private:
+  static constexpr int kLinesOfCell = 4;
+
+  static bool isOpen(std::string_view text) {
+    return std::count(text.begin(), text.end(), '"') % 2 != 0;
+  }
+
+  lines::LineReader m_reader;
+  std::string m_joined;
+};
+
+/// What the first date says that can be read in one way only. @param sample  the first lines
+/// @return nothing: there are dates with slashes, and none says it
+std::optional<DateOrder> datesOf(std::string_view text, const std::vector<std::string_view>& sample,
+                                 const TableLayout& layout) {
+  std::vector<std::string_view> cells;
+  const bool hasSlashes = std::any_of(sample.begin(), sample.end(), [&](std::string_view line) {
+    splitCells(line, layout.separator, cells);
+    return std::any_of(cells.begin(), cells.end(), hasSlashDate);
+  });
+  if (!hasSlashes) {
+    return layout.dates;
+  }
+  lines::LineReader reader(text);
+  while (const auto line = reader.next()) {
+    splitCells(line->text, layout.separator, cells);
+    for (const std::string_view cell : cells) {
+      if (const auto order = dateOrderOf(cell)) {
+        return order;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// A time of day belongs to the date beside it, or to the only one. Without a date, it goes on
+/// after midnight.
+void completeTimes(TextTable& table) {
+  const auto isDate = [&table](std::size_t column) {
+    return column < table.kinds.size() && table.kinds[column] == ClockKind::Date;
+  };
+  const auto dates = std::count(table.kinds.begin(), table.kinds.end(), ClockKind::Date);
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (table.kinds[i] != ClockKind::TimeOfDay) {
+      continue;
+    }
+    std::optional<std::size_t> date;
+    if (i > 0 && isDate(i - 1)) {
+      date = i - 1;
+    } else if (isDate(i + 1)) {
+      date = i + 1;
+    } else if (dates == 1) {
+      date = static_cast<std::size_t>(
+          std::find(table.kinds.begin(), table.kinds.end(), ClockKind::Date) - table.kinds.begin());
+    }
+    double midnight = 0.0;
+    double before = 0.0;
+    for (std::size_t row = 0; row < table.columns[i].size(); ++row) {
+      double& value = table.columns[i][row];
+      if (date) {
+        const double day = table.columns[*date][row];
+        midnight = std::isfinite(day) ? day : midnight;
+      } else if (std::isfinite(value)) {
+        midnight += value < before - kDayS / 2 ? kDayS : 0.0;
+        before = value;
+      }
+      value += midnight;
+    }
+    table.kinds[i] = ClockKind::Timestamp;
+  }
+}
+
+/// Reads the rows one after another.
+class TableBuilder {
+ public:
+  TableBuilder(const TableLayout& layout, const base::Budget& budget)
+      : m_layout(layout), m_budget(budget), m_held(layout.width * kColumnBytes) {
+    m_table.columns.resize(layout.width);
+    m_table.kinds.resize(layout.width);
+  }
+  [[nodiscard]] bool hasBegun() const { return m_hasBegun; }
+  /// @return error BudgetError::Exceeded
+  base::Result<void> add(const lines::LineReader::Line& line);
+  [[nodiscard]] TextTable finish();
+
+ private:
+  void addRow(std::size_t line);
+
+  TableLayout m_layout;
+  const base::Budget& m_budget;
+  TextTable m_table;
+  std::size_t m_held;
+  bool m_hasBegun = false;
+  std::vector<std::string_view> m_cells;
+  OddRows m_odd;
+  OddRows m_noNumbers;
+  OddRows m_text;
+  bool m_isCut = false;
+};
+
+base::Result<void> TableBuilder::add(const lines::LineReader::Line& line) {
+  splitCells(line.text, m_layout.separator, m_cells);
+  const std::size_t width = widthOf(m_cells);
+  if (width == 0) {
+    return {};
+  }
+  const bool fits = width == m_layout.width || m_cells.size() == m_layout.width;
+  m_hasBegun = m_hasBegun || (fits && isNumbers(m_cells, m_layout));
+  if (!m_hasBegun) {
+    if (m_table.head.size() < kHeadLinesMax) {
+      m_table.head.push_back({{m_cells.begin(), m_cells.end()}, line.number, false});
+      m_table.head.back().holdsValue =
+          std::any_of(m_cells.begin(), m_cells.end(),
+                      [this](std::string_view cell) { return cellValue(cell, m_layout); });
+      m_held += m_cells.size() * sizeof(std::string) + line.text.size();
+    }
+    return m_held > m_budget.left() ? base::fail(m_budget.exceeded("The head of the table"))
+                                    : base::Result<void>();
+  }
+  if (!fits) {
+    if (line.whole) {
+      m_odd.add(line.number);
+    }
+    m_isCut = m_isCut || !line.whole;
+    return {};
+  }
+  m_held += m_layout.width * kCellBytes + kAnalysedSampleBytes;
+  if (m_held > m_budget.left()) {
+    return base::fail(m_budget.exceeded("The table with its analysis"));
+  }
+  addRow(line.number);
+  return {};
+}
+
+void TableBuilder::addRow(std::size_t line) {
+  std::size_t texts = 0;
+  std::size_t values = 0;
+  for (std::size_t column = 0; column < m_layout.width; ++column) {
+    const auto value = cellValue(m_cells[column], m_layout);
+    texts += static_cast<std::size_t>(!value && !m_cells[column].empty());
+    values += static_cast<std::size_t>(value.has_value());
+    m_table.columns[column].push_back(value ? value->value : kNoValue);
+    if (value && m_table.kinds[column] == ClockKind::None) {
+      m_table.kinds[column] = value->kind;
+    }
+  }
+  if (values == 0 && texts > 0) {
+    m_text.add(line);  // such as a heading that comes again
+    return;
+  }
+  for (; texts > 0; --texts) {
+    m_noNumbers.add(line);
+  }
+}
+
+TextTable TableBuilder::finish() {
+  const auto add = [this](RemarkCode code, std::vector<std::string> values) {
+    m_table.remarks.push_back({code, std::move(values)});
+  };
+  if (m_odd.count > 0) {
+    add(RemarkCode::OddRows, {std::to_string(m_layout.width), std::to_string(m_odd.count),
+                              std::to_string(m_odd.firstLine)});
+  }
+  if (m_text.count > 0) {
+    add(RemarkCode::TextRows, {std::to_string(m_text.count), std::to_string(m_text.firstLine)});
+  }
+  if (m_noNumbers.count > 0) {
+    add(RemarkCode::NoNumbers,
+        {std::to_string(m_noNumbers.count), std::to_string(m_noNumbers.firstLine)});
+  }
+  if (m_isCut) {
+    add(RemarkCode::CutInRow, {});
+  }
+  completeTimes(m_table);
+  return std::move(m_table);
+}
+
+}  // namespace
+
 base::Result<TextTable> readTable(std::string_view text, const base::Budget& budget) {
   if (auto fits = requireCells(text, budget); !fits) {
     return base::fail(fits.error());
   }
-  const auto layout = text.find('\0') == std::string_view::npos ? recognise(firstLines(text))
-                                                                : std::optional<TableLayout>();
+  const std::vector<std::string_view> sample = firstLines(text);
+  auto layout =
+      text.find('\0') == std::string_view::npos ? recognise(sample) : std::optional<TableLayout>();
   if (!layout) {
     return base::fail(ImportError::NotATable,
                       "The file holds no rows of numbers. Export the trace as a table (CSV).");
   }
-  TextTable table;
-  table.columns.resize(layout->width);
-  const std::size_t rowBytes = layout->width * kCellBytes + kAnalysedSampleBytes;
-  std::size_t held = layout->width * kColumnBytes;
-  OddRows odd;
-  OddRows noNumbers;
-  std::size_t cutCells = 0;
-  std::vector<std::string_view> cells;
-  lines::LineReader reader(text);
-  bool hasBegun = false;
-  while (const auto line = reader.next()) {
-    splitCells(line->text, layout->separator, cells);
-    const std::size_t width = widthOf(cells);
-    if (width == 0) {
-      continue;
-    }
-    const bool fits = width == layout->width || cells.size() == layout->width;
-    if (!hasBegun) {
-      hasBegun = fits && isNumbers(cells, layout->decimal);
-      if (!hasBegun) {
-        if (table.head.size() < kHeadLinesMax) {
-          table.head.emplace_back(cells.begin(), cells.end());
-          held += cells.size() * sizeof(std::string) + line->text.size();
-        }
-        if (held > budget.left()) {
-          return base::fail(budget.exceeded("The head of the table"));
-        }
-        continue;
-      }
-    }
-    if (!fits) {
-      if (line->whole) {
-        odd.add(line->number);
-      } else {
-        cutCells = width;
-      }
-      continue;
-    }
-    held += rowBytes;
-    if (held > budget.left()) {
-      return base::fail(budget.exceeded("The table with its analysis"));
-    }
-    for (std::size_t column = 0; column < layout->width; ++column) {
-      const auto value = cellValue(cells[column], layout->decimal);
-      if (!value && !cells[column].empty()) {
-        noNumbers.add(line->number);
-      }
-      table.columns[column].push_back(value.value_or(kNoValue));
+  const auto dates = datesOf(text, sample, *layout);
+  layout->dates = dates.value_or(layout->dates);
+  TableBuilder table(*layout, budget);
+  RowReader reader(text);
+  while (const auto line = reader.next(!table.hasBegun())) {
+    if (auto done = table.add(*line); !done) {
+      return base::fail(done.error());
     }
   }
-  if (odd.count > 0) {
-    table.remarks.push_back({RemarkCode::OddRows,
-                             {std::to_string(layout->width), std::to_string(odd.count),
-                              std::to_string(odd.firstLine)}});
+  TextTable read = table.finish();
+  if (!dates) {
+    read.remarks.push_back({RemarkCode::DayFirstAssumed});
   }
-  if (noNumbers.count > 0) {
-    table.remarks.push_back(
-        {RemarkCode::NoNumbers,
-         {std::to_string(noNumbers.count), std::to_string(noNumbers.firstLine)}});
-  }
-  if (cutCells > 0) {
-    table.remarks.push_back({RemarkCode::CutInRow});
-  }
-  return table;
+  return read;
 }
 
 }  // namespace rivulet::trace

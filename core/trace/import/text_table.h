@@ -12,14 +12,22 @@
 
 #include "base/budget.h"
 #include "base/result.h"
+#include "trace/import/clock_text.h"
 #include "trace/remark.h"
 
 namespace rivulet::trace {
 
+/// A row before the first row of numbers.
+struct HeadRow {
+  std::vector<std::string> cells;  ///< as they are
+  std::size_t line = 0;
+  bool holdsValue = false;  ///< a number or a time is among them
+};
+
 struct TextTable {
-  /// The cells of the rows before the first row of numbers, as they are.
-  std::vector<std::vector<std::string>> head;
+  std::vector<HeadRow> head;
   std::vector<std::vector<double>> columns;  ///< of equal length; NaN: empty, or not a number
+  std::vector<ClockKind> kinds;              ///< one per column; TimeOfDay has become Timestamp
   std::vector<Remark> remarks;               ///< what could not be read
 };
 
@@ -29,9 +37,10 @@ struct TextTable {
 [[nodiscard]] base::Result<std::string_view> utf8Of(std::string_view bytes, std::string& converted,
                                                     const base::Budget& budget);
 
-/// Columns are recognised by the rows that hold numbers. A time of day, with or without a date,
-/// counts as a number of seconds; "true" and "false" as 1 and 0. Rows that do not fit are left out
-/// and counted. @param budget  without the text; of the numbers and their analysis
+/// Columns are recognised by the rows that hold numbers. A time of day counts as a number of
+/// seconds, with its own date or that of another column; "true" and "false" as 1 and 0. Rows that
+/// do not fit are left out and counted. @param budget  without the text; of the numbers and their
+/// analysis
 /// @return error ImportError::NotATable: no rows of numbers; BudgetError::Exceeded
 [[nodiscard]] base::Result<TextTable> readTable(std::string_view text, const base::Budget& budget);
 
