@@ -1523,6 +1523,10 @@
         <source>This would take more memory than a file may. Choose a smaller one.</source>
         <translation>Das bräuchte mehr Speicher, als eine Datei darf. Eine kleinere wählen.</translation>
     </message>
+    <message>
+        <source>A factor of the override is possible with methods window and credit, from 0.01 to 2, with 1 between its bounds.</source>
+        <translation>Einen Faktor des Overrides gibt es mit den Verfahren Fenster und Kredit, von 0,01 bis 2, mit 1 zwischen seinen Grenzen.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

@@ -1523,6 +1523,10 @@
         <source>This would take more memory than a file may. Choose a smaller one.</source>
         <translation>Esto necesitaría más memoria de la que puede ocupar un archivo. Elija uno más pequeño.</translation>
     </message>
+    <message>
+        <source>A factor of the override is possible with methods window and credit, from 0.01 to 2, with 1 between its bounds.</source>
+        <translation>Un factor del override es posible con los métodos Ventana y Crédito, de 0,01 a 2, con 1 entre sus límites.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

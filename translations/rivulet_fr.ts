@@ -1523,6 +1523,10 @@
         <source>This would take more memory than a file may. Choose a smaller one.</source>
         <translation>Cela prendrait plus de mémoire qu’un fichier ne peut en occuper. En choisir un plus petit.</translation>
     </message>
+    <message>
+        <source>A factor of the override is possible with methods window and credit, from 0.01 to 2, with 1 between its bounds.</source>
+        <translation>Un facteur de l’override est possible avec les méthodes Fenêtre et Crédit, de 0,01 à 2, avec 1 entre ses limites.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

@@ -1523,6 +1523,10 @@
         <source>This would take more memory than a file may. Choose a smaller one.</source>
         <translation>Richiederebbe più memoria di quanta ne può occupare un file. Sceglierne uno più piccolo.</translation>
     </message>
+    <message>
+        <source>A factor of the override is possible with methods window and credit, from 0.01 to 2, with 1 between its bounds.</source>
+        <translation>Un fattore dell’override è possibile con i metodi Finestra e Credito, da 0,01 a 2, con 1 tra i suoi limiti.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

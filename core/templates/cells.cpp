@@ -84,7 +84,7 @@ std::vector<int> CellMap::slotCells(int slot) const {
 }
 
 int CellMap::last() const {
-  int last = std::max({signal, run, stop, feed, layout, heartbeat, asked, overrideActs});
+  int last = std::max({signal, run, stop, feed, layout, heartbeat, asked, overrideActs, factor});
   for (const int cell : correction) {
     last = std::max(last, cell);
   }

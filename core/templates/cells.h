@@ -32,6 +32,7 @@ enum class TemplateError {
   TooManyAxes,        ///< more than `base::kStreamedAxesMax`
   BadAxes,            ///< letters that are not axes
   BadCorrection,      ///< limit of the online correction out of range, or no axis or method for it
+  BadFactor,          ///< bounds of the factor out of range, or no method for it
   NotOnTarget,        ///< a method or setting that the make of control does not have
 };
 
@@ -60,6 +61,10 @@ inline constexpr double kSilenceLimitS = 1.0;
 inline constexpr double kSilenceLimitSMin = 0.2;
 inline constexpr double kSilenceLimitSMax = 60.0;
 
+/// What may be agreed as the bounds of a factor of the override; 1 has to be among them.
+inline constexpr double kFactorMin = 0.01;
+inline constexpr double kFactorMax = 2.0;
+
 /// Methods position and signal: their own settings.
 struct LoopSettings {
   Layout layout = Layout::Paper;
@@ -81,6 +86,12 @@ struct WindowSettings {
   /// does; 0: it is not watched, for a control without timers of the main run. Of a program with a
   /// feed cell
   double silenceLimitS = kSilenceLimitS;
+  /// A source beside the operator multiplies the override by a factor within these bounds; anything
+  /// else in its cell holds the axes. 0 and 0: the program has no factor
+  double factorLeast = 0.0;
+  double factorMost = 0.0;
+
+  [[nodiscard]] bool hasFactor() const { return factorLeast != 0.0 || factorMost != 0.0; }
 };
 
 /// Method credit, in addition to those of method window.
@@ -139,6 +150,10 @@ struct WindowCells {
   int heartbeat = 0;
   int overrideWanted = -1;  ///< client: path override in percent, see `FeedCell`; -1: no feed cell
   int overrideActs = -1;    ///< NC, in every interpolation cycle: the override in force
+  /// Client: factor of the override, see `WindowSettings`; -1: none. After all others.
+  int factor = -1;
+  double factorLeast = 0.0;
+  double factorMost = 0.0;
   double silenceLimitS = 0.0;  ///< NC: see `WindowSettings`; 0: it does not watch the heartbeat
   int windows = 0;             ///< k; 0: another method
   int windowStride = 0;        ///< from a cell of a window to that of the next
@@ -150,6 +165,8 @@ struct WindowCells {
 
   /// True if the program obeys an override by the client.
   [[nodiscard]] bool hasFeedCell() const { return overrideWanted >= 0; }
+  /// True if the override is multiplied by a factor.
+  [[nodiscard]] bool hasFactor() const { return factor >= 0; }
   /// True if the program obeys corrections.
   [[nodiscard]] bool corrects() const { return correction != std::array{-1, -1, -1}; }
 };

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rivulet::templates {
 
 // The override is made up in its own cell, from nothing in each cycle, and one action writes
@@ -18,6 +20,19 @@ bool isSilenceLimit(double seconds) {
   return seconds == 0.0 || (seconds >= kSilenceLimitSMin && seconds <= kSilenceLimitSMax);
 }
 
+bool areFactorBounds(double least, double most) {
+  return least >= kFactorMin && least <= 1.0 && most >= 1.0 && most <= kFactorMax;
+}
+
+double overrideOf(const CellMap& cells, double percent, double factor) {
+  const bool isWanted = percent >= FeedCell::kHold && percent <= FeedCell::kMax;
+  if (!cells.hasFactor() || !isWanted) {
+    return isWanted ? percent : FeedCell::kHold;
+  }
+  const bool isAgreed = factor >= cells.factorLeast && factor <= cells.factorMost;
+  return isAgreed ? std::min(percent * factor, FeedCell::kProductMax) : FeedCell::kHold;
+}
+
 std::vector<std::string> feedCellBlocks(const CellMap& cells) {
   if (!cells.hasFeedCell()) {
     return {};
@@ -29,11 +44,18 @@ std::vector<std::string> feedCellBlocks(const CellMap& cells) {
       watchesClient(cells) ? fmt::format(" AND ($AC_TIMER[{0}]>=0) AND ($AC_TIMER[{0}]<={1:g})",
                                          FeedCell::kBeatTimer, cells.silenceLimitS)
                            : std::string();
+  const std::string agreed = cells.hasFactor()
+                                 ? fmt::format(" AND ($R{0}>={1}) AND ($R{0}<={2})", cells.factor,
+                                               cells.factorLeast, cells.factorMost)
+                                 : std::string();
+  const std::string product = cells.hasFactor() ? fmt::format("$R{}*$R{}", wanted, cells.factor)
+                                                : fmt::format("$R{}", wanted);
   std::vector<std::string> blocks{
-      fmt::format("R{}={} R{}=0", wanted, FeedCell::kProgrammed, acts),
+      fmt::format("R{}={} R{}=0{}", wanted, FeedCell::kProgrammed, acts,
+                  cells.hasFactor() ? fmt::format(" R{}=1", cells.factor) : std::string()),
       fmt::format("ID={} DO $R{}=0", ActionNumber::kHeld, acts),
-      fmt::format("ID={} WHENEVER ($R{}>=0) AND ($R{}<={}){} DO $R{}=$R{}", ActionNumber::kWanted,
-                  wanted, wanted, FeedCell::kMax, lives, acts, wanted),
+      fmt::format("ID={} WHENEVER ($R{}>=0) AND ($R{}<={}){}{} DO $R{}={}", ActionNumber::kWanted,
+                  wanted, wanted, FeedCell::kMax, lives, agreed, acts, product),
   };
   if (watchesClient(cells)) {
     blocks.push_back(fmt::format(
@@ -41,7 +63,13 @@ std::vector<std::string> feedCellBlocks(const CellMap& cells) {
         "$AC_TIMER[{3}]=0",
         ActionNumber::kBeat, cells.heartbeat, FeedCell::kBeatSeen, FeedCell::kBeatTimer));
   }
-  blocks.push_back(fmt::format("ID={} DO $AC_OVR=$R{}", ActionNumber::kActs, acts));
+  if (cells.hasFactor()) {
+    blocks.push_back(fmt::format("ID={} WHENEVER $R{}>{} DO $R{}={}", ActionNumber::kCapped, acts,
+                                 FeedCell::kProductMax, acts, FeedCell::kProductMax));
+  }
+  blocks.push_back(fmt::format("ID={} DO $AC_OVR=$R{}",
+                               cells.hasFactor() ? ActionNumber::kCappedActs : ActionNumber::kActs,
+                               acts));
   return blocks;
 }
 

@@ -18,6 +18,12 @@ namespace rivulet::templates {
 /// A time after which they may stand: 0, or within the limits.
 [[nodiscard]] bool isSilenceLimit(double seconds);
 
+/// Bounds that can be agreed: 1 is among them.
+[[nodiscard]] bool areFactorBounds(double least, double most);
+
+/// What the actions make of both cells while the client lives, percent. Values that hold are 0.
+[[nodiscard]] double overrideOf(const CellMap& cells, double percent, double factor);
+
 /// The blocks that put it into force: before the first motion, and before the client is waited for.
 /// The main run executes the actions from the next block on, until the program ends.
 /// @return empty: the program has no feed cell

@@ -62,10 +62,16 @@ struct WindowProtocol {
 /// cycle, so that it acts at once, wherever the program is. A value that is not a number from 0 to
 /// 200 holds the axes, and so does a client that gives no sign. The override in force is written by
 /// one action alone, which also tells it in a cell of its own. On LinuxCNC see `LinuxCncProtocol`.
+///
+/// A program may have a factor beside it, in a cell of its own, for a sensor or another program:
+/// whoever holds by the feed cell is not undone by the next factor. The control forms the product.
 struct FeedCell {
   static constexpr double kHold = 0.0;
   static constexpr double kProgrammed = 100.0;  ///< the value at the start of a program
   static constexpr double kMax = 200.0;         ///< percent; the control's own limit of $AC_OVR
+  /// Of override and factor: the highest override that anybody may set. A factor raises no feed
+  /// beyond what the braking distance before the start was told for.
+  static constexpr double kProductMax = 120.0;
 
   // The watch on the heartbeat: the time since it changed, and its value then.
   static constexpr int kBeatTimer = 1;  ///< $AC_TIMER; negative before the first beat
@@ -80,6 +86,9 @@ struct ActionNumber {
   static constexpr int kSlow = 3;    ///< method credit: while nothing follows the window in motion
   static constexpr int kBeat = 4;    ///< a sign of the client: its time begins anew
   static constexpr int kActs = 5;    ///< what has become of it acts
+  // In place of the latter, with a factor:
+  static constexpr int kCapped = 6;       ///< the product is no higher than `FeedCell::kProductMax`
+  static constexpr int kCappedActs = 7;   ///< what has become of it acts
   static constexpr int kCorrection = 11;  ///< online correction of X; Y and Z follow
 };
 

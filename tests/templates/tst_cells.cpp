@@ -182,7 +182,38 @@ class TestCells : public QObject {
           }
         }
         QCOMPARE(cells->last(), next - 1);
+        // The factor of the override is behind all others, which stay where they are.
+        parameters.factorLeast = 0.2;
+        parameters.factorMost = 1.2;
+        const auto adaptive = templates::planCells(parameters);
+        QVERIFY(adaptive.has_value() && !cells->hasFactor());
+        QCOMPARE(adaptive->factor, next);
+        QCOMPARE(adaptive->last(), next);
       }
+    }
+  }
+
+  void boundsOfTheFactor() {
+    for (const auto& [least, most] : {std::pair{0.2, 1.2}, {1.0, 1.0}, {0.01, 2.0}}) {
+      TemplateParameters parameters = window();
+      parameters.factorLeast = least;
+      parameters.factorMost = most;
+      QVERIFY(templates::planCells(parameters).has_value());
+    }
+    for (const auto& [least, most] : {std::pair{0.0, 1.2},
+                                      {0.2, 0.9},
+                                      {1.1, 1.2},
+                                      {0.2, 2.1},
+                                      {-1.0, 1.0},
+                                      {1.2, 0.2},
+                                      {std::nan(""), 1.2},
+                                      {0.2, std::nan("")},
+                                      {0.2, HUGE_VAL}}) {
+      TemplateParameters parameters = window();
+      parameters.factorLeast = least;
+      parameters.factorMost = most;
+      const auto cells = templates::planCells(parameters);
+      QVERIFY(!cells && cells.error().code == TemplateError::BadFactor);
     }
   }
 

@@ -69,6 +69,7 @@ class TestLint : public QObject {
   void generatedTemplatesAreClean();
   void brokenTemplateIsCaught_data();
   void brokenTemplateIsCaught();
+  void brokenFactorIsCaught();
   void brokenCorrectionIsCaught_data();
   void brokenCorrectionIsCaught();
   void studyTemplateIsWarnedOf();
@@ -299,6 +300,43 @@ void TestLint::brokenTemplateIsCaught() {
   const bool isWarning = rule == LintRule::RapidMotion || rule == LintRule::FeedNotFromClient ||
                          rule == LintRule::NoEnd;
   QCOMPARE(templates::firstError(findings) == nullptr, isWarning);
+}
+
+/// A program with a factor of the override: as it is made, and as it may be changed.
+void TestLint::brokenFactorIsCaught() {
+  struct Row {
+    std::string find;
+    std::string replace;
+    LintRule rule;
+  };
+  for (const MethodKind method : {MethodKind::Window, MethodKind::Credit}) {
+    TemplateParameters parameters = parametersOf(method);
+    parameters.factorLeast = 0.2;
+    parameters.factorMost = 1.2;
+    const std::string text = generated(parameters);
+    QVERIFY2(lint(text, parameters).empty(), listed(lint(text, parameters)));
+    const int cell = templates::planCells(parameters)->factor;
+    const std::string factor = "$R" + std::to_string(cell);
+    for (const Row& row :
+         {Row{"ID=6 WHENEVER $R11>120 DO $R11=120\n", "", LintRule::FeedRaised},
+          Row{"DO $R11=120", "DO $R11=130", LintRule::FeedRaised},
+          Row{" AND (" + factor + "<=1.2)", "", LintRule::FeedRaised},
+          Row{"(" + factor + ">=0.2)", "(" + factor + ">=0.1)", LintRule::FeedRaised},
+          Row{"$R10*" + factor, "$R10", LintRule::FeedRaised},
+          Row{"$R10*" + factor, factor, LintRule::FeedRaised},
+          Row{"(" + factor + "<=1.2)", "(" + factor + "<=1.1)", LintRule::FeedCellIgnored},
+          Row{"GOTOB RIV_NEXT", "R" + std::to_string(cell) + "=1\nGOTOB RIV_NEXT",
+              LintRule::ClientCellOverwritten}}) {
+      std::string broken = text;
+      const std::size_t at = broken.find(row.find);
+      QVERIFY2(at != std::string::npos, text.c_str());
+      broken.replace(at, row.find.size(), row.replace);
+      const auto findings = lint(broken, parameters);
+      QVERIFY2(std::any_of(findings.begin(), findings.end(),
+                           [&](const LintFinding& finding) { return finding.rule == row.rule; }),
+               broken.c_str() + listed(findings));
+    }
+  }
 }
 
 void TestLint::brokenCorrectionIsCaught_data() {

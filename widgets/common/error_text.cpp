@@ -181,6 +181,10 @@ struct ErrorTexts {
         return tr("The file cannot be written. Choose another folder.");
       case TemplateError::BadCorrection:
         return tr("Online correction is possible with method window, for X, Y and Z, up to 1 mm.");
+      case TemplateError::BadFactor:
+        return tr(
+            "A factor of the override is possible with methods window and credit, from 0.01 to 2, "
+            "with 1 between its bounds.");
       case TemplateError::RotaryNeedsWindow:
         return tr("Only method window streams rotary axes. Choose it.");
       case TemplateError::TooManyAxes:

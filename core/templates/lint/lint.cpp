@@ -480,11 +480,41 @@ class Linter {
     return actions;
   }
 
+  /// @param factor  where the program has one
+  [[nodiscard]] OverrideProbe probeOf(double wanted, double factor, double others) const {
+    OverrideProbe mainRun(m_cells.overrideWanted, wanted, others);
+    if (m_cells.hasFactor()) {
+      mainRun.setRValue(m_cells.factor, factor);
+    }
+    return mainRun;
+  }
+
+  /// Values of its cell that make a difference; 1 where there is none.
+  [[nodiscard]] std::vector<double> factorsToTry() const {
+    if (!m_cells.hasFactor()) {
+      return {1.0};
+    }
+    const double least = m_cells.factorLeast;
+    const double most = m_cells.factorMost;
+    constexpr double kBeside = 0.001;
+    return {1.0,
+            least,
+            most,
+            0.5 * (1.0 + least),
+            least - kBeside,
+            most + kBeside,
+            0.0,
+            -1.0,
+            250.0,
+            1e308,
+            std::numeric_limits<double>::quiet_NaN()};
+  }
+
   /// What the actions make of the feed cell in a cycle while the client lives.
-  [[nodiscard]] double overrideAt(double wanted, double others,
+  [[nodiscard]] double overrideAt(double wanted, double factor, double others,
                                   const std::set<int>& without) const {
     machine::SyncActions actions = actionsOf(others, without);
-    OverrideProbe mainRun(m_cells.overrideWanted, wanted, others);
+    OverrideProbe mainRun = probeOf(wanted, factor, others);
     mainRun.setRValue(m_cells.heartbeat, others + 1.0);
     double percent = 0.0;
     for (int cycle = 0; cycle < 3; ++cycle) {  // one to see the sign of life; then in every one
@@ -499,7 +529,7 @@ class Linter {
     constexpr int kCycles = 3;
     const double limitS = m_cells.silenceLimitS;
     machine::SyncActions actions = actionsOf(others, without);
-    OverrideProbe mainRun(m_cells.overrideWanted, FeedCell::kProgrammed, others);
+    OverrideProbe mainRun = probeOf(FeedCell::kProgrammed, 1.0, others);
     const auto percent = [&](double afterS) {
       mainRun.pass(afterS);
       double last = 0.0;
@@ -528,6 +558,40 @@ class Linter {
     return {};
   }
 
+  /// @return false: a fault has been found
+  bool obeysFeedCell(double factor, const std::set<int>& cancelled) {
+    constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+    const auto cells = [&](double wanted) {
+      return fmt::format("{} in R{}{}", wanted, m_cells.overrideWanted,
+                         m_cells.hasFactor() ? fmt::format(" and {} in R{}", factor, m_cells.factor)
+                                             : std::string());
+    };
+    for (const double others : {0.0, 0.37, 1e6}) {
+      for (const double wanted : {0.0, 0.001, 40.0, 100.0, FeedCell::kMax, FeedCell::kMax + 0.001,
+                                  250.0, 1e9, -0.001, -1.0, kNoNumber}) {
+        const double allowed = overrideOf(m_cells, wanted, factor);
+        const double lowered = overrideAt(wanted, factor, others, {});
+        const double plain = overrideAt(wanted, factor, others, cancelled);
+        if (!(lowered <= allowed) || !(plain <= allowed)) {
+          error(LintRule::FeedRaised, m_overrideLine,
+                fmt::format("With {} the override is not at most {:g} %: the axes would "
+                            "move faster than the client has commanded. Let the actions write "
+                            "$AC_OVR as in the generated program.",
+                            cells(wanted), allowed));
+          return false;
+        }
+        if (plain != allowed || (allowed > 0.0 && lowered <= 0.0)) {
+          error(LintRule::FeedCellIgnored, m_overrideLine,
+                fmt::format("With {} the override is {:g} % instead of {:g} %. Let the "
+                            "actions write $AC_OVR as in the generated program.",
+                            cells(wanted), plain, allowed));
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
   void lookAtFeedCell() {
     // The main program of a whole job has the feed cell, its loop does not touch the override.
     if (!m_program.parameters.empty()) {
@@ -545,28 +609,9 @@ class Linter {
             id.isUnknown || id.values.size() != 1 ? 0 : static_cast<int>(id.values.front()));
       }
     }
-    constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
-    for (const double others : {0.0, 0.37, 1e6}) {
-      for (const double wanted : {0.0, 0.001, 40.0, 100.0, FeedCell::kMax, FeedCell::kMax + 0.001,
-                                  250.0, 1e9, -0.001, -1.0, kNoNumber}) {
-        const double allowed = wanted >= 0.0 && wanted <= FeedCell::kMax ? wanted : FeedCell::kHold;
-        const double lowered = overrideAt(wanted, others, {});
-        const double plain = overrideAt(wanted, others, cancelled);
-        if (!(lowered <= allowed) || !(plain <= allowed)) {
-          error(LintRule::FeedRaised, m_overrideLine,
-                fmt::format("With {} in R{} the override is not at most {:g} %: the axes would "
-                            "move faster than the client has commanded. Let the actions write "
-                            "$AC_OVR as in the generated program.",
-                            wanted, m_cells.overrideWanted, allowed));
-          return;
-        }
-        if (plain != allowed || (allowed > 0.0 && lowered <= 0.0)) {
-          error(LintRule::FeedCellIgnored, m_overrideLine,
-                fmt::format("With {} in R{} the override is {:g} % instead of {:g} %. Let the "
-                            "actions write $AC_OVR as in the generated program.",
-                            wanted, m_cells.overrideWanted, plain, allowed));
-          return;
-        }
+    for (const double factor : factorsToTry()) {
+      if (!obeysFeedCell(factor, cancelled)) {
+        return;
       }
     }
     for (const double others : {0.0, 0.37, 1e6}) {
@@ -873,7 +918,8 @@ class Linter {
       return true;
     }
     return m_isWindow ? cell == m_cells.delivered || cell == m_cells.client ||
-                            cell == m_cells.heartbeat || cell == m_cells.overrideWanted
+                            cell == m_cells.heartbeat || cell == m_cells.overrideWanted ||
+                            (m_cells.hasFactor() && cell == m_cells.factor)
                       : cell == m_cells.stop || cell == m_cells.feed;
   }
 

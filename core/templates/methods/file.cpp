@@ -33,6 +33,10 @@ base::Result<void> FileTemplate::check(const TemplateParameters& parameters) con
     return base::fail(TemplateError::BadCorrection,
                       "Method file has no online correction: choose method window.");
   }
+  if (parameters.hasFactor()) {
+    return base::fail(TemplateError::BadFactor,
+                      "Method file has no factor of the override: choose method window or credit.");
+  }
   if (base::Result<void> windows = WindowedTemplate::check(parameters); !windows) {
     return windows;
   }

@@ -91,6 +91,10 @@ base::Result<void> LinuxCncWindowTemplate::check(const TemplateParameters& param
     return base::fail(TemplateError::NotOnTarget,
                       "There is no online correction on LinuxCNC: choose a limit of 0.");
   }
+  if (parameters.hasFactor()) {
+    return base::fail(TemplateError::NotOnTarget,
+                      "There is no factor of the override on LinuxCNC: leave its bounds out.");
+  }
   if (parameters.pointsPerLoop > 0 &&
       parameters.pointsPerLoop > kCopiesMax / std::max(cellsPerPoint(parameters), 1)) {
     return base::fail(

@@ -30,6 +30,13 @@ base::Result<void> LoopTemplate::check(const TemplateParameters& parameters) con
                       fmt::format("Method {} has no online correction: choose method window.",
                                   base::methodName(parameters.method)));
   }
+  if (parameters.hasFactor()) {
+    return base::fail(
+        TemplateError::BadFactor,
+        fmt::format("Method {} has no factor of the override: choose method window or "
+                    "credit.",
+                    base::methodName(parameters.method)));
+  }
   return {};
 }
 

@@ -153,6 +153,13 @@ base::Result<void> WindowedTemplate::check(const TemplateParameters& parameters)
                     "{} s, or 0 for not at all.",
                     parameters.silenceLimitS, kSilenceLimitSMin, kSilenceLimitSMax));
   }
+  if (parameters.hasFactor() && !areFactorBounds(parameters.factorLeast, parameters.factorMost)) {
+    return base::fail(
+        TemplateError::BadFactor,
+        fmt::format("A factor of the override from {} to {}: choose bounds from {} to {} with 1 "
+                    "between them, as in 0.2 and 1.2.",
+                    parameters.factorLeast, parameters.factorMost, kFactorMin, kFactorMax));
+  }
   const int perPoint = cellsPerPoint(parameters);
   if (parameters.slotStride != 0 &&
       (parameters.slotStride < perPoint || parameters.slotStride > kStrideMax)) {
@@ -170,6 +177,10 @@ std::string WindowedTemplate::nameSuffix(const TemplateParameters& parameters) c
   name += parameters.slotStride != 0 ? fmt::format("S{}", parameters.slotStride) : "";
   if (parameters.silenceLimitS != kSilenceLimitS) {
     name += fmt::format("T{}", std::lround(1000.0 * parameters.silenceLimitS));
+  }
+  if (parameters.hasFactor()) {
+    name += fmt::format("Q{}Q{}", std::lround(1000.0 * parameters.factorLeast),
+                        std::lround(1000.0 * parameters.factorMost));
   }
   return name;
 }
@@ -202,6 +213,14 @@ CellMap WindowedTemplate::header(const TemplateParameters& parameters) const {
   cells.endCell = cells.run;
   cells.endValue = WindowProtocol::kEnd;
   return cells;
+}
+
+void WindowedTemplate::takeFactor(CellMap& cells, const TemplateParameters& parameters) {
+  if (parameters.hasFactor()) {
+    cells.factor = cells.last() + 1;
+    cells.factorLeast = parameters.factorLeast;
+    cells.factorMost = parameters.factorMost;
+  }
 }
 
 void WindowedTemplate::writeTitle(Listing& out, const TemplateParameters& parameters,
@@ -241,6 +260,11 @@ void WindowedTemplate::writeHeaderCells(Listing& out, const CellMap& cells,
   if (cells.hasFeedCell()) {
     out.line("; R{}  path override in %, by the client: 0 holds at once; R{} the override in force",
              cells.overrideWanted, cells.overrideActs);
+  }
+  if (cells.hasFactor()) {
+    out.line(
+        "; R{}  factor of it, by the client: {} to {}, anything else holds; at most {:g} % in all",
+        cells.factor, cells.factorLeast, cells.factorMost, FeedCell::kProductMax);
   }
 }
 
@@ -321,6 +345,7 @@ CellMap WindowTemplate::cells(const TemplateParameters& parameters) const {
       }
     }
   }
+  takeFactor(cells, parameters);
   // The first window, between the free cell before it and the cell after it, if that is the run's
   // own; where slots have gaps, no further than to the first slot.
   const int first = cells.windowCount(0) - 1;
@@ -338,8 +363,9 @@ int WindowTemplate::pointsMax(const TemplateParameters& parameters) const {
   const CellMap smallest = cells(one);
   const auto corrections = static_cast<int>(std::count_if(
       smallest.correction.begin(), smallest.correction.end(), [](int cell) { return cell >= 0; }));
+  const int beside = corrections + (smallest.hasFactor() ? 1 : 0);
   const int perWindow =
-      (parameters.rParameterCount - corrections - smallest.windowCount(0)) / one.windows -
+      (parameters.rParameterCount - beside - smallest.windowCount(0)) / one.windows -
       WindowProtocol::WindowCells;
   // The last cells of the last slot may stay unused where the stride leaves room.
   int fits = std::max(0, perWindow / smallest.slotStride);

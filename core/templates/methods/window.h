@@ -34,6 +34,8 @@ class WindowedTemplate : public MethodTemplate {
 
   /// The header cells, and the slots of the chosen axes after them.
   [[nodiscard]] CellMap header(const TemplateParameters& parameters) const;
+  /// Gives the factor of the override its cell after all others, if there is to be one.
+  static void takeFactor(CellMap& cells, const TemplateParameters& parameters);
   void writeTitle(Listing& out, const TemplateParameters& parameters, const CellMap& cells,
                   const Wording& wording) const;
   void writeHeaderCells(Listing& out, const CellMap& cells, const Wording& wording) const;
