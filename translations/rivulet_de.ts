@@ -1524,6 +1524,10 @@
         <translation>Das bräuchte mehr Speicher, als eine Datei darf. Eine kleinere wählen.</translation>
     </message>
     <message>
+        <source>A factor of the feed would wait here behind points that are not read yet. Send factors over a source of their own.</source>
+        <translation>Ein Faktor des Vorschubs würde hier hinter Punkten warten, die noch nicht gelesen sind. Faktoren über eine eigene Quelle senden.</translation>
+    </message>
+    <message>
         <source>A factor of the override is possible with methods window and credit, from 0.01 to 2, with 1 between its bounds.</source>
         <translation>Einen Faktor des Overrides gibt es mit den Verfahren Fenster und Kredit, von 0,01 bis 2, mit 1 zwischen seinen Grenzen.</translation>
     </message>

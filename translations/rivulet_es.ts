@@ -1524,6 +1524,10 @@
         <translation>Esto necesitaría más memoria de la que puede ocupar un archivo. Elija uno más pequeño.</translation>
     </message>
     <message>
+        <source>A factor of the feed would wait here behind points that are not read yet. Send factors over a source of their own.</source>
+        <translation>Un factor del avance esperaría aquí detrás de puntos que aún no se han leído. Envíe los factores por una fuente propia.</translation>
+    </message>
+    <message>
         <source>A factor of the override is possible with methods window and credit, from 0.01 to 2, with 1 between its bounds.</source>
         <translation>Un factor del override es posible con los métodos Ventana y Crédito, de 0,01 a 2, con 1 entre sus límites.</translation>
     </message>

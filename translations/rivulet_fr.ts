@@ -1524,6 +1524,10 @@
         <translation>Cela prendrait plus de mémoire qu’un fichier ne peut en occuper. En choisir un plus petit.</translation>
     </message>
     <message>
+        <source>A factor of the feed would wait here behind points that are not read yet. Send factors over a source of their own.</source>
+        <translation>Un facteur de l’avance attendrait ici derrière des points qui ne sont pas encore lus. Envoyer les facteurs par une source à part.</translation>
+    </message>
+    <message>
         <source>A factor of the override is possible with methods window and credit, from 0.01 to 2, with 1 between its bounds.</source>
         <translation>Un facteur de l’override est possible avec les méthodes Fenêtre et Crédit, de 0,01 à 2, avec 1 entre ses limites.</translation>
     </message>

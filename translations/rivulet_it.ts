@@ -1524,6 +1524,10 @@
         <translation>Richiederebbe più memoria di quanta ne può occupare un file. Sceglierne uno più piccolo.</translation>
     </message>
     <message>
+        <source>A factor of the feed would wait here behind points that are not read yet. Send factors over a source of their own.</source>
+        <translation>Un fattore dell’avanzamento aspetterebbe qui dietro punti non ancora letti. Inviare i fattori da una sorgente propria.</translation>
+    </message>
+    <message>
         <source>A factor of the override is possible with methods window and credit, from 0.01 to 2, with 1 between its bounds.</source>
         <translation>Un fattore dell’override è possibile con i metodi Finestra e Credito, da 0,01 a 2, con 1 tra i suoi limiti.</translation>
     </message>

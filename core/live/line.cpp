@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/text.h"
@@ -83,6 +84,12 @@ class ObjectReader final : public NumberObject {
     if (!nlohmann::json::sax_parse(text, this)) {
       return m_badNumber != 0 ? notFinite(m_badNumber) : notALine();
     }
+    if (m_line.factor) {
+      const bool isAlone = !asPoint(m_line) && !m_line.feedMmPerMin && !m_line.number &&
+                           m_line.kind == Line::Kind::Nothing && !m_isComment;
+      m_line.kind = Line::Kind::Feed;
+      return isAlone ? Result<Line>(m_line) : notALine();
+    }
     return m_line.kind == Line::Kind::Nothing && !m_isComment ? asPoint(m_line)
                                                               : Result<Line>(m_line);
   }
@@ -106,6 +113,9 @@ class ObjectReader final : public NumberObject {
 
  private:
   bool take(double number) override {
+    if (m_key == "feed") {
+      return !std::exchange(m_line.factor, number).has_value();
+    }
     std::optional<double>* const value =
         m_key.size() == 1 ? place(m_line, toUpper(m_key.front())) : nullptr;
     if (value == nullptr || *value) {
@@ -138,6 +148,13 @@ Result<Line> parseLine(std::string_view text) {
   const std::string word = base::toUpper(text.substr(0, text.find_first_of(" \t:")));
   if (word == "COMMENT") {
     return Line{};
+  }
+  if (word == "FEED") {
+    Line line;
+    line.kind = Line::Kind::Feed;
+    line.factor = base::parseNumber(base::trim(text.substr(word.size())))
+                      .value_or(std::numeric_limits<double>::quiet_NaN());
+    return line;
   }
   if (text.size() == word.size() && (word == "END" || word == "HOLD")) {
     Line line;

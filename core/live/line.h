@@ -8,6 +8,8 @@
 ///     {"x": 10.5, "y": 2, "f": 1200}
 ///     N17 X10.6                    numbered: the next one is N18
 ///     hold                         the machine stops there and waits for the next point
+///     feed 0.85                    factor of the operator's override, see `FeedFactor`
+///     {"feed": 0.85}
 ///     end                          after the last point
 ///     comment, # or ;              says nothing, but shows that the source lives
 ///
@@ -25,11 +27,12 @@
 namespace rivulet::live {
 
 struct Line {
-  enum class Kind { Nothing, Point, Hold, End } kind = Kind::Nothing;
+  enum class Kind { Nothing, Point, Hold, End, Feed } kind = Kind::Nothing;
   std::array<std::optional<double>, base::kAxisCount> mm{};
   std::array<std::optional<double>, base::kRotaryAxisCount> deg{};
   std::optional<double> feedMmPerMin;
   std::optional<double> number;  ///< N
+  std::optional<double> factor;  ///< of Feed; what is no number is NaN
 };
 
 /// @param text  without its end @return NotALine, NotFinite

@@ -148,6 +148,12 @@ void PointStream::takeLine(std::string_view text) {
     case Line::Kind::Point:
       takePoint(*line);
       break;
+    case Line::Kind::Feed:
+      refuse(base::makeError(LiveError::FactorAmongPoints,
+                             "A factor of the feed would wait here behind points that are not read "
+                             "yet. Send factors over a source of their own."),
+             m_summary.lines);
+      break;
   }
 }
 

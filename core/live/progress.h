@@ -20,6 +20,13 @@ struct Progress {
   std::size_t merged = 0;    ///< points that were too close to the one before
   base::Vec3 positionMm;     ///< of the last point that was executed; at first that of the tool
 
+  /// What becomes of a factor, for the source that sends it: accepted factors are counted above.
+  struct Feed {
+    double percent = 0.0;                ///< override in force, as it was read last
+    std::optional<double> feedMmPerMin;  ///< of the path, measured
+  };
+  std::optional<Feed> feed = std::nullopt;
+
   struct End {
     std::string outcome;  ///< "completed", "stopped", ...
     std::string error;    ///< empty: none

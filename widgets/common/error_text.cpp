@@ -151,6 +151,10 @@ struct ErrorTexts {
         return tr("The file of the source is not as the manual shows it (Live points).");
       case LiveError::NotAgreed:
         return tr("These values cannot be kept together. Check box, step and times.");
+      case LiveError::FactorAmongPoints:
+        return tr(
+            "A factor of the feed would wait here behind points that are not read yet. Send "
+            "factors over a source of their own.");
     }
     return {};
   }
