@@ -609,13 +609,17 @@ class TestFeedCell : public QObject {
                                                          << "$AC_TIMER[2]=0";
     QTest::newRow("no synchronized actions") << "ID="
                                              << "; ID=";
+    QTest::newRow("the factor is not multiplied") << "DO $R11=$R10*$R"
+                                                  << "DO $R11=$R10+0*$R";
   }
   void aControlThatMisreadsIsNotStarted() {
     QFETCH(QString, written);
     QFETCH(QString, read);
     World world;
     MisreadLink link(world.link, written.toStdString(), read.toStdString());
-    const auto settings = settingsOf(MethodKind::Window, 400.0);
+    auto settings = settingsOf(MethodKind::Window, 400.0);
+    settings.parameters.factorLeast = 0.2;
+    settings.parameters.factorMost = 1.2;
     const auto flexible = templates::makeProgram(settings.parameters);
     const auto report = streaming::runJob(link, link, *lines(4, 10.0), *flexible, settings,
                                           world.person, world.person);

@@ -18,6 +18,8 @@ using base::Instant;
 constexpr Duration kOrderInterval = std::chrono::milliseconds{20};
 /// The same if orders act at once, and a live source.
 constexpr Duration kSourceInterval = std::chrono::milliseconds{4};
+/// The same for a source of factors: what it says is to act within one access.
+constexpr Duration kFactorLook = std::chrono::milliseconds{1};
 /// Answers with a refused item in a row that are taken for faults of the transmission.
 constexpr int kRefusalsMax = 2;
 /// From this much silence on the network is said to be interrupted.
@@ -114,7 +116,9 @@ StreamEnd Driver::run() {
 Instant Driver::nextWakeUp() const {
   const Instant now = m_link.now();
   const bool isQuick = m_supplier != nullptr || m_feed.exists();
-  Instant until = now + (isQuick ? kSourceInterval : kOrderInterval);
+  Instant until = now + (m_feed.state().source ? kFactorLook
+                         : isQuick             ? kSourceInterval
+                                               : kOrderInterval);
   if (m_outstanding.method || m_outstanding.monitor) {
     return until;
   }

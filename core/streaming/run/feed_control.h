@@ -42,7 +42,7 @@ class FeedControl {
 
   /// The cell has to be written, before anything else.
   [[nodiscard]] bool mustWrite(base::Instant now) const;
-  /// Valid until the next call. To be followed by `written` or `lost`.
+  /// Override, factor or both. Valid until the next call. To be followed by `written` or `lost`.
   [[nodiscard]] std::span<const opcua::Assignment> write(base::Instant now);
   void written(base::Instant at);
 
@@ -69,13 +69,21 @@ class FeedControl {
 
   /// What has happened since the last call, for recording and display.
   [[nodiscard]] std::vector<trace::Note> takeNotes();
-  /// All orders so far. @param now  the last one lasts until then
+  /// All orders so far, with the holds of the source. @param now  the last one lasts until then
   [[nodiscard]] std::vector<FeedEvent> events(base::Instant now) const;
+  /// What was made of a source of factors, without `count`. Nothing: the program has no cell for
+  /// them.
+  [[nodiscard]] std::optional<FactorReport> factors() const;
 
  private:
   void note(base::Instant at, std::string text);
+  void wantFactor(const FeedOrder& order, base::Instant now);
   /// The value in the cell has changed. @param ordered  when it was wanted
   void begin(base::Instant ordered, double percent, bool isForeign);
+  void beginFactor(base::Instant now);
+  /// What is known of the axes is of before.
+  void forgetPlace();
+  [[nodiscard]] double product() const;
   void takePlace(std::span<const opcua::Reading> readings, base::Instant at);
   void account(base::Instant now);
 
@@ -83,13 +91,31 @@ class FeedControl {
   Heartbeat m_beat;
   base::Duration m_silenceLimit;            ///< 0: signs of life are not watched
   std::optional<base::Instant> m_beatenAt;  ///< the last one was there at the latest
-  std::array<opcua::Assignment, 1> m_assignment;
-  std::vector<opcua::Variable> m_cells;  ///< wanted, acting
+  templates::CellMap m_map;
+  std::vector<opcua::Assignment> m_assignments;
+  std::vector<opcua::Variable> m_cells;  ///< wanted, acting; factor
   std::vector<opcua::Variable> m_all;    ///< the same, then the axes
   FeedOrder m_asked;                     ///< last, whether it can be obeyed or not
   FeedOrder m_order;                     ///< that is obeyed
   base::Instant m_orderedAt{};
   bool m_mustWrite = false;
+  bool m_isSent = false;  ///< the override, and is not confirmed yet
+  /// Of the factor.
+  struct Factor {
+    double wanted = 1.0;
+    base::Instant readAt{};  ///< from the source
+    bool mustWrite = false;
+    bool isSent = false;  ///< and not confirmed yet
+    base::Instant sentAt{};
+    std::optional<base::Instant> timedFrom;  ///< of what is sent, if its delay counts
+    base::Instant next{};                    ///< it is not written before
+    base::Instant noteNext{};
+    std::optional<live::FactorSeen> told;  ///< noted last
+    base::Instant tellNext{};
+    FactorReport report;
+    trace::DurationCounter delays;
+  };
+  Factor m_factor;
   bool m_mustConfirm = false;  ///< the control has not been seen to obey yet
   bool m_readsAxes = false;    ///< of the read in progress
   base::Instant m_nextWrite{};

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "base/instant.h"
+#include "live/feed_factor.h"
 #include "templates/window_protocol.h"
+#include "trace/analysis/statistics.h"
 
 namespace rivulet::streaming {
 
@@ -18,6 +20,8 @@ struct FeedOrder {
   bool holds = false;  ///< the axes are to stand at once, on the path
   /// Path override while they are not, 0 to `FeedCell::kMax`; anything else is refused.
   double percent = templates::FeedCell::kProgrammed;
+  /// What a source beside the operator makes of it, if the program has a cell for that.
+  std::optional<live::FactorSeen> source = std::nullopt;
 
   friend bool operator==(const FeedOrder&, const FeedOrder&) = default;
 };
@@ -25,13 +29,19 @@ struct FeedOrder {
 /// The state of the feed cell.
 struct FeedSeen {
   double wantedPercent = templates::FeedCell::kProgrammed;  ///< in the cell; 0: hold
+  double factor = 1.0;                                      ///< in its cell; 0: the source holds
+  std::optional<live::FactorSeen> source;                   ///< nothing: there is none
   std::optional<double> actsPercent;                        ///< in force, as the control told last
-  bool holds = false;                                       ///< by an order of this client
+  bool holds = false;                                       ///< by one of both
   /// From the order to hold until the axes were seen to stand; nothing: they have not been yet.
   std::optional<base::Duration> stoodAfter;
   bool isForeign = false;  ///< another client has written the cell since the last order
   bool isIgnored = false;  ///< held, but the axes move: what moves does not obey the override
 
+  /// The source holds, and the operator does not.
+  [[nodiscard]] bool isHeldBySource() const {
+    return factor == 0.0 && wantedPercent > templates::FeedCell::kHold;
+  }
   friend bool operator==(const FeedSeen&, const FeedSeen&) = default;
 };
 
@@ -40,10 +50,22 @@ struct FeedEvent {
   base::Instant at{};
   double percent = 0.0;                      ///< 0: hold
   bool isForeign = false;                    ///< of another client
+  bool isSource = false;                     ///< of the source of factors
   std::optional<base::Duration> stoodAfter;  ///< a hold: until the axes were seen to stand
   base::Duration lasted{};                   ///< until the next one, or the end
 
   [[nodiscard]] bool isHold() const { return percent == templates::FeedCell::kHold; }
+};
+
+/// What came of a source of factors in a run.
+struct FactorReport {
+  live::FactorCount count;
+  std::size_t written = 0;  ///< factors into the cell; what comes faster is passed over
+  double least = 1.0;       ///< of these, without holds
+  double most = 1.0;
+  /// From reading a factor to the answer that it is in the cell. The main run obeys within one more
+  /// interpolation cycle.
+  trace::DurationStatistics delay;
 };
 
 }  // namespace rivulet::streaming

@@ -160,7 +160,7 @@ Result<void> HostedRun::requireFeedCell() {
     }
     // Method credit is slower while nothing follows.
     if (acts > templates::FeedCell::kHold && acts <= templates::FeedCell::kProgrammed) {
-      return {};
+      return requireFactor();
     }
     if (m_link.now() >= until) {
       return base::fail(
@@ -169,6 +169,52 @@ Result<void> HostedRun::requireFeedCell() {
                       "override would not act. Nothing was moved: check that a SINUMERIK has "
                       "synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.",
                       m_cells.overrideActs, acts));
+    }
+    pause(kFeedCellInterval);
+  }
+}
+
+Result<void> HostedRun::requireFactor() {
+  if (!m_cells.hasFactor()) {
+    return {};
+  }
+  for (const double factor : {0.0, m_cells.factorLeast, 1.0}) {
+    if (Result<void> done = tryFactor(factor); !done) {
+      return done;
+    }
+  }
+  return {};
+}
+
+Result<void> HostedRun::tryFactor(double factor) {
+  const std::array<opcua::Assignment, 1> tried{{{opcua::rParameter(m_cells.factor), factor}}};
+  const std::array<opcua::Variable, 1> cells{opcua::rParameter(m_cells.overrideActs)};
+  // Method credit is slower while nothing follows.
+  const double most = templates::overrideOf(m_cells, templates::FeedCell::kProgrammed, factor);
+  if (Result<void> done = opcua::writeNow(m_claim.link(), tried, m_settings.setupDeadline); !done) {
+    return done;
+  }
+  const Instant until = m_link.now() + kFeedCellDeadline;
+  for (;;) {
+    if (Result<void> done = beat(); !done) {
+      return done;
+    }
+    const auto numbers = opcua::readNumbers(m_claim.link(), cells, m_settings.setupDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
+    }
+    const double acts = (*numbers)[0];
+    if (acts <= most &&
+        (acts > templates::FeedCell::kHold) == (most > templates::FeedCell::kHold)) {
+      return {};
+    }
+    if (m_link.now() >= until) {
+      return base::fail(
+          StreamError::FeedCellIgnored,
+          fmt::format("The control does not obey the factor of the override (with {:g} in R{}, R{} "
+                      "is {:g}). Nothing was moved: check that the control has synchronized "
+                      "actions, or start without a source of factors.",
+                      factor, m_cells.factor, m_cells.overrideActs, acts));
     }
     pause(kFeedCellInterval);
   }

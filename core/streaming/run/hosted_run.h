@@ -82,6 +82,9 @@ class HostedRun {
   [[nodiscard]] base::Result<void> unlessCancelled(base::Result<void> claimed);
   [[nodiscard]] base::Result<void> cancel();
   [[nodiscard]] base::Result<void> beat();
+  /// The same of the factor, if the program has one.
+  [[nodiscard]] base::Result<void> requireFactor();
+  [[nodiscard]] base::Result<void> tryFactor(double factor);
 };
 
 }  // namespace rivulet::streaming

@@ -340,6 +340,7 @@ class Job : public HostedRun {
     m_report.slowedBy = end.slowedBy;
     m_report.wrong = end.wrong;
     m_report.feed = feed.events(m_link.now());
+    m_report.factor = feed.factors();
     m_streamed = true;
     m_report.leftHeld = end.leftHeld;
     if (end.error.code || (!end.programEnded && !end.leftHeld)) {

@@ -287,9 +287,10 @@ struct RunReport {
   std::string slowedBy;  ///< what slowed the accesses of the run; in English; empty: nothing did
   /// Seen while the run was in progress. The trace of the control, if there is one, overrules it.
   std::optional<WrongMotion> wrong;
-  std::optional<live::Summary> live;  ///< nothing: all points were there before the start
-  std::vector<FeedEvent> feed;        ///< what was ordered by the feed cell
-  std::vector<trace::Pause> holds;    ///< standstills of `pauses` that an order made; not in these
+  std::optional<live::Summary> live;   ///< nothing: all points were there before the start
+  std::vector<FeedEvent> feed;         ///< what was ordered by the feed cell
+  std::optional<FactorReport> factor;  ///< nothing: the program has no factor of the override
+  std::vector<trace::Pause> holds;     ///< standstills of `pauses` that an order made; not in these
   /// Stopped: the axes are held where they are, and the program ends before its next window when
   /// somebody lets it (`endRun`), or with a reset.
   bool leftHeld = false;

@@ -228,6 +228,7 @@ class WholeJob : public HostedRun {
     }
     m_report.access = m_ledger.statistics();
     m_report.feed = m_feed.events(m_link.now());
+    m_report.factor = m_feed.factors();
     if (!m_trace || m_report.error.code == opcua::LinkError::ConnectionLost) {
       return;
     }

@@ -78,9 +78,10 @@ struct WholeJobReport {
   /// Standstills in the stretches: by the control's trace if they are judged, else by the client.
   std::vector<trace::Pause> pauses;
   AccessStatistics access;
-  std::vector<FeedEvent> feed;        ///< what was ordered by the feed cell
-  std::vector<trace::Pause> holds{};  ///< standstills that an order made, if they are judged
-  bool leftHeld = false;              ///< see `RunReport`
+  std::vector<FeedEvent> feed;         ///< what was ordered by the feed cell
+  std::optional<FactorReport> factor;  ///< see `RunReport`
+  std::vector<trace::Pause> holds{};   ///< standstills that an order made, if they are judged
+  bool leftHeld = false;               ///< see `RunReport`
 };
 
 struct WholeJobOptions {
