@@ -15,6 +15,7 @@
 
 #include "base/units.h"
 #include "cli/console.h"
+#include "cli/factor_feed.h"
 #include "gcode/program.h"
 #include "job/plan.h"
 #include "live/setup.h"
@@ -107,6 +108,7 @@ struct LiveOptions {
   double fullWithinMs = base::toMilliseconds(live::Limits{}.fullWithin);
   double holdAfterS = base::toSeconds(live::Limits{}.holdAfter);
   double endAfterS = base::toSeconds(live::Limits{}.endAfter);
+  FactorOptions factor;  ///< another source, beside points or a program
 };
 
 /// Who has a say in a run, and who is told how far it is.
@@ -165,6 +167,7 @@ struct JobOptions {
   std::uint64_t seed = 1;
   double stopAfterS = 0.0;  ///< 0: not
   OrderOptions orders;
+  FactorOptions factor;
   std::string record;                  ///< file; empty: none
   bool noMonitor = false;              ///< no reads for the display within stretches
   std::string resume;                  ///< file of a job that was left; empty: from the beginning

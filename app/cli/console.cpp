@@ -74,6 +74,10 @@ templates::TemplateParameters OperatingOptions::parameters() const {
   parameters.baseCell = baseCell;
   parameters.correctionLimitMm = correctionLimitMm;
   parameters.silenceLimitS = silenceLimitS.value_or(parameters.silenceLimitS);
+  if (factor.size() == 2) {
+    parameters.factorLeast = factor[0];
+    parameters.factorMost = factor[1];
+  }
   parameters.windowsAhead = windowsAhead;
   parameters.target = templates::targetFromName(control).value_or(parameters.target);
   // Others have no such thing; the planner of LinuxCNC brakes when its queue ends.

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "base/budget.h"
 #include "base/error.h"
@@ -60,6 +61,7 @@ struct OperatingOptions {
   std::string feedCells = "auto";  ///< auto, window, point
   std::string layout = "paper";
   double correctionLimitMm = 0.0;       ///< online correction; 0: none
+  std::vector<double> factor;           ///< bounds of a factor of the override; empty: none
   std::optional<double> silenceLimitS;  ///< see `templates::WindowSettings`; nothing: the machine's
   std::string
       axes;  ///< letters; empty: X Y Z, and for a run also the rotary axes that the program moves

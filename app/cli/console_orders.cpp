@@ -23,8 +23,8 @@ bool ConsoleOrders::stopRequested(base::Instant now) {
          (m_stopAfterS > 0.0 && now - *m_first >= base::fromSeconds(m_stopAfterS));
 }
 
-streaming::FeedOrder ConsoleOrders::feed(base::Instant) {
-  return m_feed.order();
+streaming::FeedOrder ConsoleOrders::feed(base::Instant now) {
+  return m_feed.order(now);
 }
 
 bool ConsoleOrders::letsEnd(base::Instant) {

@@ -24,6 +24,7 @@ namespace {
 constexpr double kKeyStep = 5.0;  ///< percent
 /// Whoever has the command line has the machine: nobody has logged in.
 constexpr double kPercentMax = permission::overridePercentMax(permission::Role::Engineer);
+static_assert(kPercentMax == templates::FeedCell::kProductMax);
 
 }  // namespace
 
@@ -80,6 +81,10 @@ FeedSource::FeedSource(FeedSource&& other) noexcept
       m_endsRun(other.m_endsRun),
       m_isOver(other.m_isOver),
       m_progress(std::move(other.m_progress)),
+      m_factor(other.m_factor),
+      m_releases(other.m_releases),
+      m_said(std::move(other.m_said)),
+      m_sayNext(other.m_sayNext),
       m_told(other.m_told) {
 }
 
@@ -96,7 +101,7 @@ bool FeedSource::mayRead() const {
   return m_descriptor >= 0 && (!m_hasKeys || ::tcgetpgrp(m_descriptor) == ::getpgrp());
 }
 
-streaming::FeedOrder FeedSource::order() {
+streaming::FeedOrder FeedSource::order(base::Instant now) {
   std::array<char, 256> bytes;
   pollfd asked{m_descriptor, POLLIN, 0};
   if (mayRead() && ::poll(&asked, 1, 0) > 0 && (asked.revents & (POLLIN | POLLHUP)) != 0) {
@@ -114,7 +119,20 @@ streaming::FeedOrder FeedSource::order() {
       }
     }
   }
+  if (m_factor != nullptr) {
+    m_order.source = m_factor->seen(now);
+    if (std::exchange(m_releases, false) && m_order.source->holds()) {
+      m_factor->release(now);
+      m_order.source = m_factor->seen(now);
+    }
+  }
   return m_order;
+}
+
+void FeedSource::goOn() {
+  m_releases = !m_order.holds;
+  m_order.holds = false;
+  ++m_continues;
 }
 
 void FeedSource::takeKey(char key) {
@@ -123,8 +141,7 @@ void FeedSource::takeKey(char key) {
       m_order.holds = true;
       break;
     case 'c':
-      m_order.holds = false;
-      ++m_continues;
+      goOn();
       break;
     case '+':
     case '-':
@@ -142,9 +159,10 @@ void FeedSource::takeLine(std::string_view line) {
       line.starts_with(kOverride)
           ? base::parseNumber(base::trim(line.substr(kOverride.size()))).value_or(kNone)
           : kNone;
-  if (line == "hold" || line == "continue") {
-    m_order.holds = line == "hold";
-    m_continues += m_order.holds ? 0 : 1;
+  if (line == "hold") {
+    m_order.holds = true;
+  } else if (line == "continue") {
+    goOn();
   } else if (percent >= 0.0 && percent <= kPercentMax) {
     m_order.percent = percent;
   } else if (!line.empty()) {
@@ -158,9 +176,33 @@ void FeedSource::change(double percent) {
   m_order.percent = std::clamp(percent, 0.0, kPercentMax);
 }
 
+/// What acts in the place of its factors: once a second at most.
+void FeedSource::tellSource(const live::FactorSeen& source, base::Instant now) {
+  if ((m_said && source.isSaidLike(*m_said)) || now < m_sayNext) {
+    return;
+  }
+  m_said = source;
+  m_sayNext = now + std::chrono::seconds{1};
+  if (source.why.empty()) {
+    fmt::print(stderr, "\r\x1b[KThe feed follows its source.\n");
+  } else {
+    log::logger().warn(
+        "Source of the feed: {}{}", source.why,
+        source.holds() && m_descriptor >= 0
+            ? " It goes on with the next factor; continue goes on without the source."
+            : "");
+  }
+}
+
 void FeedSource::tell(const streaming::LiveUpdate& update) {
   if (m_progress) {
     m_progress->tell(update);
+  }
+  if (m_factor != nullptr) {
+    m_factor->tell(update);
+  }
+  if (update.feed && update.feed->source) {
+    tellSource(*update.feed->source, update.at);
   }
   if (!update.feed || m_told == update.feed) {
     return;
@@ -178,9 +220,10 @@ void FeedSource::tell(const streaming::LiveUpdate& update) {
     fmt::print(stderr, "\r\x1b[KHeld: the axes stand, {:.3f} s after the order.\n",
                base::toSeconds(*now.stoodAfter));
   } else if (now.wantedPercent != before.wantedPercent) {
-    fmt::print(
-        stderr, "\r\x1b[K{}\n",
-        now.holds ? std::string("Hold.") : fmt::format("Override {:g} %.", now.wantedPercent));
+    fmt::print(stderr, "\r\x1b[K{}\n",
+               now.wantedPercent == templates::FeedCell::kHold
+                   ? std::string("Hold.")
+                   : fmt::format("Override {:g} %.", now.wantedPercent));
   }
 }
 

@@ -15,6 +15,7 @@
 
 #include "base/result.h"
 #include "cli/commands.h"
+#include "cli/factor_feed.h"
 #include "cli/progress_lines.h"
 #include "streaming/run/feed_order.h"
 #include "streaming/run/run.h"
@@ -32,8 +33,12 @@ class FeedSource {
   FeedSource& operator=(FeedSource&&) = delete;
   ~FeedSource();
 
+  /// From now on a source of factors acts beside the operator. "Continue" while it holds, and the
+  /// operator does not, goes on without it. @param factor  outlives this object
+  void follow(FactorFeed& factor) { m_factor = &factor; }
+
   /// Reads what is available. The last order stays.
-  [[nodiscard]] streaming::FeedOrder order();
+  [[nodiscard]] streaming::FeedOrder order(base::Instant now);
   /// A person has keys: nobody else can order anything after the program has been told to end.
   [[nodiscard]] bool hasKeys() const { return m_hasKeys && mayRead(); }
   /// Whoever gave the orders has gone, and the run is not to go on without.
@@ -50,10 +55,13 @@ class FeedSource {
   /// Only the job in the foreground may ask its terminal.
   [[nodiscard]] bool mayRead() const;
   void takeKey(char key);
+  /// An order to continue.
+  void goOn();
   void takeLine(std::string_view line);
   void change(double percent);
   [[nodiscard]] static base::Result<FeedSource> openSource(const std::string& path,
                                                            bool isInputTaken);
+  void tellSource(const live::FactorSeen& source, base::Instant now);
 
   int m_descriptor;  ///< < 0: there is none
   bool m_isOwn;
@@ -65,6 +73,10 @@ class FeedSource {
   bool m_endsRun = false;  ///< the end of the orders is a stop
   bool m_isOver = false;   ///< they have ended
   std::optional<ProgressLines> m_progress;
+  FactorFeed* m_factor = nullptr;
+  bool m_releases = false;  ///< what the source holds
+  std::optional<live::FactorSeen> m_said;
+  base::Instant m_sayNext{};
   std::optional<streaming::FeedSeen> m_told;
 };
 

@@ -100,6 +100,10 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
     command.insert(command.end(),
                    {"--silence-limit", fmt::format("{:g}", parameters.silenceLimitS)});
   }
+  if (parameters.hasFactor()) {
+    command.insert(command.end(), {"--feed-factor", fmt::format("{}", parameters.factorLeast),
+                                   fmt::format("{}", parameters.factorMost)});
+  }
   return command;
 }
 

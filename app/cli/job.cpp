@@ -19,6 +19,7 @@
 #include "cli/console_orders.h"
 #include "cli/feed_source.h"
 #include "cli/found_run.h"
+#include "cli/paced_link.h"
 #include "cli/run_files.h"
 #include "cli/run_settings.h"
 #include "forecast/job_forecast.h"
@@ -689,15 +690,30 @@ Exit JobCommand::run() {
   if (const base::Result<void> opened = record.open(); !opened) {
     return reportError(opened.error(), m_options.json);
   }
-  base::Result<FeedSource> feed = FeedSource::open(m_options.orders, false);
+  base::Result<FeedSource> feed =
+      FeedSource::open(m_options.orders, m_options.factor.source == "-");
   if (!feed) {
     return reportError(feed.error(), m_options.json);
   }
+  auto factor = FactorFeed::open(m_options.factor, m_settings.parameters);
+  if (!factor) {
+    return reportError(factor.error(), m_options.json);
+  }
+  PacedLink paced(*m_connection.link);
+  const bool isPaced = m_options.simulate && *factor != nullptr;
+  if (*factor) {
+    feed->follow(**factor);
+  }
   JobConsole console(m_options.stopAfterS, m_options.json, m_options.simulate, *feed);
-  const streaming::WholeJobReport done = streaming::runWholeJob(
-      *m_connection.link, *m_connection.control, m_plan, m_programs, m_settings, console, console,
+  streaming::WholeJobReport done = streaming::runWholeJob(
+      isPaced ? static_cast<opcua::Link&>(paced) : *m_connection.link, *m_connection.control,
+      m_plan, m_programs, m_settings, console, console,
       {m_restart ? m_restart->resume : std::nullopt, record.keeper(), record.writer(),
        record.start(), expected()});
+  if (*factor) {
+    (*factor)->finish(streaming::outcomeName(done.outcome), done.factor);
+    factor->reset();
+  }
   archive(done, record);
   if (m_options.json) {
     nlohmann::ordered_json json = report::wholeJobJson(m_plan, done);
@@ -718,6 +734,7 @@ Exit JobCommand::run() {
     printJson(json);
   } else {
     print(done);
+    printFactor(done.factor);
   }
   const bool isComplete = tellFiles(record);
   if (done.leftHeld && !m_options.simulate) {

@@ -103,6 +103,7 @@ class LiveCommand {
   streaming::RunSettings m_settings;
   templates::FlexibleProgram m_flexible;
   std::unique_ptr<live::Source> m_source;
+  std::unique_ptr<FactorFeed> m_factor;
   Connection m_connection;
 };
 
@@ -120,6 +121,11 @@ Result<void> LiveCommand::prepare() {
   if (Result<void> ready = m_source->prepare(); !ready) {
     return ready;
   }
+  auto factor = FactorFeed::open(m_options.live.factor, m_settings.parameters);
+  if (!factor) {
+    return base::fail(factor.error());
+  }
+  m_factor = std::move(*factor);
   fmt::print(stderr, "Points are taken from {}.\n", m_source->name());
   return {};
 }
@@ -196,6 +202,9 @@ Exit LiveCommand::run() {
   if (!feed) {
     return reportError(feed.error(), m_options.json);
   }
+  if (m_factor) {
+    feed->follow(*m_factor);
+  }
   live::PointStream points(*m_source, m_setup.agreement, m_setup.limits);
   PacedLink paced(*m_connection.link);
   opcua::Link& link = m_options.simulate ? static_cast<opcua::Link&>(paced) : *m_connection.link;
@@ -205,6 +214,10 @@ Exit LiveCommand::run() {
     done = streaming::runLive(link, *m_connection.control, m_source->name(), points, m_flexible,
                               m_settings, console, console,
                               {record.writer(), record.start(), nullptr});
+  }
+  if (m_factor) {
+    m_factor->finish(streaming::outcomeName(done.outcome), done.factor);
+    m_factor.reset();
   }
   m_source.reset();  // the sender hears the end
   record.finish(done, {points.points()});
@@ -251,6 +264,7 @@ Exit LiveCommand::show(const streaming::RunReport& done, const run::RunRecord& r
     if (done.live) {
       printLive(*done.live);
     }
+    printFactor(done.factor);
     if (done.error.code) {
       log::logger().error(done.error.text());
     }

@@ -141,6 +141,11 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
           "Without a sign of this program for so long, the axes stand on the path, s; 0: "
           "not at all (methods window, credit and file). Default: that of the machine, or 1")
       ->check(CLI::Range(0.0, rivulet::templates::kSilenceLimitSMax));
+  command
+      ->add_option("--feed-factor", point.factor,
+                   "A source beside the operator may multiply the override: least and largest "
+                   "factor, as in 0.2 1.2 (methods window and credit)")
+      ->expected(2);
   command->add_option("--windows", point.windows, "Windows (methods window and credit)")
       ->capture_default_str();
   command
@@ -374,6 +379,26 @@ void addOrders(CLI::App* command, rivulet::cli::OrderOptions& options) {
                       "File or pipe that is told how far the run is, in lines of JSON");
 }
 
+void addFactor(CLI::App* command, rivulet::cli::FactorOptions& factor) {
+  auto* source = command
+                     ->add_option("--feed-from", factor.source,
+                                  "Adaptive feed: source of factors of the override, with lines "
+                                  "like feed 0.85: - (standard input), unix:PATH, tcp:PORT or "
+                                  "udp:PORT (docs/live.md)")
+                     ->needs(command->get_option("--feed-factor"));
+  command->add_option("--feed-silence", factor.silenceS, "Agreed: time without a factor, s")
+      ->needs(source)
+      ->check(kPositive)
+      ->capture_default_str();
+  command
+      ->add_option("--feed-silent", factor.inSilence,
+                   "Agreed: what acts then, and instead of a factor that was not agreed: hold the "
+                   "axes, or the override of the operator alone")
+      ->needs(source)
+      ->check(CLI::IsMember({"hold", "override"}))
+      ->capture_default_str();
+}
+
 /// How the points travel, and what the operator wants of the run.
 void addMotionOptions(CLI::App* command, rivulet::cli::StreamOptions& options) {
   command
@@ -384,6 +409,7 @@ void addMotionOptions(CLI::App* command, rivulet::cli::StreamOptions& options) {
   command->add_option("--stop-after", options.stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
   addOrders(command, options.orders);
+  addFactor(command, options.live.factor);
   command->add_option("--resume", options.resume,
                       "Resume the run of this file: one that runs lists, or a JSON report "
                       "(methods window and credit)");
@@ -536,6 +562,7 @@ void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   command->add_option("--stop-after", options->stopAfterS, "Request a stop after this many seconds")
       ->check(kPositive);
   addOrders(command, options->orders);
+  addFactor(command, options->factor);
   command->add_option("--m", options->functions,
                       "What the control does for an M function of another machine: NUMBER=ignore, "
                       "NUMBER=pass, or NUMBER=\"LINE\"; for its axis W: W=ignore or W=pass. Kept "

@@ -19,6 +19,7 @@
 #include "cli/correction_source.h"
 #include "cli/feed_source.h"
 #include "cli/found_run.h"
+#include "cli/paced_link.h"
 #include "cli/run_files.h"
 #include "cli/run_settings.h"
 #include "feasibility/verdict.h"
@@ -266,6 +267,7 @@ void print(const streaming::RunReport& report, const CalibrationChoice& calibrat
   if (!report.slowedBy.empty()) {
     fmt::print("{}\n", report.slowedBy);
   }
+  printFactor(report.factor);
   if (judged.verdict) {
     fmt::print("{}\n", accessSourceText(calibrated, judged.form, *judged.verdict));
   }
@@ -324,6 +326,7 @@ class StreamCommand {
   streaming::RunSettings m_settings;
   templates::FlexibleProgram m_flexible;  ///< of the settings, once the machine is known
   std::optional<CorrectionSource> m_source;
+  std::unique_ptr<FactorFeed> m_factor;
   Connection m_connection;
   CalibrationChoice m_calibrated;
   Judgement m_judged;
@@ -415,6 +418,11 @@ base::Result<void> StreamCommand::openSource() {
     }
     m_source.emplace(std::move(*opened));
   }
+  auto factor = FactorFeed::open(m_options.live.factor, m_settings.parameters);
+  if (!factor) {
+    return base::fail(factor.error());
+  }
+  m_factor = std::move(*factor);
   return {};
 }
 
@@ -585,17 +593,27 @@ Exit StreamCommand::run() {
   if (const base::Result<void> opened = record.open(); !opened) {
     return reportError(opened.error(), m_options.json);
   }
-  base::Result<FeedSource> feed = FeedSource::open(m_options.orders, m_options.correct == "-");
+  base::Result<FeedSource> feed = FeedSource::open(
+      m_options.orders, m_options.correct == "-" || m_options.live.factor.source == "-");
   if (!feed) {
     return reportError(feed.error(), m_options.json);
+  }
+  PacedLink paced(*m_connection.link);
+  opcua::Link& link =
+      m_options.simulate && m_factor ? static_cast<opcua::Link&>(paced) : *m_connection.link;
+  if (m_factor) {
+    feed->follow(*m_factor);
   }
   StreamOrders orders(m_options.stopAfterS, m_source ? &*m_source : nullptr, *feed);
   streaming::RunReport done;
   {
     ConsoleSink sink(*feed);  // takes its line away at the end
-    done = streaming::runJob(*m_connection.link, *m_connection.control, m_program, m_flexible,
-                             m_settings, orders, sink,
-                             {record.writer(), record.start(), record.keeper()});
+    done = streaming::runJob(link, *m_connection.control, m_program, m_flexible, m_settings, orders,
+                             sink, {record.writer(), record.start(), record.keeper()});
+  }
+  if (m_factor) {
+    m_factor->finish(streaming::outcomeName(done.outcome), done.factor);
+    m_factor.reset();  // the sender hears the end
   }
   const base::Vec3 startMm = done.checkpoint ? done.checkpoint->startMm : base::Vec3{};
   const auto path = gcode::streamPoints(m_program.trajectory, startMm).points;
@@ -639,8 +657,9 @@ JobOptions jobOf(const StreamOptions& options) {
   }
   job.seed = options.seed;
   job.stopAfterS = options.stopAfterS;
-  job.orders = options.orders;
   job.record = options.record;
+  job.orders = options.orders;
+  job.factor = options.live.factor;
   job.noMonitor = options.noMonitor;
   job.fromStart = options.fromStart;
   job.straight = options.straight;

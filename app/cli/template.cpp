@@ -122,6 +122,9 @@ nlohmann::ordered_json jsonOf(const templates::CellMap& cells, base::MethodKind 
       numbers["override_acts"] = cells.overrideActs;
       numbers["silence_limit_s"] = cells.silenceLimitS;
     }
+    if (cells.hasFactor()) {
+      numbers["factor"] = cells.factor;
+    }
     if (cells.files > 0) {
       numbers["asked"] = cells.asked;
     } else {

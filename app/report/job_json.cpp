@@ -113,6 +113,9 @@ ordered_json wholeJobJson(const job::Plan& plan, const streaming::WholeJobReport
   if (!report.feed.empty()) {
     json["feed"] = feedJson(report.feed);
   }
+  if (report.factor) {
+    json["factor"] = factorJson(*report.factor);
+  }
   json["left_held"] = report.leftHeld;
   if (report.controlTrace) {
     json["tools"] = toolsJson(report.tools);

@@ -50,6 +50,10 @@ ordered_json feedJson(const std::vector<streaming::FeedEvent>& events) {
   return listOf(sinceFirst(events), feedFields);
 }
 
+ordered_json factorJson(const streaming::FactorReport& factor) {
+  return listOf(std::vector{factor}, factorFields).front();
+}
+
 ordered_json pausesJson(const std::vector<trace::Pause>& pauses, base::Instant origin) {
   return listOf(since(origin, pauses), pauseFields);
 }

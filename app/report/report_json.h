@@ -20,6 +20,8 @@ namespace rivulet::report {
 
 /// Orders of the feed cell, the first at 0 s.
 [[nodiscard]] nlohmann::ordered_json feedJson(const std::vector<streaming::FeedEvent>& events);
+/// What came of a source of factors.
+[[nodiscard]] nlohmann::ordered_json factorJson(const streaming::FactorReport& factor);
 
 /// {"code": "category:number", "message": …}
 [[nodiscard]] nlohmann::ordered_json errorJson(const base::Error& error);

@@ -64,9 +64,22 @@ inline constexpr auto feedFields = []<class Io>(Io& io, auto& event) {
   io.seconds("at_s", event.at);
   io.number("percent", event.percent, -1e9, 1e9);
   io.ifSet().flag("foreign", event.isForeign);
+  io.ifSet().flag("source", event.isSource);
   io.seconds("lasted_s", event.lasted);
   maybe(io, "stood", event.stoodAfter,
         [](auto& inner, auto& after) { inner.seconds("after_s", after); });
+};
+
+/// A source of factors of the override.
+inline constexpr auto factorFields = [](auto& io, auto& factor) {
+  io.text("source", factor.count.source);
+  io.count("values", factor.count.values);
+  io.count("refused", factor.count.refused);
+  io.count("silences", factor.count.silences);
+  io.count("written", factor.written);
+  io.number("least", factor.least, 0.0, templates::kFactorMax);
+  io.number("most", factor.most, 0.0, templates::kFactorMax);
+  io.object("delay_ms", factor.delay, durationList);
 };
 
 inline constexpr auto formFields = [](auto& io, auto& proof) {
@@ -129,6 +142,10 @@ void cellFields(Io& io, Parameters& parameters) {
                       templates::kCorrectionLimitMmMax);
   io.ifThere().number("silence_limit_s", parameters.silenceLimitS, 0.0,
                       templates::kSilenceLimitSMax);
+  if (Io::kReads || parameters.hasFactor()) {
+    io.ifThere().number("factor_least", parameters.factorLeast, 0.0, templates::kFactorMax);
+    io.ifThere().number("factor_most", parameters.factorMost, 0.0, templates::kFactorMax);
+  }
   io.ifThere().number("windows_ahead", parameters.windowsAhead, 0, kJsonCellMax);
   io.ifThere().flag("slow_down", parameters.slowDown);
   io.ifThere().named("layout", parameters.layout, templates::layoutName, templates::layoutFromName);
@@ -193,6 +210,7 @@ void runFields(Io& io, Report& report) {
   io.ifThere().list("holds", report.holds, pauseFields);
   io.ifThere().flag("left_held", report.leftHeld);
   io.ifThere().list("feed", report.feed, feedFields);
+  maybe(io, "factor", report.factor, factorFields);
   io.object("access_ms", report.access.perNode, durationList);
   io.object("request_ms", report.access.perRequest, durationList);
   io.count("requests", report.access.requests);

@@ -201,6 +201,60 @@ class TestLiveSources : public QObject {
     }
   }
 
+  /// A second source slows the cut down, holds it by what was not agreed, and lets it go. Nothing
+  /// moves before its first factor.
+  void aSourceOfFactors() {
+    const std::string factors = "unix:" + m_folder.filePath(QStringLiteral("feed")).toStdString();
+    Run run =
+        start(unixSource(),
+              onMachine() + " --feed-factor 0.2 1.2 --feed-silence 60 --feed-from " + factors);
+    Sender points(run.source);
+    Sender feed(factors);
+    points.send(circle(points.reply(), 1, 400) + "end\n");
+    const auto await = [&feed](double percent) {
+      json reply = feed.reply();
+      while (!reply.contains("end") && reply.value("percent", -1.0) != percent) {
+        reply = feed.reply();
+      }
+      return reply;
+    };
+    const json before = await(0.0);
+    QCOMPARE(before.value("executed", 9), 0);
+    QCOMPARE(before.value("feed_mm_per_min", 9.0), 0.0);
+    Sender second(factors);
+    QVERIFY(second.reply().contains("error"));
+    feed.send("feed 0.5\n");
+    QVERIFY(!await(50.0).contains("end"));
+    feed.send("feed 250\n");
+    QVERIFY(!await(0.0).contains("end"));
+    feed.send("feed 1.2\n");
+    QVERIFY(!await(120.0).contains("end"));
+    QCOMPARE(feed.end().value("end", ""), std::string("completed"));
+    QCOMPARE(run.finish(), 0);
+    QVERIFY2(run.isRight(), run.report.dump(1).c_str());
+    QCOMPARE(run.number("executed"), 400U);
+    const json& factor = run.report["factor"];
+    QCOMPARE(factor.value("source", ""), factors);
+    QCOMPARE(factor.value("values", 0), 2);
+    QCOMPARE(factor.value("refused", 0), 1);
+    const auto holds =
+        std::count_if(run.report["feed"].begin(), run.report["feed"].end(), [](const json& event) {
+          return event.value("source", false) && event.value("percent", 9.0) == 0.0;
+        });
+    QCOMPARE(holds, std::ptrdiff_t{2});
+  }
+
+  /// Where it would wait behind points, a factor ends the stream.
+  void aFactorAmongPoints() {
+    Run run = start(unixSource());
+    Sender sender(run.source);
+    sender.send(circle(sender.reply(), 1, 40) + "feed 0.5\n");
+    QCOMPARE(run.finish(), 1);
+    QCOMPARE(run.number("executed"), 40U);
+    QVERIFY2(run.error().find("A factor of the feed would wait here") != std::string::npos,
+             run.error().c_str());
+  }
+
   void nothing() {
     Run run = start(unixSource(), kSimulated + " --end-after 2 --hold-after 1");
     QCOMPARE(run.finish(), 1);

@@ -27,10 +27,14 @@ class LiveRun {
         QStringLiteral(RIVULET_CLI),
         words("stream --box -300 300 -300 300 -200 100 --json --feed 1000 " + arguments));
     m_process.setReadChannel(QProcess::StandardError);
-    while (m_process.state() != QProcess::NotRunning && !m_process.canReadLine()) {
-      m_process.waitForReadyRead(kRunMs);
+    QString said;
+    while (m_process.state() != QProcess::NotRunning && !said.startsWith(QLatin1String("Points"))) {
+      if (m_process.canReadLine()) {
+        said = QString::fromUtf8(m_process.readLine());
+      } else {
+        m_process.waitForReadyRead(kRunMs);
+      }
     }
-    const QString said = QString::fromUtf8(m_process.readLine());
     source = said.section(QStringLiteral("from "), 1).trimmed().chopped(1).toStdString();
   }
   void send(const std::string& text) {
