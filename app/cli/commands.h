@@ -259,9 +259,12 @@ struct CommissionOptions {
   int baseCell = 0;
   std::string transfer = "auto";  ///< auto, by-hand
   bool printProgram = false;
+  bool feedCell = false;        ///< the test of the feed cell, else of method credit
+  std::string airMove;          ///< "X20": the move that the operator agrees to; empty: none
+  double feedMmPerMin = 400.0;  ///< of this move
   bool json = false;
 };
-/// Tests whether method credit may run on this machine; the result is stored.
+/// Tests whether method credit may run on this machine, or its feed cell; the result is stored.
 [[nodiscard]] Exit commission(const CommissionOptions& options);
 
 struct EmulatorOptions {

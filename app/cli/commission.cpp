@@ -3,51 +3,125 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 
+#include "base/text.h"
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
 #include "platform/interrupt.h"
-#include "report/credit_test_json.h"
+#include "report/control_test_json.h"
 #include "report/machine_store.h"
 #include "streaming/setup/commissioning.h"
+#include "streaming/setup/feed_test.h"
 
 namespace rivulet::cli {
 
 namespace {
 
-void print(const streaming::Commissioning& result) {
+void printChecks(const streaming::ChecksOfControl& result) {
   for (const streaming::CommissioningCheck& check : result.checks) {
     fmt::print("{:<6} {}: {}\n", check.passed ? "holds" : "FAILS", check.name, check.message);
   }
+}
+
+void print(const streaming::Commissioning& result) {
+  printChecks(result);
   fmt::print("{}\n", result.passed() ? "Passed: method credit may run on this control."
                                      : "Not passed: method credit must not run on this control. "
                                        "Use method window.");
+}
+
+void print(const streaming::FeedCommissioning& result) {
+  printChecks(result);
+  fmt::print("{}\n",
+             result.proves() ? "Passed: hold, stop and override act at once on this control."
+             : result.passed()
+                 ? "Passed without motion: whether the axes obey shows only with --air-move."
+                 : "Not passed: a stop is sure to act only before the next window.");
 }
 
 bool isByHand(const CommissionOptions& options) {
   return options.transfer == "by-hand";
 }
 
+/// "X20", "Z-15.5". @return BadAirMove
+base::Result<std::optional<streaming::AirMove>> moveOf(const CommissionOptions& options) {
+  if (options.airMove.empty()) {
+    return std::nullopt;
+  }
+  constexpr std::string_view kAxes = "XYZ";
+  const auto axis = kAxes.find(
+      static_cast<char>(std::toupper(static_cast<unsigned char>(options.airMove.front()))));
+  const auto mm = base::parseNumber(std::string_view(options.airMove).substr(1));
+  streaming::AirMove move{axis == std::string_view::npos ? -1 : static_cast<int>(axis),
+                          mm.value_or(0.0), options.feedMmPerMin};
+  if (const base::Result<void> fits = streaming::requireAirMove(move); !fits) {
+    return base::fail(fits.error());
+  }
+  return move;
+}
+
 /// Instructions for the operator of a real control.
-void printSteps(const CommissionOptions& options) {
+void printSteps(const CommissionOptions& options, const streaming::FeedTestPlan& plan) {
+  const std::string motion =
+      plan.move ? fmt::format("The test moves {} forth and back, three times: keep its way clear.",
+                              streaming::describe(*plan.move))
+                : std::string("The test moves no axis.");
+  const int cells = options.feedCell ? streaming::kFeedTestCells : 10;
   fmt::print(
       stderr,
-      "The test moves no axis. It writes R{} to R{} and takes a few seconds.\n  1. Bring the "
-      "channel to reset, in AUTO.\n  2. {} {}.\n  3. Press cycle start. Ctrl-C aborts the test.\n",
-      options.baseCell, options.baseCell + 9,
+      "{} It writes R{} to R{} and takes {}.\n  1. Bring the channel to reset, in AUTO.\n  2. {} "
+      "{}.\n  3. Press cycle start{}. Ctrl-C aborts the test.\n",
+      motion, options.baseCell, options.baseCell + cells - 1,
+      plan.move ? "about a minute" : "a few seconds",
       isByHand(options) ? "Store what --print writes as a part program, and select it:"
                         : "This program is transferred and selected:",
-      streaming::commissioningFileName());
+      options.feedCell ? streaming::feedTestFileName() : streaming::commissioningFileName(),
+      plan.move ? ", and once more when the program has ended: that move obeys the control only"
+                : "");
+}
+
+/// Keeps what was found, and says it.
+template <class Result>
+Exit finish(const CommissionOptions& options, const Connection& connection,
+            const opcua::ServerIdentity& identity, base::Result<Result> result) {
+  if (!result) {
+    return reportError(result.error(), options.json);
+  }
+  const streaming::TestOfControl<Result> test{connection.name, identity, utcNow(), RIVULET_VERSION,
+                                              std::move(*result)};
+  if (!options.simulate) {
+    if (const auto saved = report::MachineStore().save(test); !saved) {
+      return reportError(saved.error(), options.json);
+    }
+  }
+  if (options.json) {
+    printJson(report::testJson(test));
+  } else {
+    print(test.result);
+  }
+  return test.result.passed() ? Exit::Done : Exit::Wrong;
 }
 
 }  // namespace
 
 Exit commission(const CommissionOptions& options) {
+  const auto move = moveOf(options);
+  if (!move) {
+    return reportError(move.error(), options.json);
+  }
+  streaming::FeedTestPlan plan;
+  plan.firstCell = options.baseCell;
+  plan.transfer = isByHand(options) ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
+  plan.move = *move;
   if (options.printProgram) {
-    fmt::print("{}", streaming::commissioningProgram(options.baseCell));
+    fmt::print("{}", options.feedCell ? streaming::feedTestProgram(plan)
+                                      : streaming::commissioningProgram(options.baseCell));
     return Exit::Done;
   }
   auto connection =
@@ -60,31 +134,23 @@ Exit commission(const CommissionOptions& options) {
     return reportError(identity.error(), options.json);
   }
   if (!connection->control->isVirtualMachine() || isByHand(options)) {
-    printSteps(options);
+    printSteps(options, plan);
   }
   interrupt::watch();
-  streaming::CommissioningPlan plan;
-  plan.firstCell = options.baseCell;
-  plan.transfer = isByHand(options) ? streaming::TransferWay::ByHand : streaming::TransferWay::Link;
-  auto result =
-      streaming::commission(*connection->link, *connection->control, plan,
-                            [](streaming::CommissioningStep) { return !interrupt::wasSeen(); });
-  if (!result) {
-    return reportError(result.error(), options.json);
-  }
-  const streaming::CreditTest test{connection->name, *identity, utcNow(), RIVULET_VERSION,
-                                   std::move(*result)};
-  if (!options.simulate) {
-    if (const auto saved = report::MachineStore().save(test); !saved) {
-      return reportError(saved.error(), options.json);
-    }
-  }
-  if (options.json) {
-    printJson(report::creditTestJson(test));
-  } else {
-    print(test.result);
-  }
-  return test.result.passed() ? Exit::Done : Exit::Wrong;
+  auto saysAgain =
+      [said = connection->control->isVirtualMachine()](streaming::CommissioningStep step) mutable {
+        if (step == streaming::CommissioningStep::CycleStartAgain && !said) {
+          said = true;
+          fmt::print(stderr, "Press cycle start once more.\n");
+        }
+        return !interrupt::wasSeen();
+      };
+  return options.feedCell ? finish(options, *connection, *identity,
+                                   streaming::testFeedCell(*connection->link, *connection->control,
+                                                           plan, saysAgain))
+                          : finish(options, *connection, *identity,
+                                   streaming::commission(*connection->link, *connection->control,
+                                                         plan, saysAgain));
 }
 
 }  // namespace rivulet::cli

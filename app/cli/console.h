@@ -63,6 +63,7 @@ struct OperatingOptions {
   double correctionLimitMm = 0.0;       ///< online correction; 0: none
   std::vector<double> factor;           ///< bounds of a factor of the override; empty: none
   std::optional<double> silenceLimitS;  ///< see `templates::WindowSettings`; nothing: the machine's
+  std::optional<double> stopLimitS;     ///< see `streaming::stopLimitS`; nothing: the machine's
   std::string
       axes;  ///< letters; empty: X Y Z, and for a run also the rotary axes that the program moves
 

@@ -26,6 +26,7 @@
 #include "sources/open_source.h"
 #include "streaming/run/job.h"
 #include "streaming/simulation/template_proof.h"
+#include "streaming/start/stop_bound.h"
 #include "templates/flexible_program.h"
 
 namespace rivulet::cli {
@@ -152,6 +153,17 @@ Result<void> LiveCommand::connect() {
   if (Result<void> taken = takeSilenceLimit(m_settings.parameters, m_options.point, m_connection);
       !taken) {
     return taken;
+  }
+  const auto proof = takeStopLimit(m_settings, m_options.point, m_connection);
+  if (!proof) {
+    return base::fail(proof.error());
+  }
+  if (m_settings.windowSMax > 0.0) {
+    log::logger().warn(
+        "Stop: the control still executes the window that is in motion, of at most {} moves within "
+        "the agreed box: how long that takes depends on the points. {}",
+        m_settings.parameters.pointsPerLoop * streaming::windowsAfterStop(m_settings.parameters),
+        streaming::describe(*proof));
   }
   auto flexible = templates::makeProgram(m_settings.parameters);
   if (!flexible) {

@@ -17,6 +17,7 @@
 #include "papers/catalogue.h"
 #include "platform/log.h"
 #include "platform/output.h"
+#include "streaming/control/machine_profile.h"
 #include "templates/cells.h"
 #include "trace/signal_file.h"
 
@@ -496,6 +497,12 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
                     "Without tools, spindle, coolant and all else that the control executes "
                     "itself: set them there");
   command->add_flag("--no-monitor", options->noMonitor, "No reads for the display");
+  command
+      ->add_option(
+          "--stop-limit", options->point.stopLimitS,
+          "On a control that has not passed the test of the feed cell, no window of several "
+          "moves takes longer, s. Default: that of the machine, or 5")
+      ->check(CLI::Range(rivulet::streaming::kStopLimitSMin, rivulet::streaming::kStopLimitSMax));
   command->add_flag("--even-pauses", options->evenPauses,
                     "Method window: windows of M points each, wherever they end");
   command->add_flag("--accept-infeasible", options->acceptInfeasible,
@@ -752,14 +759,16 @@ void addCalibrateCommand(CLI::App& app, Exit& exit) {
 void addCommissionCommand(CLI::App& app, Exit& exit) {
   const auto options = std::make_shared<rivulet::cli::CommissionOptions>();
   CLI::App* command = app.add_subcommand(
-      "commission", "Test whether method credit may run on a control; moves no axis");
+      "commission",
+      "Test a control: whether method credit may run on it, or whether a stop acts at once");
   auto* tested = command->add_option("--endpoint", options->endpoint, "OPC UA server");
   auto* pretended = command->add_flag("--simulate", options->simulate, "Virtual machine");
   tested->excludes(pretended);
   command->add_option("--preset", options->preset, "Machine of --simulate")->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
   command
-      ->add_option("--base-cell", options->baseCell, "First of ten R-parameters that nobody uses")
+      ->add_option("--base-cell", options->baseCell,
+                   "First of ten R-parameters that nobody uses; of fourteen with --feed-cell")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
   command
@@ -770,6 +779,17 @@ void addCommissionCommand(CLI::App& app, Exit& exit) {
       ->capture_default_str();
   command->add_flag("--print", options->printProgram,
                     "Print the program of the test and do nothing else");
+  auto* feedCell = command->add_flag("--feed-cell", options->feedCell,
+                                     "Test whether hold, stop and override act at once. Without "
+                                     "--air-move no axis moves, and the axes are not seen to obey");
+  auto* move = command
+                   ->add_option("--air-move", options->airMove,
+                                "You agree that this axis moves so many mm forth and back, three "
+                                "times, with nothing in its way: X20")
+                   ->needs(feedCell);
+  command->add_option("--feed", options->feedMmPerMin, "Feed of --air-move, mm/min")
+      ->needs(move)
+      ->capture_default_str();
   addJson(command, options->json);
   command->callback([options, &exit] {
     if (!options->simulate && options->endpoint.empty() && !options->printProgram) {

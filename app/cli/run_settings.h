@@ -10,6 +10,7 @@
 #include "cli/connection.h"
 #include "gcode/program.h"
 #include "machine/config.h"
+#include "streaming/control/machine_facts.h"
 #include "streaming/methods/feed_plan.h"
 #include "streaming/run/run.h"
 
@@ -34,6 +35,12 @@ namespace rivulet::cli {
 [[nodiscard]] base::Result<void> takeSilenceLimit(templates::TemplateParameters& parameters,
                                                   const OperatingOptions& options,
                                                   const Connection& connection);
+
+/// What is known of the feed cell on this machine, and how long windows may take without it
+/// (`RunSettings::windowSMax`). @return as `takeSilenceLimit`
+[[nodiscard]] base::Result<streaming::FeedProof> takeStopLimit(streaming::RunSettings& settings,
+                                                               const OperatingOptions& options,
+                                                               const Connection& connection);
 
 /// Method credit only if its test has been passed. In virtual time the test is made now.
 [[nodiscard]] base::Result<void> requireTest(const StreamOptions& options,

@@ -37,6 +37,8 @@
 #include "report/report_json.h"
 #include "report/run_store.h"
 #include "run/resume.h"
+#include "run/stands_within.h"
+#include "run/travel.h"
 #include "streaming/control/access_policy.h"
 #include "streaming/control/control_axes.h"
 #include "streaming/methods/feed_plan.h"
@@ -45,6 +47,7 @@
 #include "streaming/simulation/template_proof.h"
 #include "streaming/start/first_move.h"
 #include "streaming/start/start_policy.h"
+#include "streaming/start/stop_bound.h"
 #include "templates/flexible_program.h"
 
 namespace rivulet::cli {
@@ -124,6 +127,28 @@ base::Result<void> takeSilenceLimit(templates::TemplateParameters& parameters,
   }
   parameters.silenceLimitS = streaming::silenceLimitS(*profile ? &**profile : nullptr);
   return {};
+}
+
+base::Result<streaming::FeedProof> takeStopLimit(streaming::RunSettings& settings,
+                                                 const OperatingOptions& options,
+                                                 const Connection& connection) {
+  const auto identity = connection.control->identity();
+  std::optional<streaming::FeedTest> test;
+  double limitS = streaming::stopLimitS(nullptr);
+  if (identity) {  // what does not say who it is has no limits, and has not been tested
+    const auto profile = report::MachineStore().profile(connection.name, *identity);
+    auto found = report::MachineStore().feedTest(connection.name, *identity);
+    if (!profile || !found) {
+      return base::fail(profile ? found.error() : profile.error());
+    }
+    test = *std::move(found);
+    limitS = streaming::stopLimitS(*profile ? &**profile : nullptr);
+  }
+  const streaming::FeedProof proof = streaming::feedProof(
+      test, identity.value_or(opcua::ServerIdentity{}), connection.control->isVirtualMachine());
+  settings.windowSMax = streaming::windowSMaxOf(proof, settings.parameters.target,
+                                                options.stopLimitS.value_or(limitS));
+  return proof;
 }
 
 base::Result<void> requireTest(const StreamOptions& options, const Connection& connection) {
@@ -319,6 +344,8 @@ class StreamCommand {
   base::Result<void> judge();
   base::Result<void> findResume();
   base::Result<void> checkTravel();
+  /// Says how soon a stop stands.
+  void tellStop(const streaming::Preflight& flight);
   [[nodiscard]] Exit show(const streaming::RunReport& done, const run::RunRecord& record) const;
 
   const StreamOptions& m_options;
@@ -330,6 +357,8 @@ class StreamCommand {
   Connection m_connection;
   CalibrationChoice m_calibrated;
   Judgement m_judged;
+  streaming::FeedProof m_proof = streaming::FeedProof::NotTested;
+  nlohmann::ordered_json m_stop;
   report::RunStore m_runs;
 };
 
@@ -454,6 +483,11 @@ base::Result<void> StreamCommand::connect() {
       !taken) {
     return taken;
   }
+  const auto proof = takeStopLimit(m_settings, m_options.point, m_connection);
+  if (!proof) {
+    return base::fail(proof.error());
+  }
+  m_proof = *proof;
   planFeeds();
   auto flexible = templates::makeProgram(m_settings.parameters);
   if (!flexible) {
@@ -583,9 +617,48 @@ base::Result<void> StreamCommand::checkTravel() {
       return clear;
     }
   }
+  if (flight) {
+    tellStop(*flight);
+  }
   return flight ? requireTravel(m_connection, m_options.simulate ? m_options.preset : std::string(),
                                 flight->points.points)
                 : base::Result<void>();
+}
+
+void StreamCommand::tellStop(const streaming::Preflight& flight) {
+  const templates::CellMap& cells = m_flexible.cells;
+  if (cells.hasFeedCell() && m_settings.windowSMax == 0.0) {
+    m_stop = {{"acts", "at once"}};
+    const auto machine =
+        m_options.simulate
+            ? machine::loadPreset(m_options.preset).value_or(machine::MachineConfig{})
+            : run::machineOf(*m_connection.control, m_connection.name)
+                  .value_or(std::nullopt)
+                  .value_or(machine::MachineConfig{});
+    if (machine.name.empty()) {
+      log::logger().info("Stop: the axes stand at once, on the path.");
+      return;
+    }
+    const feasibility::TurnSize turn = report::operatingPointOf(m_settings).turn();
+    const double seconds = base::toSeconds(
+        run::standsWithin(machine, turn, access().timePerNode(turn), m_settings.feedMmPerS));
+    m_stop["within_s"] = seconds;
+    log::logger().info("Stop: the axes stand on the path within {:.1f} s.", seconds);
+    return;
+  }
+  const streaming::StopBound bound =
+      streaming::stopBound(flight.points.points, flight.toolMm, m_settings);
+  m_stop = {{"acts", cells.hasFeedCell() ? "before the next window" : "at the end of the loop"},
+            {"at_most_s", bound.seconds},
+            {"at_most_mm", bound.mm}};
+  if (bound.longMove) {
+    m_stop["long_move"] = {{"line", bound.longMove->line.value},
+                           {"seconds", bound.longMove->seconds}};
+  }
+  if (cells.hasFeedCell()) {
+    m_stop["why"] = streaming::describe(m_proof);
+  }
+  log::logger().warn(streaming::describe(bound, m_proof, cells.hasFeedCell()));
 }
 
 Exit StreamCommand::run() {
@@ -630,6 +703,9 @@ Exit StreamCommand::show(const streaming::RunReport& done, const run::RunRecord&
     }
     if (m_judged.limit) {
       json["override_limit"] = report::overrideLimitJson(*m_judged.limit);
+    }
+    if (!m_stop.is_null()) {
+      json["stop"] = m_stop;
     }
     json["endpoint"] = m_connection.name;
     json.update(filesJson(record, "saved_run"));

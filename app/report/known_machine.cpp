@@ -57,6 +57,8 @@ constexpr auto profileFields = [](auto& io, auto& profile) {
   io.number("rapid_mm_per_s", profile.rapidMmPerS, 0.0, kMost);
   io.number("spindle_per_min_max", profile.spindlePerMinMax, 0.0, kMost);
   io.ifThere().number("silence_limit_s", profile.silenceLimitS, 0.0, templates::kSilenceLimitSMax);
+  io.ifThere().number("stop_limit_s", profile.stopLimitS, streaming::kStopLimitSMin,
+                      streaming::kStopLimitSMax);
   io.list("tools", profile.tools, profileToolFields);
 };
 

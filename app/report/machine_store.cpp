@@ -16,7 +16,7 @@
 #include "base/text.h"
 #include "platform/user_folders.h"
 #include "report/calibration_json.h"
-#include "report/credit_test_json.h"
+#include "report/control_test_json.h"
 #include "report/json_members.h"
 #include "report/known_machine.h"
 
@@ -34,6 +34,7 @@ constexpr const char* kRemovedFormatKey = "rivulet_removed_machines";
 constexpr const char* kRemovedFile = "removed.json";
 constexpr const char* kCalibrationKey = "calibration";
 constexpr const char* kCreditTestKey = "credit_test";
+constexpr const char* kFeedTestKey = "feed_test";
 constexpr const char* kProfileKey = "profile";
 constexpr const char* kFunctionsKey = "m_functions";
 /// Files of earlier versions: a calibration by itself, and a profile with a `credit_test`.
@@ -187,6 +188,17 @@ base::Result<std::optional<streaming::CreditTest>> MachineStore::creditTest(
                                                       : std::optional(creditTestOf(*test));
 }
 
+base::Result<std::optional<streaming::FeedTest>> MachineStore::feedTest(
+    const std::string& endpoint, const opcua::ServerIdentity& server) const {
+  const base::Result<ordered_json> machine = read(endpoint, server);
+  if (!machine) {
+    return base::fail(machine.error());
+  }
+  const auto test = machine->find(kFeedTestKey);
+  return test == machine->end() || !test->is_object() ? std::nullopt
+                                                      : std::optional(feedTestOf(*test));
+}
+
 base::Result<std::optional<streaming::MachineProfile>> MachineStore::profile(
     const std::string& endpoint, const opcua::ServerIdentity& server) const {
   const base::Result<ordered_json> machine = read(endpoint, server);
@@ -236,7 +248,8 @@ std::vector<KnownMachine> MachineStore::machines() const {
       continue;
     }
     // Each fact names its machine; the profile comes first because it has the name.
-    for (const char* key : {kProfileKey, kCalibrationKey, kCreditTestKey, kFunctionsKey}) {
+    for (const char* key :
+         {kProfileKey, kCalibrationKey, kCreditTestKey, kFeedTestKey, kFunctionsKey}) {
       const auto fact = json.find(key);
       if (fact == json.end() || !fact->is_object() || !fact->contains("endpoint") ||
           !(*fact)["endpoint"].is_string()) {
@@ -255,6 +268,7 @@ std::vector<KnownMachine> MachineStore::machines() const {
       machine.hasLimits = json.contains(kProfileKey);
       machine.hasCalibration = json.contains(kCalibrationKey);
       machine.hasCreditTest = json.contains(kCreditTestKey);
+      machine.hasFeedTest = json.contains(kFeedTestKey);
       found.push_back(std::move(machine));
       break;
     }
@@ -341,7 +355,12 @@ base::Result<void> MachineStore::save(const streaming::CalibrationRecord& record
 
 base::Result<void> MachineStore::save(const streaming::CreditTest& test) const {
   return saveMember(test.endpoint, test.server, kCreditTestKey,
-                    [&test](const auto&) { return creditTestJson(test); });
+                    [&test](const auto&) { return testJson(test); });
+}
+
+base::Result<void> MachineStore::save(const streaming::FeedTest& test) const {
+  return saveMember(test.endpoint, test.server, kFeedTestKey,
+                    [&test](const auto&) { return testJson(test); });
 }
 
 base::Result<void> MachineStore::save(const std::string& endpoint,

@@ -46,6 +46,7 @@ struct KnownMachine {
   bool hasLimits = false;
   bool hasCalibration = false;
   bool hasCreditTest = false;
+  bool hasFeedTest = false;
 };
 
 class MachineStore {
@@ -64,6 +65,10 @@ class MachineStore {
   /// The last test of method credit on this machine; nothing if there is none.
   /// @return as `calibration`
   [[nodiscard]] base::Result<std::optional<streaming::CreditTest>> creditTest(
+      const std::string& endpoint, const opcua::ServerIdentity& server) const;
+
+  /// The same of the feed cell.
+  [[nodiscard]] base::Result<std::optional<streaming::FeedTest>> feedTest(
       const std::string& endpoint, const opcua::ServerIdentity& server) const;
 
   /// The limits that were entered for this machine; nothing if there are none.
@@ -89,6 +94,7 @@ class MachineStore {
   /// cannot be read is not overwritten
   [[nodiscard]] base::Result<void> save(const streaming::CalibrationRecord& record) const;
   [[nodiscard]] base::Result<void> save(const streaming::CreditTest& test) const;
+  [[nodiscard]] base::Result<void> save(const streaming::FeedTest& test) const;
   [[nodiscard]] base::Result<void> save(const streaming::MachineProfile& profile) const;
   [[nodiscard]] base::Result<void> save(const std::string& endpoint,
                                         const opcua::ServerIdentity& server,

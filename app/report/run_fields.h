@@ -28,6 +28,9 @@ inline auto outcomeOfName() {
                    streaming::outcomeName);
 }
 
+/// No window lasts longer, s, and no feed is greater, mm/s.
+inline constexpr double kWindowSMost = 1e6;
+
 /// Of a machine that was tested, or whose limits were entered.
 inline constexpr auto serverFields = [](auto& io, auto& server) {
   io.text("application_uri", server.applicationUri);
@@ -117,6 +120,8 @@ inline constexpr auto checkpointFields = []<class Io>(Io& io, auto& checkpoint) 
   io.count("first_point", checkpoint.firstPoint);
   io.ifThere().flag("granted", checkpoint.granted);
   io.ifThere().flag("pauses_placed", checkpoint.pausesPlaced);
+  io.ifSet().number("window_s_max", checkpoint.windowSMax, 0.0, kWindowSMost);
+  io.ifSet().number("window_feed_mm_per_s", checkpoint.windowFeedMmPerS, 0.0, kWindowSMost);
   io.place("start_mm", checkpoint.startMm);
   io.ifThere().numbers("start_deg", checkpoint.startDeg, -kJsonPlaceMax, kJsonPlaceMax);
   io.ifThere().count("points", checkpoint.pointCount);

@@ -17,6 +17,7 @@
 #include "report/operating_point.h"
 #include "service/machine_lock.h"
 #include "streaming/control/access_policy.h"
+#include "streaming/start/stop_bound.h"
 
 namespace rivulet::service {
 
@@ -72,6 +73,10 @@ base::Result<MachineFacts> factsOf(const report::MachineStore& store, const std:
   if (!calibration) {
     return base::fail(calibration.error());
   }
+  const auto feedTest = store.feedTest(endpoint, server);
+  if (!feedTest) {
+    return base::fail(feedTest.error());
+  }
   const streaming::MachineProfile* limits = *profile ? &**profile : nullptr;
   MachineFacts facts;
   facts.endpoint = endpoint;
@@ -79,6 +84,8 @@ base::Result<MachineFacts> factsOf(const report::MachineStore& store, const std:
   facts.runsJobs = isVirtual;
   facts.load = report::loadMachineOf(store, endpoint, server, isVirtual, limits);
   facts.silenceLimitS = streaming::silenceLimitS(limits);
+  facts.stopLimitS = streaming::stopLimitS(limits);
+  facts.feedProof = streaming::feedProof(*feedTest, server, isVirtual);
   facts.feeds = report::programFeedsOf(report::configOf(limits), 1.0);
   if (const auto known = report::knownMachine(server, limits)) {
     facts.known = std::make_shared<const machine::MachineConfig>(*known);
@@ -149,6 +156,8 @@ void LoadedJob::place(base::Vec3 toolMm, const MachineFacts& machine) {
   const feasibility::AccessModel access = accessOf(settings, machine);
   runSettings = preparation::runSettings(settings, parameters, view.get(), machine.feeds,
                                          machine.calibration);
+  runSettings.windowSMax =
+      streaming::windowSMaxOf(machine.feedProof, parameters.target, machine.stopLimitS);
   if (settings.usesProgramFeeds() && !view->points.points.empty() &&
       streaming::prefersFeedPerPoint(view->points.points, runSettings, access)) {
     runSettings.parameters.feedPerPoint = true;

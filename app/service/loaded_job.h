@@ -36,6 +36,8 @@ struct MachineFacts {
   report::LoadMachine load;                          ///< what loading a program asks of it
   gcode::ProgramFeeds feeds;                         ///< its limits, at 100 %
   double silenceLimitS = templates::kSilenceLimitS;  ///< see `streaming::silenceLimitS`
+  streaming::FeedProof feedProof = streaming::FeedProof::NotTested;
+  double stopLimitS = streaming::stopLimitS(nullptr);   ///< where the feed cell is not proved
   std::shared_ptr<const machine::MachineConfig> known;  ///< null: jobs are not compared with it
   /// What access costs; null: not measured with this version of its server.
   std::shared_ptr<const streaming::CalibrationRecord> calibration;

@@ -22,6 +22,7 @@
 #include "streaming/control/control_alarm.h"
 #include "streaming/run/run_summary.h"
 #include "streaming/start/first_move.h"
+#include "streaming/start/stop_bound.h"
 
 namespace rivulet::service {
 
@@ -482,6 +483,10 @@ std::string ServiceSession::describeStart() const {
             : std::nullopt;
     if (cut) {
       text += ' ' + streaming::describe(*cut);
+    }
+    if (settings.windowSMax > 0.0) {
+      text += ' ' + streaming::describe(streaming::stopBound(points, at, settings),
+                                        m_machine->feedProof, true);
     }
   }
   return text;

@@ -471,6 +471,30 @@ class TestCli : public QObject {
     QVERIFY(program.output.contains(QStringLiteral("\nR41=R40\n")));
   }
 
+  /// The feed cell is tested without motion, or with a move that was asked for; a stop of a run
+  /// says what it is worth.
+  void theFeedCellIsTested() {
+    const Outcome still = run(words("commission --feed-cell --simulate --json"));
+    QCOMPARE(still.exit, 0);
+    QVERIFY(still.parsed()["passed"].get<bool>());
+    QVERIFY(!still.parsed().contains("air_move"));
+    const Outcome moved =
+        run(words("commission --feed-cell --air-move Z-20 --feed 400 --base-cell 50 --simulate"));
+    QCOMPARE(moved.exit, 0);
+    QVERIFY(moved.output.contains(QStringLiteral("holds  stays-held")));
+    const Outcome program =
+        run(words("commission --feed-cell --air-move Z-20 --print --base-cell 50"));
+    QCOMPARE(program.exit, 0);
+    QVERIFY(program.output.contains(QStringLiteral("\nG1 Z=IC(-20*RIV_SIGN) F400\n")));
+    QVERIFY(!run(words("commission --feed-cell --print")).output.contains(QStringLiteral("G1")));
+    QCOMPARE(run(words("commission --feed-cell --air-move W20 --simulate")).exit, 2);
+    QCOMPARE(run(words("commission --feed-cell --air-move X1 --simulate")).exit, 2);
+    QVERIFY(run(words("commission --air-move X20 --simulate")).exit != 0);
+    const Outcome stream = run(streamMotion() + words("--feed 400 --simulate --json"));
+    QCOMPARE(stream.parsed()["stop"]["acts"].get<std::string>(), std::string("at once"));
+    QVERIFY(stream.parsed()["stop"]["within_s"].get<double>() < 1.0);
+  }
+
   /// Without another word the method is window: always feasible, never wrong, one pause a window.
   void windowIsTheDefault() {
     const Outcome judged = run(words("feasibility --feed 20000 --json --program") << kScorpion);

@@ -11,7 +11,7 @@
 
 #include "base/file.h"
 #include "report/calibration_json.h"
-#include "report/credit_test_json.h"
+#include "report/control_test_json.h"
 #include "report/known_machine.h"
 #include "report/load_machine.h"
 #include "report/machine_store.h"
@@ -97,7 +97,24 @@ class TestMachineStore : public QObject {
              report::calibrationJson(makeRecord()).dump());
     const auto test = store().creditTest(kEndpoint, kServer);
     QVERIFY(test && *test);
-    QCOMPARE(report::creditTestJson(**test).dump(), report::creditTestJson(makeTest()).dump());
+    QCOMPARE(report::testJson(**test).dump(), report::testJson(makeTest()).dump());
+    QVERIFY(!store().feedTest(kEndpoint, kServer).value());
+    for (const bool moves : {false, true}) {
+      streaming::FeedTest made{kEndpoint, kServer, "2026-05-04T09:30:00Z", "0.1.0", {}};
+      made.result.checks = {{"actions-follow", true, "yes"}};
+      made.result.move = moves ? std::optional(streaming::AirMove{2, -20.0, 400.0}) : std::nullopt;
+      made.result.braking = std::chrono::milliseconds{moves ? 60 : 0};
+      QVERIFY(store().save(made).has_value());
+      const auto feed = store().feedTest(kEndpoint, kServer);
+      QVERIFY(feed && *feed);
+      QVERIFY((*feed)->result.move == made.result.move);
+      QCOMPARE((*feed)->result.proves(), moves);
+      QCOMPARE(report::testJson(**feed).dump(), report::testJson(made).dump());
+    }
+    // A move that says nothing certain is none: the test has not been passed.
+    nlohmann::ordered_json damaged = report::testJson(**store().feedTest(kEndpoint, kServer));
+    damaged["air_move"]["axis"] = "X";
+    QVERIFY(!report::feedTestOf(damaged).result.passed());
     const std::filesystem::path path = store().pathOf(kEndpoint, kServer);
     QVERIFY(std::filesystem::exists(path));
     std::size_t files = 0;
@@ -167,7 +184,7 @@ class TestMachineStore : public QObject {
     write(m_folders.earlierCalibrations / "other.json", textOf(report::calibrationJson(other)));
     write(m_folders.earlierCalibrations / "damaged.json", "{");
     const nlohmann::ordered_json profile{{"rivulet_machine_profile", 1},
-                                         {"credit_test", report::creditTestJson(makeTest())},
+                                         {"credit_test", report::testJson(makeTest())},
                                          {"note", "by the window"}};
     write(m_folders.earlierProfiles / "opc.tcp-192.168.214.1-4840-0123456789abcdef.json",
           textOf(profile));

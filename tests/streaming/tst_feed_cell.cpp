@@ -19,10 +19,10 @@
 #include "job/plan.h"
 #include "machine/braking.h"
 #include "machine/machine.h"
-#include "opcua/forwarding_link.h"
 #include "streaming/run/whole_job.h"
 #include "streaming/simulation/scenario.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/misread_link.h"
 #include "support/sleepy_link.h"
 #include "support/stop_bench.h"
 #include "support/test_program.h"
@@ -43,49 +43,12 @@ using streaming::RunSettings;
 using tests::Hold;
 using tests::lines;
 using tests::median;
+using tests::MisreadLink;
 using tests::Operator;
 using tests::stopsWanted;
 using tests::worst;
 
 namespace {
-
-/// The program as a wrong machine understands it.
-class MisreadLink final : public opcua::ForwardingLink, public opcua::Control {
- public:
-  MisreadLink(streaming::SimulatedLink& link, std::string from, std::string to)
-      : ForwardingLink(link), m_machine(link), m_from(std::move(from)), m_to(std::move(to)) {}
-  base::Result<void> uploadProgram(const std::string& name, const std::string& text,
-                                   bool overwrite) override {
-    m_text = text;
-    std::string misread = text;
-    for (std::size_t at = misread.find(m_from); at != std::string::npos;
-         at = misread.find(m_from, at + m_to.size())) {
-      misread.replace(at, m_from.size(), m_to);
-    }
-    return m_machine.uploadProgram(name, misread, overwrite);
-  }
-  base::Result<std::string> downloadProgram(const std::string& name) override {
-    const auto there = m_machine.downloadProgram(name);
-    return there && !m_text.empty() ? base::Result<std::string>(m_text) : there;
-  }
-  base::Result<void> selectProgram(const std::string& name) override {
-    return m_machine.selectProgram(name);
-  }
-  [[nodiscard]] bool isVirtualMachine() const override { return true; }
-  [[nodiscard]] opcua::Abilities abilities() const override { return m_machine.abilities(); }
-  base::Result<void> cycleStart() override { return m_machine.cycleStart(); }
-  base::Result<void> reset() override { return m_machine.reset(); }
-  base::Result<trace::ControlTrace> fetchTrace() override { return m_machine.fetchTrace(); }
-  base::Result<trace::TracePiece> fetchTracePiece(const trace::TracePosition& from) override {
-    return m_machine.fetchTracePiece(from);
-  }
-
- private:
-  streaming::SimulatedLink& m_machine;
-  std::string m_from;
-  std::string m_to;
-  std::string m_text;
-};
 
 struct World {
   explicit World(std::uint64_t seed = 1, const char* preset = "dmu75")

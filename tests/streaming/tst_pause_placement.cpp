@@ -9,6 +9,8 @@
 #include "base/random.h"
 #include "gcode/program.h"
 #include "streaming/methods/pause_placement.h"
+#include "streaming/recovery/resume.h"
+#include "streaming/start/stop_bound.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -32,9 +34,12 @@ std::vector<gcode::StreamPoint> drawPoints(base::Random& random, std::size_t cou
   return points;
 }
 
+/// Whether a window may have the points from its first to before its second argument.
+using Fits = std::function<bool(std::size_t, std::size_t)>;
+
 /// Every way to cut is tried.
 std::pair<std::size_t, std::size_t> fewestByTrying(const std::vector<bool>& harmless,
-                                                   std::size_t perWindow) {
+                                                   std::size_t perWindow, const Fits& fits = {}) {
   std::pair<std::size_t, std::size_t> best{std::numeric_limits<std::size_t>::max(), 0};
   const std::function<void(std::size_t, std::size_t, std::size_t)> go = [&](std::size_t begin,
                                                                             std::size_t inCut,
@@ -44,7 +49,9 @@ std::pair<std::size_t, std::size_t> fewestByTrying(const std::vector<bool>& harm
       return;
     }
     for (std::size_t end = begin + 1; end <= std::min(begin + perWindow, harmless.size()); ++end) {
-      go(end, inCut + (harmless[end - 1] ? 0U : 1U), windows + 1);
+      if (!fits || fits(begin, end)) {
+        go(end, inCut + (harmless[end - 1] ? 0U : 1U), windows + 1);
+      }
     }
   };
   go(0, 0, 0);
@@ -87,6 +94,148 @@ class TestPausePlacement : public QObject {
       QCOMPARE(placed.windows(), best.second);
       QVERIFY(placed.inCut <= even.inCut);
       QCOMPARE(even.windows(), (points.size() + perWindow - 1) / perWindow);
+    }
+  }
+
+  /// Of all ways in which no window of several moves takes too long, none is better.
+  void noWindowTakesTooLong() {
+    base::Random random(11);
+    std::size_t alone = 0;
+    for (int round = 0; round < 400; ++round) {
+      auto points = drawPoints(random, 1 + random.below(12));
+      for (gcode::StreamPoint& point : points) {
+        point.feedMmPerS = random.below(3) == 0 ? 0.25 : 0.0;  // 4 s, and 1 s at the run's feed
+      }
+      streaming::WindowCut cut;
+      cut.feedPerPoint = true;
+      cut.secondsMax = 3.1;
+      cut.feedMmPerS = 1.0;
+      const auto takes = [&](std::size_t begin, std::size_t end) {
+        double seconds = 0.0;
+        for (std::size_t i = std::max<std::size_t>(begin, 1); i < end; ++i) {
+          seconds += base::distance(points[i - 1].positionMm, points[i].positionMm) /
+                     (points[i].feedMmPerS > 0.0 ? points[i].feedMmPerS : 1.0);
+        }
+        return seconds;
+      };
+      const auto fits = [&](std::size_t begin, std::size_t end) {
+        return end - begin == 1 || takes(begin, end) <= cut.secondsMax;
+      };
+      const std::size_t perWindow = 1 + random.below(5);
+      const std::vector<bool> harmless = streaming::harmlessPauses(points);
+      for (const bool place : {true, false}) {
+        cut.place = place;
+        const PausePlacement placed = streaming::cutWindows(points, perWindow, cut);
+        checkCuts(placed, harmless, perWindow);
+        for (std::size_t window = 0; window < placed.windows(); ++window) {
+          const std::size_t begin = placed.begins[window];
+          const std::size_t end =
+              window + 1 < placed.windows() ? placed.begins[window + 1] : points.size();
+          QVERIFY(fits(begin, end));
+          alone += begin > 0 && end - begin == 1 && takes(begin, end) > cut.secondsMax ? 1U : 0U;
+        }
+        if (place) {
+          const auto best = fewestByTrying(harmless, perWindow, fits);
+          QCOMPARE(placed.inCut, best.first);
+          QCOMPARE(placed.windows(), best.second);
+        }
+      }
+    }
+    QVERIFY(alone > 100);
+  }
+
+  /// The worst case of a stop, by hand: 4 moves of 10 mm at 1 mm/s, then one of 40 mm.
+  void theBoundOfAStop() {
+    std::vector<gcode::StreamPoint> points;
+    for (const double x : {10.0, 20.0, 30.0, 40.0, 80.0}) {
+      gcode::StreamPoint point;
+      point.positionMm = {x, 0.0, 0.0};
+      point.line = {static_cast<std::uint32_t>(x)};
+      points.push_back(point);
+    }
+    streaming::RunSettings settings;
+    settings.parameters.pointsPerLoop = 7;
+    settings.feedMmPerS = 1.0;
+    settings.placePauses = false;
+    const base::Vec3 tool{0.0, 5.0, 0.0};
+    auto bound = streaming::stopBound(points, std::nullopt, settings);
+    QCOMPARE(bound.seconds, 70.0);
+    QCOMPARE(bound.mm, 70.0);
+    QVERIFY(!bound.longMove);
+    settings.windowSMax = 20.0;
+    bound = streaming::stopBound(points, tool, settings);
+    QCOMPARE(bound.seconds, 40.0);
+    QVERIFY(bound.longMove && bound.longMove->line.value == 80);
+    QCOMPARE(bound.longMove->seconds, 40.0);
+    settings.windowSMax = 60.0;
+    bound = streaming::stopBound(points, tool, settings);
+    QVERIFY(bound.seconds > 41.1 && bound.seconds < 41.3);  // the way to the first point counts
+    QVERIFY(!bound.longMove);
+    // With credit three windows are executed after a stop.
+    settings.parameters.method = base::MethodKind::Credit;
+    settings.parameters.windowsAhead = 3;
+    bound = streaming::stopBound(points, tool, settings);
+    QVERIFY(bound.seconds > 81.1 && bound.seconds < 81.3);
+    QVERIFY(bound.longMove && bound.longMove->line.value == 80);  // 20 s is its share
+    // The methods of [P1] end at the end of their loop.
+    settings.parameters.method = base::MethodKind::Position;
+    settings.parameters.pointsPerLoop = 2;
+    QCOMPARE(streaming::stopBound(points, std::nullopt, settings).seconds, 40.0);
+  }
+
+  /// A run is resumed by the windows that it had, whatever feed and limit are set by then.
+  void theCutIsKeptWithTheRun() {
+    base::Random random(3);
+    const auto points = drawPoints(random, 60);
+    streaming::RunSettings settings;
+    settings.feedMmPerS = 1.0;
+    settings.windowSMax = 3.5;
+    settings.placePauses = false;
+    const auto had =
+        streaming::cutWindows(points, static_cast<std::size_t>(settings.parameters.pointsPerLoop),
+                              streaming::windowCut(settings));
+    streaming::Checkpoint last;
+    last.pausesPlaced = false;
+    last.windowSMax = 3.5;
+    last.windowFeedMmPerS = 1.0;
+    for (const double feed : {1.0, 50.0}) {
+      for (const double limit : {0.0, 3.5, 10.0}) {
+        settings.feedMmPerS = feed;
+        settings.windowSMax = limit;
+        auto ends = streaming::windowEnds(points, settings, last);
+        QCOMPARE(ends.back(), points.size());
+        ends.pop_back();
+        QCOMPARE(ends, had.begins);
+      }
+    }
+    QVERIFY(had.windows() > 15);  // 9 without the limit
+  }
+
+  /// Only what has proved its feed cell, or needs none, has windows of any length.
+  void whoseWindowsAreShortened() {
+    using streaming::FeedProof;
+    using templates::TargetControl;
+    for (const FeedProof proof : {FeedProof::NotTested, FeedProof::OtherServer, FeedProof::Failed,
+                                  FeedProof::WithoutMotion}) {
+      QCOMPARE(streaming::windowSMaxOf(proof, TargetControl::Sinumerik, 5.0), 5.0);
+      QVERIFY(!streaming::describe(proof).empty());
+    }
+    QCOMPARE(streaming::windowSMaxOf(FeedProof::Proved, TargetControl::Sinumerik, 5.0), 0.0);
+    QCOMPARE(streaming::windowSMaxOf(FeedProof::NotTested, TargetControl::LinuxCnc, 5.0), 0.0);
+    const opcua::ServerIdentity server{"urn:control", "Control", "4.95", "7"};
+    const opcua::ServerIdentity other{"urn:control", "Control", "4.96", "7"};
+    streaming::FeedTest test;
+    test.server = server;
+    test.result.checks = {{"actions-follow", true, ""}};
+    QVERIFY(streaming::feedProof(std::nullopt, server, false) == FeedProof::NotTested);
+    QVERIFY(streaming::feedProof(std::nullopt, server, true) == FeedProof::Proved);
+    QVERIFY(streaming::feedProof(test, server, false) == FeedProof::WithoutMotion);
+    test.result.move = streaming::AirMove{0, 20.0, 400.0};
+    QVERIFY(streaming::feedProof(test, server, false) == FeedProof::Proved);
+    QVERIFY(streaming::feedProof(test, other, false) == FeedProof::OtherServer);
+    test.result.checks.front().passed = false;
+    for (const bool isVirtual : {false, true}) {
+      QVERIFY(streaming::feedProof(test, server, isVirtual) == FeedProof::Failed);
     }
   }
 

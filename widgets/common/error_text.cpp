@@ -459,6 +459,7 @@ struct ErrorTexts {
       case StreamError::BadOverride:
       case StreamError::CutOnTheWay:
       case StreamError::FeedCellIgnored:
+      case StreamError::BadAirMove:
         return refusal(code);
     }
     return {};
@@ -517,6 +518,10 @@ struct ErrorTexts {
             "The control does not obey the feed cell: hold, stop and override would not act. "
             "Nothing was moved. Check that a SINUMERIK has synchronized actions, or a LinuxCNC the "
             "components of docs/linuxcnc.md.");
+      case StreamError::BadAirMove:
+        return tr(
+            "The move of the test takes 2 to 30 s at its feed, so that it can be held on its way. "
+            "Choose another length or feed.");
       default:
         return {};
     }

@@ -68,6 +68,8 @@ struct ProfileTexts {
         return tr("The rapid must be above zero.");
       case What::Silence:
         return tr("Without this computer the axes stand after 0.2 to 60 s; 0: not at all.");
+      case What::Stop:
+        return tr("Without a proved feed cell a window takes at most 0.5 to 600 s.");
       case What::ToolNumber:
         return tr("Tool %1: every tool needs its own number above zero.").arg(problem.tool);
     }
@@ -91,10 +93,16 @@ ProfilePage::ProfilePage(QWidget* parent)
           {.tip = QT_TR_NOOP("When nothing has come from this computer for so long, the axes stand "
                              "on the path until it gives a sign again. 0: not at all."),
            .name = QT_TR_NOOP("Without this computer the axes stand after, s")})),
+      m_stop(say(makeField(this, 0.0),
+                 {.tip = QT_TR_NOOP("Where a stop is sure to act only before the next window, "
+                                    "because this control has not passed the test of the feed "
+                                    "cell, no window of several moves takes longer."),
+                  .name = QT_TR_NOOP("Without a proved feed cell a window takes at most, s")})),
       m_toolGrid(new QGridLayout) {
   m_rapid->setDecimals(1);
   m_spindle->setDecimals(0);
   m_silence->setDecimals(1);
+  m_stop->setDecimals(1);
   auto* head = new QGridLayout;
   head->addWidget(label({.text = QT_TR_NOOP("Name of the machine")}), 0, 0);
   head->addWidget(m_name, 0, 1, 1, 2);
@@ -118,10 +126,12 @@ ProfilePage::ProfilePage(QWidget* parent)
               label({.text = QT_TR_NOOP("Spindle up to, 1/min")}), m_spindle, spring()}),
        inRow({label({.text = QT_TR_NOOP("Without this computer the axes stand after, s")}),
               m_silence, spring()}),
+       inRow({label({.text = QT_TR_NOOP("Without a proved feed cell a window takes at most, s")}),
+              m_stop, spring()}),
        inRow({label({.text = QT_TR_NOOP("M functions of other machines")}), {m_functions, 1}}),
        heading({.text = QT_TR_NOOP("Tools")}), m_toolGrid, inRow({m_addTool, spring()}), spring()},
       this);
-  onEdit({m_name, m_functions, m_rapid, m_spindle, m_silence}, &ProfilePage::edited);
+  onEdit({m_name, m_functions, m_rapid, m_spindle, m_silence, m_stop}, &ProfilePage::edited);
   connect(m_takeOver, &QPushButton::clicked, this,
           [this] { Q_EMIT presetRequested(m_preset->currentText()); });
   connect(m_addTool, &QPushButton::clicked, this, [this] {
@@ -219,6 +229,7 @@ void ProfilePage::takeOver(const MachineProfile& profile) {
   m_rapid->setValue(base::mmPerMinFromMmPerS(profile.rapidMmPerS));
   m_spindle->setValue(profile.spindlePerMinMax);
   m_silence->setValue(profile.silenceLimitS);
+  m_stop->setValue(profile.stopLimitS);
   while (!m_tools.empty()) {
     removeTool(m_tools.back().remove);
   }
@@ -263,6 +274,7 @@ MachineProfile ProfilePage::typed() const {
   profile.rapidMmPerS = base::mmPerSFromMmPerMin(m_rapid->value());
   profile.spindlePerMinMax = m_spindle->value();
   profile.silenceLimitS = m_silence->value();
+  profile.stopLimitS = m_stop->value();
   profile.tools.clear();
   for (const ToolRow& tool : m_tools) {
     profile.tools.push_back({tool.number->value(), tool.name->text().trimmed().toStdString(),
@@ -311,7 +323,7 @@ void ProfilePage::orderFocus() {
     }
     order.insert(order.end(), m_limits[axis].begin(), m_limits[axis].end());
   }
-  order.insert(order.end(), {m_rapid, m_spindle, m_silence, m_functions});
+  order.insert(order.end(), {m_rapid, m_spindle, m_silence, m_stop, m_functions});
   for (const ToolRow& tool : m_tools) {
     order.insert(order.end(), {tool.number, tool.name, tool.length, tool.radius, tool.remove});
   }

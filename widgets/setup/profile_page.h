@@ -96,6 +96,7 @@ class ProfilePage final : public Page {
   NumberField* m_rapid;
   NumberField* m_spindle;
   NumberField* m_silence;
+  NumberField* m_stop;
   QLineEdit* m_functions = lineEdit(
       {.tip = QT_TR_NOOP(
            "What this machine does for the M functions of programs made for another: ignore leaves "

@@ -46,4 +46,37 @@ base::Result<void> requireCreditTest(const std::optional<CreditTest>& test,
   return {};
 }
 
+FeedProof feedProof(const std::optional<FeedTest>& test, const opcua::ServerIdentity& now,
+                    bool isVirtualMachine) {
+  const bool isOfNow = test && test->server == now;
+  if (isOfNow && !test->result.passed()) {
+    return FeedProof::Failed;
+  }
+  if (isVirtualMachine) {
+    return FeedProof::Proved;
+  }
+  return !test                   ? FeedProof::NotTested
+         : !isOfNow              ? FeedProof::OtherServer
+         : test->result.proves() ? FeedProof::Proved
+                                 : FeedProof::WithoutMotion;
+}
+
+std::string_view describe(FeedProof proof) {
+  switch (proof) {
+    case FeedProof::Proved:
+      break;
+    case FeedProof::NotTested:
+      return "The feed cell has not been tested on this control (rivulet-cli commission "
+             "--feed-cell).";
+    case FeedProof::OtherServer:
+      return "The feed cell was tested with another version of the server: test it again.";
+    case FeedProof::Failed:
+      return "This control has failed the test of the feed cell.";
+    case FeedProof::WithoutMotion:
+      return "The feed cell was tested without motion only: whether the axes obey has not been "
+             "seen (rivulet-cli commission --feed-cell --air-move).";
+  }
+  return {};
+}
+
 }  // namespace rivulet::streaming

@@ -9,22 +9,28 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
 #include "opcua/server_identity.h"
 #include "streaming/setup/calibration_record.h"
 #include "streaming/setup/commissioning.h"
+#include "streaming/setup/feed_test.h"
 
 namespace rivulet::streaming {
 
-/// A test of method credit and the server it was made with.
-struct CreditTest {
+/// A test of a control and the server it was made with.
+template <class Result>
+struct TestOfControl {
   std::string endpoint;
   opcua::ServerIdentity server;
   std::string testedAtUtc;  ///< "2026-05-04T09:30:00Z"; given by a caller that has a clock
   std::string toolVersion;
-  Commissioning result;
+  Result result;
 };
+
+using CreditTest = TestOfControl<Commissioning>;
+using FeedTest = TestOfControl<FeedCommissioning>;
 
 /// Failures of the file that keeps the facts.
 enum class MachineFileError {
@@ -45,6 +51,23 @@ enum class MachineFileError {
 [[nodiscard]] base::Result<void> requireCreditTest(const std::optional<CreditTest>& test,
                                                    const std::string& endpoint,
                                                    const opcua::ServerIdentity& now);
+
+/// What is known of the feed cell on a control.
+enum class FeedProof {
+  Proved,  ///< its axes have been seen to obey, or it is a virtual machine
+  NotTested,
+  OtherServer,  ///< tested with another version of its server
+  Failed,
+  WithoutMotion,  ///< passed, but no axis has moved: whether they obey was not seen
+};
+
+/// @param test  the last one made there  @param now  what the server reports about itself
+/// @param isVirtualMachine  these obey by construction, unless a test has failed
+[[nodiscard]] FeedProof feedProof(const std::optional<FeedTest>& test,
+                                  const opcua::ServerIdentity& now, bool isVirtualMachine);
+
+/// "This control has not been tested.": why a stop is not promised by the feed cell; Proved: empty.
+[[nodiscard]] std::string_view describe(FeedProof proof);
 
 }  // namespace rivulet::streaming
 

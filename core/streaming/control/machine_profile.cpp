@@ -50,6 +50,9 @@ std::optional<ProfileProblem> problemOf(const MachineProfile& profile) {
   if (!templates::isSilenceLimit(profile.silenceLimitS)) {
     return ProfileProblem{What::Silence, 0, 0};
   }
+  if (!(profile.stopLimitS >= kStopLimitSMin) || profile.stopLimitS > kStopLimitSMax) {
+    return ProfileProblem{What::Stop, 0, 0};
+  }
   std::set<int> numbers;
   for (const ToolProfile& tool : profile.tools) {
     if (tool.number <= 0 || !numbers.insert(tool.number).second) {
@@ -61,6 +64,10 @@ std::optional<ProfileProblem> problemOf(const MachineProfile& profile) {
 
 double silenceLimitS(const MachineProfile* profile) {
   return profile != nullptr ? profile->silenceLimitS : templates::kSilenceLimitS;
+}
+
+double stopLimitS(const MachineProfile* profile) {
+  return profile != nullptr ? profile->stopLimitS : MachineProfile().stopLimitS;
 }
 
 }  // namespace rivulet::streaming

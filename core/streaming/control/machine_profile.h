@@ -51,6 +51,8 @@ struct MachineProfile {
   double rapidMmPerS = 0.0;
   double spindlePerMinMax = 0.0;                     ///< 0: no spindle
   double silenceLimitS = templates::kSilenceLimitS;  ///< see `templates::WindowSettings`
+  /// See `stopLimitS` below.
+  double stopLimitS = 5.0;
   std::vector<ToolProfile> tools;
 
   friend bool operator==(const MachineProfile&, const MachineProfile&) = default;
@@ -65,6 +67,7 @@ struct ProfileProblem {
     Jerk,
     Rapid,
     Silence,     ///< neither zero nor within the limits
+    Stop,        ///< not within the limits
     ToolNumber,  ///< not above zero, or given twice
   };
   What what = What::Travel;
@@ -77,5 +80,12 @@ struct ProfileProblem {
 /// Without a sign of the client for so long, the axes of this machine stand, s; 0: not at all.
 /// @param profile  null: nobody has entered its limits
 [[nodiscard]] double silenceLimitS(const MachineProfile* profile);
+
+/// Where a stop acts only before the next window, no window takes longer, s: see
+/// `RunSettings::windowSMax`.
+inline constexpr double kStopLimitSMin = 0.5;
+inline constexpr double kStopLimitSMax = 600.0;
+/// @param profile  null: nobody has entered its limits
+[[nodiscard]] double stopLimitS(const MachineProfile* profile);
 
 }  // namespace rivulet::streaming

@@ -41,6 +41,38 @@ bool changesFeed(std::span<const gcode::StreamPoint> points, std::size_t i) {
   return points[i].feedMmPerS != points[i - 1].feedMmPerS;
 }
 
+/// How many points a window may have that ends somewhere.
+class WindowSize {
+ public:
+  WindowSize(std::span<const gcode::StreamPoint> points, std::size_t most, const WindowCut& cut)
+      : m_most(most), m_secondsMax(cut.secondsMax) {
+    RIVULET_ASSERT(!points.empty() && most >= 1);
+    if (!(m_secondsMax > 0.0)) {
+      return;
+    }
+    RIVULET_ASSERT(cut.feedMmPerS > 0.0);
+    m_reachedS.assign(points.size() + 1, 0.0);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const double feed = points[i].feedMmPerS > 0.0 ? points[i].feedMmPerS : cut.feedMmPerS;
+      m_reachedS[i + 1] =
+          m_reachedS[i] +
+          base::wayAlongFeed(base::distance(points[i - 1].positionMm, points[i].positionMm),
+                             base::turnDeg(points[i - 1].rotaryDeg, points[i].rotaryDeg)) /
+              feed;
+    }
+  }
+  /// Of the points from `begin` to before `end`. One move alone cannot be divided.
+  [[nodiscard]] bool fits(std::size_t begin, std::size_t end) const {
+    return end - begin <= m_most && (m_reachedS.empty() || end - begin <= 1 ||
+                                     m_reachedS[end] - m_reachedS[begin] <= m_secondsMax);
+  }
+
+ private:
+  std::size_t m_most;
+  double m_secondsMax;
+  std::vector<double> m_reachedS;  ///< after so many points; empty: time does not matter
+};
+
 }  // namespace
 
 std::vector<bool> harmlessPauses(std::span<const gcode::StreamPoint> points) {
@@ -55,9 +87,10 @@ std::vector<bool> harmlessPauses(std::span<const gcode::StreamPoint> points) {
   return harmless;
 }
 
-PausePlacement placePauses(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
-                           bool feedPerPoint) {
-  RIVULET_ASSERT(!points.empty() && pointsPerWindow >= 1);
+namespace {
+
+PausePlacement placed(std::span<const gcode::StreamPoint> points, const WindowSize& size,
+                      bool feedPerPoint) {
   const std::vector<bool> harmless = harmlessPauses(points);
   struct Best {
     std::size_t inCut = 0;
@@ -71,7 +104,7 @@ PausePlacement placePauses(std::span<const gcode::StreamPoint> points, std::size
   // expensive ones, for the time when the first is too far back.
   std::deque<std::size_t> begins{0};
   for (std::size_t end = 1; end <= points.size(); ++end) {
-    if (begins.front() + pointsPerWindow < end) {
+    while (!size.fits(begins.front(), end)) {
       begins.pop_front();
     }
     const std::size_t begin = begins.front();
@@ -91,15 +124,14 @@ PausePlacement placePauses(std::span<const gcode::StreamPoint> points, std::size
   return placement;
 }
 
-PausePlacement evenPauses(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
-                          bool feedPerPoint) {
-  RIVULET_ASSERT(!points.empty() && pointsPerWindow >= 1);
+PausePlacement even(std::span<const gcode::StreamPoint> points, const WindowSize& size,
+                    bool feedPerPoint) {
   const std::vector<bool> harmless = harmlessPauses(points);
   PausePlacement placement;
   std::size_t begin = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool mustEnd = i > 0 && !feedPerPoint && changesFeed(points, i);
-    if (i == 0 || mustEnd || i == begin + pointsPerWindow) {
+    if (i == 0 || mustEnd || !size.fits(begin, i + 1)) {
       begin = i;
       placement.begins.push_back(begin);
       placement.inCut += begin > 0 && !harmless[begin - 1] ? 1U : 0U;
@@ -108,10 +140,22 @@ PausePlacement evenPauses(std::span<const gcode::StreamPoint> points, std::size_
   return placement;
 }
 
+}  // namespace
+
+PausePlacement placePauses(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
+                           bool feedPerPoint) {
+  return placed(points, WindowSize(points, pointsPerWindow, {}), feedPerPoint);
+}
+
+PausePlacement evenPauses(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
+                          bool feedPerPoint) {
+  return even(points, WindowSize(points, pointsPerWindow, {}), feedPerPoint);
+}
+
 PausePlacement cutWindows(std::span<const gcode::StreamPoint> points, std::size_t pointsPerWindow,
                           WindowCut cut) {
-  return cut.place ? placePauses(points, pointsPerWindow, cut.feedPerPoint)
-                   : evenPauses(points, pointsPerWindow, cut.feedPerPoint);
+  const WindowSize size(points, pointsPerWindow, cut);
+  return cut.place ? placed(points, size, cut.feedPerPoint) : even(points, size, cut.feedPerPoint);
 }
 
 std::vector<PlannedPause> plannedPauses(std::span<const gcode::StreamPoint> points,

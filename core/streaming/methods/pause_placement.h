@@ -35,6 +35,10 @@ inline constexpr double kCornerDegrees = 45.0;
 struct WindowCut {
   bool place = true;          ///< end them where a pause does least harm, else as late as possible
   bool feedPerPoint = false;  ///< windows need not end where the feed changes
+  /// Windows that take longer are divided, as far as they have several moves; s, without
+  /// acceleration; 0: any.
+  double secondsMax = 0.0;
+  double feedMmPerS = 0.0;  ///< of points without one of their own; > 0 with `secondsMax`
 
   friend bool operator==(const WindowCut&, const WindowCut&) = default;
 };
@@ -62,7 +66,9 @@ struct PausePlacement {
 [[nodiscard]] PausePlacement evenPauses(std::span<const gcode::StreamPoint> points,
                                         std::size_t pointsPerWindow, bool feedPerPoint = false);
 
-/// `placePauses` or `evenPauses`. Client and resume cut a run with the same call.
+/// `placePauses` or `evenPauses`, with windows that are no longer than they may be. How long the
+/// move to the first point takes is not known here: it does not count. Client and resume cut a run
+/// with the same call.
 [[nodiscard]] PausePlacement cutWindows(std::span<const gcode::StreamPoint> points,
                                         std::size_t pointsPerWindow, WindowCut cut);
 

@@ -446,6 +446,9 @@ std::optional<Checkpoint> WindowMethodType::checkpoint(const RunSettings& settin
   checkpoint.startMm = from.startMm;
   checkpoint.startDeg = from.startDeg;
   checkpoint.pausesPlaced = settings.placePauses;
+  const WindowCut cut = windowCut(settings);
+  checkpoint.windowSMax = cut.secondsMax;
+  checkpoint.windowFeedMmPerS = cut.secondsMax > 0.0 ? cut.feedMmPerS : 0.0;
   return checkpoint;
 }
 

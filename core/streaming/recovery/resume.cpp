@@ -531,6 +531,8 @@ std::vector<std::size_t> windowEnds(std::span<const gcode::StreamPoint> points,
   if (const auto streamed = points.subspan(first); !streamed.empty()) {
     WindowCut cut = windowCut(settings);
     cut.place = last.pausesPlaced;
+    cut.secondsMax = last.windowSMax;
+    cut.feedMmPerS = last.windowFeedMmPerS;
     const auto perWindow = static_cast<std::size_t>(settings.parameters.pointsPerLoop);
     for (const std::size_t begin : cutWindows(streamed, perWindow, cut).begins) {
       ends.push_back(first + begin);

@@ -85,9 +85,14 @@ std::optional<PassedBy> passedByFromName(std::string_view name) {
   return std::nullopt;
 }
 
+int windowsAfterStop(const templates::TemplateParameters& parameters) {
+  return base::goesOn(parameters.method) ? std::max(1, parameters.windowsAhead) : 1;
+}
+
 WindowCut windowCut(const RunSettings& settings) {
-  return {settings.placePauses,
-          settings.parameters.feedPerPoint || base::sendsBlocks(settings.parameters.method)};
+  const templates::TemplateParameters& parameters = settings.parameters;
+  return {settings.placePauses, parameters.feedPerPoint || base::sendsBlocks(parameters.method),
+          settings.windowSMax / windowsAfterStop(parameters), settings.feedMmPerS};
 }
 
 std::string_view runFindingName(RunFinding finding) {

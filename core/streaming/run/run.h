@@ -67,6 +67,7 @@ enum class StreamError {
   BadOverride,               ///< out of range
   CutOnTheWay,               ///< the first move would pass within what the program cuts
   FeedCellIgnored,           ///< the control does not obey the feed cell
+  BadAirMove,                ///< the test of the feed cell cannot be made with this move
 };
 
 [[nodiscard]] std::error_code make_error_code(StreamError code);
@@ -117,6 +118,9 @@ struct Checkpoint {
   bool granted = false;        ///< the control is known to have obeyed this run
   bool pausesPlaced = true;    ///< its windows were cut by `placePauses`, else evenly
   base::RotaryDeg startDeg{};
+  /// See `WindowCut`; 0: any.
+  double windowSMax = 0.0;
+  double windowFeedMmPerS = 0.0;
   std::size_t pointCount = 0;    ///< of the whole program
   std::uint64_t pointsHash = 0;  ///< `hashOfPoints` of them; 0: not known
 };
@@ -175,6 +179,9 @@ struct RunSettings {
   int runNumber = 0;
   std::optional<Resume> resume;  ///< nothing: from the beginning
   TransferWay transfer = TransferWay::Link;
+  /// Methods with windows, where a stop acts before the next window: no window of several moves
+  /// takes longer, s, at 100 %; 0: any. Method credit: all that may be executed after a stop.
+  double windowSMax = 0.0;
   /// Method window: end windows where the path stops or turns. Method credit has no pauses there.
   bool placePauses = true;
   bool monitor = true;  ///< read position and feed for the display when the stream has slack
@@ -182,6 +189,9 @@ struct RunSettings {
   /// user, nothing is stored on the control, and the cells are not claimed (`CellClaim`).
   RunOrigin origin{};
 };
+
+/// As many are still executed after a stop that only the run cell tells.
+[[nodiscard]] int windowsAfterStop(const templates::TemplateParameters& parameters);
 
 /// How a run is cut into windows by its client.
 [[nodiscard]] WindowCut windowCut(const RunSettings& settings);

@@ -10,10 +10,8 @@
 #include <utility>
 
 #include "base/contract.h"
-#include "opcua/await.h"
-#include "streaming/control/control_alarm.h"
 #include "streaming/run/run.h"
-#include "streaming/start/program_transfer.h"
+#include "streaming/setup/program_test.h"
 
 namespace rivulet::streaming {
 
@@ -23,11 +21,6 @@ using base::Duration;
 using base::Instant;
 using base::Result;
 using opcua::Variable;
-using opcua::VariableKind;
-
-/// Above every number of a flexible program (`templates::layoutNumber` is below 2^24): the two
-/// cannot be confused.
-constexpr int kLayoutNumber = 1 << 24;
 
 /// The dwells that keep the main run busy, and the one before which it reports its progress.
 constexpr int kDwells = 4;
@@ -43,7 +36,6 @@ constexpr int kQuestions = 20;
 constexpr int kAnswersMin = 5;
 /// From the beginning of the dwells to the end of the program.
 constexpr Duration kRunMax = std::chrono::minutes{3};
-constexpr Duration kDwellPoll = std::chrono::milliseconds{50};
 
 /// R-parameters of the test, counted from its first.
 enum Cell { Question, Echo, Begin, Cycles, Layout, Phase, Passes, Buffer, CyclesSeen, Mark };
@@ -62,14 +54,12 @@ struct Look {
   double mark = 0.0;
 };
 
-class Test {
+class Test : ProgramTest {
  public:
-  Test(opcua::Link& link, opcua::Control& control, const CommissioningPlan& plan,
-       const std::function<bool(CommissioningStep)>& progress)
-      : m_link(link), m_control(control), m_plan(plan), m_progress(progress) {}
+  using ProgramTest::ProgramTest;
 
   Result<Commissioning> run() {
-    for (const auto step : {&Test::transfer, &Test::awaitStart, &Test::ask, &Test::awaitEnd}) {
+    for (const auto step : {&Test::begin, &Test::ask, &Test::end}) {
       if (Result<void> done = (this->*step)(); !done) {
         return base::fail(done.error());
       }
@@ -79,92 +69,14 @@ class Test {
   }
 
  private:
-  [[nodiscard]] Variable cell(Cell which) const {
-    return opcua::rParameter(m_plan.firstCell + static_cast<int>(which));
-  }
-
-  Result<void> set(Cell which, double value) {
-    const opcua::Assignment assignment{cell(which), value};
-    return opcua::writeNow(m_link, {&assignment, 1}, m_plan.requestDeadline);
-  }
-
-  Result<void> proceed(CommissioningStep step) {
-    if (m_progress && !m_progress(step)) {
-      return base::fail(StreamError::Cancelled,
-                        "The test was aborted. Reset the control if its program is still running.");
-    }
-    return {};
-  }
-
-  Result<std::vector<double>> numbers(std::span<const Variable> variables) {
-    return opcua::readNumbers(m_link, variables, m_plan.requestDeadline);
-  }
-
-  void pause() {
-    const Instant until = m_link.now() + kDwellPoll;
-    while (m_link.now() < until) {
-      m_link.wait(until);
-    }
-  }
-
-  Result<void> transfer() {
-    const std::array<Variable, 2> watched{
-        {{VariableKind::ChannelStatus, 0}, {VariableKind::Alarm, 0}}};
-    const auto state = numbers(watched);
-    if (!state) {
-      return base::fail(state.error());
-    }
-    if ((*state)[0] != opcua::kChannelReset) {
-      return base::fail(StreamError::ChannelBusy,
-                        "A program is running on the control. Wait until it has ended, or reset "
-                        "the control, then start again.");
-    }
-    if (Result<void> fine = requireNoAlarm((*state)[1]); !fine) {
-      return fine;
-    }
-    const std::string name = commissioningFileName();
-    const std::string text = commissioningProgram(m_plan.firstCell);
-    if (const auto there = transferProgram(m_control, name, text, m_plan.transfer); !there) {
-      return base::fail(there.error());
-    }
-    // A number left from an earlier test must not pass for the program's own.
-    return set(Layout, 0.0);
-  }
-
-  Result<void> awaitStart() {
-    if (m_control.abilities().startsOnRequest) {
-      if (Result<void> done = m_control.cycleStart(); !done) {
-        return done;
-      }
-    }
-    const Instant until = m_link.now() + m_plan.startDeadline;
-    const std::array<Variable, 3> watched{
-        {{VariableKind::ChannelStatus, 0}, {VariableKind::Alarm, 0}, cell(Layout)}};
-    while (m_link.now() < until) {
-      if (Result<void> on = proceed(CommissioningStep::CycleStart); !on) {
-        return on;
-      }
-      const auto state = numbers(watched);
-      if (!state) {
-        return base::fail(state.error());
-      }
-      if (Result<void> fine = requireNoAlarm((*state)[1]); !fine) {
-        return fine;
-      }
-      if ((*state)[0] != opcua::kChannelReset && (*state)[2] != 0.0) {
-        if ((*state)[2] != static_cast<double>(kLayoutNumber)) {
-          return base::fail(
-              StreamError::WrongProgram,
-              "The control runs another program, not the test. Reset it and select the test.",
-              commissioningFileName());
-        }
-        return set(Begin, 1.0);
-      }
-      pause();
-    }
-    return base::fail(
-        StreamError::NotStarted,
-        "Cycle start was not pressed in time. Start again when the machine is ready.");
+  Result<void> begin() {
+    Result<void> done = requireReset();
+    done = done ? transfer(commissioningFileName(), commissioningProgram(m_plan.firstCell), Layout)
+                : done;
+    done = done ? awaitStart(CommissioningStep::CycleStart, Layout, kTestLayout,
+                             commissioningFileName())
+                : done;
+    return done ? set(Begin, 1.0) : done;
   }
 
   Result<Look> look() {
@@ -219,31 +131,17 @@ class Test {
 
   static double questionOf(int number) { return 0.375 + 1000.0 * number; }
 
-  Result<void> awaitEnd() {
-    const std::array<Variable, 2> watched{
-        {{VariableKind::ChannelStatus, 0}, {VariableKind::Alarm, 0}}};
-    const Instant until = m_link.now() + kRunMax;
-    while (m_link.now() < until) {
-      const auto state = numbers(watched);
-      if (!state) {
-        return base::fail(state.error());
-      }
-      if (Result<void> fine = requireNoAlarm((*state)[1]); !fine) {
-        return fine;
-      }
-      if ((*state)[0] == opcua::kChannelReset) {
-        const Variable passes = cell(Passes);
-        const auto value = numbers({&passes, 1});
-        if (!value) {
-          return base::fail(value.error());
-        }
-        m_passes = value->front();
-        return {};
-      }
-      pause();
+  Result<void> end() {
+    if (Result<void> done = awaitEnd(kRunMax); !done) {
+      return done;
     }
-    return base::fail(StreamError::StreamStalled,
-                      "The program of the test did not end. Reset the control and start again.");
+    const Variable passes = cell(Passes);
+    const auto value = numbers({&passes, 1});
+    if (!value) {
+      return base::fail(value.error());
+    }
+    m_passes = value->front();
+    return {};
   }
 
   void add(const char* name, bool passed, std::string message) {
@@ -278,10 +176,6 @@ class Test {
         "$AC_IPO_BUF tells the program, without a stop, whether blocks are waiting.");
   }
 
-  opcua::Link& m_link;
-  opcua::Control& m_control;
-  const CommissioningPlan& m_plan;
-  const std::function<bool(CommissioningStep)>& m_progress;
   std::vector<Look> m_looks;
   double m_passes = 0.0;
   Commissioning m_result;
@@ -289,7 +183,7 @@ class Test {
 
 }  // namespace
 
-bool Commissioning::passed() const {
+bool ChecksOfControl::passed() const {
   return !checks.empty() && std::all_of(checks.begin(), checks.end(),
                                         [](const CommissioningCheck& one) { return one.passed; });
 }
@@ -323,7 +217,7 @@ std::string commissioningProgram(int firstCell) {
   line("RIV_TURN=0");
   line("STOPRE");
   line(fmt::format("ID=1 DO ${}=${}+1", r(Cycles), r(Cycles)));
-  line(fmt::format("{}={}", r(Layout), kLayoutNumber));
+  line(fmt::format("{}={}", r(Layout), kTestLayout));
   line("RIV_WAIT:");
   line("STOPRE");
   line("RIV_TURN=RIV_TURN+1");

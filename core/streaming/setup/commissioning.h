@@ -38,20 +38,25 @@ struct CommissioningCheck {
   std::string message;
 };
 
-struct Commissioning {
+/// What a test of a control has found.
+struct ChecksOfControl {
   std::vector<CommissioningCheck> checks;
+
+  /// There are checks, and every one has passed.
+  [[nodiscard]] bool passed() const;
+};
+
+struct Commissioning : ChecksOfControl {
   int asked = 0;
   int answered = 0;                ///< while the main run was busy
   base::Duration slowestAnswer{};  ///< of those
-
-  /// Every check has passed.
-  [[nodiscard]] bool passed() const;
 };
 
 /// What the test is waiting for.
 enum class CommissioningStep {
   CycleStart,  ///< the operator, at the control
   Running,
+  CycleStartAgain,  ///< the same, a second time
 };
 
 /// The NC program: LF line ends, ASCII. @param firstCell  as in the plan

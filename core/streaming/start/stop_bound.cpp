@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "streaming/start/stop_bound.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "base/axes.h"
+#include "streaming/methods/pause_placement.h"
+
+namespace rivulet::streaming {
+
+StopBound stopBound(std::span<const gcode::StreamPoint> points, std::optional<base::Vec3> toolMm,
+                    const RunSettings& settings) {
+  StopBound bound;
+  if (points.empty()) {
+    return bound;
+  }
+  const auto& parameters = settings.parameters;
+  const auto perLoop = static_cast<std::size_t>(std::max(1, parameters.pointsPerLoop));
+  // Others end at the end of their loop.
+  std::vector<std::size_t> begins = base::hasWindows(parameters.method)
+                                        ? cutWindows(points, perLoop, windowCut(settings)).begins
+                                        : evenPauses(points, perLoop, true).begins;
+  begins.push_back(points.size());
+  // After so many points.
+  std::vector<double> reachedS{0.0};
+  std::vector<double> reachedMm{0.0};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool isKnown = i > 0 || toolMm;
+    const base::Vec3 from = i > 0 ? points[i - 1].positionMm : toolMm.value_or(base::Vec3{});
+    const double wayMm = isKnown ? base::distance(from, points[i].positionMm) : 0.0;
+    const double alongFeed = base::wayAlongFeed(
+        wayMm, i > 0 ? base::turnDeg(points[i - 1].rotaryDeg, points[i].rotaryDeg) : 0.0);
+    const double feed = points[i].feedMmPerS > 0.0 ? points[i].feedMmPerS : settings.feedMmPerS;
+    const double seconds = alongFeed / feed;
+    reachedS.push_back(reachedS.back() + seconds);
+    reachedMm.push_back(reachedMm.back() + wayMm);
+    const bool isLong = settings.windowSMax > 0.0 && seconds > windowCut(settings).secondsMax;
+    if (isLong && (!bound.longMove || seconds > bound.longMove->seconds)) {
+      bound.longMove = {points[i].line, seconds};
+    }
+  }
+  const auto together = static_cast<std::size_t>(windowsAfterStop(parameters));
+  for (std::size_t window = 0; window + 1 < begins.size(); ++window) {
+    const std::size_t to = begins[std::min(window + together, begins.size() - 1)];
+    bound.seconds = std::max(bound.seconds, reachedS[to] - reachedS[begins[window]]);
+    bound.mm = std::max(bound.mm, reachedMm[to] - reachedMm[begins[window]]);
+  }
+  return bound;
+}
+
+std::string describe(const StopBound& bound, FeedProof proof, bool hasFeedCell) {
+  std::string text = fmt::format(
+      "Stop: the control still executes {} that is in motion, at most {:.1f} s and {:.0f} mm.",
+      hasFeedCell ? "the window" : "the loop", bound.seconds, bound.mm);
+  if (bound.longMove) {
+    text += fmt::format(" The move of line {} alone takes {:.1f} s: divide it (--split).",
+                        bound.longMove->line.value, bound.longMove->seconds);
+  }
+  if (hasFeedCell) {
+    text += ' ' + std::string(describe(proof));
+  }
+  return text;
+}
+
+double windowSMaxOf(FeedProof proof, templates::TargetControl target, double limitS) {
+  // A LinuxCNC has no such actions: its way through the HAL is tried before each program.
+  const bool isProved = proof == FeedProof::Proved || target == templates::TargetControl::LinuxCnc;
+  return isProved ? 0.0 : limitS;
+}
+
+}  // namespace rivulet::streaming
