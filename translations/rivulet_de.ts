@@ -617,6 +617,53 @@
     </message>
 </context>
 <context>
+    <name>CreditTestTexts</name>
+    <message>
+        <source>%1 of %2 answers while busy, the slowest after %3</source>
+        <translation>%1 von %2 Antworten unter Last, die langsamste nach %3</translation>
+    </message>
+    <message>
+        <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
+        <translation>Mit dem Verfahren Kredit fahren die Achsen weiter, während das nächste Fenster unterwegs ist. Sicher ist das nur an einer Steuerung, die antwortet, während ihre Achsen beschäftigt sind. Dieser Test stellt es fest: ein Programm, das keine Achse bewegt, einige Sekunden lang. Der Kanal muss im Reset sein.</translation>
+    </message>
+    <message>
+        <source>4. Numbers are sent and must come back while the control is busy.</source>
+        <translation>4. Zahlen werden gesendet und müssen zurückkommen, während die Steuerung beschäftigt ist.</translation>
+    </message>
+    <message>
+        <source>Not tested: method credit does not start on this control</source>
+        <translation>Nicht getestet: Das Verfahren Kredit startet auf dieser Steuerung nicht</translation>
+    </message>
+    <message>
+        <source>Passed: method credit may run on this control</source>
+        <translation>Bestanden: Das Verfahren Kredit darf auf dieser Steuerung laufen</translation>
+    </message>
+    <message>
+        <source>Not passed: method credit does not start. Use method window.</source>
+        <translation>Nicht bestanden: Das Verfahren Kredit startet nicht. Verfahren Fenster wählen.</translation>
+    </message>
+    <message>
+        <source>The control answers the client while blocks wait to be executed.</source>
+        <translation>Die Steuerung antwortet dem Client, während Sätze auf ihre Ausführung warten.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the client.</source>
+        <translation>Was eine Synchronaktion schreibt, kommt beim Client an.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the program without a stop.</source>
+        <translation>Was eine Synchronaktion schreibt, kommt ohne Halt beim Programm an.</translation>
+    </message>
+    <message>
+        <source>A synchronized action before a block is executed with that block.</source>
+        <translation>Eine Synchronaktion vor einem Satz wird mit diesem Satz ausgeführt.</translation>
+    </message>
+    <message>
+        <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
+        <translation>Das Programm erkennt ohne Halt, ob Sätze warten ($AC_IPO_BUF).</translation>
+    </message>
+</context>
+<context>
     <name>DiagnosticTexts</name>
     <message>
         <source>Note</source>
@@ -1531,6 +1578,10 @@
         <source>A factor of the override is possible with methods window and credit, from 0.01 to 2, with 1 between its bounds.</source>
         <translation>Einen Faktor des Overrides gibt es mit den Verfahren Fenster und Kredit, von 0,01 bis 2, mit 1 zwischen seinen Grenzen.</translation>
     </message>
+    <message>
+        <source>The move of the test takes 2 to 30 s at its feed, so that it can be held on its way. Choose another length or feed.</source>
+        <translation>Der Weg des Tests dauert mit seinem Vorschub 2 bis 30 s, damit er unterwegs angehalten werden kann. Andere Länge oder anderen Vorschub wählen.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1916,6 +1967,81 @@
     </message>
 </context>
 <context>
+    <name>FeedTestTexts</name>
+    <message>
+        <source>no axis was moved</source>
+        <translation>keine Achse wurde bewegt</translation>
+    </message>
+    <message>
+        <source>%1 moved by %2 at %3; held, it was seen to stand after %4</source>
+        <translation>%1 um %2 mit %3 bewegt; angehalten stand sie nach %4</translation>
+    </message>
+    <message>
+        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves forth and back in the air and is held on its way. The channel must be in reset.</source>
+        <translation>Stopp, Pause und Override wirken sofort, weil die Steuerung in jedem Interpolationstakt einer Zelle gehorcht. Dieser Test stellt fest, ob sie es tut: zuerst ohne Bewegung, dann, wenn Sie zustimmen, mit einer Achse, die in der Luft hin und her fährt und unterwegs angehalten wird. Der Kanal muss im Reset sein.</translation>
+    </message>
+    <message>
+        <source>4. The override is changed while the axis moves. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
+        <translation>4. Der Override wird geändert, während die Achse fährt. Danach noch einmal NC-Start drücken: Das nächste Programm muss mit seinem eigenen Vorschub fahren, und nur die Steuerung kann es anhalten.</translation>
+    </message>
+    <message>
+        <source>4. The override is changed; no axis moves.</source>
+        <translation>4. Der Override wird geändert; keine Achse fährt.</translation>
+    </message>
+    <message>
+        <source>Not tested: on this control a stop is sure to act only before the next window</source>
+        <translation>Nicht getestet: An dieser Steuerung wirkt ein Stopp sicher erst vor dem nächsten Fenster</translation>
+    </message>
+    <message>
+        <source>Passed: stop, pause and override act at once on this control</source>
+        <translation>Bestanden: Stopp, Pause und Override wirken an dieser Steuerung sofort</translation>
+    </message>
+    <message>
+        <source>Passed without motion. Whether the axes obey shows only when one moves.</source>
+        <translation>Ohne Bewegung bestanden. Ob die Achsen gehorchen, zeigt sich erst, wenn eine fährt.</translation>
+    </message>
+    <message>
+        <source>Not passed: on this control a stop is sure to act only before the next window</source>
+        <translation>Nicht bestanden: An dieser Steuerung wirkt ein Stopp sicher erst vor dem nächsten Fenster</translation>
+    </message>
+    <message>
+        <source>Synchronized actions make the override that is wanted, and keep it.</source>
+        <translation>Synchronaktionen bilden den gewünschten Override und halten ihn.</translation>
+    </message>
+    <message>
+        <source>Without a sign of the client the override is 0.</source>
+        <translation>Ohne Lebenszeichen des Clients ist der Override 0.</translation>
+    </message>
+    <message>
+        <source>At 50 % the axis takes twice as long.</source>
+        <translation>Mit 50 % braucht die Achse doppelt so lange.</translation>
+    </message>
+    <message>
+        <source>At 0 % the axis stands on its way.</source>
+        <translation>Mit 0 % steht die Achse unterwegs.</translation>
+    </message>
+    <message>
+        <source>It brakes at once when 0 % is wanted.</source>
+        <translation>Sie bremst sofort, wenn 0 % gewünscht ist.</translation>
+    </message>
+    <message>
+        <source>It moves in no interpolation cycle while it is held.</source>
+        <translation>Angehalten bewegt sie sich in keinem Interpolationstakt.</translation>
+    </message>
+    <message>
+        <source>The synchronized actions end with their program.</source>
+        <translation>Die Synchronaktionen enden mit ihrem Programm.</translation>
+    </message>
+    <message>
+        <source>The next program moves at its own feed.</source>
+        <translation>Das nächste Programm fährt mit seinem eigenen Vorschub.</translation>
+    </message>
+    <message>
+        <source>No other client writes the feed cell.</source>
+        <translation>Kein anderer Client schreibt in die Vorschubzelle.</translation>
+    </message>
+</context>
+<context>
     <name>FileSheetTexts</name>
     <message>
         <source>%1 is already there. Replace it?</source>
@@ -2246,6 +2372,10 @@
         <source>Not reachable: no answer %1 ago</source>
         <translation>Nicht erreichbar: vor %1 keine Antwort</translation>
     </message>
+    <message>
+        <source>test of the feed cell</source>
+        <translation>Test der Vorschubzelle</translation>
+    </message>
 </context>
 <context>
     <name>MachinesTexts</name>
@@ -2466,6 +2596,10 @@
     <message>
         <source>Without this computer the axes stand after 0.2 to 60 s; 0: not at all.</source>
         <translation>Ohne diesen Rechner stehen die Achsen nach 0,2 bis 60 s; 0: gar nicht.</translation>
+    </message>
+    <message>
+        <source>Without a proved feed cell a window takes at most 0.5 to 600 s.</source>
+        <translation>Ohne erprobte Vorschubzelle dauert ein Fenster höchstens 0,5 bis 600 s.</translation>
     </message>
 </context>
 <context>
@@ -2979,6 +3113,10 @@
         <source>Rights</source>
         <translation>Rechte</translation>
     </message>
+    <message>
+        <source>Stop test</source>
+        <translation>Stopp-Test</translation>
+    </message>
 </context>
 <context>
     <name>SheetTexts</name>
@@ -3337,6 +3475,25 @@
     <message>
         <source>Pause: override 0</source>
         <translation>Pause: Override 0</translation>
+    </message>
+</context>
+<context>
+    <name>StopTexts</name>
+    <message>
+        <source>That stop and pause act at once has not been tested on this control: see Stop test.</source>
+        <translation>Dass Stopp und Pause sofort wirken, ist an dieser Steuerung nicht getestet: siehe Stopp-Test.</translation>
+    </message>
+    <message>
+        <source>That stop and pause act at once was tested with another version of the server: test it again.</source>
+        <translation>Dass Stopp und Pause sofort wirken, wurde mit einer anderen Version des Servers getestet: noch einmal testen.</translation>
+    </message>
+    <message>
+        <source>This control has failed the test that stop and pause act at once.</source>
+        <translation>Diese Steuerung hat den Test, ob Stopp und Pause sofort wirken, nicht bestanden.</translation>
+    </message>
+    <message>
+        <source>That stop and pause act at once was tested without motion only: see Stop test.</source>
+        <translation>Dass Stopp und Pause sofort wirken, wurde nur ohne Bewegung getestet: siehe Stopp-Test.</translation>
     </message>
 </context>
 <context>
@@ -4668,6 +4825,18 @@ GPL-3.0-or-later</translation>
         <source>The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page comes again.</source>
         <translation>Das Werkzeug fährt gerade nach oben, um %1 auf Z %2, mit %3. Sonst bewegt sich nichts. Danach kommt diese Seite wieder.</translation>
     </message>
+    <message>
+        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box: how long that takes depends on the points.</source>
+        <translation>Nach Stopp führt die Steuerung ihr Fenster noch aus, höchstens %1 Wege im vereinbarten Quader: Wie lange das dauert, hängt von den Punkten ab.</translation>
+    </message>
+    <message>
+        <source>After Stop the control still executes its window, at most %1 in %2.</source>
+        <translation>Nach Stopp führt die Steuerung ihr Fenster noch aus, höchstens %1 in %2.</translation>
+    </message>
+    <message>
+        <source>The move of line %1 alone takes %2; it is not divided.</source>
+        <translation>Der Weg von Zeile %1 dauert allein %2; er wird nicht geteilt.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -5535,10 +5704,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::CommissioningPage</name>
     <message>
-        <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
-        <translation>Mit dem Verfahren Kredit fahren die Achsen weiter, während das nächste Fenster unterwegs ist. Sicher ist das nur an einer Steuerung, die antwortet, während ihre Achsen beschäftigt sind. Dieser Test stellt es fest: ein Programm, das keine Achse bewegt, einige Sekunden lang. Der Kanal muss im Reset sein.</translation>
-    </message>
-    <message>
         <source>First R-parameter</source>
         <translation>Erster R-Parameter</translation>
     </message>
@@ -5583,10 +5748,6 @@ GPL-3.0-or-later</translation>
         <translation>3. An der Steuerung NC-Start drücken (eine virtuelle Maschine startet von selbst).</translation>
     </message>
     <message>
-        <source>4. Numbers are sent and must come back while the control is busy.</source>
-        <translation>4. Zahlen werden gesendet und müssen zurückkommen, während die Steuerung beschäftigt ist.</translation>
-    </message>
-    <message>
         <source>Waiting for cycle start</source>
         <translation>Wartet auf NC-Start</translation>
     </message>
@@ -5595,48 +5756,56 @@ GPL-3.0-or-later</translation>
         <translation>Der Test läuft</translation>
     </message>
     <message>
-        <source>Not tested: method credit does not start on this control</source>
-        <translation>Nicht getestet: Das Verfahren Kredit startet auf dieser Steuerung nicht</translation>
-    </message>
-    <message>
         <source>Tested with another version of the server: test it again</source>
         <translation>Mit einer anderen Version des Servers getestet: bitte erneut testen</translation>
-    </message>
-    <message>
-        <source>Passed: method credit may run on this control</source>
-        <translation>Bestanden: Das Verfahren Kredit darf auf dieser Steuerung laufen</translation>
-    </message>
-    <message>
-        <source>Not passed: method credit does not start. Use method window.</source>
-        <translation>Nicht bestanden: Das Verfahren Kredit startet nicht. Verfahren Fenster wählen.</translation>
-    </message>
-    <message>
-        <source>%1, %2, tested %3; %4 of %5 answers while busy, the slowest after %6</source>
-        <translation>%1, %2, getestet %3; %4 von %5 Antworten unter Last, die langsamste nach %6</translation>
     </message>
     <message>
         <source>Confirm the R-parameters first.</source>
         <translation>Zuerst die R-Parameter bestätigen.</translation>
     </message>
     <message>
-        <source>The control answers the client while blocks wait to be executed.</source>
-        <translation>Die Steuerung antwortet dem Client, während Sätze auf ihre Ausführung warten.</translation>
+        <source>Way of the axis, mm</source>
+        <translation>Weg der Achse, mm</translation>
     </message>
     <message>
-        <source>What a synchronized action writes reaches the client.</source>
-        <translation>Was eine Synchronaktion schreibt, kommt beim Client an.</translation>
+        <source>Feed of the axis, mm/min</source>
+        <translation>Vorschub der Achse, mm/min</translation>
     </message>
     <message>
-        <source>What a synchronized action writes reaches the program without a stop.</source>
-        <translation>Was eine Synchronaktion schreibt, kommt ohne Halt beim Programm an.</translation>
+        <source>by, mm</source>
+        <translation>um, mm</translation>
     </message>
     <message>
-        <source>A synchronized action before a block is executed with that block.</source>
-        <translation>Eine Synchronaktion vor einem Satz wird mit diesem Satz ausgeführt.</translation>
+        <source>F, mm/min</source>
+        <translation>F, mm/min</translation>
     </message>
     <message>
-        <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
-        <translation>Das Programm erkennt ohne Halt, ob Sätze warten ($AC_IPO_BUF).</translation>
+        <source>Clear the way of the axis, then type %1.</source>
+        <translation>Den Weg der Achse freimachen, dann %1 eintippen.</translation>
+    </message>
+    <message>
+        <source>Nothing is in its way: %1</source>
+        <translation>Nichts ist ihr im Weg: %1</translation>
+    </message>
+    <message>
+        <source>Waiting for cycle start, once more</source>
+        <translation>Wartet noch einmal auf NC-Start</translation>
+    </message>
+    <message>
+        <source>%1, %2, tested %3; %4</source>
+        <translation>%1, %2, getestet %3; %4</translation>
+    </message>
+    <message>
+        <source>An axis moves in the air</source>
+        <translation>Eine Achse fährt in der Luft</translation>
+    </message>
+    <message>
+        <source>Axis that moves</source>
+        <translation>Achse, die fährt</translation>
+    </message>
+    <message>
+        <source>Confirm that the axis may move</source>
+        <translation>Bestätigen, dass die Achse fahren darf</translation>
     </message>
 </context>
 <context>
@@ -8619,6 +8788,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Without this computer the axes stand after, s</source>
         <translation>Ohne diesen Rechner stehen die Achsen nach, s</translation>
+    </message>
+    <message>
+        <source>Where a stop is sure to act only before the next window, because this control has not passed the test of the feed cell, no window of several moves takes longer.</source>
+        <translation>Wo ein Stopp sicher erst vor dem nächsten Fenster wirkt, weil diese Steuerung den Test der Vorschubzelle nicht bestanden hat, dauert kein Fenster aus mehreren Wegen länger.</translation>
+    </message>
+    <message>
+        <source>Without a proved feed cell a window takes at most, s</source>
+        <translation>Ohne erprobte Vorschubzelle dauert ein Fenster höchstens, s</translation>
     </message>
 </context>
 <context>

@@ -617,6 +617,53 @@
     </message>
 </context>
 <context>
+    <name>CreditTestTexts</name>
+    <message>
+        <source>%1 of %2 answers while busy, the slowest after %3</source>
+        <translation>%1 de %2 respuestas con carga, la más lenta tras %3</translation>
+    </message>
+    <message>
+        <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
+        <translation>Con el método Crédito, los ejes siguen moviéndose mientras la ventana siguiente está en camino. Solo es seguro en un control que responde mientras sus ejes están ocupados. Esta prueba lo comprueba: un programa que no mueve ningún eje, durante unos segundos. El canal debe estar en Reset.</translation>
+    </message>
+    <message>
+        <source>4. Numbers are sent and must come back while the control is busy.</source>
+        <translation>4. Se envían números que deben volver mientras el control está ocupado.</translation>
+    </message>
+    <message>
+        <source>Not tested: method credit does not start on this control</source>
+        <translation>Sin probar: el método Crédito no se inicia en este control</translation>
+    </message>
+    <message>
+        <source>Passed: method credit may run on this control</source>
+        <translation>Superada: el método Crédito está permitido en este control</translation>
+    </message>
+    <message>
+        <source>Not passed: method credit does not start. Use method window.</source>
+        <translation>No superada: el método Crédito no se inicia. Usar el método Ventana.</translation>
+    </message>
+    <message>
+        <source>The control answers the client while blocks wait to be executed.</source>
+        <translation>El control responde al cliente mientras hay secuencias esperando su ejecución.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the client.</source>
+        <translation>Lo que escribe una acción síncrona llega al cliente.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the program without a stop.</source>
+        <translation>Lo que escribe una acción síncrona llega al programa sin parada.</translation>
+    </message>
+    <message>
+        <source>A synchronized action before a block is executed with that block.</source>
+        <translation>Una acción síncrona antes de una secuencia se ejecuta con esa secuencia.</translation>
+    </message>
+    <message>
+        <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
+        <translation>El programa sabe, sin parada, si hay secuencias esperando ($AC_IPO_BUF).</translation>
+    </message>
+</context>
+<context>
     <name>DiagnosticTexts</name>
     <message>
         <source>Note</source>
@@ -1531,6 +1578,10 @@
         <source>A factor of the override is possible with methods window and credit, from 0.01 to 2, with 1 between its bounds.</source>
         <translation>Un factor del override es posible con los métodos Ventana y Crédito, de 0,01 a 2, con 1 entre sus límites.</translation>
     </message>
+    <message>
+        <source>The move of the test takes 2 to 30 s at its feed, so that it can be held on its way. Choose another length or feed.</source>
+        <translation>El recorrido de la prueba dura de 2 a 30 s con su avance, para poder detenerlo a mitad de camino. Elija otra longitud u otro avance.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1916,6 +1967,81 @@
     </message>
 </context>
 <context>
+    <name>FeedTestTexts</name>
+    <message>
+        <source>no axis was moved</source>
+        <translation>no se ha movido ningún eje</translation>
+    </message>
+    <message>
+        <source>%1 moved by %2 at %3; held, it was seen to stand after %4</source>
+        <translation>%1 se movió %2 con %3; detenido, se le vio parado tras %4</translation>
+    </message>
+    <message>
+        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves forth and back in the air and is held on its way. The channel must be in reset.</source>
+        <translation>Parada, pausa y override actúan de inmediato porque el control obedece a una celda en cada ciclo de interpolación. Esta prueba averigua si lo hace: primero sin movimiento y después, si usted está de acuerdo, con un eje que va y vuelve en el aire y se detiene a mitad de camino. El canal debe estar en reset.</translation>
+    </message>
+    <message>
+        <source>4. The override is changed while the axis moves. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
+        <translation>4. El override se cambia mientras el eje se mueve. Después pulse Marcha CN otra vez: el programa siguiente debe moverse con su propio avance, y solo el control puede pararlo.</translation>
+    </message>
+    <message>
+        <source>4. The override is changed; no axis moves.</source>
+        <translation>4. El override se cambia; ningún eje se mueve.</translation>
+    </message>
+    <message>
+        <source>Not tested: on this control a stop is sure to act only before the next window</source>
+        <translation>No probado: en este control una parada actúa con seguridad solo antes de la ventana siguiente</translation>
+    </message>
+    <message>
+        <source>Passed: stop, pause and override act at once on this control</source>
+        <translation>Superada: parada, pausa y override actúan de inmediato en este control</translation>
+    </message>
+    <message>
+        <source>Passed without motion. Whether the axes obey shows only when one moves.</source>
+        <translation>Superada sin movimiento. Si los ejes obedecen solo se ve cuando uno se mueve.</translation>
+    </message>
+    <message>
+        <source>Not passed: on this control a stop is sure to act only before the next window</source>
+        <translation>No superada: en este control una parada actúa con seguridad solo antes de la ventana siguiente</translation>
+    </message>
+    <message>
+        <source>Synchronized actions make the override that is wanted, and keep it.</source>
+        <translation>Las acciones síncronas forman el override deseado y lo mantienen.</translation>
+    </message>
+    <message>
+        <source>Without a sign of the client the override is 0.</source>
+        <translation>Sin señal de vida del cliente, el override es 0.</translation>
+    </message>
+    <message>
+        <source>At 50 % the axis takes twice as long.</source>
+        <translation>Con el 50 % el eje tarda el doble.</translation>
+    </message>
+    <message>
+        <source>At 0 % the axis stands on its way.</source>
+        <translation>Con el 0 % el eje se para a mitad de camino.</translation>
+    </message>
+    <message>
+        <source>It brakes at once when 0 % is wanted.</source>
+        <translation>Frena de inmediato cuando se pide el 0 %.</translation>
+    </message>
+    <message>
+        <source>It moves in no interpolation cycle while it is held.</source>
+        <translation>Detenido, no se mueve en ningún ciclo de interpolación.</translation>
+    </message>
+    <message>
+        <source>The synchronized actions end with their program.</source>
+        <translation>Las acciones síncronas terminan con su programa.</translation>
+    </message>
+    <message>
+        <source>The next program moves at its own feed.</source>
+        <translation>El programa siguiente se mueve con su propio avance.</translation>
+    </message>
+    <message>
+        <source>No other client writes the feed cell.</source>
+        <translation>Ningún otro cliente escribe en la celda de avance.</translation>
+    </message>
+</context>
+<context>
     <name>FileSheetTexts</name>
     <message>
         <source>%1 is already there. Replace it?</source>
@@ -2246,6 +2372,10 @@
         <source>Not reachable: no answer %1 ago</source>
         <translation>No accesible: sin respuesta hace %1</translation>
     </message>
+    <message>
+        <source>test of the feed cell</source>
+        <translation>prueba de la celda de avance</translation>
+    </message>
 </context>
 <context>
     <name>MachinesTexts</name>
@@ -2466,6 +2596,10 @@
     <message>
         <source>Without this computer the axes stand after 0.2 to 60 s; 0: not at all.</source>
         <translation>Sin este ordenador, los ejes se detienen tras 0,2 a 60 s; 0: nunca.</translation>
+    </message>
+    <message>
+        <source>Without a proved feed cell a window takes at most 0.5 to 600 s.</source>
+        <translation>Sin celda de avance probada, una ventana dura como máximo de 0,5 a 600 s.</translation>
     </message>
 </context>
 <context>
@@ -2979,6 +3113,10 @@
         <source>Rights</source>
         <translation>Derechos</translation>
     </message>
+    <message>
+        <source>Stop test</source>
+        <translation>Prueba parada</translation>
+    </message>
 </context>
 <context>
     <name>SheetTexts</name>
@@ -3337,6 +3475,25 @@
     <message>
         <source>Pause: override 0</source>
         <translation>Pausa: override 0</translation>
+    </message>
+</context>
+<context>
+    <name>StopTexts</name>
+    <message>
+        <source>That stop and pause act at once has not been tested on this control: see Stop test.</source>
+        <translation>Que parada y pausa actúan de inmediato no se ha probado en este control: véase Prueba parada.</translation>
+    </message>
+    <message>
+        <source>That stop and pause act at once was tested with another version of the server: test it again.</source>
+        <translation>Que parada y pausa actúan de inmediato se probó con otra versión del servidor: pruébelo otra vez.</translation>
+    </message>
+    <message>
+        <source>This control has failed the test that stop and pause act at once.</source>
+        <translation>Este control no ha superado la prueba de que parada y pausa actúan de inmediato.</translation>
+    </message>
+    <message>
+        <source>That stop and pause act at once was tested without motion only: see Stop test.</source>
+        <translation>Que parada y pausa actúan de inmediato se probó solo sin movimiento: véase Prueba parada.</translation>
     </message>
 </context>
 <context>
@@ -4668,6 +4825,18 @@ GPL-3.0-or-later</translation>
         <source>The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page comes again.</source>
         <translation>La herramienta sube en línea recta %1 hasta Z %2, a %3. No se mueve nada más. Después vuelve esta página.</translation>
     </message>
+    <message>
+        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box: how long that takes depends on the points.</source>
+        <translation>Después de Parada el control ejecuta aún su ventana, como máximo %1 movimientos dentro de la caja acordada: cuánto dura depende de los puntos.</translation>
+    </message>
+    <message>
+        <source>After Stop the control still executes its window, at most %1 in %2.</source>
+        <translation>Después de Parada el control ejecuta aún su ventana, como máximo %1 en %2.</translation>
+    </message>
+    <message>
+        <source>The move of line %1 alone takes %2; it is not divided.</source>
+        <translation>El movimiento de la línea %1 dura por sí solo %2; no se divide.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -5535,10 +5704,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::CommissioningPage</name>
     <message>
-        <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
-        <translation>Con el método Crédito, los ejes siguen moviéndose mientras la ventana siguiente está en camino. Solo es seguro en un control que responde mientras sus ejes están ocupados. Esta prueba lo comprueba: un programa que no mueve ningún eje, durante unos segundos. El canal debe estar en Reset.</translation>
-    </message>
-    <message>
         <source>First R-parameter</source>
         <translation>Primer parámetro R</translation>
     </message>
@@ -5583,10 +5748,6 @@ GPL-3.0-or-later</translation>
         <translation>3. Pulsar Marcha CN en el control (una máquina virtual arranca sola).</translation>
     </message>
     <message>
-        <source>4. Numbers are sent and must come back while the control is busy.</source>
-        <translation>4. Se envían números que deben volver mientras el control está ocupado.</translation>
-    </message>
-    <message>
         <source>Waiting for cycle start</source>
         <translation>Esperando Marcha CN</translation>
     </message>
@@ -5595,48 +5756,56 @@ GPL-3.0-or-later</translation>
         <translation>La prueba está en curso</translation>
     </message>
     <message>
-        <source>Not tested: method credit does not start on this control</source>
-        <translation>Sin probar: el método Crédito no se inicia en este control</translation>
-    </message>
-    <message>
         <source>Tested with another version of the server: test it again</source>
         <translation>Probado con otra versión del servidor: repetir la prueba</translation>
     </message>
     <message>
-        <source>Passed: method credit may run on this control</source>
-        <translation>Superada: el método Crédito está permitido en este control</translation>
-    </message>
-    <message>
-        <source>Not passed: method credit does not start. Use method window.</source>
-        <translation>No superada: el método Crédito no se inicia. Usar el método Ventana.</translation>
-    </message>
-    <message>
-        <source>%1, %2, tested %3; %4 of %5 answers while busy, the slowest after %6</source>
-        <translation>%1, %2, probado el %3; %4 de %5 respuestas con carga, la más lenta tras %6</translation>
-    </message>
-    <message>
-        <source>The control answers the client while blocks wait to be executed.</source>
-        <translation>El control responde al cliente mientras hay secuencias esperando su ejecución.</translation>
-    </message>
-    <message>
-        <source>What a synchronized action writes reaches the client.</source>
-        <translation>Lo que escribe una acción síncrona llega al cliente.</translation>
-    </message>
-    <message>
-        <source>What a synchronized action writes reaches the program without a stop.</source>
-        <translation>Lo que escribe una acción síncrona llega al programa sin parada.</translation>
-    </message>
-    <message>
-        <source>A synchronized action before a block is executed with that block.</source>
-        <translation>Una acción síncrona antes de una secuencia se ejecuta con esa secuencia.</translation>
-    </message>
-    <message>
-        <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
-        <translation>El programa sabe, sin parada, si hay secuencias esperando ($AC_IPO_BUF).</translation>
-    </message>
-    <message>
         <source>Confirm the R-parameters first.</source>
         <translation>Confirmar primero los parámetros R.</translation>
+    </message>
+    <message>
+        <source>Way of the axis, mm</source>
+        <translation>Recorrido del eje, mm</translation>
+    </message>
+    <message>
+        <source>Feed of the axis, mm/min</source>
+        <translation>Avance del eje, mm/min</translation>
+    </message>
+    <message>
+        <source>by, mm</source>
+        <translation>en, mm</translation>
+    </message>
+    <message>
+        <source>F, mm/min</source>
+        <translation>F, mm/min</translation>
+    </message>
+    <message>
+        <source>Clear the way of the axis, then type %1.</source>
+        <translation>Despeje el camino del eje y escriba %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is in its way: %1</source>
+        <translation>Nada está en su camino: %1</translation>
+    </message>
+    <message>
+        <source>Waiting for cycle start, once more</source>
+        <translation>Esperando Marcha CN otra vez</translation>
+    </message>
+    <message>
+        <source>%1, %2, tested %3; %4</source>
+        <translation>%1, %2, probado el %3; %4</translation>
+    </message>
+    <message>
+        <source>An axis moves in the air</source>
+        <translation>Un eje se mueve en el aire</translation>
+    </message>
+    <message>
+        <source>Axis that moves</source>
+        <translation>Eje que se mueve</translation>
+    </message>
+    <message>
+        <source>Confirm that the axis may move</source>
+        <translation>Confirmar que el eje puede moverse</translation>
     </message>
 </context>
 <context>
@@ -8619,6 +8788,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Without this computer the axes stand after, s</source>
         <translation>Sin este ordenador, los ejes se detienen tras, s</translation>
+    </message>
+    <message>
+        <source>Where a stop is sure to act only before the next window, because this control has not passed the test of the feed cell, no window of several moves takes longer.</source>
+        <translation>Donde una parada actúa con seguridad solo antes de la ventana siguiente, porque este control no ha superado la prueba de la celda de avance, ninguna ventana de varios movimientos dura más.</translation>
+    </message>
+    <message>
+        <source>Without a proved feed cell a window takes at most, s</source>
+        <translation>Sin celda de avance probada, una ventana dura como máximo, s</translation>
     </message>
 </context>
 <context>

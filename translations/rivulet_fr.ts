@@ -617,6 +617,53 @@
     </message>
 </context>
 <context>
+    <name>CreditTestTexts</name>
+    <message>
+        <source>%1 of %2 answers while busy, the slowest after %3</source>
+        <translation>%1 réponses sur %2 en charge, la plus lente après %3</translation>
+    </message>
+    <message>
+        <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
+        <translation>Avec la méthode Crédit, les axes continuent pendant que la fenêtre suivante est en route. Cela n’est sûr que sur une commande qui répond pendant que ses axes sont occupés. Ce test le vérifie&#xa0;: un programme qui ne déplace aucun axe, pendant quelques secondes. Le canal doit être en Reset.</translation>
+    </message>
+    <message>
+        <source>4. Numbers are sent and must come back while the control is busy.</source>
+        <translation>4. Des nombres sont envoyés et doivent revenir pendant que la commande est occupée.</translation>
+    </message>
+    <message>
+        <source>Not tested: method credit does not start on this control</source>
+        <translation>Non testé&#xa0;: la méthode Crédit ne démarre pas sur cette commande</translation>
+    </message>
+    <message>
+        <source>Passed: method credit may run on this control</source>
+        <translation>Réussi&#xa0;: la méthode Crédit est permise sur cette commande</translation>
+    </message>
+    <message>
+        <source>Not passed: method credit does not start. Use method window.</source>
+        <translation>Échoué&#xa0;: la méthode Crédit ne démarre pas. Utiliser la méthode Fenêtre.</translation>
+    </message>
+    <message>
+        <source>The control answers the client while blocks wait to be executed.</source>
+        <translation>La commande répond au client pendant que des blocs attendent d’être exécutés.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the client.</source>
+        <translation>Ce qu’écrit une action synchrone parvient au client.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the program without a stop.</source>
+        <translation>Ce qu’écrit une action synchrone parvient au programme sans arrêt.</translation>
+    </message>
+    <message>
+        <source>A synchronized action before a block is executed with that block.</source>
+        <translation>Une action synchrone placée avant un bloc est exécutée avec ce bloc.</translation>
+    </message>
+    <message>
+        <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
+        <translation>Le programme sait, sans arrêt, si des blocs attendent ($AC_IPO_BUF).</translation>
+    </message>
+</context>
+<context>
     <name>DiagnosticTexts</name>
     <message>
         <source>Note</source>
@@ -1531,6 +1578,10 @@
         <source>A factor of the override is possible with methods window and credit, from 0.01 to 2, with 1 between its bounds.</source>
         <translation>Un facteur de l’override est possible avec les méthodes Fenêtre et Crédit, de 0,01 à 2, avec 1 entre ses limites.</translation>
     </message>
+    <message>
+        <source>The move of the test takes 2 to 30 s at its feed, so that it can be held on its way. Choose another length or feed.</source>
+        <translation>Le déplacement du test dure de 2 à 30 s à son avance, afin de pouvoir être arrêté en chemin. Choisissez une autre longueur ou une autre avance.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1916,6 +1967,81 @@
     </message>
 </context>
 <context>
+    <name>FeedTestTexts</name>
+    <message>
+        <source>no axis was moved</source>
+        <translation>aucun axe n’a été déplacé</translation>
+    </message>
+    <message>
+        <source>%1 moved by %2 at %3; held, it was seen to stand after %4</source>
+        <translation>%1 déplacé de %2 à %3&#xa0;; arrêté, il était immobile après %4</translation>
+    </message>
+    <message>
+        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves forth and back in the air and is held on its way. The channel must be in reset.</source>
+        <translation>Arrêt, pause et override agissent aussitôt parce que la commande obéit à une cellule à chaque cycle d’interpolation. Ce test établit si elle le fait&#xa0;: d’abord sans mouvement puis, si vous êtes d’accord, avec un axe qui va et vient dans l’air et qui est arrêté en chemin. Le canal doit être en reset.</translation>
+    </message>
+    <message>
+        <source>4. The override is changed while the axis moves. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
+        <translation>4. L’override est modifié pendant que l’axe se déplace. Appuyez ensuite encore une fois sur Départ cycle&#xa0;: le programme suivant doit se déplacer à sa propre avance, et seule la commande peut l’arrêter.</translation>
+    </message>
+    <message>
+        <source>4. The override is changed; no axis moves.</source>
+        <translation>4. L’override est modifié&#xa0;; aucun axe ne se déplace.</translation>
+    </message>
+    <message>
+        <source>Not tested: on this control a stop is sure to act only before the next window</source>
+        <translation>Non testé&#xa0;: sur cette commande, un arrêt n’agit avec certitude qu’avant la fenêtre suivante</translation>
+    </message>
+    <message>
+        <source>Passed: stop, pause and override act at once on this control</source>
+        <translation>Réussi&#xa0;: arrêt, pause et override agissent aussitôt sur cette commande</translation>
+    </message>
+    <message>
+        <source>Passed without motion. Whether the axes obey shows only when one moves.</source>
+        <translation>Réussi sans mouvement. Si les axes obéissent ne se voit que lorsqu’un axe se déplace.</translation>
+    </message>
+    <message>
+        <source>Not passed: on this control a stop is sure to act only before the next window</source>
+        <translation>Non réussi&#xa0;: sur cette commande, un arrêt n’agit avec certitude qu’avant la fenêtre suivante</translation>
+    </message>
+    <message>
+        <source>Synchronized actions make the override that is wanted, and keep it.</source>
+        <translation>Les actions synchrones forment l’override voulu et le maintiennent.</translation>
+    </message>
+    <message>
+        <source>Without a sign of the client the override is 0.</source>
+        <translation>Sans signe de vie du client, l’override est 0.</translation>
+    </message>
+    <message>
+        <source>At 50 % the axis takes twice as long.</source>
+        <translation>À 50 %, l’axe met deux fois plus de temps.</translation>
+    </message>
+    <message>
+        <source>At 0 % the axis stands on its way.</source>
+        <translation>À 0 %, l’axe s’arrête en chemin.</translation>
+    </message>
+    <message>
+        <source>It brakes at once when 0 % is wanted.</source>
+        <translation>Il freine aussitôt que 0 % est demandé.</translation>
+    </message>
+    <message>
+        <source>It moves in no interpolation cycle while it is held.</source>
+        <translation>Arrêté, il ne bouge à aucun cycle d’interpolation.</translation>
+    </message>
+    <message>
+        <source>The synchronized actions end with their program.</source>
+        <translation>Les actions synchrones se terminent avec leur programme.</translation>
+    </message>
+    <message>
+        <source>The next program moves at its own feed.</source>
+        <translation>Le programme suivant se déplace à sa propre avance.</translation>
+    </message>
+    <message>
+        <source>No other client writes the feed cell.</source>
+        <translation>Aucun autre client n’écrit dans la cellule d’avance.</translation>
+    </message>
+</context>
+<context>
     <name>FileSheetTexts</name>
     <message>
         <source>%1 is already there. Replace it?</source>
@@ -2246,6 +2372,10 @@
         <source>Not reachable: no answer %1 ago</source>
         <translation>Injoignable&#xa0;: pas de réponse il y a %1</translation>
     </message>
+    <message>
+        <source>test of the feed cell</source>
+        <translation>test de la cellule d’avance</translation>
+    </message>
 </context>
 <context>
     <name>MachinesTexts</name>
@@ -2466,6 +2596,10 @@
     <message>
         <source>Without this computer the axes stand after 0.2 to 60 s; 0: not at all.</source>
         <translation>Sans cet ordinateur, les axes s&apos;arrêtent après 0,2 à 60 s ; 0 : jamais.</translation>
+    </message>
+    <message>
+        <source>Without a proved feed cell a window takes at most 0.5 to 600 s.</source>
+        <translation>Sans cellule d’avance éprouvée, une fenêtre dure au plus 0,5 à 600 s.</translation>
     </message>
 </context>
 <context>
@@ -2979,6 +3113,10 @@
         <source>Rights</source>
         <translation>Droits</translation>
     </message>
+    <message>
+        <source>Stop test</source>
+        <translation>Test arrêt</translation>
+    </message>
 </context>
 <context>
     <name>SheetTexts</name>
@@ -3337,6 +3475,25 @@
     <message>
         <source>Pause: override 0</source>
         <translation>Pause : correction 0</translation>
+    </message>
+</context>
+<context>
+    <name>StopTexts</name>
+    <message>
+        <source>That stop and pause act at once has not been tested on this control: see Stop test.</source>
+        <translation>Que l’arrêt et la pause agissent aussitôt n’a pas été testé sur cette commande&#xa0;: voir Test arrêt.</translation>
+    </message>
+    <message>
+        <source>That stop and pause act at once was tested with another version of the server: test it again.</source>
+        <translation>Que l’arrêt et la pause agissent aussitôt a été testé avec une autre version du serveur&#xa0;: testez de nouveau.</translation>
+    </message>
+    <message>
+        <source>This control has failed the test that stop and pause act at once.</source>
+        <translation>Cette commande n’a pas réussi le test vérifiant que l’arrêt et la pause agissent aussitôt.</translation>
+    </message>
+    <message>
+        <source>That stop and pause act at once was tested without motion only: see Stop test.</source>
+        <translation>Que l’arrêt et la pause agissent aussitôt n’a été testé que sans mouvement&#xa0;: voir Test arrêt.</translation>
     </message>
 </context>
 <context>
@@ -4668,6 +4825,18 @@ GPL-3.0-or-later</translation>
         <source>The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page comes again.</source>
         <translation>L&apos;outil monte tout droit de %1 jusqu&apos;à Z %2, à %3. Rien d&apos;autre ne bouge. Ensuite cette page revient.</translation>
     </message>
+    <message>
+        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box: how long that takes depends on the points.</source>
+        <translation>Après Arrêt, la commande exécute encore sa fenêtre, au plus %1 déplacements dans la boîte convenue&#xa0;: la durée dépend des points.</translation>
+    </message>
+    <message>
+        <source>After Stop the control still executes its window, at most %1 in %2.</source>
+        <translation>Après Arrêt, la commande exécute encore sa fenêtre, au plus %1 en %2.</translation>
+    </message>
+    <message>
+        <source>The move of line %1 alone takes %2; it is not divided.</source>
+        <translation>Le déplacement de la ligne %1 dure à lui seul %2&#xa0;; il n’est pas divisé.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -5535,10 +5704,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::CommissioningPage</name>
     <message>
-        <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
-        <translation>Avec la méthode Crédit, les axes continuent pendant que la fenêtre suivante est en route. Cela n’est sûr que sur une commande qui répond pendant que ses axes sont occupés. Ce test le vérifie&#xa0;: un programme qui ne déplace aucun axe, pendant quelques secondes. Le canal doit être en Reset.</translation>
-    </message>
-    <message>
         <source>First R-parameter</source>
         <translation>Premier paramètre R</translation>
     </message>
@@ -5583,10 +5748,6 @@ GPL-3.0-or-later</translation>
         <translation>3. Appuyer sur Départ cycle sur la commande (une machine virtuelle démarre seule).</translation>
     </message>
     <message>
-        <source>4. Numbers are sent and must come back while the control is busy.</source>
-        <translation>4. Des nombres sont envoyés et doivent revenir pendant que la commande est occupée.</translation>
-    </message>
-    <message>
         <source>Waiting for cycle start</source>
         <translation>Attend Départ cycle</translation>
     </message>
@@ -5595,48 +5756,56 @@ GPL-3.0-or-later</translation>
         <translation>Le test est en cours</translation>
     </message>
     <message>
-        <source>Not tested: method credit does not start on this control</source>
-        <translation>Non testé&#xa0;: la méthode Crédit ne démarre pas sur cette commande</translation>
-    </message>
-    <message>
         <source>Tested with another version of the server: test it again</source>
         <translation>Testé avec une autre version du serveur&#xa0;: refaire le test</translation>
     </message>
     <message>
-        <source>Passed: method credit may run on this control</source>
-        <translation>Réussi&#xa0;: la méthode Crédit est permise sur cette commande</translation>
-    </message>
-    <message>
-        <source>Not passed: method credit does not start. Use method window.</source>
-        <translation>Échoué&#xa0;: la méthode Crédit ne démarre pas. Utiliser la méthode Fenêtre.</translation>
-    </message>
-    <message>
-        <source>%1, %2, tested %3; %4 of %5 answers while busy, the slowest after %6</source>
-        <translation>%1, %2, testé le %3&#xa0;; %4 réponses sur %5 en charge, la plus lente après %6</translation>
-    </message>
-    <message>
-        <source>The control answers the client while blocks wait to be executed.</source>
-        <translation>La commande répond au client pendant que des blocs attendent d’être exécutés.</translation>
-    </message>
-    <message>
-        <source>What a synchronized action writes reaches the client.</source>
-        <translation>Ce qu’écrit une action synchrone parvient au client.</translation>
-    </message>
-    <message>
-        <source>What a synchronized action writes reaches the program without a stop.</source>
-        <translation>Ce qu’écrit une action synchrone parvient au programme sans arrêt.</translation>
-    </message>
-    <message>
-        <source>A synchronized action before a block is executed with that block.</source>
-        <translation>Une action synchrone placée avant un bloc est exécutée avec ce bloc.</translation>
-    </message>
-    <message>
-        <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
-        <translation>Le programme sait, sans arrêt, si des blocs attendent ($AC_IPO_BUF).</translation>
-    </message>
-    <message>
         <source>Confirm the R-parameters first.</source>
         <translation>Confirmer d’abord les paramètres R.</translation>
+    </message>
+    <message>
+        <source>Way of the axis, mm</source>
+        <translation>Course de l’axe, mm</translation>
+    </message>
+    <message>
+        <source>Feed of the axis, mm/min</source>
+        <translation>Avance de l’axe, mm/min</translation>
+    </message>
+    <message>
+        <source>by, mm</source>
+        <translation>de, mm</translation>
+    </message>
+    <message>
+        <source>F, mm/min</source>
+        <translation>F, mm/min</translation>
+    </message>
+    <message>
+        <source>Clear the way of the axis, then type %1.</source>
+        <translation>Dégagez la course de l’axe, puis tapez %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is in its way: %1</source>
+        <translation>Rien n’est sur son chemin&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Waiting for cycle start, once more</source>
+        <translation>Attend encore une fois Départ cycle</translation>
+    </message>
+    <message>
+        <source>%1, %2, tested %3; %4</source>
+        <translation>%1, %2, testé le %3&#xa0;; %4</translation>
+    </message>
+    <message>
+        <source>An axis moves in the air</source>
+        <translation>Un axe se déplace dans l’air</translation>
+    </message>
+    <message>
+        <source>Axis that moves</source>
+        <translation>Axe qui se déplace</translation>
+    </message>
+    <message>
+        <source>Confirm that the axis may move</source>
+        <translation>Confirmer que l’axe peut se déplacer</translation>
     </message>
 </context>
 <context>
@@ -8619,6 +8788,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Without this computer the axes stand after, s</source>
         <translation>Sans cet ordinateur, les axes s&apos;arrêtent après, s</translation>
+    </message>
+    <message>
+        <source>Where a stop is sure to act only before the next window, because this control has not passed the test of the feed cell, no window of several moves takes longer.</source>
+        <translation>Là où un arrêt n’agit avec certitude qu’avant la fenêtre suivante, parce que cette commande n’a pas réussi le test de la cellule d’avance, aucune fenêtre de plusieurs déplacements ne dure plus longtemps.</translation>
+    </message>
+    <message>
+        <source>Without a proved feed cell a window takes at most, s</source>
+        <translation>Sans cellule d’avance éprouvée, une fenêtre dure au plus, s</translation>
     </message>
 </context>
 <context>

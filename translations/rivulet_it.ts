@@ -617,6 +617,53 @@
     </message>
 </context>
 <context>
+    <name>CreditTestTexts</name>
+    <message>
+        <source>%1 of %2 answers while busy, the slowest after %3</source>
+        <translation>%1 risposte su %2 sotto carico, la più lenta dopo %3</translation>
+    </message>
+    <message>
+        <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
+        <translation>Con il metodo Credito gli assi proseguono mentre la finestra successiva è in arrivo. È sicuro solo su un controllo che risponde mentre i suoi assi sono occupati. Questo test lo verifica: un programma che non muove alcun asse, per pochi secondi. Il canale deve essere in Reset.</translation>
+    </message>
+    <message>
+        <source>4. Numbers are sent and must come back while the control is busy.</source>
+        <translation>4. Vengono inviati numeri che devono tornare mentre il controllo è occupato.</translation>
+    </message>
+    <message>
+        <source>Not tested: method credit does not start on this control</source>
+        <translation>Non testato: il metodo Credito non si avvia su questo controllo</translation>
+    </message>
+    <message>
+        <source>Passed: method credit may run on this control</source>
+        <translation>Superato: il metodo Credito è ammesso su questo controllo</translation>
+    </message>
+    <message>
+        <source>Not passed: method credit does not start. Use method window.</source>
+        <translation>Non superato: il metodo Credito non si avvia. Usare il metodo Finestra.</translation>
+    </message>
+    <message>
+        <source>The control answers the client while blocks wait to be executed.</source>
+        <translation>Il controllo risponde al client mentre dei blocchi attendono l’esecuzione.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the client.</source>
+        <translation>Ciò che scrive un’azione sincrona arriva al client.</translation>
+    </message>
+    <message>
+        <source>What a synchronized action writes reaches the program without a stop.</source>
+        <translation>Ciò che scrive un’azione sincrona arriva al programma senza arresto.</translation>
+    </message>
+    <message>
+        <source>A synchronized action before a block is executed with that block.</source>
+        <translation>Un’azione sincrona prima di un blocco viene eseguita con quel blocco.</translation>
+    </message>
+    <message>
+        <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
+        <translation>Il programma sa, senza arresto, se dei blocchi sono in attesa ($AC_IPO_BUF).</translation>
+    </message>
+</context>
+<context>
     <name>DiagnosticTexts</name>
     <message>
         <source>Note</source>
@@ -1531,6 +1578,10 @@
         <source>A factor of the override is possible with methods window and credit, from 0.01 to 2, with 1 between its bounds.</source>
         <translation>Un fattore dell’override è possibile con i metodi Finestra e Credito, da 0,01 a 2, con 1 tra i suoi limiti.</translation>
     </message>
+    <message>
+        <source>The move of the test takes 2 to 30 s at its feed, so that it can be held on its way. Choose another length or feed.</source>
+        <translation>Il movimento della prova dura da 2 a 30 s al suo avanzamento, per poter essere fermato lungo il percorso. Scegliere un&apos;altra lunghezza o un altro avanzamento.</translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -1916,6 +1967,81 @@
     </message>
 </context>
 <context>
+    <name>FeedTestTexts</name>
+    <message>
+        <source>no axis was moved</source>
+        <translation>nessun asse è stato mosso</translation>
+    </message>
+    <message>
+        <source>%1 moved by %2 at %3; held, it was seen to stand after %4</source>
+        <translation>%1 mosso di %2 a %3; fermato, era fermo dopo %4</translation>
+    </message>
+    <message>
+        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves forth and back in the air and is held on its way. The channel must be in reset.</source>
+        <translation>Stop, pausa e override agiscono subito perché il controllo obbedisce a una cella in ogni ciclo di interpolazione. Questa prova accerta se lo fa: prima senza movimento, poi, se si è d&apos;accordo, con un asse che va e torna in aria e viene fermato lungo il percorso. Il canale deve essere in reset.</translation>
+    </message>
+    <message>
+        <source>4. The override is changed while the axis moves. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
+        <translation>4. L&apos;override viene cambiato mentre l&apos;asse si muove. Poi premere ancora una volta Start NC: il programma successivo deve muoversi con il proprio avanzamento, e solo il controllo può fermarlo.</translation>
+    </message>
+    <message>
+        <source>4. The override is changed; no axis moves.</source>
+        <translation>4. L&apos;override viene cambiato; nessun asse si muove.</translation>
+    </message>
+    <message>
+        <source>Not tested: on this control a stop is sure to act only before the next window</source>
+        <translation>Non provato: su questo controllo uno stop agisce con certezza solo prima della finestra successiva</translation>
+    </message>
+    <message>
+        <source>Passed: stop, pause and override act at once on this control</source>
+        <translation>Superata: stop, pausa e override agiscono subito su questo controllo</translation>
+    </message>
+    <message>
+        <source>Passed without motion. Whether the axes obey shows only when one moves.</source>
+        <translation>Superata senza movimento. Se gli assi obbediscono si vede solo quando uno si muove.</translation>
+    </message>
+    <message>
+        <source>Not passed: on this control a stop is sure to act only before the next window</source>
+        <translation>Non superata: su questo controllo uno stop agisce con certezza solo prima della finestra successiva</translation>
+    </message>
+    <message>
+        <source>Synchronized actions make the override that is wanted, and keep it.</source>
+        <translation>Le azioni sincrone formano l&apos;override voluto e lo mantengono.</translation>
+    </message>
+    <message>
+        <source>Without a sign of the client the override is 0.</source>
+        <translation>Senza segni di vita del client l&apos;override è 0.</translation>
+    </message>
+    <message>
+        <source>At 50 % the axis takes twice as long.</source>
+        <translation>Al 50 % l&apos;asse impiega il doppio del tempo.</translation>
+    </message>
+    <message>
+        <source>At 0 % the axis stands on its way.</source>
+        <translation>Allo 0 % l&apos;asse si ferma lungo il percorso.</translation>
+    </message>
+    <message>
+        <source>It brakes at once when 0 % is wanted.</source>
+        <translation>Frena subito quando si chiede lo 0 %.</translation>
+    </message>
+    <message>
+        <source>It moves in no interpolation cycle while it is held.</source>
+        <translation>Fermato, non si muove in nessun ciclo di interpolazione.</translation>
+    </message>
+    <message>
+        <source>The synchronized actions end with their program.</source>
+        <translation>Le azioni sincrone terminano con il loro programma.</translation>
+    </message>
+    <message>
+        <source>The next program moves at its own feed.</source>
+        <translation>Il programma successivo si muove con il proprio avanzamento.</translation>
+    </message>
+    <message>
+        <source>No other client writes the feed cell.</source>
+        <translation>Nessun altro client scrive nella cella di avanzamento.</translation>
+    </message>
+</context>
+<context>
     <name>FileSheetTexts</name>
     <message>
         <source>%1 is already there. Replace it?</source>
@@ -2246,6 +2372,10 @@
         <source>Not reachable: no answer %1 ago</source>
         <translation>Non raggiungibile: nessuna risposta %1 fa</translation>
     </message>
+    <message>
+        <source>test of the feed cell</source>
+        <translation>prova della cella di avanzamento</translation>
+    </message>
 </context>
 <context>
     <name>MachinesTexts</name>
@@ -2466,6 +2596,10 @@
     <message>
         <source>Without this computer the axes stand after 0.2 to 60 s; 0: not at all.</source>
         <translation>Senza questo computer gli assi si fermano dopo 0,2 - 60 s; 0: mai.</translation>
+    </message>
+    <message>
+        <source>Without a proved feed cell a window takes at most 0.5 to 600 s.</source>
+        <translation>Senza cella di avanzamento provata una finestra dura al massimo da 0,5 a 600 s.</translation>
     </message>
 </context>
 <context>
@@ -2979,6 +3113,10 @@
         <source>Rights</source>
         <translation>Diritti</translation>
     </message>
+    <message>
+        <source>Stop test</source>
+        <translation>Test stop</translation>
+    </message>
 </context>
 <context>
     <name>SheetTexts</name>
@@ -3337,6 +3475,25 @@
     <message>
         <source>Pause: override 0</source>
         <translation>Pausa: override 0</translation>
+    </message>
+</context>
+<context>
+    <name>StopTexts</name>
+    <message>
+        <source>That stop and pause act at once has not been tested on this control: see Stop test.</source>
+        <translation>Che stop e pausa agiscano subito non è stato provato su questo controllo: vedere Test stop.</translation>
+    </message>
+    <message>
+        <source>That stop and pause act at once was tested with another version of the server: test it again.</source>
+        <translation>Che stop e pausa agiscano subito è stato provato con un&apos;altra versione del server: provarlo di nuovo.</translation>
+    </message>
+    <message>
+        <source>This control has failed the test that stop and pause act at once.</source>
+        <translation>Questo controllo non ha superato la prova che stop e pausa agiscano subito.</translation>
+    </message>
+    <message>
+        <source>That stop and pause act at once was tested without motion only: see Stop test.</source>
+        <translation>Che stop e pausa agiscano subito è stato provato solo senza movimento: vedere Test stop.</translation>
     </message>
 </context>
 <context>
@@ -4668,6 +4825,18 @@ GPL-3.0-or-later</translation>
         <source>The tool goes straight up by %1 to Z %2, at %3. Nothing else moves. Then this page comes again.</source>
         <translation>L&apos;utensile sale diritto di %1 fino a Z %2, a %3. Nient&apos;altro si muove. Poi torna questa pagina.</translation>
     </message>
+    <message>
+        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box: how long that takes depends on the points.</source>
+        <translation>Dopo Stop il controllo esegue ancora la sua finestra, al massimo %1 movimenti entro la scatola concordata: quanto dura dipende dai punti.</translation>
+    </message>
+    <message>
+        <source>After Stop the control still executes its window, at most %1 in %2.</source>
+        <translation>Dopo Stop il controllo esegue ancora la sua finestra, al massimo %1 in %2.</translation>
+    </message>
+    <message>
+        <source>The move of line %1 alone takes %2; it is not divided.</source>
+        <translation>Il movimento della riga %1 da solo dura %2; non viene diviso.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -5535,10 +5704,6 @@ GPL-3.0-or-later</translation>
 <context>
     <name>rivulet::widgets::CommissioningPage</name>
     <message>
-        <source>Method credit lets the axes move on while the next window is on its way. That is safe only on a control that answers while its axes are busy. This test finds out: a program that moves no axis, for a few seconds. The channel must be in reset.</source>
-        <translation>Con il metodo Credito gli assi proseguono mentre la finestra successiva è in arrivo. È sicuro solo su un controllo che risponde mentre i suoi assi sono occupati. Questo test lo verifica: un programma che non muove alcun asse, per pochi secondi. Il canale deve essere in Reset.</translation>
-    </message>
-    <message>
         <source>First R-parameter</source>
         <translation>Primo parametro R</translation>
     </message>
@@ -5583,10 +5748,6 @@ GPL-3.0-or-later</translation>
         <translation>3. Premere Start NC sul controllo (una macchina virtuale parte da sola).</translation>
     </message>
     <message>
-        <source>4. Numbers are sent and must come back while the control is busy.</source>
-        <translation>4. Vengono inviati numeri che devono tornare mentre il controllo è occupato.</translation>
-    </message>
-    <message>
         <source>Waiting for cycle start</source>
         <translation>Attende Start NC</translation>
     </message>
@@ -5595,48 +5756,56 @@ GPL-3.0-or-later</translation>
         <translation>Il test è in corso</translation>
     </message>
     <message>
-        <source>Not tested: method credit does not start on this control</source>
-        <translation>Non testato: il metodo Credito non si avvia su questo controllo</translation>
-    </message>
-    <message>
         <source>Tested with another version of the server: test it again</source>
         <translation>Testato con un’altra versione del server: ripetere il test</translation>
     </message>
     <message>
-        <source>Passed: method credit may run on this control</source>
-        <translation>Superato: il metodo Credito è ammesso su questo controllo</translation>
-    </message>
-    <message>
-        <source>Not passed: method credit does not start. Use method window.</source>
-        <translation>Non superato: il metodo Credito non si avvia. Usare il metodo Finestra.</translation>
-    </message>
-    <message>
-        <source>%1, %2, tested %3; %4 of %5 answers while busy, the slowest after %6</source>
-        <translation>%1, %2, testato il %3; %4 risposte su %5 sotto carico, la più lenta dopo %6</translation>
-    </message>
-    <message>
-        <source>The control answers the client while blocks wait to be executed.</source>
-        <translation>Il controllo risponde al client mentre dei blocchi attendono l’esecuzione.</translation>
-    </message>
-    <message>
-        <source>What a synchronized action writes reaches the client.</source>
-        <translation>Ciò che scrive un’azione sincrona arriva al client.</translation>
-    </message>
-    <message>
-        <source>What a synchronized action writes reaches the program without a stop.</source>
-        <translation>Ciò che scrive un’azione sincrona arriva al programma senza arresto.</translation>
-    </message>
-    <message>
-        <source>A synchronized action before a block is executed with that block.</source>
-        <translation>Un’azione sincrona prima di un blocco viene eseguita con quel blocco.</translation>
-    </message>
-    <message>
-        <source>The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).</source>
-        <translation>Il programma sa, senza arresto, se dei blocchi sono in attesa ($AC_IPO_BUF).</translation>
-    </message>
-    <message>
         <source>Confirm the R-parameters first.</source>
         <translation>Prima confermare i parametri R.</translation>
+    </message>
+    <message>
+        <source>Way of the axis, mm</source>
+        <translation>Corsa dell&apos;asse, mm</translation>
+    </message>
+    <message>
+        <source>Feed of the axis, mm/min</source>
+        <translation>Avanzamento dell&apos;asse, mm/min</translation>
+    </message>
+    <message>
+        <source>by, mm</source>
+        <translation>di, mm</translation>
+    </message>
+    <message>
+        <source>F, mm/min</source>
+        <translation>F, mm/min</translation>
+    </message>
+    <message>
+        <source>Clear the way of the axis, then type %1.</source>
+        <translation>Liberare la corsa dell&apos;asse, poi digitare %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is in its way: %1</source>
+        <translation>Niente è sulla sua corsa: %1</translation>
+    </message>
+    <message>
+        <source>Waiting for cycle start, once more</source>
+        <translation>Attende ancora una volta Start NC</translation>
+    </message>
+    <message>
+        <source>%1, %2, tested %3; %4</source>
+        <translation>%1, %2, testato il %3; %4</translation>
+    </message>
+    <message>
+        <source>An axis moves in the air</source>
+        <translation>Un asse si muove in aria</translation>
+    </message>
+    <message>
+        <source>Axis that moves</source>
+        <translation>Asse che si muove</translation>
+    </message>
+    <message>
+        <source>Confirm that the axis may move</source>
+        <translation>Confermare che l&apos;asse può muoversi</translation>
     </message>
 </context>
 <context>
@@ -8619,6 +8788,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Without this computer the axes stand after, s</source>
         <translation>Senza questo computer gli assi si fermano dopo, s</translation>
+    </message>
+    <message>
+        <source>Where a stop is sure to act only before the next window, because this control has not passed the test of the feed cell, no window of several moves takes longer.</source>
+        <translation>Dove uno stop agisce con certezza solo prima della finestra successiva, perché questo controllo non ha superato la prova della cella di avanzamento, nessuna finestra di più movimenti dura più a lungo.</translation>
+    </message>
+    <message>
+        <source>Without a proved feed cell a window takes at most, s</source>
+        <translation>Senza cella di avanzamento provata una finestra dura al massimo, s</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@
 #include "report/known_machine.h"
 #include "report/operating_point.h"
 #include "streaming/control/access_policy.h"
+#include "streaming/start/stop_bound.h"
 
 namespace rivulet::hmi {
 
@@ -320,7 +321,7 @@ void Document::chooseJob(bool isWhole) {
 
 templates::TemplateParameters Document::parameters() const {
   templates::TemplateParameters parameters = m_settings.parameters;
-  parameters.silenceLimitS = m_silenceLimitS;
+  parameters.silenceLimitS = m_stop.silenceLimitS;
   if (m_view && base::streamsRotary(parameters.method)) {
     parameters.rotaryAxes = m_live ? m_live->setup.rotaryAxes : m_view->turnedAxes;
   }
@@ -366,6 +367,8 @@ streaming::RunSettings Document::runSettings() const {
   streaming::RunSettings settings =
       preparation::runSettings(m_settings, parameters(), m_live ? nullptr : m_view.get(),
                                m_machineFeeds, m_source.isUsed() ? m_source.record : nullptr);
+  settings.windowSMax =
+      streaming::windowSMaxOf(m_stop.proof, settings.parameters.target, m_stop.limitS);
   if (m_live) {
     // Of points before the first F; the others have their own.
     settings.feedMmPerS = base::mmPerSFromMmPerMin(m_live->setup.agreement.feedMmPerMinMax);
@@ -374,8 +377,22 @@ streaming::RunSettings Document::runSettings() const {
 }
 
 void Document::setSilenceLimit(double seconds) {
-  if (seconds != m_silenceLimitS) {
-    m_silenceLimitS = seconds;
+  if (seconds != m_stop.silenceLimitS) {
+    m_stop.silenceLimitS = seconds;
+    judge();
+  }
+}
+
+void Document::setStopLimit(double seconds) {
+  if (seconds != m_stop.limitS) {
+    m_stop.limitS = seconds;
+    judge();
+  }
+}
+
+void Document::setFeedProof(streaming::FeedProof proof) {
+  if (proof != m_stop.proof) {
+    m_stop.proof = proof;
     judge();
   }
 }

@@ -25,6 +25,8 @@
 #include "session/program_timer.h"
 #include "session/rehearsal.h"
 #include "session/session_event.h"
+#include "streaming/control/machine_facts.h"
+#include "streaming/control/machine_profile.h"
 #include "streaming/methods/feed_plan.h"
 #include "streaming/run/run.h"
 #include "streaming/start/start_policy.h"
@@ -126,6 +128,10 @@ class Document final : public QObject {
   }
   /// Part of the programs for the machine: see `streaming::silenceLimitS`.
   void setSilenceLimit(double seconds);
+  /// Where it is not proved, windows take no longer than this: see `streaming::stopLimitS`.
+  void setStopLimit(double seconds);
+  void setFeedProof(streaming::FeedProof proof);
+  [[nodiscard]] streaming::FeedProof feedProof() const { return m_stop.proof; }
   /// The machine that whole jobs are compared with before they start. @param machine  null: it is
   /// not known
   void setJobMachine(std::shared_ptr<const machine::MachineConfig> machine);
@@ -236,7 +242,13 @@ class Document final : public QObject {
   };
   Checked m_checked;
   gcode::ProgramFeeds m_machineFeeds;  ///< limits, at 100 %
-  double m_silenceLimitS = templates::kSilenceLimitS;
+  /// How a run stands, as far as its machine decides it.
+  struct MachineStop {
+    double silenceLimitS = templates::kSilenceLimitS;
+    streaming::FeedProof proof = streaming::FeedProof::Proved;
+    double limitS = streaming::stopLimitS(nullptr);
+  };
+  MachineStop m_stop;
   streaming::StreamSettings m_settings;
   /// What `parameters` was last completed for, and the result: it takes a pass over the program.
   struct FeedCells {

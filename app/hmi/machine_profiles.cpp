@@ -56,6 +56,7 @@ void MachineProfiles::apply() {
       m_profile ? std::make_shared<const machine::MachineConfig>(report::configOf(&*m_profile))
                 : nullptr);
   m_document.setSilenceLimit(streaming::silenceLimitS(m_profile ? &*m_profile : nullptr));
+  m_document.setStopLimit(streaming::stopLimitS(m_profile ? &*m_profile : nullptr));
   const auto known =
       report::knownMachine(m_machine.link().server, m_profile ? &*m_profile : nullptr);
   m_document.setJobMachine(known ? std::make_shared<const machine::MachineConfig>(*known)

@@ -62,6 +62,7 @@ std::vector<widgets::MachineCardView> Machines::cards() const {
     card.hasLimits = card.hasLimits || known.hasLimits;
     card.hasCalibration = card.hasCalibration || known.hasCalibration;
     card.hasCreditTest = card.hasCreditTest || known.hasCreditTest;
+    card.hasFeedTest = card.hasFeedTest || known.hasFeedTest;
   }
   if (m_history) {
     for (const streaming::RunSummary& run : m_history->runs) {  // the newest first

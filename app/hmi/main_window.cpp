@@ -77,7 +77,7 @@ MainWindow::MainWindow(Settings settings, bool persistent, opcua::Connector conn
       m_preflight(m_document, m_machine, m_runs),
       m_found(m_session, m_document, m_machine, m_runs, m_messages),
       m_pastRuns(m_document, m_runs, m_messages),
-      m_credit(m_session, m_machine, m_runs, report::MachineStore()),
+      m_tests(m_session, m_machine, m_runs, m_document, report::MachineStore()),
       m_profiles(m_document, m_machine, m_runs, m_messages, report::MachineStore()),
       m_machines(m_document, m_machine, m_runs, m_pastRuns, report::MachineStore()),
       m_services(m_settings.services, report::MachineStore()),
@@ -252,7 +252,7 @@ void MainWindow::addPages() {
   add({QT_TRANSLATE_NOOP("Pages", "Users"), "Users", Place::SetUp},
       makeUsersPage(&m_messages, &m_users, nullptr));
   add({QT_TRANSLATE_NOOP("Pages", "Configure"), "Configure", Place::SetUp},
-      makeSetUpPage(&m_messages, &m_users, &m_machine, &m_document, &m_runs, &m_credit, &m_profiles,
+      makeSetUpPage(&m_messages, &m_users, &m_machine, &m_document, &m_runs, &m_tests, &m_profiles,
                     &m_offline.certificates, &m_logins, nullptr));
   auto* machines = makeMachinesPage(&m_messages, &m_alarms, &m_machine, &m_runs, &m_profiles,
                                     &m_machines, nullptr);

@@ -13,7 +13,7 @@
 #include "hmi/alarms.h"
 #include "hmi/audit.h"
 #include "hmi/certificates.h"
-#include "hmi/credit_commissioning.h"
+#include "hmi/control_tests.h"
 #include "hmi/document.h"
 #include "hmi/emulator_learning.h"
 #include "hmi/found_runs.h"
@@ -180,7 +180,7 @@ class MainWindow final : public QMainWindow {
   Preflight m_preflight;
   FoundRuns m_found;
   PastRuns m_pastRuns;
-  CreditCommissioning m_credit;
+  ControlTests m_tests;
   MachineProfiles m_profiles;
   Machines m_machines;
   Services m_services;

@@ -16,9 +16,10 @@
 #include "hmi/pages/pages.h"
 #include "hmi/run_controller.h"
 #include "hmi/users.h"
-#include "machine/braking.h"
 #include "permission/permission.h"
+#include "run/stands_within.h"
 #include "streaming/start/first_move.h"
+#include "streaming/start/stop_bound.h"
 #include "widgets/alarms/alarm_text.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
@@ -42,21 +43,6 @@ QString positionText(const base::Vec3& positionMm) {
            widgets::numberText(positionMm.z, 3));
 }
 
-/// Over so many consecutive points, wherever it is longest.
-double longestWayMm(const std::vector<gcode::StreamPoint>& points, int count) {
-  const auto moves = static_cast<std::size_t>(std::max(count, 0));
-  const auto way = [&points](std::size_t to) {
-    return base::distance(points[to - 1].positionMm, points[to].positionMm);
-  };
-  double wayMm = 0.0;
-  double longestMm = 0.0;
-  for (std::size_t to = 1; to < points.size(); ++to) {
-    wayMm += way(to) - (to > moves ? way(to - moves) : 0.0);
-    longestMm = std::max(longestMm, wayMm);
-  }
-  return longestMm;
-}
-
 /// Least and largest feed of the program's cutting moves, mm/s; nothing: it names none.
 std::optional<std::pair<double, double>> programFeeds(const overview::ProgramView& view) {
   std::optional<std::pair<double, double>> range;
@@ -69,6 +55,32 @@ std::optional<std::pair<double, double>> programFeeds(const overview::ProgramVie
   }
   return range;
 }
+
+struct StopTexts {
+  Q_DECLARE_TR_FUNCTIONS(StopTexts)
+
+ public:
+  static QString of(streaming::FeedProof proof) {
+    using streaming::FeedProof;
+    switch (proof) {
+      case FeedProof::Proved:
+        break;
+      case FeedProof::NotTested:
+        return tr(
+            "That stop and pause act at once has not been tested on this control: see Stop "
+            "test.");
+      case FeedProof::OtherServer:
+        return tr(
+            "That stop and pause act at once was tested with another version of the server: "
+            "test it again.");
+      case FeedProof::Failed:
+        return tr("This control has failed the test that stop and pause act at once.");
+      case FeedProof::WithoutMotion:
+        return tr("That stop and pause act at once was tested without motion only: see Stop test.");
+    }
+    return {};
+  }
+};
 
 QString percentText(double factor) {
   return widgets::numberText(100.0 * factor, 0) + QStringLiteral("\u00A0%");
@@ -906,41 +918,67 @@ PreflightItem Preflight::methodItem() const {
 }
 
 PreflightItem Preflight::stopItem() const {
-  PreflightItem item{Status::Plain, tr("Stop"), {}, {}, 0, true};
+  const streaming::RunSettings settings = m_document.runSettings();
+  if (base::hasWindows(settings.parameters.method) &&
+      m_document.feedProof() == streaming::FeedProof::Proved) {
+    return {Status::Plain, tr("Stop"), feedCellText(), {}, 0, true};
+  }
+  return runCellItem(settings);
+}
+
+QString Preflight::feedCellText() const {
   const streaming::StreamSettings& settings = m_document.settings();
   const feasibility::OperatingPoint& point = m_document.findings().operatingPoint;
-  const double nodeS = base::toSeconds(m_document.findings().access.timePerNode(point.turn()));
-  if (!base::hasWindows(settings.parameters.method)) {
-    // Its program has no feed cell: it ends at the end of its loop.
-    constexpr double kLongS = 5.0;
-    const double lengthMm = longestWayMm(m_document.points(), point.pointsPerLoop);
-    const double seconds = lengthMm / settings.feedMmPerS;
-    item.status = seconds > kLongS ? Status::Attention : Status::Plain;
-    item.text = tr("This method has no feed cell: after Stop the control still executes its loop, "
-                   "at most %1 in %2.")
-                    .arg(widgets::lengthText(lengthMm, 0), widgets::secondsText(seconds, 1));
-    return item;
-  }
   const auto& machine = m_document.jobMachine();
   if (!machine) {
-    item.text = tr("The axes stand at once, on the path. How long they brake is not known.");
-    return item;
+    return tr("The axes stand at once, on the path. How long they brake is not known.");
   }
-  // An access in progress is waited for: at most that of a whole window.
-  const int nodes = feasibility::turnOf(point.turn()).charged + 1;
-  constexpr double kPercent = 100.0;
   const auto& live = m_document.live();
   const double feedMmPerS =
       live ? base::mmPerSFromMmPerMin(live->setup.agreement.feedMmPerMinMax)
            : (settings.usesProgramFeeds() ? m_document.feedMmPerSMax() : settings.feedMmPerS);
-  const double fastestMmPerS =
-      feedMmPerS * permission::overridePercentMax(permission::Role::Engineer) / kPercent;
-  item.text =
-      tr("The axes stand on the path within %1; threads and tapping at their end.")
-          .arg(widgets::secondsText(
-              nodes * nodeS + base::toSeconds(machine::brakingTime(*machine, fastestMmPerS) +
-                                              2 * machine->interpolationCycle),
-              1));
+  return tr("The axes stand on the path within %1; threads and tapping at their end.")
+      .arg(widgets::secondsText(
+          base::toSeconds(run::standsWithin(*machine, point.turn(),
+                                            m_document.findings().access.timePerNode(point.turn()),
+                                            feedMmPerS)),
+          1));
+}
+
+/// A stop acts where the program looks at its run cell, or at the end of its loop.
+PreflightItem Preflight::runCellItem(const streaming::RunSettings& settings) const {
+  constexpr double kLongS = 5.0;
+  PreflightItem item{Status::Plain, tr("Stop"), {}, {}, 0, true};
+  const bool hasWindows = base::hasWindows(settings.parameters.method);
+  if (m_document.live()) {
+    item.status = Status::Attention;
+    item.text = tr("After Stop the control still executes its window, of at most %1 moves within "
+                   "the agreed box: how long that takes depends on the points.")
+                    .arg(settings.parameters.pointsPerLoop *
+                         streaming::windowsAfterStop(settings.parameters));
+  } else {
+    const streaming::StopBound bound =
+        streaming::stopBound(m_document.points(), m_machine.positionNowMm(), settings);
+    const double limitS = hasWindows ? settings.windowSMax : kLongS;
+    item.status = bound.seconds > limitS ? Status::Attention : Status::Plain;
+    const QString mm = widgets::lengthText(bound.mm, 0);
+    const QString seconds = widgets::secondsText(bound.seconds, 1);
+    item.text = hasWindows
+                    ? tr("After Stop the control still executes its window, at most %1 in %2.")
+                          .arg(mm, seconds)
+                    : tr("This method has no feed cell: after Stop the control still executes its "
+                         "loop, at most %1 in %2.")
+                          .arg(mm, seconds);
+    if (bound.longMove) {
+      item.text += QLatin1Char(' ') + tr("The move of line %1 alone takes %2; it is not divided.")
+                                          .arg(bound.longMove->line.value)
+                                          .arg(widgets::secondsText(bound.longMove->seconds, 1));
+    }
+  }
+  if (hasWindows) {
+    item.status = Status::Attention;
+    item.text += QLatin1Char(' ') + StopTexts::of(m_document.feedProof());
+  }
   return item;
 }
 

@@ -133,6 +133,8 @@ class Preflight final : public QObject {
   [[nodiscard]] widgets::PreflightItem methodItem() const;
   /// How long the machine may still move after Stop.
   [[nodiscard]] widgets::PreflightItem stopItem() const;
+  [[nodiscard]] QString feedCellText() const;
+  [[nodiscard]] widgets::PreflightItem runCellItem(const streaming::RunSettings& settings) const;
   [[nodiscard]] widgets::PreflightItem accessItem() const;
   [[nodiscard]] widgets::PreflightItem releaseItem() const;
 

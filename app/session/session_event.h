@@ -126,13 +126,20 @@ struct CalibrationFinished {
   base::Error error;
 };
 
-/// What the test of method credit is waiting for.
+/// Tests of the control.
+enum class TestKind { Credit, FeedCell };
+
+/// What a test of the control is waiting for.
 struct CommissioningProgress {
+  TestKind kind = TestKind::Credit;
   streaming::CommissioningStep step = streaming::CommissioningStep::CycleStart;
 };
 struct CommissioningFinished {
-  std::optional<streaming::CreditTest> test;  ///< nothing: see `error`
-  base::Error error;                          ///< also if the test could not be stored
+  TestKind kind = TestKind::Credit;
+  base::Error error{};  ///< also if the test could not be stored
+  // The one of its kind; neither: see `error`.
+  std::optional<streaming::CreditTest> credit{};
+  std::optional<streaming::FeedTest> feed{};
 };
 
 /// The live source that was asked for. Told again after each run, when it is there for the next.
@@ -213,11 +220,13 @@ struct EndRunCommand {
 /// Asks for the rights of the user; changes nothing on the control.
 struct RightsCommand {};
 
-/// The test of method credit, on ten cells that nobody else uses.
+/// A test of the control, on cells that nobody else uses.
 struct CommissionCommand {
+  TestKind kind = TestKind::Credit;
   int firstCell = 0;
   streaming::TransferWay transfer = streaming::TransferWay::Link;
-  std::string startedAtUtc;
+  std::optional<streaming::AirMove> move{};  ///< of the test of the feed cell
+  std::string startedAtUtc{};
 };
 
 using SessionCommand =

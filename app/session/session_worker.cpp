@@ -847,40 +847,49 @@ void SessionWorker::start(const StartCommand& command) {
 }
 
 void SessionWorker::commission(const CommissionCommand& command) {
-  if (!m_connection) {
-    tell(CommissioningFinished{std::nullopt, notConnected()});
-    return;
-  }
-  const base::Result<opcua::ServerIdentity> identity = m_connection.control->identity();
+  CommissioningFinished finished{command.kind};
+  const auto identity = m_connection
+                            ? m_connection.control->identity()
+                            : base::Result<opcua::ServerIdentity>(base::fail(notConnected()));
   if (!identity) {
-    tell(CommissioningFinished{std::nullopt, identity.error()});
+    finished.error = identity.error();
+    tell(std::move(finished));
     return;
   }
-  streaming::CommissioningPlan plan;
+  streaming::FeedTestPlan plan;
   plan.firstCell = command.firstCell;
   plan.transfer = command.transfer;
+  plan.move = command.move;
   std::optional<streaming::CommissioningStep> told;
-  auto result = streaming::commission(*m_connection.link, *m_connection.control, plan,
-                                      [&](streaming::CommissioningStep step) {
-                                        if (told != step) {
-                                          told = step;
-                                          tell(CommissioningProgress{step});
-                                        }
-                                        return !m_stopRun.load() && !m_quit.load();
-                                      });
-  if (!result) {
-    const base::Error error = result.error();
-    if (error.code == opcua::LinkError::ConnectionLost) {
-      tell(LinkChanged{LinkState::Lost, error, false, {}});
-      m_connection = {};
+  const auto progress = [&](streaming::CommissioningStep step) {
+    if (told != step) {
+      told = step;
+      tell(CommissioningProgress{command.kind, step});
     }
-    tell(CommissioningFinished{std::nullopt, error});
-    return;
+    return !m_stopRun.load() && !m_quit.load();
+  };
+  // What was found is stored, or why it was not is told.
+  const auto keep = [&](auto result, auto& test) {
+    if (!result) {
+      finished.error = result.error();
+      return;
+    }
+    test = {m_request.endpoint, *identity, command.startedAtUtc, RIVULET_VERSION,
+            std::move(*result)};
+    const base::Result<void> saved = m_machines.save(*test);
+    finished.error = saved ? base::Error{} : saved.error();
+  };
+  opcua::Link& link = *m_connection.link;
+  if (command.kind == TestKind::FeedCell) {
+    keep(streaming::testFeedCell(link, *m_connection.control, plan, progress), finished.feed);
+  } else {
+    keep(streaming::commission(link, *m_connection.control, plan, progress), finished.credit);
   }
-  streaming::CreditTest test{m_request.endpoint, *identity, command.startedAtUtc, RIVULET_VERSION,
-                             std::move(*result)};
-  const base::Result<void> saved = m_machines.save(test);
-  tell(CommissioningFinished{std::move(test), saved ? base::Error{} : saved.error()});
+  if (finished.error.code == opcua::LinkError::ConnectionLost) {
+    tell(LinkChanged{LinkState::Lost, finished.error, false, {}});
+    m_connection = {};
+  }
+  tell(std::move(finished));
 }
 
 void SessionWorker::calibrate(const CalibrateCommand& command) {

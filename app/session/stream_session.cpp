@@ -64,12 +64,12 @@ void StreamSession::calibrate(const streaming::CalibrationPlan& plan) {
       CalibrateCommand{plan, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
 }
 
-void StreamSession::commission(int firstCell, streaming::TransferWay transfer) {
+void StreamSession::commission(CommissionCommand command) {
   if (m_running || m_asking || m_calibrating || m_ending || m_commissioning) {
     return;
   }
-  m_commissioning = m_worker->post(CommissionCommand{
-      firstCell, transfer, QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()});
+  command.startedAtUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+  m_commissioning = m_worker->post(std::move(command));
 }
 
 void StreamSession::correct(base::Vec3 valueMm) {

@@ -65,7 +65,7 @@ class StreamSession final : public QObject {
   void calibrate(const streaming::CalibrationPlan& plan);
 
   /// The test of method credit, on ten cells that nobody else uses. `stop` cancels.
-  void commission(int firstCell, streaming::TransferWay transfer);
+  void commission(CommissionCommand command);
 
   [[nodiscard]] bool isRunning() const { return m_running; }
   [[nodiscard]] bool isCommissioning() const { return m_commissioning; }

@@ -391,6 +391,29 @@ class TestRunController : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(models.document.isJob(), kSoonMs);
   }
 
+  /// A stop is promised by the feed cell only where that is proved; else the longest window is
+  /// said, and a move that takes longer than windows may.
+  void aStopIsPromisedWhereItIsProved() {
+    Models models;
+    models.openJob("G17 G90 G71\nG1 X1 F600\nX51\nX52\nX252\nM30\n");
+    hmi::Preflight preflight(models.document, models.machine, models.runs);
+    QTRY_VERIFY_WITH_TIMEOUT(!models.reason(), kSoonMs);
+    const auto item = [&] {
+      const auto items = preflight.items();
+      return *std::find_if(items.begin(), items.end(),
+                           [](const auto& each) { return each.name == QStringLiteral("Stop"); });
+    };
+    QVERIFY2(item().text.contains(QStringLiteral("stand")), qPrintable(item().text));
+    QVERIFY(item().status == widgets::Status::Plain);
+    models.document.setFeedProof(streaming::FeedProof::WithoutMotion);
+    QVERIFY2(item().text.contains(QStringLiteral("still executes its window, at most 200")),
+             qPrintable(item().text));
+    QVERIFY2(item().text.contains(QStringLiteral("line 5 alone takes 20")),
+             qPrintable(item().text));
+    QVERIFY(item().text.contains(QStringLiteral("without motion only")));
+    QVERIFY(item().status == widgets::Status::Attention);
+  }
+
   /// A job begins with a stretch: what the program has set before it is listed, and done first.
   void aJobBeginsInTheMiddle() {
     Models models;

@@ -4,13 +4,17 @@
 #include "widgets/commissioning/commissioning_page.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFontDatabase>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "widgets/calibration/access_source.h"
+#include "widgets/common/error_text.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/number_format.h"
 #include "widgets/common/status_label.h"
@@ -21,14 +25,20 @@ using streaming::CommissioningStep;
 
 namespace {
 
-constexpr int kCells = 10;
 constexpr int kCellMost = 100'000;
+constexpr double kMoveMostMm = 500.0;
+constexpr double kFeedMost = 100'000.0;
+/// Three seconds: long enough to be held on its way.
+constexpr streaming::AirMove kMove{0, 20.0, 400.0};
 
 }  // namespace
 
-CommissioningPage::CommissioningPage(QWidget* parent)
+CommissioningPage::CommissioningPage(std::unique_ptr<ControlTestTexts> texts, QWidget* parent)
     : Page(parent),
+      m_texts(std::move(texts)),
       m_cell(whole(0, kCellMost, {.name = QT_TR_NOOP("First R-parameter of the test")})),
+      m_lengthMm(say(new NumberField(this), {.name = QT_TR_NOOP("Way of the axis, mm")})),
+      m_feed(say(new NumberField(this), {.name = QT_TR_NOOP("Feed of the axis, mm/min")})),
       m_program(say(new QPlainTextEdit(this), {.name = QT_TR_NOOP("Test program")})),
       m_blockedLabel(new StatusLabel(this, StatusLabel::Elided{2})),
       m_checks(new QVBoxLayout) {
@@ -39,16 +49,8 @@ CommissioningPage::CommissioningPage(QWidget* parent)
   auto* cells = inRow({label({.text = QT_TR_NOOP("First R-parameter"), .isMuted = true}),
                        m_cell,
                        {m_confirmed, 1}});
-  auto* layout = inColumn(
-      {m_verdict, m_machine,
-       label(
-           {.text = QT_TR_NOOP(
-                "Method credit lets the axes move on while the next window is on its way. That is "
-                "safe only on a control that answers while its axes are busy. This test finds out: "
-                "a program that moves no axis, for a few seconds. The channel must be in reset."),
-            .wraps = true}),
-       cells, m_byHand},
-      this);
+  auto* layout =
+      inColumn({m_verdict, m_machine, m_what, cells, m_byHand, m_moves, moveRow()}, this);
   for (StatusLabel*& step : m_steps) {
     step = new StatusLabel(this);
     step->setWordWrap(true);
@@ -57,22 +59,75 @@ CommissioningPage::CommissioningPage(QWidget* parent)
   layout->addLayout(inRow({m_start, m_cancel, {m_blockedLabel, 1}}));
   layout->addLayout(m_checks);
   layout->addWidget(m_program, 1);
-  connect(m_cell, &WholeNumberField::valueChanged, this, [this] {
-    // Other cells must be confirmed again.
-    m_confirmed->setChecked(false);
-    retranslate();
-  });
+  // Other cells, or another move, must be confirmed again.
+  connect(m_cell, &WholeNumberField::valueChanged, this, &CommissioningPage::forgetConfirmations);
   connect(m_confirmed, &QCheckBox::toggled, this, &CommissioningPage::showButtons);
   connect(m_byHand, &QCheckBox::toggled, this, &CommissioningPage::showSteps);
   connect(m_start, &QPushButton::clicked, this, [this] {
+    const auto move = typedMove();
     m_problem.clear();
     m_confirmed->setChecked(false);
-    Q_EMIT testRequested(m_cell->value(), m_byHand->isChecked());
+    m_word->clear();
+    Q_EMIT testRequested(m_cell->value(), m_byHand->isChecked(), move);
   });
   retranslate();
 }
 
-void CommissioningPage::setTest(const std::optional<streaming::CreditTest>& test, bool isOutdated) {
+QWidget* CommissioningPage::moveRow() {
+  m_moves->setVisible(m_texts->mayMove());
+  for (const char axis : base::kAxisNames) {
+    m_axis->addItem(QString(QLatin1Char(axis)));
+  }
+  m_axis->setCurrentIndex(kMove.axis);
+  m_lengthMm->setRange(-kMoveMostMm, kMoveMostMm);
+  m_lengthMm->setValue(kMove.mm);
+  m_feed->setRange(0.0, kFeedMost);
+  m_feed->setDecimals(0);
+  m_feed->setValue(kMove.feedMmPerMin);
+  auto* row = new QWidget(this);
+  row->setLayout(inRow({m_axis,
+                        label({.text = QT_TR_NOOP("by, mm"), .isMuted = true}),
+                        m_lengthMm,
+                        label({.text = QT_TR_NOOP("F, mm/min"), .isMuted = true}),
+                        m_feed,
+                        {m_word, 1}}));
+  row->setVisible(false);
+  connect(m_moves, &QCheckBox::toggled, row, &QWidget::setVisible);
+  connect(m_moves, &QCheckBox::toggled, this, &CommissioningPage::forgetConfirmations);
+  connect(m_axis, &QComboBox::currentIndexChanged, this, &CommissioningPage::forgetConfirmations);
+  connect(m_lengthMm, &NumberField::valueChanged, this, &CommissioningPage::forgetConfirmations);
+  connect(m_feed, &NumberField::valueChanged, this, &CommissioningPage::forgetConfirmations);
+  connect(m_word, &QLineEdit::textChanged, this, &CommissioningPage::showButtons);
+  return row;
+}
+
+void CommissioningPage::forgetConfirmations() {
+  m_confirmed->setChecked(false);
+  m_word->clear();
+  retranslate();
+}
+
+std::optional<streaming::AirMove> CommissioningPage::typedMove() const {
+  return m_texts->mayMove() && m_moves->isChecked()
+             ? std::optional(
+                   streaming::AirMove{m_axis->currentIndex(), m_lengthMm->value(), m_feed->value()})
+             : std::nullopt;
+}
+
+QString CommissioningPage::moveProblem() const {
+  const auto move = typedMove();
+  if (!move) {
+    return {};
+  }
+  if (const auto fits = streaming::requireAirMove(*move); !fits) {
+    return errorText(fits.error());
+  }
+  return m_word->text().trimmed() == QLatin1String(kMoveWord)
+             ? QString()
+             : tr("Clear the way of the axis, then type %1.").arg(QLatin1String(kMoveWord));
+}
+
+void CommissioningPage::setTest(const std::optional<ShownTest>& test, bool isOutdated) {
   m_test = test;
   m_isOutdated = isOutdated;
   showResult();
@@ -96,23 +151,26 @@ void CommissioningPage::setBlocked(const QString& why) {
 }
 
 void CommissioningPage::retranslate() {
-  m_confirmed->setText(
-      tr("Nobody else uses R%1 to R%2").arg(m_cell->value()).arg(m_cell->value() + kCells - 1));
-  m_program->setPlainText(QString::fromStdString(streaming::commissioningProgram(m_cell->value())));
+  m_what->setText(m_texts->what());
+  m_confirmed->setText(tr("Nobody else uses R%1 to R%2")
+                           .arg(m_cell->value())
+                           .arg(m_cell->value() + m_texts->cells() - 1));
+  m_word->setPlaceholderText(tr("Nothing is in its way: %1").arg(QLatin1String(kMoveWord)));
+  m_program->setPlainText(m_texts->program(m_cell->value(), typedMove()));
   showSteps();
   showResult();
   showButtons();
 }
 
 void CommissioningPage::showSteps() {
-  const QString name = QString::fromStdString(streaming::commissioningFileName());
+  const QString name = m_texts->fileName();
   const std::array<QString, 4> texts{
       tr("1. Bring the channel to reset, in AUTO."),
       m_byHand->isChecked()
           ? tr("2. Store the text below as part program %1 and select it.").arg(name)
           : tr("2. The program %1 is transferred, read back and selected.").arg(name),
       tr("3. Press cycle start at the control (a virtual machine starts by itself)."),
-      tr("4. Numbers are sent and must come back while the control is busy.")};
+      m_texts->lastStep(typedMove())};
   // Before the test everything is to come; then the steps are done one after another.
   const std::size_t current = !m_step ? 0 : *m_step == CommissioningStep::CycleStart ? 2 : 3;
   for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -124,6 +182,7 @@ void CommissioningPage::showSteps() {
   }
   m_byHand->setEnabled(!m_step);
   m_cell->setEnabled(!m_step);
+  m_moves->setEnabled(!m_step);
 }
 
 void CommissioningPage::showResult() {
@@ -135,68 +194,48 @@ void CommissioningPage::showResult() {
   if (m_step) {
     m_verdict->setStatus(Status::Busy, *m_step == CommissioningStep::CycleStart
                                            ? tr("Waiting for cycle start")
+                                       : *m_step == CommissioningStep::CycleStartAgain
+                                           ? tr("Waiting for cycle start, once more")
                                            : tr("The test is in progress"));
   } else if (!m_problem.isEmpty()) {
     m_verdict->setStatus(Status::Attention, m_problem);
   } else if (!m_test) {
-    m_verdict->setStatus(Status::Unknown,
-                         tr("Not tested: method credit does not start on this control"));
+    m_verdict->setStatus(Status::Unknown, m_texts->notTested());
   } else if (m_isOutdated) {
     m_verdict->setStatus(Status::Attention,
                          tr("Tested with another version of the server: test it again"));
+  } else if (m_test->isEnough) {
+    m_verdict->setStatus(Status::Good, m_texts->enough());
   } else if (m_test->result.passed()) {
-    m_verdict->setStatus(Status::Good, tr("Passed: method credit may run on this control"));
+    m_verdict->setStatus(Status::Attention, m_texts->notEnough());
   } else {
-    m_verdict->setStatus(Status::Fault,
-                         tr("Not passed: method credit does not start. Use method window."));
+    m_verdict->setStatus(Status::Fault, m_texts->failed());
   }
   m_machine->setVisible(m_test.has_value() && !m_step);
   if (!m_test || m_step) {
     return;
   }
-  m_machine->setText(tr("%1, %2, tested %3; %4 of %5 answers while busy, the slowest after %6")
+  m_machine->setText(tr("%1, %2, tested %3; %4")
                          .arg(QString::fromStdString(m_test->endpoint),
                               QString::fromStdString(streaming::versionText(m_test->server)),
-                              dateText(m_test->testedAtUtc),
-                              QString::number(m_test->result.answered),
-                              QString::number(m_test->result.asked),
-                              millisecondsText(m_test->result.slowestAnswer)));
+                              dateText(m_test->testedAtUtc), m_test->figures()));
   for (const streaming::CommissioningCheck& check : m_test->result.checks) {
     auto* label = new StatusLabel(this);
     label->setWordWrap(true);
-    label->setStatus(check.passed ? Status::Good : Status::Fault, checkText(check));
+    label->setStatus(check.passed ? Status::Good : Status::Fault, m_texts->check(check));
     m_checks->addWidget(label);
     label->show();
   }
 }
 
-QString CommissioningPage::checkText(const streaming::CommissioningCheck& check) {
-  const QString name = QString::fromStdString(check.name);
-  if (name == QLatin1String("answers-while-busy")) {
-    return tr("The control answers the client while blocks wait to be executed.");
-  }
-  if (name == QLatin1String("main-run-seen-by-client")) {
-    return tr("What a synchronized action writes reaches the client.");
-  }
-  if (name == QLatin1String("main-run-seen-by-program")) {
-    return tr("What a synchronized action writes reaches the program without a stop.");
-  }
-  if (name == QLatin1String("action-with-its-block")) {
-    return tr("A synchronized action before a block is executed with that block.");
-  }
-  if (name == QLatin1String("buffer-level")) {
-    return tr("The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).");
-  }
-  return QString::fromStdString(check.message);
-}
-
 void CommissioningPage::showButtons() {
-  m_start->setEnabled(!m_step && m_blocked.isEmpty() && m_confirmed->isChecked());
+  const QString move = moveProblem();
+  m_start->setEnabled(!m_step && m_blocked.isEmpty() && m_confirmed->isChecked() && move.isEmpty());
   m_cancel->setVisible(m_step.has_value());
   m_confirmed->setEnabled(!m_step);
   const QString why = !m_blocked.isEmpty()        ? m_blocked
                       : !m_confirmed->isChecked() ? tr("Confirm the R-parameters first.")
-                                                  : QString();
+                                                  : move;
   m_blockedLabel->setVisible(!m_step && !why.isEmpty());
   m_blockedLabel->setStatus(Status::Unknown, why);
 }

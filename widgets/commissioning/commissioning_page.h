@@ -2,35 +2,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// The test that a control must pass before method credit may run on it: what it does, what to do
-/// at the control, how far it is, and its result. No axis moves. @threadsafety GUI thread.
+/// A test of the control: what it is for, what to do at the control, how far it is, and its result.
+/// An axis moves only if the operator types so. @threadsafety GUI thread.
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "streaming/control/machine_facts.h"
+#include "widgets/commissioning/control_test_texts.h"
 #include "widgets/common/page.h"
 
 class QCheckBox;
+class QComboBox;
+class QLineEdit;
 class QVBoxLayout;
 class QLabel;
 class QPlainTextEdit;
 
 namespace rivulet::widgets {
 
+class NumberField;
 class StatusLabel;
 class WholeNumberField;
+
+/// What is typed before an axis may move.
+inline constexpr const char* kMoveWord = "MOVE";
 
 class CommissioningPage final : public Page {
   Q_OBJECT
 
  public:
-  explicit CommissioningPage(QWidget* parent = nullptr);
+  /// @param texts  of the test
+  explicit CommissioningPage(std::unique_ptr<ControlTestTexts> texts, QWidget* parent = nullptr);
 
   /// The last test of the connected machine. @param test  nothing: none
   /// @param isOutdated  it was made with another version of the server
-  void setTest(const std::optional<streaming::CreditTest>& test, bool isOutdated);
+  void setTest(const std::optional<ShownTest>& test, bool isOutdated);
   /// @param step  nothing: no test is in progress
   void setProgress(std::optional<streaming::CommissioningStep> step);
   /// Why the last test could not be made; empty: it could.
@@ -39,7 +45,9 @@ class CommissioningPage final : public Page {
   void setBlocked(const QString& why);
 
  Q_SIGNALS:
-  void testRequested(int firstCell, bool isByHand);
+  /// @param move  that the operator agrees to; nothing: no axis moves
+  void testRequested(int firstCell, bool isByHand,
+                     const std::optional<rivulet::streaming::AirMove>& move);
   void cancelRequested();
 
  protected:
@@ -49,12 +57,23 @@ class CommissioningPage final : public Page {
   void showSteps();
   void showResult();
   void showButtons();
-  /// What has to be seen, as a sentence; of a check that is not known here, what the test said.
-  [[nodiscard]] static QString checkText(const streaming::CommissioningCheck& check);
+  [[nodiscard]] QWidget* moveRow();
+  /// As it is typed, whether it may be made or not; nothing: no axis is to move.
+  [[nodiscard]] std::optional<streaming::AirMove> typedMove() const;
+  /// Why the test cannot be made with it; empty: it can.
+  [[nodiscard]] QString moveProblem() const;
+  void forgetConfirmations();
 
+  std::unique_ptr<ControlTestTexts> m_texts;
   StatusLabel* m_verdict = status({.wraps = true});
+  QLabel* m_what = value({.wraps = true});
   WholeNumberField* m_cell;
   QCheckBox* m_confirmed = checkBox({});
+  QCheckBox* m_moves = checkBox({.text = QT_TR_NOOP("An axis moves in the air")});
+  QComboBox* m_axis = list({.name = QT_TR_NOOP("Axis that moves")});
+  NumberField* m_lengthMm;
+  NumberField* m_feed;
+  QLineEdit* m_word = lineEdit({.name = QT_TR_NOOP("Confirm that the axis may move")});
   QCheckBox* m_byHand = checkBox({.text = QT_TR_NOOP("I bring the program to the control myself")});
   std::array<StatusLabel*, 4> m_steps{};
   QPlainTextEdit* m_program;
@@ -65,7 +84,7 @@ class CommissioningPage final : public Page {
   QVBoxLayout* m_checks;
   QLabel* m_machine = value({.isMuted = true, .wraps = true});
 
-  std::optional<streaming::CreditTest> m_test;
+  std::optional<ShownTest> m_test;
   bool m_isOutdated = false;
   std::optional<streaming::CommissioningStep> m_step;
   QString m_problem;

@@ -88,6 +88,9 @@ class MachineCard final : public BoardCard {
     if (m_view.hasCreditTest) {
       kept.append(tr("credit test"));
     }
+    if (m_view.hasFeedTest) {
+      kept.append(tr("test of the feed cell"));
+    }
     const QString question =
         tr("Remove this machine from the list? Its runs and recordings stay on the page Runs.");
     return kept.isEmpty() ? question

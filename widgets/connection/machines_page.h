@@ -41,10 +41,11 @@ struct MachineCardView {
   bool hasLimits = false;
   bool hasCalibration = false;
   bool hasCreditTest = false;
+  bool hasFeedTest = false;
   bool canRemove = false;   ///< from the list, now
   bool isLeftOver = false;  ///< a virtual machine that is gone, and of which nothing is kept
 
-  [[nodiscard]] bool hasFacts() const { return hasLimits || hasCalibration || hasCreditTest; }
+  [[nodiscard]] bool hasFacts() const { return hasLimits || hasCalibration || hasCreditTest || hasFeedTest; }
 };
 
 class MachineCard;

@@ -7,7 +7,7 @@
 #include <QTimer>
 
 #include "hmi/alarms.h"
-#include "hmi/credit_commissioning.h"
+#include "hmi/control_tests.h"
 #include "hmi/document.h"
 #include "hmi/logins.h"
 #include "hmi/machine_model.h"
@@ -166,31 +166,50 @@ QWidget* makeCalibrationPage(MachineModel* machine, RunController* runs, QWidget
   return page;
 }
 
-QWidget* makeCommissioningPage(Messages* messages, MachineModel* machine,
-                               CreditCommissioning* credit, QWidget* parent) {
-  auto* page = new widgets::CommissioningPage(parent);
-  QObject::connect(page, &widgets::CommissioningPage::testRequested, credit,
-                   [credit, messages, machine](int firstCell, bool isByHand) {
-                     if (credit->blocked()) {
-                       return;
-                     }
-                     credit->start(firstCell, isByHand);
-                     messages->didAct(permission::Act::Calibrate,
-                                      {{"machine", machine->endpoint().toStdString()},
-                                       {"test", "credit"},
-                                       {"first_cell", std::to_string(firstCell)}});
+QWidget* makeCommissioningPage(Messages* messages, MachineModel* machine, ControlTests* tests,
+                               session::TestKind kind, QWidget* parent) {
+  using session::TestKind;
+  const bool isOfFeed = kind == TestKind::FeedCell;
+  auto* page = new widgets::CommissioningPage(
+      isOfFeed ? widgets::feedTestTexts() : widgets::creditTestTexts(), parent);
+  QObject::connect(
+      page, &widgets::CommissioningPage::testRequested, tests,
+      [=](int firstCell, bool isByHand, const std::optional<streaming::AirMove>& move) {
+        if (tests->blocked()) {
+          return;
+        }
+        tests->start({kind, firstCell,
+                      isByHand ? streaming::TransferWay::ByHand : streaming::TransferWay::Link,
+                      move});
+        std::vector<std::pair<std::string, std::string>> facts{
+            {"machine", machine->endpoint().toStdString()},
+            {"test", isOfFeed ? "feed-cell" : "credit"},
+            {"first_cell", std::to_string(firstCell)}};
+        if (move) {
+          facts.emplace_back("air_move", streaming::describe(*move));
+        }
+        messages->didAct(permission::Act::Calibrate, facts);
+      });
+  QObject::connect(page, &widgets::CommissioningPage::cancelRequested, tests,
+                   &ControlTests::cancel);
+  QObject::connect(tests, &ControlTests::progressed, page,
+                   [=](TestKind of, const std::optional<streaming::CommissioningStep>& step) {
+                     page->setProgress(of == kind ? step : std::nullopt);
                    });
-  QObject::connect(page, &widgets::CommissioningPage::cancelRequested, credit,
-                   &CreditCommissioning::cancel);
-  QObject::connect(credit, &CreditCommissioning::progressed, page,
-                   &widgets::CommissioningPage::setProgress);
-  QObject::connect(credit, &CreditCommissioning::testChanged, page,
-                   [page, credit] { page->setTest(credit->test(), credit->isOutdated()); });
-  QObject::connect(credit, &CreditCommissioning::failed, page, [page](const base::Error& error) {
-    page->setProblem(widgets::errorText(error));
+  QObject::connect(tests, &ControlTests::testChanged, page, [=] {
+    const auto show = [&](const auto& test) {
+      page->setTest(test ? std::optional(widgets::shownTest(*test)) : std::nullopt,
+                    tests->isOutdated(test));
+    };
+    isOfFeed ? show(tests->feedTest()) : show(tests->test());
   });
-  const auto block = [page, credit] { page->setBlocked(widgets::blockedText(credit->blocked())); };
-  QObject::connect(credit, &CreditCommissioning::permissionsChanged, page, block);
+  QObject::connect(tests, &ControlTests::failed, page, [=](TestKind of, const base::Error& error) {
+    if (of == kind) {
+      page->setProblem(widgets::errorText(error));
+    }
+  });
+  const auto block = [=] { page->setBlocked(widgets::blockedText(tests->blocked())); };
+  QObject::connect(tests, &ControlTests::permissionsChanged, page, block);
   block();
   return page;
 }

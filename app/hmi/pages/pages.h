@@ -17,12 +17,16 @@ class MachinesPage;
 struct RehearsalView;
 }  // namespace rivulet::widgets
 
+namespace rivulet::session {
+enum class TestKind;
+}
+
 namespace rivulet::hmi {
 
 class Alarms;
 class Audit;
 class Certificates;
-class CreditCommissioning;
+class ControlTests;
 class Document;
 class EmulatorLearning;
 class FoundRuns;
@@ -66,7 +70,8 @@ struct PageEntry {
 [[nodiscard]] QWidget* makeCalibrationPage(MachineModel* machine, RunController* runs,
                                            QWidget* parent);
 [[nodiscard]] QWidget* makeCommissioningPage(Messages* messages, MachineModel* machine,
-                                             CreditCommissioning* credit, QWidget* parent);
+                                             ControlTests* tests, session::TestKind kind,
+                                             QWidget* parent);
 [[nodiscard]] QWidget* makeCertificatesPage(Users* users, MachineModel* machine,
                                             RunController* runs, Certificates* certificates,
                                             QWidget* parent);
@@ -76,9 +81,9 @@ struct PageEntry {
                                                       MachineProfiles* profiles, Machines* machines,
                                                       QWidget* parent);
 [[nodiscard]] QWidget* makeSetUpPage(Messages* messages, Users* users, MachineModel* machine,
-                                     Document* document, RunController* runs,
-                                     CreditCommissioning* credit, MachineProfiles* profiles,
-                                     Certificates* certificates, Logins* logins, QWidget* parent);
+                                     Document* document, RunController* runs, ControlTests* tests,
+                                     MachineProfiles* profiles, Certificates* certificates,
+                                     Logins* logins, QWidget* parent);
 [[nodiscard]] QWidget* makeRunsPage(Messages* messages, RunController* runs, PastRuns* pastRuns,
                                     QWidget* parent);
 [[nodiscard]] QWidget* makeAlarmPage(Alarms* alarms, Users* users, QWidget* parent);

@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 
 #include "hmi/certificates.h"
-#include "hmi/credit_commissioning.h"
+#include "hmi/control_tests.h"
 #include "hmi/document.h"
 #include "hmi/logins.h"
 #include "hmi/machine_model.h"
@@ -66,7 +66,7 @@ ProfilePage* makeProfilePage(MachineModel* machine, MachineProfiles* profiles) {
 }
 
 /// What has been done, and still holds.
-void showStatus(SetUpPage* page, MachineModel* machine, CreditCommissioning* credit,
+void showStatus(SetUpPage* page, MachineModel* machine, ControlTests* tests,
                 MachineProfiles* profiles, const std::vector<QWidget*>& steps) {
   const bool isConnected = machine->isConnected();
   const auto state = [](bool isThere, bool isOutdated) {
@@ -76,16 +76,20 @@ void showStatus(SetUpPage* page, MachineModel* machine, CreditCommissioning* cre
   page->setStatus(steps[1], state(profiles->profile().has_value(), false));
   page->setStatus(steps[3],
                   state(machine->calibration() != nullptr, machine->isCalibrationOutdated()));
-  const auto& test = credit->test();
-  page->setStatus(steps[4], test && !test->result.passed()
-                                ? Status::Fault
-                                : state(test.has_value(), credit->isOutdated()));
+  const auto tested = [&](const auto& test, bool isEnough) {
+    return test && !test->result.passed()
+               ? Status::Fault
+               : state(test.has_value(), tests->isOutdated(test) || !isEnough);
+  };
+  const auto& feed = tests->feedTest();
+  page->setStatus(steps[4], tested(feed, feed && feed->result.proves()));
+  page->setStatus(steps[5], tested(tests->test(), true));
 }
 
 }  // namespace
 
 QWidget* makeSetUpPage(Messages* messages, Users* users, MachineModel* machine, Document* document,
-                       RunController* runs, CreditCommissioning* credit, MachineProfiles* profiles,
+                       RunController* runs, ControlTests* tests, MachineProfiles* profiles,
                        Certificates* certificates, Logins* logins, QWidget* parent) {
   auto* page = new SetUpPage(parent);
   const std::vector<QWidget*> steps{
@@ -93,23 +97,25 @@ QWidget* makeSetUpPage(Messages* messages, Users* users, MachineModel* machine, 
       makeProfilePage(machine, profiles),
       makeTemplatePage(messages, document, nullptr),
       makeCalibrationPage(machine, runs, nullptr),
-      makeCommissioningPage(messages, machine, credit, nullptr),
+      makeCommissioningPage(messages, machine, tests, session::TestKind::FeedCell, nullptr),
+      makeCommissioningPage(messages, machine, tests, session::TestKind::Credit, nullptr),
       makeCertificatesPage(users, machine, runs, certificates, nullptr),
       makeRightsPage(machine, runs, nullptr)};
   page->addStep(steps[0], [] { return SetUpTexts::tr("Connection"); });
   page->addStep(steps[1], [] { return SetUpTexts::tr("Limits"); });
   page->addStep(steps[2], [] { return SetUpTexts::tr("Template"); });
   page->addStep(steps[3], [] { return SetUpTexts::tr("Calibration"); });
-  page->addStep(steps[4], [] { return SetUpTexts::tr("Credit test"); });
-  page->addStep(steps[5], [] { return SetUpTexts::tr("Certificates"); });
-  page->addStep(steps[6], [] { return SetUpTexts::tr("Rights"); });
-  const auto show = [page, steps, machine, credit, profiles] {
-    showStatus(page, machine, credit, profiles, steps);
+  page->addStep(steps[4], [] { return SetUpTexts::tr("Stop test"); });
+  page->addStep(steps[5], [] { return SetUpTexts::tr("Credit test"); });
+  page->addStep(steps[6], [] { return SetUpTexts::tr("Certificates"); });
+  page->addStep(steps[7], [] { return SetUpTexts::tr("Rights"); });
+  const auto show = [page, steps, machine, tests, profiles] {
+    showStatus(page, machine, tests, profiles, steps);
   };
   QObject::connect(machine, &MachineModel::linkChanged, page, show);
   QObject::connect(machine, &MachineModel::calibrationChanged, page, show);
   QObject::connect(profiles, &MachineProfiles::changed, page, show);
-  QObject::connect(credit, &CreditCommissioning::testChanged, page, show);
+  QObject::connect(tests, &ControlTests::testChanged, page, show);
   show();
   return page;
 }

@@ -4,6 +4,8 @@
 /// The page of the credit test: what stands in the way, how far it is, and its result.
 
 #include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -14,6 +16,7 @@
 #include "gui/widgets/samples.h"
 #include "support/test_program.h"
 #include "widgets/commissioning/commissioning_page.h"
+#include "widgets/common/number_field.h"
 #include "widgets/common/theme.h"
 
 using namespace rivulet;
@@ -40,7 +43,7 @@ class TestCommissioningPage : public QObject {
 
   /// Cells are written: nothing starts before they are confirmed, and others not by the old answer.
   void startsOnlyOnConfirmedCells() {
-    CommissioningPage page;
+    CommissioningPage page(creditTestTexts());
     page.show();
     QSignalSpy wanted(&page, &CommissioningPage::testRequested);
     QVERIFY(!start(page)->isEnabled());
@@ -65,8 +68,70 @@ class TestCommissioningPage : public QObject {
     QCOMPARE(wanted[0][1].toBool(), false);
   }
 
+  /// An axis moves only after the word, and not by the word for another move.
+  void anAxisMovesOnlyOnTheWord() {
+    CommissioningPage page(feedTestTexts());
+    page.show();
+    QSignalSpy wanted(&page, &CommissioningPage::testRequested);
+    auto* confirmed = page.findChildren<QCheckBox*>().first();
+    QVERIFY(confirmed->text().contains("R0 to R13"));
+    auto* program = page.findChild<QPlainTextEdit*>();
+    QVERIFY(program->toPlainText().contains("MOVES NO AXIS"));
+    QCheckBox* moves = nullptr;
+    for (QCheckBox* box : page.findChildren<QCheckBox*>()) {
+      moves = box->text() == QStringLiteral("An axis moves in the air") ? box : moves;
+    }
+    QVERIFY(moves != nullptr && !moves->isChecked());
+    moves->setChecked(true);
+    QVERIFY(program->toPlainText().contains("MOVES X BY 20 MM"));
+    confirmed->setChecked(true);
+    QVERIFY(!start(page)->isEnabled());
+    QLineEdit* word = nullptr;
+    for (QLineEdit* line : page.findChildren<QLineEdit*>()) {
+      word = line->placeholderText().contains("MOVE") ? line : word;
+    }
+    QVERIFY(word != nullptr);
+    word->setText("MOVE");
+    QVERIFY(start(page)->isEnabled());
+    page.findChild<QComboBox*>()->setCurrentIndex(2);
+    QVERIFY(!start(page)->isEnabled());  // another axis
+    QVERIFY(word->text().isEmpty());
+    confirmed->setChecked(true);
+    word->setText("MOVE");
+    page.findChildren<NumberField*>().first()->setValue(0.5);  // too short to be held
+    confirmed->setChecked(true);
+    word->setText("MOVE");
+    QVERIFY(!start(page)->isEnabled());
+    page.findChildren<NumberField*>().first()->setValue(-20.0);
+    confirmed->setChecked(true);
+    word->setText("MOVE");
+    QTest::mouseClick(start(page), Qt::LeftButton);
+    QCOMPARE(wanted.count(), 1);
+    const auto move = wanted[0][2].value<std::optional<streaming::AirMove>>();
+    QVERIFY(move == (streaming::AirMove{2, -20.0, 400.0}));
+    QVERIFY(!start(page)->isEnabled() && word->text().isEmpty());
+  }
+
+  /// Without motion it has passed what was tested, which is not all.
+  void passingWithoutMotionIsNotEnough() {
+    CommissioningPage page(feedTestTexts());
+    page.show();
+    QVERIFY(test::visibleText(page).contains("a stop is sure to act only before"));
+    streaming::FeedTest made;
+    made.result.checks = {{"actions-follow", true, "yes"}};
+    page.setTest(shownTest(made), false);
+    QVERIFY(test::visibleText(page).contains("Passed without motion"));
+    made.result.move = streaming::AirMove{0, 20.0, 400.0};
+    page.setTest(shownTest(made), false);
+    QVERIFY(test::visibleText(page).contains("act at once on this control"));
+    made.result.checks.push_back({"stays-held", false, "It moved in 1 cycles."});
+    page.setTest(shownTest(made), false);
+    QVERIFY(test::visibleText(page).contains("Not passed"));
+    QVERIFY(test::visibleText(page).contains("It moved in 1 cycles."));
+  }
+
   void showsHowFarItIs() {
-    CommissioningPage page;
+    CommissioningPage page(creditTestTexts());
     page.show();
     page.setProgress(CommissioningStep::CycleStart);
     QVERIFY(test::visibleText(page).contains("Waiting for cycle start"));
@@ -87,20 +152,21 @@ class TestCommissioningPage : public QObject {
 
   void saysWhatTheTestShowed() {
     test::Language language;
-    CommissioningPage page;
+    CommissioningPage page(creditTestTexts());
     page.show();
     QVERIFY(test::visibleText(page).contains("Not tested"));
     streaming::CreditTest passed = test::creditTest(true);
-    page.setTest(passed, false);
+    page.setTest(shownTest(passed), false);
     QVERIFY(test::visibleText(page).contains("Passed: method credit may run"));
     QVERIFY(test::visibleText(page).contains("The control answers the client while"));
-    page.setTest(passed, true);
+    page.setTest(shownTest(passed), true);
     QVERIFY(test::visibleText(page).contains("another version of the server"));
-    page.setTest(test::creditTest(false), false);
+    page.setTest(shownTest(test::creditTest(false)), false);
     QVERIFY(test::visibleText(page).contains("Not passed"));
     language.german();
     QVERIFY(test::visibleText(page).contains("Nicht bestanden"));
     QVERIFY(test::visibleText(page).contains("Die Steuerung antwortet dem Client"));
+    QVERIFY(test::visibleText(page).contains("Antworten unter Last"));
     page.setTest(std::nullopt, false);
     QVERIFY(test::visibleText(page).contains("Nicht getestet"));
   }

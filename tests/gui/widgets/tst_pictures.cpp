@@ -152,8 +152,8 @@ std::unique_ptr<QWidget> simulatingPage() {
 }
 
 std::unique_ptr<QWidget> commissioningPage(bool passed) {
-  auto page = std::make_unique<CommissioningPage>();
-  page->setTest(test::creditTest(passed), false);
+  auto page = std::make_unique<CommissioningPage>(creditTestTexts());
+  page->setTest(shownTest(test::creditTest(passed)), false);
   return page;
 }
 

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// The tests of a control from the window, on the virtual machine: its result is kept for the
+/// machine.
+
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "hmi/control_tests.h"
+#include "machine/machine.h"
+#include "streaming/simulation/simulated_link.h"
+#include "support/patience.h"
+#include "support/test_program.h"
+
+using namespace rivulet;
+using hmi::ControlTests;
+using streaming::CommissioningStep;
+
+namespace {
+
+using rivulet::tests::kSoonMs;
+
+struct Cell {
+  machine::Machine machine{*machine::loadPreset("dmu75"), 1};
+  streaming::SimulatedLink link{machine};
+};
+
+base::Result<opcua::Connection> connectToCell(const opcua::ConnectRequest& asked) {
+  auto cell = std::make_shared<Cell>();
+  return opcua::Connection{cell, &cell->link, &cell->link, asked.endpoint};
+}
+
+struct Models {
+  explicit Models(const QTemporaryDir& folder)
+      : store(report::MachineFolders::below(
+            folder.filePath(QStringLiteral("data")).toStdString(),
+            folder.filePath(QStringLiteral("config")).toStdString())) {}
+
+  report::MachineStore store;
+  hmi::Messages messages;
+  session::StreamSession session{connectToCell, store};
+  hmi::Document document{{}};
+  hmi::MachineModel machine{session, store, messages};
+  hmi::RunController runs{session, document, machine, messages};
+  ControlTests tests{session, machine, runs, document, store};
+};
+
+}  // namespace
+
+class TestControlTests : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    qputenv("XDG_STATE_HOME", m_folder.filePath(QStringLiteral("state")).toUtf8());
+  }
+
+  void theResultIsKeptForTheMachine() {
+    {
+      Models models(m_folder);
+      QVERIFY(models.tests.blocked()->reason == streaming::BlockReason::NotConnected);
+      models.tests.start({});
+      QVERIFY(!models.tests.isRunning());
+      models.machine.connectTo(QStringLiteral("opc.tcp://cell"));
+      QTRY_VERIFY_WITH_TIMEOUT(!models.tests.blocked(), kSoonMs);
+      QVERIFY(!models.tests.test());
+      QSignalSpy progressed(&models.tests, &ControlTests::progressed);
+      QSignalSpy changed(&models.tests, &ControlTests::testChanged);
+      models.tests.start({});
+      QVERIFY(models.tests.isRunning());
+      // Meanwhile nothing else starts.
+      QVERIFY(models.tests.blocked()->reason == streaming::BlockReason::CommissioningInProgress);
+      QVERIFY(models.runs.startBlocked()->reason ==
+              streaming::BlockReason::CommissioningInProgress);
+      QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), kSoonMs);
+      QVERIFY(models.tests.test() && models.tests.test()->result.passed());
+      QVERIFY(!models.tests.isOutdated(models.tests.test()));
+      QTRY_VERIFY_WITH_TIMEOUT(!models.tests.isRunning(), kSoonMs);
+      QVERIFY(!progressed.last()[1].value<std::optional<CommissioningStep>>());
+    }
+    // The next time it is known as soon as there is a connection.
+    Models models(m_folder);
+    QVERIFY(!models.tests.test());
+    models.machine.connectTo(QStringLiteral("opc.tcp://cell"));
+    QTRY_VERIFY_WITH_TIMEOUT(models.tests.test().has_value(), kSoonMs);
+    QVERIFY(models.tests.test()->result.passed());
+    models.machine.disconnectFrom();
+    QTRY_VERIFY_WITH_TIMEOUT(!models.tests.test(), kSoonMs);
+  }
+
+  /// The test of the feed cell beside it; the virtual machine needs none for its promise.
+  void theFeedCellIsKeptToo() {
+    Models models(m_folder);
+    models.machine.connectTo(QStringLiteral("opc.tcp://feed"));
+    QTRY_VERIFY_WITH_TIMEOUT(!models.tests.blocked(), kSoonMs);
+    QVERIFY(!models.tests.feedTest());
+    QVERIFY(models.document.feedProof() == streaming::FeedProof::Proved);
+    session::CommissionCommand command{session::TestKind::FeedCell};
+    command.move = streaming::AirMove{0, 20.0, 400.0};
+    models.tests.start(command);
+    QTRY_VERIFY_WITH_TIMEOUT(models.tests.feedTest().has_value(), kSoonMs);
+    QVERIFY(models.tests.feedTest()->result.proves());
+    QVERIFY(!models.tests.test());
+    const auto kept = models.store.feedTest("opc.tcp://feed", models.machine.link().server);
+    QVERIFY(kept && *kept && (*kept)->result.proves());
+  }
+
+  /// Until it is proved, windows of a run take no longer than the machine's limit.
+  void withoutProofWindowsAreShort() {
+    hmi::Document document{{}};
+    QCOMPARE(document.runSettings().windowSMax, 0.0);
+    document.setFeedProof(streaming::FeedProof::WithoutMotion);
+    QCOMPARE(document.runSettings().windowSMax, 5.0);
+    document.setStopLimit(3.0);
+    QCOMPARE(document.runSettings().windowSMax, 3.0);
+    document.setFeedProof(streaming::FeedProof::Proved);
+    QCOMPARE(document.runSettings().windowSMax, 0.0);
+  }
+};
+
+RIVULET_TEST(TestControlTests)
+#include "tst_control_tests.moc"

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Rivulet authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "widgets/commissioning/control_test_texts.h"
+
+#include <QCoreApplication>
+#include <array>
+#include <utility>
+
+#include "widgets/common/number_format.h"
+
+namespace rivulet::widgets {
+
+namespace {
+
+using streaming::AirMove;
+using streaming::CommissioningCheck;
+
+class CreditTestTexts final : public ControlTestTexts {
+  Q_DECLARE_TR_FUNCTIONS(CreditTestTexts)
+
+ public:
+  static QString figures(const streaming::Commissioning& result) {
+    return tr("%1 of %2 answers while busy, the slowest after %3")
+        .arg(QString::number(result.answered), QString::number(result.asked),
+             millisecondsText(result.slowestAnswer));
+  }
+
+ private:
+  [[nodiscard]] int cells() const override { return 10; }
+  [[nodiscard]] QString what() const override {
+    return tr(
+        "Method credit lets the axes move on while the next window is on its way. That is safe "
+        "only on a control that answers while its axes are busy. This test finds out: a program "
+        "that moves no axis, for a few seconds. The channel must be in reset.");
+  }
+  [[nodiscard]] QString program(int firstCell,
+                                const std::optional<AirMove>& /*move*/) const override {
+    return QString::fromStdString(streaming::commissioningProgram(firstCell));
+  }
+  [[nodiscard]] QString fileName() const override {
+    return QString::fromStdString(streaming::commissioningFileName());
+  }
+  [[nodiscard]] QString lastStep(const std::optional<AirMove>& /*move*/) const override {
+    return tr("4. Numbers are sent and must come back while the control is busy.");
+  }
+  [[nodiscard]] QString notTested() const override {
+    return tr("Not tested: method credit does not start on this control");
+  }
+  [[nodiscard]] QString enough() const override {
+    return tr("Passed: method credit may run on this control");
+  }
+  [[nodiscard]] QString failed() const override {
+    return tr("Not passed: method credit does not start. Use method window.");
+  }
+  [[nodiscard]] QString check(const CommissioningCheck& check) const override {
+    const QString name = QString::fromStdString(check.name);
+    if (name == QLatin1String("answers-while-busy")) {
+      return tr("The control answers the client while blocks wait to be executed.");
+    }
+    if (name == QLatin1String("main-run-seen-by-client")) {
+      return tr("What a synchronized action writes reaches the client.");
+    }
+    if (name == QLatin1String("main-run-seen-by-program")) {
+      return tr("What a synchronized action writes reaches the program without a stop.");
+    }
+    if (name == QLatin1String("action-with-its-block")) {
+      return tr("A synchronized action before a block is executed with that block.");
+    }
+    if (name == QLatin1String("buffer-level")) {
+      return tr("The program can tell, without a stop, whether blocks are waiting ($AC_IPO_BUF).");
+    }
+    return QString::fromStdString(check.message);
+  }
+};
+
+class FeedTestTexts final : public ControlTestTexts {
+  Q_DECLARE_TR_FUNCTIONS(FeedTestTexts)
+
+ public:
+  static QString figures(const streaming::FeedCommissioning& result) {
+    if (!result.move) {
+      return tr("no axis was moved");
+    }
+    return tr("%1 moved by %2 at %3; held, it was seen to stand after %4")
+        .arg(QLatin1Char(base::kAxisNames[static_cast<std::size_t>(result.move->axis)]))
+        .arg(lengthText(result.move->mm, 1), feedText(result.move->feedMmPerMin / kSPerMin),
+             millisecondsText(result.braking));
+  }
+
+ private:
+  static constexpr double kSPerMin = 60.0;
+
+  [[nodiscard]] int cells() const override { return streaming::kFeedTestCells; }
+  [[nodiscard]] bool mayMove() const override { return true; }
+  [[nodiscard]] QString what() const override {
+    return tr(
+        "Stop, pause and override act at once because the control obeys a cell in every "
+        "interpolation cycle. This test finds out whether it does: first without motion, then, if "
+        "you agree, with one axis that moves forth and back in the air and is held on its way. "
+        "The channel must be in reset.");
+  }
+  [[nodiscard]] QString program(int firstCell, const std::optional<AirMove>& move) const override {
+    streaming::FeedTestPlan plan;
+    plan.firstCell = firstCell;
+    plan.move = move;
+    return QString::fromStdString(streaming::feedTestProgram(plan));
+  }
+  [[nodiscard]] QString fileName() const override {
+    return QString::fromStdString(streaming::feedTestFileName());
+  }
+  [[nodiscard]] QString lastStep(const std::optional<AirMove>& move) const override {
+    return move ? tr("4. The override is changed while the axis moves. Then press cycle start once "
+                     "more: the next program must move at its own feed, and only the control can "
+                     "stop it.")
+                : tr("4. The override is changed; no axis moves.");
+  }
+  [[nodiscard]] QString notTested() const override {
+    return tr("Not tested: on this control a stop is sure to act only before the next window");
+  }
+  [[nodiscard]] QString enough() const override {
+    return tr("Passed: stop, pause and override act at once on this control");
+  }
+  [[nodiscard]] QString notEnough() const override {
+    return tr("Passed without motion. Whether the axes obey shows only when one moves.");
+  }
+  [[nodiscard]] QString failed() const override {
+    return tr("Not passed: on this control a stop is sure to act only before the next window");
+  }
+  [[nodiscard]] QString check(const CommissioningCheck& check) const override {
+    static const std::array<std::pair<const char*, const char*>, 9> kSaid{{
+        {"actions-follow",
+         QT_TR_NOOP("Synchronized actions make the override that is wanted, and keep it.")},
+        {"silence-holds", QT_TR_NOOP("Without a sign of the client the override is 0.")},
+        {"path-at-half-feed", QT_TR_NOOP("At 50 % the axis takes twice as long.")},
+        {"path-held", QT_TR_NOOP("At 0 % the axis stands on its way.")},
+        {"held-at-once", QT_TR_NOOP("It brakes at once when 0 % is wanted.")},
+        {"stays-held", QT_TR_NOOP("It moves in no interpolation cycle while it is held.")},
+        {"ends-with-program", QT_TR_NOOP("The synchronized actions end with their program.")},
+        {"taken-back", QT_TR_NOOP("The next program moves at its own feed.")},
+        {"only-this-client", QT_TR_NOOP("No other client writes the feed cell.")},
+    }};
+    for (const auto& [name, said] : kSaid) {
+      if (check.name == name) {
+        return check.passed ? tr(said)
+                            : tr(said) + QLatin1Char(' ') + QString::fromStdString(check.message);
+      }
+    }
+    return QString::fromStdString(check.message);
+  }
+};
+
+template <class Texts, class Test>
+ShownTest shownOf(const Test& test, bool isEnough) {
+  return {test.endpoint,
+          test.server,
+          test.testedAtUtc,
+          test.result,
+          [result = test.result] { return Texts::figures(result); },
+          isEnough};
+}
+
+}  // namespace
+
+std::unique_ptr<ControlTestTexts> creditTestTexts() {
+  return std::make_unique<CreditTestTexts>();
+}
+
+std::unique_ptr<ControlTestTexts> feedTestTexts() {
+  return std::make_unique<FeedTestTexts>();
+}
+
+ShownTest shownTest(const streaming::CreditTest& test) {
+  return shownOf<CreditTestTexts>(test, test.result.passed());
+}
+
+ShownTest shownTest(const streaming::FeedTest& test) {
+  return shownOf<FeedTestTexts>(test, test.result.proves());
+}
+
+}  // namespace rivulet::widgets
