@@ -753,6 +753,43 @@ class TestWholeJob : public QObject {
     QVERIFY(trace::judgeRun(recording->points.points, *recording->controlTrace, {}).isFaultless());
   }
 
+  /// Once a program has ended, positions are told without its tool length and offset: that is no
+  /// wrong motion, and no changed frame.
+  void theEndOfTheProgramIsNoWrongMotion_data() {
+    QTest::addColumn<bool>("isReset");
+    QTest::newRow("stop") << false;
+    QTest::newRow("reset at the control") << true;
+  }
+  void theEndOfTheProgramIsNoWrongMotion() {
+    QFETCH(const bool, isReset);
+    int stopped = 0;
+    for (int moment = 1; moment <= 60; ++moment) {
+      machine::Machine machine(*machine::loadPreset("dmu75-mill"), 1);
+      streaming::SimulatedLink link(machine);
+      Watcher watcher;
+      const base::Instant at = link.now() + std::chrono::milliseconds{301 * moment};
+      bool wasReset = false;
+      watcher.stopWhen = [&](base::Instant now) {
+        if (isReset && now >= at && !wasReset) {
+          wasReset = true;
+          machine.reset();
+        }
+        return !isReset && now >= at;
+      };
+      const streaming::WholeJobReport report =
+          streaming::runWholeJob(link, link, planOf(kPart), settingsOf(), watcher, watcher);
+      const std::string name = std::to_string(moment) + ": ";
+      stopped += report.outcome == Outcome::Completed ? 0 : 1;
+      QVERIFY2(report.error.code != job::JobError::PositionDiffers,
+               (name + report.error.text()).c_str());
+      for (const streaming::StretchReport& stretch : report.stretches) {
+        QVERIFY2(!stretch.run.wrong,
+                 stretch.run.wrong ? (name + streaming::describe(*stretch.run.wrong)).c_str() : "");
+      }
+    }
+    QVERIFY(stopped > 30);
+  }
+
   /// Stop while the control executes native blocks: it ends before the next one.
   void stopInNativeBlocks() {
     const char* const text = "G0 X1 Y1 Z1\nG4 F2\nG4 F2\nM8\nG0 X9\nM30\n";

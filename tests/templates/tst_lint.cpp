@@ -11,6 +11,7 @@
 #include "support/test_program.h"
 #include "templates/flexible_program.h"
 #include "templates/lint/lint.h"
+#include "templates/method_template.h"
 
 using namespace rivulet;
 using base::MethodKind;

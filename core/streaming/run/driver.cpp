@@ -394,8 +394,8 @@ void Driver::submitMethod() {
   }
   const std::optional<Action> action = m_method.poll(m_link.now());
   m_methodsTurn = false;
-  if (m_supplier != nullptr && m_path) {
-    m_path->extend(m_supplier->points());
+  if (m_supplier != nullptr && m_place.path) {
+    m_place.path->extend(m_supplier->points());
   }
   if (!action) {
     return;
@@ -611,12 +611,12 @@ void Driver::publishPosition(base::Vec3 positionMm, Instant at) {
 /// After its end, also by a reset at the control, the positions are those of another frame: what is
 /// read off the path counts once the program was seen to be active after that.
 void Driver::checkPlace(base::Vec3 positionMm, Instant at) {
-  if (!m_path || m_end.wrong || m_suspicion) {
+  if (!m_place.path || m_end.wrong || m_place.suspicion) {
     return;
   }
   const std::size_t executed = m_method.progress().executed;
-  if (const auto offMm = m_path->add(positionMm, executed, m_counters.sent)) {
-    m_suspicion = {{WrongMotion::Kind::OffPath, executed, *offMm}, at};
+  if (const auto offMm = m_place.path->add(positionMm, executed, m_counters.sent)) {
+    m_place.suspicion = {{WrongMotion::Kind::OffPath, executed, *offMm}, at};
     if (m_settings.monitor) {
       m_reads.askStatusAt(m_link.now());
     } else {
@@ -626,9 +626,9 @@ void Driver::checkPlace(base::Vec3 positionMm, Instant at) {
 }
 
 void Driver::confirmSuspicion() {
-  if (m_suspicion) {
-    noteWrong(m_suspicion->wrong);
-    m_suspicion.reset();
+  if (m_place.suspicion) {
+    noteWrong(m_place.suspicion->wrong);
+    m_place.suspicion.reset();
   }
 }
 
@@ -645,7 +645,7 @@ void Driver::handleMonitor(const opcua::Event& event) {
   if (m_outstanding.monitorKind == MonitorReads::Kind::Status) {
     m_reads.statusAnswered(event);
     const bool isReset = event.readings[0].number == opcua::kChannelReset;
-    if (m_suspicion && !isReset && event.sent > m_suspicion->at) {
+    if (m_place.suspicion && !isReset && event.sent > m_place.suspicion->at) {
       confirmSuspicion();
     }
     if (isReset) {

@@ -107,7 +107,7 @@ class Driver {
 
   /// The path, so that a tool that leaves it is noticed. Without it only the method's own signs of
   /// wrong motion are.
-  void watchPath(PathWatch path) { m_path = std::move(path); }
+  void watchPath(PathWatch path) { m_place.path = std::move(path); }
   /// Fetches the control's own trace while the stream has slack, if the control gives it in pieces.
   void watchTrace(TraceTaker& trace) { m_trace.begin(trace, m_link.now() + kTraceInterval); }
   /// Where the method pulls its windows from, if points arrive during the run.
@@ -256,12 +256,15 @@ class Driver {
   std::size_t m_brokenSeen = 0;
   PauseLog m_pauses;
   trace::StandstillByPosition m_standstill;
-  std::optional<PathWatch> m_path;
   struct Suspicion {
     WrongMotion wrong;
     base::Instant at;
   };
-  std::optional<Suspicion> m_suspicion;
+  struct PlaceCheck {
+    std::optional<PathWatch> path;
+    std::optional<Suspicion> suspicion;
+  };
+  PlaceCheck m_place;
   live::PointSupplier* m_supplier = nullptr;
   TraceFetch m_trace;
   StreamEnd m_end;

@@ -473,7 +473,7 @@ class WholeJob : public HostedRun {
       }
       const bool isCalled =
           next < m_stretches.size() && state->call == call(m_stretches[next]->number);
-      if (!isCalled || m_isStopped) {
+      if (!isCalled) {
         for (const auto step : {&WholeJob::followOrders, &WholeJob::waitAttentively}) {
           if (Result<void> done = (this->*step)(); !done) {
             return done;
