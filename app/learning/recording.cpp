@@ -43,7 +43,9 @@ bool isPosition(trace::SignalRole role) {
 /// A table can be looked at where some of its rows are damaged; a model would learn the damage.
 base::Result<void> requireSound(const trace::ImportedTrace& imported, const std::string& name) {
   for (const trace::Remark& remark : imported.trace.remarks) {
-    if (remark.code == trace::RemarkCode::TimeBackwards) {
+    if (remark.code == trace::RemarkCode::TimeBackwards ||
+        remark.code == trace::RemarkCode::RowsSorted ||
+        remark.code == trace::RemarkCode::Sections) {
       return base::fail(emulator::EmulatorError::BadTimes,
                         fmt::format("Time runs backwards at row {}: record the run again, or cut "
                                     "the file there.",

@@ -69,12 +69,12 @@ class CommissioningPage final : public Page {
   QLabel* m_what = value({.wraps = true});
   WholeNumberField* m_cell;
   QCheckBox* m_confirmed = checkBox({});
+  QCheckBox* m_byHand = checkBox({.text = QT_TR_NOOP("I bring the program to the control myself")});
   QCheckBox* m_moves = checkBox({.text = QT_TR_NOOP("An axis moves in the air")});
   QComboBox* m_axis = list({.name = QT_TR_NOOP("Axis that moves")});
   NumberField* m_lengthMm;
   NumberField* m_feed;
   QLineEdit* m_word = lineEdit({.name = QT_TR_NOOP("Confirm that the axis may move")});
-  QCheckBox* m_byHand = checkBox({.text = QT_TR_NOOP("I bring the program to the control myself")});
   std::array<StatusLabel*, 4> m_steps{};
   QPlainTextEdit* m_program;
   QPushButton* m_start = button({.text = QT_TR_NOOP("Start the test"), .icon = "play"});
