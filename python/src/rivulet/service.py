@@ -90,7 +90,9 @@ class Service:
         """Until the run has ended. @raise RunFailed  it was not completed"""
         while True:
             shown = self.show()
-            if shown["Monitoring/State"] not in ("armed", "running", "holding", "stopping"):
+            is_active = shown["Monitoring/State"] in ("armed", "running", "holding", "stopping")
+            # Right after the start, the service may not have heard of the run yet.
+            if not is_active and (shown["Session/LastOutcome"] or not self._has_started):
                 break
             time.sleep(LOOK_S)
         self._has_started = False
