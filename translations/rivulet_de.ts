@@ -4955,7 +4955,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Rivulet cannot stop what the control executes now. Press NC STOP at the machine.</source>
-        <translation>Rivulet kann nicht anhalten, was die Steuerung jetzt ausführt. An der Maschine NC-STOP drücken.</translation>
+        <translation>Rivulet kann nicht anhalten, was die Steuerung jetzt ausführt. An der Maschine NC-STOPP drücken.</translation>
     </message>
     <message>
         <source>Stop: the axes are held on the path.</source>
@@ -4972,6 +4972,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The state before the first part is not known: only the control knows what an earlier block does. Start from the beginning.</source>
         <translation>Der Zustand vor dem ersten Abschnitt ist nicht bekannt: Nur die Steuerung weiß, was ein früherer Satz bewirkt. Von vorn beginnen.</translation>
+    </message>
+    <message>
+        <source>The test of the control is aborted. If an axis still moves, press NC STOP at the machine.</source>
+        <translation>Der Test der Steuerung ist abgebrochen. Bewegt sich noch eine Achse, an der Maschine NC-STOPP drücken.</translation>
     </message>
 </context>
 <context>

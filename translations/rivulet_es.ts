@@ -4973,6 +4973,10 @@ GPL-3.0-or-later</translation>
         <source>The state before the first part is not known: only the control knows what an earlier block does. Start from the beginning.</source>
         <translation>No se conoce el estado antes del primer tramo: solo el control sabe qué hace una secuencia anterior. Empiece desde el principio.</translation>
     </message>
+    <message>
+        <source>The test of the control is aborted. If an axis still moves, press NC STOP at the machine.</source>
+        <translation>La prueba del control se ha interrumpido. Si todavía se mueve un eje, pulse NC STOP en la máquina.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>

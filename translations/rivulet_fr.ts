@@ -4973,6 +4973,10 @@ GPL-3.0-or-later</translation>
         <source>The state before the first part is not known: only the control knows what an earlier block does. Start from the beginning.</source>
         <translation>L’état avant le premier tronçon n’est pas connu&#xa0;: seule la commande sait ce que fait un bloc précédent. Recommencer depuis le début.</translation>
     </message>
+    <message>
+        <source>The test of the control is aborted. If an axis still moves, press NC STOP at the machine.</source>
+        <translation>Le test de la commande est interrompu. Si un axe se déplace encore, appuyez sur NC STOP à la machine.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>

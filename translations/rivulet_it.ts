@@ -4973,6 +4973,10 @@ GPL-3.0-or-later</translation>
         <source>The state before the first part is not known: only the control knows what an earlier block does. Start from the beginning.</source>
         <translation>Lo stato prima del primo tratto non è noto: solo il controllo sa che cosa fa un blocco precedente. Ricominciare dall’inizio.</translation>
     </message>
+    <message>
+        <source>The test of the control is aborted. If an axis still moves, press NC STOP at the machine.</source>
+        <translation>Il test del controllo è interrotto. Se un asse si muove ancora, premere NC STOP sulla macchina.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>

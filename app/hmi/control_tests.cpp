@@ -47,6 +47,10 @@ void ControlTests::start(session::CommissionCommand command) {
   }
   const session::TestKind kind = command.kind;
   m_session.commission(std::move(command));
+  // Nobody reads the state of the control meanwhile, and its program may move an axis.
+  m_machine.showRunning(QString::fromStdString(kind == session::TestKind::FeedCell
+                                                   ? streaming::feedTestFileName()
+                                                   : streaming::commissioningFileName()));
   Q_EMIT progressed(kind, streaming::CommissioningStep::CycleStart);
   Q_EMIT m_runs.permissionsChanged();
 }

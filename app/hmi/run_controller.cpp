@@ -183,6 +183,16 @@ bool RunController::start() {
 }
 
 void RunController::stop() {
+  if (m_session.isCommissioning()) {
+    m_session.stop();
+    m_messages.didAct(Act::Stop, {{"machine", m_machine.endpoint().toStdString()}});
+    m_messages.show(Severity::Error, [] {
+      return tr(
+          "The test of the control is aborted. If an axis still moves, press NC STOP at the "
+          "machine.");
+    });
+    return;
+  }
   if (!m_session.isRunning()) {
     m_messages.didAct(Act::Stop, {{"machine", m_machine.endpoint().toStdString()}});
     m_messages.show(Severity::Error, [] {

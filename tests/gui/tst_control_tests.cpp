@@ -13,6 +13,7 @@
 #include "machine/machine.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/patience.h"
+#include "support/simulated_control.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -28,20 +29,21 @@ struct Cell {
   streaming::SimulatedLink link{machine};
 };
 
-base::Result<opcua::Connection> connectToCell(const opcua::ConnectRequest& asked) {
+opcua::Attempt connectToCell(const opcua::ConnectRequest& asked) {
   auto cell = std::make_shared<Cell>();
-  return opcua::Connection{cell, &cell->link, &cell->link, asked.endpoint};
+  return {opcua::Connection{cell, &cell->link, &cell->link, asked.endpoint}};
 }
 
 struct Models {
-  explicit Models(const QTemporaryDir& folder)
-      : store(report::MachineFolders::below(
-            folder.filePath(QStringLiteral("data")).toStdString(),
-            folder.filePath(QStringLiteral("config")).toStdString())) {}
+  explicit Models(const QTemporaryDir& folder, opcua::Connector connector = connectToCell)
+      : store(
+            report::MachineFolders::below(folder.filePath(QStringLiteral("data")).toStdString(),
+                                          folder.filePath(QStringLiteral("config")).toStdString())),
+        session(std::move(connector), store) {}
 
   report::MachineStore store;
   hmi::Messages messages;
-  session::StreamSession session{connectToCell, store};
+  session::StreamSession session;
   hmi::Document document{{}};
   hmi::MachineModel machine{session, store, messages};
   hmi::RunController runs{session, document, machine, messages};
@@ -109,6 +111,33 @@ class TestControlTests : public QObject {
     QVERIFY(!models.tests.test());
     const auto kept = models.store.feedTest("opc.tcp://feed", models.machine.link().server);
     QVERIFY(kept && *kept && (*kept)->result.proves());
+  }
+
+  /// Nobody reads the state of the control while it is tested, and an axis may move: Stop can be
+  /// pressed, and holds it.
+  void stopHoldsTheAxisOfTheTest() {
+    const tests::SimulatedControl control("dmu75", 5.0);
+    Models models(m_folder,
+                  [&control](const auto& asked) { return control.connect(asked.endpoint); });
+    models.machine.connectTo(QString::fromStdString(tests::SimulatedControl::endpoint()));
+    QTRY_VERIFY_WITH_TIMEOUT(!models.tests.blocked(), kSoonMs);
+    QVERIFY(!models.machine.mayMove());
+    QSignalSpy progressed(&models.tests, &ControlTests::progressed);
+    QSignalSpy failed(&models.tests, &ControlTests::failed);
+    session::CommissionCommand command{session::TestKind::FeedCell};
+    command.move = streaming::AirMove{0, 200.0, 400.0};
+    models.tests.start(command);
+    QVERIFY(models.machine.mayMove());
+    QTRY_VERIFY_WITH_TIMEOUT(progressed.size() >= 2, kSoonMs);
+    QVERIFY(models.machine.mayMove());
+    models.runs.stop();
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kSoonMs);
+    QCOMPARE(failed.first()[1].value<base::Error>().code,
+             make_error_code(streaming::StreamError::Cancelled));
+    QVERIFY(!models.tests.feedTest());
+    QTRY_VERIFY_WITH_TIMEOUT(!models.tests.isRunning(), kSoonMs);
+    // The program waits, held, until somebody ends it.
+    QVERIFY(models.machine.mayMove());
   }
 
   /// Until it is proved, windows of a run take no longer than the machine's limit.
