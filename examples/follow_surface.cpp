@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -37,7 +38,9 @@ int main(int count, char** words) {
   while (std::fgets(reply, sizeof reply, run) != nullptr &&
          std::strstr(reply, "\"end\"") == nullptr) {
     const auto number = [&](const char* name) {
-      return std::stod(std::strstr(reply, name) + std::strlen(name));
+      double value = 0.0;
+      std::from_chars(std::strstr(reply, name) + std::strlen(name), std::end(reply), value);
+      return value;
     };
     const double x = number("\"x\":"), z = number("\"z\":");
     x0 = sent == 0 ? x : x0, z0 = sent == 0 ? z : z0;

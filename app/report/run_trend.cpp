@@ -6,12 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/utc.h"
 #include "report/markup.h"
 #include "report/svg_plot.h"
 
@@ -20,8 +19,6 @@ namespace rivulet::report {
 namespace {
 
 using Figure = double RunFigures::*;
-
-constexpr double kSecondsPerDay = 86400.0;
 
 /// @return slope of the line of least squares; 0 if all x are the same
 double slopeOf(const std::vector<double>& x, const std::vector<double>& y) {
@@ -158,24 +155,9 @@ std::string pictureOf(const std::vector<MachineTrend>& trends, const TrendTexts&
 }  // namespace
 
 std::optional<double> daysOf(std::string_view utc) {
-  int year = 0;
-  unsigned month = 0;
-  unsigned day = 0;
-  unsigned hour = 0;
-  unsigned minute = 0;
-  double second = 0.0;
-  const std::string text(utc);
-  if (std::sscanf(text.c_str(), "%d-%u-%uT%u:%u:%lf", &year, &month, &day, &hour, &minute,
-                  &second) != 6) {
-    return std::nullopt;
-  }
-  const std::chrono::year_month_day date{std::chrono::year{year}, std::chrono::month{month},
-                                         std::chrono::day{day}};
-  if (!date.ok() || hour > 23 || minute > 59 || !(second >= 0.0 && second < 61.0)) {
-    return std::nullopt;
-  }
-  const auto days = std::chrono::sys_days{date}.time_since_epoch().count();
-  return static_cast<double>(days) + (3600.0 * hour + 60.0 * minute + second) / kSecondsPerDay;
+  constexpr double kMsPerDay = 86'400'000.0;
+  const std::optional<base::UtcMs> at = base::utcOfText(utc);
+  return at ? std::optional(static_cast<double>(*at) / kMsPerDay) : std::nullopt;
 }
 
 std::vector<MachineTrend> trendsOf(std::vector<RunFigures> runs) {

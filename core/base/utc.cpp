@@ -44,11 +44,14 @@ std::string utcText(UtcMs at) {
 
 std::optional<UtcMs> utcOfText(std::string_view text) {
   constexpr std::string_view kForm = "dddd-dd-ddTdd:dd:dd.dddZ";
-  if (text.size() != kForm.size()) {
+  constexpr std::string_view kWithoutMs = "dddd-dd-ddTdd:dd:ddZ";
+  const bool hasMs = text.size() == kForm.size();
+  const std::string_view form = hasMs ? kForm : kWithoutMs;
+  if (text.size() != form.size()) {
     return std::nullopt;
   }
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (kForm[i] == 'd' ? !isDigit(text[i]) : text[i] != kForm[i]) {
+    if (form[i] == 'd' ? !isDigit(text[i]) : text[i] != form[i]) {
       return std::nullopt;
     }
   }
@@ -64,9 +67,9 @@ std::optional<UtcMs> utcOfText(std::string_view text) {
   if (!date.ok() || hour > 23 || minute > 59 || second > 59) {
     return std::nullopt;
   }
-  const std::chrono::sys_time<Ms> time = Days(date) + std::chrono::hours(hour) +
-                                         std::chrono::minutes(minute) +
-                                         std::chrono::seconds(second) + Ms(number(20, 3));
+  const std::chrono::sys_time<Ms> time =
+      Days(date) + std::chrono::hours(hour) + std::chrono::minutes(minute) +
+      std::chrono::seconds(second) + Ms(hasMs ? number(20, 3) : 0);
   return time.time_since_epoch().count();
 }
 

@@ -17,7 +17,7 @@ using UtcMs = std::int64_t;
 
 /// ISO 8601: "2026-11-22T08:30:05.123Z".
 [[nodiscard]] std::string utcText(UtcMs at);
-/// Inverse of `utcText`; nothing if the text has another form.
+/// Inverse of `utcText`, which may lack the milliseconds; nothing if the text has another form.
 [[nodiscard]] std::optional<UtcMs> utcOfText(std::string_view text);
 
 }  // namespace rivulet::base

@@ -20,10 +20,11 @@ class TestUtc : public QObject {
     for (const base::UtcMs at : {base::UtcMs{0}, base::UtcMs{1'795'336'205'123}}) {
       QCOMPARE(base::utcOfText(base::utcText(at)), std::optional(at));
     }
+    QCOMPARE(base::utcOfText("1970-01-02T12:00:05Z"), std::optional(base::UtcMs{129'605'000}));
   }
 
   void otherTextsAreRefused() {
-    for (const char* text : {"", "2026-11-22", "2026-11-22T08:30:05Z", "2026-13-22T08:30:05.000Z",
+    for (const char* text : {"", "2026-11-22", "2026-11-22T08:30:05.1Z", "2026-13-22T08:30:05.000Z",
                              "2026-02-30T08:30:05.000Z", "2026-11-22T24:30:05.000Z",
                              "2026-11-22t08:30:05.000Z", "2026-11-2aT08:30:05.000Z"}) {
       QVERIFY2(!base::utcOfText(text), text);

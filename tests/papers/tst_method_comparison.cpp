@@ -8,12 +8,21 @@
 #include <cmath>
 
 #include "base/executor.h"
+#include "base/text.h"
 #include "machine/config.h"
 #include "papers/catalogue.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
 using papers::Experiment;
+
+namespace {
+
+double numberOf(const std::string& text) {
+  return base::parseNumber(text).value();
+}
+
+}  // namespace
 
 class TestMethodComparison : public QObject {
   Q_OBJECT
@@ -42,7 +51,7 @@ class TestMethodComparison : public QObject {
   [[nodiscard]] double largestFeed(const std::string& method) const {
     for (const auto& cells : m_result.tables.at(0).rows) {
       if (cells[0] == method) {
-        return std::stod(cells[1]);
+        return numberOf(cells[1]);
       }
     }
     return 0.0;
@@ -76,11 +85,11 @@ void TestMethodComparison::windowsAreNeverWrong() {
 /// Up to the reach of the client, which for these contours lies above F 1000.
 void TestMethodComparison::creditHasNoPausesOnTime() {
   for (const char* feed : {"100", "200", "300", "500", "700", "1000"}) {
-    QCOMPARE(std::stod(row("credit", feed)[3]), 0.0);
-    QCOMPARE(std::stod(row("credit", feed)[4]), 0.0);
-    QVERIFY(std::stod(row("window", feed)[3]) >= 19.0);
-    QVERIFY(std::stod(row("credit", feed)[5]) < std::stod(row("window", feed)[5]));
-    QCOMPARE(std::stod(row("credit", feed)[9]), 0.0);
+    QCOMPARE(numberOf(row("credit", feed)[3]), 0.0);
+    QCOMPARE(numberOf(row("credit", feed)[4]), 0.0);
+    QVERIFY(numberOf(row("window", feed)[3]) >= 19.0);
+    QVERIFY(numberOf(row("credit", feed)[5]) < numberOf(row("window", feed)[5]));
+    QCOMPARE(numberOf(row("credit", feed)[9]), 0.0);
   }
 }
 
@@ -97,24 +106,24 @@ void TestMethodComparison::figuresFitEachOther() {
       continue;
     }
     // 140 points in the time told, to the digits printed.
-    const double points = std::stod(cells[5]) * std::stod(cells[6]);
+    const double points = numberOf(cells[5]) * numberOf(cells[6]);
     QVERIFY2(std::abs(points - 140.0) < 1.5, cells[1].c_str());
-    QVERIFY(std::stod(cells[4]) > 0.0 || cells[0] == "credit");
-    QVERIFY(std::stod(cells[4]) < 100.0);
+    QVERIFY(numberOf(cells[4]) > 0.0 || cells[0] == "credit");
+    QVERIFY(numberOf(cells[4]) < 100.0);
     // Each of the point's coordinates is written once at least, if not in a file.
     const bool isFile = cells[0].rfind("file", 0) == 0;
-    QVERIFY(isFile || std::stod(cells[7]) >= 3.0);
-    QVERIFY(isFile || std::stod(cells[8]) <= std::stod(cells[7]));
+    QVERIFY(isFile || numberOf(cells[7]) >= 3.0);
+    QVERIFY(isFile || numberOf(cells[8]) <= numberOf(cells[7]));
   }
   // 20 loops of 7 points: one standstill each, with method signal two; after the last none.
-  QCOMPARE(std::stod(row("position", "300")[3]), 19.0);
-  QCOMPARE(std::stod(row("signal", "300")[3]), 39.0);
-  QVERIFY(std::stod(row("window", "300")[3]) >= 19.0);
-  QVERIFY(std::stod(row("window", "300")[6]) > std::stod(row("signal", "300")[6]));
+  QCOMPARE(numberOf(row("position", "300")[3]), 19.0);
+  QCOMPARE(numberOf(row("signal", "300")[3]), 39.0);
+  QVERIFY(numberOf(row("window", "300")[3]) >= 19.0);
+  QVERIFY(numberOf(row("window", "300")[6]) > numberOf(row("signal", "300")[6]));
   // A file of 70 points: two of them, with one standstill between.
-  QCOMPARE(std::stod(row("file, N 70", "300")[3]), 1.0);
+  QCOMPARE(numberOf(row("file, N 70", "300")[3]), 1.0);
   // Asking where the axes are costs more than being told.
-  QVERIFY(std::stod(row("position", "300")[7]) > std::stod(row("window", "300")[7]));
+  QVERIFY(numberOf(row("position", "300")[7]) > numberOf(row("window", "300")[7]));
 }
 
 void TestMethodComparison::plotsShowRightRunsOnly() {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include "base/text.h"
 #include "emulator/emulator_error.h"
 #include "papers/published_emulator.h"
 #include "papers/recorded_run.h"
@@ -80,7 +81,7 @@ class TestPublishedEmulator : public QObject {
     // Position = set point, as planned from the programs (docs/emulator-p2.md).
     const std::array<double, 3> setPointMm{0.145, 0.223, 0.259};
     for (std::size_t design = 0; design < setPointMm.size(); ++design) {
-      const double mm = std::stod(result->tables[1].rows[design][4]);
+      const double mm = base::parseNumber(result->tables[1].rows[design][4]).value();
       QVERIFY2(std::abs(mm - setPointMm[design]) < 0.001, std::to_string(mm).c_str());
     }
     QVERIFY(result->tables.size() >= 6);

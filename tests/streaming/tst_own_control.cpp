@@ -9,6 +9,7 @@
 #include <map>
 #include <regex>
 
+#include "base/text.h"
 #include "streaming/run/job.h"
 #include "streaming/simulation/scenario.h"
 #include "support/silent_run.h"
@@ -74,7 +75,7 @@ class OwnControl final : public opcua::Link, public opcua::Control {
     std::smatch number;
     std::regex_search(m_text, number, std::regex("R4=([0-9]+)"));
     channel() = 1;
-    cell(m_cells.layout) = std::stod(number[1]);
+    cell(m_cells.layout) = base::parseNumber(number[1].str()).value();
     cell(m_cells.signal) = LoopProtocol::kRefilled;
     return {};
   }

@@ -59,6 +59,9 @@ struct Module {
 /// JSON is written with bytes that are no UTF-8 replaced: else a file name or a program in another
 /// encoding ends the whole program.
 [[nodiscard]] Findings checkJsonText(const Sources& sources);
+/// Numbers are read alike in each locale: std::stod and the like take "0,5" for a number where the
+/// comma is the decimal point, and "0.5" for 0.
+[[nodiscard]] Findings checkNumbersOfAllLocales(const Sources& sources);
 /// Each header has `#pragma once`.
 [[nodiscard]] Findings checkPragmaOnce(const Sources& sources);
 /// A source includes the header of its own name first, so that building it shows that the header

@@ -18,7 +18,8 @@ namespace {
 const QStringList kFolders{
     QStringLiteral("app"),       QStringLiteral("core"),  QStringLiteral("widgets"),
     QStringLiteral("resources"), QStringLiteral("tests"), QStringLiteral("translations"),
-    QStringLiteral("scripts"),   QStringLiteral(".ci"),   QStringLiteral("docs")};
+    QStringLiteral("scripts"),   QStringLiteral(".ci"),   QStringLiteral("docs"),
+    QStringLiteral("examples"),  QStringLiteral("bench")};
 const QStringList kText{QStringLiteral("h"),     QStringLiteral("cpp"), QStringLiteral("txt"),
                         QStringLiteral("cmake"), QStringLiteral("md"),  QStringLiteral("json"),
                         QStringLiteral("toml"),  QStringLiteral("ui"),  QStringLiteral("qrc"),
@@ -63,6 +64,7 @@ class TestTidy : public QObject {
   void noQtInCore() { none(checkNoQtInCore(m_sources)); }
   void spdx() { none(checkSpdx(m_sources)); }
   void jsonText() { none(checkJsonText(m_sources)); }
+  void numbersOfAllLocales() { none(checkNumbersOfAllLocales(m_sources)); }
   void pragmaOnce() { none(checkPragmaOnce(m_sources)); }
   void ownHeaderFirst() { none(checkOwnHeaderFirst(m_sources)); }
   void bannedWords() { none(checkBannedWords(m_sources)); }

@@ -184,13 +184,25 @@ class TestTidyRules : public QObject {
   void aHeaderHasPragmaOnce() {
     QVERIFY(checkPragmaOnce({file("core/base/a.h", "// why\n#pragma once\n")}).isEmpty());
     QVERIFY(checkPragmaOnce({file("core/base/a.cpp", "int a;\n")}).isEmpty());
+    QCOMPARE(places(checkPragmaOnce({file("widgets/a.h", "// #pragma once\nint a;\n")})),
+             QStringList{QStringLiteral("widgets/a.h:1")});
+  }
+
+  void jsonIsWrittenOfAnyText() {
     QCOMPARE(
         checkJsonText({file("app/cli/a.cpp", "f(json.dump(2) + x);\ng(json.dump());\n")}).size(),
         2);
     QVERIFY(
         checkJsonText({file("app/cli/a.cpp", "json.dump(2, ' ', false, replace);\n")}).isEmpty());
-    QCOMPARE(places(checkPragmaOnce({file("widgets/a.h", "// #pragma once\nint a;\n")})),
-             QStringList{QStringLiteral("widgets/a.h:1")});
+  }
+
+  void numbersAreReadAlikeEverywhere() {
+    QCOMPARE(places(checkNumbersOfAllLocales(
+                 {file("tests/a/tst_a.cpp", "// std::stod(a)\nx = std::stod(a);\n"),
+                  file("examples/b.cpp", "std::sscanf(a, \"%lf\", &x);\ny = strtod(a, nullptr);\n"),
+                  file("core/c.cpp", "x = std::stoi(a) + *parseNumber(b) + custod(c);\n")})),
+             (QStringList{QStringLiteral("tests/a/tst_a.cpp:2"), QStringLiteral("examples/b.cpp:1"),
+                          QStringLiteral("examples/b.cpp:2")}));
   }
 
   void bannedWords_data() {
