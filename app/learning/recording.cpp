@@ -36,10 +36,6 @@ std::string runName(const std::string& file) {
   return name.substr(0, name.find('.'));
 }
 
-bool isPosition(trace::SignalRole role) {
-  return role >= trace::SignalRole::XSet && role <= trace::SignalRole::ZActual;
-}
-
 /// A table can be looked at where some of its rows are damaged; a model would learn the damage.
 base::Result<void> requireSound(const trace::ImportedTrace& imported, const std::string& name) {
   for (const trace::Remark& remark : imported.trace.remarks) {
@@ -56,7 +52,7 @@ base::Result<void> requireSound(const trace::ImportedTrace& imported, const std:
   for (const trace::ColumnRole& column : imported.columns) {
     const auto signal =
         std::ranges::find(imported.trace.signalList, column.column, &trace::Signal::name);
-    if (!isPosition(column.role) || signal == imported.trace.signalList.end()) {
+    if (!trace::isPosition(column.role) || signal == imported.trace.signalList.end()) {
       continue;
     }
     const auto isBad = [](double value) { return !std::isfinite(value); };

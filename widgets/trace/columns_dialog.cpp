@@ -222,10 +222,9 @@ QString ColumnsDialog::problem() const {
 void ColumnsDialog::check() {
   const QString wrong = problem();
   const trace::TableMapping chosen = mapping();
-  const bool hasPosition = std::any_of(
-      chosen.columns.begin(), chosen.columns.end(), [](const trace::ColumnRole& column) {
-        return column.role >= SignalRole::XSet && column.role <= SignalRole::ZActual;
-      });
+  const bool hasPosition =
+      std::any_of(chosen.columns.begin(), chosen.columns.end(),
+                  [](const trace::ColumnRole& column) { return trace::isPosition(column.role); });
   m_rate->setEnabled(!hasTime());
   m_rateName->setEnabled(!hasTime());
   m_accept->setEnabled(wrong.isEmpty());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <string>
 
 #include "base/text.h"
@@ -12,15 +13,6 @@
 namespace rivulet::trace {
 
 namespace {
-
-/// Days from 1970-01-01, Gregorian. @source H. Hinnant: chrono-compatible low-level date algorithms
-std::int64_t daysOf(int year, int month, int day) {
-  const int y = month <= 2 ? year - 1 : year;
-  const int era = (y >= 0 ? y : y - 399) / 400;
-  const int ofEra = y - era * 400;
-  const int ofYear = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
-  return std::int64_t{era} * 146097 + ofEra * 365 + ofEra / 4 - ofEra / 100 + ofYear - 719468;
-}
 
 struct Digits {
   int value = 0;
@@ -85,13 +77,17 @@ std::optional<Date> takeDate(std::string_view& text) {
 std::optional<double> midnightOf(const Date& date, DateOrder slashes) {
   const bool isMonthFirst =
       !date.hasYearFirst() && date.separator == '/' && slashes == DateOrder::MonthFirst;
-  const int year = (date.hasYearFirst() ? date.parts[0] : date.parts[2]).value;
-  const int month = (isMonthFirst ? date.parts[0] : date.parts[1]).value;
-  const int day = (date.hasYearFirst() ? date.parts[2] : date.parts[isMonthFirst ? 1 : 0]).value;
-  if (month < 1 || month > 12 || day < 1 || day > 31) {
+  const auto partOf = [&date](std::size_t part) { return date.parts[part].value; };
+  const std::chrono::year_month_day day{
+      std::chrono::year(partOf(date.hasYearFirst() ? 0 : 2)),
+      std::chrono::month(static_cast<unsigned>(partOf(isMonthFirst ? 0 : 1))),
+      std::chrono::day(static_cast<unsigned>(partOf(date.hasYearFirst() ? 2
+                                                    : isMonthFirst      ? 1
+                                                                        : 0)))};
+  if (!day.ok()) {
     return std::nullopt;
   }
-  return kDayS * static_cast<double>(daysOf(year, month, day));
+  return kDayS * static_cast<double>(std::chrono::sys_days(day).time_since_epoch().count());
 }
 
 /// "h:mm:ss", "h:mm:ss.fff", "h:mm:ss,fff", "h:mm:ss:fff". @return seconds, below a day

@@ -237,7 +237,7 @@ std::vector<std::string_view> unitsOf(SignalRole role) {
   };
   if (role == SignalRole::Time) {
     add(kTimeUnits);
-  } else if (role >= SignalRole::XSet && role <= SignalRole::ZActual) {
+  } else if (isPosition(role)) {
     add(kLengthUnits);
   } else if (isSpeed(role)) {
     add(kSpeedUnits);
@@ -302,7 +302,7 @@ std::optional<double> unitFactor(std::string_view unit, SignalRole role) {
   if (role == SignalRole::Time) {
     return factorIn(kTimeUnits, unit);
   }
-  if (role >= SignalRole::XSet && role <= SignalRole::ZActual) {
+  if (isPosition(role)) {
     return factorIn(kLengthUnits, unit);
   }
   if (isSpeed(role)) {

@@ -35,6 +35,11 @@ enum class SignalRole {
 };
 inline constexpr std::size_t kSignalRoleCount = 14;
 
+/// Set point or actual position of an axis.
+[[nodiscard]] constexpr bool isPosition(SignalRole role) {
+  return role >= SignalRole::XSet && role <= SignalRole::ZActual;
+}
+
 /// "time", "x_set", "x_act", "x_speed", "path_speed", "programmed_feed", "line", "override".
 [[nodiscard]] std::string_view signalRoleName(SignalRole role);
 

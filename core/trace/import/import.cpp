@@ -663,16 +663,12 @@ SignalTrace signalsOf(std::vector<Column>& columns, const TableMapping& mapping,
   return trace;
 }
 
-bool isPosition(const ColumnRole& column) {
-  return column.role >= SignalRole::XSet && column.role <= SignalRole::ZActual;
-}
-
 /// Whether the positions stand in rows of their own: hardly a row has all of them.
 bool isSparse(const SignalTrace& trace, const std::vector<ColumnRole>& roles) {
   std::vector<const Signal*> positions;
   for (const Signal& signal : trace.signalList) {
     const bool is = std::any_of(roles.begin(), roles.end(), [&signal](const ColumnRole& column) {
-      return isPosition(column) && column.column == signal.name;
+      return isPosition(column.role) && column.column == signal.name;
     });
     if (is && signal.timeBase == 0) {
       positions.push_back(&signal);
@@ -712,7 +708,7 @@ std::vector<std::size_t> leadingRows(const SignalTrace& trace,
   std::size_t most = 0;
   for (const ColumnRole& column : roles) {
     for (const Signal& signal : trace.signalList) {
-      if (isPosition(column) && column.column == signal.name) {
+      if (isPosition(column.role) && column.column == signal.name) {
         all.push_back(rowsWith(signal));
         most = std::max(most, all.back().size());
       }
@@ -788,8 +784,7 @@ TablePreview previewOf(const std::vector<Column>& columns, const TableMapping& m
                                column.unit,
                                column.role,
                                {column.values.begin(), column.values.begin() + count}});
-    hasPosition = hasPosition || (column.role && *column.role >= SignalRole::XSet &&
-                                  *column.role <= SignalRole::ZActual);
+    hasPosition = hasPosition || (column.role && isPosition(*column.role));
     hasTime = hasTime || column.role == SignalRole::Time;
   }
   const bool isAssumed = std::any_of(remarks.begin(), remarks.end(), [](const Remark& remark) {
