@@ -72,7 +72,7 @@ void printSteps(const CommissionOptions& options, const streaming::FeedTestPlan&
       plan.move ? fmt::format("The test moves {} forth and back, three times: keep its way clear.",
                               streaming::describe(*plan.move))
                 : std::string("The test moves no axis.");
-  const int cells = options.feedCell ? streaming::kFeedTestCells : 10;
+  const int cells = options.feedCell ? streaming::kFeedTestCells : streaming::kCreditTestCells;
   fmt::print(
       stderr,
       "{} It writes R{} to R{} and takes {}.\n  1. Bring the channel to reset, in AUTO.\n  2. {} "

@@ -64,7 +64,7 @@ class StreamSession final : public QObject {
   /// Measures the cost of access, on cells that the operator has confirmed. `stop` cancels.
   void calibrate(const streaming::CalibrationPlan& plan);
 
-  /// The test of method credit, on ten cells that nobody else uses. `stop` cancels.
+  /// A test of the control, on cells that nobody else uses. `stop` cancels.
   void commission(CommissionCommand command);
 
   [[nodiscard]] bool isRunning() const { return m_running; }

@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "base/units.h"
 #include "widgets/common/number_format.h"
 
 namespace rivulet::widgets {
@@ -27,7 +28,7 @@ class CreditTestTexts final : public ControlTestTexts {
   }
 
  private:
-  [[nodiscard]] int cells() const override { return 10; }
+  [[nodiscard]] int cells() const override { return streaming::kCreditTestCells; }
   [[nodiscard]] QString what() const override {
     return tr(
         "Method credit lets the axes move on while the next window is on its way. That is safe "
@@ -84,13 +85,12 @@ class FeedTestTexts final : public ControlTestTexts {
     }
     return tr("%1 moved by %2 at %3; held, it was seen to stand after %4")
         .arg(QLatin1Char(base::kAxisNames[static_cast<std::size_t>(result.move->axis)]))
-        .arg(lengthText(result.move->mm, 1), feedText(result.move->feedMmPerMin / kSPerMin),
+        .arg(lengthText(result.move->mm, 1),
+             feedText(base::mmPerSFromMmPerMin(result.move->feedMmPerMin)),
              millisecondsText(result.braking));
   }
 
  private:
-  static constexpr double kSPerMin = 60.0;
-
   [[nodiscard]] int cells() const override { return streaming::kFeedTestCells; }
   [[nodiscard]] bool mayMove() const override { return true; }
   [[nodiscard]] QString what() const override {

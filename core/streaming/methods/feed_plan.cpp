@@ -19,13 +19,9 @@ namespace {
 /// Enough to tell which cells make the run shorter.
 constexpr std::size_t kPointsJudgedMax = 100'000;
 
-/// Time of the move to point i. @param i > 0
-double moveS(std::span<const gcode::StreamPoint> points, std::size_t i) {
-  const gcode::StreamPoint& from = points[i - 1];
-  const gcode::StreamPoint& to = points[i];
-  const double way = base::wayAlongFeed(base::distance(from.positionMm, to.positionMm),
-                                        base::turnDeg(from.rotaryDeg, to.rotaryDeg));
-  return to.feedMmPerS > 0.0 ? way / to.feedMmPerS : 0.0;
+/// Time of the move to point i; 0: it has no feed of its own. @param i > 0
+double ownMoveS(std::span<const gcode::StreamPoint> points, std::size_t i) {
+  return points[i].feedMmPerS > 0.0 ? moveS(points[i - 1], points[i], 0.0) : 0.0;
 }
 
 /// Time of a run, as far as the cells of the feeds change it.
@@ -48,7 +44,7 @@ double runS(std::span<const gcode::StreamPoint> points, const RunSettings& setti
   for (std::size_t window = 0; window + 1 < begins.size(); ++window) {
     double motionS = 0.0;
     for (std::size_t i = std::max<std::size_t>(begins[window], 1); i < begins[window + 1]; ++i) {
-      motionS += moveS(points, i);
+      motionS += ownMoveS(points, i);
     }
     seconds += std::max(motionS + stopS, turnS);
   }
@@ -135,13 +131,14 @@ std::optional<OverrideLimit> overrideLimit(const feasibility::Verdict& verdict,
   const std::size_t last = std::min(points.size() - 1, first + place->steps - 1);
   std::size_t shortest = std::min(first, last);
   for (std::size_t i = shortest; i <= last; ++i) {
-    shortest = moveS(points, i) < moveS(points, shortest) ? i : shortest;
+    shortest = ownMoveS(points, i) < ownMoveS(points, shortest) ? i : shortest;
   }
   const gcode::StreamPoint& at = points[shortest];
   const double overrideFactor = settings.programFeeds->overrideFactor;
   return OverrideLimit{overrideFactor * verdict.limiting.margin, at.line,
                        at.feedMmPerS / overrideOfPoints.value_or(overrideFactor),
-                       moveS(points, shortest) * at.feedMmPerS, at.kind == gcode::MoveKind::Rapid};
+                       ownMoveS(points, shortest) * at.feedMmPerS,
+                       at.kind == gcode::MoveKind::Rapid};
 }
 
 std::string describe(const OverrideLimit& limit) {

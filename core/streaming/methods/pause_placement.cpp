@@ -53,12 +53,7 @@ class WindowSize {
     RIVULET_ASSERT(cut.feedMmPerS > 0.0);
     m_reachedS.assign(points.size() + 1, 0.0);
     for (std::size_t i = 1; i < points.size(); ++i) {
-      const double feed = points[i].feedMmPerS > 0.0 ? points[i].feedMmPerS : cut.feedMmPerS;
-      m_reachedS[i + 1] =
-          m_reachedS[i] +
-          base::wayAlongFeed(base::distance(points[i - 1].positionMm, points[i].positionMm),
-                             base::turnDeg(points[i - 1].rotaryDeg, points[i].rotaryDeg)) /
-              feed;
+      m_reachedS[i + 1] = m_reachedS[i] + moveS(points[i - 1], points[i], cut.feedMmPerS);
     }
   }
   /// Of the points from `begin` to before `end`. One move alone cannot be divided.
@@ -74,6 +69,12 @@ class WindowSize {
 };
 
 }  // namespace
+
+double moveS(const gcode::StreamPoint& from, const gcode::StreamPoint& to, double feedMmPerS) {
+  return base::wayAlongFeed(base::distance(from.positionMm, to.positionMm),
+                            base::turnDeg(from.rotaryDeg, to.rotaryDeg)) /
+         (to.feedMmPerS > 0.0 ? to.feedMmPerS : feedMmPerS);
+}
 
 std::vector<bool> harmlessPauses(std::span<const gcode::StreamPoint> points) {
   std::vector<bool> harmless(points.size());

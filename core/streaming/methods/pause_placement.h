@@ -55,6 +55,11 @@ struct PausePlacement {
 /// True if a pause at the end of point i is off the cut (see above).
 [[nodiscard]] std::vector<bool> harmlessPauses(std::span<const gcode::StreamPoint> points);
 
+/// Time of a straight move at its feed, without acceleration, s.
+/// @param feedMmPerS  of a point without a feed of its own; > 0 then
+[[nodiscard]] double moveS(const gcode::StreamPoint& from, const gcode::StreamPoint& to,
+                           double feedMmPerS);
+
 /// Of all ways to cut the points into windows of at most M, one with the fewest pauses in the cut,
 /// and among those one with the fewest windows. Exact: no other has fewer. Windows end where the
 /// feed changes, unless each point has its own.

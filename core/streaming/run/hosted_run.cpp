@@ -132,17 +132,47 @@ Result<void> HostedRun::requireFeedCell() {
     m_ledger.note({m_link.now(), "the program has no feed cell: hold acts before the next window"});
     return {};
   }
-  const std::array<opcua::Assignment, 1> programmed{
-      {{opcua::rParameter(m_cells.overrideWanted), templates::FeedCell::kProgrammed}}};
+  // The program has begun with 0 there: only what acts on the feed has written another value.
+  Result<void> obeys =
+      awaitOverride({opcua::rParameter(m_cells.overrideWanted), templates::FeedCell::kProgrammed},
+                    templates::FeedCell::kProgrammed, [this](double acts) {
+                      return fmt::format(
+                          "The control does not obey the feed cell (R{} is {:g}): hold, stop and "
+                          "override would not act. Nothing was moved: check that a SINUMERIK has "
+                          "synchronized actions, or a LinuxCNC the components of "
+                          "docs/linuxcnc.md.",
+                          m_cells.overrideActs, acts);
+                    });
+  if (!obeys || !m_cells.hasFactor()) {
+    return obeys;
+  }
+  for (const double factor : {0.0, m_cells.factorLeast, 1.0}) {
+    obeys =
+        awaitOverride({opcua::rParameter(m_cells.factor), factor},
+                      templates::overrideOf(m_cells, templates::FeedCell::kProgrammed, factor),
+                      [this, factor](double acts) {
+                        return fmt::format(
+                            "The control does not obey the factor of the override (with {:g} in "
+                            "R{}, R{} is {:g}). Nothing was moved: check that the control has "
+                            "synchronized actions, or start without a source of factors.",
+                            factor, m_cells.factor, m_cells.overrideActs, acts);
+                      });
+    if (!obeys) {
+      return obeys;
+    }
+  }
+  return {};
+}
+
+Result<void> HostedRun::awaitOverride(const opcua::Assignment& tried, double most,
+                                      const std::function<std::string(double acts)>& ignored) {
   const std::array<opcua::Variable, 2> cells{opcua::rParameter(m_cells.overrideWanted),
                                              opcua::rParameter(m_cells.overrideActs)};
-  if (Result<void> done = opcua::writeNow(m_claim.link(), programmed, m_settings.setupDeadline);
+  if (Result<void> done = opcua::writeNow(m_claim.link(), {&tried, 1}, m_settings.setupDeadline);
       !done) {
     return done;
   }
-  // The program has begun with 0 there: only what acts on the feed has written another value.
   const Instant until = m_link.now() + kFeedCellDeadline;
-  double acts = 0.0;
   for (;;) {
     if (Result<void> done = beat(); !done) {
       return done;
@@ -151,70 +181,20 @@ Result<void> HostedRun::requireFeedCell() {
     if (!numbers) {
       return base::fail(numbers.error());
     }
-    acts = (*numbers)[1];
     if ((*numbers)[0] != templates::FeedCell::kProgrammed) {
       return base::fail(StreamError::OtherClient,
                         fmt::format("Another client has written {:g} into R{}, the feed cell. "
                                     "Nothing was moved: find out who holds the machine.",
                                     (*numbers)[0], m_cells.overrideWanted));
     }
+    const double acts = (*numbers)[1];
     // Method credit is slower while nothing follows.
-    if (acts > templates::FeedCell::kHold && acts <= templates::FeedCell::kProgrammed) {
-      return requireFactor();
-    }
-    if (m_link.now() >= until) {
-      return base::fail(
-          StreamError::FeedCellIgnored,
-          fmt::format("The control does not obey the feed cell (R{} is {:g}): hold, stop and "
-                      "override would not act. Nothing was moved: check that a SINUMERIK has "
-                      "synchronized actions, or a LinuxCNC the components of docs/linuxcnc.md.",
-                      m_cells.overrideActs, acts));
-    }
-    pause(kFeedCellInterval);
-  }
-}
-
-Result<void> HostedRun::requireFactor() {
-  if (!m_cells.hasFactor()) {
-    return {};
-  }
-  for (const double factor : {0.0, m_cells.factorLeast, 1.0}) {
-    if (Result<void> done = tryFactor(factor); !done) {
-      return done;
-    }
-  }
-  return {};
-}
-
-Result<void> HostedRun::tryFactor(double factor) {
-  const std::array<opcua::Assignment, 1> tried{{{opcua::rParameter(m_cells.factor), factor}}};
-  const std::array<opcua::Variable, 1> cells{opcua::rParameter(m_cells.overrideActs)};
-  // Method credit is slower while nothing follows.
-  const double most = templates::overrideOf(m_cells, templates::FeedCell::kProgrammed, factor);
-  if (Result<void> done = opcua::writeNow(m_claim.link(), tried, m_settings.setupDeadline); !done) {
-    return done;
-  }
-  const Instant until = m_link.now() + kFeedCellDeadline;
-  for (;;) {
-    if (Result<void> done = beat(); !done) {
-      return done;
-    }
-    const auto numbers = opcua::readNumbers(m_claim.link(), cells, m_settings.setupDeadline);
-    if (!numbers) {
-      return base::fail(numbers.error());
-    }
-    const double acts = (*numbers)[0];
     if (acts <= most &&
         (acts > templates::FeedCell::kHold) == (most > templates::FeedCell::kHold)) {
       return {};
     }
     if (m_link.now() >= until) {
-      return base::fail(
-          StreamError::FeedCellIgnored,
-          fmt::format("The control does not obey the factor of the override (with {:g} in R{}, R{} "
-                      "is {:g}). Nothing was moved: check that the control has synchronized "
-                      "actions, or start without a source of factors.",
-                      factor, m_cells.factor, m_cells.overrideActs, acts));
+      return base::fail(StreamError::FeedCellIgnored, ignored(acts));
     }
     pause(kFeedCellInterval);
   }

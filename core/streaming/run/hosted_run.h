@@ -82,9 +82,11 @@ class HostedRun {
   [[nodiscard]] base::Result<void> unlessCancelled(base::Result<void> claimed);
   [[nodiscard]] base::Result<void> cancel();
   [[nodiscard]] base::Result<void> beat();
-  /// The same of the factor, if the program has one.
-  [[nodiscard]] base::Result<void> requireFactor();
-  [[nodiscard]] base::Result<void> tryFactor(double factor);
+  /// Writes a value, and waits until the control makes an override of it that is above 0 if `most`
+  /// is, and not larger. @param ignored  what to say if it does not
+  [[nodiscard]] base::Result<void> awaitOverride(
+      const opcua::Assignment& tried, double most,
+      const std::function<std::string(double acts)>& ignored);
 };
 
 }  // namespace rivulet::streaming

@@ -39,6 +39,7 @@ constexpr Duration kRunMax = std::chrono::minutes{3};
 
 /// R-parameters of the test, counted from its first.
 enum Cell { Question, Echo, Begin, Cycles, Layout, Phase, Passes, Buffer, CyclesSeen, Mark };
+static_assert(Mark + 1 == kCreditTestCells);
 /// Values of `Phase`.
 constexpr double kAsking = 1.0;
 constexpr double kThrough = 2.0;

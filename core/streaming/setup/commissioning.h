@@ -24,8 +24,11 @@
 
 namespace rivulet::streaming {
 
+/// R-parameters in a row that the test of method credit needs.
+inline constexpr int kCreditTestCells = 10;
+
 struct CommissioningPlan {
-  int firstCell = 0;  ///< of ten R-parameters in a row that nobody else uses
+  int firstCell = 0;  ///< of the R-parameters of the test, in a row, that nobody else uses
   TransferWay transfer = TransferWay::Link;
   base::Duration requestDeadline = std::chrono::seconds{2};
   base::Duration startDeadline = std::chrono::minutes{5};  ///< for cycle start at the control

@@ -13,6 +13,7 @@
 #include "base/axes.h"
 #include "base/contract.h"
 #include "base/hash.h"
+#include "base/units.h"
 #include "streaming/run/run.h"
 #include "streaming/setup/program_test.h"
 #include "templates/feed_cell.h"
@@ -459,7 +460,8 @@ std::vector<std::string> watchingBlocks(char axis, const std::function<std::stri
 }  // namespace
 
 Duration AirMove::duration() const {
-  return base::fromSeconds(feedMmPerMin > 0.0 ? 60.0 * std::abs(mm) / feedMmPerMin : 0.0);
+  return base::fromSeconds(
+      feedMmPerMin > 0.0 ? std::abs(mm) / base::mmPerSFromMmPerMin(feedMmPerMin) : 0.0);
 }
 
 std::string describe(const AirMove& move) {

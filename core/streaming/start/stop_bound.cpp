@@ -26,23 +26,25 @@ StopBound stopBound(std::span<const gcode::StreamPoint> points, std::optional<ba
                                         ? cutWindows(points, perLoop, windowCut(settings)).begins
                                         : evenPauses(points, perLoop, true).begins;
   begins.push_back(points.size());
+  const double secondsMax = windowCut(settings).secondsMax;
+  std::optional<gcode::StreamPoint> from;
+  if (toolMm) {
+    from = points.front();
+    from->positionMm = *toolMm;
+  }
   // After so many points.
   std::vector<double> reachedS{0.0};
   std::vector<double> reachedMm{0.0};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool isKnown = i > 0 || toolMm;
-    const base::Vec3 from = i > 0 ? points[i - 1].positionMm : toolMm.value_or(base::Vec3{});
-    const double wayMm = isKnown ? base::distance(from, points[i].positionMm) : 0.0;
-    const double alongFeed = base::wayAlongFeed(
-        wayMm, i > 0 ? base::turnDeg(points[i - 1].rotaryDeg, points[i].rotaryDeg) : 0.0);
-    const double feed = points[i].feedMmPerS > 0.0 ? points[i].feedMmPerS : settings.feedMmPerS;
-    const double seconds = alongFeed / feed;
+  for (const gcode::StreamPoint& to : points) {
+    const double seconds = from ? moveS(*from, to, settings.feedMmPerS) : 0.0;
     reachedS.push_back(reachedS.back() + seconds);
-    reachedMm.push_back(reachedMm.back() + wayMm);
-    const bool isLong = settings.windowSMax > 0.0 && seconds > windowCut(settings).secondsMax;
+    reachedMm.push_back(reachedMm.back() +
+                        (from ? base::distance(from->positionMm, to.positionMm) : 0.0));
+    const bool isLong = secondsMax > 0.0 && seconds > secondsMax;
     if (isLong && (!bound.longMove || seconds > bound.longMove->seconds)) {
-      bound.longMove = {points[i].line, seconds};
+      bound.longMove = {to.line, seconds};
     }
+    from = to;
   }
   const auto together = static_cast<std::size_t>(windowsAfterStop(parameters));
   for (std::size_t window = 0; window + 1 < begins.size(); ++window) {

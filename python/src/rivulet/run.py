@@ -239,9 +239,6 @@ class Run:
             self._change.notify_all()
 
 
-
-
-
 def start(program: command.PathLike, machine: str = command.SIMULATE, **options: Any) -> Run:
     """Streams a program, and does not wait for the end: see Run.
     @param machine  "simulate" or an address, opc.tcp://… @param options  those of
