@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <span>
 
 #include "base/contract.h"
 
@@ -26,22 +28,48 @@ ProgramPath::ProgramPath(std::vector<gcode::StreamPoint> points, base::Vec3 star
   RIVULET_ASSERT(!m_points.empty());
   m_lengths.reserve(m_points.size() + 1);
   m_lengths.push_back(0.0);
-  while (m_leaves < m_points.size()) {
-    m_leaves *= 2;
-  }
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  m_boxes.resize(2 * m_leaves, {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}});
   for (std::size_t i = 0; i < m_points.size(); ++i) {
-    const base::Vec3 from = begin(i);
-    const base::Vec3 to = m_points[i].positionMm;
-    m_lengths.push_back(m_lengths.back() + base::distance(from, to));
-    m_boxes[m_leaves + i] = {least(from, to), greatest(from, to)};
+    m_lengths.push_back(m_lengths.back() + base::distance(begin(i), m_points[i].positionMm));
   }
-  for (std::size_t node = m_leaves; node-- > 1;) {
-    const Box& a = m_boxes[2 * node];
-    const Box& b = m_boxes[2 * node + 1];
-    m_boxes[node] = {least(a.min, b.min), greatest(a.max, b.max)};
+  m_bySpace.resize(m_points.size());
+  std::iota(m_bySpace.begin(), m_bySpace.end(), 0U);
+  std::size_t size = kLeaf;
+  while (size < m_points.size()) {
+    size *= 2;
   }
+  m_boxes.resize(2 * size / kLeaf);
+  sort(1, 0, size);
+}
+
+void ProgramPath::sort(std::size_t node, std::size_t first, std::size_t size) {
+  const auto segments = [this](std::size_t from, std::size_t upto) {
+    return std::span(m_bySpace).subspan(from, std::min(upto, m_bySpace.size()) - from);
+  };
+  Box& box = m_boxes[node];
+  for (const std::uint32_t segment : segments(first, first + size)) {
+    const base::Vec3 from = begin(segment);
+    const base::Vec3 to = m_points[segment].positionMm;
+    box.min = least(box.min, least(from, to));
+    box.max = greatest(box.max, greatest(from, to));
+  }
+  if (size == kLeaf) {
+    return;
+  }
+  const std::size_t half = first + size / 2;
+  if (half < m_bySpace.size()) {
+    const base::Vec3 extent = box.max - box.min;
+    const std::size_t axis = extent.x >= std::max(extent.y, extent.z) ? 0
+                             : extent.y >= extent.z                   ? 1
+                                                                      : 2;
+    const auto twiceTheMiddle = [this, axis](std::uint32_t segment) {
+      return begin(segment)[axis] + m_points[segment].positionMm[axis];
+    };
+    const std::span<std::uint32_t> all = segments(first, first + size);
+    std::ranges::nth_element(all, all.begin() + static_cast<std::ptrdiff_t>(size / 2), {},
+                             twiceTheMiddle);
+    sort(2 * node + 1, half, size / 2);
+  }
+  sort(2 * node, first, size / 2);
 }
 
 std::size_t ProgramPath::segmentAt(double lengthMm) const {
@@ -82,7 +110,7 @@ PathPlace ProgramPath::placeOn(std::size_t segment, base::Vec3 position) const {
           base::distance(position, from + share * along), segment};
 }
 
-void ProgramPath::collect(std::size_t node, std::size_t first, std::size_t count,
+void ProgramPath::collect(std::size_t node, std::size_t first, std::size_t size,
                           base::Vec3 position, double radiusMm,
                           std::vector<PathPlace>& found) const {
   const Box& box = m_boxes[node];
@@ -91,20 +119,23 @@ void ProgramPath::collect(std::size_t node, std::size_t first, std::size_t count
       return;
     }
   }
-  if (count == 1) {
-    const PathPlace place = placeOn(first, position);
+  if (size > kLeaf) {
+    collect(2 * node, first, size / 2, position, radiusMm, found);
+    collect(2 * node + 1, first + size / 2, size / 2, position, radiusMm, found);
+    return;
+  }
+  for (std::size_t i = first; i < std::min(first + kLeaf, m_bySpace.size()); ++i) {
+    const PathPlace place = placeOn(m_bySpace[i], position);
     if (place.distanceMm <= radiusMm) {
       found.push_back(place);
     }
-    return;
   }
-  collect(2 * node, first, count / 2, position, radiusMm, found);
-  collect(2 * node + 1, first + count / 2, count / 2, position, radiusMm, found);
 }
 
 std::vector<PathPlace> ProgramPath::near(base::Vec3 position, double radiusMm) const {
   std::vector<PathPlace> found;
-  collect(1, 0, m_leaves, position, radiusMm, found);
+  collect(1, 0, m_boxes.size() / 2 * kLeaf, position, radiusMm, found);
+  std::ranges::sort(found, {}, &PathPlace::segment);
   // Of neighbouring segments, the local minima of the distance.
   std::vector<PathPlace> minima;
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -7,6 +7,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "base/vec3.h"
@@ -45,22 +47,28 @@ class ProgramPath {
   [[nodiscard]] PathPlace nearest(base::Vec3 position, double fromMm, double toMm) const;
 
  private:
+  /// Segments that are looked at one by one.
+  static constexpr std::size_t kLeaf = 4;
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
   struct Box {
-    base::Vec3 min;
-    base::Vec3 max;
+    base::Vec3 min{kFar, kFar, kFar};
+    base::Vec3 max{-kFar, -kFar, -kFar};
   };
   [[nodiscard]] base::Vec3 begin(std::size_t segment) const {
     return segment == 0 ? m_startMm : m_points[segment - 1].positionMm;
   }
   [[nodiscard]] PathPlace placeOn(std::size_t segment, base::Vec3 position) const;
-  void collect(std::size_t node, std::size_t first, std::size_t count, base::Vec3 position,
+  /// Divides the segments below a node in space, so that turns of a spiral or lines of a raster
+  /// that pass by far away are not looked at. @param first  of `m_bySpace`  @param size  its places
+  void sort(std::size_t node, std::size_t first, std::size_t size);
+  void collect(std::size_t node, std::size_t first, std::size_t size, base::Vec3 position,
                double radiusMm, std::vector<PathPlace>& found) const;
 
   std::vector<gcode::StreamPoint> m_points;
   base::Vec3 m_startMm;
-  std::vector<double> m_lengths;  ///< at the vertices: the start and every point
-  std::vector<Box> m_boxes;       ///< binary tree over runs of segments
-  std::size_t m_leaves = 1;       ///< a power of two
+  std::vector<double> m_lengths;         ///< at the vertices: the start and every point
+  std::vector<std::uint32_t> m_bySpace;  ///< segments, in the order of the tree's leaves
+  std::vector<Box> m_boxes;  ///< binary tree from 1; the children of n are 2n and 2n + 1
 };
 
 }  // namespace rivulet::trace
