@@ -13,36 +13,22 @@
 
 #include "base/random.h"
 #include "forecast/job_forecast.h"
-#include "forecast/job_restart.h"
 #include "job/dry_plan.h"
 #include "job/main_program.h"
 #include "machine/machine.h"
 #include "opcua/await.h"
 #include "streaming/recovery/run_on_control.h"
-#include "streaming/run/whole_job.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/simulated_link.h"
+#include "support/drawn_job.h"
 #include "support/test_program.h"
 #include "templates/window_protocol.h"
 
 using namespace rivulet;
+using namespace rivulet::tests;
 using streaming::Outcome;
 
 namespace {
-
-machine::MachineConfig mill() {
-  return *machine::loadPreset("dmu75-mill");
-}
-
-job::Plan planOf(const std::string& text) {
-  gcode::LoadOptions options;
-  options.dialect = gcode::Dialect::Sinumerik;
-  const auto plan = job::makePlan("PART.MPF", text, options);
-  if (!plan || !plan->isWhole()) {
-    qFatal("the test's program is no job");
-  }
-  return *plan;
-}
 
 const char* const kPart =
     "G54\n"
@@ -102,66 +88,12 @@ class Watcher final : public streaming::WholeJobSink, public streaming::RunOrder
   base::Duration delay{};
 };
 
-class Keeper final : public streaming::CheckpointKeeper {
- public:
-  base::Result<void> keep(const streaming::Checkpoint& checkpoint, const streaming::RunSettings&,
-                          std::span<const gcode::StreamPoint>) override {
-    last = checkpoint;
-    return {};
-  }
-  std::optional<streaming::Checkpoint> last;
-};
-
 streaming::RunSettings settings() {
   streaming::RunSettings all;
   all.parameters.pointsPerLoop = 4;
   all.feedMmPerS = 50.0;
   all.isCommissioned = true;
   return all;
-}
-
-std::string rounded(base::Vec3 mm) {
-  std::string text;
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    text += std::to_string(std::lround(mm[axis] * 100.0)) + ' ';
-  }
-  return text;
-}
-
-/// Where blocks that moved have ended, in 0.01 mm.
-std::vector<std::string> motions(const trace::ControlTrace& trace) {
-  std::vector<std::string> ends;
-  for (const trace::ExecutedBlock& block : trace.blocks) {
-    if (block.lengthMm > 0.01) {
-      ends.push_back(rounded(block.targetMm));
-    }
-  }
-  return ends;
-}
-
-/// The tool stands at the end of the source's next motion. The machine lists a block when its set
-/// point is at the end: a reset on the last hundredths of a millimetre of a block keeps it out of
-/// the list, and nobody needs to make such a rest again.
-bool isAtNextEnd(const trace::ControlTrace& source, std::size_t motionsBefore,
-                 const streaming::JobRest& rest,
-                 const std::function<base::Result<base::Vec3>(std::size_t part)>& zeroAt) {
-  constexpr double kNoMotionMm = 0.01;
-  for (const trace::ExecutedBlock& block : source.blocks) {
-    if (block.lengthMm <= kNoMotionMm || motionsBefore-- > 0) {
-      continue;
-    }
-    // In the frame of its own part, which is the one that is left or one beside it.
-    for (std::size_t part = rest.part > 0 ? rest.part - 1 : 0; part <= rest.part + 1; ++part) {
-      const auto zero = zeroAt(part);
-      const auto zeroOfRest = zeroAt(rest.part);
-      if (zero && zeroOfRest && rest.toolMm &&
-          base::distance(block.targetMm + *zero, *rest.toolMm + *zeroOfRest) <= kNoMotionMm) {
-        return true;
-      }
-    }
-    return false;
-  }
-  return false;
 }
 
 /// What the machine has done since; a start that did not come about leaves the trace before it.
@@ -172,235 +104,12 @@ trace::ControlTrace traceSince(opcua::Control& control, base::Instant from) {
   return trace;
 }
 
-/// Tools in the order in which they were changed.
-std::vector<std::string> toolChanges(const trace::ControlTrace& trace) {
-  std::vector<std::string> tools;
-  for (const trace::ControlEvent& event : trace.events) {
-    if (event.kind == trace::ControlEvent::Kind::ToolChange) {
-      tools.push_back(std::to_string(std::lround(event.value)));
-    }
-  }
-  return tools;
-}
-
-trace::ControlTrace traceOfSource(const std::string& text) {
-  machine::Machine machine(mill(), 1);
-  streaming::SimulatedLink link(machine);
-  if (!link.uploadProgram("PART.MPF", text, true) || !link.selectProgram("PART.MPF") ||
-      !link.cycleStart()) {
-    qFatal("the source does not start");
-  }
-  while (machine.state().channel != machine::ChannelStatus::Reset) {
-    (void)link.wait(link.now() + std::chrono::milliseconds{100});
-  }
-  return *link.fetchTrace();
-}
-
 QString stepsText(const forecast::Restart& restart) {
   QStringList steps;
   for (const std::string& step : restart.steps) {
     steps << QString::fromStdString(step);
   }
   return steps.join(QStringLiteral("; "));
-}
-
-std::string joined(const std::vector<std::string>& ends) {
-  std::string text;
-  for (const std::string& end : ends) {
-    text += end + "\n";
-  }
-  return text;
-}
-
-/// What has been done of a source in the parts of a job that was interrupted, in their order.
-class Judge {
- public:
-  /// @param extraMax  of what is done before a part goes on
-  Judge(std::vector<std::string> source, std::size_t extraMax)
-      : m_source(std::move(source)), m_extraMax(extraMax) {}
-
-  /// @param mayBeComplete  the first of the source that is not among these was interrupted when
-  ///                       nothing was left of it
-  void add(const std::vector<std::string>& part, bool mayBeComplete = false) {
-    m_all += "next part:\n" + joined(part);
-    if (!m_wrong.empty()) {
-      return;
-    }
-    std::optional<std::size_t> done;
-    const std::size_t extras = m_isFirst ? 0 : std::min(m_extraMax, part.size());
-    for (std::size_t extra = 0; extra <= extras; ++extra) {
-      // What was interrupted is in both.
-      for (std::size_t from = m_done - std::min<std::size_t>(m_done, m_isFirst ? 0 : 1);
-           from <= m_done + (m_mayBeComplete ? 1 : 0); ++from) {
-        const std::size_t count = part.size() - extra;
-        if (from + count <= m_source.size() &&
-            std::equal(part.begin() + static_cast<std::ptrdiff_t>(extra), part.end(),
-                       m_source.begin() + static_cast<std::ptrdiff_t>(from))) {
-          done = std::max(done.value_or(0), std::max(m_done, from + count));
-        }
-      }
-    }
-    if (!done) {
-      m_wrong = "what was done is not what comes next\n";
-    }
-    m_done = done.value_or(m_done);
-    m_isFirst = false;
-    m_mayBeComplete = mayBeComplete;
-  }
-  [[nodiscard]] std::size_t done() const { return m_done; }
-  /// What is wrong; empty: each thing of the source was done once.
-  [[nodiscard]] std::string verdict() const {
-    const bool isWhole = m_done == m_source.size();
-    return m_wrong.empty() && isWhole ? std::string()
-                                      : (m_wrong.empty() ? "what was done is not all\n" : m_wrong) +
-                                            m_all + "source:\n" + joined(m_source);
-  }
-
- private:
-  std::vector<std::string> m_source;
-  std::size_t m_extraMax;
-  std::size_t m_done = 0;
-  bool m_isFirst = true;
-  bool m_mayBeComplete = false;
-  std::string m_wrong;
-  std::string m_all;
-};
-
-/// A job that goes on as often as it is interrupted: what a client keeps of it on disk.
-struct LeftJob {
-  const job::Plan& plan;
-  Keeper keeper{};
-  std::optional<forecast::Restart> restart{};  ///< nothing: it began at its beginning
-  int standing = 0;                            ///< programs that were active when somebody asked
-  int withinWindow = 0;                        ///< of these, in the middle of windows
-
-  /// Where the axes are, and whether a program is active.
-  static std::array<double, 4> told(streaming::SimulatedLink& link) {
-    const std::array<opcua::Variable, 4> all{{{opcua::VariableKind::ActualPosition, 0},
-                                              {opcua::VariableKind::ActualPosition, 1},
-                                              {opcua::VariableKind::ActualPosition, 2},
-                                              {opcua::VariableKind::ChannelStatus, 0}}};
-    const auto numbers = opcua::readNumbers(link, all, std::chrono::seconds{1});
-    std::array<double, 4> place{};
-    for (std::size_t i = 0; numbers && i < all.size(); ++i) {
-      place[i] = (*numbers)[i];
-    }
-    return place;
-  }
-  static bool isSame(const streaming::JobRest& a, const streaming::JobRest& b) {
-    constexpr double kRoundedMm = 0.05;
-    const auto pointOf = [](const streaming::JobRest& rest) {
-      return rest.resume ? std::optional(rest.resume->point) : std::nullopt;
-    };
-    return a.part == b.part && pointOf(a) == pointOf(b) &&
-           a.toolMm.has_value() == b.toolMm.has_value() &&
-           (!a.toolMm || base::distance(*a.toolMm, *b.toolMm) <= kRoundedMm);
-  }
-  static std::string textOf(const base::Result<streaming::JobRest>& rest) {
-    return rest ? "part " + std::to_string(rest->part) + " point " +
-                      std::to_string(rest->resume ? rest->resume->point : 0)
-                : rest.error().text();
-  }
-
-  [[nodiscard]] const job::Plan& inProgress() const { return restart ? restart->plan : plan; }
-  [[nodiscard]] streaming::JobRest inSource(const streaming::JobRest& rest) const {
-    return restart ? forecast::restInSource(*restart, rest) : rest;
-  }
-  [[nodiscard]] base::Result<base::Vec3> zeroAt(std::size_t part) const {
-    return forecast::zeroAt(plan, mill(), inSource({part, {}, {}}).part);
-  }
-  /// Asks the control where it is, and makes the rest of it. If it stands in blocks of the control
-  /// without its client, it is ended first.
-  base::Result<void> goOn(streaming::SimulatedLink& link, const streaming::RunSettings& settings) {
-    const auto ask = [&](streaming::ActiveProgram active = streaming::ActiveProgram::IsEnded) {
-      return streaming::whereJobWasLeft(
-          link, inProgress(), settings, *keeper.last,
-          [this](std::size_t part) { return zeroAt(part); }, active);
-    };
-    // What is computed while the program stands moves nothing, and is what comes.
-    const auto stood = told(link);
-    const auto foreseen = ask(streaming::ActiveProgram::Stays);
-    constexpr double kSettlesMm = 0.001;
-    const auto stands = told(link);
-    const bool isActive = stood.back() != opcua::kChannelReset;  // else they may still brake
-    if (isActive && !std::equal(stood.begin(), stood.end(), stands.begin(),
-                                [](double a, double b) { return std::abs(a - b) <= kSettlesMm; })) {
-      return base::fail(streaming::StreamError::WrongProgram, "a question moved the axes");
-    }
-    auto rest = ask();
-    if (rest.has_value() != foreseen.has_value() || (rest && !isSame(*rest, *foreseen))) {
-      return base::fail(streaming::StreamError::WrongProgram,
-                        "not as foreseen: " + textOf(foreseen) + " became " + textOf(rest));
-    }
-    standing += foreseen && foreseen->restMm ? 1 : 0;
-    withinWindow += foreseen && foreseen->restMm.value_or(0.0) > 0.0 ? 1 : 0;
-    if (!rest && rest.error().code == streaming::StreamError::ChannelBusy) {
-      const auto found = streaming::findRun(link, link, 0, std::chrono::seconds{3});
-      if (!found || !*found) {
-        return base::fail(rest.error());
-      }
-      if (base::Result<void> ended = streaming::endRun(link, **found, settings); !ended) {
-        return ended;
-      }
-      rest = ask();
-    }
-    if (!rest) {
-      return base::fail(rest.error());
-    }
-    auto made = forecast::restartAt(plan, mill(), inSource(*rest));
-    if (!made) {
-      return base::fail(made.error());
-    }
-    restart = *std::move(made);
-    return {};
-  }
-};
-
-/// A part with several tools, stretches and drilled holes.
-std::string drawPart(std::uint64_t seed) {
-  base::Random random(seed);
-  const auto below = [&random](int n) {
-    return static_cast<int>(random.uniform() * static_cast<double>(n));
-  };
-  std::string text = "G54\nT1 D1 M6\nS3000 M3\nG0 X0 Y0\nZ30\n";
-  const int sections = 2 + below(6);
-  for (int section = 0; section < sections; ++section) {
-    switch (below(6)) {
-      case 0:
-        text += "SUPA G0 Z200 D0\nT" + std::to_string(1 + below(6)) + " M6\nD1\nS" +
-                std::to_string(1000 + below(5000)) + " M3\nG0 X0 Y0\nZ30\n";
-        break;
-      case 1:
-        text += "G5" + std::to_string(4 + below(3)) + "\nG0 X1 Y1\nZ30\n";
-        break;
-      case 2:
-        text += "F300\nMCALL CYCLE81(20,0,2,-5)\nX10 Y10\nX30\nMCALL\nG0 X0 Y0\nZ30\n";
-        break;
-      case 3:
-        text += "M8\nG4 F0.5\n";
-        break;
-      case 4:
-        text += "M9\nS" + std::to_string(1000 + below(5000)) + " M4\n";
-        break;
-      default:
-        text += "G4 F1\n";
-    }
-    text += "G0 X0.1 Y0.2\nG1 Z-1 F3000\n";
-    // Steps of a few mm on a drawn zigzag.
-    const int points = 5 + below(120);
-    double x = 0.0;
-    double y = 0.0;
-    for (int point = 0; point < points; ++point) {
-      x += 0.5 + 3.0 * random.uniform();
-      y += 6.0 * random.uniform() - 3.0;
-      if (x > 60.0) {
-        x -= 60.0;
-      }
-      text += "X" + std::to_string(x) + " Y" + std::to_string(y) + "\n";
-    }
-    text += "G0 Z30\n";
-  }
-  return text + "M5 M9\nM30\n";
 }
 
 int setting(const char* name, int otherwise) {
@@ -472,7 +181,7 @@ class TestJobRestart : public QObject {
     for (int half = 1; half < 200; ++half) {
       machine::Machine machine(mill(), 1);
       LeftJob left{m_plan};
-      Judge judge(m_source, 4);
+      JobJudge judge(m_source, 4);
       bool isRefused = false;
       for (const int interruption : {0, 1, 2}) {
         streaming::FaultyLink link(machine, {}, 1);
@@ -505,7 +214,7 @@ class TestJobRestart : public QObject {
         }
         QVERIFY2(interruption < 2, (name + ended.error.text()).c_str());
         QVERIFY2(left.keeper.last, name.c_str());
-        if (const auto went = left.goOn(again, settings()); !went) {
+        if (const auto went = left.goOn(again, again, settings()); !went) {
           QVERIFY2(went.error().code == streaming::StreamError::CannotResume,
                    (name + went.error().text()).c_str());
           isRefused = true;
@@ -514,7 +223,7 @@ class TestJobRestart : public QObject {
         }
         QCOMPARE(machine.state().channel, machine::ChannelStatus::Reset);
         const std::vector<std::string> done = motions(traceSince(again, from));
-        Judge soFar = judge;
+        JobJudge soFar = judge;
         soFar.add(done);
         judge.add(done, isAtNextEnd(m_trace, soFar.done(), left.restart->rest, zeroAt()));
       }
@@ -577,7 +286,7 @@ class TestJobRestart : public QObject {
       const auto first = streaming::runWholeJob(link, link, plan, settings(), watcher, watcher,
                                                 {.keeper = &left.keeper});
       const std::vector<std::string> done = motions(*link.fetchTrace());
-      Judge judge(motions(source), 4);
+      JobJudge judge(motions(source), 4);
       judge.add(done);
       const std::string name = std::to_string(base::toSeconds(at)) + " s: ";
       if (first.outcome == Outcome::Completed) {
@@ -588,14 +297,14 @@ class TestJobRestart : public QObject {
         continue;
       }
       ++interrupted;
-      if (const auto went = left.goOn(link, settings()); !went) {
+      if (const auto went = left.goOn(link, link, settings()); !went) {
         QVERIFY2(went.error().code == streaming::StreamError::CannotResume,
                  (name + went.error().text()).c_str());
         continue;
       }
       ++resumed;
       const std::size_t doneCount = judge.done();
-      judge = Judge(motions(source), 4);
+      judge = JobJudge(motions(source), 4);
       judge.add(done, isAtNextEnd(source, doneCount, left.restart->rest, [&plan](std::size_t part) {
                   return forecast::zeroAt(plan, mill(), part);
                 }));
@@ -616,7 +325,7 @@ class TestJobRestart : public QObject {
     machine::Machine machine(mill(), 1);
     streaming::SimulatedLink link(machine);
     Watcher watcher;
-    Keeper keeper;
+    LastCheckpoint keeper;
     const auto done = streaming::runWholeJob(link, link, m_plan, settings(), watcher, watcher,
                                              {.keeper = &keeper});
     QVERIFY2(done.outcome == Outcome::Completed, done.error.text().c_str());
@@ -667,9 +376,9 @@ class TestJobRestart : public QObject {
       }
       early += left.keeper.last->granted ? 0 : 1;
       streaming::SimulatedLink again(machine);
-      Judge judge(m_source, 4);
+      JobJudge judge(m_source, 4);
       const std::string name = std::to_string(moment) + ": ";
-      const auto went = left.goOn(again, settings());
+      const auto went = left.goOn(again, again, settings());
       QVERIFY2(went, went ? "" : (name + went.error().text()).c_str());
       // With the rest of the window in which the silent client's axes were held.
       const std::vector<std::string> before = motions(traceSince(again, from));
@@ -695,7 +404,7 @@ class TestJobRestart : public QObject {
       machine::Machine machine(mill(), 1);
       streaming::SimulatedLink link(machine);
       Watcher watcher;
-      Keeper keeper;
+      LastCheckpoint keeper;
       watcher.reset = &machine;
       watcher.resetBefore = 2;
       watcher.delay = cycles * cycle;
@@ -713,7 +422,7 @@ class TestJobRestart : public QObject {
       const streaming::WholeJobReport second = streaming::runWholeJob(
           link, link, restart->plan, settings(), onwards, onwards, {.resume = rest->resume});
       QVERIFY2(second.outcome == Outcome::Completed, second.error.text().c_str());
-      Judge judge(m_source, 4);
+      JobJudge judge(m_source, 4);
       judge.add(before);
       judge.add(motions(*second.controlTrace));
       const std::string wrong = judge.verdict();
@@ -749,8 +458,8 @@ class TestJobRestart : public QObject {
         run.parameters.method = base::MethodKind::Credit;
       }
       LeftJob left{plan};
-      Judge judge(motions(source), 4);
-      Judge tools(toolChanges(source), 1);
+      JobJudge judge(motions(source), 4);
+      JobJudge tools(toolChanges(source), 1);
       natives += plan.nativeCount();
       bool isRefused = false;
       constexpr int kInterruptions = 3;
@@ -797,7 +506,8 @@ class TestJobRestart : public QObject {
         QVERIFY2(isCompleted || !isCertain, (name + done.error.text()).c_str());
         // A fault before the job could be kept: nothing of it was to be executed.
         const bool isKept = left.keeper.last.has_value();
-        const auto went = isCompleted || !isKept ? base::Result<void>() : left.goOn(again, run);
+        const auto went =
+            isCompleted || !isKept ? base::Result<void>() : left.goOn(again, again, run);
         awaitReset(machine);
         const trace::ControlTrace trace = traceSince(again, from);
         points += trace.blocks.size();
@@ -816,7 +526,7 @@ class TestJobRestart : public QObject {
           isRefused = true;
           break;
         }
-        Judge soFar = judge;
+        JobJudge soFar = judge;
         soFar.add(motions(trace));
         judge.add(motions(trace),
                   isAtNextEnd(source, soFar.done(), left.restart->rest, [&plan](std::size_t part) {
