@@ -5,6 +5,10 @@
 /// sentence that names the option, before it takes a fifth more than it may. What a program takes
 /// is what was resident of it at most, as the system counts it.
 
+#ifdef RIVULET_TEST_HDF5
+#include <hdf5.h>
+#endif
+
 #include <QDeadlineTimer>
 #include <QFile>
 #include <QProcess>
@@ -47,6 +51,49 @@ std::string archive(std::string_view head, std::string_view line) {
 std::string recording(std::string_view line) {
   return archive("rivulet-recording 1\nrun method=\"window\"\n", line);
 }
+
+#ifdef RIVULET_TEST_HDF5
+/// A gigabyte and a half of zeros, each chunk packed alike. @return the file, which is not there
+/// any more
+std::string packedHdf5() {
+  constexpr hsize_t kChunk = 1'000'000;
+  constexpr hsize_t kChunks = 190;
+  const QTemporaryDir folder;
+  const std::string path = folder.filePath(QStringLiteral("a.h5")).toStdString();
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t made = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_chunk(made, 1, &kChunk);
+  H5Pset_deflate(made, 9);
+  const hsize_t size = kChunk * kChunks;
+  const hid_t space = H5Screate_simple(1, &size, nullptr);
+  const hid_t set =
+      H5Dcreate2(file, "x_act", H5T_IEEE_F64LE, space, H5P_DEFAULT, made, H5P_DEFAULT);
+  const hsize_t begin = 0;
+  H5Sselect_hyperslab(space, H5S_SELECT_SET, &begin, nullptr, &kChunk, nullptr);
+  const hid_t memory = H5Screate_simple(1, &kChunk, nullptr);
+  const std::vector<double> zeros(kChunk);
+  bool isMade = H5Dwrite(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, zeros.data()) >= 0;
+  hsize_t bytes = 0;
+  isMade = isMade && H5Dget_chunk_storage_size(set, &begin, &bytes) >= 0;
+  std::vector<char> packed(bytes);
+  std::uint32_t filters = 0;
+  isMade = isMade && H5Dread_chunk(set, H5P_DEFAULT, &begin, &filters, packed.data()) >= 0;
+  for (hsize_t chunk = 1; isMade && chunk < kChunks; ++chunk) {
+    const hsize_t at = chunk * kChunk;
+    isMade = H5Dwrite_chunk(set, H5P_DEFAULT, filters, &at, packed.size(), packed.data()) >= 0;
+  }
+  H5Sclose(memory);
+  H5Dclose(set);
+  H5Sclose(space);
+  H5Pclose(made);
+  H5Fclose(file);
+  const auto text = base::readFile(path);
+  if (!isMade || !text) {
+    qFatal("the HDF5 file cannot be made");
+  }
+  return *text;
+}
+#endif
 
 /// The text is small, and stands for a million times as much.
 struct Input {
@@ -101,6 +148,12 @@ const std::vector<Input>& inputs() {
       {"loop of a job", "j.mpf", words("check --job --dialect sinumerik FILE"),
        [] { return "R1=0\nNEXT:\nR1=R1+1\n" + repeated("M3 ", 100) + "\nGOTOB NEXT\n"; },
        "The program"},
+      {"blocks of a job", "p.mpf", words("check --job --dialect sinumerik FILE"),
+       [] { return "G0 X0 Y0 Z0\n" + repeated("M8\n", 3'000'000) + "M30\n"; }, "The program"},
+#ifdef RIVULET_TEST_HDF5
+      {"HDF5", "q.h5", words("analyse FILE"), packedHdf5,
+       "The HDF5 file, unpacked and with its analysis,"},
+#endif
       {"tree", "k.mpf", words("check --dialect sinumerik FILE"),
        [] { return "GOTOF DONE\n" + repeated("X1\n", 4'000'000) + "DONE:\nM30\n"; }, "The program"},
       {"divided moves", "m.mpf", words("points --split 1e-6 --dialect sinumerik FILE"),
