@@ -322,6 +322,9 @@ Exit check(const CheckOptions& options) {
     }
   };
   for (const std::string& file : files) {
+    // Before the program is read here: each of the two may take all of the memory limit.
+    const std::optional<base::Result<void>> asJob =
+        options.asJob ? std::optional(tryJob(file, options.loading)) : std::nullopt;
     Checked checked{file, gcode::loadProgram(file, options.loading.loadOptions())};
     if (!checked.program) {
       if (single) {
@@ -341,8 +344,6 @@ Exit check(const CheckOptions& options) {
     }
     gcode::Program& program = *checked.program;
     checked.readiness = program.readiness();
-    const std::optional<base::Result<void>> asJob =
-        options.asJob ? std::optional(tryJob(file, options.loading)) : std::nullopt;
     separate();
     printChecked(file, program, asJob, options, single);
     if (asJob) {

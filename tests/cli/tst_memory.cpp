@@ -148,8 +148,8 @@ const std::vector<Input>& inputs() {
       {"loop of a job", "j.mpf", words("check --job --dialect sinumerik FILE"),
        [] { return "R1=0\nNEXT:\nR1=R1+1\n" + repeated("M3 ", 100) + "\nGOTOB NEXT\n"; },
        "The program"},
-      {"blocks of a job", "p.mpf", words("check --job --dialect sinumerik FILE"),
-       [] { return "G0 X0 Y0 Z0\n" + repeated("M8\n", 3'000'000) + "M30\n"; }, "The program"},
+      {"blocks of a job", "p.mpf", words("job --simulate --dialect sinumerik FILE"),
+       [] { return "G0 X0 Y0 Z0\n" + repeated("M8\n", 4'000'000) + "M30\n"; }, "The program"},
 #ifdef RIVULET_TEST_HDF5
       {"HDF5", "q.h5", words("analyse FILE"), packedHdf5,
        "The HDF5 file, unpacked and with its analysis,"},

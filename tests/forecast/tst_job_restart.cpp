@@ -495,6 +495,7 @@ class TestJobRestart : public QObject {
         const base::Instant from = link.now();
         const std::optional<streaming::Resume> resume =
             left.restart ? left.restart->rest.resume : std::nullopt;
+        left.keeper.isOfThisStart = false;
         const auto done =
             streaming::runWholeJob(link, link, left.inProgress(), run, watcher, watcher,
                                    {.resume = resume, .keeper = &left.keeper});
@@ -505,7 +506,7 @@ class TestJobRestart : public QObject {
         const bool isCompleted = done.outcome == Outcome::Completed;
         QVERIFY2(isCompleted || !isCertain, (name + done.error.text()).c_str());
         // A fault before the job could be kept: nothing of it was to be executed.
-        const bool isKept = left.keeper.last.has_value();
+        const bool isKept = left.keeper.isOfThisStart;
         const auto went =
             isCompleted || !isKept ? base::Result<void>() : left.goOn(again, again, run);
         awaitReset(machine);

@@ -81,9 +81,11 @@ class LastCheckpoint final : public streaming::CheckpointKeeper {
   base::Result<void> keep(const streaming::Checkpoint& checkpoint, const streaming::RunSettings&,
                           std::span<const gcode::StreamPoint>) override {
     last = checkpoint;
+    isOfThisStart = true;
     return {};
   }
   std::optional<streaming::Checkpoint> last;
+  bool isOfThisStart = false;  ///< else nothing of the last start was kept, and so nothing executed
 };
 
 /// A job that goes on as often as it is interrupted.
