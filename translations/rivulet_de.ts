@@ -467,8 +467,8 @@
         <translation>Nicht freigegeben: Ein Einrichter muss dieses Programm mit diesen Einstellungen freigeben.</translation>
     </message>
     <message>
-        <source>The test of method credit is in progress.</source>
-        <translation>Der Test des Verfahrens Kredit läuft.</translation>
+        <source>A test of the control is in progress.</source>
+        <translation>Ein Test der Steuerung läuft.</translation>
     </message>
     <message>
         <source>The job is being compared with the machine.</source>
@@ -1977,7 +1977,7 @@
         <translation>%1 um %2 mit %3 bewegt; angehalten stand sie nach %4</translation>
     </message>
     <message>
-        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves forth and back in the air and is held on its way. The channel must be in reset.</source>
+        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves back and forth in the air and is held on its way. The channel must be in reset.</source>
         <translation>Stopp, Pause und Override wirken sofort, weil die Steuerung in jedem Interpolationstakt einer Zelle gehorcht. Dieser Test stellt fest, ob sie es tut: zuerst ohne Bewegung, dann, wenn Sie zustimmen, mit einer Achse, die in der Luft hin und her fährt und unterwegs angehalten wird. Der Kanal muss im Reset sein.</translation>
     </message>
     <message>

@@ -467,8 +467,8 @@
         <translation>Sin aprobar: un preparador debe aprobar este programa con estos ajustes.</translation>
     </message>
     <message>
-        <source>The test of method credit is in progress.</source>
-        <translation>La prueba del método Crédito está en curso.</translation>
+        <source>A test of the control is in progress.</source>
+        <translation>Hay una prueba del control en curso.</translation>
     </message>
     <message>
         <source>The job is being compared with the machine.</source>
@@ -1977,7 +1977,7 @@
         <translation>%1 se movió %2 con %3; detenido, se le vio parado tras %4</translation>
     </message>
     <message>
-        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves forth and back in the air and is held on its way. The channel must be in reset.</source>
+        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves back and forth in the air and is held on its way. The channel must be in reset.</source>
         <translation>Parada, pausa y override actúan de inmediato porque el control obedece a una celda en cada ciclo de interpolación. Esta prueba averigua si lo hace: primero sin movimiento y después, si usted está de acuerdo, con un eje que va y vuelve en el aire y se detiene a mitad de camino. El canal debe estar en reset.</translation>
     </message>
     <message>

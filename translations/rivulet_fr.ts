@@ -467,8 +467,8 @@
         <translation>Non validé&#xa0;: un régleur doit valider ce programme avec ces réglages.</translation>
     </message>
     <message>
-        <source>The test of method credit is in progress.</source>
-        <translation>Le test de la méthode Crédit est en cours.</translation>
+        <source>A test of the control is in progress.</source>
+        <translation>Un test de la commande est en cours.</translation>
     </message>
     <message>
         <source>The job is being compared with the machine.</source>
@@ -1977,7 +1977,7 @@
         <translation>%1 déplacé de %2 à %3&#xa0;; arrêté, il était immobile après %4</translation>
     </message>
     <message>
-        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves forth and back in the air and is held on its way. The channel must be in reset.</source>
+        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves back and forth in the air and is held on its way. The channel must be in reset.</source>
         <translation>Arrêt, pause et override agissent aussitôt parce que la commande obéit à une cellule à chaque cycle d’interpolation. Ce test établit si elle le fait&#xa0;: d’abord sans mouvement puis, si vous êtes d’accord, avec un axe qui va et vient dans l’air et qui est arrêté en chemin. Le canal doit être en reset.</translation>
     </message>
     <message>

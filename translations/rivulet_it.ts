@@ -467,8 +467,8 @@
         <translation>Non approvato: un attrezzista deve approvare questo programma con queste impostazioni.</translation>
     </message>
     <message>
-        <source>The test of method credit is in progress.</source>
-        <translation>Il test del metodo Credito è in corso.</translation>
+        <source>A test of the control is in progress.</source>
+        <translation>È in corso una prova del controllo.</translation>
     </message>
     <message>
         <source>The job is being compared with the machine.</source>
@@ -1977,7 +1977,7 @@
         <translation>%1 mosso di %2 a %3; fermato, era fermo dopo %4</translation>
     </message>
     <message>
-        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves forth and back in the air and is held on its way. The channel must be in reset.</source>
+        <source>Stop, pause and override act at once because the control obeys a cell in every interpolation cycle. This test finds out whether it does: first without motion, then, if you agree, with one axis that moves back and forth in the air and is held on its way. The channel must be in reset.</source>
         <translation>Stop, pausa e override agiscono subito perché il controllo obbedisce a una cella in ogni ciclo di interpolazione. Questa prova accerta se lo fa: prima senza movimento, poi, se si è d&apos;accordo, con un asse che va e torna in aria e viene fermato lungo il percorso. Il canale deve essere in reset.</translation>
     </message>
     <message>

@@ -69,7 +69,7 @@ base::Result<std::optional<streaming::AirMove>> moveOf(const CommissionOptions& 
 /// Instructions for the operator of a real control.
 void printSteps(const CommissionOptions& options, const streaming::FeedTestPlan& plan) {
   const std::string motion =
-      plan.move ? fmt::format("The test moves {} forth and back, three times: keep its way clear.",
+      plan.move ? fmt::format("The test moves {} back and forth, three times: keep its way clear.",
                               streaming::describe(*plan.move))
                 : std::string("The test moves no axis.");
   const int cells = options.feedCell ? streaming::kFeedTestCells : streaming::kCreditTestCells;

@@ -784,7 +784,7 @@ void addCommissionCommand(CLI::App& app, Exit& exit) {
                                      "--air-move no axis moves, and the axes are not seen to obey");
   auto* move = command
                    ->add_option("--air-move", options->airMove,
-                                "You agree that this axis moves so many mm forth and back, three "
+                                "You agree that this axis moves so many mm back and forth, three "
                                 "times, with nothing in its way: X20")
                    ->needs(feedCell);
   command->add_option("--feed", options->feedMmPerMin, "Feed of --air-move, mm/min")

@@ -313,7 +313,8 @@ void MachineModel::sayLink() {
 
 void MachineModel::takeSeen(const session::MachineSeen& seen) {
   m_view.channelStatus = seen.channelStatus;
-  m_mayMove = seen.channelStatus != opcua::kChannelReset;
+  // What was still on its way when a test began tells of the time before.
+  m_mayMove = m_session.isCommissioning() ? m_mayMove : seen.channelStatus != opcua::kChannelReset;
   m_view.programStatus = seen.programStatus;
   m_view.alarmNumber = seen.alarm;
   if (seen.alarm.value_or(0) != 0) {

@@ -15,7 +15,7 @@ using namespace rivulet::emulator;
 
 namespace {
 
-/// X goes forth and back, with speeds up to `feeds` in turn; jerk 0: none is kept.
+/// X goes back and forth, with speeds up to `feeds` in turn; jerk 0: none is kept.
 TrainingRun strokes(const std::vector<double>& feeds, double acceleration, double jerk,
                     double periodS) {
   constexpr double kFineS = 1e-5;

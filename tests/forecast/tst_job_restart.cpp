@@ -203,7 +203,7 @@ class TestJobRestart : public QObject {
         const std::optional<streaming::Resume> resume =
             left.restart ? left.restart->rest.resume : std::nullopt;
         const streaming::WholeJobReport ended =
-            streaming::runWholeJob(link, link, left.inProgress(), settings(), watcher, watcher,
+            streaming::runWholeJob(link, link, left.begin(), settings(), watcher, watcher,
                                    {.resume = resume, .keeper = &left.keeper});
         leaveAlone(machine, standsBeforeSomebodyComes(half));
         streaming::SimulatedLink again(machine);
@@ -310,7 +310,7 @@ class TestJobRestart : public QObject {
                 }));
       const base::Instant from = link.now();
       Watcher onwards;
-      const auto second = streaming::runWholeJob(link, link, left.inProgress(), settings(), onwards,
+      const auto second = streaming::runWholeJob(link, link, left.begin(), settings(), onwards,
                                                  onwards, {.resume = left.restart->rest.resume});
       QVERIFY2(second.outcome == Outcome::Completed, second.error.text().c_str());
       judge.add(motions(traceSince(link, from)));
@@ -385,7 +385,7 @@ class TestJobRestart : public QObject {
       moved += before.empty() ? 0 : 1;
       judge.add(before, isAtNextEnd(m_trace, before.size(), left.restart->rest, zeroAt()));
       Watcher onwards;
-      const auto rest = streaming::runWholeJob(again, again, left.inProgress(), settings(), onwards,
+      const auto rest = streaming::runWholeJob(again, again, left.begin(), settings(), onwards,
                                                onwards, {.resume = left.restart->rest.resume});
       QVERIFY2(rest.outcome == Outcome::Completed, (name + rest.error.text()).c_str());
       judge.add(motions(*rest.controlTrace));
@@ -495,10 +495,8 @@ class TestJobRestart : public QObject {
         const base::Instant from = link.now();
         const std::optional<streaming::Resume> resume =
             left.restart ? left.restart->rest.resume : std::nullopt;
-        left.keeper.isOfThisStart = false;
-        const auto done =
-            streaming::runWholeJob(link, link, left.inProgress(), run, watcher, watcher,
-                                   {.resume = resume, .keeper = &left.keeper});
+        const auto done = streaming::runWholeJob(link, link, left.begin(), run, watcher, watcher,
+                                                 {.resume = resume, .keeper = &left.keeper});
         leaveAlone(machine, standsBeforeSomebodyComes(seed / 2));
         streaming::SimulatedLink again(machine);
         const std::string name =
@@ -506,7 +504,7 @@ class TestJobRestart : public QObject {
         const bool isCompleted = done.outcome == Outcome::Completed;
         QVERIFY2(isCompleted || !isCertain, (name + done.error.text()).c_str());
         // A fault before the job could be kept: nothing of it was to be executed.
-        const bool isKept = left.keeper.isOfThisStart;
+        const bool isKept = left.keeper.last.has_value();
         const auto went =
             isCompleted || !isKept ? base::Result<void>() : left.goOn(again, again, run);
         awaitReset(machine);

@@ -128,6 +128,11 @@ class TestControlTests : public QObject {
     command.move = streaming::AirMove{0, 200.0, 400.0};
     models.tests.start(command);
     QVERIFY(models.machine.mayMove());
+    // The last look before the test is told after its start.
+    session::MachineSeen before;
+    before.channelStatus = opcua::kChannelReset;
+    Q_EMIT models.session.machineSeen(before);
+    QVERIFY(models.machine.mayMove());
     QTRY_VERIFY_WITH_TIMEOUT(progressed.size() >= 2, kSoonMs);
     QVERIFY(models.machine.mayMove());
     models.runs.stop();

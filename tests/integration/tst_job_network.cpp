@@ -163,12 +163,11 @@ class Exposure {
     options.security = opcua::unencrypted();
     options.endpoint = m_proxy.endpoint();
     m_proxy.begin(interruption.fault);
-    m_left.keeper.isOfThisStart = false;
     streaming::WholeJobReport report;
     if (const auto link = tests::openChosen(options)) {
       const auto resume = m_left.restart ? m_left.restart->rest.resume : std::nullopt;
-      report = streaming::runWholeJob(**link, **link, m_left.inProgress(), m_settings, orders,
-                                      orders, {.resume = resume, .keeper = &m_left.keeper});
+      report = streaming::runWholeJob(**link, **link, m_left.begin(), m_settings, orders, orders,
+                                      {.resume = resume, .keeper = &m_left.keeper});
     } else {
       report.error = link.error();
     }
@@ -190,7 +189,7 @@ class Exposure {
       leaveAlone(random.below(8) == 0 ? Duration(70s) : Duration(2s));
     }
     // A fault before the job could be kept: nothing of it was to be executed.
-    const bool isKept = m_left.keeper.isOfThisStart;
+    const bool isKept = m_left.keeper.last.has_value();
     const base::Result<void> went = isCompleted || !isKept
                                         ? base::Result<void>()
                                         : m_left.goOn(*m_beside, *m_beside, m_settings);

@@ -184,42 +184,54 @@ void JobJudge::add(const std::vector<std::string>& part, bool mayBeComplete) {
   if (!m_wrong.empty()) {
     return;
   }
-  std::optional<std::size_t> done;
+  std::set<std::size_t> done;
   const std::size_t extras = m_isFirst ? 0 : std::min(m_extraMax, part.size());
-  for (std::size_t extra = 0; extra <= extras; ++extra) {
-    // What was interrupted is in both.
-    for (std::size_t from = m_done - std::min<std::size_t>(m_done, m_isFirst ? 0 : 1);
-         from <= m_done + (m_mayBeComplete ? 1 : 0); ++from) {
-      const std::size_t count = part.size() - extra;
-      if (from + count <= m_source.size() &&
-          std::equal(part.begin() + static_cast<std::ptrdiff_t>(extra), part.end(),
-                     m_source.begin() + static_cast<std::ptrdiff_t>(from))) {
-        done = std::max(done.value_or(0), std::max(m_done, from + count));
+  for (const std::size_t before : m_done) {
+    for (std::size_t extra = 0; extra <= extras; ++extra) {
+      // What was interrupted is in both.
+      for (std::size_t from = before - std::min<std::size_t>(before, m_isFirst ? 0 : 1);
+           from <= before + (m_mayBeComplete ? 1 : 0); ++from) {
+        const std::size_t count = part.size() - extra;
+        if (from + count <= m_source.size() &&
+            std::equal(part.begin() + static_cast<std::ptrdiff_t>(extra), part.end(),
+                       m_source.begin() + static_cast<std::ptrdiff_t>(from))) {
+          done.insert(std::max(before, from + count));
+        }
       }
     }
   }
-  if (!done) {
+  if (done.empty()) {
     m_wrong = "what was done is not what comes next\n";
+  } else {
+    m_done = std::move(done);
   }
-  m_done = done.value_or(m_done);
   m_isFirst = false;
   m_mayBeComplete = mayBeComplete;
 }
+
 std::string JobJudge::verdict() const {
-  const bool isWhole = m_done == m_source.size();
+  const bool isWhole = m_done.contains(m_source.size());
   return m_wrong.empty() && isWhole ? std::string()
                                     : (m_wrong.empty() ? "what was done is not all\n" : m_wrong) +
                                           m_all + "source:\n" + joined(m_source);
 }
+const job::Plan& LeftJob::begin() {
+  keeper.isOfThisStart = false;
+  return restart ? restart->plan : plan;
+}
+
 base::Result<base::Vec3> LeftJob::zeroAt(std::size_t part) const {
   return forecast::zeroAt(plan, mill(), inSource({part, {}, {}}).part);
 }
 
 base::Result<void> LeftJob::goOn(opcua::Link& link, opcua::Control& control,
                                  const streaming::RunSettings& settings) {
+  if (keeper.isOfThisStart) {
+    kept = restart;
+  }
   const auto ask = [&](streaming::ActiveProgram active = streaming::ActiveProgram::IsEnded) {
     return streaming::whereJobWasLeft(
-        link, inProgress(), settings, *keeper.last,
+        link, kept ? kept->plan : plan, settings, *keeper.last,
         [this](std::size_t part) { return zeroAt(part); }, active);
   };
   // What is computed while the program stands moves nothing, and is what comes.

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -61,14 +62,17 @@ class JobJudge {
   /// @param mayBeComplete  the first of the source that is not among these was interrupted when
   ///                       nothing was left of it
   void add(const std::vector<std::string>& part, bool mayBeComplete = false);
-  [[nodiscard]] std::size_t done() const { return m_done; }
+  /// The most that can have been done.
+  [[nodiscard]] std::size_t done() const { return *m_done.rbegin(); }
   /// What is wrong; empty: each thing of the source was done once.
   [[nodiscard]] std::string verdict() const;
 
  private:
   std::vector<std::string> m_source;
   std::size_t m_extraMax;
-  std::size_t m_done = 0;
+  /// What can have been done: of things that look alike, a part may have repeated the last one, or
+  /// made the next one.
+  std::set<std::size_t> m_done{0};
   bool m_isFirst = true;
   bool m_mayBeComplete = false;
   std::string m_wrong;
@@ -92,11 +96,13 @@ class LastCheckpoint final : public streaming::CheckpointKeeper {
 struct LeftJob {
   const job::Plan& plan;
   LastCheckpoint keeper{};
-  std::optional<forecast::Restart> restart{};  ///< nothing: it began at its beginning
+  std::optional<forecast::Restart> restart{};  ///< of the next start; nothing: from its beginning
+  std::optional<forecast::Restart> kept{};     ///< that `keeper` knows
   int standing = 0;                            ///< programs that were active when somebody asked
   int withinWindow = 0;                        ///< of these, in the middle of windows
 
-  [[nodiscard]] const job::Plan& inProgress() const { return restart ? restart->plan : plan; }
+  /// Before each start. @return what is started
+  const job::Plan& begin();
   [[nodiscard]] base::Result<base::Vec3> zeroAt(std::size_t part) const;
   /// Asks the control where it is, and makes the rest of it. If it stands in blocks of the control
   /// without its client, it is ended first.
@@ -106,7 +112,7 @@ struct LeftJob {
 
  private:
   [[nodiscard]] streaming::JobRest inSource(const streaming::JobRest& rest) const {
-    return restart ? forecast::restInSource(*restart, rest) : rest;
+    return kept ? forecast::restInSource(*kept, rest) : rest;
   }
 };
 

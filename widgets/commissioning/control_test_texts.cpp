@@ -97,7 +97,7 @@ class FeedTestTexts final : public ControlTestTexts {
     return tr(
         "Stop, pause and override act at once because the control obeys a cell in every "
         "interpolation cycle. This test finds out whether it does: first without motion, then, if "
-        "you agree, with one axis that moves forth and back in the air and is held on its way. "
+        "you agree, with one axis that moves back and forth in the air and is held on its way. "
         "The channel must be in reset.");
   }
   [[nodiscard]] QString program(int firstCell, const std::optional<AirMove>& move) const override {

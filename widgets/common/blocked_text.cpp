@@ -25,7 +25,7 @@ struct BlockedTexts {
       case BlockReason::CalibrationInProgress:
         return tr("A calibration is in progress.");
       case BlockReason::CommissioningInProgress:
-        return tr("The test of method credit is in progress.");
+        return tr("A test of the control is in progress.");
       case BlockReason::NotConnected:
         return tr("Connect to a control first.");
       case BlockReason::NoProgram:

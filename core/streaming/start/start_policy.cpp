@@ -211,7 +211,7 @@ std::string sentence(const Blocked& blocked) {
     case BlockReason::CalibrationInProgress:
       return "A calibration is in progress. Wait until it has ended.";
     case BlockReason::CommissioningInProgress:
-      return "The test of method credit is in progress. Wait until it has ended.";
+      return "A test of the control is in progress. Wait until it has ended.";
     case BlockReason::NotConnected:
       return "There is no connection to a control. Connect first.";
     case BlockReason::NoProgram:
