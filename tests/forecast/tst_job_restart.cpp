@@ -17,6 +17,7 @@
 #include "job/main_program.h"
 #include "machine/machine.h"
 #include "opcua/await.h"
+#include "opcua/forwarding_link.h"
 #include "streaming/recovery/run_on_control.h"
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/simulated_link.h"
@@ -95,6 +96,38 @@ streaming::RunSettings settings() {
   all.isCommissioned = true;
   return all;
 }
+
+/// An answer is falsified on its way: it tells of an alarm that there is not.
+class FalseAlarm final : public opcua::ForwardingLink {
+ public:
+  FalseAlarm(opcua::Link& link, base::Instant from) : ForwardingLink(link), m_from(from) {}
+  base::RequestId read(std::span<const opcua::Variable> variables, base::Duration deadline,
+                       opcua::Grouping grouping) override {
+    const base::RequestId request = ForwardingLink::read(variables, deadline, grouping);
+    const opcua::Variable alarm{opcua::VariableKind::Alarm, 0};
+    if (const auto found = std::ranges::find(variables, alarm); found != variables.end()) {
+      m_alarms.emplace_back(request, found - variables.begin());
+    }
+    return request;
+  }
+  std::optional<opcua::Event> wait(base::Instant until) override {
+    std::optional<opcua::Event> event = ForwardingLink::wait(until);
+    if (event && event->kind == opcua::EventKind::ReadDone && !m_isDone && now() >= m_from) {
+      const auto read = std::ranges::find(m_alarms, event->request,
+                                          &std::pair<base::RequestId, std::ptrdiff_t>::first);
+      if (read != m_alarms.end()) {
+        event->readings[static_cast<std::size_t>(read->second)].number = 4096.0;
+        m_isDone = true;
+      }
+    }
+    return event;
+  }
+
+ private:
+  base::Instant m_from;
+  std::vector<std::pair<base::RequestId, std::ptrdiff_t>> m_alarms;
+  bool m_isDone = false;
+};
 
 /// What the machine has done since; a start that did not come about leaves the trace before it.
 trace::ControlTrace traceSince(opcua::Control& control, base::Instant from) {
@@ -393,6 +426,43 @@ class TestJobRestart : public QObject {
       QVERIFY2(wrong.empty(), (name + wrong).c_str());
     }
     QVERIFY2(early > 3 && moved > 3, qPrintable(QStringLiteral("%1 %2").arg(early).arg(moved)));
+  }
+
+  /// A client that has read of an alarm that there is not leaves the control in the middle of its
+  /// program.
+  void aFalseAlarmLosesNoJob() {
+    int resumed = 0;
+    for (int half = 1; half < 60; ++half) {
+      machine::Machine machine(mill(), 1);
+      streaming::SimulatedLink control(machine);
+      FalseAlarm link(control, control.now() + half * std::chrono::milliseconds{507});
+      LeftJob left{m_plan};
+      JobJudge judge(m_source, 4);
+      Watcher watcher;
+      const base::Instant from = control.now();
+      const auto begun = streaming::runWholeJob(link, control, left.begin(), settings(), watcher,
+                                                watcher, {.keeper = &left.keeper});
+      if (begun.outcome == Outcome::Completed) {
+        break;  // the job is shorter
+      }
+      leaveAlone(machine, std::chrono::seconds{2});
+      const std::string name = std::to_string(half) + ": " + begun.error.text() + ": ";
+      QVERIFY2(left.keeper.last, name.c_str());
+      const auto went = left.goOn(control, control, settings());
+      QVERIFY2(went, went ? "" : (name + went.error().text()).c_str());
+      awaitReset(machine);
+      const std::vector<std::string> before = motions(traceSince(control, from));
+      judge.add(before, isAtNextEnd(m_trace, before.size(), left.restart->rest, zeroAt()));
+      Watcher onwards;
+      const auto rest = streaming::runWholeJob(control, control, left.begin(), settings(), onwards,
+                                               onwards, {.resume = left.restart->rest.resume});
+      QVERIFY2(rest.outcome == Outcome::Completed, (name + rest.error.text()).c_str());
+      judge.add(motions(*rest.controlTrace));
+      const std::string wrong = judge.verdict();
+      QVERIFY2(wrong.empty(), (name + wrong).c_str());
+      ++resumed;
+    }
+    QVERIFY(resumed > 20);
   }
 
   /// Interrupted after a stretch and before the next block for the control has begun, at every

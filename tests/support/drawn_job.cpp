@@ -253,11 +253,13 @@ base::Result<void> LeftJob::goOn(opcua::Link& link, opcua::Control& control,
   withinWindow += foreseen && foreseen->restMm.value_or(0.0) > 0.0 ? 1 : 0;
   if (!rest && rest.error().code == streaming::StreamError::ChannelBusy) {
     const auto found = streaming::findRun(link, control, 0, std::chrono::seconds{3});
-    if (!found || !*found) {
-      return base::fail(rest.error());
+    if (!found) {
+      return base::fail(found.error());
     }
-    if (base::Result<void> ended = streaming::endRun(link, **found, settings); !ended) {
-      return ended;
+    if (*found) {  // else it has ended meanwhile
+      if (base::Result<void> ended = streaming::endRun(link, **found, settings); !ended) {
+        return ended;
+      }
     }
     rest = ask();
   }
