@@ -122,8 +122,12 @@ class TestRunFromHere : public QObject {
     return false;
   }
   void hold(QWidget* button) const {
+    // A motion that is over at once would never be seen to begin.
+    constexpr double kSeenPace = 20.0;
+    m_machine->setPace(kSeenPace);
     QTest::mousePress(button, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(m_window->isRunning(), kSoonMs);
+    m_machine->setPace(tests::SimulatedControl::kUnlimited);
     QTest::mouseRelease(button, Qt::LeftButton);
   }
 
