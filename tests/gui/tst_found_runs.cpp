@@ -228,7 +228,7 @@ class TestFoundRuns : public QObject {
     QVERIFY(report->settings.programFeeds && report->settings.programFeeds->overrideFactor == 0.9);
     // Completed: nothing is left of it.
     QVERIFY(report::RunStore().runs().empty());
-    QVERIFY(!bar()->isVisible());
+    QTRY_VERIFY(!bar()->isVisible());
     const QStringList acts = closeAndReadActs();
     QVERIFY2(acts.contains(QStringLiteral("watch")) && acts.contains(QStringLiteral("resume")),
              qPrintable(acts.join(QLatin1Char(' '))));
