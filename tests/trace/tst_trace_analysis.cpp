@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 #include "base/file.h"
+#include "base/random.h"
 #include "gcode/program.h"
 #include "support/test_program.h"
 #include "trace/analysis/trace_analysis.h"
@@ -156,6 +158,43 @@ class TestTraceAnalysis : public QObject {
     QVERIFY(match.departure.has_value());
     QCOMPARE(match.departure->line.value, 3U);
     QVERIFY(base::distance(match.departure->placeMm, {4.0, 5.0, 0.0}) < 0.2);
+  }
+
+  /// Whatever is nearest of all the path is among what is near, also where it is a corner of two
+  /// segments, and all of that is near. The other way to find it looks at each segment.
+  void nothingNearIsMissed() {
+    constexpr double kRadiusMm = 0.5;
+    base::Random random(1);
+    const auto drawn = [&random](double mm) { return mm * (2.0 * random.uniform() - 1.0); };
+    int found = 0;
+    for (std::size_t corners = 2; corners < 300; corners += corners < 40 ? 1 : 37) {
+      std::vector<base::Vec3> spiral;
+      std::vector<base::Vec3> tangle;
+      for (std::size_t i = 0; i < corners; ++i) {
+        const double turn = 0.3 * static_cast<double>(i);
+        const double radius = 5.0 + 0.03 * turn;
+        spiral.push_back({radius * std::cos(turn), radius * std::sin(turn), 0.0});
+        tangle.push_back({drawn(3.0), drawn(3.0), drawn(1.0)});
+      }
+      for (const auto& line : {spiral, tangle}) {
+        const ProgramPath path = pathThrough(line);
+        for (int place = 0; place < 60; ++place) {
+          const base::Vec3 at{drawn(6.0), drawn(6.0), drawn(0.1)};
+          const PathPlace nearest = path.nearest(at, 0.0, path.lengthMm());
+          const std::vector<PathPlace> near = path.near(at, kRadiusMm);
+          QVERIFY(std::ranges::is_sorted(near, {}, &PathPlace::segment));
+          double leastMm = kRadiusMm;
+          for (const PathPlace& one : near) {
+            QVERIFY(one.distanceMm <= kRadiusMm);
+            leastMm = std::min(leastMm, one.distanceMm);
+          }
+          QVERIFY(near.empty() == (nearest.distanceMm > kRadiusMm));
+          QVERIFY(near.empty() || std::abs(leastMm - nearest.distanceMm) < 1e-9);
+          found += near.empty() ? 0 : 1;
+        }
+      }
+    }
+    QVERIFY2(found > 500, qPrintable(QString::number(found)));
   }
 
   void measuresTheContourError() {

@@ -145,7 +145,9 @@ std::vector<PathPlace> ProgramPath::near(base::Vec3 position, double radiusMm) c
     const bool isAtBegin = found[i].lengthMm <= m_lengths[found[i].segment];
     const bool isAtEnd = found[i].lengthMm >= m_lengths[found[i].segment + 1];
     const bool isOfBefore = isAtBegin && hasBefore;
-    const bool isOfAfter = isAtEnd && hasAfter && found[i + 1].distanceMm < found[i].distanceMm;
+    // Rounding must not give it to none of them.
+    const bool isBehind = hasAfter && found[i + 1].lengthMm > m_lengths[found[i + 1].segment];
+    const bool isOfAfter = isAtEnd && isBehind && found[i + 1].distanceMm < found[i].distanceMm;
     if (!isOfBefore && !isOfAfter) {
       minima.push_back(found[i]);
     }
