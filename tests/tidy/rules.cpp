@@ -62,13 +62,14 @@ struct Include {
   return best;
 }
 
-/// Reports each match of `form` in the core sources' code.
-template <class Allowed>
-[[nodiscard]] Findings findInCoreCode(const Sources& sources, const QRegularExpression& form,
-                                      const QString& message, Allowed allowed) {
+/// Reports each match of `form` in the code of the C++ sources that `isMeant` chooses by their
+/// path.
+template <class IsMeant>
+[[nodiscard]] Findings findInCode(const Sources& sources, const QRegularExpression& form,
+                                  const QString& message, IsMeant isMeant) {
   Findings findings;
   for (const Source& source : sources) {
-    if (!isCore(source) || allowed(source.path)) {
+    if (!isCpp(source.path) || !isMeant(source.path)) {
       continue;
     }
     const QString code = codeOnly(source.text);
@@ -77,6 +78,15 @@ template <class Allowed>
     }
   }
   return findings;
+}
+
+/// The same in core.
+template <class Allowed>
+[[nodiscard]] Findings findInCoreCode(const Sources& sources, const QRegularExpression& form,
+                                      const QString& message, Allowed allowed) {
+  return findInCode(sources, form, message, [&allowed](const QString& path) {
+    return path.startsWith(u"core/") && !allowed(path);
+  });
 }
 
 /// A cycle of modules through `folder`, as "a > b > a"; empty if there is none.
@@ -337,37 +347,22 @@ Findings checkPragmaOnce(const Sources& sources) {
 
 Findings checkJsonText(const Sources& sources) {
   static const QRegularExpression bare = pattern(QStringLiteral(R"re(\.dump\(\s*-?\d*\s*\))re"));
-  Findings findings;
-  for (const Source& source : sources) {
-    const bool isOurs = source.path.startsWith(u"core/") || source.path.startsWith(u"app/") ||
-                        source.path.startsWith(u"widgets/");
-    const QString code = codeOnly(source.text);
-    for (auto found = bare.globalMatch(code); isOurs && found.hasNext();) {
-      findings.append({source.path,
-                       1 + static_cast<int>(code.left(found.next().capturedStart()).count(u'\n')),
-                       QStringLiteral("text that is no UTF-8 would end the program; give dump "
-                                      "error_handler_t::replace")});
-    }
-  }
-  return findings;
+  return findInCode(sources, bare,
+                    QStringLiteral("text that is no UTF-8 would end the program; give dump "
+                                   "error_handler_t::replace"),
+                    [](const QString& path) {
+                      return path.startsWith(u"core/") || path.startsWith(u"app/") ||
+                             path.startsWith(u"widgets/");
+                    });
 }
 
 Findings checkNumbersOfAllLocales(const Sources& sources) {
   static const QRegularExpression reader(
       QStringLiteral(R"re(\b(?:sto(?:d|f|ld)|strto(?:d|f|ld)|atof|v?[fs]?scanf)\s*\()re"));
-  Findings findings;
-  for (const Source& source : sources) {
-    if (!isCpp(source.path)) {
-      continue;
-    }
-    const QString code = codeOnly(source.text);
-    for (Matches match = reader.globalMatch(code); match.hasNext();) {
-      findings.append({source.path, lineOf(code, match.next().capturedStart()),
-                       QStringLiteral("reads no decimal point where the locale has a comma; use "
-                                      "base::parseNumber or std::from_chars")});
-    }
-  }
-  return findings;
+  return findInCode(sources, reader,
+                    QStringLiteral("reads no decimal point where the locale has a comma; use "
+                                   "base::parseNumber or std::from_chars"),
+                    [](const QString&) { return true; });
 }
 
 Findings checkOwnHeaderFirst(const Sources& sources) {
@@ -508,20 +503,12 @@ Findings checkNoMachinePaths(const Sources& sources) {
 Findings checkNothingModal(const Sources& sources) {
   static const QRegularExpression modal(QStringLiteral(
       R"re(\bQ(?:File|Input|Color|Font)Dialog::get|\bQMessageBox::(?:about|question|warning|information|critical)\b|\bsetWindowModality\b|\bsetModal\(true|\w*(?:[dD]ialog|box|menu|sheet)(?:->|\.)(?:exec|open)\(\)|\bnew QFileDialog\b)re"));
-  Findings findings;
-  for (const Source& source : sources) {
-    if (!isCpp(source.path) ||
-        !(source.path.startsWith(u"app/hmi/") || source.path.startsWith(u"widgets/"))) {
-      continue;
-    }
-    const QString code = codeOnly(source.text);
-    for (Matches match = modal.globalMatch(code); match.hasNext();) {
-      findings.append({source.path, lineOf(code, match.next().capturedStart()),
-                       QStringLiteral("a modal window keeps the mouse from Stop; ask with "
-                                      "openSheet, askForFile or askWhereToSave")});
-    }
-  }
-  return findings;
+  return findInCode(sources, modal,
+                    QStringLiteral("a modal window keeps the mouse from Stop; ask with openSheet, "
+                                   "askForFile or askWhereToSave"),
+                    [](const QString& path) {
+                      return path.startsWith(u"app/hmi/") || path.startsWith(u"widgets/");
+                    });
 }
 
 Findings checkNoIostreamInCore(const Sources& sources) {
