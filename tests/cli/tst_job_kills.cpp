@@ -16,6 +16,7 @@
 #include "support/kill_scene.h"
 #include "support/patience.h"
 #include "support/service_process.h"
+#include "support/setting.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -29,10 +30,6 @@ constexpr int kPollMs = 20;
 /// Of a job without a tool change, about: kills are drawn within it.
 constexpr double kJobMs = 5000.0;
 constexpr int kStartsMax = 40;
-
-int setting(const char* name, int otherwise) {
-  return qEnvironmentVariableIsSet(name) ? qEnvironmentVariableIntValue(name) : otherwise;
-}
 
 struct Tally {
   int kills = 0;
@@ -282,8 +279,8 @@ class TestJobKills : public QObject {
 
   /// RIVULET_KILLS kills from the seed RIVULET_FIRST on.
   void everyMotionOnceWhateverIsKilled() {
-    const int kills = setting("RIVULET_KILLS", 3);
-    const auto seed = static_cast<std::uint64_t>(setting("RIVULET_FIRST", 1));
+    const int kills = tests::setting("RIVULET_KILLS", 3);
+    const auto seed = static_cast<std::uint64_t>(tests::setting("RIVULET_FIRST", 1));
     m_random = base::Random(seed);
     m_scene.switchOn();
     for (int number = 0; m_tally.kills < kills; ++number) {

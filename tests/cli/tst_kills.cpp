@@ -13,6 +13,7 @@
 #include "base/random.h"
 #include "support/kill_scene.h"
 #include "support/patience.h"
+#include "support/setting.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -27,11 +28,6 @@ constexpr double kStreamMs = 6000.0;
 
 QStringList words(const char* text) {
   return QString::fromUtf8(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
-}
-
-/// A number of the environment.
-int setting(const char* name, int otherwise) {
-  return qEnvironmentVariableIsSet(name) ? qEnvironmentVariableIntValue(name) : otherwise;
 }
 
 struct Tally {
@@ -196,8 +192,8 @@ class TestKills : public QObject {
 
   /// RIVULET_KILLS kills from the seed RIVULET_FIRST on.
   void everyPointOnceWhateverIsKilled() {
-    const int kills = setting("RIVULET_KILLS", 4);
-    const auto seed = static_cast<std::uint64_t>(setting("RIVULET_FIRST", 1));
+    const int kills = tests::setting("RIVULET_KILLS", 4);
+    const auto seed = static_cast<std::uint64_t>(tests::setting("RIVULET_FIRST", 1));
     m_random = base::Random(seed);
     m_scene.switchOn();
     QProcess test;  // of method credit

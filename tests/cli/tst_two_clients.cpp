@@ -21,6 +21,7 @@
 #include "streaming/start/cell_claim.h"
 #include "support/machine_process.h"
 #include "support/patience.h"
+#include "support/setting.h"
 #include "support/test_program.h"
 #include "templates/window_protocol.h"
 
@@ -35,11 +36,6 @@ constexpr int kPairsAtOnce = 5;
 
 QStringList words(const char* text) {
   return QString::fromUtf8(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
-}
-
-/// A number of the environment.
-int setting(const char* name, int otherwise) {
-  return qEnvironmentVariableIsSet(name) ? qEnvironmentVariableIntValue(name) : otherwise;
 }
 
 /// One program of Rivulet that streams.
@@ -152,8 +148,8 @@ class TestTwoClients : public QObject {
   }
 
   void oneRunsAndTheOtherIsToldWhoseRunItIs() {
-    const int pairs = setting("RIVULET_SCENARIOS", 5);
-    const int first = setting("RIVULET_FIRST", 1);
+    const int pairs = tests::setting("RIVULET_SCENARIOS", 5);
+    const int first = tests::setting("RIVULET_FIRST", 1);
     for (int done = 0; done < pairs; done += kPairsAtOnce) {
       std::vector<Pair> running;
       for (int seed = first + done; seed < first + std::min(done + kPairsAtOnce, pairs); ++seed) {

@@ -22,6 +22,7 @@
 #include "streaming/simulation/faulty_link.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/drawn_job.h"
+#include "support/setting.h"
 #include "support/test_program.h"
 #include "templates/window_protocol.h"
 
@@ -143,10 +144,6 @@ QString stepsText(const forecast::Restart& restart) {
     steps << QString::fromStdString(step);
   }
   return steps.join(QStringLiteral("; "));
-}
-
-int setting(const char* name, int otherwise) {
-  return qEnvironmentVariableIsSet(name) ? qEnvironmentVariableIntValue(name) : otherwise;
 }
 
 void awaitReset(machine::Machine& machine) {

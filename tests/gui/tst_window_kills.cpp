@@ -18,6 +18,7 @@
 #include "base/random.h"
 #include "support/kill_scene.h"
 #include "support/patience.h"
+#include "support/setting.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -30,10 +31,6 @@ constexpr int kPollMs = 10;
 constexpr unsigned long kStaysMs = 500;
 /// Of a whole run, about: kills are drawn within it.
 constexpr double kStreamMs = 5000.0;
-
-int setting(const char* name, int otherwise) {
-  return qEnvironmentVariableIsSet(name) ? qEnvironmentVariableIntValue(name) : otherwise;
-}
 
 /// A window as an operator starts it, and what its pilot says.
 class Window {
@@ -359,8 +356,8 @@ class TestWindowKills : public QObject {
 
   /// RIVULET_KILLS kills from the seed RIVULET_FIRST on.
   void everyPointOnceWhateverIsKilled() {
-    const int kills = setting("RIVULET_KILLS", 3);
-    const auto seed = static_cast<std::uint64_t>(setting("RIVULET_FIRST", 2));
+    const int kills = tests::setting("RIVULET_KILLS", 3);
+    const auto seed = static_cast<std::uint64_t>(tests::setting("RIVULET_FIRST", 2));
     m_random = base::Random(seed);
     for (int number = 0; m_tally.kills < kills; ++number) {
       const int most =

@@ -23,6 +23,7 @@
 #include "support/drawn_job.h"
 #include "support/fault_proxy.h"
 #include "support/loopback_machine.h"
+#include "support/setting.h"
 #include "support/test_program.h"
 #include "templates/window_protocol.h"
 
@@ -39,10 +40,6 @@ constexpr int kPointsMax = 40;  ///< of a stretch: a job takes less than a minut
 /// A job that does not end by itself.
 constexpr Duration kJobMax = 10min;
 constexpr Duration kLook = 100ms;
-
-int setting(const char* name, int otherwise) {
-  return qEnvironmentVariableIsSet(name) ? qEnvironmentVariableIntValue(name) : otherwise;
-}
 
 /// How a job is interrupted.
 struct Interruption {
@@ -290,9 +287,9 @@ class TestJobNetwork : public QObject {
 
   /// Some jobs at the same time: they mostly wait.
   void drawnJobs() {
-    const int first = setting("RIVULET_FIRST", 1);
-    const int count = setting("RIVULET_SCENARIOS", 4);
-    const int together = setting("RIVULET_JOBS", 4);
+    const int first = tests::setting("RIVULET_FIRST", 1);
+    const int count = tests::setting("RIVULET_SCENARIOS", 4);
+    const int together = tests::setting("RIVULET_JOBS", 4);
     std::atomic<int> next{0};
     std::mutex mutex;
     std::map<std::string, int> interruptedBy;

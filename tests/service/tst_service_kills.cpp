@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "support/kill_scene.h"
 #include "support/service_process.h"
+#include "support/setting.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -18,11 +19,6 @@ namespace {
 
 /// Of a whole run, about: kills are drawn within it.
 constexpr double kStreamMs = 6500.0;
-
-/// A number of the environment.
-int setting(const char* name, int otherwise) {
-  return qEnvironmentVariableIsSet(name) ? qEnvironmentVariableIntValue(name) : otherwise;
-}
 
 }  // namespace
 
@@ -112,8 +108,8 @@ class TestServiceKills : public QObject {
 
   /// RIVULET_KILLS kills from the seed RIVULET_FIRST on.
   void everyPointOnceWheneverItIsKilled() {
-    const int kills = setting("RIVULET_KILLS", 4);
-    const auto seed = static_cast<std::uint64_t>(setting("RIVULET_FIRST", 1));
+    const int kills = tests::setting("RIVULET_KILLS", 4);
+    const auto seed = static_cast<std::uint64_t>(tests::setting("RIVULET_FIRST", 1));
     m_random = base::Random(seed);
     m_scene.switchOn();
     int runs = 0;

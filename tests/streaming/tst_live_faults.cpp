@@ -17,6 +17,7 @@
 #include "platform/thread_executor.h"
 #include "streaming/run/job.h"
 #include "streaming/simulation/faulty_link.h"
+#include "support/setting.h"
 #include "support/test_program.h"
 #include "support/timed_source.h"
 
@@ -28,10 +29,6 @@ using base::Random;
 using base::Vec3;
 
 namespace {
-
-int setting(const char* name, int otherwise) {
-  return qEnvironmentVariableIsSet(name) ? qEnvironmentVariableIntValue(name) : otherwise;
-}
 
 /// Says a drawn script; keeps the points that may be executed.
 class DrawnSource final : public tests::TimedSource {
@@ -190,8 +187,8 @@ class TestLiveFaults : public QObject {
 
  private slots:
   void noWrongMotion() {
-    const auto first = static_cast<std::uint64_t>(setting("RIVULET_FIRST", 1));
-    const auto count = static_cast<std::size_t>(setting("RIVULET_SCENARIOS", 300));
+    const auto first = static_cast<std::uint64_t>(tests::setting("RIVULET_FIRST", 1));
+    const auto count = static_cast<std::size_t>(tests::setting("RIVULET_SCENARIOS", 300));
     std::vector<Outcome> outcomes(count);
     parallel::ThreadExecutor(0).forEach(count,
                                         [&](std::size_t i) { outcomes[i] = runOnce(first + i); });
