@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "gcode/nearest_move.h"
 #include "hmi/hazard_text.h"
 #include "job/main_program.h"
@@ -183,20 +184,17 @@ bool RunController::start() {
 }
 
 void RunController::stop() {
-  if (m_session.isCommissioning()) {
-    m_session.stop();
-    m_messages.didAct(Act::Stop, {{"machine", m_machine.endpoint().toStdString()}});
-    m_messages.show(Severity::Error, [] {
-      return tr(
-          "The test of the control is aborted. If an axis still moves, press NC STOP at the "
-          "machine.");
-    });
-    return;
-  }
   if (!m_session.isRunning()) {
+    const bool isTest = m_session.isCommissioning();
+    if (isTest) {
+      m_session.stop();
+    }
     m_messages.didAct(Act::Stop, {{"machine", m_machine.endpoint().toStdString()}});
-    m_messages.show(Severity::Error, [] {
-      return tr("Rivulet cannot stop what the control executes now. Press NC STOP at the machine.");
+    m_messages.show(Severity::Error, [isTest] {
+      return isTest ? tr("The test of the control is aborted. If an axis still moves, press NC "
+                         "STOP at the machine.")
+                    : tr("Rivulet cannot stop what the control executes now. Press NC STOP at the "
+                         "machine.");
     });
     return;
   }
@@ -572,7 +570,7 @@ bool RunController::raise(double toMm, double feedMmPerS) {
   m_machine.showPreparing(true);
   m_messages.didAct(Act::Start, {{"program", command.program->name},
                                  {"machine", m_machine.endpoint().toStdString()},
-                                 {"z_mm", std::to_string(toMm)}});
+                                 {"z_mm", base::formatNumber(toMm)}});
   m_messages.show(Severity::Note, [toMm] {
     return tr("The tool is raised to Z %1.").arg(widgets::lengthText(toMm));
   });
