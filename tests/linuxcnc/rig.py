@@ -125,6 +125,7 @@ class Machine:
             ],
             stdout=subprocess.PIPE,
             text=True,
+            start_new_session=True,
         )
         self.endpoint = self.process.stdout.readline().strip()
         if not self.endpoint:
@@ -146,7 +147,11 @@ class Machine:
     def end(self):
         if self.process is not None and self.process.poll() is None:
             self.process.terminate()
-            self.process.wait(30)
+            try:
+                self.process.wait(30)
+            except subprocess.TimeoutExpired as late:
+                os.killpg(self.process.pid, signal.SIGKILL)
+                raise Failed("LinuxCNC did not end") from late
         shutil.rmtree(self.folder, ignore_errors=True)
 
     @contextlib.contextmanager
