@@ -375,7 +375,7 @@ void SessionWorker::watch() {
   }
 }
 
-base::Result<void> SessionWorker::lookAtControl() {
+base::Result<MachineSeen> SessionWorker::readControl() {
   using opcua::VariableKind;
   std::vector<opcua::Variable> watched{
       {VariableKind::ChannelStatus, 0},  {VariableKind::ProgramStatus, 0},
@@ -440,16 +440,24 @@ base::Result<void> SessionWorker::lookAtControl() {
   if (readsEquipment) {
     seen.equipment = m_equipment.take(std::span(*readings).subspan(firstEquipment));
   }
+  return seen;
+}
+
+base::Result<void> SessionWorker::lookAtControl() {
+  auto seen = readControl();
+  if (!seen) {
+    return base::fail(seen.error());
+  }
   auto described = readDescription();
   if (!described) {
     return base::fail(described.error());
   }
-  seen.described = *std::move(described);
-  tellIfRoom(seen);
-  return lookForRuns(seen.channelStatus != opcua::kChannelReset,
-                     seen.positionMm ? std::optional(base::AxisPosition{
-                                           *seen.positionMm, seen.rotaryDeg.value_or(rotaryDeg)})
-                                     : std::nullopt);
+  seen->described = *std::move(described);
+  tellIfRoom(*seen);
+  return lookForRuns(seen->channelStatus != opcua::kChannelReset,
+                     seen->positionMm && seen->rotaryDeg
+                         ? std::optional(base::AxisPosition{*seen->positionMm, *seen->rotaryDeg})
+                         : std::nullopt);
 }
 
 base::Result<SessionWorker::Described> SessionWorker::readDescription() {
@@ -860,11 +868,20 @@ void SessionWorker::commission(const CommissionCommand& command) {
   plan.firstCell = command.firstCell;
   plan.transfer = command.transfer;
   plan.move = command.move;
+  opcua::Link& link = *m_connection.link;
   std::optional<streaming::CommissioningStep> told;
+  base::Instant nextLook{};
   const auto progress = [&](streaming::CommissioningStep step) {
     if (told != step) {
       told = step;
       tell(CommissioningProgress{command.kind, step});
+    }
+    // An axis may move. What cannot be read is noticed by the test.
+    if (link.now() >= nextLook) {
+      if (auto seen = readControl()) {
+        tellIfRoom(*std::move(seen));
+      }
+      nextLook = link.now() + kWatchInterval;
     }
     return !m_stopRun.load() && !m_quit.load();
   };
@@ -879,7 +896,6 @@ void SessionWorker::commission(const CommissionCommand& command) {
     const base::Result<void> saved = m_machines.save(*test);
     finished.error = saved ? base::Error{} : saved.error();
   };
-  opcua::Link& link = *m_connection.link;
   if (command.kind == TestKind::FeedCell) {
     keep(streaming::testFeedCell(link, *m_connection.control, plan, progress), finished.feed);
   } else {

@@ -108,6 +108,7 @@ class SessionWorker {
   /// Reads the control between other work; notices that the connection is lost.
   void watch();
   /// @return the error of the link, if it has one
+  [[nodiscard]] base::Result<MachineSeen> readControl();
   [[nodiscard]] base::Result<void> lookAtControl();
   using Described = std::shared_ptr<const std::vector<opcua::DescribedMachine>>;
   /// @return null: it is not time yet, or it could not be read; ConnectionLost

@@ -113,8 +113,8 @@ class TestControlTests : public QObject {
     QVERIFY(kept && *kept && (*kept)->result.proves());
   }
 
-  /// Nobody reads the state of the control while it is tested, and an axis may move: Stop can be
-  /// pressed, and holds it.
+  /// An axis may move while a control is tested: the machine is seen as before, and Stop can be
+  /// pressed and holds it.
   void stopHoldsTheAxisOfTheTest() {
     const tests::SimulatedControl control("dmu75", 5.0);
     Models models(m_folder,
@@ -135,6 +135,8 @@ class TestControlTests : public QObject {
     QVERIFY(models.machine.mayMove());
     QTRY_VERIFY_WITH_TIMEOUT(progressed.size() >= 2, kSoonMs);
     QVERIFY(models.machine.mayMove());
+    const base::Vec3 begin = models.machine.view().positionMm.value();
+    QTRY_VERIFY_WITH_TIMEOUT(models.machine.view().positionMm.value() != begin, kSoonMs);
     models.runs.stop();
     QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kSoonMs);
     QCOMPARE(failed.first()[1].value<base::Error>().code,

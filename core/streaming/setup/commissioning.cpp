@@ -133,7 +133,7 @@ class Test : ProgramTest {
   static double questionOf(int number) { return 0.375 + 1000.0 * number; }
 
   Result<void> end() {
-    if (Result<void> done = awaitEnd(kRunMax); !done) {
+    if (Result<void> done = awaitEnd(CommissioningStep::Running, kRunMax); !done) {
       return done;
     }
     const Variable passes = cell(Passes);

@@ -374,7 +374,7 @@ class FeedCellTest : ProgramTest {
     }
     Result<void> done = want(kHalf);
     done = done ? set(Command, kEnd) : done;
-    done = done ? awaitEnd(kEnds) : done;
+    done = done ? awaitEnd(m_step, kEnds) : done;
     if (!done || !goesOn()) {
       return done;
     }
@@ -421,7 +421,7 @@ class FeedCellTest : ProgramTest {
       return {};
     }
     done = set(Command, kEnd);
-    return done ? awaitEnd(kEnds) : done;
+    return done ? awaitEnd(m_step, kEnds) : done;
   }
 
   const FeedTestPlan& m_feedPlan;

@@ -104,9 +104,12 @@ Result<void> ProgramTest::awaitStart(CommissioningStep step, int layoutCell, int
                     "Cycle start was not pressed in time. Start again when the machine is ready.");
 }
 
-Result<void> ProgramTest::awaitEnd(base::Duration longest) {
+Result<void> ProgramTest::awaitEnd(CommissioningStep step, base::Duration longest) {
   const Instant until = m_link.now() + longest;
   while (m_link.now() < until) {
+    if (Result<void> on = proceed(step); !on) {
+      return on;
+    }
     const auto state = numbers(kState);
     if (!state) {
       return base::fail(state.error());

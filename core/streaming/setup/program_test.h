@@ -50,7 +50,7 @@ class ProgramTest {
   [[nodiscard]] base::Result<void> awaitStart(CommissioningStep step, int layoutCell, int layout,
                                               const std::string& name);
   /// Waits until the channel is in reset again.
-  [[nodiscard]] base::Result<void> awaitEnd(base::Duration longest);
+  [[nodiscard]] base::Result<void> awaitEnd(CommissioningStep step, base::Duration longest);
 
   opcua::Link& m_link;
   opcua::Control& m_control;
