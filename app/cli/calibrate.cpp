@@ -14,6 +14,7 @@
 #include "cli/calibration_choice.h"
 #include "cli/commands.h"
 #include "cli/connection.h"
+#include "cli/status_line.h"
 #include "platform/interrupt.h"
 #include "report/calibration_json.h"
 #include "report/machine_store.h"
@@ -92,26 +93,23 @@ std::optional<base::Error> unconfirmed(const CalibrateOptions& options,
                        : "Now: " + text + (shown > kShown ? ", and more." : ".")));
 }
 
+/// Drawn once per percent: the shots are timed.
 class Bar {
  public:
   bool show(const streaming::CalibrationProgress& progress) {
     const int percent = static_cast<int>(100.0 * progress.share);
-    if (isTerminal() && percent != m_percent) {
+    if (percent != m_percent) {
       m_percent = percent;
-      fmt::print(stderr, "\r{} %, {} of {} shots, {:.0f} s left \x1b[K", percent,
-                 progress.shotsMade, progress.shotsPlanned, base::toSeconds(progress.left));
-      std::fflush(stderr);
+      m_line.show(fmt::format("{} %, {} of {} shots, {:.0f} s left", percent, progress.shotsMade,
+                              progress.shotsPlanned, base::toSeconds(progress.left)));
     }
     return !interrupt::wasSeen();
   }
-  void clear() const {
-    if (m_percent >= 0) {
-      std::fputs("\r\x1b[K", stderr);
-    }
-  }
+  void clear() { m_line.clear(); }
 
  private:
   int m_percent = -1;
+  StatusLine m_line;
 };
 
 /// Keeps the calibration in the file of the machine and in the one that was asked for.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/status_line.h"
 #include "machine/machine.h"
 #include "opcua/control_map.h"
 #include "streaming/simulation/simulated_link.h"
@@ -192,10 +193,6 @@ Connection simulate(machine::MachineConfig config, const std::string& name, std:
   const auto cell = std::make_shared<SimulatedCell>(std::move(config), seed);
   return Connection{cell, &cell->link, &cell->link,
                     fmt::format("simulated {} seed {}", name, seed)};
-}
-
-bool isTerminal() {
-  return isatty(STDERR_FILENO) == 1;
 }
 
 }  // namespace rivulet::cli

@@ -46,7 +46,4 @@ void setConnectionOptions(const ConnectionOptions& options);
 [[nodiscard]] Connection simulate(machine::MachineConfig config, const std::string& name,
                                   std::uint64_t seed);
 
-/// Whether standard error is read by a person.
-[[nodiscard]] bool isTerminal();
-
 }  // namespace rivulet::cli

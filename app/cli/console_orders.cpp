@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/status_line.h"
 #include "platform/interrupt.h"
 
 namespace rivulet::cli {
@@ -14,9 +15,8 @@ bool ConsoleOrders::stopRequested(base::Instant now) {
   if ((interrupt::wasSeen() || m_feed.hasGone()) && !m_continues) {
     m_continues = m_feed.continues();
     if (m_feed.hasKeys()) {
-      fmt::print(stderr,
-                 "\r\x1b[KStop. c: to the end of the window, and end there. Ctrl-C: leave the axes "
-                 "held.\n");
+      sayOverStatus(
+          "Stop. c: to the end of the window, and end there. Ctrl-C: leave the axes held.");
     }
   }
   return m_continues.has_value() ||

@@ -12,8 +12,8 @@
 #include "base/file.h"
 #include "base/units.h"
 #include "cli/commands.h"
-#include "cli/connection.h"
 #include "cli/emulator_runs.h"
+#include "cli/status_line.h"
 #include "emulator/design.h"
 #include "emulator/emulator.h"
 #include "emulator/emulator_error.h"
@@ -61,14 +61,6 @@ void printAxis(const emulator::LearnedAxis& axis) {
   }
 }
 
-bool showProgress(const emulator::LearnProgress& progress) {
-  if (isTerminal()) {
-    fmt::print(stderr, "\raxis {}: structure {} of {}, {:.3f} µm \x1b[K", progress.axis,
-               progress.step, progress.steps, 1e3 * progress.heldOutRmsMm);
-  }
-  return true;
-}
-
 void printLimits(const emulator::AxisLimits& limits) {
   const emulator::SeenLimit& acceleration = limits.accelerationMmPerS2;
   fmt::print("axis {}: {}acceleration {:.5g} mm/s²{}", limits.axis,
@@ -114,6 +106,12 @@ Exit learnEmulator(const EmulatorOptions& options) {
     return reportError(recordings.error(), options.json);
   }
   interrupt::watch();
+  StatusLine line;
+  const auto showProgress = [&line](const emulator::LearnProgress& progress) {
+    line.show(fmt::format("axis {}: structure {} of {}, {:.3f} µm", progress.axis, progress.step,
+                          progress.steps, 1e3 * progress.heldOutRmsMm));
+    return true;
+  };
   const std::clock_t begin = std::clock();
   const auto learned =
       learning::learn({.learnFrom = std::move(*recordings),
@@ -121,9 +119,7 @@ Exit learnEmulator(const EmulatorOptions& options) {
                        .preset = learning::presetBeside(options.preset, options.output)},
                       showProgress, interrupt::wasSeen);
   const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  if (isTerminal()) {
-    std::fputs("\r\x1b[K", stderr);
-  }
+  line.clear();
   if (!learned) {
     return reportError(learned.error(), options.json);
   }
@@ -306,11 +302,9 @@ Exit designProgram(const EmulatorOptions& options) {
   box.feedMmPerSMax = base::mmPerSFromMmPerMin(options.feeds[1]);
   box.durationS = options.seconds;
   interrupt::watch();
-  emulator::DesignOptions design{.seed = options.seed, .progress = [](double share) {
-                                   if (isTerminal()) {
-                                     fmt::print(stderr, "\rsearching: {:.0f} % \x1b[K",
-                                                100.0 * share);
-                                   }
+  StatusLine line;
+  emulator::DesignOptions design{.seed = options.seed, .progress = [&line](double share) {
+                                   line.show(fmt::format("searching: {:.0f} %", 100.0 * share));
                                    return !interrupt::wasSeen();
                                  }};
   // The noise of a position is not larger than what the emulator is off.
@@ -319,9 +313,7 @@ Exit designProgram(const EmulatorOptions& options) {
   }
   const auto proposed =
       emulator::proposeProgram(*known, box, papers::planMovesOn(*machine), design);
-  if (isTerminal()) {
-    std::fputs("\r\x1b[K", stderr);
-  }
+  line.clear();
   if (!proposed) {
     return reportError(proposed.error(), options.json);
   }

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "cli/commands.h"
-#include "cli/connection.h"
 #include "cli/emulator_runs.h"
+#include "cli/status_line.h"
 #include "emulator/paper/study.h"
 #include "papers/sparse_learning.h"
 #include "platform/interrupt.h"
@@ -94,17 +94,12 @@ base::Result<TrainTestMatrix> study(const EmulatorOptions& options) {
   }
   interrupt::watch();
   parallel::ThreadExecutor executor(options.threads);
-  auto matrix =
-      emulator::paper::trainAndTest(*courses, learnSettings(options), executor, [](double share) {
-        if (isTerminal()) {
-          fmt::print(stderr, "\rlearning: {:.0f} % \x1b[K", 100.0 * share);
-        }
+  StatusLine line;
+  return emulator::paper::trainAndTest(
+      *courses, learnSettings(options), executor, [&line](double share) {
+        line.show(fmt::format("learning: {:.0f} %", 100.0 * share));
         return !interrupt::wasSeen();
       });
-  if (isTerminal()) {
-    std::fputs("\r\x1b[K", stderr);
-  }
-  return matrix;
 }
 
 }  // namespace

@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "base/contract.h"
@@ -19,7 +17,7 @@
 #include "base/share.h"
 #include "base/text.h"
 #include "cli/commands.h"
-#include "cli/connection.h"
+#include "cli/status_line.h"
 #include "papers/catalogue.h"
 #include "papers/design_study.h"
 #include "papers/emulation.h"
@@ -38,32 +36,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The share done, on a terminal only.
+/// The share done.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string name) : m_name(std::move(name)) {}
-  ~ProgressLine() {
-    if (m_drawn) {
-      std::fputs("\r\x1b[K", stderr);
-    }
-  }
   bool operator()(double share) {
-    const std::lock_guard lock(m_mutex);
-    const int percent = static_cast<int>(100.0 * share);
-    if (isTerminal() && percent != m_percent) {
-      m_percent = percent;
-      m_drawn = true;
-      fmt::print(stderr, "\r{} {} %", m_name, percent);
-      std::fflush(stderr);
-    }
+    m_line.show(fmt::format("{} {} %", m_name, static_cast<int>(100.0 * share)));
     return !interrupt::wasSeen();
   }
 
  private:
-  std::mutex m_mutex;
   std::string m_name;
-  int m_percent = -1;
-  bool m_drawn = false;
+  StatusLine m_line;
 };
 
 /// "curve.svg", "curve-2.svg", ...

@@ -14,6 +14,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "cli/status_line.h"
 #include "permission/permission.h"
 #include "platform/log.h"
 
@@ -184,7 +185,7 @@ void FeedSource::tellSource(const live::FactorSeen& source, base::Instant now) {
   m_said = source;
   m_sayNext = now + std::chrono::seconds{1};
   if (source.why.empty()) {
-    fmt::print(stderr, "\r\x1b[KThe feed follows its source.\n");
+    sayOverStatus("The feed follows its source.");
   } else {
     log::logger().warn(
         "Source of the feed: {}{}", source.why,
@@ -217,13 +218,12 @@ void FeedSource::tell(const streaming::LiveUpdate& update) {
         "Another client has set the override to {:g} %: it stays until you change it.",
         now.wantedPercent);
   } else if (now.stoodAfter && !before.stoodAfter) {
-    fmt::print(stderr, "\r\x1b[KHeld: the axes stand, {:.3f} s after the order.\n",
-               base::toSeconds(*now.stoodAfter));
+    sayOverStatus(fmt::format("Held: the axes stand, {:.3f} s after the order.",
+                              base::toSeconds(*now.stoodAfter)));
   } else if (now.wantedPercent != before.wantedPercent) {
-    fmt::print(stderr, "\r\x1b[K{}\n",
-               now.wantedPercent == templates::FeedCell::kHold
-                   ? std::string("Hold.")
-                   : fmt::format("Override {:g} %.", now.wantedPercent));
+    sayOverStatus(now.wantedPercent == templates::FeedCell::kHold
+                      ? "Hold."
+                      : fmt::format("Override {:g} %.", now.wantedPercent));
   }
 }
 

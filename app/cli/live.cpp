@@ -18,6 +18,7 @@
 #include "cli/paced_link.h"
 #include "cli/run_files.h"
 #include "cli/run_settings.h"
+#include "cli/status_line.h"
 #include "live/point_stream.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
@@ -38,13 +39,7 @@ using base::Result;
 /// A line on a terminal says how far the run is.
 class LiveConsole final : public streaming::RunSink, public ConsoleOrders {
  public:
-  LiveConsole(double stopAfterS, FeedSource& feed)
-      : ConsoleOrders(stopAfterS, feed), m_isTerminal(isTerminal()) {}
-  ~LiveConsole() override {
-    if (m_isDrawn) {
-      std::fputs("\r\x1b[K", stderr);
-    }
-  }
+  LiveConsole(double stopAfterS, FeedSource& feed) : ConsoleOrders(stopAfterS, feed) {}
   void update(const streaming::LiveUpdate& update) override {
     tell(update);
     if (update.wrong && !m_saysWrong) {
@@ -52,22 +47,19 @@ class LiveConsole final : public streaming::RunSink, public ConsoleOrders {
       log::logger().error("Wrong motion: {}. Stop the run, then check workpiece and tool.",
                           streaming::describe(*update.wrong));
     }
-    if (!m_isTerminal || !update.source || update.counters.executed == m_shown) {
+    if (!update.source || update.counters.executed == m_shown) {
       return;
     }
-    m_isDrawn = true;
     m_shown = update.counters.executed;
-    fmt::print(stderr, "\r\x1b[K{:<8} {} points executed, {} of at most {} waiting",
-               streaming::runStateName(update.state), update.counters.executed,
-               update.source->waiting, update.source->capacity);
-    std::fflush(stderr);
+    m_line.show(fmt::format("{:<8} {} points executed, {} of at most {} waiting",
+                            streaming::runStateName(update.state), update.counters.executed,
+                            update.source->waiting, update.source->capacity));
   }
   void access(const trace::Access&) override {}
   void note(const trace::Note&) override {}
 
  private:
-  bool m_isTerminal;
-  bool m_isDrawn = false;
+  StatusLine m_line;
   bool m_saysWrong = false;
   std::size_t m_shown = 0;
 };

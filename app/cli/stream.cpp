@@ -22,6 +22,7 @@
 #include "cli/paced_link.h"
 #include "cli/run_files.h"
 #include "cli/run_settings.h"
+#include "cli/status_line.h"
 #include "feasibility/verdict.h"
 #include "gcode/block_observer.h"
 #include "gcode/error.h"
@@ -197,12 +198,7 @@ class StreamOrders final : public ConsoleOrders {
 /// A progress line on a terminal, nothing in a pipe.
 class ConsoleSink final : public streaming::RunSink {
  public:
-  explicit ConsoleSink(FeedSource& feed) : m_feed(feed), m_isTerminal(isTerminal()) {}
-  ~ConsoleSink() override {
-    if (m_drawn) {
-      std::fputs("\r\x1b[K", stderr);
-    }
-  }
+  explicit ConsoleSink(FeedSource& feed) : m_feed(feed) {}
   void update(const streaming::LiveUpdate& update) override {
     m_feed.tell(update);
     const bool isOver =
@@ -222,31 +218,29 @@ class ConsoleSink final : public streaming::RunSink {
       log::logger().error("Wrong motion: {}. Stop the run, then check workpiece and tool.",
                           streaming::describe(*update.wrong));
     }
-    if (!m_isTerminal || update.counters.total == 0) {
+    if (update.counters.total == 0) {
       return;
     }
     const std::size_t share = 40 * update.counters.executed / update.counters.total;
-    if (m_drawn && share == m_share && update.state == m_state) {
+    if (share == m_share && update.state == m_state) {
       return;
     }
-    m_drawn = true;
     m_share = share;
     m_state = update.state;
-    fmt::print(stderr, "\r{:<8} [{:<40}] {} of {} points", streaming::runStateName(update.state),
-               std::string(share, '#'), update.counters.executed, update.counters.total);
-    std::fflush(stderr);
+    m_line.show(fmt::format("{:<8} [{:<40}] {} of {} points", streaming::runStateName(update.state),
+                            std::string(share, '#'), update.counters.executed,
+                            update.counters.total));
   }
   void access(const trace::Access&) override {}
   void note(const trace::Note&) override {}
 
  private:
   FeedSource& m_feed;
-  bool m_isTerminal;
-  bool m_drawn = false;
+  StatusLine m_line;
   bool m_isSilent = false;  ///< nothing comes from the control
   bool m_saysClaim = false;
   bool m_saysWrong = false;
-  std::size_t m_share = 0;
+  std::optional<std::size_t> m_share;
   streaming::RunState m_state = streaming::RunState::Idle;
 };
 
