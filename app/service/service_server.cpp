@@ -384,10 +384,12 @@ UA_StatusCode ServiceServer::Impl::onCall(UA_Server* /*server*/, const UA_NodeId
                                           const UA_NodeId* /*objectId*/, void* /*objectContext*/,
                                           std::size_t inputSize, const UA_Variant* input,
                                           std::size_t /*outputSize*/, UA_Variant* output) noexcept {
+  if (!opcua::areScalars(input, inputSize)) {
+    return UA_STATUSCODE_BADINVALIDARGUMENT;
+  }
   const auto& bound = *static_cast<const Bound*>(context);
   std::vector<std::string> inputs;
   for (std::size_t i = 0; i < inputSize; ++i) {
-    // The library has checked number and types of the arguments.
     inputs.emplace_back(opcua::view(*static_cast<const UA_String*>(input[i].data)));
   }
   Impl& self = *bound.server;

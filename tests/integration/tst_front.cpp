@@ -22,6 +22,7 @@
 #include "opcua/await.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/quiet_logger.h"
+#include "support/empty_arrays.h"
 #include "support/idle_connection.h"
 #include "support/loopback_machine.h"
 #include "support/patience.h"
@@ -382,6 +383,23 @@ class TestFront : public QObject {
     QCOMPARE(response->responseHeader.serviceResult, UA_STATUSCODE_GOOD);
     QCOMPARE(response->resultsSize, std::size_t{1});
     QVERIFY(UA_StatusCode_isBad(response->results[0].statusCode));
+  }
+
+  /// The library takes them for scalars, and their data point at nothing.
+  void emptyArraysAreNoArguments() {
+    const LoopbackMachine cell;
+    const auto answersOf = [&cell](std::string_view uri, std::string_view object,
+                                   std::string_view name, const std::vector<std::size_t>& inputs) {
+      return tests::callWithEmptyArrays(
+          cell.endpoint(), {uri, object, opcua::memberIdentifier(object, name), inputs});
+    };
+    const std::array refused{UA_STATUSCODE_BADINVALIDARGUMENT, UA_STATUSCODE_BADINVALIDARGUMENT};
+    QVERIFY(answersOf(opcua::kNamespaceUri, opcua::kMethodsObject, opcua::kCopyToServer,
+                      {UA_TYPES_STRING, UA_TYPES_BYTESTRING, UA_TYPES_BOOLEAN}) == refused);
+    QVERIFY(answersOf(opcua::kNamespaceUri, opcua::kMethodsObject, opcua::kSelect,
+                      {UA_TYPES_STRING, UA_TYPES_UINT32}) == refused);
+    QVERIFY(answersOf(opcua::kVirtualNamespaceUri, opcua::kVirtualObject, opcua::kFetchTrace,
+                      {UA_TYPES_UINT64}) == refused);
   }
 
   void subscriptionsCostTheServiceToo() {

@@ -17,6 +17,7 @@
 #include "service/node_table.h"
 #include "service/service_session.h"
 #include "service/service_watch.h"
+#include "support/empty_arrays.h"
 #include "support/kill_scene.h"
 #include "support/patience.h"
 #include "support/plain_server.h"
@@ -205,6 +206,17 @@ class TestService : public QObject {
     QVERIFY(!service->call("Start", {second}).accepted);
     QCOMPARE(service->value("Monitoring/State"), "loaded");
     QCOMPARE(m_scene.executed().size(), before);
+  }
+
+  void emptyArraysAreNoTexts() {
+    const auto service = this->service();
+    QVERIFY(tests::callWithEmptyArrays(service->endpoint().toStdString(),
+                                       {service::kNamespaceUri,
+                                        service::kMethodsObject,
+                                        service::methodIdentifier("LoadJob"),
+                                        {UA_TYPES_STRING, UA_TYPES_STRING}}) ==
+            (std::array{UA_STATUSCODE_BADINVALIDARGUMENT, UA_STATUSCODE_BADINVALIDARGUMENT}));
+    QVERIFY(service->await("Monitoring/IsConnected", "true"));  // it goes on
   }
 
   void refusesWhatCannotBeLoaded() {

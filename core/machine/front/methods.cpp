@@ -22,7 +22,7 @@ namespace {
 
 using opcua::SelectStatus;
 
-/// The library has checked number and types of the arguments before a method is called.
+/// Number and types of the arguments have been checked before a method's work begins.
 template <class T>
 [[nodiscard]] const T& argument(const UA_Variant* input, std::size_t index) {
   return *static_cast<const T*>(input[index].data);
@@ -189,7 +189,7 @@ bool hasRight(const Methods& methods, Right right) {
 template <Work work, Right right>
 UA_StatusCode onCall(UA_Server* /*server*/, const UA_NodeId* sessionId, void* sessionContext,
                      const UA_NodeId* /*methodId*/, void* context, const UA_NodeId* /*objectId*/,
-                     void* /*objectContext*/, std::size_t /*inputSize*/, const UA_Variant* input,
+                     void* /*objectContext*/, std::size_t inputSize, const UA_Variant* input,
                      std::size_t /*outputSize*/, UA_Variant* output) noexcept {
   auto& methods = *static_cast<Methods*>(context);
   methods.advance();
@@ -202,7 +202,8 @@ UA_StatusCode onCall(UA_Server* /*server*/, const UA_NodeId* sessionId, void* se
   if (!hasRight(methods, right)) {
     return UA_STATUSCODE_BADUSERACCESSDENIED;
   }
-  return work(methods, input, output);
+  return opcua::areScalars(input, inputSize) ? work(methods, input, output)
+                                             : UA_STATUSCODE_BADINVALIDARGUMENT;
 }
 
 struct Parameter {

@@ -10,6 +10,7 @@
 #include <open62541/types.h>
 #include <open62541/types_generated_handling.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -89,6 +90,13 @@ template <class T>
   return UA_Variant_hasScalarType(&variant, &UA_TYPES[typeIndex])
              ? static_cast<const T*>(variant.data)
              : nullptr;
+}
+
+/// Whether each input of a method is one value. The library has compared their number and types,
+/// but takes an array without elements for a scalar, and its data point at nothing.
+[[nodiscard]] inline bool areScalars(const UA_Variant* inputs, std::size_t count) {
+  return std::all_of(inputs, inputs + count,
+                     [](const UA_Variant& input) { return UA_Variant_isScalar(&input); });
 }
 
 }  // namespace rivulet::opcua
