@@ -106,6 +106,18 @@ class TestCurves : public QObject {
     QVERIFY(std::isnan(turned.z));
   }
 
+  /// G43 makes the height unknown within a curve. It was drawn as three million points without a Z.
+  void curvesStayKnown() {
+    gcode::LoadOptions options;
+    options.dialect = nc::Dialect::LinuxCnc;
+    const auto result = gcode::interpret(
+        "G0 X0 Y0 Z2\nF100\nG5.2 X7 Y10 P1\nG43 H1\nX0 Y10 P1\nX10 Y0 P1\nX20 Y1 P1\nG5.3\nM2\n",
+        options);
+    QVERIFY(result.trajectory.points.size() < 1000);
+    QVERIFY(test::printProblems(result.diagnostics).find("arc-from-unknown-position") !=
+            std::string::npos);
+  }
+
   /// Every place of the curve lies within the tolerance of its chords.
   void splinesWithinTolerance() {
     QVERIFY(rc::check("spline flattening", [] {

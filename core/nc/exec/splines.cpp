@@ -52,7 +52,7 @@ namespace {
 /// An axis that nobody has named yet stays where it is; along any other the curve is known.
 bool isCurveKnown(Vec3 from, Vec3 target) {
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (std::isnan(from[axis]) && !std::isnan(target[axis])) {
+    if (std::isnan(from[axis]) != std::isnan(target[axis])) {
       return false;
     }
   }
@@ -73,7 +73,9 @@ void Executor::takeKnot(const BlockWords& words) {
 
 void Executor::addControlPoint(const BlockWords& words, Vec3 target, const Move& move) {
   const Vec3 from = programmed();
-  if (!isCurveKnown(from, target)) {
+  // What is between two blocks may make known axes unknown.
+  const Vec3 first = m_curve.end ? m_curve.spline.controlMm.front() : from;
+  if (!isCurveKnown(from, target) || !isCurveKnown(first, target)) {
     error(words, FaultCode::ArcFromUnknownPosition, "X Y Z");
     unknownWay(target, move);
     return;
