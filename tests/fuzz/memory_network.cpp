@@ -4,6 +4,7 @@
 #include "fuzz/memory_network.h"
 
 #include <open62541/plugin/eventloop.h>
+#include <sys/epoll.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -275,6 +276,12 @@ UA_ConnectionManager* UA_ConnectionManager_new_POSIX_TCP(const UA_String name) {
   manager->allocNetworkBuffer = &tests::allocate;
   manager->freeNetworkBuffer = &tests::release;
   return manager;
+}
+
+/// There are no sockets that could become ready, and to ask for them took a third of the time.
+int epoll_wait(int /*epfd*/, epoll_event* /*events*/, int /*maxevents*/, int timeout) {
+  rivulet::tests::require(timeout == 0);
+  return 0;
 }
 
 int clock_gettime(clockid_t clock, timespec* time) noexcept {

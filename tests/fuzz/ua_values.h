@@ -104,7 +104,7 @@ class Values {
   }
   /// @param text  of strings
   [[nodiscard]] UA_Variant variant(std::string text = "A.MPF") {
-    switch (m_random.below(8)) {
+    switch (m_random.below(9)) {
       case 0: {
         std::vector<double>& values = m_arrays.emplace_back();
         for (std::size_t i = m_random.below(40); i > 0; --i) {
@@ -127,9 +127,21 @@ class Values {
         return string(std::move(text), UA_TYPES_BYTESTRING);
       case 6:
         return integer(m_random.below(300), UA_TYPES_INT32);
+      case 7:
+        return emptyArray();
       default:
         return opcua::borrowScalar(m_doubles.emplace_back(number()), UA_TYPES_DOUBLE);
     }
+  }
+  /// Of a type that methods take; the standard has two kinds.
+  [[nodiscard]] UA_Variant emptyArray() {
+    static constexpr std::array<std::size_t, 5> kTypes{
+        UA_TYPES_STRING, UA_TYPES_BYTESTRING, UA_TYPES_BOOLEAN, UA_TYPES_UINT32, UA_TYPES_UINT64};
+    UA_Variant array;
+    UA_Variant_init(&array);
+    array.type = &UA_TYPES[kTypes[m_random.below(kTypes.size())]];
+    array.data = m_random.below(2) == 0 ? nullptr : UA_EMPTY_ARRAY_SENTINEL;
+    return array;
   }
   /// @param type  an integer of 1 to 8 bytes
   [[nodiscard]] UA_Variant integer(std::uint64_t value, std::size_t type) {
