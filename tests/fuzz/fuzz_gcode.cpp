@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.keepArcs = (choice & 0x10U) != 0;
   options.blockSkip = (choice & 0x20U) != 0;
   options.chordToleranceMm = (choice & 0x40U) != 0 ? 1.0 : 0.01;
-  options.repeatedLinesMax = 2000;
+  options.repeatedLinesMax = 200;
   options.subprogram = [](std::string_view name) {
     return name.size() % 2 == 0 ? std::optional(nc::LoadedText{"G91 G0 X1\nM17\n", "part.spf"})
                                 : std::nullopt;

@@ -55,7 +55,7 @@ void execute(const machine::MachineConfig& config, const std::string& text) {
 void split(const std::string& text, unsigned choice) {
   gcode::LoadOptions options;
   options.dialect = gcode::kDialects[choice % gcode::kDialects.size()];
-  options.repeatedLinesMax = 2000;
+  options.repeatedLinesMax = 200;
   const auto plan = job::makePlan("A.MPF", text, options);
   require(plan || !plan.error().message.empty());
   if (!plan) {
@@ -73,10 +73,17 @@ void split(const std::string& text, unsigned choice) {
 }
 
 void lint(const std::string& text, unsigned choice) {
-  templates::TemplateParameters parameters;
-  parameters.method = base::kMethodKinds[choice % base::kMethodKinds.size()];
+  static const auto kPrograms = [] {
+    std::array<templates::FlexibleProgram, base::kMethodKinds.size()> programs;
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      templates::TemplateParameters parameters;
+      parameters.method = base::kMethodKinds[i];
+      programs[i] = *templates::makeProgram(parameters);
+    }
+    return programs;
+  }();
   for (const templates::LintFinding& finding :
-       templates::lintProgram(text, *templates::makeProgram(parameters))) {
+       templates::lintProgram(text, kPrograms[choice % kPrograms.size()])) {
     require(!finding.message.empty());
   }
 }
