@@ -3,9 +3,6 @@
 
 #include "network_scenario.h"
 
-#include <open62541/client.h>
-#include <open62541/client_config_default.h>
-#include <open62541/client_highlevel.h>
 #include <open62541/client_subscriptions.h>
 
 #include <algorithm>
@@ -16,12 +13,12 @@
 #include "base/units.h"
 #include "opcua/node_map.h"
 #include "opcua/open62541/handle.h"
-#include "opcua/open62541/quiet_logger.h"
 #include "streaming/recovery/resume.h"
 #include "streaming/run/job.h"
 #include "streaming/simulation/scenario.h"
 #include "support/chosen_link.h"
 #include "support/loopback_machine.h"
+#include "support/plain_client.h"
 
 namespace rivulet::tests {
 
@@ -106,43 +103,34 @@ class Reader {
 /// Another client with a subscription of many items.
 class Watcher {
  public:
-  Watcher(const LoopbackMachine& cell, std::size_t items) {
-    UA_ClientConfig config{};
-    config.logging = m_logger.handle();
-    RIVULET_ASSERT(UA_ClientConfig_setDefault(&config) == UA_STATUSCODE_GOOD);
-    m_client = UA_Client_newWithConfig(&config);
-    RIVULET_ASSERT(UA_Client_connect(m_client, cell.endpoint().c_str()) == UA_STATUSCODE_GOOD);
-    UA_String uri = opcua::borrow(opcua::kNamespaceUri);
-    UA_UInt16 space = 0;
-    RIVULET_ASSERT(UA_Client_NamespaceGetIndex(m_client, &uri, &space) == UA_STATUSCODE_GOOD);
+  Watcher(const LoopbackMachine& cell, std::size_t items) : m_client(cell.endpoint()) {
+    const UA_UInt16 space = m_client.spaceOf(opcua::kNamespaceUri);
     const UA_CreateSubscriptionResponse made = UA_Client_Subscriptions_create(
-        m_client, UA_CreateSubscriptionRequest_default(), nullptr, nullptr, nullptr);
+        m_client.get(), UA_CreateSubscriptionRequest_default(), nullptr, nullptr, nullptr);
     for (std::size_t i = 0; i < items; ++i) {
       const std::string name = opcua::nodeIdentifier(opcua::rParameter(static_cast<int>(i % 100)));
       UA_MonitoredItemCreateRequest item =
           UA_MonitoredItemCreateRequest_default(opcua::borrowNodeId(space, name));
       item.requestedParameters.samplingInterval = 100.0;
-      UA_Client_MonitoredItems_createDataChange(m_client, made.subscriptionId,
+      UA_Client_MonitoredItems_createDataChange(m_client.get(), made.subscriptionId,
                                                 UA_TIMESTAMPSTORETURN_NEITHER, item, nullptr,
                                                 nullptr, nullptr);
     }
     m_thread = std::thread([this] {
       while (!m_stop.load()) {
-        UA_Client_run_iterate(m_client, 50);
+        UA_Client_run_iterate(m_client.get(), 50);
       }
     });
   }
   ~Watcher() {
     m_stop.store(true);
     m_thread.join();
-    UA_Client_delete(m_client);
   }
   Watcher(const Watcher&) = delete;
   Watcher& operator=(const Watcher&) = delete;
 
  private:
-  opcua::QuietLogger m_logger;
-  UA_Client* m_client = nullptr;
+  PlainClient m_client;
   std::atomic<bool> m_stop{false};
   std::thread m_thread;
 };

@@ -26,6 +26,7 @@
 #include "support/idle_connection.h"
 #include "support/loopback_machine.h"
 #include "support/patience.h"
+#include "support/plain_client.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -34,36 +35,24 @@ using tests::LoopbackMachine;
 
 namespace {
 
-class RawClient {
+class RawClient : public tests::PlainClient {
  public:
-  explicit RawClient(const std::string& endpoint) {
-    UA_ClientConfig config{};
-    config.logging = m_logger.handle();
-    config.timeout = 60'000;
-    RIVULET_ASSERT(UA_ClientConfig_setDefault(&config) == UA_STATUSCODE_GOOD);
-    m_client = UA_Client_newWithConfig(&config);
-    RIVULET_ASSERT(UA_Client_connect(m_client, endpoint.c_str()) == UA_STATUSCODE_GOOD);
-  }
-  ~RawClient() { UA_Client_delete(m_client); }
-  RawClient(const RawClient&) = delete;
-  RawClient& operator=(const RawClient&) = delete;
-
-  [[nodiscard]] UA_Client* get() const { return m_client; }
+  using PlainClient::PlainClient;
 
   [[nodiscard]] UA_StatusCode read(const std::string& identifier) const {
     opcua::Handle<UA_Variant, UA_TYPES_VARIANT> value;
-    return UA_Client_readValueAttribute(m_client, opcua::borrowNodeId(2, identifier), value.get());
+    return UA_Client_readValueAttribute(get(), opcua::borrowNodeId(2, identifier), value.get());
   }
   template <class T>
   [[nodiscard]] UA_StatusCode write(const std::string& identifier, T value,
                                     std::size_t type) const {
     const UA_Variant variant = opcua::borrowScalar(value, type);
-    return UA_Client_writeValueAttribute(m_client, opcua::borrowNodeId(2, identifier), &variant);
+    return UA_Client_writeValueAttribute(get(), opcua::borrowNodeId(2, identifier), &variant);
   }
   /// Type of the value of a node; null if it cannot be read.
   [[nodiscard]] const UA_DataType* typeOf(const std::string& identifier) const {
     opcua::Handle<UA_Variant, UA_TYPES_VARIANT> value;
-    UA_Client_readValueAttribute(m_client, opcua::borrowNodeId(2, identifier), value.get());
+    UA_Client_readValueAttribute(get(), opcua::borrowNodeId(2, identifier), value.get());
     return value->type;
   }
   /// Identifiers of the children of a node.
@@ -78,7 +67,7 @@ class RawClient {
     request.nodesToBrowse = &description;
     request.nodesToBrowseSize = 1;
     opcua::Handle<UA_BrowseResponse, UA_TYPES_BROWSERESPONSE> response;
-    *response.get() = UA_Client_Service_browse(m_client, request);
+    *response.get() = UA_Client_Service_browse(get(), request);
     std::vector<std::string> found;
     for (std::size_t i = 0; i < response->results[0].referencesSize; ++i) {
       const UA_NodeId& id = response->results[0].references[i].nodeId.nodeId;
@@ -101,7 +90,7 @@ class RawClient {
     request.nodesToBrowse = &description;
     request.nodesToBrowseSize = 1;
     opcua::Handle<UA_BrowseResponse, UA_TYPES_BROWSERESPONSE> response;
-    *response.get() = UA_Client_Service_browse(m_client, request);
+    *response.get() = UA_Client_Service_browse(get(), request);
     std::size_t count = 0;
     for (std::size_t i = 0; i < response->results[0].referencesSize; ++i) {
       const UA_NodeId& id = response->results[0].references[i].nodeId.nodeId;
@@ -109,10 +98,6 @@ class RawClient {
     }
     return count;
   }
-
- private:
-  opcua::QuietLogger m_logger;
-  UA_Client* m_client = nullptr;
 };
 
 /// Makes sessions and activates none of them.
