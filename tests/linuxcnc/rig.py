@@ -145,14 +145,15 @@ class Machine:
         self.end()
 
     def end(self):
-        if self.process is not None and self.process.poll() is None:
-            self.process.terminate()
-            try:
+        try:
+            if self.process is not None and self.process.poll() is None:
+                self.process.terminate()
                 self.process.wait(30)
-            except subprocess.TimeoutExpired as late:
-                os.killpg(self.process.pid, signal.SIGKILL)
-                raise Failed("LinuxCNC did not end") from late
-        shutil.rmtree(self.folder, ignore_errors=True)
+        except subprocess.TimeoutExpired as late:
+            os.killpg(self.process.pid, signal.SIGKILL)
+            raise Failed("LinuxCNC did not end") from late
+        finally:
+            shutil.rmtree(self.folder, ignore_errors=True)
 
     @contextlib.contextmanager
     def unwatched(self):
