@@ -107,8 +107,9 @@ class SessionWorker {
   [[nodiscard]] bool hasPassedCreditTest(const streaming::RunSettings& settings) const;
   /// Reads the control between other work; notices that the connection is lost.
   void watch();
-  /// @return the error of the link, if it has one
+  /// @return what the control says now, without what it describes; the error of the link
   [[nodiscard]] base::Result<MachineSeen> readControl();
+  /// Tells it, and looks for runs. @return the error of the link, if it has one
   [[nodiscard]] base::Result<void> lookAtControl();
   using Described = std::shared_ptr<const std::vector<opcua::DescribedMachine>>;
   /// @return null: it is not time yet, or it could not be read; ConnectionLost
