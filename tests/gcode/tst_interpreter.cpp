@@ -354,6 +354,16 @@ class TestInterpreter : public QObject {
     add("G0 X0\nG2 X10 I5 F60", "2:4 error arc-from-unknown-position Y");
     add("G0 X0 Y0\nG2 X10 Z5 I5 F60", "2:4 error arc-from-unknown-position Z");
     add("G91 G0 X1", "1:8 error relative-from-unknown-position X");
+    // Where polar coordinates point to is as well known as a place.
+    add("G0 X0 Y0 Z0\nG16\nG2 X1 R0.25 F60",
+        "2:1 note ignored-code G16 | 3:4 error word-missing G16 Y | 3:4 error arc-without-centre");
+    add("G16 G91\nG0 X1 Y90\nG90 G15 X0 Y0",
+        "1:1 note ignored-code G16 | 2:4 error relative-from-unknown-position X | "
+        "3:5 note ignored-code G15");
+    add("G0 X0 Y0 Z0\nG16\nG1 X3000000. Y90 F60",
+        "2:1 note ignored-code G16 | 3:4 error value-out-of-range Y");
+    add("G17 G0 X900000 Y0 Z0\nSTOPRE\nG110 X0 Y0\nG1 RP=900000 AP=0 F60",
+        "2:1 note ignored-code STOPRE | 4:4 error value-out-of-range X");
     add("G0 X1 I5", "1:7 error unknown-word I5");
     add("G0 X1 R5", "1:7 error unknown-word R5");
     add("G1 X1\nX2\nX3", "1:4 warning feed-missing");
@@ -400,8 +410,7 @@ class TestInterpreter : public QObject {
     const auto isRefused = [](const char* feed) {
       gcode::LoadOptions options;
       options.dialect = gcode::Dialect::Sinumerik;
-      const auto found =
-          gcode::interpret(std::string("G90 G94\nG1 X10 F=") + feed + "\n", options);
+      const auto found = gcode::interpret(std::string("G90 G94\nG1 X10 F=") + feed + "\n", options);
       return std::any_of(
           found.diagnostics.begin(), found.diagnostics.end(),
           [](const gcode::Diagnostic& one) { return one.code == nc::FaultCode::ValueOutOfRange; });

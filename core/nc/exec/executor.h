@@ -152,7 +152,7 @@ class Executor {
   [[nodiscard]] double coordinate(const BlockWords& words, std::size_t axis, base::Vec3 from);
   void takePolarWords(const BlockWords& words, base::Vec3 from, base::Vec3& target);
   void takePolarPlane(const BlockWords& words, base::Vec3 from, base::Vec3& target);
-  void setPolar(base::Vec3& target) const;
+  void setPolar(const BlockWords& words, base::Vec3 from, base::Vec3& target);
   [[nodiscard]] Move moveOf(const BlockWords& words, base::Vec3 target);
   void takeRotary(const BlockWords& words, Move& move);
   [[nodiscard]] std::optional<double> rotaryTarget(const BlockWords& words, std::size_t axis);

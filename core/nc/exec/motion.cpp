@@ -272,8 +272,11 @@ Vec3 Executor::targetOf(const BlockWords& words) {
   // RS-274 counts the increments of a curve's points from its start.
   const Vec3 from = m_language.leavesSplines ? m_position.programmedMm : programmed();
   Vec3 target = from;
+  const std::size_t first = m_state.planeFirstAxis;
+  const std::size_t second = m_state.planeSecondAxis();
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (!words.axes.has(axis)) {
+    const bool isPolar = m_state.polar && (axis == first || axis == second);
+    if (!words.axes.has(axis) || isPolar) {
       continue;
     }
     if (const double value = coordinate(words, axis, from); !std::isnan(value)) {
@@ -281,8 +284,6 @@ Vec3 Executor::targetOf(const BlockWords& words) {
       target.set(axis, value);
     }
   }
-  const std::size_t first = m_state.planeFirstAxis;
-  const std::size_t second = m_state.planeSecondAxis();
   if (m_state.polar && (words.axes.has(first) || words.axes.has(second))) {
     takePolarPlane(words, from, target);
   } else if (words.rare) {
@@ -297,6 +298,8 @@ Vec3 Executor::targetOf(const BlockWords& words) {
 void Executor::takePolarPlane(const BlockWords& words, Vec3 from, Vec3& target) {
   const std::size_t first = m_state.planeFirstAxis;
   const std::size_t second = m_state.planeSecondAxis();
+  m_state.incrementFrom[first].reset();
+  m_state.incrementFrom[second].reset();
   if (words.axes.has(first)) {
     m_state.polarRadiusMm = lengthMm(words, first);
     m_state.poleMm = words.axes.isIncrement(first) ? from : Vec3{};
@@ -309,8 +312,11 @@ void Executor::takePolarPlane(const BlockWords& words, Vec3 from, Vec3& target) 
     // Neither stands anywhere since G16: what the control takes then is not known.
     const std::size_t missing = std::isnan(m_state.polarRadiusMm) ? first : second;
     error(words, FaultCode::WordMissing, fmt::format("G16 {}", base::kAxisNames[missing]));
+    target.set(first, from[first]);
+    target.set(second, from[second]);
+    return;
   }
-  setPolar(target);
+  setPolar(words, from, target);
 }
 
 /// @return NaN if it is not known: the axis stays where it is
@@ -341,12 +347,26 @@ double Executor::coordinate(const BlockWords& words, std::size_t axis, Vec3 from
   return value;
 }
 
-void Executor::setPolar(Vec3& target) const {
-  const Vec3 pole = m_state.poleMm;
-  for (const std::size_t axis : {m_state.planeFirstAxis, m_state.planeSecondAxis()}) {
-    target.set(axis, pole[axis]);
+/// The axes of the plane stay where they are if it is not known where the polar coordinates point
+/// to.
+void Executor::setPolar(const BlockWords& words, Vec3 from, Vec3& target) {
+  Vec3 placeMm = m_state.poleMm;
+  addPolar(placeMm, m_state.polarRadiusMm, m_state.polarDegrees);
+  const std::array<std::size_t, 2> plane{m_state.planeFirstAxis, m_state.planeSecondAxis()};
+  for (const std::size_t axis : plane) {
+    if (std::abs(placeMm[axis]) <= kCoordinateMmMax) {
+      target.set(axis, placeMm[axis]);
+      continue;
+    }
+    error(words,
+          std::isnan(m_state.poleMm[axis]) ? FaultCode::RelativeFromUnknownPosition
+                                           : FaultCode::ValueOutOfRange,
+          std::string(1, base::kAxisNames[axis]));
+    for (const std::size_t one : plane) {
+      target.set(one, from[one]);
+    }
+    return;
   }
-  addPolar(target, m_state.polarRadiusMm, m_state.polarDegrees);
 }
 
 void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) {
@@ -399,7 +419,7 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
     }
     m_state.polarDegrees = angle->value + (relative ? degrees : 0.0);
   }
-  setPolar(target);
+  setPolar(words, from, target);
   if (m_polarTurnDegrees != 0.0 && std::fmod(m_polarTurnDegrees, 360.0) == 0.0) {
     target.set(first, from[first]);
     target.set(second, from[second]);
