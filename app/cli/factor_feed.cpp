@@ -53,7 +53,7 @@ void FactorFeed::tell(const streaming::LiveUpdate& update) {
   m_told.accepted = m_factor.count().values;
   m_told.executed = update.counters.executed;
   m_told.positionMm = *update.sample->positionMm;
-  m_told.feed.emplace();
+  m_told.feed = live::Progress::Feed{};
   m_told.feed->percent = update.feed ? update.feed->actsPercent.value_or(0.0) : 0.0;
   if (update.sample->feedMmPerS) {
     m_told.feed->feedMmPerMin = base::mmPerMinFromMmPerS(*update.sample->feedMmPerS);
