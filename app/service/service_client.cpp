@@ -9,10 +9,13 @@
 #include <open62541/client_highlevel.h>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <utility>
 
 #include "opcua/error.h"
 #include "opcua/node_map.h"
+#include "opcua/open62541/client_wire.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/quiet_logger.h"
 #include "opcua/security.h"
@@ -23,7 +26,7 @@ namespace rivulet::service {
 namespace {
 
 /// The service answers after it has read a large program.
-constexpr UA_UInt32 kTimeoutMs = 60'000;
+constexpr std::chrono::milliseconds kTimeout{60'000};
 
 std::string textOf(const UA_Variant& value) {
   if (const auto* flag = opcua::scalarOf<UA_Boolean>(value, UA_TYPES_BOOLEAN)) {
@@ -62,8 +65,9 @@ class ServiceClient::Impl {
     UA_ClientConfig config{};
     config.logging = m_logger.handle();
     if (UA_ClientConfig_setDefault(&config) == UA_STATUSCODE_GOOD) {
-      config.timeout = kTimeoutMs;
+      config.timeout = static_cast<UA_UInt32>(kTimeout.count());
       m_client = UA_Client_newWithConfig(&config);
+      m_wire.emplace(*m_client, kTimeout, false);
     }
   }
   ~Impl() {
@@ -147,6 +151,7 @@ class ServiceClient::Impl {
  private:
   std::string m_endpoint;
   opcua::QuietLogger m_logger;  ///< outlives the client that logs into it
+  std::optional<opcua::ClientWire> m_wire;
   UA_Client* m_client = nullptr;
   UA_UInt16 m_namespace = 0;
 };

@@ -8,10 +8,12 @@
 #include <unistd.h>
 
 #include <QtTest>
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <thread>
 
+#include "opcua/open62541/client_wire.h"
 #include "support/fault_proxy.h"
 #include "support/loopback_machine.h"
 #include "support/test_program.h"
@@ -49,17 +51,37 @@ base::Result<std::unique_ptr<opcua::UaLink>> connectTo(const std::string& endpoi
   return opcua::UaLink::connect(options);
 }
 
+/// What is below the stack from here on is no memory that was cleared.
+[[gnu::noinline]] void soilStack() {
+  std::array<volatile char, 64 * 1024> dirt;
+  std::fill(dirt.begin(), dirt.end(), 0x5a);
+}
+
 /// One value, asked for with this deadline; the event that ends the request.
 Event readOnce(opcua::Link& link, base::Duration deadline) {
   const std::vector<opcua::Variable> asked{rParameter(1)};
   const base::RequestId id = link.read(asked, deadline, Grouping::List);
   for (;;) {
+    soilStack();
     auto event = link.wait(link.now() + kPatience);
     RIVULET_ASSERT(event.has_value());
     if (event->request == id || event->kind == EventKind::ConnectionLost) {
       return std::move(*event);
     }
   }
+}
+
+/// Of channel, token, sequence and request.
+const std::string kNumbers(16, '\x07');
+const std::string kReadResponse{'\x01', '\x00', '\x7a', '\x02'};
+
+std::string chunk(std::string_view kind, const std::string& body) {
+  const auto size = static_cast<std::uint32_t>(8 + body.size());
+  std::string bytes(kind);
+  for (unsigned shift = 0; shift < 32; shift += 8) {
+    bytes += static_cast<char>(size >> shift);
+  }
+  return bytes + body;
 }
 
 /// Says the same to whoever has said something, and hangs up.
@@ -133,6 +155,54 @@ class TestNetwork : public QObject {
     // What was asked in vain is bounded, however long nobody answers.
     QVERIFY(proxy.requests() < 40U);
     QVERIFY(cell.server().requestsServed() <= 6U);
+  }
+
+  /// Left to it, the library would clear a response that it has never written: in place of an end
+  /// of the connection, the end of the program.
+  void anAnswerOfNoTypeEndsTheConnection() {
+    const LoopbackMachine cell;
+    FaultProxy proxy(cell.endpoint());
+    const auto link = connectTo(proxy.endpoint());
+    QVERIFY2(link.has_value(), link ? "" : link.error().text().c_str());
+    NetworkFault flip = fault(FaultKind::FlipAnswer);
+    flip.bit = 8 * 24 + 3;  // how the number of the type is written
+    proxy.begin(flip);
+    const Event lost = readOnce(**link, kPatience);
+    QCOMPARE(lost.kind, EventKind::ConnectionLost);
+    QVERIFY(lost.error.code == LinkError::ConnectionLost);
+    QVERIFY2(lost.error.text().find("An answer of the server cannot be read") != std::string::npos,
+             lost.error.text().c_str());
+    QVERIFY(!(*link)->reset());
+  }
+
+  void theTypesOfAnswersAreFoundHoweverTheyAreCut() {
+    const std::string hello = chunk("ACKF", std::string(20, '\x01'));
+    const std::string whole = chunk("MSGF", kNumbers + kReadResponse + std::string(300, '\x09'));
+    const std::string first = chunk("MSGC", kNumbers + kReadResponse);
+    const std::string next = chunk("MSGC", kNumbers + std::string(90, '\x09'));
+    const std::string last = chunk("MSGF", kNumbers + '\x09');
+    const std::string aborted = chunk("MSGA", kNumbers + std::string(8, '\x09'));
+    const std::string good = hello + whole + first + next + last + whole + first + aborted + whole;
+    const std::string untyped = chunk("MSGF", kNumbers + std::string(300, '\x09'));
+    for (std::size_t cut = 0; cut <= good.size() + untyped.size(); ++cut) {
+      opcua::AnswerTypes types;
+      const std::string bytes = good + untyped;
+      const bool isFirstTaken = types.take(std::string_view(bytes).substr(0, cut));
+      // Seen as soon as its type is there.
+      QCOMPARE(isFirstTaken, cut < good.size() + 24 + 19);
+      if (isFirstTaken) {
+        QVERIFY(!types.take(std::string_view(bytes).substr(cut)));
+      }
+    }
+    opcua::AnswerTypes bytewise;
+    QVERIFY(std::all_of(good.begin(), good.end(), [&](const char& one) {
+      return bytewise.take({&one, 1});
+    }));
+    for (const std::string& bad : {chunk("MSGF", kNumbers), chunk("MSGF", kNumbers + '\x01'),
+                                   chunk("MSGF", "short"), last + last}) {
+      opcua::AnswerTypes types;
+      QVERIFY(!types.take(bad));
+    }
   }
 
   void silenceIsSeenAndEndsTheConnection() {

@@ -271,7 +271,8 @@ void FaultProxy::alter(Connection& connection, std::string& bytes, bool towardsS
   }
   if (*kind == (towardsServer ? FaultKind::FlipRequest : FaultKind::FlipAnswer)) {
     const auto bits = static_cast<double>(8 * bytes.size());
-    const auto bit = std::min(static_cast<std::size_t>(m_fault.place * bits), 8 * bytes.size() - 1);
+    const std::size_t bit = std::min(
+        m_fault.bit.value_or(static_cast<std::size_t>(m_fault.place * bits)), 8 * bytes.size() - 1);
     bytes[bit / 8] = static_cast<char>(static_cast<unsigned char>(bytes[bit / 8]) ^
                                        (1U << static_cast<unsigned>(bit % 8)));
     m_struck.store(true);

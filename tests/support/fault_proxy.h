@@ -52,10 +52,11 @@ struct NetworkFault {
   base::Duration after{};  ///< from `begin` on
   /// Delay, Jitter, Stall, AcceptAndClose: then everything is as before.
   base::Duration duration{};
-  base::Duration delay{};        ///< Delay: of each direction; Jitter: at most
-  bool isTowardsServer = false;  ///< Truncate, Duplicate: which direction
-  double place = 0.0;            ///< FlipRequest, FlipAnswer: 0 to 1, where in the piece
-  std::uint64_t seed = 1;        ///< of what is drawn meanwhile
+  base::Duration delay{};          ///< Delay: of each direction; Jitter: at most
+  bool isTowardsServer = false;    ///< Truncate, Duplicate: which direction
+  double place = 0.0;              ///< FlipRequest, FlipAnswer: 0 to 1, where in the piece
+  std::optional<std::size_t> bit;  ///< the same, counted from the first of the piece
+  std::uint64_t seed = 1;          ///< of what is drawn meanwhile
 };
 
 /// @param afterMax  the fault begins before that

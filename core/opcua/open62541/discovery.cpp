@@ -4,10 +4,12 @@
 #include "opcua/open62541/discovery.h"
 
 #include <chrono>
+#include <optional>
 
 #include "base/contract.h"
 #include "opcua/error.h"
 #include "opcua/host_check.h"
+#include "opcua/open62541/client_wire.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/plain_client.h"
 #include "opcua/open62541/quiet_logger.h"
@@ -38,6 +40,7 @@ class PlainClient {
       config.timeout =
           static_cast<UA_UInt32>(std::chrono::ceil<std::chrono::milliseconds>(deadline).count());
       client = UA_Client_newWithConfig(&config);
+      m_wire.emplace(*client, deadline, false);
     }
   }
   ~PlainClient() {
@@ -50,6 +53,7 @@ class PlainClient {
 
  private:
   QuietLogger m_logger;  ///< outlives the client
+  std::optional<ClientWire> m_wire;
 
  public:
   UA_StatusCode status = UA_STATUSCODE_GOOD;

@@ -210,6 +210,14 @@ base::Error sessionEnded(const std::string& endpoint) {
                          endpoint);
 }
 
+base::Error unreadableAnswer(const std::string& endpoint) {
+  return base::makeError(LinkError::ConnectionLost,
+                         "An answer of the server cannot be read: it was damaged on its way, or "
+                         "the server is faulty. The connection was closed. Check the network, then "
+                         "connect again.",
+                         endpoint);
+}
+
 base::Error unknownForm(std::string_view method) {
   return base::makeError(LinkError::Rejected,
                          "The server's method returns a form that Rivulet does not know.",

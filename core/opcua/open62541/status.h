@@ -47,6 +47,10 @@ namespace rivulet::opcua {
 /// The server has ended the session of this client. Code: ConnectionLost.
 [[nodiscard]] base::Error sessionEnded(const std::string& endpoint);
 
+/// The type of an answer could not be read, and the connection was closed for it. Code:
+/// ConnectionLost.
+[[nodiscard]] base::Error unreadableAnswer(const std::string& endpoint);
+
 /// A method has answered with other arguments than those of a SINUMERIK.
 [[nodiscard]] base::Error unknownForm(std::string_view method);
 

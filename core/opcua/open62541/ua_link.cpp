@@ -520,8 +520,9 @@ void UaLink::Impl::expire(Instant time) {
 void UaLink::Impl::noticeState() {
   UA_SecureChannelState channel = UA_SECURECHANNELSTATE_CLOSED;
   UA_Client_getState(m_client, &channel, nullptr, nullptr);
-  m_connection.isLost = m_connection.isLost || channel != UA_SECURECHANNELSTATE_OPEN;
-  if (!m_connection.isLost && silence() > m_options.silenceMax) {
+  m_connection.isLost =
+      m_connection.isLost || channel != UA_SECURECHANNELSTATE_OPEN || m_wire->isUnreadable();
+  if (!m_connection.isLost && silence() >= m_options.silenceMax) {
     m_connection.isLost = true;
     m_connection.isSilent = true;
   }
@@ -530,6 +531,9 @@ void UaLink::Impl::noticeState() {
 base::Error UaLink::Impl::lossError() const {
   if (m_connection.isSessionEnded) {
     return sessionEnded(endpoint());
+  }
+  if (m_wire->isUnreadable()) {
+    return unreadableAnswer(endpoint());
   }
   if (!m_connection.isSilent) {
     return error(LinkError::ConnectionLost);

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <fmt/format.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <open62541/client_config_default.h>
-#include <sys/socket.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +12,6 @@
 #include "base/random.h"
 #include "opcua/host_check.h"
 #include "opcua/open62541/method_call.h"
-#include "opcua/open62541/tcp_manager.h"
 #include "opcua/open62541/ua_link_impl.h"
 #include "opcua/request.h"
 
@@ -163,7 +159,9 @@ base::Result<void> UaLink::Impl::createClient(const SecureEndpoint* endpoint) {
   UA_String_copy(&name, &config.sessionName);
   m_client = UA_Client_newWithConfig(&config);
   RIVULET_ASSERT(m_client != nullptr);
-  limitSending();
+  m_wire.emplace(
+      *m_client, m_options.silenceMax,
+      UA_Client_getConfig(m_client)->securityMode == UA_MESSAGESECURITYMODE_SIGNANDENCRYPT);
   return {};
 }
 
@@ -249,25 +247,6 @@ base::Result<void> UaLink::Impl::checkServer(const SecureEndpoint& endpoint) {
   return {};
 }
 
-/// While the other side takes no data, the library tries to send for ever. So the system is told to
-/// end such a connection. The number of a connection is that of its socket.
-void UaLink::Impl::limitSending() {
-  if (auto* manager = ownedTcpManager(*UA_Client_getConfig(m_client)->eventLoop, this)) {
-    m_send = std::exchange(manager->sendWithConnection, &Impl::onSend);
-  }
-}
-
-UA_StatusCode UaLink::Impl::onSend(UA_ConnectionManager* manager, std::uintptr_t connectionId,
-                                   const UA_KeyValueMap* parameters,
-                                   UA_ByteString* message) noexcept {
-  const auto* self = static_cast<const Impl*>(ownerOf(*manager));
-  const auto limitMs = static_cast<unsigned>(
-      std::chrono::duration_cast<milliseconds>(self->m_options.silenceMax).count());
-  setsockopt(static_cast<int>(connectionId), IPPROTO_TCP, TCP_USER_TIMEOUT, &limitMs,
-             sizeof limitMs);
-  return self->m_send(manager, connectionId, parameters, message);
-}
-
 base::Result<void> UaLink::Impl::handshake() {
   const Instant limit = addSaturating(now(), kConnectDeadlines * m_options.connectDeadline);
   Instant deadline = addSaturating(now(), m_options.connectDeadline);
@@ -283,6 +262,9 @@ base::Result<void> UaLink::Impl::handshake() {
     if (status == UA_STATUSCODE_BADNOTCONNECTED) {
       status = reconnect(wasOpen, std::min(deadline, limit));
       wasOpen = false;
+    }
+    if (m_wire->isUnreadable()) {
+      return base::fail(unreadableAnswer(endpoint()));
     }
     if (isBad(status)) {
       return base::fail(connectError(status));

@@ -25,6 +25,7 @@
 
 #include "opcua/control_map.h"
 #include "opcua/node_map.h"
+#include "opcua/open62541/client_wire.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/monotonic_clock.h"
 #include "opcua/open62541/quiet_logger.h"
@@ -151,9 +152,6 @@ class UaLink::Impl {
     return opcua::connectError(status, endpoint());
   }
 
-  void limitSending();
-  static UA_StatusCode onSend(UA_ConnectionManager* manager, std::uintptr_t connectionId,
-                              const UA_KeyValueMap* parameters, UA_ByteString* message) noexcept;
   /// A client that is not connected yet, in place of the present one.
   /// @param endpoint  null: without encryption, whatever the server names
   [[nodiscard]] base::Result<void> createClient(const SecureEndpoint* endpoint);
@@ -244,9 +242,8 @@ class UaLink::Impl {
   std::optional<SecureEndpoint> m_secureEndpoint;  ///< the library refers to it
   MonotonicClock m_clock;
   QuietLogger m_logger;
+  std::optional<ClientWire> m_wire;  ///< of `m_client`
   UA_Client* m_client = nullptr;
-  UA_StatusCode (*m_send)(UA_ConnectionManager*, std::uintptr_t, const UA_KeyValueMap*,
-                          UA_ByteString*) = nullptr;
   UA_UInt16 m_namespace = 0;
   /// Where the methods are that a SINUMERIK does not have.
   struct Commands {
