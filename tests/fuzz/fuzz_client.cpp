@@ -4,10 +4,13 @@
 // Any well-formed answer of an OPC UA server is taken by the client: first a byte that says what
 // the client asks for, then the values of variables (as a ReadResponse) or the outputs of a method
 // (as a CallMethodResult). New answers are made of values of all kinds, and of pieces of a trace.
+// With the highest bit of the first byte, three more bytes say what becomes damaged on the way.
 
 #include <open62541/server.h>
 #include <open62541/server_config_default.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdarg>
 #include <memory>
@@ -33,6 +36,7 @@ namespace {
 constexpr base::Duration kPatience = std::chrono::seconds{2};
 constexpr int kArrayFirst = 10;
 constexpr int kArrayCount = 20;
+constexpr int kConnectionsMax = 1000;
 
 const std::vector<Variable>& variables() {
   static const std::vector<Variable> all = [] {
@@ -55,6 +59,7 @@ class Answers {
     UA_ServerConfig config{};
     config.logging = &m_logger;
     require(UA_ServerConfig_setMinimal(&config, 0, nullptr) == UA_STATUSCODE_GOOD);
+    config.maxSecureChannels = config.maxSessions = 2 * kConnectionsMax;  // damage leaves some open
     UA_String_clear(&config.serverUrls[0]);
     config.serverUrls[0] = UA_String_fromChars("opc.tcp://127.0.0.1:0");
     m_server = UA_Server_newWithConfig(&config);
@@ -207,11 +212,12 @@ class World {
     m_answers.tell(nullptr, nullptr);
   }
   /// So many that the server has become slow: each session leaves holes in its store of nodes.
-  [[nodiscard]] bool isWorn() const { return m_connections > 1000; }
+  [[nodiscard]] bool isWorn() const { return m_connections > kConnectionsMax; }
 
  private:
   void connect() {
     ++m_connections;
+    tests::setDamage({});
     opcua::ConnectOptions options;
     options.endpoint = m_answers.endpoint();
     options.security = opcua::unencrypted();
@@ -245,7 +251,13 @@ class World {
       connect();
     }
   }
+  /// What the library finds below the stack is no memory that was cleared.
+  [[gnu::noinline]] static void soilStack() {
+    std::array<volatile char, 16 * 1024> dirt;
+    std::fill(dirt.begin(), dirt.end(), 0x5a);
+  }
   void carryOut(Ask what) {
+    soilStack();
     switch (what) {
       case Ask::List:
         return read(opcua::Grouping::List);
@@ -289,6 +301,20 @@ bool isRead(Ask what) {
   return what <= Ask::Range;
 }
 
+constexpr std::uint8_t kDamaged = 0x80;
+constexpr std::size_t kDamageSize = 3;
+
+/// One byte of a message is another. @param bytes  place in the message, little endian, and the
+/// bits
+void agreeDamage(const std::uint8_t* bytes) {
+  const std::size_t place = bytes[0] + 256U * bytes[1];
+  const std::uint8_t bits = bytes[2];
+  tests::setDamage([place, bits](std::string& message) {
+    char& one = message[place % message.size()];
+    one = static_cast<char>(static_cast<std::uint8_t>(one) ^ bits);
+  });
+}
+
 /// A trace as a server prints it, sometimes damaged.
 std::string traceText(base::Random& random, tests::Values& values) {
   trace::ControlTrace trace;
@@ -324,14 +350,23 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) {
     return 0;
   }
-  const auto what = static_cast<Ask>(data[0] % static_cast<int>(Ask::Number));
-  const tests::Decoded answer(tests::textOf(data + 1, size - 1),
+  const bool isDamaged = (data[0] & kDamaged) != 0;
+  const std::size_t head = 1 + (isDamaged ? kDamageSize : 0);
+  if (size < head) {
+    return 0;
+  }
+  const auto what = static_cast<Ask>((data[0] & ~kDamaged) % static_cast<int>(Ask::Number));
+  const tests::Decoded answer(tests::textOf(data + head, size - head),
                               isRead(what) ? UA_TYPES_READRESPONSE : UA_TYPES_CALLMETHODRESULT);
+  if (answer.isGood() && isDamaged) {
+    agreeDamage(data + 1);
+  }
   if (answer.isGood() && isRead(what)) {
     world->ask(what, static_cast<const UA_ReadResponse*>(answer.get()), nullptr);
   } else if (answer.isGood()) {
     world->ask(what, nullptr, static_cast<const UA_CallMethodResult*>(answer.get()));
   }
+  tests::setDamage({});
   return 0;
 }
 
@@ -382,5 +417,13 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     result.outputArgumentsSize = outputs.size();
     bytes = tests::encoded(result, UA_TYPES_CALLMETHODRESULT);
   }
-  return tests::replacedBy(bytes, static_cast<std::uint8_t>(what), data, size, sizeMax);
+  auto kind = static_cast<std::uint8_t>(what);
+  if (random.below(4) == 0) {
+    kind |= kDamaged;
+    const std::uint64_t place = random.below(random.below(2) == 0 ? 64 : 1024);
+    const std::uint64_t bits = random.below(2) == 0 ? 1U << random.below(8) : random.below(256);
+    bytes.insert(
+        0, {static_cast<char>(place), static_cast<char>(place >> 8U), static_cast<char>(bits)});
+  }
+  return tests::replacedBy(bytes, kind, data, size, sizeMax);
 }

@@ -57,6 +57,7 @@ struct Network {
   std::uintptr_t nextConnection = 1U << 30U;
   UA_UInt16 nextPort = 50'000;
   std::function<void()> partner;
+  std::function<void(std::string&)> damage;
   bool isPartnerActing = false;
 };
 
@@ -68,6 +69,9 @@ Network& network() {
 /// The two ends of a connection differ in the last bit.
 std::uintptr_t peerOf(std::uintptr_t connection) {
   return connection ^ 1U;
+}
+bool isServers(std::uintptr_t connection) {
+  return (connection & 1U) != 0;
 }
 
 UA_QualifiedName key(std::string_view name) {
@@ -232,8 +236,11 @@ UA_StatusCode send(UA_ConnectionManager* manager, std::uintptr_t connection,
                    const UA_KeyValueMap* /*parameters*/, UA_ByteString* message) noexcept {
   const bool isOpen = managerOf(manager).connections.contains(connection);
   if (isOpen) {
-    addEvent(peerOf(connection), UA_CONNECTIONSTATE_ESTABLISHED,
-             std::string(opcua::view(*message)));
+    std::string bytes(opcua::view(*message));
+    if (isServers(connection) && network().damage) {
+      std::exchange(network().damage, {})(bytes);
+    }
+    addEvent(peerOf(connection), UA_CONNECTIONSTATE_ESTABLISHED, std::move(bytes));
   }
   UA_ByteString_clear(message);
   return isOpen ? UA_STATUSCODE_GOOD : UA_STATUSCODE_BADCONNECTIONCLOSED;
@@ -253,6 +260,10 @@ void release(UA_ConnectionManager* /*manager*/, std::uintptr_t /*connection*/,
 
 void setPartner(std::function<void()> partner) {
   network().partner = std::move(partner);
+}
+
+void setDamage(std::function<void(std::string&)> damage) {
+  network().damage = std::move(damage);
 }
 
 }  // namespace rivulet::tests

@@ -10,11 +10,15 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 namespace rivulet::tests {
 
 /// What the other side of a connection does while an event loop of the library waits; nothing: both
 /// sides are driven by the caller. It may run event loops itself.
 void setPartner(std::function<void()> partner);
+
+/// What the network does to the next message of a server; nothing: it arrives as it was sent.
+void setDamage(std::function<void(std::string& message)> damage);
 
 }  // namespace rivulet::tests
