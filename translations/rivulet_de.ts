@@ -4977,6 +4977,14 @@ GPL-3.0-or-later</translation>
         <source>The test of the control is aborted. If an axis still moves, press NC STOP at the machine.</source>
         <translation>Der Test der Steuerung ist abgebrochen. Bewegt sich noch eine Achse, an der Maschine NC-STOPP drücken.</translation>
     </message>
+    <message>
+        <source>Stop: a reset of the control was requested.</source>
+        <translation>Stopp: Reset der Steuerung angefordert.</translation>
+    </message>
+    <message>
+        <source>The control was reset: its program has ended after %1.</source>
+        <translation>Die Steuerung wurde zurückgesetzt: Ihr Programm war nach %1 beendet.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>

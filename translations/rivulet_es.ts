@@ -4977,6 +4977,14 @@ GPL-3.0-or-later</translation>
         <source>The test of the control is aborted. If an axis still moves, press NC STOP at the machine.</source>
         <translation>La prueba del control se ha interrumpido. Si todavía se mueve un eje, pulse NC STOP en la máquina.</translation>
     </message>
+    <message>
+        <source>Stop: a reset of the control was requested.</source>
+        <translation>Parada: se ha solicitado un reset del control.</translation>
+    </message>
+    <message>
+        <source>The control was reset: its program has ended after %1.</source>
+        <translation>El control se ha reiniciado: su programa ha terminado al cabo de %1.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>

@@ -4977,6 +4977,14 @@ GPL-3.0-or-later</translation>
         <source>The test of the control is aborted. If an axis still moves, press NC STOP at the machine.</source>
         <translation>Le test de la commande est interrompu. Si un axe se déplace encore, appuyez sur NC STOP à la machine.</translation>
     </message>
+    <message>
+        <source>Stop: a reset of the control was requested.</source>
+        <translation>Arrêt : un reset de la commande a été demandé.</translation>
+    </message>
+    <message>
+        <source>The control was reset: its program has ended after %1.</source>
+        <translation>La commande a été réinitialisée : son programme s’est terminé après %1.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>

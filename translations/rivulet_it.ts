@@ -4977,6 +4977,14 @@ GPL-3.0-or-later</translation>
         <source>The test of the control is aborted. If an axis still moves, press NC STOP at the machine.</source>
         <translation>Il test del controllo è interrotto. Se un asse si muove ancora, premere NC STOP sulla macchina.</translation>
     </message>
+    <message>
+        <source>Stop: a reset of the control was requested.</source>
+        <translation>Arresto: è stato richiesto un reset del controllo.</translation>
+    </message>
+    <message>
+        <source>The control was reset: its program has ended after %1.</source>
+        <translation>Il controllo è stato resettato: il suo programma è terminato dopo %1.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>

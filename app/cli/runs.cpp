@@ -14,6 +14,7 @@
 #include "cli/connection.h"
 #include "cli/console_orders.h"
 #include "cli/found_run.h"
+#include "opcua/await.h"
 #include "platform/interrupt.h"
 #include "platform/log.h"
 #include "report/report_json.h"
@@ -98,6 +99,37 @@ Exit watch(const report::RunStore& store, const Connection& connection,
       std::fflush(stdout);
     }
     std::this_thread::sleep_for(kWatchInterval);
+  }
+  return Exit::Done;
+}
+
+Exit nothingStopped(const RunsOptions& options) {
+  return reportError(
+      base::makeError(streaming::StreamError::CannotResume,
+                      "No run and no whole job of Rivulet is on this control: nothing was "
+                      "stopped. If it executes another program, stop it at the control."),
+      options.json);
+}
+
+/// Whatever else the control executes.
+Exit stopAnother(const Connection& connection, const RunsOptions& options) {
+  const opcua::Variable status{opcua::VariableKind::ChannelStatus, 0};
+  const auto seen = opcua::readNumbers(*connection.link, {&status, 1}, streaming::kSetupDeadline);
+  if (!seen) {
+    return reportError(seen.error(), options.json);
+  }
+  if (seen->front() == opcua::kChannelReset) {
+    return nothingStopped(options);
+  }
+  const auto stopped = streaming::stopByReset(*connection.link, *connection.control,
+                                              [] { return !interrupt::wasSeen(); });
+  if (!stopped) {
+    return reportError(stopped.error(), options.json);
+  }
+  if (options.json) {
+    printJson({{"stopped", nullptr}, {"was_reset", true}});
+  } else {
+    fmt::print("The control was reset, and its program has ended. It was no run of Rivulet.\n");
   }
   return Exit::Done;
 }
@@ -221,11 +253,7 @@ Exit runs(const RunsOptions& options) {
     return options.stop ? stop(*connection, **found, options) : end(*connection, **found, options);
   }
   if (options.stop || options.end) {
-    return reportError(
-        base::makeError(streaming::StreamError::CannotResume,
-                        "No run and no whole job of Rivulet is on this control: nothing was "
-                        "stopped. If it executes another program, stop it at the control."),
-        options.json);
+    return options.stop ? stopAnother(*connection, options) : nothingStopped(options);
   }
   json["on_control"] = *found ? foundJson(**found) : ordered_json(nullptr);
   if (options.json) {

@@ -128,6 +128,9 @@ void FoundRuns::takeSeen(const session::RunsSeen& seen) {
 }
 
 void FoundRuns::takeEnded(const session::RunEnded& ended) {
+  if (ended.byReset) {
+    return;  // no run
+  }
   if (ended.error.code) {
     tell(Severity::Error, [error = ended.error] { return widgets::errorText(error); });
   } else {

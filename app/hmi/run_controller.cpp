@@ -54,6 +54,7 @@ RunController::RunController(StreamSession& session, Document& document, Machine
           [this](const session::LivePoints& points) { m_document.appendLive(points); });
   connect(&m_session, &StreamSession::runFinished, this, &RunController::takeFinished);
   connect(&m_session, &StreamSession::resumeFound, this, &RunController::takeResume);
+  connect(&m_session, &StreamSession::runEnded, this, &RunController::takeEnded);
   connect(&m_session, &StreamSession::calibrationProgressed, this,
           [this](const streaming::CalibrationProgress& progress) {
             if (isCalibrating()) {
@@ -185,17 +186,20 @@ bool RunController::start() {
 
 void RunController::stop() {
   if (!m_session.isRunning()) {
-    const bool isTest = m_session.isCommissioning();
-    if (isTest) {
-      m_session.stop();
-    }
     m_messages.didAct(Act::Stop, {{"machine", m_machine.endpoint().toStdString()}});
-    m_messages.show(Severity::Error, [isTest] {
-      return isTest ? tr("The test of the control is aborted. If an axis still moves, press NC "
-                         "STOP at the machine.")
-                    : tr("Rivulet cannot stop what the control executes now. Press NC STOP at the "
-                         "machine.");
-    });
+    if (m_session.isCommissioning()) {
+      m_session.stop();
+      m_messages.show(Severity::Error, [] {
+        return tr(
+            "The test of the control is aborted. If an axis still moves, press NC STOP at "
+            "the machine.");
+      });
+    } else if (m_machine.isConnected() && m_session.endRun(std::nullopt, true)) {
+      m_messages.log(Severity::Note, Source::Control,
+                     [] { return tr("Stop: a reset of the control was requested."); });
+    } else {
+      sayCannotStop();
+    }
     return;
   }
   // Also while the rest of a window is executed, behind an end.
@@ -209,6 +213,28 @@ void RunController::stop() {
     m_messages.log(Severity::Note, Source::Run,
                    [] { return tr("Stop: the axes are held on the path."); });
   }
+}
+
+void RunController::sayCannotStop() {
+  m_messages.show(Severity::Error, [] {
+    return tr("Rivulet cannot stop what the control executes now. Press NC STOP at the machine.");
+  });
+}
+
+void RunController::takeEnded(const session::RunEnded& ended) {
+  if (!ended.byReset) {
+    return;  // see `FoundRuns`
+  }
+  if (!ended.confirmedAfter) {
+    m_messages.log(Severity::Error, Source::Control,
+                   [error = ended.error] { return widgets::errorText(error); });
+    sayCannotStop();
+    return;
+  }
+  m_messages.show(Severity::Note, [seconds = base::toSeconds(*ended.confirmedAfter)] {
+    return tr("The control was reset: its program has ended after %1.")
+        .arg(widgets::secondsText(seconds, 2));
+  });
 }
 
 void RunController::leave() {

@@ -57,7 +57,8 @@ class RunController final : public QObject {
   /// more. @param toMm  Z  @return false as `start`
   bool raise(double toMm, double feedMmPerS);
   /// The axes stand at once, as with `hold`; without a feed cell the run ends before its next
-  /// window. May be called again and again.
+  /// window. May be called again and again. Between runs: a test of the control is aborted, and
+  /// what else the control executes is stopped by its reset, if it can be reset from here.
   void stop();
   /// The run ends before its next window. What is held goes on until there.
   void end();
@@ -175,6 +176,8 @@ class RunController final : public QObject {
   [[nodiscard]] std::optional<widgets::MachineView::ToGo> toGo(
       const trace::LiveSample& sample) const;
   void takeResume(const session::ResumeFound& found);
+  void takeEnded(const session::RunEnded& ended);
+  void sayCannotStop();
   void takeJob(const session::JobUpdate& job);
   void takeFinished(const session::RunFinished& finished);
   void takeWrong(const streaming::WrongMotion& wrong);

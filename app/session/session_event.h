@@ -119,6 +119,7 @@ struct RunEnded {
   std::optional<base::Duration> confirmedAfter;  ///< nothing: see `error`
   base::Error error;
   bool isHeld = false;  ///< not ended: its axes stand since then, until it is let go
+  bool byReset = false;  ///< it was no run, and the control was reset for it
 };
 
 struct CalibrationFinished {
@@ -213,7 +214,8 @@ struct CalibrateCommand {
 
 /// Commands the program of a run that was found on the control to end.
 struct EndRunCommand {
-  streaming::RunOnControl run;
+  /// Nothing: a program that is no run; stopped by `streaming::stopByReset`.
+  std::optional<streaming::RunOnControl> run;
   bool holds = false;  ///< its axes, at once: `streaming::stopRun`; else it goes on to its end
 };
 

@@ -562,7 +562,7 @@ void SessionWorker::takeFound(const std::optional<streaming::RunOnControl>& foun
 
 void SessionWorker::endRun(const EndRunCommand& command) {
   if (!m_connection) {
-    tell(RunEnded{std::nullopt, notConnected(), false});
+    tell(RunEnded{std::nullopt, notConnected(), false, !command.run});
     return;
   }
   const base::Instant from = m_connection.link->now();
@@ -573,17 +573,19 @@ void SessionWorker::endRun(const EndRunCommand& command) {
     static_cast<void>(lookAtControl());
     return !m_quit.load() && m_commands.isEmpty();
   };
-  if (command.holds) {
-    const auto stopped = streaming::stopRun(*m_connection.link, command.run, {}, goesOn);
+  if (command.run && command.holds) {
+    const auto stopped = streaming::stopRun(*m_connection.link, *command.run, {}, goesOn);
     tell(stopped ? RunEnded{stopped->stoodAfter.value_or(m_connection.link->now() - from),
                             {},
                             !stopped->hasEnded}
-                 : RunEnded{std::nullopt, stopped.error(), false});
+                 : RunEnded{std::nullopt, stopped.error()});
     return;
   }
-  const auto ended = streaming::endRun(*m_connection.link, command.run, {}, goesOn);
-  tell(ended ? RunEnded{m_connection.link->now() - from, {}, false}
-             : RunEnded{std::nullopt, ended.error(), false});
+  const auto ended =
+      command.run ? streaming::endRun(*m_connection.link, *command.run, {}, goesOn)
+                  : streaming::stopByReset(*m_connection.link, *m_connection.control, goesOn);
+  tell(ended ? RunEnded{m_connection.link->now() - from, {}, false, !command.run}
+             : RunEnded{std::nullopt, ended.error(), false, !command.run});
 }
 
 bool SessionWorker::hasPassedCreditTest(const streaming::RunSettings& settings) const {

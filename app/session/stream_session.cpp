@@ -100,10 +100,12 @@ void StreamSession::askResume(ResumeQuestion question) {
   }
 }
 
-void StreamSession::endRun(const streaming::RunOnControl& run, bool holds) {
-  if (!m_running && !m_ending && !m_commissioning) {
-    m_ending = m_worker->post(EndRunCommand{run, holds});
+bool StreamSession::endRun(const std::optional<streaming::RunOnControl>& run, bool holds) {
+  if (m_running || m_ending || m_commissioning) {
+    return false;
   }
+  m_ending = m_worker->post(EndRunCommand{run, holds});
+  return m_ending;
 }
 
 void StreamSession::examineRights() {

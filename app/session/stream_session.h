@@ -56,7 +56,8 @@ class StreamSession final : public QObject {
   /// Commands a run that was found on the control to end; answered by `runEnded`. Ignored during a
   /// run.
   /// @param holds  see `EndRunCommand`
-  void endRun(const streaming::RunOnControl& run, bool holds);
+  /// @return whether the command was taken
+  bool endRun(const std::optional<streaming::RunOnControl>& run, bool holds);
 
   /// Answered by `rightsSeen`. Ignored while anything else is done with the control.
   void examineRights();

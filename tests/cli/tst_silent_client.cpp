@@ -89,6 +89,28 @@ class TestSilentClient : public QObject {
     return false;
   }
 
+  static base::Result<std::unique_ptr<opcua::UaLink>> connectTo(
+      const tests::MachineProcess& machine) {
+    opcua::ConnectOptions options;
+    options.security = opcua::unencrypted();
+    options.endpoint = machine.endpoint().toStdString();
+    options.connectDeadline = std::chrono::milliseconds(kRunMs);
+    return opcua::UaLink::connect(options);
+  }
+
+  /// @return whether the order was carried out
+  static bool runs(const char* order, const tests::MachineProcess& machine) {
+    QProcess other;
+    other.start(QStringLiteral(RIVULET_CLI),
+                {QStringLiteral("runs"), QString::fromUtf8(order), QStringLiteral("--json"),
+                 QStringLiteral("--endpoint"), machine.endpoint()});
+    const bool isDone = other.waitForFinished(kRunMs) && other.exitCode() == 0;
+    if (!isDone) {
+      qInfo() << other.readAllStandardError() << other.readAllStandardOutput();
+    }
+    return isDone;
+  }
+
  private Q_SLOTS:
   void standsAndGoesOn_data() {
     QTest::addColumn<QByteArray>("text");
@@ -131,11 +153,7 @@ class TestSilentClient : public QObject {
         QStringLiteral(RIVULET_MACHINE),
         isJob ? QStringList{QStringLiteral("--preset"), QStringLiteral("dmu75-mill")}
               : QStringList());
-    opcua::ConnectOptions options;
-    options.security = opcua::unencrypted();
-    options.endpoint = machine.endpoint().toStdString();
-    options.connectDeadline = std::chrono::milliseconds(kRunMs);
-    const auto link = opcua::UaLink::connect(options);
+    const auto link = connectTo(machine);
     QVERIFY2(link.has_value(), link ? "" : link.error().text().c_str());
 
     QProcess client;
@@ -181,23 +199,58 @@ class TestSilentClient : public QObject {
     QVERIFY(movedMm(awaitRest(**link), left) < kMovesMm);
 
     // Somebody else stops the run: they stay where they are.
-    const auto runs = [&](const char* what) {
-      QProcess other;
-      other.start(QStringLiteral(RIVULET_CLI),
-                  {QStringLiteral("runs"), QString::fromUtf8(what), QStringLiteral("--json"),
-                   QStringLiteral("--endpoint"), machine.endpoint()});
-      const bool isDone = other.waitForFinished(kRunMs) && other.exitCode() == 0;
-      if (!isDone) {
-        qWarning() << other.readAllStandardError();
-      }
-      return isDone;
-    };
-    QVERIFY(runs("--stop"));
+    QVERIFY(runs("--stop", machine));
     QVERIFY(!look(**link).isReset);
     QVERIFY(movedMm(awaitRest(**link), left) < kMovesMm);
     // The program comes to its next window or block, and no further.
-    QVERIFY(runs("--end"));
+    QVERIFY(runs("--end", machine));
     QVERIFY(look(**link).isReset);
+  }
+
+  /// What has no cells that Rivulet knows is stopped by the reset of the control.
+  void whatIsNoRunIsReset_data() {
+    QTest::addColumn<bool>("isTest");
+    QTest::newRow("program of somebody else") << false;
+    QTest::newRow("test whose client was killed") << true;
+  }
+
+  void whatIsNoRunIsReset() {
+    QFETCH(bool, isTest);
+    const tests::MachineProcess machine(QStringLiteral(RIVULET_MACHINE), {});
+    const auto link = connectTo(machine);
+    QVERIFY2(link.has_value(), link ? "" : link.error().text().c_str());
+    QVERIFY(!runs("--stop", machine));  // nothing moves
+    const Look begun = look(**link);
+    constexpr double kLengthMm = 20.0;
+    QProcess client;
+    if (isTest) {
+      client.start(QStringLiteral(RIVULET_CLI),
+                   {QStringLiteral("commission"), QStringLiteral("--feed-cell"),
+                    QStringLiteral("--air-move"), QStringLiteral("X20"), QStringLiteral("--feed"),
+                    QStringLiteral("100"), QStringLiteral("--endpoint"), machine.endpoint()});
+      QVERIFY(client.waitForStarted(kRunMs));
+    } else {
+      const auto starter = connectTo(machine);
+      QVERIFY((*starter)->uploadProgram("JOG.MPF", "G91 G1 X20 F100\nX-20\nM30\n", true));
+      QVERIFY((*starter)->selectProgram("JOG.MPF") && (*starter)->cycleStart());
+      QVERIFY(!runs("--stop", machine));  // the virtual machine obeys whoever has started it
+    }
+    const QDeadlineTimer until(kRunMs);
+    while (movedMm(look(**link), begun) < 1.0) {
+      QVERIFY(!until.hasExpired());
+      QThread::msleep(kPollMs);
+    }
+    if (isTest) {
+      client.kill();
+      QVERIFY(client.waitForFinished(kRunMs));
+      QVERIFY(!awaitRest(**link).isReset);  // held, and nothing says by whom
+    }
+    QVERIFY(!runs("--end", machine));
+    QVERIFY(runs("--stop", machine));
+    const Look stopped = look(**link);
+    QVERIFY(stopped.isReset);
+    QVERIFY(movedMm(stopped, begun) < kLengthMm);  // on its way
+    QVERIFY(movedMm(awaitRest(**link), stopped) < kMovesMm);
   }
 };
 

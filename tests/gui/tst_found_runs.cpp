@@ -164,6 +164,30 @@ class TestFoundRuns : public QObject {
     m_machine.reset();
   }
 
+  /// What somebody else has started is no run: Stop and Escape reset the control.
+  void stopsWhatIsNoRun_data() {
+    QTest::addColumn<bool>("byKey");
+    QTest::newRow("Stop") << false;
+    QTest::newRow("Escape") << true;
+  }
+  void stopsWhatIsNoRun() {
+    QFETCH(bool, byKey);
+    const auto other = m_machine->connect(tests::SimulatedControl::endpoint());
+    QVERIFY(other->control->uploadProgram("JOG.MPF", "G90 G1 X300 F100\nX0\nM30\n", true) &&
+            other->control->selectProgram("JOG.MPF") && other->control->cycleStart());
+    openWindow();
+    QTRY_VERIFY_WITH_TIMEOUT(button("stop")->isEnabled(), kSoonMs);
+    QVERIFY(!bar()->isVisible());
+    if (byKey) {
+      QTest::keyClick(m_window.get(), Qt::Key_Escape);
+    } else {
+      QTest::mouseClick(button("stop"), Qt::LeftButton);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(!button("stop")->isEnabled(), kSoonMs);
+    QVERIFY(shows(m_window.get(), QStringLiteral("The control was reset")));
+    picture("stopped-by-reset");
+  }
+
   /// A window that is opened again finds its own run, says whose it is, watches and resumes it:
   /// each point once.
   void resumesItsOwnRun() {

@@ -16,6 +16,7 @@
 #include "opcua/await.h"
 #include "opcua/control_map.h"
 #include "opcua/open62541/ua_link.h"
+#include "streaming/recovery/run_on_control.h"
 #include "support/arc_program.h"
 #include "support/machine_process.h"
 #include "support/patience.h"
@@ -105,6 +106,11 @@ name = "/Program"
     QCOMPARE((*readings)[3].number, 0.0);
     QCOMPARE((*readings)[4].status, make_error_code(LinkError::VariableMissing));
     QCOMPARE((*readings)[5].text, std::string("A.MPF"));
+    // No method of a map resets it: its keys do.
+    const auto refused = streaming::stopByReset(**link, **link, [] { return false; });
+    QVERIFY(!refused && refused.error().code == LinkError::MethodMissing);
+    QVERIFY2(refused.error().message.find("Press NC STOP") != std::string::npos,
+             refused.error().text().c_str());
   }
 
   /// The connection is there, and the network is not to blame.

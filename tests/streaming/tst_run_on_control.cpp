@@ -246,6 +246,20 @@ class TestRunOnControl : public QObject {
     }
   }
 
+  void whatIsNoRunIsReset() {
+    World world;
+    const auto never = [] { return false; };
+    QVERIFY(world.link.uploadProgram("JOG.MPF", "G90 G1 X100 F1000\nM30\n", true) &&
+            world.link.selectProgram("JOG.MPF") && world.link.cycleStart());
+    static_cast<void>(world.link.wait(world.link.now() + std::chrono::seconds{2}));
+    QVERIFY(world.machine.state().channel == machine::ChannelStatus::Active);
+    const auto stopped = streaming::stopByReset(world.link, world.link, never);
+    QVERIFY2(stopped.has_value(), stopped ? "" : stopped.error().text().c_str());
+    QVERIFY(world.machine.state().channel == machine::ChannelStatus::Reset);
+    const double place = world.machine.state().commandMm[0];
+    QVERIFY2(place > 10.0 && place < 90.0, std::to_string(place).c_str());
+  }
+
   void findsTheRunAndItsClient() {
     World world;
     QVERIFY(!streaming::findRun(world.link, world.link, 0, std::chrono::seconds{3})->has_value());

@@ -323,4 +323,37 @@ Result<void> endRun(opcua::Link& link, const RunOnControl& run, const RunSetting
       settings);
 }
 
+Result<void> stopByReset(opcua::Link& link, opcua::Control& control,
+                         const std::function<bool()>& goesOn) {
+  if (!control.abilities().startsOnRequest) {
+    return base::fail(opcua::LinkError::MethodMissing,
+                      "Rivulet cannot stop what the control executes now. Press NC STOP at the "
+                      "machine.");
+  }
+  if (Result<void> done = control.reset(); !done) {
+    return base::fail(
+        done.error().code,
+        "The control was not reset by this client, as where somebody else has started "
+        "the program and is still connected. Press NC STOP at the machine.");
+  }
+  const Instant from = link.now();
+  const Variable status{VariableKind::ChannelStatus, 0};
+  for (;;) {
+    const auto numbers = opcua::readNumbers(link, {&status, 1}, kDeadline);
+    if (!numbers) {
+      return base::fail(numbers.error());
+    }
+    if (numbers->front() == opcua::kChannelReset) {
+      return {};
+    }
+    if (link.now() - from >= kStandsMax && !goesOn()) {
+      return base::fail(StreamError::StopNotConfirmed,
+                        "The reset was not confirmed. Press NC STOP at the machine.");
+    }
+    if (Result<void> slept = opcua::sleepUntil(link, link.now() + kRunPoll); !slept) {
+      return slept;
+    }
+  }
+}
+
 }  // namespace rivulet::streaming

@@ -134,6 +134,14 @@ inline constexpr base::Duration kStandsMax = std::chrono::seconds{5};
                                         const RunSettings& settings,
                                         std::function<bool()> goesOn = {});
 
+/// Stops what Rivulet has no cells for, somebody else's program too, by the reset of the control: the
+/// axes brake, and the program ends where it is. Waits until the channel is in reset.
+/// @param goesOn  asked once the control has had `kStandsMax` for it; false: give up
+/// @return StopNotConfirmed if it gives up, MethodMissing if only the keys of the machine reset the
+///         control, or a link error
+[[nodiscard]] base::Result<void> stopByReset(opcua::Link& link, opcua::Control& control,
+                                             const std::function<bool()>& goesOn);
+
 /// Name on the control of the program that says who started the run with this first cell.
 [[nodiscard]] std::string runLabelName(int baseCell);
 /// Its text: comments, and an end.
