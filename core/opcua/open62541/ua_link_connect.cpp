@@ -159,9 +159,9 @@ base::Result<void> UaLink::Impl::createClient(const SecureEndpoint* endpoint) {
   UA_String_copy(&name, &config.sessionName);
   m_client = UA_Client_newWithConfig(&config);
   RIVULET_ASSERT(m_client != nullptr);
-  m_wire.emplace(
-      *m_client, m_options.silenceMax,
-      UA_Client_getConfig(m_client)->securityMode == UA_MESSAGESECURITYMODE_SIGNANDENCRYPT);
+  const bool isEncrypted = endpoint != nullptr && endpoint->description->securityMode ==
+                                                      UA_MESSAGESECURITYMODE_SIGNANDENCRYPT;
+  m_wire.emplace(*m_client, m_options.silenceMax, isEncrypted);
   return {};
 }
 
