@@ -39,7 +39,7 @@ class LoopbackMachine {
     RIVULET_ASSERT(server.has_value());
     m_server = std::move(*server);
     m_endpoint = m_server->endpoint();
-    m_thread = std::thread([this] { m_server->run(m_stop); });
+    m_thread = std::thread([this] { serve(); });
   }
   LoopbackMachine() : LoopbackMachine(Options{}) {}
   ~LoopbackMachine() { stop(); }
@@ -62,6 +62,9 @@ class LoopbackMachine {
     return std::move(*link);
   }
 
+  /// As if somebody pressed the key at the machine: acts whoever has started the program.
+  void pressReset() { m_isResetPressed.store(true); }
+
   /// The server goes away: all connections are closed, the thread ends. Twice does no harm.
   void stop() {
     m_stop.store(true);
@@ -78,6 +81,14 @@ class LoopbackMachine {
   }
 
  private:
+  void serve() {
+    while (!m_stop.load()) {
+      if (m_isResetPressed.exchange(false)) {
+        m_machine.reset();
+      }
+      m_server->iterate(std::chrono::milliseconds(10));
+    }
+  }
   [[nodiscard]] static machine::MachineConfig load(const Options& options) {
     auto config = machine::loadPreset(options.preset);
     RIVULET_ASSERT(config.has_value());
@@ -91,6 +102,7 @@ class LoopbackMachine {
   std::unique_ptr<machine::Server> m_server;
   std::string m_endpoint;
   std::atomic<bool> m_stop{false};
+  std::atomic<bool> m_isResetPressed{false};
   std::thread m_thread;
 };
 
