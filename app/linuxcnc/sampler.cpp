@@ -30,6 +30,11 @@ bool addSample(trace::ControlTrace& trace, std::string_view line, const SampleSc
     number = *value;
     line.remove_prefix(word.size());
   }
+  // The sampler counts, and LinuxCNC its lines, in 32 bits.
+  constexpr double kCountMax = 4'294'967'295.0;
+  if (!(numbers[0] >= 0.0 && numbers[0] <= kCountMax && numbers[8] <= kCountMax)) {
+    return false;
+  }
   const auto place = [&](std::size_t first) {
     return scale.mmPerUnit * base::Vec3{numbers[first], numbers[first + 1], numbers[first + 2]} -
            scale.zeroMm;

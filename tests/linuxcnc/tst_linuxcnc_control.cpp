@@ -464,6 +464,8 @@ class TestLinuxCncControl : public QObject {
     QCOMPARE(sample.line.value, 12U);
     QVERIFY(!trace.truncated);
     QVERIFY(!linuxcnc::addSample(trace, "6 1.0 2.0", scale));
+    QVERIFY(!linuxcnc::addSample(trace, "9e16 1 2 3 0 2 3 0.25 12", scale));  // counts in 32 bits
+    QVERIFY(!linuxcnc::addSample(trace, "6 1 2 3 0 2 3 0.25 5e9", scale));
     QVERIFY(linuxcnc::addSample(trace, "overrun", scale));
     QVERIFY(trace.truncated);
   }
