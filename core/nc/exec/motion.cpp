@@ -312,8 +312,6 @@ void Executor::takePolarPlane(const BlockWords& words, Vec3 from, Vec3& target) 
     // Neither stands anywhere since G16: what the control takes then is not known.
     const std::size_t missing = std::isnan(m_state.polarRadiusMm) ? first : second;
     error(words, FaultCode::WordMissing, fmt::format("G16 {}", base::kAxisNames[missing]));
-    target.set(first, from[first]);
-    target.set(second, from[second]);
     return;
   }
   setPolar(words, from, target);
@@ -354,18 +352,17 @@ void Executor::setPolar(const BlockWords& words, Vec3 from, Vec3& target) {
   addPolar(placeMm, m_state.polarRadiusMm, m_state.polarDegrees);
   const std::array<std::size_t, 2> plane{m_state.planeFirstAxis, m_state.planeSecondAxis()};
   for (const std::size_t axis : plane) {
-    if (std::abs(placeMm[axis]) <= kCoordinateMmMax) {
-      target.set(axis, placeMm[axis]);
-      continue;
+    if (!(std::abs(placeMm[axis]) <= kCoordinateMmMax)) {
+      error(words,
+            std::isnan(m_state.poleMm[axis]) ? FaultCode::RelativeFromUnknownPosition
+                                             : FaultCode::ValueOutOfRange,
+            std::string(1, base::kAxisNames[axis]));
+      placeMm = from;
+      break;
     }
-    error(words,
-          std::isnan(m_state.poleMm[axis]) ? FaultCode::RelativeFromUnknownPosition
-                                           : FaultCode::ValueOutOfRange,
-          std::string(1, base::kAxisNames[axis]));
-    for (const std::size_t one : plane) {
-      target.set(one, from[one]);
-    }
-    return;
+  }
+  for (const std::size_t axis : plane) {
+    target.set(axis, placeMm[axis]);
   }
 }
 
