@@ -4978,12 +4978,12 @@ GPL-3.0-or-later</translation>
         <translation>Der Test der Steuerung ist abgebrochen. Bewegt sich noch eine Achse, an der Maschine NC-STOPP drücken.</translation>
     </message>
     <message>
-        <source>Stop: a reset of the control was requested.</source>
-        <translation>Stopp: Reset der Steuerung angefordert.</translation>
-    </message>
-    <message>
         <source>The control was reset: its program has ended after %1.</source>
         <translation>Die Steuerung wurde zurückgesetzt: Ihr Programm war nach %1 beendet.</translation>
+    </message>
+    <message>
+        <source>A reset of the control was requested. If an axis still moves, press NC STOP at the machine.</source>
+        <translation>Reset der Steuerung angefordert. Bewegt sich noch eine Achse, an der Maschine NC-STOPP drücken.</translation>
     </message>
 </context>
 <context>

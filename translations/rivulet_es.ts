@@ -4978,12 +4978,12 @@ GPL-3.0-or-later</translation>
         <translation>La prueba del control se ha interrumpido. Si todavía se mueve un eje, pulse NC STOP en la máquina.</translation>
     </message>
     <message>
-        <source>Stop: a reset of the control was requested.</source>
-        <translation>Parada: se ha solicitado un reset del control.</translation>
-    </message>
-    <message>
         <source>The control was reset: its program has ended after %1.</source>
         <translation>El control se ha reiniciado: su programa ha terminado al cabo de %1.</translation>
+    </message>
+    <message>
+        <source>A reset of the control was requested. If an axis still moves, press NC STOP at the machine.</source>
+        <translation>Se ha solicitado un reset del control. Si todavía se mueve un eje, pulse NC STOP en la máquina.</translation>
     </message>
 </context>
 <context>

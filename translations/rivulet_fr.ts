@@ -4978,12 +4978,12 @@ GPL-3.0-or-later</translation>
         <translation>Le test de la commande est interrompu. Si un axe se déplace encore, appuyez sur NC STOP à la machine.</translation>
     </message>
     <message>
-        <source>Stop: a reset of the control was requested.</source>
-        <translation>Arrêt : un reset de la commande a été demandé.</translation>
-    </message>
-    <message>
         <source>The control was reset: its program has ended after %1.</source>
         <translation>La commande a été réinitialisée : son programme s’est terminé après %1.</translation>
+    </message>
+    <message>
+        <source>A reset of the control was requested. If an axis still moves, press NC STOP at the machine.</source>
+        <translation>Un reset de la commande a été demandé. Si un axe se déplace encore, appuyez sur NC STOP à la machine.</translation>
     </message>
 </context>
 <context>

@@ -4978,12 +4978,12 @@ GPL-3.0-or-later</translation>
         <translation>Il test del controllo è interrotto. Se un asse si muove ancora, premere NC STOP sulla macchina.</translation>
     </message>
     <message>
-        <source>Stop: a reset of the control was requested.</source>
-        <translation>Arresto: è stato richiesto un reset del controllo.</translation>
-    </message>
-    <message>
         <source>The control was reset: its program has ended after %1.</source>
         <translation>Il controllo è stato resettato: il suo programma è terminato dopo %1.</translation>
+    </message>
+    <message>
+        <source>A reset of the control was requested. If an axis still moves, press NC STOP at the machine.</source>
+        <translation>È stato richiesto un reset del controllo. Se un asse si muove ancora, premere NC STOP sulla macchina.</translation>
     </message>
 </context>
 <context>

@@ -194,9 +194,17 @@ void RunController::stop() {
             "The test of the control is aborted. If an axis still moves, press NC STOP at "
             "the machine.");
       });
-    } else if (m_machine.isConnected() && m_session.endRun(std::nullopt, true)) {
-      m_messages.log(Severity::Note, Source::Control,
-                     [] { return tr("Stop: a reset of the control was requested."); });
+      return;
+    }
+    if (m_session.isCalibrating()) {
+      m_session.stop();  // the reset would wait for its end
+    }
+    if (m_machine.isConnected() && m_session.endRun(std::nullopt, true)) {
+      m_messages.show(Severity::Warning, [] {
+        return tr(
+            "A reset of the control was requested. If an axis still moves, press NC STOP at the "
+            "machine.");
+      });
     } else {
       sayCannotStop();
     }
