@@ -129,7 +129,7 @@ Exit stopAnother(const Connection& connection, const RunsOptions& options) {
   if (options.json) {
     printJson({{"stopped", nullptr}, {"was_reset", true}});
   } else {
-    fmt::print("The control was reset, and its program has ended. It was no run of Rivulet.\n");
+    fmt::print("The control was reset, and its program has ended.\n");
   }
   return Exit::Done;
 }
