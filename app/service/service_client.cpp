@@ -67,7 +67,9 @@ class ServiceClient::Impl {
     if (UA_ClientConfig_setDefault(&config) == UA_STATUSCODE_GOOD) {
       config.timeout = static_cast<UA_UInt32>(kTimeout.count());
       m_client = UA_Client_newWithConfig(&config);
-      m_wire.emplace(*m_client, kTimeout, false);
+      if (m_client != nullptr) {
+        m_wire.emplace(*m_client, kTimeout, false);
+      }
     }
   }
   ~Impl() {
