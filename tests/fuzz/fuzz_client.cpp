@@ -10,7 +10,6 @@
 #include <open62541/server_config_default.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdarg>
 #include <memory>
@@ -24,6 +23,7 @@
 #include "opcua/node_map.h"
 #include "opcua/open62541/handle.h"
 #include "opcua/open62541/ua_link.h"
+#include "support/soiled_stack.h"
 #include "trace/control_trace.h"
 
 using namespace rivulet;
@@ -251,13 +251,8 @@ class World {
       connect();
     }
   }
-  /// What the library finds below the stack is no memory that was cleared.
-  [[gnu::noinline]] static void soilStack() {
-    std::array<volatile char, 16 * 1024> dirt;
-    std::fill(dirt.begin(), dirt.end(), 0x5a);
-  }
   void carryOut(Ask what) {
-    soilStack();
+    tests::soilStack();
     switch (what) {
       case Ask::List:
         return read(opcua::Grouping::List);

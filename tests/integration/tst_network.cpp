@@ -16,6 +16,7 @@
 #include "opcua/open62541/client_wire.h"
 #include "support/fault_proxy.h"
 #include "support/loopback_machine.h"
+#include "support/soiled_stack.h"
 #include "support/test_program.h"
 
 using namespace rivulet;
@@ -51,18 +52,12 @@ base::Result<std::unique_ptr<opcua::UaLink>> connectTo(const std::string& endpoi
   return opcua::UaLink::connect(options);
 }
 
-/// What is below the stack from here on is no memory that was cleared.
-[[gnu::noinline]] void soilStack() {
-  std::array<volatile char, 64 * 1024> dirt;
-  std::fill(dirt.begin(), dirt.end(), 0x5a);
-}
-
 /// One value, asked for with this deadline; the event that ends the request.
 Event readOnce(opcua::Link& link, base::Duration deadline) {
   const std::vector<opcua::Variable> asked{rParameter(1)};
   const base::RequestId id = link.read(asked, deadline, Grouping::List);
   for (;;) {
-    soilStack();
+    tests::soilStack();
     auto event = link.wait(link.now() + kPatience);
     RIVULET_ASSERT(event.has_value());
     if (event->request == id || event->kind == EventKind::ConnectionLost) {
