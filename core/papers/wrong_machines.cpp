@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -95,9 +96,10 @@ struct Probe {
   base::Result<Experiment> (*run)(const ExperimentOptions& options);
   std::size_t seeds;
 };
+/// The last one takes four times as long as all others together.
 constexpr std::array kProbes{
     Probe{runTable1, 300}, Probe{runFigure2, 20}, Probe{runSubscription, 20}, Probe{runFigure3, 3},
-    Probe{runFigure4, 1},  Probe{runMethod2, 12}, Probe{runDelta, 5}};
+    Probe{runMethod2, 12}, Probe{runDelta, 5},    Probe{runFigure4, 1}};
 
 /// A check of an experiment on one machine.
 struct CheckOutcome {
@@ -107,7 +109,8 @@ struct CheckOutcome {
 };
 
 base::Result<std::vector<CheckOutcome>> outcomesOf(const ExperimentOptions& options,
-                                                   const WrongOne* wrong, Meter& meter) {
+                                                   const WrongOne* wrong,
+                                                   std::span<const Probe> probes, Meter& meter) {
   ExperimentOptions changed{options.machine, 0, options.executor, {}};
   if (wrong != nullptr && wrong->machine != nullptr) {
     wrong->machine(changed.machine);
@@ -116,7 +119,7 @@ base::Result<std::vector<CheckOutcome>> outcomesOf(const ExperimentOptions& opti
     changed.wrong = wrong->method;
   }
   std::vector<CheckOutcome> outcomes;
-  for (const Probe& probe : kProbes) {
+  for (const Probe& probe : probes) {
     if (meter.isCancelled()) {
       return Meter::cancelled();
     }
@@ -147,8 +150,10 @@ Check zeroCheck(std::string what, double ours) {
 }  // namespace
 
 base::Result<Experiment> runWrongMachines(const ExperimentOptions& options) {
-  Meter meter(options, (kWrong.size() + 1) * kProbes.size());
-  const auto right = outcomesOf(options, nullptr, meter);
+  const std::span probes(kProbes);
+  const bool sparesLast = options.seeds == 1;
+  Meter meter(options, (kWrong.size() + 1) * probes.size());
+  const auto right = outcomesOf(options, nullptr, probes, meter);
   if (!right) {
     return base::fail(right.error());
   }
@@ -158,16 +163,23 @@ base::Result<Experiment> runWrongMachines(const ExperimentOptions& options) {
                  {}};
   double missed = 0.0;
   for (const WrongOne& wrong : kWrong) {
-    const auto outcomes = outcomesOf(options, &wrong, meter);
-    if (!outcomes) {
-      return base::fail(outcomes.error());
-    }
-    RIVULET_ASSERT(outcomes->size() == right->size());
     std::vector<std::string> caught;
-    for (std::size_t i = 0; i < right->size(); ++i) {
-      if ((*right)[i].passed && !(*outcomes)[i].passed) {
-        caught.push_back((*right)[i].name);
-        caughtBy[i].emplace_back(wrong.name);
+    std::size_t checked = 0;
+    for (const auto part : {probes.first(probes.size() - 1), probes.last(1)}) {
+      if (sparesLast && !caught.empty()) {
+        break;
+      }
+      const auto outcomes = outcomesOf(options, &wrong, part, meter);
+      if (!outcomes) {
+        return base::fail(outcomes.error());
+      }
+      for (const CheckOutcome& outcome : *outcomes) {
+        RIVULET_ASSERT((*right)[checked].name == outcome.name);
+        if ((*right)[checked].passed && !outcome.passed) {
+          caught.push_back(outcome.name);
+          caughtBy[checked].emplace_back(wrong.name);
+        }
+        ++checked;
       }
     }
     missed += caught.empty() ? 1.0 : 0.0;
@@ -193,8 +205,9 @@ base::Result<Experiment> runWrongMachines(const ExperimentOptions& options) {
       "The experiments of [P1] above, with fewer runs, on the preset and on {} machines and "
       "methods "
       "that are wrong in one thing. A check catches one if it passes on the preset and fails on "
-      "it.",
-      kWrong.size());
+      "it.{}",
+      kWrong.size(),
+      sparesLast ? " Here `figure4` looks only at what no other experiment has caught." : "");
   result.checks = {zeroCheck(fmt::format("wrong machines and methods of {} that no check catches",
                                          kWrong.size()),
                              missed),

@@ -13,6 +13,7 @@
 namespace rivulet::papers {
 
 /// Runs the experiments with few runs each on the machine of the options and on each wrong one.
+/// @param options  with one seed, the longest experiment looks only at what no other has caught
 /// @return Cancelled, or the error of an experiment
 [[nodiscard]] base::Result<Experiment> runWrongMachines(const ExperimentOptions& options);
 

@@ -36,11 +36,13 @@ class TestFidelity : public QObject {
     // Minutes with all of their runs: scripts/fidelity has them.
     constexpr int kFigure4Seeds = 5;
     constexpr int kEquationSeeds = 1;
+    constexpr int kWrongSeeds = 1;
     for (const std::string& name : papers::experimentNames()) {
       if (name != "methods") {  // no figure of the paper; tst_method_comparison has it
         QTest::newRow(name.c_str()) << QString::fromStdString(name)
                                     << (name == "figure4"     ? kFigure4Seeds
                                         : name == "equations" ? kEquationSeeds
+                                        : name == "wrong"     ? kWrongSeeds
                                                               : 0);
       }
     }
