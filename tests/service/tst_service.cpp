@@ -71,11 +71,6 @@ class TestService : public QObject {
     }
     return started.accepted;
   }
-  [[nodiscard]] static bool awaitPoints(ServiceProcess& service, int points) {
-    return service.awaitThat([points](const ServiceProcess::Values& values) {
-      return std::stoi(values.at("Production/ActiveProgram/PointsDone")) >= points;
-    });
-  }
   [[nodiscard]] static bool resume(ServiceProcess& service) {
     if (!service.await("Monitoring/State", "left")) {
       return false;
@@ -97,7 +92,7 @@ class TestService : public QObject {
     const std::size_t before = m_scene.executed().size();
     const auto service = this->service();
     QVERIFY(start(*service));
-    QVERIFY(awaitPoints(*service, 8));
+    QVERIFY(service->awaitPoints(8));
     QCOMPARE(service->value("MachineryItemState/CurrentState"), "Executing");
     QCOMPARE(service->value("Production/ActiveProgram/State/CurrentState"), "Running");
     const auto refused = service->call("LoadJob", {file(), ""});
@@ -122,7 +117,7 @@ class TestService : public QObject {
     const auto service = this->service();
     QVERIFY(!service->call("SetOverride", {"50"}).accepted);  // nothing runs
     QVERIFY(start(*service));
-    QVERIFY(awaitPoints(*service, 4));
+    QVERIFY(service->awaitPoints(4));
     for (const char* wrong : {"250", "-1", "nan", "121", "half", ""}) {
       QVERIFY2(!service->call("SetOverride", {wrong}).accepted, wrong);
     }
@@ -154,7 +149,7 @@ class TestService : public QObject {
     QVERIFY(service->await("Monitoring/IsConnected", "true"));
     QVERIFY(service->call("LoadJob", {file(), "feed=300;points=8"}).accepted);
     QVERIFY(service->call("Start", {service->confirmation("Preflight")}).accepted);
-    QVERIFY(awaitPoints(*service, 8));
+    QVERIFY(service->awaitPoints(8));
     const std::string passed = service->value("Monitoring/Position");
     QVERIFY(service->awaitThat([&passed](const ServiceProcess::Values& values) {
       return values.at("Monitoring/Position") != passed;
@@ -301,7 +296,7 @@ class TestService : public QObject {
     const std::size_t before = m_scene.executed().size();
     auto service = this->service();
     QVERIFY(start(*service));
-    QVERIFY(awaitPoints(*service, 10));
+    QVERIFY(service->awaitPoints(10));
     QCOMPARE(service->end(SIGTERM), 0);
     m_scene.awaitStandstill();
     const std::size_t executed = m_scene.executed(before).size();
@@ -324,7 +319,7 @@ class TestService : public QObject {
                    {QStringLiteral("show"), QStringLiteral("--follow"), service->endpoint()});
     QVERIFY(follower.waitForReadyRead());
     QVERIFY(start(*service));
-    QVERIFY(awaitPoints(*service, 6));
+    QVERIFY(service->awaitPoints(6));
     follower.kill();
     QVERIFY(follower.waitForFinished());
     QVERIFY(service->await("Session/LastOutcome", "completed"));
@@ -335,7 +330,7 @@ class TestService : public QObject {
     const std::size_t before = m_scene.executed().size();
     const auto service = this->service();
     QVERIFY(start(*service));
-    QVERIFY(awaitPoints(*service, 10));
+    QVERIFY(service->awaitPoints(10));
     m_scene.switchOff();
     QVERIFY(service->await("Monitoring/State", "disconnected"));
     QVERIFY(!service->value("Notification/Alarm").empty());
@@ -545,73 +540,6 @@ class TestService : public QObject {
     QVERIFY(cut.size() >= 2);
     QVERIFY(cut[cut.size() - 2] == (base::Vec3{20.0, 10.0, 44.0}));
     QVERIFY(cut.back() == (base::Vec3{30.0, 0.0, 44.0}));
-  }
-
-  /// The service is killed in each stretch of a job, of which every one but the first is executed
-  /// by a resume, and in the blocks of the control between two of them.
-  void aJobGoesOnHoweverOftenItIsKilled() {
-    m_scene.switchOff();
-    tests::KillScene mill{QStringLiteral(RIVULET_MACHINE), QStringLiteral("dmu75-mill"),
-                          tests::KillScene::Kept::Jobs};
-    mill.switchOn();
-    constexpr int kStretches = 4;
-    constexpr int kMoves = 10;
-    QByteArray text("G54\nT1 D1 M6\nS3000 M3\nG0 X0 Y0 Z20\n");
-    for (int move = 1; move <= kStretches * kMoves; ++move) {
-      text += "G1 X" + QByteArray::number(move) + " Y" + QByteArray::number(move % 2) + " F600\n";
-      text += move % kMoves == 0 ? "M8\nG4 F2\n" : "";
-    }
-    QFile job(mill.path("part.mpf"));
-    QVERIFY(job.open(QIODevice::WriteOnly));
-    QVERIFY(job.write(text + "G0 Z30\nM5 M9\nM30\n") > 0);
-    job.close();
-    const auto serviceOfMill = [&mill] {
-      auto service = std::make_unique<ServiceProcess>(
-          QStringLiteral(RIVULET_SERVICE), mill.endpoint(), mill.environment(),
-          QStringList{QStringLiteral("--jobs"), mill.path("")});
-      return service->await("Monitoring/IsConnected", "true") ? std::move(service) : nullptr;
-    };
-    auto service = serviceOfMill();
-    QVERIFY(service);
-    QVERIFY(service->call("LoadJob", {"part.mpf", ""}).accepted);
-    QVERIFY(service->call("Start", {service->confirmation("Preflight")}).accepted);
-    const auto resume = [&]() -> std::string {
-      std::string confirmation = service->await("Monitoring/State", "left")
-                                     ? service->confirmation("PreflightResume")
-                                     : std::string();
-      if (confirmation.empty() &&
-          service->refusal().find("EndRun of a service") != std::string::npos) {
-        // It stands in a block of its own: somebody lets it end.
-        const bool isEnded =
-            service->call("EndRun").accepted &&
-            service->await("Notification/Message", "The program on the control has ended.");
-        mill.awaitStandstill();
-        confirmation = isEnded ? service->confirmation("PreflightResume") : std::string();
-      }
-      const service::Answer resumed = service->call("ResumeRun", {confirmation});
-      return resumed.accepted ? std::string() : service->refusal() + ' ' + resumed.message;
-    };
-    int resumed = 0;
-    for (int stretch = 1; stretch <= kStretches; ++stretch) {
-      // In the stretch, and at its end: then in the blocks after it.
-      for (const int points : {stretch * kMoves - 6, stretch * kMoves}) {
-        QVERIFY2(awaitPoints(*service, points), qPrintable(QString::number(points)));
-        service->end(SIGKILL);
-        mill.awaitRest();
-        service = serviceOfMill();
-        QVERIFY(service);
-        const std::string why = resume();
-        QVERIFY2(why.empty(), why.c_str());
-        ++resumed;
-      }
-    }
-    QVERIFY(service->await("Session/LastOutcome", "completed"));
-    QCOMPARE(resumed, 2 * kStretches);
-    QCOMPARE(mill.movesMade(0), kStretches * kMoves);
-    QVERIFY(mill.savedRuns().isEmpty());
-    service.reset();
-    mill.switchOff();
-    m_scene.switchOn();
   }
 
   /// The rules of the window: an operator starts what is released, with the released settings.

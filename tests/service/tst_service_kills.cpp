@@ -120,6 +120,72 @@ class TestServiceKills : public QObject {
     qInfo("%d kills of the service, %d runs to the end, %d starts resumed", m_kills, runs,
           m_resumed);
   }
+
+  /// The service is killed in each stretch of a job, of which every one but the first is executed
+  /// by a resume, and in the blocks of the control between two of them.
+  void aJobGoesOnHoweverOftenItIsKilled() {
+    m_scene.switchOff();  // both have the same port
+    tests::KillScene mill{QStringLiteral(RIVULET_MACHINE), QStringLiteral("dmu75-mill"),
+                          tests::KillScene::Kept::Jobs};
+    mill.switchOn();
+    constexpr int kStretches = 4;
+    constexpr int kMoves = 10;
+    QByteArray text("G54\nT1 D1 M6\nS3000 M3\nG0 X0 Y0 Z20\n");
+    for (int move = 1; move <= kStretches * kMoves; ++move) {
+      text += "G1 X" + QByteArray::number(move) + " Y" + QByteArray::number(move % 2) + " F600\n";
+      text += move % kMoves == 0 ? "M8\nG4 F2\n" : "";
+    }
+    QFile job(mill.path("part.mpf"));
+    QVERIFY(job.open(QIODevice::WriteOnly));
+    QVERIFY(job.write(text + "G0 Z30\nM5 M9\nM30\n") > 0);
+    job.close();
+    const auto serviceOfMill = [&mill] {
+      auto service = std::make_unique<ServiceProcess>(
+          QStringLiteral(RIVULET_SERVICE), mill.endpoint(), mill.environment(),
+          QStringList{QStringLiteral("--jobs"), mill.path("")});
+      return service->await("Monitoring/IsConnected", "true") ? std::move(service) : nullptr;
+    };
+    auto service = serviceOfMill();
+    QVERIFY(service);
+    QVERIFY(service->call("LoadJob", {"part.mpf", ""}).accepted);
+    QVERIFY(service->call("Start", {service->confirmation("Preflight")}).accepted);
+    const auto resume = [&]() -> std::string {
+      std::string confirmation = service->await("Monitoring/State", "left")
+                                     ? service->confirmation("PreflightResume")
+                                     : std::string();
+      if (confirmation.empty() &&
+          service->refusal().find("EndRun of a service") != std::string::npos) {
+        // It stands in a block of its own: somebody lets it end.
+        const bool isEnded =
+            service->call("EndRun").accepted &&
+            service->await("Notification/Message", "The program on the control has ended.");
+        mill.awaitStandstill();
+        confirmation = isEnded ? service->confirmation("PreflightResume") : std::string();
+      }
+      const service::Answer resumed = service->call("ResumeRun", {confirmation});
+      return resumed.accepted ? std::string() : service->refusal() + ' ' + resumed.message;
+    };
+    int resumed = 0;
+    for (int stretch = 1; stretch <= kStretches; ++stretch) {
+      // In the stretch, and at its end: then in the blocks after it.
+      for (const int points : {stretch * kMoves - 6, stretch * kMoves}) {
+        QVERIFY2(service->awaitPoints(points), qPrintable(QString::number(points)));
+        service->end(SIGKILL);
+        mill.awaitRest();
+        service = serviceOfMill();
+        QVERIFY(service);
+        const std::string why = resume();
+        QVERIFY2(why.empty(), why.c_str());
+        ++resumed;
+      }
+    }
+    QVERIFY(service->await("Session/LastOutcome", "completed"));
+    QCOMPARE(resumed, 2 * kStretches);
+    QCOMPARE(mill.movesMade(0), kStretches * kMoves);
+    QVERIFY(mill.savedRuns().isEmpty());
+    service.reset();
+    mill.switchOff();
+  }
 };
 
 RIVULET_TEST(TestServiceKills)

@@ -123,6 +123,12 @@ class ServiceProcess {
     }
     return false;
   }
+  /// Waits until so many points of the run have been executed.
+  bool awaitPoints(int points) {
+    return awaitThat([points](const Values& values) {
+      return std::stoi(values.at("Production/ActiveProgram/PointsDone")) >= points;
+    });
+  }
   bool await(const std::string& name, const std::string& value) {
     const bool came = awaitThat([&](const Values& values) { return values.at(name) == value; });
     if (!came) {
