@@ -5,8 +5,6 @@
 /// moments of a run. A new window finds the run; it is watched, stopped and resumed by the buttons
 /// an operator presses (see pilot.cpp). Each point must be executed once.
 
-#include <sys/prctl.h>
-
 #include <QDeadlineTimer>
 #include <QProcess>
 #include <QSettings>
@@ -20,111 +18,18 @@
 #include "support/patience.h"
 #include "support/setting.h"
 #include "support/test_program.h"
+#include "support/window_process.h"
 
 using namespace rivulet;
 
 namespace {
 
 using rivulet::tests::kRunMs;
-constexpr int kPollMs = 10;
+using Window = rivulet::tests::WindowProcess;
 /// Long enough for a window to be executed.
 constexpr unsigned long kStaysMs = 500;
 /// Of a whole run, about: kills are drawn within it.
 constexpr double kStreamMs = 5000.0;
-
-/// A window as an operator starts it, and what its pilot says.
-class Window {
- public:
-  /// @param program  file; empty: the window is not told any
-  Window(const tests::KillScene& scene, const QString& program) {
-    QProcessEnvironment environment = scene.environment();
-    environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
-    environment.insert(QStringLiteral("QT_PLUGIN_PATH"), QStringLiteral(RIVULET_PILOT_PLUGINS));
-    environment.insert(QStringLiteral("QT_QPA_GENERIC_PLUGINS"), QStringLiteral("rivulet-pilot"));
-    m_process.setProcessEnvironment(environment);
-    m_process.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGKILL); });
-    QStringList arguments{QStringLiteral("--connect"), scene.endpoint()};
-    if (!program.isEmpty()) {
-      arguments << QStringLiteral("--open") << program;
-    }
-    m_process.start(QStringLiteral(RIVULET_PROGRAM), arguments);
-    if (!m_process.waitForStarted(kRunMs)) {
-      qFatal("rivulet does not start");
-    }
-  }
-  ~Window() {
-    m_process.kill();
-    m_process.waitForFinished();
-  }
-
-  [[nodiscard]] bool isOpen() const { return m_process.state() == QProcess::Running; }
-  /// @return the answer; empty, with a warning: there was none
-  QByteArray ask(const QByteArray& command) {
-    m_process.write(command + '\n');
-    m_history << command;
-    m_answer.clear();
-    if (!waitFor([this] { return !m_answer.isEmpty(); })) {
-      complain();
-    }
-    return m_answer;
-  }
-  /// Waits until the window shows one of these states.
-  bool awaitState(const std::vector<const char*>& states) {
-    const bool isShown = waitFor([&] {
-      return std::any_of(states.begin(), states.end(),
-                         [this](const char* state) { return m_state.startsWith(state); });
-    });
-    if (!isShown) {
-      complain();
-    }
-    return isShown;
-  }
-  [[nodiscard]] bool isIn(const char* state) const { return m_state.startsWith(state); }
-  /// Lets it work for a while. @return whether its run is still in progress
-  bool works(int ms) {
-    const QDeadlineTimer until(ms);
-    return waitFor([&] { return until.hasExpired() || isIn("Done"); }) && !isIn("Done");
-  }
-  void signal(int number) { ::kill(static_cast<pid_t>(m_process.processId()), number); }
-  /// Waits until it has ended. @return exit code; -1: killed, or it does not end
-  int exit() {
-    if (m_process.state() != QProcess::NotRunning && !m_process.waitForFinished(kRunMs)) {
-      return -1;
-    }
-    return m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
-  }
-
- private:
-  /// Takes what the pilot says until the condition holds. @return false if it never did
-  template <class Condition>
-  bool waitFor(const Condition& condition) {
-    const QDeadlineTimer patience(kRunMs);
-    while (!condition()) {
-      if (patience.hasExpired() || (!isOpen() && !m_process.canReadLine())) {
-        return false;
-      }
-      if (!m_process.canReadLine()) {
-        m_process.waitForReadyRead(kPollMs);
-        continue;
-      }
-      const QByteArray line = m_process.readLine().trimmed();
-      m_history << line;
-      (line.startsWith("state: ") ? m_state : m_answer) =
-          line.startsWith("state: ") ? line.mid(7) : line;
-    }
-    return true;
-  }
-
-  void complain() {
-    qWarning("%s\n%s", m_history.join('\n').constData(),
-             m_process.readAllStandardError().constData());
-  }
-
-  QProcess m_process;
-  QByteArrayList m_history;  ///< what it was told and what it said
-  QByteArray m_state;
-  QByteArray m_answer;
-};
 
 struct Tally {
   int kills = 0;
@@ -163,7 +68,8 @@ class TestWindowKills : public QObject {
   }
 
   [[nodiscard]] std::unique_ptr<Window> openWindow(bool isNew) const {
-    return std::make_unique<Window>(m_scene, isNew ? m_scene.programFile() : QString());
+    return std::make_unique<Window>(m_scene.environment(), m_scene.endpoint(),
+                                    isNew ? m_scene.programFile() : QString());
   }
   static bool start(Window& window) {
     return window.ask("press start") == "pressed" && window.ask("hold start") == "held" &&
@@ -335,7 +241,7 @@ class TestWindowKills : public QObject {
     QFETCH(int, number);
     const std::size_t before = m_scene.executed().size();
     writeSettings(false);
-    Window window(m_scene, m_scene.programFile());
+    Window window(m_scene.environment(), m_scene.endpoint(), m_scene.programFile());
     QVERIFY(start(window));
     // Before that nothing can move, and there would be nothing to resume.
     QTRY_VERIFY_WITH_TIMEOUT(m_scene.isGranted(), kRunMs);

@@ -120,6 +120,21 @@ class KillScene {
     return now[0] == opcua::kChannelReset ||
            (now[1] == templates::FeedCell::kHold && now[2] == 0.0);
   }
+  /// Where the tool is, in the workpiece frame, and how fast its path goes.
+  struct Look {
+    base::Vec3 toolMm;
+    double feedMmPerMin = 0.0;
+    bool isReset = false;
+  };
+  [[nodiscard]] Look look() const {
+    using opcua::VariableKind;
+    const std::vector<double> now = read({{VariableKind::ActualPosition, 0},
+                                          {VariableKind::ActualPosition, 1},
+                                          {VariableKind::ActualPosition, 2},
+                                          {VariableKind::PathFeed, 0},
+                                          {VariableKind::ChannelStatus, 0}});
+    return {{now[0], now[1], now[2]}, now[3], now[4] == opcua::kChannelReset};
+  }
   /// Waits until nothing moves any more: every window has been executed, or the axes stand because
   /// their client is gone.
   void awaitStandstill() const {

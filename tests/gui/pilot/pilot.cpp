@@ -10,6 +10,8 @@
 ///   await BUTTON…  "BUTTON", the first of these that can be pressed
 ///   press BUTTON   "pressed", once it could be pressed
 ///   hold BUTTON    "held", once it could be pressed, and could not any more while it was held
+///   try BUTTON     "pressed", or "grey" if it cannot be pressed now
+///   type KEYS      "typed": a key with its modifiers, such as Alt+2
 ///   read WIDGET    what is written there
 ///
 /// Beside that each new state of the run is a line: "state: Running". @threadsafety GUI thread.
@@ -24,6 +26,7 @@
 #include <QPushButton>
 #include <QSocketNotifier>
 #include <QTimer>
+#include <QtTest>
 #include <cstdio>
 
 namespace {
@@ -39,8 +42,11 @@ QWidget* find(const QByteArray& name) {
   return nullptr;
 }
 
+/// No dialog keeps its mouse away, either.
 bool canBePressed(const QWidget* button) {
-  return button != nullptr && button->isVisible() && button->isEnabled();
+  const QWidget* modal = QApplication::activeModalWidget();
+  return button != nullptr && button->isVisible() && button->isEnabled() &&
+         (modal == nullptr || modal->isAncestorOf(button));
 }
 
 void send(QWidget* button, QEvent::Type type) {
@@ -128,8 +134,19 @@ class Pilot final : public QObject {
       say("held");
       return true;
     }
+    if (verb == "type") {
+      QWidget* window = QApplication::activeWindow();
+      if (window != nullptr) {
+        QTest::keySequence(window, QKeySequence(QString::fromLatin1(m_words[1])));
+      }
+      say(window != nullptr ? "typed" : "no window");
+      return true;
+    }
     if (!canBePressed(first)) {
-      return false;
+      if (verb == "try") {
+        say("grey");
+      }
+      return verb == "try";
     }
     send(first, QEvent::MouseButtonPress);
     m_isHeld = verb == "hold";
