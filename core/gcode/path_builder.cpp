@@ -152,8 +152,15 @@ void PathBuilder::spaceArc(const nc::Position& from, const nc::SpaceArc& arc, Ve
 }
 
 void PathBuilder::spline(const nc::Position& from, const nc::Spline& spline, const nc::Move& move) {
+  // A frame with an angle or scale that is not known, or of which no number is left.
+  const double toleranceMm = chordToleranceMm(from);
+  if (!(toleranceMm > 0.0) || !std::isfinite(toleranceMm)) {
+    m_faults.report(nc::Severity::Error, move.column, nc::FaultCode::ValueOutOfRange, "SCALE ROT");
+    unknownWay(from, spline.controlMm.back(), move);
+    return;
+  }
   begin(from, move);
-  const double lengthMm = nc::flattenSpline(spline, chordToleranceMm(from), m_chords);
+  const double lengthMm = nc::flattenSpline(spline, toleranceMm, m_chords);
   appendCurve(MoveKind::SplinePiece, lengthMm, std::nullopt);
 }
 
