@@ -4826,8 +4826,8 @@ GPL-3.0-or-later</translation>
         <translation>La herramienta sube en línea recta %1 hasta Z %2, a %3. No se mueve nada más. Después vuelve esta página.</translation>
     </message>
     <message>
-        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box: how long that takes depends on the points.</source>
-        <translation>Después de Parada el control ejecuta aún su ventana, como máximo %1 movimientos dentro de la caja acordada: cuánto dura depende de los puntos.</translation>
+        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box. Several moves take at most %2; one alone takes as long as its way and feed say.</source>
+        <translation>Después de Parada el control ejecuta aún su ventana, como máximo %1 movimientos dentro de la caja acordada. Varios movimientos duran como máximo %2; uno solo, lo que den su recorrido y su avance.</translation>
     </message>
     <message>
         <source>After Stop the control still executes its window, at most %1 in %2.</source>

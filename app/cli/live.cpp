@@ -153,9 +153,10 @@ Result<void> LiveCommand::connect() {
   if (m_settings.windowSMax > 0.0) {
     log::logger().warn(
         "Stop: the control still executes the window that is in motion, of at most {} moves within "
-        "the agreed box: how long that takes depends on the points. {}",
+        "the agreed box. Several moves take at most {:.1f} s; one alone takes as long as its way "
+        "and feed say. {}",
         m_settings.parameters.pointsPerLoop * streaming::windowsAfterStop(m_settings.parameters),
-        streaming::describe(*proof));
+        m_settings.windowSMax, streaming::describe(*proof));
   }
   auto flexible = templates::makeProgram(m_settings.parameters);
   if (!flexible) {

@@ -952,10 +952,13 @@ PreflightItem Preflight::runCellItem(const streaming::RunSettings& settings) con
   const bool hasWindows = base::hasWindows(settings.parameters.method);
   if (m_document.live()) {
     item.status = Status::Attention;
-    item.text = tr("After Stop the control still executes its window, of at most %1 moves within "
-                   "the agreed box: how long that takes depends on the points.")
-                    .arg(settings.parameters.pointsPerLoop *
-                         streaming::windowsAfterStop(settings.parameters));
+    item.text =
+        tr("After Stop the control still executes its window, of at most %1 moves within the "
+           "agreed "
+           "box. Several moves take at most %2; one alone takes as long as its way and feed say.")
+            .arg(settings.parameters.pointsPerLoop *
+                 streaming::windowsAfterStop(settings.parameters))
+            .arg(widgets::secondsText(settings.windowSMax, 1));
   } else {
     const streaming::StopBound bound =
         streaming::stopBound(m_document.points(), m_machine.positionNowMm(), settings);

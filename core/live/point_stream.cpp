@@ -32,6 +32,17 @@ constexpr Duration kSilenceShown = std::chrono::seconds{1};
 /// The source is told how far the run is this often at most.
 constexpr Duration kReportInterval = std::chrono::milliseconds{10};
 
+base::AxisPosition placeOf(const gcode::StreamPoint& point) {
+  return {point.positionMm, point.rotaryDeg};
+}
+
+/// Without acceleration, s.
+double moveS(const base::AxisPosition& from, const gcode::StreamPoint& to) {
+  return base::wayAlongFeed(base::distance(from.mm, to.positionMm),
+                            base::turnDeg(from.deg, to.rotaryDeg)) /
+         to.feedMmPerS;
+}
+
 base::Error tooLong() {
   return base::makeError(LiveError::TooLong,
                          fmt::format("The line has more than {} characters.", kLineBytesMax));
@@ -208,15 +219,25 @@ bool PointStream::beginsWindow(const Queued& queued) const {
          (!m_plan.feedPerPoint && queued.point.feedMmPerS != m_queue.front().point.feedMmPerS);
 }
 
+std::size_t PointStream::windowSize() const {
+  const std::size_t most = std::min(m_queue.size(), m_plan.pointsMax);
+  double seconds = moveS(m_points.empty() ? m_tool : placeOf(m_points.back()), m_queue[0].point);
+  std::size_t count = 1;
+  while (count < most && !beginsWindow(m_queue[count])) {
+    seconds += moveS(placeOf(m_queue[count - 1].point), m_queue[count].point);
+    if (m_plan.secondsMax > 0.0 && seconds > m_plan.secondsMax) {
+      break;
+    }
+    ++count;
+  }
+  return count;
+}
+
 std::optional<std::size_t> PointStream::takeWindow(Instant now) {
   if (m_queue.empty() || isBeforeHold()) {
     return std::nullopt;
   }
-  const std::size_t most = std::min(m_queue.size(), m_plan.pointsMax);
-  std::size_t count = 1;
-  while (count < most && !beginsWindow(m_queue[count])) {
-    ++count;
-  }
+  const std::size_t count = windowSize();
   const bool isWhole =
       count == m_plan.pointsMax || count < m_queue.size() || m_summary.hasEnded || m_holdAsked;
   if (!isWhole && now - m_queue.front().arrived < m_limits.fullWithin) {
@@ -246,11 +267,7 @@ void PointStream::windowMoves(Instant now) {
     m_delays.add(begins - m_arrivals.front());
     m_recentDelays.add(begins - m_arrivals.front());
     m_arrivals.pop_front();
-    const base::AxisPosition from =
-        i == 0 ? m_tool : base::AxisPosition{m_points[i - 1].positionMm, m_points[i - 1].rotaryDeg};
-    begins += base::fromSeconds(base::wayAlongFeed(base::distance(from.mm, m_points[i].positionMm),
-                                                   base::turnDeg(from.deg, m_points[i].rotaryDeg)) /
-                                m_points[i].feedMmPerS);
+    begins += base::fromSeconds(moveS(i == 0 ? m_tool : placeOf(m_points[i - 1]), m_points[i]));
   }
   ++m_begun;
   m_firstBegun = m_firstBegun.value_or(now);

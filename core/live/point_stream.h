@@ -85,6 +85,8 @@ class PointStream final : public PointSupplier {
   [[nodiscard]] bool isBeforeHold() const;
   /// It cannot be in the window that the first point in the queue begins.
   [[nodiscard]] bool beginsWindow(const Queued& queued) const;
+  /// Points of the queue that the next window has, >= 1. @pre there are any
+  [[nodiscard]] std::size_t windowSize() const;
   void refuse(const base::Error& error, std::size_t line);
   void checkSilence(base::Instant now);
   void closed();

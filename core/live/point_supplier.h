@@ -27,6 +27,8 @@ struct WindowPlan {
   std::size_t pointsMax = 1;   ///< >= 1
   std::size_t windowsMax = 1;  ///< that may wait or move on the control, for the theory
   bool feedPerPoint = false;   ///< else a window ends where the feed changes
+  /// No window of several points takes longer, s, without acceleration; 0: any.
+  double secondsMax = 0.0;
 };
 
 /// The run for which points are wanted.

@@ -43,11 +43,13 @@ class TextSource final : public live::Source {
 };
 
 struct Bench {
-  explicit Bench(std::size_t pointsPerWindow = 4) : stream(source, agreement(), limits()) {
-    stream.begin({{}, 600.0, {true, true, true}, {}, {pointsPerWindow, 3, false}}, at);
+  explicit Bench(std::size_t pointsPerWindow = 4, double secondsMax = 0.0)
+      : stream(source, agreement(secondsMax > 0.0 ? 10.0 : 1.0), limits()) {
+    stream.begin({{}, 600.0, {true, true, true}, {}, {pointsPerWindow, 3, false, secondsMax}}, at);
   }
-  static live::Agreement agreement() {
+  static live::Agreement agreement(double stepMmMax) {
     live::Agreement agreed;
+    agreed.stepMmMax = stepMmMax;
     agreed.highestMm = {1e6, 10.0, 10.0};
     return agreed;
   }
@@ -114,6 +116,17 @@ class TestPointStream : public QObject {
     QCOMPARE(bench.window(), 2U);
     bench.wait(100ms);
     QCOMPARE(bench.window(), 2U);
+  }
+
+  /// At 10 mm/s, beginning where the tool is. A single move may take longer.
+  void aWindowTakesNoLongerThanItMay() {
+    Bench bench(4, 0.55);
+    bench.send("X2\nX4\nX6\nX16\nX17\nX18\nend\n");
+    QCOMPARE(bench.window(), 2U);  // 0.4 s; a third would make 0.6
+    QCOMPARE(bench.window(), 1U);
+    QCOMPARE(bench.window(), 1U);  // 1 s
+    QCOMPARE(bench.window(), 2U);
+    QVERIFY(bench.stream.isDry());
   }
 
   void theSourceIsReadOnlyAsFastAsWindowsGo() {

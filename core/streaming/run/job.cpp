@@ -522,7 +522,7 @@ class SuppliedJob final : public Job {
     const live::WindowPlan plan{
         static_cast<std::size_t>(m_cells.pointsPerLoop),
         static_cast<std::size_t>(m_cells.windows + m_type.windowsTakenMax(parameters)),
-        parameters.feedPerPoint};
+        parameters.feedPerPoint, windowCut(m_settings).secondsMax};
     m_supplier.begin({{m_flight.toolMm, m_flight.toolDeg},
                       base::mmPerMinFromMmPerS(m_settings.feedMmPerS),
                       m_cells.axes,
