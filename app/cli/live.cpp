@@ -183,6 +183,7 @@ run::RunFacts LiveCommand::facts() const {
   facts.endpoint = m_connection.name;
   facts.startedAtUtc = utcNow();
   facts.recording = m_options.record;
+  facts.onCut = &tellCut;
   facts.isSimulated = m_options.simulate;
   return facts;
 }

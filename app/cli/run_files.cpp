@@ -58,6 +58,10 @@ base::Result<void> requireTravel(const Connection& connection, const std::string
   return {};
 }
 
+void tellCut(const run::RecordingCut& cut) {
+  log::logger().error("{} The run goes on.", cut.error.text());
+}
+
 nlohmann::ordered_json filesJson(const run::RunRecord& record, const char* savedKey) {
   auto json = nlohmann::ordered_json::object();
   if (!record.ownsRecording()) {

@@ -20,6 +20,9 @@
 
 namespace rivulet::cli {
 
+/// At once; see `run::RunFacts`.
+void tellCut(const run::RecordingCut& cut);
+
 /// All that is known of a run of a file before it starts. @param options  of `stream` or `job`
 template <class Options>
 [[nodiscard]] run::RunFacts factsOf(const Options& options, const gcode::Program& program,
@@ -34,6 +37,7 @@ template <class Options>
   facts.startedAtUtc = utcNow();
   facts.command = options.command;
   facts.recording = options.record;
+  facts.onCut = &tellCut;
   facts.isSimulated = options.simulate;
   return facts;
 }

@@ -4,6 +4,8 @@
 #include "hmi/run_controller.h"
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
 
 #include "base/text.h"
 #include "gcode/nearest_move.h"
@@ -52,6 +54,7 @@ RunController::RunController(StreamSession& session, Document& document, Machine
   connect(&m_session, &StreamSession::jobUpdated, this, &RunController::takeJob);
   connect(&m_session, &StreamSession::livePointsArrived, this,
           [this](const session::LivePoints& points) { m_document.appendLive(points); });
+  connect(&m_session, &StreamSession::recordingCut, this, &RunController::raiseCut);
   connect(&m_session, &StreamSession::runFinished, this, &RunController::takeFinished);
   connect(&m_session, &StreamSession::resumeFound, this, &RunController::takeResume);
   connect(&m_session, &StreamSession::runEnded, this, &RunController::takeEnded);
@@ -580,7 +583,7 @@ void RunController::forgetLast() {
   m_messages.clear();
   for (const alarm::Code code :
        {alarm::Code::RunFailed, alarm::Code::WrongMotion, alarm::Code::MovesWrong,
-        alarm::Code::NotJudged, alarm::Code::NotRecorded}) {
+        alarm::Code::NotJudged, alarm::Code::NotRecorded, alarm::Code::RecordingCut}) {
     m_messages.settle(code);
   }
 }
@@ -894,7 +897,9 @@ void RunController::logOutcome(const session::RunFinished& finished) {
       return tr("The run is not in the history: %1").arg(widgets::errorText(error));
     });
   }
-  if (finished.notRecorded.code) {
+  if (finished.cut) {
+    raiseCut(*finished.cut);
+  } else if (finished.notRecorded.code) {
     m_messages.raise(alarm::Code::NotRecorded, {report::RunHistory::folderOfUser().string()},
                      finished.notRecorded);
   }
@@ -904,6 +909,14 @@ void RunController::logOutcome(const session::RunFinished& finished) {
                      return tr("Recording: %1").arg(path);
                    });
   }
+}
+
+void RunController::raiseCut(const run::RecordingCut& cut) {
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(cut.recorded);
+  m_messages.raise(alarm::Code::RecordingCut,
+                   {cut.program, std::to_string(seconds.count()),
+                    std::filesystem::path(cut.file).parent_path().string()},
+                   cut.error);
 }
 
 void RunController::raiseOutcome() {

@@ -182,6 +182,7 @@ class RunController final : public QObject {
   void takeFinished(const session::RunFinished& finished);
   void takeWrong(const streaming::WrongMotion& wrong);
   void logOutcome(const session::RunFinished& finished);
+  void raiseCut(const run::RecordingCut& cut);
   /// The alarms of the run that has just ended.
   void raiseOutcome();
 

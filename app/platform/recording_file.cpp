@@ -49,6 +49,7 @@ struct RecordingFile::State {
   std::chrono::steady_clock::time_point waitingSince;  ///< its first line
   std::size_t inFlight = 0;                            ///< bytes that are being written
   std::size_t written = 0;                             ///< bytes
+  base::Duration recorded{};                           ///< from the first record to the last one
   bool isClosing = false;                              ///< nothing more will come
   bool isDone = false;                                 ///< the file is closed
   bool isBehind = false;     ///< there was no room: the recording ends there
@@ -118,6 +119,7 @@ int RecordingFile::State::write(trace::FrameWriter& frames, std::string_view tex
     const std::lock_guard counted(mutex);
     inFlight -= lines.size();
     written += lines.size();
+    recorded = frames.span();
     changed.notify_all();
   }
   // A pipe cannot be synchronised; a disk that fails tells so again when it is closed.
@@ -182,6 +184,16 @@ trace::RecordingSink RecordingFile::sink() {
   return [this](std::string_view lines) { return append(lines); };
 }
 
+base::Duration RecordingFile::recorded() const {
+  const std::lock_guard lock(m_state->mutex);
+  return m_state->recorded;
+}
+
+base::Result<void> RecordingFile::soFar() const {
+  const std::lock_guard lock(m_state->mutex);
+  return result();
+}
+
 base::Result<void> RecordingFile::finish() {
   State& state = *m_state;
   std::unique_lock lock(state.mutex);
@@ -199,7 +211,9 @@ base::Result<void> RecordingFile::result() const {
   const State& state = *m_state;
   const auto incomplete = [this](std::string why) {
     return base::fail(base::FileError::NotWritable,
-                      fmt::format("The recording is incomplete: {}.", why), m_path.string());
+                      fmt::format("The recording is incomplete: {}. {:.1f} s of the run are in it.",
+                                  why, base::toSeconds(m_state->recorded)),
+                      m_path.string());
   };
   if (state.error != 0) {
     return incomplete(std::generic_category().message(state.error));

@@ -43,6 +43,11 @@ class RecordingFile {
   /// For a `RecordingWriter` that does not outlive this.
   [[nodiscard]] trace::RecordingSink sink();
 
+  /// From the first record on the disk to the last one.
+  [[nodiscard]] base::Duration recorded() const;
+  /// Until now. @return NotWritable: nothing more is taken, and why
+  [[nodiscard]] base::Result<void> soFar() const;
+
   /// Waits until everything is on the disk, or until the file has accepted nothing for the time of
   /// the limits; then the thread is left alone with what hangs. Later calls return the same.
   /// @return NotWritable: the recording is incomplete, and why

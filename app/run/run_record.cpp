@@ -98,8 +98,26 @@ base::Result<void> RunRecord::openRecording() {
   }
   m_facts.recording = path->string();
   m_file = std::move(*file);
-  m_writer.emplace(m_file->sink());
+  m_writer.emplace([this](std::string_view lines) { return append(lines); });
   return {};
+}
+
+/// A writer whose text was refused once comes no more.
+bool RunRecord::append(std::string_view lines) {
+  if (m_file->append(lines)) {
+    return true;
+  }
+  if (const auto seen = cut(); seen && m_facts.onCut) {
+    m_facts.onCut(*seen);
+  }
+  return false;
+}
+
+std::optional<RecordingCut> RunRecord::cut() const {
+  if (const auto taken = m_file ? m_file->soFar() : base::Result<void>(); !taken) {
+    return RecordingCut{m_facts.programName, m_facts.recording, m_file->recorded(), taken.error()};
+  }
+  return std::nullopt;
 }
 
 trace::RunStart RunRecord::start() const {
@@ -131,8 +149,9 @@ void RunRecord::finish(const streaming::RunReport& report, const RunResult& resu
   known.jobTimes = result.jobTimes;
   known.tools = result.tools;
   known.dryRunMm = m_facts.dryRunMm;
-  if (m_isRecorded) {
-    std::error_code ignored;
+  std::error_code ignored;
+  if (m_file && std::filesystem::is_regular_file(m_facts.recording, ignored)) {
+    // One that was cut off as well: its reader says so, and the history removes it with the run.
     known.recording = std::filesystem::absolute(m_facts.recording, ignored).string();
   }
   const auto kept = report::RunHistory().add(report, std::move(known), result.points);

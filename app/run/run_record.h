@@ -6,10 +6,12 @@
 /// The same for every kind of run, whoever starts it. @threadsafety one object, one thread.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -27,6 +29,14 @@ namespace rivulet::run {
 
 enum class RunKind : unsigned char { Motion, Live, WholeJob };
 
+/// The recording of a run has ended before the run.
+struct RecordingCut {
+  std::string program;
+  std::string file;
+  base::Duration recorded{};  ///< on the disk, from the first record to the last
+  base::Error error;          ///< why
+};
+
 /// What is known of a run before it starts.
 struct RunFacts {
   RunKind kind = RunKind::Motion;
@@ -39,6 +49,9 @@ struct RunFacts {
   std::vector<std::string> command{};  ///< see `report::SavedRun`
   /// File to record to. Empty: one of the history's own, which a run does not depend on.
   std::string recording{};
+  /// Called once, on the thread of the run, as soon as nothing more of a run in progress can be
+  /// recorded; the run itself goes on. May be empty.
+  std::function<void(const RecordingCut&)> onCut{};
   std::optional<report::SavedJob> job{};  ///< of a whole job
   double dryRunMm = 0.0;                  ///< > 0: a dry run of a whole job
   /// A simulation in virtual time leaves nothing but a recording that was asked for.
@@ -72,12 +85,14 @@ class RunRecord {
   /// After the run, once: its files are finished, and the history has it.
   void finish(const streaming::RunReport& report, const RunResult& result);
 
-  /// Of the recording, complete or not; empty: there is none.
+  /// Of the recording, complete or not (its reader says so); empty: there is none.
   [[nodiscard]] const std::string& recording() const { return m_facts.recording; }
   [[nodiscard]] bool isRecorded() const { return m_isRecorded; }  ///< completely
   /// Why there is no recording, or it is not complete; code clear: there is one, or none was
   /// wanted.
   [[nodiscard]] const base::Error& notRecorded() const { return m_notRecorded; }
+  /// Nothing: there is no recording, or it goes on, or it came to its end.
+  [[nodiscard]] std::optional<RecordingCut> cut() const;
   /// Why the history does not have the run; code clear: it has, or none was wanted.
   [[nodiscard]] const base::Error& notKept() const { return m_notKept; }
   [[nodiscard]] bool ownsRecording() const { return m_ownsRecording; }
@@ -86,6 +101,7 @@ class RunRecord {
 
  private:
   [[nodiscard]] base::Result<void> openRecording();
+  bool append(std::string_view lines);
 
   RunFacts m_facts;
   bool m_ownsRecording = false;

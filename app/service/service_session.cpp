@@ -151,6 +151,9 @@ void ServiceSession::take(const session::SessionEvent& event) {
     takeUpdate(*update);
   } else if (const auto* whole = std::get_if<session::JobUpdate>(&event)) {
     m_whole = *whole;
+  } else if (const auto* cut = std::get_if<run::RecordingCut>(&event)) {
+    m_message = cut->error.message + " The run goes on.";
+    log::logger().warn("{} The run goes on.", cut->error.text());
   } else if (const auto* finished = std::get_if<session::RunFinished>(&event)) {
     takeFinished(*finished);
   } else if (const auto* runs = std::get_if<session::RunsSeen>(&event)) {

@@ -22,6 +22,7 @@
 #include "opcua/rights.h"
 #include "report/run_store.h"
 #include "run/resume.h"
+#include "run/run_record.h"
 #include "session/hazards.h"
 #include "streaming/control/machine_facts.h"
 #include "streaming/recovery/resume.h"
@@ -84,6 +85,7 @@ struct RunFinished {
   std::optional<streaming::JobTimes> jobTimes{};  ///< of a whole job
   std::vector<trace::ToolUse> tools{};            ///< of a whole job
   std::optional<report::SavedRun> left{};         ///< as it is kept; nothing: it is not
+  std::optional<run::RecordingCut> cut{};         ///< what `notRecorded` says of a part of it
 };
 
 /// The answer to a `ResumeQuestion`.
@@ -118,7 +120,7 @@ struct RightsSeen {
 struct RunEnded {
   std::optional<base::Duration> confirmedAfter;  ///< nothing: see `error`
   base::Error error;
-  bool isHeld = false;  ///< not ended: its axes stand since then, until it is let go
+  bool isHeld = false;   ///< not ended: its axes stand since then, until it is let go
   bool byReset = false;  ///< it was no run, and the control was reset for it
 };
 
@@ -158,9 +160,9 @@ struct LivePoints {
 
 using SessionEvent =
     std::variant<std::monostate, LinkChanged, MachineSeen, streaming::LiveUpdate, JobUpdate,
-                 SourceOpened, LivePoints, trace::Note, RunFinished, streaming::CalibrationProgress,
-                 CalibrationFinished, CommissioningProgress, CommissioningFinished, ResumeFound,
-                 RunsSeen, RunEnded, RightsSeen>;
+                 SourceOpened, LivePoints, trace::Note, run::RecordingCut, RunFinished,
+                 streaming::CalibrationProgress, CalibrationFinished, CommissioningProgress,
+                 CommissioningFinished, ResumeFound, RunsSeen, RunEnded, RightsSeen>;
 
 struct ConnectCommand {
   opcua::ConnectRequest request;

@@ -782,7 +782,7 @@ SessionWorker::Done SessionWorker::runLive(const StartCommand& command,
   return done;
 }
 
-run::RunFacts SessionWorker::factsOf(const StartCommand& command) const {
+run::RunFacts SessionWorker::factsOf(const StartCommand& command) {
   run::RunFacts facts;
   facts.kind = command.live   ? run::RunKind::Live
                : command.plan ? run::RunKind::WholeJob
@@ -800,6 +800,7 @@ run::RunFacts SessionWorker::factsOf(const StartCommand& command) const {
     facts.job = command.restart ? command.restart->kept(number) : report::SavedJob{number, 0, {}};
   }
   facts.dryRunMm = command.dryRunMm;
+  facts.onCut = [this](const run::RecordingCut& cut) { tell(cut); };
   return facts;
 }
 
@@ -848,7 +849,7 @@ void SessionWorker::start(const StartCommand& command) {
   }
   tell(RunFinished{std::make_shared<const streaming::RunReport>(std::move(done.report)),
                    record.isRecorded() ? record.recording() : std::string(), record.notRecorded(),
-                   record.notKept(), done.jobTimes, done.tools, record.left()});
+                   record.notKept(), done.jobTimes, done.tools, record.left(), record.cut()});
   if (command.live) {
     // For the next run, at the port that was taken.
     const bool isInput = command.live->address == "-";

@@ -90,7 +90,7 @@ class SessionWorker {
                              const streaming::RunSettings& settings, Requests& requests,
                              run::RunRecord& record);
   void listen(const std::string& address);
-  [[nodiscard]] run::RunFacts factsOf(const StartCommand& command) const;
+  [[nodiscard]] run::RunFacts factsOf(const StartCommand& command);
   void answer(const ResumeQuestion& question);
   [[nodiscard]] base::Result<run::JobRestart> askJob(const ResumeQuestion& question,
                                                      streaming::ActiveProgram active);

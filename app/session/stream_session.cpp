@@ -130,6 +130,8 @@ void StreamSession::drain() {
       Q_EMIT jobUpdated(*job);
     } else if (const auto* note = std::get_if<trace::Note>(&*event)) {
       Q_EMIT noteArrived(*note);
+    } else if (const auto* cut = std::get_if<run::RecordingCut>(&*event)) {
+      Q_EMIT recordingCut(*cut);
     } else if (const auto* finished = std::get_if<RunFinished>(&*event)) {
       m_running = false;
       Q_EMIT runFinished(*finished);

@@ -82,6 +82,8 @@ class StreamSession final : public QObject {
   void livePointsArrived(const rivulet::session::LivePoints& points);
   void jobUpdated(const rivulet::session::JobUpdate& update);
   void noteArrived(const rivulet::trace::Note& note);
+  /// Of the run in progress, which goes on.
+  void recordingCut(const rivulet::run::RecordingCut& cut);
   void runFinished(const rivulet::session::RunFinished& finished);
   void resumeFound(const rivulet::session::ResumeFound& found);
   void runsSeen(const rivulet::session::RunsSeen& seen);

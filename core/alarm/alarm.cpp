@@ -14,7 +14,7 @@ namespace rivulet::alarm {
 
 namespace {
 
-constexpr std::array<Facts, 16> kFacts{{
+constexpr std::array<Facts, 17> kFacts{{
     {Code::ControlAlarm, "control-alarm", Priority::High, Source::Control,
      RIVULET_SENTENCE("AlarmTexts", "The control reports alarm %1."),
      RIVULET_SENTENCE("AlarmTexts",
@@ -63,6 +63,15 @@ constexpr std::array<Facts, 16> kFacts{{
      RIVULET_SENTENCE("AlarmTexts", "The run is not recorded."),
      RIVULET_SENTENCE("AlarmTexts", "Nothing can be written to the folder %1."),
      RIVULET_SENTENCE("AlarmTexts", "Check the folder, its permissions and the free space.")},
+    {Code::RecordingCut, "recording-cut", Priority::Medium, Source::Computer,
+     RIVULET_SENTENCE("AlarmTexts",
+                      "The recording of %1 was cut off: the first %2 s of the run are in it."),
+     RIVULET_SENTENCE("AlarmTexts",
+                      "Nothing more can be written to the folder %3: its disk is full, or too "
+                      "slow."),
+     RIVULET_SENTENCE("AlarmTexts",
+                      "Make room on the disk. A run in progress goes on without its recording; the "
+                      "next one is recorded.")},
     {Code::FileChanged, "file-changed", Priority::Medium, Source::Program,
      RIVULET_SENTENCE("AlarmTexts", "The program file %1 has changed since it was read."),
      RIVULET_SENTENCE("AlarmTexts", "Another program has written the file."),

@@ -30,6 +30,7 @@ enum class Code {
   RunIncomplete,          ///< program, executed points, points
   NotJudged,              ///< program
   NotRecorded,            ///< folder
+  RecordingCut,           ///< program, seconds recorded, folder; error; the run is in progress
   FileChanged,            ///< file of the program
   FileGone,               ///< file of the program
   CalibrationFailed,      ///< endpoint; error

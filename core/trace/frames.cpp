@@ -142,6 +142,11 @@ std::string FrameWriter::frame(std::string_view lines) {
   return packed;
 }
 
+base::Duration FrameWriter::span() const {
+  const IndexGroup all = m_index.total();
+  return all.last < all.first ? base::Duration{} : all.last - all.first;
+}
+
 std::string FrameWriter::table() const {
   const std::string index = pack(printIndex(m_index), kIndexLevel);
   std::string out;

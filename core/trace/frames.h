@@ -29,6 +29,8 @@ class FrameWriter {
   /// The index and the table; what is appended after them is not found by them.
   /// @return bytes to append to the file
   [[nodiscard]] std::string table() const;
+  /// From the first record of all frames to the last.
+  [[nodiscard]] base::Duration span() const;
 
  private:
   struct Size {

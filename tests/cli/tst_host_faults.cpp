@@ -181,6 +181,32 @@ class TestHostFaults : public QObject {
     QVERIFY2(said.contains("not in the history"), said.constData());
   }
 
+  /// The disk takes nothing more in mid-run: this is said while the run goes on.
+  void aDiskThatFillsUpInMidRunIsSaidAtOnce() {
+    QProcess client;
+    const QString recording = m_scene.path("cut.rivulet");
+    start(client, streamed() + QStringList{QStringLiteral("--record"), recording});
+    awaitMotion(client);
+    const rlimit none{0, 0};
+    QCOMPARE(prlimit(static_cast<pid_t>(client.processId()), RLIMIT_FSIZE, &none, nullptr), 0);
+    QByteArray said;
+    while (client.state() == QProcess::Running && !said.contains("The run goes on.")) {
+      client.waitForReadyRead(kPollMs);
+      said += client.readAllStandardError();
+    }
+    const std::size_t executed = m_scene.executed(m_before).size();
+    QVERIFY2(said.contains("The recording is incomplete"), said.constData());
+    const json report = endOf(client, 1);
+    QVERIFY(report.is_object() && report["faultless"].get<bool>());
+    QVERIFY(!report["recording_complete"].get<bool>());
+    QVERIFY(m_scene.isWhole(m_before));
+    QVERIFY(executed < m_scene.executed(m_before).size());
+    QProcess reader;
+    start(reader, QStringList{QStringLiteral("analyse"), recording});
+    QVERIFY(reader.waitForFinished(kRunMs));
+    QVERIFY(reader.readAllStandardOutput().contains("the recording was cut off"));
+  }
+
   /// What a run prints and logs comes to nothing: it goes on to its end, and says so by its exit
   /// code.
   void nothingThatCannotBeWrittenEndsARun_data() {

@@ -4,10 +4,13 @@
 /// The models of the window without a window: what is open, what may be done and why not, and a
 /// run on a virtual machine in virtual time.
 
+#include <sys/resource.h>
+
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
+#include <csignal>
 
 #include "base/file.h"
 #include "base/units.h"
@@ -20,6 +23,7 @@
 #include "streaming/simulation/simulated_link.h"
 #include "support/patience.h"
 #include "support/test_program.h"
+#include "widgets/alarms/alarm_text.h"
 #include "widgets/common/blocked_text.h"
 
 using namespace rivulet;
@@ -282,6 +286,46 @@ class TestRunController : public QObject {
     QVERIFY(update.state == streaming::RunState::Done);
     QCOMPARE(update.counters.executed, models.document.points().size());
     QTRY_VERIFY_WITH_TIMEOUT(!models.reason(), kSoonMs);
+  }
+
+  /// The disk takes no more: one alarm says what is recorded, and the run comes to its end.
+  void aRunGoesOnWithoutItsRecording() {
+    Models models;
+    models.machine.connectTo(QStringLiteral("opc.tcp://cell"));
+    models.document.open(kScorpion);
+    QTRY_VERIFY_WITH_TIMEOUT(!models.reason() && models.document.view(), kSoonMs);
+    std::vector<alarm::Code> raised;
+    QString said;
+    connect(
+        &models.messages, &hmi::Messages::raised, &models.messages,
+        [&](alarm::Code code, const std::vector<std::string>& arguments, const base::Error& why) {
+          raised.push_back(code);
+          alarm::Alarm alarm;
+          alarm.code = code;
+          alarm.arguments = arguments;
+          alarm.error = why;
+          said = widgets::alarmText(alarm) + widgets::alarmCause(alarm);
+        });
+    QSignalSpy finished(&models.runs, &RunController::finished);
+    rlimit before{};
+    QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+    rlimit small = before;
+    small.rlim_cur = 3000;
+    const auto asBefore = std::signal(SIGXFSZ, SIG_IGN);
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const bool isStarted = models.runs.start();
+    const bool isFinished = finished.wait(kSoonMs);
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, asBefore);
+    QVERIFY(isStarted && isFinished);
+    const auto report = models.runs.report();
+    QVERIFY2(report && report->isFaultless(), report ? report->error.text().c_str() : "");
+    QVERIFY(!raised.empty());
+    QVERIFY(std::all_of(raised.begin(), raised.end(),
+                        [](alarm::Code code) { return code == alarm::Code::RecordingCut; }));
+    QVERIFY2(said.contains(QStringLiteral("scorpion.tap was cut off: the first ")) &&
+                 said.contains(QStringLiteral("/recordings")),
+             qPrintable(said));
   }
 
   /// A program with blocks for the control is run as a whole, unless its motion alone is chosen.

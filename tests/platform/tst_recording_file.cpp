@@ -233,6 +233,43 @@ class TestRecordingFile : public QObject {
     QVERIFY(!(*file)->append("line\n"));
   }
 
+  /// A disk that fills up in mid-run: whoever records hears of it at the next line, not at the end,
+  /// and how much is there.
+  void aCutIsKnownBeforeTheEnd() {
+    using namespace std::chrono_literals;
+    rlimit before{};
+    QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+    auto file = RecordingFile::open(path("cut"));
+    QVERIFY(file.has_value());
+    trace::RecordingWriter writer((*file)->sink());
+    QVERIFY(writer.start({}) && writer.points({}));
+    for (const base::Duration at : {1s, 3s}) {
+      QVERIFY(writer.sample({base::Instant(at), base::Vec3{1.0, 2.0, 3.0}, 10.0}));
+    }
+    QTRY_COMPARE_WITH_TIMEOUT((*file)->recorded(), base::Duration(2s), tests::kSoonMs);
+    QVERIFY((*file)->soFar().has_value());
+    rlimit full = before;
+    full.rlim_cur = std::filesystem::file_size(path("cut"));
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &full), 0);
+    base::Instant now{4s};
+    const bool isRefused = QTest::qWaitFor(
+        [&] {
+          return !writer.sample({now += 1s, base::Vec3{1.0, 2.0, 3.0}, 10.0});
+        },
+        tests::kSoonMs);
+    const auto seen = (*file)->soFar();
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
+    QVERIFY(isRefused && !seen.has_value());
+    QVERIFY(says(seen.error(), std::errc::file_too_large));
+    QVERIFY2(seen.error().message.ends_with("2.0 s of the run are in it."),
+             seen.error().message.c_str());
+    QCOMPARE((*file)->recorded(), base::Duration(2s));
+    QVERIFY(!(*file)->finish().has_value());
+    const auto kept = trace::parseRecording(*base::readFile(path("cut")));
+    QVERIFY(kept.has_value() && !kept->complete);
+    QCOMPARE(kept->samples.size(), std::size_t{2});
+  }
+
   /// A limit of the shell on the size of files does not end the program either.
   void aLimitOfTheShellIsSaid() {
     rlimit before{};
