@@ -4,7 +4,7 @@
 /// @file
 /// The recordings on the page Emulator, and what is learned from them. Files are read, and
 /// emulators learned and tested, outside the GUI thread; whatever fails leaves what was there
-/// before. @threadsafety GUI thread; the work itself runs in the global pool.
+/// before. @threadsafety GUI thread; the work itself runs in the pool (`session/background.h`).
 #pragma once
 
 #include <QObject>

@@ -3,7 +3,7 @@
 
 /// @file
 /// The runs that have ended on this computer, and what can be done with them again. Files are read
-/// and written in the global thread pool; an answer that is no longer wanted is dropped.
+/// and written in the pool of threads; an answer that is no longer wanted is dropped.
 /// @threadsafety GUI thread.
 #pragma once
 

@@ -4,7 +4,7 @@
 /// @file
 /// The traces on the page Traces: reads files, and makes signals and analysis of them and of runs,
 /// outside the GUI thread. Signals come first, the analysis follows. Only the last request counts.
-/// @threadsafety GUI thread; the work itself runs in the global pool.
+/// @threadsafety GUI thread; the work itself runs in the pool (`session/background.h`).
 #pragma once
 
 #include <QObject>

@@ -5,7 +5,7 @@
 /// Looks for settings that stream a program faster, and judges settings while they are being
 /// turned, outside the GUI thread: both depend on every point of the program. What has been
 /// overtaken by a later request is not reported.
-/// @threadsafety GUI thread; the work itself runs in the global pool.
+/// @threadsafety GUI thread; the work itself runs in the pool (`session/background.h`).
 #pragma once
 
 #include <QObject>

@@ -7,13 +7,32 @@
 
 namespace rivulet::session {
 
+namespace {
+
+/// Qt draws with the threads of its global pool, and waits for them: what takes minutes there stops
+/// the window.
+QThreadPool& pool() {
+  static QThreadPool own;
+  return own;
+}
+
+}  // namespace
+
 void startInPool(std::function<void()> work) {
-  // Qt itself waits for the pool when the application has become unusable already.
+  // Its destructor would wait when the application has become unusable already.
   [[maybe_unused]] static const bool isAwaited = [] {
-    qAddPostRoutine([] { QThreadPool::globalInstance()->waitForDone(); });
+    qAddPostRoutine(awaitPool);
     return true;
   }();
-  QThreadPool::globalInstance()->start(std::move(work));
+  pool().start(std::move(work));
+}
+
+void awaitPool() {
+  pool().waitForDone();
+}
+
+int poolThreads() {
+  return pool().maxThreadCount();
 }
 
 void runInBackground(std::function<std::function<void()>()> work) {

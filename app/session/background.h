@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// @file
-/// Work that would stop the window: it runs in the global pool of threads, and the GUI thread takes
-/// what came out.
+/// Work that would stop the window: it runs in a pool of threads, and the GUI thread takes what
+/// came out.
 #pragma once
 
 #include <QCoreApplication>
@@ -13,11 +13,15 @@
 
 namespace rivulet::session {
 
-/// Runs work in the global pool. It may use the application, which waits for it when it ends.
+/// Runs work in the pool. It may use the application, which waits for it when it ends.
 /// @threadsafety GUI thread
 void startInPool(std::function<void()> work);
+/// Waits until everything in the pool is done, also what is not begun.
+void awaitPool();
+/// So much is done at once; the rest waits.
+[[nodiscard]] int poolThreads();
 
-/// Runs work in the global pool; what it returns is then called on the GUI thread.
+/// Runs work in the pool; what it returns is then called on the GUI thread.
 void runInBackground(std::function<std::function<void()>()> work);
 
 /// Calls `call(object)` in the event loop of the GUI thread, unless the object is gone by then.
@@ -35,7 +39,7 @@ void callLater(const QPointer<Object>& object, Call call) {
       Qt::QueuedConnection);
 }
 
-/// Runs `compute()` in the global pool, then `take(object, result)` on the GUI thread, unless the
+/// Runs `compute()` in the pool, then `take(object, result)` on the GUI thread, unless the
 /// object is gone by then. Both must be copyable, and so must the result.
 template <class Object, class Compute, class Take>
 void inBackground(Object* object, Compute compute, Take take) {

@@ -4,7 +4,7 @@
 /// @file
 /// Compares a whole job with the machine that is to run it, as the command line does: travel,
 /// spindle and tools. Outside the GUI thread; only the last request is reported.
-/// @threadsafety GUI thread; the work itself runs in the global pool.
+/// @threadsafety GUI thread; the work itself runs in the pool (`session/background.h`).
 #pragma once
 
 #include <QObject>

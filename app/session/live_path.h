@@ -4,7 +4,7 @@
 /// @file
 /// The growing path of a live run as the program page shows it: a view is made of all points so
 /// far, again and again, but the longer it takes, the more seldom. @threadsafety GUI thread; the
-/// work itself runs in the global pool.
+/// work itself runs in the pool (`session/background.h`).
 #pragma once
 
 #include <QObject>

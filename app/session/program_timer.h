@@ -4,7 +4,7 @@
 /// @file
 /// Computes outside the GUI thread where a run will pause and how long a machine takes for a
 /// program: with the feeds of the program, and as a method streams it. @threadsafety GUI thread;
-/// the work itself runs in the global pool.
+/// the work itself runs in the pool (`session/background.h`).
 #pragma once
 
 #include <QObject>

@@ -5,7 +5,7 @@
 /// Simulates the program that is to be started, with the settings it is to be started with, on the
 /// virtual machine, before it is started: equations and averages do not see what scattered access
 /// times do to this path. Outside the GUI thread; only the last request is reported.
-/// @threadsafety GUI thread; the work itself runs in the global pool.
+/// @threadsafety GUI thread; the work itself runs in the pool (`session/background.h`).
 #pragma once
 
 #include <QObject>

@@ -15,6 +15,7 @@
 #include "gcode/program.h"
 #include "report/operating_point.h"
 #include "session/adviser.h"
+#include "session/background.h"
 #include "streaming/methods/feed_plan.h"
 #include "support/patience.h"
 #include "support/test_program.h"
@@ -147,7 +148,7 @@ class TestAdviser : public QObject {
     QVERIFY(verdict.verdict.has_value());
     adviser.advise(asked);
     adviser.cancel();
-    QThreadPool::globalInstance()->waitForDone();
+    session::awaitPool();
     QCoreApplication::processEvents();
     QCOMPARE(advised.count(), 1);
   }

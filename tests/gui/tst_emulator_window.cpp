@@ -25,6 +25,7 @@
 #include "gui/look_check.h"
 #include "hmi/main_window.h"
 #include "machine/config.h"
+#include "session/background.h"
 #include "support/patience.h"
 #include "support/test_program.h"
 #include "widgets/common/sheet_area.h"
@@ -445,7 +446,7 @@ class TestEmulatorWindow : public QObject {
             for (int tab = isOpen ? kParameters : kRecordings;
                  tab <= (isOpen ? kParameters : kOverlay); ++tab) {
               showTab(tab);
-              QThreadPool::globalInstance()->waitForDone();
+              session::awaitPool();
               // What is laid out lays out what is in it in the next turn.
               for (int turn = 0; turn < 4; ++turn) {
                 QCoreApplication::sendPostedEvents();

@@ -6,19 +6,23 @@
 /// not matter; how fast the computer is does, and is measured as well.
 
 #include <QAbstractEventDispatcher>
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
+#include <atomic>
 #include <ctime>
 #include <optional>
+#include <thread>
 #include <vector>
 
 #include "base/median.h"
 #include "base/random.h"
 #include "hmi/main_window.h"
+#include "session/background.h"
 #include "support/patience.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
@@ -222,6 +226,44 @@ class TestResponsiveness : public QObject {
     const Watchdog::Longest first = dog.longestOf(0);
     qInfo("%6.1f ms %s", first.ms, qPrintable(first.what));
     QVERIFY2(first.ms <= kFirstTimes * allowedMs, qPrintable(text(first)));
+  }
+
+  /// Work that takes minutes, such as the time of a program of millions of lines: the window is
+  /// drawn all the same. The watchdog does not see it, because a thread that waits does no work.
+  void theWindowIsDrawnWhileThePoolIsBusy() {
+    hmi::Settings settings;
+    settings.language = QStringLiteral("en");
+    MainWindow window(settings, false);
+    window.resize(1440, 900);
+    QSemaphore begun;
+    QSemaphore end;
+    const int threads = session::poolThreads();
+    for (int i = 0; i < threads; ++i) {
+      session::startInPool([&begun, &end] {
+        begun.release();
+        end.acquire();
+      });
+    }
+    begun.acquire(threads);
+    // So that a window that waits for the work fails here, and does not hang.
+    std::atomic<bool> isAwaited{false};
+    QSemaphore isDrawn;
+    std::thread rescue([&] {
+      isAwaited = !isDrawn.tryAcquire(1, kSoonMs);
+      end.release(threads);
+    });
+    window.show();
+    for (const widgets::Theme theme : {widgets::Theme::Dark, widgets::Theme::Light}) {
+      window.setTheme(theme);
+      for (int page = 0; page < window.pages()->count(); ++page) {
+        window.pages()->setCurrentIndex(page);
+        window.grab();
+      }
+    }
+    isDrawn.release();
+    rescue.join();
+    session::awaitPool();
+    QVERIFY(!isAwaited);
   }
 
  private:

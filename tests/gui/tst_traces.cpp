@@ -8,13 +8,13 @@
 #include <QStandardPaths>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QThreadPool>
 #include <QtTest>
 
 #include "base/file.h"
 #include "hmi/main_window.h"
 #include "hmi/trace_layouts.h"
 #include "report/trace_source.h"
+#include "session/background.h"
 #include "support/patience.h"
 #include "support/test_program.h"
 #include "trace/analysis/trace_analysis.h"
@@ -146,7 +146,7 @@ class TestTraces : public QObject {
     const auto shown = curves->traces();
     m_window->openProgram(write("other.mpf", "G1 X10 Y0 Z0 F1500\nY20\nM30\n"));
     QTRY_VERIFY_WITH_TIMEOUT(m_window->program()->name == "other.mpf", kSoonMs);
-    QThreadPool::globalInstance()->waitForDone();
+    session::awaitPool();
     QCoreApplication::processEvents();
     QVERIFY(curves->traces() == shown);
     m_window->openProgram(program);
