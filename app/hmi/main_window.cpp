@@ -185,6 +185,8 @@ void MainWindow::buildPages() {
   setUpRows->setSpacing(0);
   setUpRows->addWidget(makeCorrectionPanel(&m_document, &m_runs));
   setUpRows->addWidget(makeMethodPanel(&m_document, &m_runs), 1);
+  // Before the panel hears of it, which gives the focus to the field that is missing.
+  connect(&m_logins, &Logins::changed, this, &MainWindow::showLogin);
   m_frame.columns = new widgets::FoldingColumns(
       m_frame.centre, makeConnectionPanel(&m_machine, &m_runs, &m_logins), setUp, central);
   // The page takes what header, notices and strip leave.
@@ -357,6 +359,14 @@ void MainWindow::showQuestion() {
   showCentre();
   if (m_frame.trustSheet->isVisible()) {
     m_frame.trustSheet->findChild<QWidget*>(QStringLiteral("trust-decline"))->setFocus();
+  }
+}
+
+/// Who is asked for user and password sees the fields, and why.
+void MainWindow::showLogin() {
+  if (m_logins.view().reason != widgets::LoginView::Reason::None && !m_users.isLocked()) {
+    m_frame.columns->setOpen(widgets::FoldingColumns::First, true);
+    showColumns();
   }
 }
 

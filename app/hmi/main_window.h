@@ -152,6 +152,7 @@ class MainWindow final : public QMainWindow {
   void showCentre();
   /// What has to be decided comes to the front; what is safe has the focus.
   void showQuestion();
+  void showLogin();
   void showAlarms();
   /// Where the window begins: with the machines if there are several.
   void showFirstPage();

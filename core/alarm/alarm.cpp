@@ -28,8 +28,7 @@ constexpr std::array<Facts, 17> kFacts{{
                       "Look at the machine: it may still move. Check cable and control, then "
                       "connect again.")},
     {Code::NotConnected, "not-connected", Priority::Low, Source::Connection,
-     RIVULET_SENTENCE("AlarmTexts", "No connection to %1."), "",
-     RIVULET_SENTENCE("AlarmTexts", "Check address, network and control, then connect again.")},
+     RIVULET_SENTENCE("AlarmTexts", "No connection to %1."), "", ""},
     {Code::WrongMotion, "wrong-motion", Priority::High, Source::Run,
      RIVULET_SENTENCE("AlarmTexts",
                       "Wrong motion in %1 (points repeated: %2, skipped: %3). The workpiece may be "

@@ -64,7 +64,7 @@ struct Facts {
   Source source;
   const char* text;    ///< what has happened
   const char* cause;   ///< empty: the error of the alarm says it
-  const char* remedy;  ///< what to do
+  const char* remedy;  ///< what to do; empty: the error of the alarm says it
 };
 
 /// In the order of `Code`.

@@ -34,6 +34,7 @@
 #include "support/test_program.h"
 #include "trust/own_certificate.h"
 #include "trust/trust_store.h"
+#include "widgets/alarms/alarm_line.h"
 #include "widgets/common/hold_button.h"
 #include "widgets/common/status_label.h"
 #include "widgets/connection/certificates_page.h"
@@ -324,6 +325,10 @@ class TestWindowTrust : public QObject {
     QTRY_VERIFY2_WITH_TIMEOUT(note().contains(QStringLiteral("lets nobody in")), qPrintable(note()),
                               kSoonMs);
     QVERIFY(!sheet()->isVisible());
+    // Who has to type something sees where, and the first line says the same.
+    QTRY_VERIFY(panel()->isVisible());
+    const auto alarm = [this] { return m_window->findChild<widgets::AlarmLine*>()->text(); };
+    QVERIFY2(alarm().contains(QStringLiteral("user name")), qPrintable(alarm()));
 
     // The certificate is asked about before a password is sent.
     logIn(QStringLiteral("setter"), kWrong);
@@ -332,6 +337,9 @@ class TestWindowTrust : public QObject {
     QTRY_VERIFY2_WITH_TIMEOUT(note().contains(QStringLiteral("refuses user or password")),
                               qPrintable(note()), kSoonMs);
     QVERIFY(!isConnected());
+    QTRY_VERIFY(panel()->isVisible());
+    QTRY_VERIFY2(alarm().contains(QStringLiteral("password")), qPrintable(alarm()));
+    QVERIFY2(!alarm().contains(QStringLiteral("network")), qPrintable(alarm()));
     QVERIFY(panel()->findChild<QLineEdit*>(QStringLiteral("login-password"))->text().isEmpty());
     logIn(QStringLiteral("setter"), kPassword);
     QTRY_VERIFY_WITH_TIMEOUT(isConnected(), kSoonMs);

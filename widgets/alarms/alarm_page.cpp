@@ -210,10 +210,12 @@ void AlarmPage::showSelected() {
   }
   m_text->setText(alarmText(*alarm));
   const QString cause = alarmCause(*alarm);
+  const QString remedy = alarmRemedy(*alarm);
+  const bool hasCause = !cause.isEmpty() && cause != remedy;
   m_cause->setText(cause);
-  m_cause->setVisible(!cause.isEmpty());
-  m_causeTitle->setVisible(!cause.isEmpty());
-  m_remedy->setText(alarmRemedy(*alarm));
+  m_cause->setVisible(hasCause);
+  m_causeTitle->setVisible(hasCause);
+  m_remedy->setText(remedy);
   QString facts = QStringLiteral("%1 · %2 · %3")
                       .arg(sourceText(alarm::factsOf(alarm->code).source),
                            stateText(alarm->state()), dateTimeText(alarm->raisedAt));

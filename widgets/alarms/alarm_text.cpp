@@ -87,7 +87,8 @@ QString alarmCause(const alarm::Alarm& alarm) {
 }
 
 QString alarmRemedy(const alarm::Alarm& alarm) {
-  return AlarmTexts::filled(alarm::factsOf(alarm.code).remedy, alarm);
+  const char* remedy = alarm::factsOf(alarm.code).remedy;
+  return *remedy == '\0' ? errorText(alarm.error) : AlarmTexts::filled(remedy, alarm);
 }
 
 QString sourceText(alarm::Source source) {
