@@ -37,6 +37,16 @@ void LiveSource::open(const live::Setup& setup) {
   m_session.listen(QString::fromStdString(setup.address));
 }
 
+live::Setup LiveSource::proposal(const std::optional<base::Vec3>& toolMm) const {
+  live::Setup setup = m_setup;
+  const live::Agreement usual;
+  if (toolMm && setup.agreement.lowestMm == usual.lowestMm &&
+      setup.agreement.highestMm == usual.highestMm) {
+    setup.agreement = live::around(setup.agreement, *toolMm);
+  }
+  return setup;
+}
+
 void LiveSource::takeOpened(const session::SourceOpened& opened) {
   const std::optional<base::Error> obstacle =
       opened.error.code ? std::optional(opened.error) : std::nullopt;

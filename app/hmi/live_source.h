@@ -28,6 +28,9 @@ class LiveSource final : public QObject {
   void open(const live::Setup& setup);
   /// What was agreed last; the defaults at first.
   [[nodiscard]] const live::Setup& setup() const { return m_setup; }
+  /// The same to begin with: a box that nobody has chosen yet is put around the tool.
+  /// @param toolMm  nothing: not known
+  [[nodiscard]] live::Setup proposal(const std::optional<base::Vec3>& toolMm) const;
   void setSetup(const live::Setup& setup) { m_setup = setup; }
 
  Q_SIGNALS:

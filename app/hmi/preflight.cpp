@@ -315,14 +315,10 @@ PreflightItem Preflight::liveStartItem() const {
   }
   item.text = tr("From %1 in a straight line to the first point, which may be %2 away.")
                   .arg(positionText(*toolMm), widgets::lengthText(agreed.startMmMax));
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if ((*toolMm)[axis] < agreed.lowestMm[axis] - agreed.startMmMax ||
-        (*toolMm)[axis] > agreed.highestMm[axis] + agreed.startMmMax) {
-      item.status = Status::Attention;
-      item.text += QLatin1Char('\n') + tr("The tool is so far outside the box that no first point "
-                                          "can be in it. Move the tool, or change the box.");
-      break;
-    }
+  if (!live::reaches(agreed, *toolMm)) {
+    item.status = Status::Attention;
+    item.text += QLatin1Char('\n') + tr("The tool is so far outside the box that no first point "
+                                        "can be in it. Move the tool, or change the box.");
   }
   return item;
 }

@@ -31,6 +31,25 @@ double turnedDegMost(const base::RotaryDeg& from, const base::RotaryDeg& to) {
 
 }  // namespace
 
+bool reaches(const Agreement& agreement, const base::Vec3& toolMm) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (toolMm[axis] < agreement.lowestMm[axis] - agreement.startMmMax ||
+        toolMm[axis] > agreement.highestMm[axis] + agreement.startMmMax) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Agreement around(Agreement agreement, const base::Vec3& toolMm) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    const double sizeMm = agreement.highestMm[axis] - agreement.lowestMm[axis];
+    agreement.lowestMm.set(axis, std::floor(toolMm[axis] - 0.5 * sizeMm));
+    agreement.highestMm.set(axis, std::ceil(toolMm[axis] + 0.5 * sizeMm));
+  }
+  return agreement;
+}
+
 Gate::Gate(const Agreement& agreement, const base::AxisPosition& tool, double feedMmPerMin,
            std::array<bool, base::kAxisCount> axes, base::RotarySet rotaryAxes)
     : m_agreement(agreement),

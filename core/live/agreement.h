@@ -29,6 +29,11 @@ struct Agreement {
   friend bool operator==(const Agreement&, const Agreement&) = default;
 };
 
+/// A first point that is near enough to the tool can be in the box.
+[[nodiscard]] bool reaches(const Agreement& agreement, const base::Vec3& toolMm);
+/// With a box of the same size around the tool; its bounds are whole millimetres.
+[[nodiscard]] Agreement around(Agreement agreement, const base::Vec3& toolMm);
+
 /// Lets pass what has been agreed.
 class Gate {
  public:

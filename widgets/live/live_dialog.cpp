@@ -18,6 +18,7 @@
 #include "base/units.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_field.h"
+#include "widgets/common/number_format.h"
 #include "widgets/common/page.h"
 #include "widgets/common/sheet_area.h"
 #include "widgets/common/status_label.h"
@@ -37,14 +38,17 @@ const QString kServer = QStringLiteral("opcua:");
 
 }  // namespace
 
-LiveDialog::LiveDialog(const live::Setup& setup, bool offersInput, QWidget* parent)
+LiveDialog::LiveDialog(const live::Setup& setup, bool offersInput,
+                       const std::optional<base::Vec3>& toolMm, QWidget* parent)
     : QDialog(parent),
       m_kind(new QComboBox(this)),
       m_port(new WholeNumberField(this)),
       m_path(new QLineEdit(this)),
       m_fileRow(new QWidget(this)),
       m_file(new QLineEdit(m_fileRow)),
-      m_answer(new StatusLabel(this)) {
+      m_answer(new StatusLabel(this)),
+      m_toolMm(toolMm),
+      m_tool(new StatusLabel(this)) {
   setWindowTitle(tr("Live points"));
   setMinimumWidth(kDialogWidthMinPx);
   auto* what = new QLabel(tr("A program or script computes the path while the machine moves and "
@@ -90,6 +94,11 @@ LiveDialog::LiveDialog(const live::Setup& setup, bool offersInput, QWidget* pare
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   showSetup(setup);
   showKind();
+  showTool();
+  for (NumberField* field : {m_lowest[0], m_lowest[1], m_lowest[2], m_highest[0], m_highest[1],
+                             m_highest[2], m_values[First]}) {
+    connect(field, &NumberField::valueChanged, this, &LiveDialog::showTool);
+  }
 }
 
 QGroupBox* LiveDialog::makeSource(bool offersInput) {
@@ -160,6 +169,19 @@ QGroupBox* LiveDialog::makeBox() {
   }
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(2, 1);
+  m_tool->setObjectName(QStringLiteral("live-tool"));
+  m_tool->setWordWrap(true);
+  auto* around = makeTouchButton(group);
+  around->setObjectName(QStringLiteral("live-around"));
+  around->setText(tr("Around the tool"));
+  around->setToolTip(tr("Puts a box of this size around the place where the tool stands."));
+  around->setAutoDefault(false);
+  around->setVisible(m_toolMm.has_value());
+  connect(around, &QPushButton::clicked, this,
+          [this] { showBox(live::around(setup().agreement, *m_toolMm)); });
+  constexpr int kBelow = static_cast<int>(base::kAxisCount) + 1;
+  grid->addWidget(m_tool, kBelow, 0, 1, 3);
+  grid->addWidget(around, kBelow + 1, 1, 1, 2);
   return group;
 }
 
@@ -241,10 +263,7 @@ void LiveDialog::showSetup(const live::Setup& setup) {
   m_port->setValue(isPort ? port : kPortDefault);
   m_path->setText(kind == Unix ? rest : QDir::temp().filePath(QStringLiteral("rivulet.sock")));
   m_file->setText(kind == Server ? rest : QString());
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    m_lowest[axis]->setValue(setup.agreement.lowestMm[axis]);
-    m_highest[axis]->setValue(setup.agreement.highestMm[axis]);
-  }
+  showBox(setup.agreement);
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
     m_rotary[axis]->setChecked(setup.rotaryAxes[axis]);
   }
@@ -256,6 +275,31 @@ void LiveDialog::showSetup(const live::Setup& setup) {
   m_values[Full]->setValue(base::toMilliseconds(setup.limits.fullWithin));
   m_values[HoldAfter]->setValue(base::toSeconds(setup.limits.holdAfter));
   m_values[EndAfter]->setValue(base::toSeconds(setup.limits.endAfter));
+}
+
+void LiveDialog::showBox(const live::Agreement& agreed) {
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    m_lowest[axis]->setValue(agreed.lowestMm[axis]);
+    m_highest[axis]->setValue(agreed.highestMm[axis]);
+  }
+}
+
+void LiveDialog::showTool() {
+  if (!m_toolMm) {
+    m_tool->setStatus(Status::Unknown, tr("Where the tool stands is not known."));
+    return;
+  }
+  const QString place =
+      QStringLiteral("X\u00A0%1 Y\u00A0%2 Z\u00A0%3")
+          .arg(numberText(m_toolMm->x, 3), numberText(m_toolMm->y, 3), numberText(m_toolMm->z, 3));
+  if (live::reaches(setup().agreement, *m_toolMm)) {
+    m_tool->setStatus(Status::Plain, tr("The tool stands at %1.").arg(place));
+  } else {
+    m_tool->setStatus(Status::Attention,
+                      tr("The tool stands at %1, so far outside that no first point can be in "
+                         "the box.")
+                          .arg(place));
+  }
 }
 
 void LiveDialog::showKind() {

@@ -8,6 +8,7 @@
 
 #include <QDialog>
 #include <array>
+#include <optional>
 
 #include "live/setup.h"
 
@@ -29,7 +30,9 @@ class LiveDialog final : public QDialog {
  public:
   /// @param setup  what is shown at first
   /// @param offersInput  points may come from the standard input of this program
-  LiveDialog(const live::Setup& setup, bool offersInput, QWidget* parent);
+  /// @param toolMm       where the tool stands, workpiece frame; nothing: not known
+  LiveDialog(const live::Setup& setup, bool offersInput, const std::optional<base::Vec3>& toolMm,
+             QWidget* parent);
 
   [[nodiscard]] live::Setup setup() const;
 
@@ -50,6 +53,9 @@ class LiveDialog final : public QDialog {
                         const QString& unit, const QString& hint);
   void showSetup(const live::Setup& setup);
   void showKind();
+  void showBox(const live::Agreement& agreed);
+  /// Whether the tool can go into the box.
+  void showTool();
   void chooseFile();
   void tryOpen();
 
@@ -64,6 +70,8 @@ class LiveDialog final : public QDialog {
   std::array<QCheckBox*, base::kRotaryAxisCount> m_rotary{};
   std::array<NumberField*, ValueCount> m_values{};
   StatusLabel* m_answer;
+  std::optional<base::Vec3> m_toolMm;
+  StatusLabel* m_tool;
 };
 
 }  // namespace rivulet::widgets

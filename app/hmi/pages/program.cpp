@@ -183,15 +183,18 @@ void connectLoading(ProgramPage* page, Settings* settings, Messages* messages, D
 }
 
 /// Asks where live points come from, and what is agreed with their source.
-void askForLive(QWidget* page, LiveSource* live) {
-  auto* dialog = new widgets::LiveDialog(live->setup(), sources::inputBringsPoints(), nullptr);
+void askForLive(QWidget* page, MachineModel* machine, LiveSource* live) {
+  const auto toolMm = machine->positionNowMm();
+  auto* dialog = new widgets::LiveDialog(live->proposal(toolMm), sources::inputBringsPoints(),
+                                         toolMm, nullptr);
   QObject::connect(dialog, &widgets::LiveDialog::openRequested, live, &LiveSource::open);
   widgets::openSheet(dialog, page);
 }
 
-void connectLive(ProgramPage* page, Document* document, RunController* runs, LiveSource* live) {
+void connectLive(ProgramPage* page, MachineModel* machine, Document* document, RunController* runs,
+                 LiveSource* live) {
   widgets::LivePanel* panel = page->livePanel();
-  const auto ask = [page, live] { askForLive(page, live); };
+  const auto ask = [page, machine, live] { askForLive(page, machine, live); };
   QObject::connect(page->panel(), &ProgramPanel::liveRequested, page, ask);
   QObject::connect(panel, &widgets::LivePanel::changeRequested, page, ask);
   QObject::connect(panel, &widgets::LivePanel::programRequested, page->panel(),
@@ -245,7 +248,7 @@ QWidget* makeProgramPage(Settings* settings, Messages* messages, MachineModel* m
   connectQuestions(page->readingBar(), document, runs);
   connectLoading(page, settings, messages, document);
   connectPath(page->path(), machine, document, runs);
-  connectLive(page, document, runs, live);
+  connectLive(page, machine, document, runs, live);
   QObject::connect(runs, &RunController::started, page, [page, runs](std::size_t firstPoint) {
     page->followRun();
     page->setRunBegin(runs->runBegin());

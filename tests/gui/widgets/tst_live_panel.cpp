@@ -170,7 +170,7 @@ class TestLivePanel : public QObject {
                                       isGerman ? QStringLiteral("de") : QStringLiteral("en"));
         test::keep(picture, name);
         QCOMPARE(test::cutTexts(panel), QStringList());
-        LiveDialog dialog(someSetup(), true, nullptr);
+        LiveDialog dialog(someSetup(), true, base::Vec3{120.5, 0.0, 250.0}, nullptr);
         test::keep(test::picture(dialog, dialog.sizeHint()), name + QStringLiteral("-dialog"));
         QCOMPARE(test::cutTexts(dialog), QStringList());
         QVERIFY2(dialog.height() <= 700, qPrintable(QString::number(dialog.height())));
@@ -180,20 +180,44 @@ class TestLivePanel : public QObject {
   }
 
   void theDialogReturnsWhatItWasGiven() {
-    for (const char* address : {"udp:4100", "tcp:0", "unix:/tmp/points", "opcua:/tmp/robot.toml", "-"}) {
+    for (const char* address :
+         {"udp:4100", "tcp:0", "unix:/tmp/points", "opcua:/tmp/robot.toml", "-"}) {
       live::Setup setup = someSetup();
       setup.address = address;
-      const LiveDialog dialog(setup, true, nullptr);
+      const LiveDialog dialog(setup, true, {}, nullptr);
       QCOMPARE(live::textOf(dialog.setup()), live::textOf(setup));
     }
     // Without points in it, standard input is not offered.
     live::Setup input;
     input.address = "-";
-    QCOMPARE(LiveDialog(input, false, nullptr).setup().address, std::string("tcp:4001"));
+    QCOMPARE(LiveDialog(input, false, {}, nullptr).setup().address, std::string("tcp:4001"));
+  }
+
+  /// A box in which no first point can be is said before anything is agreed.
+  void theBoxIsPutAroundTheTool() {
+    LiveDialog dialog({}, false, base::Vec3{120.5, 0.0, 250.0}, nullptr);
+    dialog.show();
+    const auto* tool = dialog.findChild<widgets::StatusLabel*>(QStringLiteral("live-tool"));
+    QCOMPARE(tool->status(), widgets::Status::Attention);
+    QVERIFY2(tool->text().contains(QStringLiteral("so far outside")), qPrintable(tool->text()));
+    QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("live-around")),
+                      Qt::LeftButton);
+    QCOMPARE(tool->status(), widgets::Status::Plain);
+    const live::Agreement agreed = dialog.setup().agreement;
+    QCOMPARE(agreed.lowestMm, base::Vec3(110.0, -10.0, 240.0));
+    QCOMPARE(agreed.highestMm, base::Vec3(131.0, 10.0, 260.0));
+    // 1 mm beside the box the first point can still be reached, no more.
+    auto* lowest = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("live-x-from"));
+    lowest->setValue(121.5);
+    QCOMPARE(tool->status(), widgets::Status::Plain);
+    lowest->setValue(121.501);
+    QCOMPARE(tool->status(), widgets::Status::Attention);
+    const LiveDialog other({}, false, {}, nullptr);
+    QVERIFY(other.findChild<QPushButton*>(QStringLiteral("live-around"))->isHidden());
   }
 
   void whatCannotBeKeptIsNotOpened() {
-    LiveDialog dialog({}, false, nullptr);
+    LiveDialog dialog({}, false, {}, nullptr);
     QSignalSpy opened(&dialog, &LiveDialog::openRequested);
     dialog.show();
     auto* lowest = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("live-x-from"));
@@ -211,7 +235,7 @@ class TestLivePanel : public QObject {
   }
 
   void everyFieldIsNamedForItsUser() {
-    LiveDialog dialog(someSetup(), true, nullptr);
+    LiveDialog dialog(someSetup(), true, {}, nullptr);
     int fields = 0;
     for (const QWidget* field : dialog.findChildren<QWidget*>()) {
       if (qobject_cast<const QAbstractSpinBox*>(field) != nullptr ||
