@@ -148,6 +148,7 @@ std::vector<widgets::ServiceView> Services::views() const {
     view.model = text(now.model);
     view.state = text(now.state);
     view.waitingFor = text(now.waitingFor);
+    view.programs = text(now.files).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     view.program = text(now.program);
     view.alarm = text(now.alarm);
     view.message = text(now.message);
@@ -163,13 +164,15 @@ std::vector<widgets::ServiceView> Services::views() const {
   return views;
 }
 
-void Services::add(const QString& endpoint) {
+bool Services::add(const QString& endpoint) {
   const QString address = addressOf(endpoint, service::kPort);
-  if (!m_endpoints.contains(address)) {
-    watch(address);
-    Q_EMIT listChanged();
-    Q_EMIT changed();
+  if (m_endpoints.contains(address)) {
+    return false;
   }
+  watch(address);
+  Q_EMIT listChanged();
+  Q_EMIT changed();
+  return true;
 }
 
 void Services::remove(const QString& endpoint) {

@@ -31,8 +31,8 @@ class Services final : public QObject {
   [[nodiscard]] const QStringList& endpoints() const { return m_endpoints; }
   /// In the order of the board.
   [[nodiscard]] std::vector<widgets::ServiceView> views() const;
-  /// Puts a service on the board; nothing if it is there.
-  void add(const QString& endpoint);
+  /// Puts a service on the board. @return false: it is there already
+  bool add(const QString& endpoint);
   void remove(const QString& endpoint);
   /// Asks a discovery server for services that are not on the board.
   /// @param address  without a port or a scheme, the usual ones; empty: this computer

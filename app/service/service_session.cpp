@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "base/sha256.h"
@@ -37,6 +38,11 @@ constexpr std::chrono::seconds kPositionAgeMax{1};
 /// Axes that stand are told so much off from one reading to the next, at most.
 constexpr double kStandsMm = 0.05;
 constexpr std::size_t kConfirmationDigits = 16;
+/// The folder of jobs is looked at this often.
+constexpr std::chrono::seconds kLookInterval{2};
+/// Of a folder, so many entries are looked at, and so many files are named.
+constexpr std::size_t kEntriesMax = 5000;
+constexpr std::size_t kFilesMax = 200;
 constexpr const char* kIsAsked =
     "The control is being asked where the run or job can go on. Call again in a second.";
 
@@ -119,6 +125,34 @@ std::vector<double> lengthsOf(const std::vector<gcode::StreamPoint>& points) {
 
 }  // namespace
 
+std::string filesIn(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  std::vector<std::pair<fs::file_time_type, std::string>> files;
+  std::error_code status;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
+                                         status);
+  for (std::size_t seen = 0; !status && entry != fs::end(entry) && seen < kEntriesMax; ++seen) {
+    const bool isHidden = entry->path().filename().string().starts_with('.');
+    std::error_code gone;
+    if (isHidden) {
+      entry.disable_recursion_pending();
+    } else if (fs::is_regular_file(entry->symlink_status(gone))) {
+      files.emplace_back(entry->last_write_time(gone),
+                         entry->path().lexically_relative(folder).string());
+    }
+    entry.increment(status);
+  }
+  std::sort(files.begin(), files.end(), std::greater<>());
+  files.resize(std::min(files.size(), kFilesMax));
+  std::string names;
+  for (const auto& [at, name] : files) {
+    if (name.find('\n') == std::string::npos) {
+      names += name + '\n';
+    }
+  }
+  return names;
+}
+
 bool isNotYet(const Answer& answer) {
   return !answer.accepted && answer.message.ends_with("again in a second.");
 }
@@ -134,10 +168,11 @@ void ServiceSession::turn(Clock::time_point now) {
   while (const auto event = m_worker.take()) {
     take(*event);
   }
+  lookForFiles(now);
   const bool isGone =
       m_link.state == session::LinkState::Disconnected || m_link.state == session::LinkState::Lost;
-  if (isGone && !m_isConnecting && !m_isRunning && !m_endsForGood && now >= m_nextConnect) {
-    m_nextConnect = now + kConnectInterval;
+  if (isGone && !m_isConnecting && !m_isRunning && !m_endsForGood && now >= m_look.nextConnect) {
+    m_look.nextConnect = now + kConnectInterval;
     m_isConnecting = m_worker.post(session::ConnectCommand{m_options.machine});
   }
 }
@@ -326,6 +361,13 @@ streaming::StartFacts ServiceSession::facts(const Caller& caller, Act act,
     }
   }
   return facts;
+}
+
+void ServiceSession::lookForFiles(Clock::time_point now) {
+  if (now >= m_look.nextFiles) {
+    m_look.files = filesIn(m_options.jobs);
+    m_look.nextFiles = now + kLookInterval;
+  }
 }
 
 /// Whatever is asked for, a file outside is not looked at: the answer does not say whether it
@@ -946,6 +988,7 @@ Snapshot ServiceSession::snapshot() const {
   seen.isConnected = m_link.state == session::LinkState::Connected;
   seen.isRunning = m_isRunning;
   seen.state = stateName();
+  seen.files = m_look.files;
   seen.waitingFor = !m_isRunning                             ? std::string()
                     : m_whole && m_whole->waitsForCycleStart ? "cycle-start"
                                                              : m_update.waitingFor;

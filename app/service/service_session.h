@@ -51,6 +51,10 @@ struct Answer {
 /// Refused only because it takes a while: the same call, a second later, has the answer.
 [[nodiscard]] bool isNotYet(const Answer& answer);
 
+/// Files of a folder and those below it, as `ServiceSession::loadJob` takes them, one a line: the
+/// newest first. Links and hidden files are left out. Of a very large folder, not all.
+[[nodiscard]] std::string filesIn(const std::filesystem::path& folder);
+
 /// What clients see. States are those of docs/service.md.
 struct Snapshot {
   std::string machine;  ///< address
@@ -61,6 +65,7 @@ struct Snapshot {
   std::string waitingFor;    ///< what a run waits for; empty: nothing
   std::string programState;  ///< of OPC 40501-1: "Initializing", "Running", "Interrupted", ...
   std::string itemState;     ///< of OPC 40001-1: "NotAvailable", "NotExecuting", "Executing"
+  std::string files;         ///< in the folder of jobs, one a line: see `filesIn`
   std::string program;
   std::string file;
   std::string hash;
@@ -154,6 +159,7 @@ class ServiceSession {
   [[nodiscard]] std::optional<Answer> refused(const Caller& caller, permission::Act act) const;
   [[nodiscard]] base::Result<LoadedJob> load(const Caller& caller, const std::string& file,
                                              const std::string& settings) const;
+  void lookForFiles(Clock::time_point now);
   [[nodiscard]] base::Result<std::filesystem::path> pathOf(const std::string& file) const;
   [[nodiscard]] base::Result<void> requireNoWayOut(const std::filesystem::path& program) const;
   [[nodiscard]] const report::SavedRun* leftRun() const;
@@ -200,7 +206,12 @@ class ServiceSession {
   std::string m_reportFile;
   std::string m_alarm;
   std::string m_message;
-  Clock::time_point m_nextConnect{};
+  struct Look {
+    Clock::time_point nextConnect{};
+    Clock::time_point nextFiles{};
+    std::string files{};  ///< see `Snapshot`
+  };
+  Look m_look;
   std::uint64_t m_shownCount = 0;
   bool m_isRunning = false;
   bool m_isHeld = false;

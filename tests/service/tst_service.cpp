@@ -6,6 +6,7 @@
 /// has nothing but the list of points and the machine's own list of executed blocks.
 
 #include <QFileInfo>
+#include <QTemporaryDir>
 #include <QtTest>
 #include <nlohmann/json.hpp>
 
@@ -243,6 +244,26 @@ class TestService : public QObject {
     QVERIFY(says("rows.nc", "settings=depth=0", "depth=0 is no value of the setting settings"));
     QVERIFY(says("rows.nc", "colour=blue", "There is no setting colour."));
     QVERIFY(says("rows.nc", "fast", "Settings are written as name=value"));
+  }
+
+  /// What a client may load is named; what leads out of the folder, or is hidden, is not.
+  void namesItsPrograms() {
+    const QTemporaryDir folder;
+    const auto write = [&folder](const char* name) {
+      QFile file(folder.filePath(QString::fromUtf8(name)));
+      QVERIFY(file.open(QIODevice::WriteOnly));
+    };
+    QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("parts/.kept")));
+    for (const char* name : {"b.mpf", "parts/a.mpf", ".hidden", "parts/.kept/c.mpf"}) {
+      write(name);
+    }
+    QVERIFY(QFile::link(QStringLiteral("/etc/passwd"), folder.filePath(QStringLiteral("link"))));
+    QVERIFY(QFile::link(QStringLiteral("/etc"), folder.filePath(QStringLiteral("way"))));
+    QStringList names = QString::fromStdString(service::filesIn(folder.path().toStdString()))
+                            .split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    names.sort();
+    QCOMPARE(names, (QStringList{QStringLiteral("b.mpf"), QStringLiteral("parts/a.mpf")}));
+    QCOMPARE(service::filesIn("/none"), std::string());
   }
 
   /// Without --jobs clients reach a folder of its own, for this user only, and nothing outside it.

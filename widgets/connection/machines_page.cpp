@@ -189,6 +189,11 @@ void MachinesPage::setServices(const std::vector<ServiceView>& services) {
   showServices();
 }
 
+void MachinesPage::clearAddress() {
+  m_address->clear();
+  m_address->setFocus();
+}
+
 void MachinesPage::setServicesBlocked(const QString& why) {
   m_servicesBlocked = why;
   showServices();

@@ -45,7 +45,9 @@ struct MachineCardView {
   bool canRemove = false;   ///< from the list, now
   bool isLeftOver = false;  ///< a virtual machine that is gone, and of which nothing is kept
 
-  [[nodiscard]] bool hasFacts() const { return hasLimits || hasCalibration || hasCreditTest || hasFeedTest; }
+  [[nodiscard]] bool hasFacts() const {
+    return hasLimits || hasCalibration || hasCreditTest || hasFeedTest;
+  }
 };
 
 class MachineCard;
@@ -63,6 +65,8 @@ class MachinesPage final : public Page {
   void setBlocked(const QString& why);
   /// The services of the board, in their order.
   void setServices(const std::vector<ServiceView>& services);
+  /// Of the service that has been added: the next one is typed from the beginning.
+  void clearAddress();
   /// What a search has found and the board does not have; with a sentence about it.
   void setFound(const QStringList& endpoints, const QString& note);
   /// @param why  services can neither be added nor removed; empty: they can

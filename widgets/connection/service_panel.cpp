@@ -3,6 +3,7 @@
 
 #include "widgets/connection/service_panel.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -74,8 +75,8 @@ ServicePanel::ServicePanel(QWidget* parent)
 
   // As the rows stand.
   const std::initializer_list<QWidget*> order{
-      m_back,        m_file, m_load, m_login.open, m_login.user, m_login.pin,
-      m_login.enter, m_stop, m_hold, m_resume,     m_start};
+      m_back,        m_files, m_load, m_login.open, m_login.user, m_login.pin,
+      m_login.enter, m_stop,  m_hold, m_resume,     m_start};
   for (const auto* at = order.begin(); at + 1 != order.end(); ++at) {
     setTabOrder(*at, *(at + 1));
   }
@@ -113,8 +114,11 @@ void ServicePanel::buildFacts() {
                                                       m_position, m_message}) {
     work->addWidget(row);
   }
-  m_fileLabel->setBuddy(m_file);
-  work->addLayout(inRow({m_fileLabel, {m_file, 1}, m_load}));
+  m_files->setEditable(true);
+  m_files->setInsertPolicy(QComboBox::NoInsert);
+  m_files->setLineEdit(m_file);
+  m_files->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  work->addLayout(inRow({label({.text = QT_TR_NOOP("&Program")}, m_files), {m_files, 1}, m_load}));
 }
 
 void ServicePanel::buildLogin() {
@@ -204,6 +208,9 @@ void ServicePanel::setService(const ServiceView& view) {
     m_login.user->clear();
     m_file->clear();
   }
+  if (isOther || view.programs != m_view.programs) {
+    showPrograms(view.programs);
+  }
   if (isOther || !view.isKnown()) {
     m_login.pin->clear();
   }
@@ -216,6 +223,16 @@ void ServicePanel::setService(const ServiceView& view) {
     showQuestion();
   }
   showAll();
+}
+
+/// What has been typed stays.
+void ServicePanel::showPrograms(const QStringList& programs) {
+  const QString typed = m_file->text();
+  const QSignalBlocker blocker(m_files);
+  m_files->clear();
+  m_files->addItems(programs);
+  m_files->setCurrentIndex(-1);
+  m_file->setText(typed);
 }
 
 void ServicePanel::showQuestion() {
@@ -336,8 +353,8 @@ void ServicePanel::showButtons() {
   if (m_offered.offer == Offer::Resume) {
     m_start->setEnabled(isFree && !m_view.isRunning);
   }
-  m_file->setEnabled(isFree && !m_view.isRunning);
-  m_load->setEnabled(m_file->isEnabled() && !m_file->text().trimmed().isEmpty());
+  m_files->setEnabled(isFree && !m_view.isRunning);
+  m_load->setEnabled(m_files->isEnabled() && !m_file->text().trimmed().isEmpty());
   m_login.open->setEnabled(m_view.isKnown());
   m_login.open->setText(m_view.user.isEmpty() ? tr("Log in …") : tr("Change user …"));
 }

@@ -12,6 +12,7 @@
 #include "widgets/common/page.h"
 #include "widgets/connection/service_view.h"
 
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -57,6 +58,7 @@ class ServicePanel final : public Page {
   void begin();
   void logIn();
   void drop();
+  void showPrograms(const QStringList& programs);
   void showQuestion();
   void showAll();
   void showFacts();
@@ -95,13 +97,13 @@ class ServicePanel final : public Page {
   StatusLabel* m_waiting = status();
   QLabel* m_position = value();
   QLabel* m_message = value({.isMuted = true, .wraps = true});
-  QLabel* m_fileLabel = label({.text = QT_TR_NOOP("&Program")});
   QLineEdit* m_file =
       lineEdit({.tip = QT_TR_NOOP("The service reads it in its folder of programs."),
                 .name = QT_TR_NOOP("Program"),
-                .placeholder = QT_TR_NOOP("file in the folder of the service"),
+                .placeholder = QT_TR_NOOP("choose or type a file in the folder of the service"),
                 .id = "panel-file",
                 .isTouch = true});
+  QComboBox* m_files = list({.name = QT_TR_NOOP("Program"), .id = "panel-files", .isTouch = true});
   QPushButton* m_load =
       button({.text = QT_TR_NOOP("Load"),
               .tip = QT_TR_NOOP("The service reads the program and judges it. Nothing moves."),

@@ -39,6 +39,7 @@ struct ServiceView {
   QString model;
   QString state;  ///< Monitoring/State of docs/service.md; of a run: streaming::runStateName
   QString waitingFor;
+  QStringList programs;  ///< files that it offers; empty: it names none
   QString program;
   QString alarm;
   QString message;

@@ -58,8 +58,12 @@ void connectServices(Users* users, RunController* runs, Services* services,
   show();
   QObject::connect(&page, &MachinesPage::addServiceRequested, services,
                    [services, page = &page](const QString& endpoint) {
-                     services->add(endpoint);
-                     page->setFound({}, {});
+                     if (services->add(endpoint)) {
+                       page->clearAddress();
+                       page->setFound({}, {});
+                     } else {
+                       page->setFound({}, ServiceTexts::tr("This service is on the board."));
+                     }
                    });
   QObject::connect(&page, &MachinesPage::removeServiceRequested, services, &Services::remove);
   QObject::connect(&page, &MachinesPage::searchRequested, services,

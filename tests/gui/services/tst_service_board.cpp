@@ -5,6 +5,7 @@
 /// over OPC UA in real time. Between window and service is a proxy with faults. That each point is
 /// executed once is judged by the machine's own list.
 
+#include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
@@ -129,7 +130,9 @@ class TestServiceBoard : public QObject {
 
     // Nothing moves before it was shown what will.
     QVERIFY(!find("panel-start")->isEnabled());
-    find<QLineEdit>("panel-file")->setText(QStringLiteral("rows.nc"));
+    auto* files = find<QComboBox>("panel-files");
+    QTRY_VERIFY_WITH_TIMEOUT(files->findText(QStringLiteral("rows.nc")) >= 0, kSoonMs);
+    files->setCurrentIndex(files->findText(QStringLiteral("rows.nc")));
     find("panel-load")->click();
     QTRY_VERIFY_WITH_TIMEOUT(says("panel-reply").startsWith(QStringLiteral("rows.nc is loaded")),
                              kSoonMs);
@@ -213,6 +216,26 @@ class TestServiceBoard : public QObject {
     QVERIFY(isSeen("service-points"));
   }
 
+  /// The address of the next one is typed from the beginning; one that is there is said.
+  void servicesAreAddedOneAfterAnother() {
+    openWindow({});
+    auto* address = find<QLineEdit>("service-address");
+    const auto cards = [this] {
+      return page()->findChildren<QPushButton*>(QStringLiteral("service-open")).size();
+    };
+    qsizetype count = 0;
+    for (const char* typed : {"127.0.0.1:1", "127.0.0.1:2"}) {
+      QTest::keyClicks(address, QString::fromUtf8(typed));
+      find("service-add")->click();
+      QCOMPARE(cards(), ++count);
+      QCOMPARE(address->text(), QString());
+    }
+    QTest::keyClicks(address, QStringLiteral("opc.tcp://127.0.0.1:2/"));
+    find("service-add")->click();
+    QCOMPARE(cards(), count);
+    QVERIFY(isSeen("service-found"));
+  }
+
   /// The rules of the service: everybody sees, who has logged in does.
   void asksForNameAndPin() {
     const QString users = m_scene.path("users.json");
@@ -222,6 +245,7 @@ class TestServiceBoard : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(says("service-state"), QStringLiteral("Kein Programm"), kSoonMs);
     picture("service-board-de", {1024, 768});
     find("service-open")->click();
+    QCOMPARE(find<QComboBox>("panel-files")->count(), 0);  // strangers see no file
     find<QLineEdit>("panel-file")->setText(QStringLiteral("rows.nc"));
     find("panel-load")->click();
     QTRY_VERIFY_WITH_TIMEOUT(
