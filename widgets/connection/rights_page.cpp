@@ -15,14 +15,9 @@
 
 namespace rivulet::widgets {
 
-namespace {
-
-/// A sentence of core in the present language.
-QString translated(std::string_view sentence) {
+QString rightText(std::string_view sentence) {
   return QCoreApplication::translate("RightTexts", std::string(sentence).c_str());
 }
-
-}  // namespace
 
 RightsPage::RightsPage(QWidget* parent) : Page(parent), m_rows(new QGridLayout) {
   setObjectName(QStringLiteral("rights"));
@@ -66,14 +61,14 @@ void RightsPage::addRow(const opcua::RightFinding& finding) {
                         : opcua::isEssential(finding.right) ? Status::Fault
                                                             : Status::Attention;
   const int row = m_nextRow++;
-  auto* name = new QLabel(translated(opcua::rightTitle(finding.right)), this);
+  auto* name = new QLabel(rightText(opcua::rightTitle(finding.right)), this);
   auto* answer = new StatusLabel(this);
   answer->setStatus(status, !finding.isGiven ? tr("not known")
                             : isMissing      ? tr("missing")
                                              : tr("given"));
-  QString text = translated(opcua::rightPurpose(finding.right));
+  QString text = rightText(opcua::rightPurpose(finding.right));
   if (!finding.isGiven.value_or(false)) {
-    text += QLatin1Char('\n') + translated(opcua::rightRemedy(finding.right, m_report->isMapped));
+    text += QLatin1Char('\n') + rightText(opcua::rightRemedy(finding.right, m_report->isMapped));
   }
   auto* purpose = makeValueLabel(this);
   purpose->setWordWrap(true);

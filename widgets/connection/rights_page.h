@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -20,6 +21,9 @@ class QPushButton;
 namespace rivulet::widgets {
 
 class StatusLabel;
+
+/// A sentence of `opcua::rightTitle` and its like, in the present language.
+[[nodiscard]] QString rightText(std::string_view sentence);
 
 class RightsPage final : public Page {
   Q_OBJECT

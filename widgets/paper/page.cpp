@@ -74,6 +74,17 @@ class PagePainter {
     m_painter.drawText(room, Qt::AlignLeft | Qt::TextWordWrap, text, &drawn);
     m_y += drawn.height() + m_mm;
   }
+  void section(const Section& section) {
+    font(kTextPt + 1.0, true);
+    const double line = kLineMm * m_mm;
+    m_painter.drawText(QRectF(m_room.left(), m_y, m_room.width(), line),
+                       Qt::AlignLeft | Qt::AlignVCenter, section.title);
+    m_y += line + 0.5 * m_mm;
+    for (const QString& text : section.sentences) {
+      sentence(text);
+    }
+    m_y += m_mm;
+  }
   void rule() {
     m_painter.setPen(QPen(Qt::gray, 0.2 * m_mm));
     m_painter.drawLine(QPointF(m_room.left(), m_y), QPointF(m_room.right(), m_y));
@@ -272,6 +283,9 @@ void paintPage(QPainter& painter, const QRectF& room, double millimetre, const P
   drawn.rule();
   drawn.groups(page.groups);
   drawn.rule();
+  for (const Section& section : page.sections) {
+    drawn.section(section);
+  }
   const qsizetype rows = rowsThatFit(page, drawn.leftMm());
   const double tableMm = rows == 0 ? 0.0 : kLineMm + 2.0 + kRowMm * static_cast<double>(rows + 1);
   drawn.pictures(page.pictures,
@@ -331,6 +345,12 @@ QString pageHtml(const Page& page) {
     out += QStringLiteral("</dl></section>\n");
   }
   out += QStringLiteral("</div>\n");
+  for (const Section& section : page.sections) {
+    out += QStringLiteral("<h2>%1</h2>\n").arg(section.title.toHtmlEscaped());
+    for (const QString& sentence : section.sentences) {
+      out += QStringLiteral("<p>%1</p>\n").arg(sentence.toHtmlEscaped());
+    }
+  }
   const auto figure = [&out](const Picture& picture, double share) {
     const QSizeF millimetres(share * kHtmlWidthMm, kHtmlPictureMm);
     out += QStringLiteral("<figure><figcaption>") + picture.caption.toHtmlEscaped() +

@@ -29,6 +29,12 @@ struct Group {
   QList<Fact> facts;
 };
 
+/// Sentences under a title; each begins a line of its own.
+struct Section {
+  QString title;
+  QStringList sentences;
+};
+
 struct Table {
   QString title;
   QStringList headings;
@@ -43,6 +49,7 @@ struct Page {
   Rating rating = Rating::Unknown;
   QStringList sentences;
   std::vector<Group> groups;  ///< two side by side
+  std::vector<Section> sections;
   std::vector<Picture> pictures;
   Table table;
   QString signature;

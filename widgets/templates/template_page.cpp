@@ -4,6 +4,7 @@
 #include "widgets/templates/template_page.h"
 
 #include <QClipboard>
+#include <QFileInfo>
 #include <QFontDatabase>
 #include <QGroupBox>
 #include <QGuiApplication>
@@ -17,6 +18,7 @@
 #include "widgets/common/table_style.h"
 #include "widgets/templates/cell_model.h"
 #include "widgets/templates/nc_highlighter.h"
+#include "widgets/templates/template_sheet.h"
 
 namespace rivulet::widgets {
 
@@ -39,7 +41,7 @@ TemplatePage::TemplatePage(QWidget* parent)
   auto* cells = new QVBoxLayout(m_cellsGroup);
   cells->addWidget(m_table);
   m_cellsGroup->setMinimumWidth(400);
-  inColumn({inRow({{m_state, 1, Qt::AlignVCenter}, m_copy, m_save}),
+  inColumn({inRow({{m_state, 1, Qt::AlignVCenter}, m_copy, m_save, m_sheet}),
             {inRow({{m_text, 3}, {m_cellsGroup, 2}}), 1}},
            this);
 
@@ -49,11 +51,19 @@ TemplatePage::TemplatePage(QWidget* parent)
     askWhereToSave(this, {tr("Save the template"), m_fileName, tr("NC programs (*.MPF *.mpf)")},
                    [this](const QString& path, auto) { Q_EMIT saveRequested(path); });
   });
+  connect(m_sheet, &QPushButton::clicked, this, [this] {
+    askWhereToSave(
+        this,
+        {tr("Save the steps"), QFileInfo(m_fileName).completeBaseName() + QStringLiteral(".pdf"),
+         QStringLiteral("*.pdf;;*.html")},
+        [this](const QString& path, auto) { Q_EMIT sheetRequested(path); });
+  });
   onLanguage([this] { m_cells->refresh(); }, &TemplatePage::showState);
   onTheme([this] { m_highlighter->setColors(palette()); });
 }
 
 void TemplatePage::setTemplate(const templates::FlexibleProgram& program) {
+  m_program = program;
   m_fileName = QString::fromStdString(program.name);
   m_layoutNumber = program.layoutNumber;
   m_problem.clear();
@@ -65,6 +75,7 @@ void TemplatePage::setTemplate(const templates::FlexibleProgram& program) {
 }
 
 void TemplatePage::setProblem(const QString& problem) {
+  m_program.reset();
   m_fileName.clear();
   m_problem = problem;
   m_text->clear();
@@ -76,10 +87,31 @@ QString TemplatePage::text() const {
   return m_text->toPlainText();
 }
 
+paper::Page TemplatePage::sheet(const QString& appVersion) const {
+  paper::Table table{tr("Cells"), {}, {5.0, 6.0, 2.0}, {}};
+  const auto row = [this](const auto& textOf) {
+    QStringList texts;
+    for (int column = 0; column < m_cells->columnCount(); ++column) {
+      texts.append(textOf(column));
+    }
+    return texts;
+  };
+  table.headings = row([this](int column) {
+    return m_cells->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+  });
+  for (int i = 0; i < m_cells->rowCount(); ++i) {
+    table.rows.append(row([this, i](int column) {
+      return m_cells->index(i, column).data(Qt::DisplayRole).toString();
+    }));
+  }
+  return templatePage(*m_program, table, appVersion);
+}
+
 void TemplatePage::showState() {
   const bool there = !m_fileName.isEmpty();
   m_copy->setEnabled(there);
   m_save->setEnabled(there);
+  m_sheet->setEnabled(there);
   if (!m_problem.isEmpty()) {
     m_state->setStatus(Status::Attention, tr("No template: %1").arg(m_problem));
   } else if (!there) {

@@ -11,6 +11,7 @@
 
 #include "templates/flexible_program.h"
 #include "widgets/common/page.h"
+#include "widgets/paper/page.h"
 
 class QGroupBox;
 class QPlainTextEdit;
@@ -33,13 +34,18 @@ class TemplatePage final : public Page {
   /// There is no template for these settings; one sentence says why.
   void setProblem(const QString& problem);
   [[nodiscard]] QString text() const;
+  /// To print. There is a template.
+  [[nodiscard]] paper::Page sheet(const QString& appVersion) const;
 
  Q_SIGNALS:
   void saveRequested(const QString& path);
+  /// The page for a person who brings the program to the control: PDF, or HTML by its ending.
+  void sheetRequested(const QString& path);
 
  private:
   void showState();
 
+  std::optional<templates::FlexibleProgram> m_program;
   QString m_fileName;
   QString m_problem;
   int m_layoutNumber = 0;
@@ -47,6 +53,12 @@ class TemplatePage final : public Page {
   StatusLabel* m_state = status({.wraps = true});
   QPushButton* m_copy = button({.text = QT_TR_NOOP("Copy"), .icon = "copy"});
   QPushButton* m_save = button({.text = QT_TR_NOOP("Save…"), .icon = "save"});
+  QPushButton* m_sheet =
+      button({.text = QT_TR_NOOP("Steps to print…"),
+              .tip = QT_TR_NOOP("A page with the steps at the control, the rights, what the "
+                                "operator sees, and how it is taken back"),
+              .icon = "save",
+              .id = "template-sheet"});
   QPlainTextEdit* m_text;
   NcHighlighter* m_highlighter;
   QGroupBox* m_cellsGroup = group({.text = QT_TR_NOOP("Cells")});

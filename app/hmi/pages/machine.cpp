@@ -227,6 +227,10 @@ QWidget* makeTemplatePage(Messages* messages, Document* document, QWidget* paren
   QObject::connect(
       page, &widgets::TemplatePage::saveRequested, page,
       [page, messages](const QString& path) { saveText(messages, path, page->text()); });
+  QObject::connect(page, &widgets::TemplatePage::sheetRequested, page,
+                   [page, messages](const QString& path) {
+                     saveSheet(messages, path, page->sheet(QStringLiteral(RIVULET_VERSION)));
+                   });
   return page;
 }
 

@@ -56,6 +56,20 @@ void showPageOf(QWidget* widget) {
   }
 }
 
+void saveSheet(Messages* messages, const QString& path, const paper::Page& page) {
+  if (path.endsWith(QStringLiteral(".html"), Qt::CaseInsensitive)) {
+    saveText(messages, path, paper::pageHtml(page));
+  } else if (paper::writePdf(path, page)) {
+    messages->log(gcode::Severity::Note, Messages::Source::Computer,
+                  [path] { return Pages::tr("Saved %1.").arg(path); });
+  } else {
+    messages->show(gcode::Severity::Error, [path] {
+      return widgets::errorText(
+          base::makeError(base::FileError::NotWritable, {}, path.toStdString()));
+    });
+  }
+}
+
 void saveText(Messages* messages, const QString& path, const QString& text) {
   const auto written = base::writeFile(path.toStdString(), text.toStdString());
   if (!written) {

@@ -9,6 +9,8 @@
 #include <QString>
 #include <optional>
 
+#include "widgets/paper/page.h"
+
 class QToolButton;
 class QWidget;
 
@@ -131,5 +133,7 @@ void showPageOf(QWidget* widget);
 
 /// Saves a text to a file and says so.
 void saveText(Messages* messages, const QString& path, const QString& text);
+/// The same of a page to print: as HTML if the file is called so, else as PDF.
+void saveSheet(Messages* messages, const QString& path, const paper::Page& page);
 
 }  // namespace rivulet::hmi

@@ -4,6 +4,7 @@
 #include <QAbstractItemModelTester>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QPainter>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTest>
@@ -43,6 +44,42 @@ class TestTemplatePage : public QObject {
     page.setProblem("N = 20 does not fit.");
     QVERIFY(page.text().isEmpty());
     QVERIFY(test::visibleText(page).contains("No template: N = 20 does not fit."));
+  }
+
+  /// Who stands at the control has everything on one page of paper.
+  void stepsArePrinted() {
+    for (const bool isGerman : {false, true}) {
+      test::Language language;
+      if (isGerman) {
+        language.german();
+      }
+      TemplatePage page;
+      templates::TemplateParameters parameters;
+      const auto program = templates::makeProgram(parameters);
+      page.setTemplate(*program);
+      const paper::Page sheet = page.sheet(QStringLiteral("1.2"));
+      const QString html = paper::pageHtml(sheet);
+      for (const QString& fact :
+           {QString::fromStdString(program->name), QString::number(program->layoutNumber),
+            QStringLiteral("R%1").arg(program->cells.last()), QStringLiteral("GiveUserAccess"),
+            QStringLiteral("DeleteUserAccess"), QStringLiteral("Rivulet 1.2"),
+            isGerman ? QStringLiteral("NC-Start") : QStringLiteral("cycle start")}) {
+        QVERIFY2(html.contains(fact), qPrintable(fact));
+      }
+      QCOMPARE(sheet.sections.size(), std::size_t{4});
+      // Numbered through, so that a step can be named on the phone.
+      QVERIFY(sheet.sections.front().sentences.front().startsWith(QStringLiteral("1. ")));
+      QVERIFY(sheet.sections.back().sentences.front().startsWith(
+          QString::number(sheet.sections.front().sentences.size() + 1)));
+      QImage picture(QSize(1240, 1754), QImage::Format_RGB32);
+      picture.fill(Qt::white);
+      QPainter painter(&picture);
+      constexpr double kPxPerMm = 1240.0 / 210.0;
+      paper::paintPage(painter, QRectF(picture.rect()).adjusted(80, 80, -80, -80), kPxPerMm, sheet);
+      painter.end();
+      test::keep(picture, isGerman ? QStringLiteral("template-steps-de")
+                                   : QStringLiteral("template-steps-en"));
+    }
   }
 
   void cellsOfWindowsAreNamed() {
