@@ -513,7 +513,9 @@ PreflightItem Preflight::firstMoveItem() const {
                        positionText(firstMm));
   warnOfCut(item);
   const auto& report = m_runs.report();
-  if (report && report->outcome != streaming::Outcome::Completed) {
+  // One that was refused before it began has left nothing.
+  if (report && report->outcome != streaming::Outcome::Completed &&
+      m_runs.update().counters.total > 0) {
     item.status = Status::Attention;
     item.text += QLatin1Char('\n') +
                  tr("The last run was left at %1 of %2 points. This start does not go on there: it "
