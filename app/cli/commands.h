@@ -138,7 +138,12 @@ struct StreamOptions {
   OrderOptions orders;
   bool noMonitor = false;
   bool evenPauses = false;
-  bool acceptInfeasible = false;
+  /// On a real control.
+  struct Accepted {
+    bool infeasible = false;
+    bool repeats = false;  ///< methods position and signal may execute old points again
+  };
+  Accepted accepted;
   bool acceptChanges = false;        ///< the program differs where nothing has been executed
   bool straight = false;             ///< the first move may pass within what the program cuts
   std::optional<double> raiseToMm;   ///< the tool is raised to this Z; there is no program then

@@ -505,8 +505,11 @@ void addStreamCommand(CLI::App& app, Exit& exit, std::vector<std::string> words)
       ->check(CLI::Range(rivulet::streaming::kStopLimitSMin, rivulet::streaming::kStopLimitSMax));
   command->add_flag("--even-pauses", options->evenPauses,
                     "Method window: windows of M points each, wherever they end");
-  command->add_flag("--accept-infeasible", options->acceptInfeasible,
+  command->add_flag("--accept-infeasible", options->accepted.infeasible,
                     "Start on a real control although the verdict is not feasible");
+  command->add_flag("--accept-repeats", options->accepted.repeats,
+                    "Methods position and signal on a real control: a late client makes it execute "
+                    "old points again, and that is accepted");
   addJson(command, options->json);
   command->callback([options, command, &exit] { exit = runStream(*options, *command); });
 }

@@ -499,7 +499,8 @@ base::Result<void> StreamCommand::judge() {
   facts.turnedAxes = gcode::turnedAxes(m_program.trajectory);
   facts.method = m_settings.parameters.method;
   // Wrong motion of a virtual machine does no harm.
-  facts.acceptsInfeasible = m_options.acceptInfeasible || facts.isVirtualMachine;
+  facts.acceptsInfeasible = m_options.accepted.infeasible || facts.isVirtualMachine;
+  facts.acceptsRepeats = m_options.accepted.repeats || facts.isVirtualMachine;
   const feasibility::OperatingPoint point = report::operatingPointOf(m_settings);
   const std::vector<gcode::StreamPoint> points = this->points();
   m_judged.feasible = true;  // a single point needs no refill; method file waits
@@ -523,6 +524,8 @@ base::Result<void> StreamCommand::judge() {
   base::Error error = streaming::blockedError(*blocked);
   if (blocked->reason == streaming::BlockReason::Infeasible) {
     error.message += " Or give --accept-infeasible.";
+  } else if (blocked->reason == streaming::BlockReason::MayRepeat) {
+    error.message += " Or give --accept-repeats.";
   }
   return base::fail(error);
 }

@@ -501,7 +501,10 @@ widgets::ProgramPage* MainWindow::programPage() const {
 
 void MainWindow::watchOperator() {
   using permission::Act;
-  m_runs.setGate([this](Act act) { return m_users.refusal(act, m_releases.isReleased()); });
+  m_runs.setGate([this](Act act) {
+    const bool mayRepeat = streaming::mayRepeat(m_document.settings().parameters.method);
+    return m_users.refusal(act, m_releases.isReleased(), mayRepeat);
+  });
   m_preflight.setReleases(m_releases, m_users);
   connect(&m_releases, &Releases::changed, &m_runs, &RunController::permissionsChanged);
   connect(&m_users, &Users::loggedIn, this, [this](const QString& name) {

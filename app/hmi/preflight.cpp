@@ -19,6 +19,7 @@
 #include "permission/permission.h"
 #include "run/stands_within.h"
 #include "streaming/start/first_move.h"
+#include "streaming/start/start_policy.h"
 #include "streaming/start/stop_bound.h"
 #include "widgets/alarms/alarm_text.h"
 #include "widgets/common/blocked_text.h"
@@ -26,6 +27,7 @@
 #include "widgets/common/number_format.h"
 #include "widgets/live/live_text.h"
 #include "widgets/program/reading_bar.h"
+#include "widgets/runs/run_texts.h"
 
 namespace rivulet::hmi {
 
@@ -175,7 +177,7 @@ void Preflight::open() {
     m_isOpen = true;
     m_isSetUpConfirmed = m_isRaising = false;
     // A virtual machine has nothing in its way.
-    m_isFirstMoveConfirmed = m_machine.view().isVirtualMachine;
+    m_isFirstMoveConfirmed = m_isRepeatConfirmed = m_machine.view().isVirtualMachine;
     change();
     Q_EMIT openChanged();
   }
@@ -242,6 +244,9 @@ std::vector<PreflightItem> Preflight::programItems() const {
   }
   if (isForChosenLine()) {
     items.push_back(stateItem());
+  }
+  if (mayRepeat() && !m_machine.view().isVirtualMachine) {
+    items.push_back(repeatItem());
   }
   items.push_back(travelItem());
   items.push_back(feedItem());
@@ -603,6 +608,30 @@ PreflightItem Preflight::straightItem() const {
 
 void Preflight::confirmFirstMove() {
   m_isFirstMoveConfirmed = true;
+  change();
+}
+
+bool Preflight::mayRepeat() const {
+  return streaming::mayRepeat(m_document.settings().parameters.method);
+}
+
+PreflightItem Preflight::repeatItem() const {
+  const QString method = widgets::methodText(m_document.settings().parameters.method);
+  const QString what = tr("Method %1 may execute old points again: if this computer is late for a "
+                          "moment, the tool goes back through the workpiece, and nothing stops it "
+                          "before it has moved. Method window does not.")
+                           .arg(method);
+  return m_isRepeatConfirmed
+             ? PreflightItem{Status::Attention,
+                             tr("Method"),
+                             what + QLatin1Char(' ') + tr("Confirmed."),
+                             {},
+                             0}
+             : PreflightItem{Status::Fault, tr("Method"), what, tr("Accept it …"), ConfirmRepeats};
+}
+
+void Preflight::confirmRepeats() {
+  m_isRepeatConfirmed = true;
   change();
 }
 
@@ -1027,6 +1056,10 @@ void Preflight::remedy(int remedyId) {
   }
   if (remedyId == ConfirmFirstMove) {
     Q_EMIT straightRequested();
+    return;
+  }
+  if (remedyId == ConfirmRepeats) {
+    Q_EMIT repeatsRequested();
     return;
   }
   if (remedyId == RaiseTool) {

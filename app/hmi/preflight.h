@@ -36,6 +36,7 @@ class Preflight final : public QObject {
     ChangeLive,
     ConfirmSetUp,
     ConfirmFirstMove,
+    ConfirmRepeats,
     RaiseTool,
   };
 
@@ -67,19 +68,23 @@ class Preflight final : public QObject {
     return m_isOpen && !(isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked()) &&
            (isRaising() ? raise().has_value()
                         : (m_isSetUpConfirmed || missingSetUp().isEmpty()) &&
-                              (m_isFirstMoveConfirmed || !cutOnTheWay()));
+                              (m_isFirstMoveConfirmed || !cutOnTheWay()) &&
+                              (m_isRepeatConfirmed || !mayRepeat()));
   }
   /// In the operator's language.
   [[nodiscard]] std::vector<widgets::PreflightItem> items() const;
   void remedy(int remedyId);
   /// The operator has looked: nothing is in the way of the first move.
   void confirmFirstMove();
+  /// The operator has typed that old points may be executed again.
+  void confirmRepeats();
   /// Shows who has released the job; without it nobody has to.
   void setReleases(Releases& releases, Users& users);
 
  Q_SIGNALS:
   /// The operator wants to confirm that nothing is in the way of the first move.
   void straightRequested();
+  void repeatsRequested();
   /// Opened or closed.
   void openChanged();
   void changed();
@@ -114,6 +119,8 @@ class Preflight final : public QObject {
   /// Says so, and what can be done.
   void warnOfCut(widgets::PreflightItem& item) const;
   [[nodiscard]] widgets::PreflightItem straightItem() const;
+  [[nodiscard]] bool mayRepeat() const;
+  [[nodiscard]] widgets::PreflightItem repeatItem() const;
   [[nodiscard]] widgets::PreflightItem raiseItem() const;
   [[nodiscard]] widgets::PreflightItem travelItem() const;
   /// @param sizesMm  of the path, or of the box that it stays in
@@ -152,6 +159,7 @@ class Preflight final : public QObject {
   // By the operator, as long as it is shown.
   bool m_isSetUpConfirmed = false;
   bool m_isFirstMoveConfirmed = false;
+  bool m_isRepeatConfirmed = false;
   bool m_isRaising = false;
 };
 

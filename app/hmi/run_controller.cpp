@@ -124,6 +124,7 @@ streaming::StartFacts RunController::facts(Act act) const {
   facts.alarm = machine.alarmNumber;
   facts.controlAxes = machine.rotaryAxes;
   facts.hasRunToResume = m_left || m_question;
+  facts.acceptsRepeats = true;  // `Preflight` asks for it
   facts.refusal = refusal(act);
   return facts;
 }

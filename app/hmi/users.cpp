@@ -164,8 +164,9 @@ QString Users::name() const {
   return m_current ? *m_current : (isSetUp() ? QString() : m_systemUser);
 }
 
-std::optional<permission::Refusal> Users::refusal(permission::Act act, bool isReleased) const {
-  return permission::refusal(standing(), act, isReleased);
+std::optional<permission::Refusal> Users::refusal(permission::Act act, bool isReleased,
+                                                  bool mayRepeat) const {
+  return permission::refusal(standing(), act, isReleased, mayRepeat);
 }
 
 void Users::logIn(const QString& name, const QString& pin) {

@@ -58,7 +58,8 @@ class Users final : public QObject {
   [[nodiscard]] QString name() const;
   [[nodiscard]] bool isLocked() const { return isSetUp() && !m_current; }
   [[nodiscard]] std::optional<permission::Refusal> refusal(permission::Act act,
-                                                           bool isReleased = true) const;
+                                                           bool isReleased = true,
+                                                           bool mayRepeat = false) const;
   /// Why the file could not be read: everything is locked then. Code clear: it could.
   [[nodiscard]] const base::Error& fileError() const { return m_fileError; }
 

@@ -337,7 +337,10 @@ streaming::StartFacts ServiceSession::facts(const Caller& caller, Act act,
                                 : streaming::Activity::Idle;
   facts.isConnected = m_link.state == session::LinkState::Connected && m_machine.has_value();
   facts.isVirtualMachine = m_link.isVirtualMachine;
-  facts.refusal = permission::refusal(caller.standing, act, isReleased());
+  const bool mayRepeat = m_job && streaming::mayRepeat(m_job->settings.parameters.method);
+  facts.refusal = permission::refusal(caller.standing, act, isReleased(), mayRepeat);
+  // Nobody at a service types that old points may be executed again.
+  facts.acceptsRepeats = facts.isVirtualMachine;
   facts.hasRunToResume = leftRun() != nullptr;
   if (m_seen) {
     facts.channelStatus = m_seen->channelStatus;

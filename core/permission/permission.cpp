@@ -94,17 +94,17 @@ std::optional<Role> roleOfName(std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<Refusal> refusal(const Standing& standing, Act act, bool isReleased) {
+std::optional<Refusal> refusal(const Standing& standing, Act act, bool isReleased, bool mayRepeat) {
   if (standing.isLocked && !factsOf(act).worksLocked) {
     return Refusal::Locked;
   }
   if (standing.role == Role::Engineer) {
     return std::nullopt;
   }
-  if (factsOf(act).needsEngineer) {
+  const bool moves = act == Act::Start || act == Act::Resume;
+  if (factsOf(act).needsEngineer || (moves && mayRepeat)) {
     return Refusal::NeedsEngineer;
   }
-  const bool moves = act == Act::Start || act == Act::Resume;
   return moves && !isReleased ? std::optional(Refusal::NotReleased) : std::nullopt;
 }
 

@@ -67,9 +67,10 @@ enum class Refusal {
 };
 
 /// @param isReleased  of the job that Start or Resume would run
+/// @param mayRepeat   its method may execute old points again: an engineer's alone, released or not
 /// @return nothing if it is permitted
 [[nodiscard]] std::optional<Refusal> refusal(const Standing& standing, Act act,
-                                             bool isReleased = true);
+                                             bool isReleased = true, bool mayRepeat = false);
 
 /// The highest path override that somebody may set, percent. The highest of all is that of the
 /// machine's own switch.

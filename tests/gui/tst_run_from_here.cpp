@@ -263,6 +263,48 @@ class TestRunFromHere : public QObject {
     QCOMPARE(m_window->lastReport()->counters.executed, std::size_t{7});
   }
 
+  /// The methods of [P1] on a real control: what they may do is typed before they start.
+  void aTypedSentenceStartsAMethodThatMayRepeat_data() {
+    QTest::addColumn<base::MethodKind>("method");
+    QTest::addColumn<bool>("isReal");
+    QTest::addColumn<bool>("isAsked");
+    QTest::newRow("signal") << base::MethodKind::Signal << true << true;
+    QTest::newRow("signal, virtual") << base::MethodKind::Signal << false << false;
+    QTest::newRow("window") << base::MethodKind::Window << true << false;
+  }
+  void aTypedSentenceStartsAMethodThatMayRepeat() {
+    QFETCH(const base::MethodKind, method);
+    QFETCH(const bool, isReal);
+    QFETCH(const bool, isAsked);
+    openWindow(method, false, isReal);
+    if (QTest::currentTestFailed()) {
+      return;
+    }
+    m_window->showPreflight();
+    settle();
+    const auto* sheet = m_window->findChild<widgets::PreflightSheet*>();
+    const QString what = QStringLiteral("may execute old points again");
+    QCOMPARE(text(sheet).contains(what), isAsked);
+    if (!isAsked) {
+      return;
+    }
+    settle();
+    QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/may-repeat-light.png")));
+    for (const auto& [words, isRight] :
+         {std::pair("old points", false), std::pair("This may execute old points again", true)}) {
+      QVERIFY(text(sheet).contains(QStringLiteral("Start is not possible yet.")));
+      QVERIFY(press(sheet, QStringLiteral("Accept it …")));
+      auto* question = m_window->findChild<QInputDialog*>();
+      QVERIFY(question != nullptr);
+      question->setTextValue(QString::fromUtf8(words));
+      question->accept();
+      delete question;
+      settle();
+      QCOMPARE(text(sheet).contains(QStringLiteral("Confirmed.")), isRight);
+    }
+    QVERIFY(text(sheet).contains(what));
+  }
+
   /// The straight way is taken when the right word has been typed.
   void aTypedWordTakesTheStraightWay() {
     openInTheCut(true);

@@ -49,6 +49,9 @@ class TestPermission : public QObject {
     for (const Act act : {Act::Start, Act::Resume}) {
       QVERIFY(!refusal(standing, act, true));
       QVERIFY(refusal(standing, act, false) == Refusal::NotReleased);
+      // What may execute old points again is an engineer's, even if one has released it.
+      QVERIFY(refusal(standing, act, true, true) == Refusal::NeedsEngineer);
+      QVERIFY(!refusal({Role::Engineer, false}, act, true, true));
     }
     for (const Act act :
          {Act::ChangeSettings, Act::Calibrate, Act::Release, Act::SetUpUsers, Act::Trust}) {

@@ -213,7 +213,24 @@ class TestStartPolicy : public QObject {
     QVERIFY(reasonOf(blocked) == BlockReason::Infeasible);
     QCOMPARE(blocked->arguments, (std::vector<std::string>{"(2)", "600"}));
     facts.acceptsInfeasible = true;
+    facts.acceptsRepeats = true;
     QVERIFY(!streaming::startBlocked(facts));
+  }
+
+  /// Also where the verdict is feasible: a computer may be late once.
+  void methodsWithoutWindowsStartOnlyWhereRepeatsAreAccepted() {
+    const gcode::Program program = programOf("G1 X1 Y2 Z3 F100\nX2\n");
+    StartFacts facts = ready(program);
+    for (const MethodKind method : base::kMethodKinds) {
+      facts.method = method;
+      facts.isCommissioned = true;
+      facts.acceptsRepeats = false;
+      const auto blocked = streaming::startBlocked(facts);
+      QCOMPARE(blocked.has_value(), !base::hasWindows(method));
+      QVERIFY(!blocked || blocked->reason == BlockReason::MayRepeat);
+      facts.acceptsRepeats = true;
+      QVERIFY(!streaming::startBlocked(facts));
+    }
   }
 
   void rotaryAxesNeedAMethodAndAControlThatHaveThem() {

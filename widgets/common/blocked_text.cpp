@@ -53,6 +53,10 @@ struct BlockedTexts {
         return tr("The simulation of this program failed in %1 of %2 runs. Change F, N or δ.")
             .arg(QString::fromStdString(blocked.arguments.at(0)),
                  QString::fromStdString(blocked.arguments.at(1)));
+      case BlockReason::MayRepeat:
+        return tr("Method %1 may execute old points again: if this computer is late for a moment, "
+                  "the tool goes back through the workpiece. Choose method window.")
+            .arg(QString::fromStdString(blocked.arguments.at(0)));
       case BlockReason::NotCommissioned:
         return tr(
             "Method credit starts only on a control that has passed its test: choose method "

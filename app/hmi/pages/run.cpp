@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QInputDialog>
 #include <algorithm>
+#include <functional>
 
 #include "base/vec3.h"
 #include "hmi/alarms.h"
@@ -102,6 +103,14 @@ struct RunTexts {
               "anything is in its way: workpiece, clamps. If nothing is, type %1.")
         .arg(clearWord());
   }
+  static QString repeatsTitle() { return tr("Method that may repeat points"); }
+  //: What the operator types, word by word.
+  static QString repeatsWords() { return tr("this may execute old points again"); }
+  static QString repeats() {
+    return tr("This method of the publication knows no numbered windows. If this computer is late, "
+              "the control executes old points again. To start all the same, type:\n%1")
+        .arg(repeatsWords());
+  }
   static QString title(const Document& document, bool isRunning) {
     const gcode::Program& program = *document.program();
     if (document.live()) {
@@ -111,6 +120,22 @@ struct RunTexts {
         .arg(QString::fromStdString(program.name), QString::fromStdString(program.hash));
   }
 };
+
+/// What a click confirms too easily is typed. @param words  whether in capitals or not
+void askForWords(QWidget* page, const QString& title, const QString& question, const QString& words,
+                 const std::function<void()>& confirmed) {
+  auto* dialog = new QInputDialog;
+  dialog->setInputMode(QInputDialog::TextInput);
+  dialog->setWindowTitle(title);
+  dialog->setLabelText(question);
+  QObject::connect(dialog, &QInputDialog::textValueSelected, page,
+                   [words, confirmed](const QString& typed) {
+                     if (typed.simplified().compare(words, Qt::CaseInsensitive) == 0) {
+                       confirmed();
+                     }
+                   });
+  widgets::openSheet(dialog, page);
+}
 
 /// Numbers of the alarms of wrong motion that nobody has acknowledged.
 std::vector<int> openWrongMotion(const Alarms& alarms) {
@@ -316,17 +341,12 @@ QWidget* makePreflightSheet(RunController* runs, Preflight* preflight, QWidget* 
     widgets::openSheet(question, sheet);
   });
   QObject::connect(preflight, &Preflight::straightRequested, sheet, [sheet, preflight] {
-    auto* question = new QInputDialog;
-    question->setInputMode(QInputDialog::TextInput);
-    question->setWindowTitle(RunTexts::straightTitle());
-    question->setLabelText(RunTexts::straight());
-    QObject::connect(
-        question, &QInputDialog::textValueSelected, preflight, [preflight](const QString& typed) {
-          if (typed.trimmed().compare(RunTexts::clearWord(), Qt::CaseInsensitive) == 0) {
-            preflight->confirmFirstMove();
-          }
-        });
-    widgets::openSheet(question, sheet);
+    askForWords(sheet, RunTexts::straightTitle(), RunTexts::straight(), RunTexts::clearWord(),
+                [preflight] { preflight->confirmFirstMove(); });
+  });
+  QObject::connect(preflight, &Preflight::repeatsRequested, sheet, [sheet, preflight] {
+    askForWords(sheet, RunTexts::repeatsTitle(), RunTexts::repeats(), RunTexts::repeatsWords(),
+                [preflight] { preflight->confirmRepeats(); });
   });
   QObject::connect(preflight, &Preflight::liveRequested, sheet, [sheet] {
     if (auto* page = sheet->window()->findChild<widgets::ProgramPage*>()) {

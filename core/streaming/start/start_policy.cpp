@@ -99,6 +99,9 @@ Reason settingsBlocked(const StartFacts& facts) {
                                                     std::to_string(facts.rehearsed->runs)});
     }
   }
+  if (mayRepeat(facts.method) && !facts.acceptsRepeats) {
+    return because(BlockReason::MayRepeat, {std::string(base::methodName(facts.method))});
+  }
   if (base::needsCommissioning(facts.method) && facts.isCommissioned == false) {
     return because(BlockReason::NotCommissioned);
   }
@@ -189,6 +192,7 @@ StreamError codeOf(BlockReason reason) {
     case BlockReason::RehearsalFailed:
     case BlockReason::JobNotChecked:
     case BlockReason::BeyondMachine:
+    case BlockReason::MayRepeat:
     case BlockReason::Locked:
     case BlockReason::NeedsEngineer:
     case BlockReason::NotReleased:
@@ -198,6 +202,10 @@ StreamError codeOf(BlockReason reason) {
   }
   return StreamError::ProgramNotStreamable;
 }
+
+constexpr const char* kMayRepeat =
+    "Method {} may execute old points again: if this computer is late for a moment, the tool goes "
+    "back through the workpiece. Choose method window.";
 
 std::string sentence(const Blocked& blocked) {
   const auto argument = [&blocked](std::size_t i) {
@@ -242,6 +250,8 @@ std::string sentence(const Blocked& blocked) {
       return fmt::format(
           "The simulation of this program executed wrong points in {} of {} runs. Reduce the feed.",
           argument(0), argument(1));
+    case BlockReason::MayRepeat:
+      return fmt::format(kMayRepeat, argument(0));
     case BlockReason::NotCommissioned:
       return "Method credit is experimental and starts only on a control that has passed its "
              "test. Run rivulet-cli commission, or choose method window.";
@@ -291,6 +301,10 @@ Reason programBlocked(const gcode::Program& program) {
       break;
   }
   return std::nullopt;
+}
+
+bool mayRepeat(base::MethodKind method) {
+  return base::isPublished(method);
 }
 
 Reason startBlocked(const StartFacts& facts) {

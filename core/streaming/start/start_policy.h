@@ -48,6 +48,7 @@ enum class BlockReason {
   Infeasible,           ///< the control would repeat points; equation, largest feed in mm/min
   NotRehearsed,         ///< the simulation of this program with these settings is in progress
   RehearsalFailed,      ///< that simulation executed wrong points; runs that failed, all runs
+  MayRepeat,            ///< the method may execute old points again; its name
   NotCommissioned,      ///< the method needs a test that this control has not passed
   AlarmActive,          ///< number of the alarm
   ChannelBusy,          ///< a program runs on the control
@@ -102,11 +103,13 @@ struct StartFacts {
   std::optional<base::Error> settingsError;     ///< no program can be made of the settings
   std::optional<feasibility::Verdict> verdict;  ///< nothing: there is none to be had
   std::optional<Rehearsed> rehearsed;           ///< nothing: it cannot be simulated
-  std::optional<JobCheck> jobCheck;    ///< nothing: no whole job, or the machine is not known
-  bool acceptsInfeasible = false;      ///< wrong motion does no harm, or the user answers for it
-  std::optional<bool> isCommissioned;  ///< the control has passed the test of the method
-  std::optional<int> channelStatus;    ///< 0: reset
-  std::optional<int> alarm;            ///< 0: none
+  std::optional<JobCheck> jobCheck;  ///< nothing: no whole job, or the machine is not known
+  bool acceptsInfeasible = false;    ///< wrong motion does no harm, or the user answers for it
+  /// The user has confirmed that old points may be executed again: see `mayRepeat`.
+  bool acceptsRepeats = false;
+  std::optional<bool> isCommissioned;          ///< the control has passed the test of the method
+  std::optional<int> channelStatus;            ///< 0: reset
+  std::optional<int> alarm;                    ///< 0: none
   std::optional<base::RotarySet> controlAxes;  ///< rotary axes the control has
   std::optional<permission::Refusal> refusal;  ///< why who is there may not do it
   bool hasRunToResume = false;                 ///< a run was left that can be resumed
@@ -119,6 +122,10 @@ struct StartFacts {
 [[nodiscard]] std::optional<Blocked> resumeBlocked(const StartFacts& facts);
 /// The same for a calibration, which needs no program.
 [[nodiscard]] std::optional<Blocked> calibrationBlocked(const StartFacts& facts);
+
+/// A late client makes the control execute old points again, and nothing recognises it before the
+/// tool has moved: methods of [P1], which have no numbered windows.
+[[nodiscard]] bool mayRepeat(base::MethodKind method);
 
 /// Why no method streams this program; nothing if one does.
 [[nodiscard]] std::optional<Blocked> programBlocked(const gcode::Program& program);
