@@ -73,10 +73,6 @@
         <translation>Keine Verbindung zu %1.</translation>
     </message>
     <message>
-        <source>Check address, network and control, then connect again.</source>
-        <translation>Adresse, Netzwerk und Steuerung prüfen, dann neu verbinden.</translation>
-    </message>
-    <message>
         <source>Wrong motion in %1 (points repeated: %2, skipped: %3). The workpiece may be spoilt.</source>
         <translation>Falsche Bewegung in %1 (Punkte wiederholt: %2, ausgelassen: %3). Das Werkstück kann verdorben sein.</translation>
     </message>
@@ -267,6 +263,18 @@
     <message>
         <source>Stop the run, then check workpiece and tool.</source>
         <translation>Den Lauf stoppen, dann Werkstück und Werkzeug prüfen.</translation>
+    </message>
+    <message>
+        <source>The recording of %1 was cut off: the first %2 s of the run are in it.</source>
+        <translation>Die Aufzeichnung von %1 wurde abgeschnitten: Die ersten %2 s des Laufs sind darin.</translation>
+    </message>
+    <message>
+        <source>Nothing more can be written to the folder %3: its disk is full, or too slow.</source>
+        <translation>In den Ordner %3 kann nichts mehr geschrieben werden: Der Datenträger ist voll oder zu langsam.</translation>
+    </message>
+    <message>
+        <source>Make room on the disk. A run in progress goes on without its recording; the next one is recorded.</source>
+        <translation>Platz auf dem Datenträger schaffen. Ein Lauf, der gerade läuft, geht ohne Aufzeichnung weiter; der nächste wird aufgezeichnet.</translation>
     </message>
 </context>
 <context>
@@ -477,6 +485,10 @@
     <message>
         <source>Live points need a machine that waits for them: choose method window or credit.</source>
         <translation>Live-Punkte brauchen eine Maschine, die auf sie wartet: Verfahren Fenster oder Kredit wählen.</translation>
+    </message>
+    <message>
+        <source>Method %1 may execute old points again: if this computer is late for a moment, the tool goes back through the workpiece. Choose method window.</source>
+        <translation>Verfahren %1 kann alte Punkte noch einmal ausführen: Ist dieser Rechner einen Moment zu spät, fährt das Werkzeug durch das Werkstück zurück. Verfahren Fenster wählen.</translation>
     </message>
 </context>
 <context>
@@ -2946,6 +2958,21 @@
         <source>The tool goes straight through the space in which the program cuts. Look whether anything is in its way: workpiece, clamps. If nothing is, type %1.</source>
         <translation>Das Werkzeug fährt gerade durch den Bereich, in dem das Programm schneidet. Sehen Sie nach, ob etwas im Weg ist: Werkstück, Spannmittel. Wenn nicht, geben Sie %1 ein.</translation>
     </message>
+    <message>
+        <source>Method that may repeat points</source>
+        <translation>Verfahren, das Punkte wiederholen kann</translation>
+    </message>
+    <message>
+        <source>this may execute old points again</source>
+        <extracomment>What the operator types, word by word.</extracomment>
+        <translation>das kann alte Punkte noch einmal ausführen</translation>
+    </message>
+    <message>
+        <source>This method of the publication knows no numbered windows. If this computer is late, the control executes old points again. To start all the same, type:
+%1</source>
+        <translation>Dieses Verfahren der Veröffentlichung kennt keine nummerierten Fenster. Ist dieser Rechner zu spät, führt die Steuerung alte Punkte noch einmal aus. Um trotzdem zu starten, eintippen:
+%1</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -3073,6 +3100,10 @@
     <message>
         <source>Only an engineer can do this.</source>
         <translation>Das kann nur ein Einrichter.</translation>
+    </message>
+    <message>
+        <source>This service is on the board.</source>
+        <translation>Dieser Dienst ist schon auf der Tafel.</translation>
     </message>
 </context>
 <context>
@@ -3494,6 +3525,128 @@
     <message>
         <source>That stop and pause act at once was tested without motion only: see Stop test.</source>
         <translation>Dass Stopp und Pause sofort wirken, wurde nur ohne Bewegung getestet: siehe Stopp-Test.</translation>
+    </message>
+</context>
+<context>
+    <name>TemplateSheetTexts</name>
+    <message>
+        <source>Bring %1 to the control</source>
+        <translation>%1 auf die Steuerung bringen</translation>
+    </message>
+    <message>
+        <source>Layout number %1: with another one Rivulet moves nothing</source>
+        <translation>Layoutnummer %1: Mit einer anderen bewegt Rivulet nichts</translation>
+    </message>
+    <message>
+        <source>This program runs on the control and moves the axes to the points that Rivulet sends in R-parameters. It is valid for the settings on this page only; with others it has another layout number.</source>
+        <translation>Dieses Programm läuft auf der Steuerung und fährt die Achsen zu den Punkten, die Rivulet in R-Parametern sendet. Es gilt nur für die Einstellungen auf diesem Blatt; mit anderen hat es eine andere Layoutnummer.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>File on the control</source>
+        <translation>Datei auf der Steuerung</translation>
+    </message>
+    <message>
+        <source>Layout number</source>
+        <translation>Layoutnummer</translation>
+    </message>
+    <message>
+        <source>%1 in R%2</source>
+        <translation>%1 in R%2</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Points, axes</source>
+        <translation>Punkte, Achsen</translation>
+    </message>
+    <message>
+        <source>Make sure that no other program, cycle or client uses R%1 to R%2.</source>
+        <translation>Sicherstellen, dass kein anderes Programm, kein Zyklus und kein anderer Client R%1 bis R%2 benutzt.</translation>
+    </message>
+    <message>
+        <source>Copy the file to the part programs of the control, by network or USB stick, as %1. Change nothing in it: Rivulet relies on every line.</source>
+        <translation>Die Datei über Netz oder USB-Stick als %1 in die Teileprogramme der Steuerung kopieren. Nichts darin ändern: Rivulet verlässt sich auf jede Zeile.</translation>
+    </message>
+    <message>
+        <source>Copy the file to the folder of the NC programs of the control as %1. Change nothing in it: Rivulet relies on every line.</source>
+        <translation>Die Datei als %1 in den Ordner der NC-Programme der Steuerung kopieren. Nichts darin ändern: Rivulet verlässt sich auf jede Zeile.</translation>
+    </message>
+    <message numerus="yes">
+        <source>In Rivulet, column Settings, tick “copied by hand” at Template. Look through what Start shows, then hold Start. From then on Rivulet waits up to %n minutes.</source>
+        <translation>
+            <numerusform>In Rivulet in der Spalte Einstellungen bei Vorlage „von Hand übertragen“ ankreuzen. Durchsehen, was Start zeigt, dann Start halten. Von da an wartet Rivulet bis zu %n Minute.</numerusform>
+            <numerusform>In Rivulet in der Spalte Einstellungen bei Vorlage „von Hand übertragen“ ankreuzen. Durchsehen, was Start zeigt, dann Start halten. Von da an wartet Rivulet bis zu %n Minuten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At the control: select the program in channel 1, close the doors, set the feed override, press cycle start. No axis moves yet.</source>
+        <translation>An der Steuerung: das Programm in Kanal 1 anwählen, Türen schließen, Vorschub-Override einstellen, NC-Start drücken. Noch bewegt sich keine Achse.</translation>
+    </message>
+    <message>
+        <source>The program writes its layout number and waits. Only when Rivulet has read the right number, it sends points and the axes move.</source>
+        <translation>Das Programm schreibt seine Layoutnummer und wartet. Erst wenn Rivulet die richtige Nummer gelesen hat, sendet es Punkte, und die Achsen fahren.</translation>
+    </message>
+    <message>
+        <source>The control shows this program as running from cycle start until its end, also while the axes stand and it waits for points.</source>
+        <translation>Die Steuerung zeigt dieses Programm von NC-Start bis zu seinem Ende als laufend an, auch solange die Achsen stehen und es auf Punkte wartet.</translation>
+    </message>
+    <message>
+        <source>Feed override, feed hold, reset and emergency stop of the machine act as in any other program. Stop and Pause in Rivulet do not replace them.</source>
+        <translation>Vorschub-Override, Vorschub-Halt, Reset und Not-Halt der Maschine wirken wie in jedem anderen Programm. Stopp und Pause in Rivulet ersetzen sie nicht.</translation>
+    </message>
+    <message>
+        <source>If Rivulet, its computer or the network fails, nothing new is sent: with numbered windows the axes stand; with methods position and signal they may go to old points again.</source>
+        <translation>Fällt Rivulet, sein Rechner oder das Netz aus, wird nichts Neues gesendet: Mit nummerierten Fenstern stehen die Achsen; mit den Verfahren Position und Signal fahren sie womöglich noch einmal zu alten Punkten.</translation>
+    </message>
+    <message>
+        <source>End the run in Rivulet. If the program still runs: press reset at the control.</source>
+        <translation>Den Lauf in Rivulet beenden. Läuft das Programm noch: an der Steuerung Reset drücken.</translation>
+    </message>
+    <message>
+        <source>Select another program, then delete the file from the part programs of the control.</source>
+        <translation>Ein anderes Programm anwählen, dann die Datei aus den Teileprogrammen der Steuerung löschen.</translation>
+    </message>
+    <message>
+        <source>The R-parameters keep their last values. Set to 0 those that other programs read.</source>
+        <translation>Die R-Parameter behalten ihre letzten Werte. Auf 0 setzen, was andere Programme lesen.</translation>
+    </message>
+    <message>
+        <source>Take back the rights that were given for it; on a SINUMERIK with DeleteUserAccess. Remove the certificate of this computer from those that the control trusts if Rivulet is not to connect again.</source>
+        <translation>Die dafür gegebenen Rechte zurücknehmen, bei einer SINUMERIK mit DeleteUserAccess. Das Zertifikat dieses Rechners aus denen entfernen, denen die Steuerung vertraut, wenn Rivulet sich nicht mehr verbinden soll.</translation>
+    </message>
+    <message>
+        <source>Rights of the OPC UA user</source>
+        <translation>Rechte des OPC-UA-Benutzers</translation>
+    </message>
+    <message>
+        <source>(Not needed for these steps.)</source>
+        <translation>(Für diese Schritte nicht nötig.)</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>What the operator sees</source>
+        <translation>Was der Bediener sieht</translation>
+    </message>
+    <message>
+        <source>Taking it back</source>
+        <translation>Alles zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Date, name, signature</source>
+        <translation>Datum, Name, Unterschrift</translation>
     </message>
 </context>
 <context>
@@ -4836,6 +4989,22 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The move of line %1 alone takes %2; it is not divided.</source>
         <translation>Der Weg von Zeile %1 dauert allein %2; er wird nicht geteilt.</translation>
+    </message>
+    <message>
+        <source>Method %1 may execute old points again: if this computer is late for a moment, the tool goes back through the workpiece, and nothing stops it before it has moved. Method window does not.</source>
+        <translation>Verfahren %1 kann alte Punkte noch einmal ausführen: Ist dieser Rechner einen Moment zu spät, fährt das Werkzeug durch das Werkstück zurück, und nichts hält es auf, bevor es sich bewegt hat. Verfahren Fenster tut das nicht.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Confirmed.</source>
+        <translation>Bestätigt.</translation>
+    </message>
+    <message>
+        <source>Accept it …</source>
+        <translation>In Kauf nehmen …</translation>
     </message>
 </context>
 <context>
@@ -7149,6 +7318,26 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Sources (*.toml);;All files (*)</source>
         <translation>Quellen (*.toml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Around the tool</source>
+        <translation>Um das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Puts a box of this size around the place where the tool stands.</source>
+        <translation>Legt einen Quader dieser Größe um die Stelle, an der das Werkzeug steht.</translation>
+    </message>
+    <message>
+        <source>Where the tool stands is not known.</source>
+        <translation>Wo das Werkzeug steht, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The tool stands at %1.</source>
+        <translation>Das Werkzeug steht bei %1.</translation>
+    </message>
+    <message>
+        <source>The tool stands at %1, so far outside that no first point can be in the box.</source>
+        <translation>Das Werkzeug steht bei %1, so weit außerhalb, dass kein erster Punkt im Quader liegen kann.</translation>
     </message>
 </context>
 <context>
@@ -10302,10 +10491,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>&amp;Programm</translation>
     </message>
     <message>
-        <source>file in the folder of the service</source>
-        <translation>Datei im Ordner des Dienstes</translation>
-    </message>
-    <message>
         <source>The service reads it in its folder of programs.</source>
         <translation>Der Dienst liest sie in seinem Ordner der Programme.</translation>
     </message>
@@ -10368,6 +10553,10 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Asks the control where the run was left. Nothing moves yet.</source>
         <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Noch bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>choose or type a file in the folder of the service</source>
+        <translation>Datei im Ordner des Dienstes wählen oder eintippen</translation>
     </message>
 </context>
 <context>
@@ -10797,6 +10986,18 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Flexible program</source>
         <translation>Flexibles Programm</translation>
+    </message>
+    <message>
+        <source>Save the steps</source>
+        <translation>Schritte speichern</translation>
+    </message>
+    <message>
+        <source>Steps to print…</source>
+        <translation>Schritte drucken…</translation>
+    </message>
+    <message>
+        <source>A page with the steps at the control, the rights, what the operator sees, and how it is taken back</source>
+        <translation>Ein Blatt mit den Schritten an der Steuerung, den Rechten, was der Bediener sieht, und wie alles zurückgenommen wird</translation>
     </message>
 </context>
 <context>

@@ -89,6 +89,16 @@
     </message>
 </context>
 <context>
+    <name>TemplateSheetTexts</name>
+    <message numerus="yes">
+        <source>In Rivulet, column Settings, tick “copied by hand” at Template. Look through what Start shows, then hold Start. From then on Rivulet waits up to %n minutes.</source>
+        <translation>
+            <numerusform>In Rivulet, column Settings, tick “copied by hand” at Template. Look through what Start shows, then hold Start. From then on Rivulet waits up to %n minute.</numerusform>
+            <numerusform>In Rivulet, column Settings, tick “copied by hand” at Template. Look through what Start shows, then hold Start. From then on Rivulet waits up to %n minutes.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>rivulet::hmi::Preflight</name>
     <message numerus="yes">
         <source>%1, version %2, %Ln points</source>

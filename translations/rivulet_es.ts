@@ -73,10 +73,6 @@
         <translation>Sin conexión con %1.</translation>
     </message>
     <message>
-        <source>Check address, network and control, then connect again.</source>
-        <translation>Comprobar dirección, red y control, y volver a conectar.</translation>
-    </message>
-    <message>
         <source>Wrong motion in %1 (points repeated: %2, skipped: %3). The workpiece may be spoilt.</source>
         <translation>Movimiento erróneo en %1 (puntos repetidos: %2, omitidos: %3). La pieza puede estar dañada.</translation>
     </message>
@@ -267,6 +263,18 @@
     <message>
         <source>Stop the run, then check workpiece and tool.</source>
         <translation>Parar la ejecución y comprobar después la pieza y la herramienta.</translation>
+    </message>
+    <message>
+        <source>The recording of %1 was cut off: the first %2 s of the run are in it.</source>
+        <translation>El registro de %1 se ha cortado: contiene los primeros %2 s de la ejecución.</translation>
+    </message>
+    <message>
+        <source>Nothing more can be written to the folder %3: its disk is full, or too slow.</source>
+        <translation>En la carpeta %3 no se puede escribir nada más: el disco está lleno o es demasiado lento.</translation>
+    </message>
+    <message>
+        <source>Make room on the disk. A run in progress goes on without its recording; the next one is recorded.</source>
+        <translation>Liberar espacio en el disco. Una ejecución en curso continúa sin registro; la siguiente se registra.</translation>
     </message>
 </context>
 <context>
@@ -477,6 +485,10 @@
     <message>
         <source>Live points need a machine that waits for them: choose method window or credit.</source>
         <translation>Los puntos en vivo necesitan una máquina que los espere: elegir el método Ventana o Crédito.</translation>
+    </message>
+    <message>
+        <source>Method %1 may execute old points again: if this computer is late for a moment, the tool goes back through the workpiece. Choose method window.</source>
+        <translation>El método %1 puede ejecutar otra vez puntos antiguos: si este ordenador se retrasa un momento, la herramienta vuelve atrás a través de la pieza. Elegir el método Ventana.</translation>
     </message>
 </context>
 <context>
@@ -2946,6 +2958,21 @@
         <source>The tool goes straight through the space in which the program cuts. Look whether anything is in its way: workpiece, clamps. If nothing is, type %1.</source>
         <translation>La herramienta cruza en línea recta la zona que el programa mecaniza. Compruebe si hay algo en su camino: pieza, sujeciones. Si no hay nada, escriba %1.</translation>
     </message>
+    <message>
+        <source>Method that may repeat points</source>
+        <translation>Método que puede repetir puntos</translation>
+    </message>
+    <message>
+        <source>this may execute old points again</source>
+        <extracomment>What the operator types, word by word.</extracomment>
+        <translation>esto puede ejecutar otra vez puntos antiguos</translation>
+    </message>
+    <message>
+        <source>This method of the publication knows no numbered windows. If this computer is late, the control executes old points again. To start all the same, type:
+%1</source>
+        <translation>Este método de la publicación no conoce ventanas numeradas. Si este ordenador se retrasa, el control ejecuta otra vez puntos antiguos. Para iniciar a pesar de ello, escribir:
+%1</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -3073,6 +3100,10 @@
     <message>
         <source>Only an engineer can do this.</source>
         <translation>Solo puede hacerlo un preparador.</translation>
+    </message>
+    <message>
+        <source>This service is on the board.</source>
+        <translation>Este servicio ya está en el tablero.</translation>
     </message>
 </context>
 <context>
@@ -3494,6 +3525,128 @@
     <message>
         <source>That stop and pause act at once was tested without motion only: see Stop test.</source>
         <translation>Que parada y pausa actúan de inmediato se probó solo sin movimiento: véase Prueba parada.</translation>
+    </message>
+</context>
+<context>
+    <name>TemplateSheetTexts</name>
+    <message>
+        <source>Bring %1 to the control</source>
+        <translation>Llevar %1 al control</translation>
+    </message>
+    <message>
+        <source>Layout number %1: with another one Rivulet moves nothing</source>
+        <translation>Número de disposición %1: con otro, Rivulet no mueve nada</translation>
+    </message>
+    <message>
+        <source>This program runs on the control and moves the axes to the points that Rivulet sends in R-parameters. It is valid for the settings on this page only; with others it has another layout number.</source>
+        <translation>Este programa se ejecuta en el control y mueve los ejes a los puntos que Rivulet envía en parámetros R. Solo vale para los ajustes de esta hoja; con otros tiene otro número de disposición.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programa</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>File on the control</source>
+        <translation>Archivo en el control</translation>
+    </message>
+    <message>
+        <source>Layout number</source>
+        <translation>Número de disposición</translation>
+    </message>
+    <message>
+        <source>%1 in R%2</source>
+        <translation>%1 en R%2</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <source>Points, axes</source>
+        <translation>Puntos, ejes</translation>
+    </message>
+    <message>
+        <source>Make sure that no other program, cycle or client uses R%1 to R%2.</source>
+        <translation>Asegurarse de que ningún otro programa, ciclo o cliente use R%1 a R%2.</translation>
+    </message>
+    <message>
+        <source>Copy the file to the part programs of the control, by network or USB stick, as %1. Change nothing in it: Rivulet relies on every line.</source>
+        <translation>Copiar el archivo a los programas de pieza del control, por red o memoria USB, como %1. No cambiar nada en él: Rivulet depende de cada línea.</translation>
+    </message>
+    <message>
+        <source>Copy the file to the folder of the NC programs of the control as %1. Change nothing in it: Rivulet relies on every line.</source>
+        <translation>Copiar el archivo a la carpeta de los programas CN del control como %1. No cambiar nada en él: Rivulet depende de cada línea.</translation>
+    </message>
+    <message numerus="yes">
+        <source>In Rivulet, column Settings, tick “copied by hand” at Template. Look through what Start shows, then hold Start. From then on Rivulet waits up to %n minutes.</source>
+        <translation>
+            <numerusform>En Rivulet, columna Ajustes, marcar «copiada a mano» en Plantilla. Revisar lo que muestra Inicio y mantenerlo pulsado. Desde entonces Rivulet espera hasta %n minuto.</numerusform>
+            <numerusform>En Rivulet, columna Ajustes, marcar «copiada a mano» en Plantilla. Revisar lo que muestra Inicio y mantenerlo pulsado. Desde entonces Rivulet espera hasta %n minutos.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At the control: select the program in channel 1, close the doors, set the feed override, press cycle start. No axis moves yet.</source>
+        <translation>En el control: seleccionar el programa en el canal 1, cerrar las puertas, ajustar el override de avance, pulsar Marcha CN. Todavía no se mueve ningún eje.</translation>
+    </message>
+    <message>
+        <source>The program writes its layout number and waits. Only when Rivulet has read the right number, it sends points and the axes move.</source>
+        <translation>El programa escribe su número de disposición y espera. Solo cuando Rivulet ha leído el número correcto envía puntos y los ejes se mueven.</translation>
+    </message>
+    <message>
+        <source>The control shows this program as running from cycle start until its end, also while the axes stand and it waits for points.</source>
+        <translation>El control muestra este programa en marcha desde Marcha CN hasta su fin, también mientras los ejes están parados y espera puntos.</translation>
+    </message>
+    <message>
+        <source>Feed override, feed hold, reset and emergency stop of the machine act as in any other program. Stop and Pause in Rivulet do not replace them.</source>
+        <translation>El override de avance, la parada de avance, Reset y la parada de emergencia de la máquina actúan como en cualquier otro programa. Parada y Pausa de Rivulet no los sustituyen.</translation>
+    </message>
+    <message>
+        <source>If Rivulet, its computer or the network fails, nothing new is sent: with numbered windows the axes stand; with methods position and signal they may go to old points again.</source>
+        <translation>Si falla Rivulet, su ordenador o la red, no se envía nada nuevo: con ventanas numeradas los ejes se paran; con los métodos Posición y Señal pueden ir otra vez a puntos antiguos.</translation>
+    </message>
+    <message>
+        <source>End the run in Rivulet. If the program still runs: press reset at the control.</source>
+        <translation>Terminar la ejecución en Rivulet. Si el programa sigue en marcha: pulsar Reset en el control.</translation>
+    </message>
+    <message>
+        <source>Select another program, then delete the file from the part programs of the control.</source>
+        <translation>Seleccionar otro programa y borrar después el archivo de los programas de pieza del control.</translation>
+    </message>
+    <message>
+        <source>The R-parameters keep their last values. Set to 0 those that other programs read.</source>
+        <translation>Los parámetros R conservan sus últimos valores. Poner a 0 los que leen otros programas.</translation>
+    </message>
+    <message>
+        <source>Take back the rights that were given for it; on a SINUMERIK with DeleteUserAccess. Remove the certificate of this computer from those that the control trusts if Rivulet is not to connect again.</source>
+        <translation>Retirar los derechos que se dieron para ello; en un SINUMERIK con DeleteUserAccess. Quitar el certificado de este ordenador de aquellos en los que confía el control si Rivulet no debe volver a conectarse.</translation>
+    </message>
+    <message>
+        <source>Rights of the OPC UA user</source>
+        <translation>Derechos del usuario OPC UA</translation>
+    </message>
+    <message>
+        <source>(Not needed for these steps.)</source>
+        <translation>(No es necesario para estos pasos.)</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
+    </message>
+    <message>
+        <source>What the operator sees</source>
+        <translation>Lo que ve el operador</translation>
+    </message>
+    <message>
+        <source>Taking it back</source>
+        <translation>Deshacerlo</translation>
+    </message>
+    <message>
+        <source>Date, name, signature</source>
+        <translation>Fecha, nombre, firma</translation>
     </message>
 </context>
 <context>
@@ -4836,6 +4989,22 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The move of line %1 alone takes %2; it is not divided.</source>
         <translation>El movimiento de la línea %1 dura por sí solo %2; no se divide.</translation>
+    </message>
+    <message>
+        <source>Method %1 may execute old points again: if this computer is late for a moment, the tool goes back through the workpiece, and nothing stops it before it has moved. Method window does not.</source>
+        <translation>El método %1 puede ejecutar otra vez puntos antiguos: si este ordenador se retrasa un momento, la herramienta vuelve atrás a través de la pieza, y nada la detiene antes de que se haya movido. El método Ventana no lo hace.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Método</translation>
+    </message>
+    <message>
+        <source>Confirmed.</source>
+        <translation>Confirmado.</translation>
+    </message>
+    <message>
+        <source>Accept it …</source>
+        <translation>Aceptarlo …</translation>
     </message>
 </context>
 <context>
@@ -7149,6 +7318,26 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Sources (*.toml);;All files (*)</source>
         <translation>Fuentes (*.toml);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Around the tool</source>
+        <translation>Alrededor de la herramienta</translation>
+    </message>
+    <message>
+        <source>Puts a box of this size around the place where the tool stands.</source>
+        <translation>Pone una caja de este tamaño alrededor del lugar donde está la herramienta.</translation>
+    </message>
+    <message>
+        <source>Where the tool stands is not known.</source>
+        <translation>No se sabe dónde está la herramienta.</translation>
+    </message>
+    <message>
+        <source>The tool stands at %1.</source>
+        <translation>La herramienta está en %1.</translation>
+    </message>
+    <message>
+        <source>The tool stands at %1, so far outside that no first point can be in the box.</source>
+        <translation>La herramienta está en %1, tan fuera que ningún primer punto puede estar en la caja.</translation>
     </message>
 </context>
 <context>
@@ -10302,10 +10491,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>&amp;Programa</translation>
     </message>
     <message>
-        <source>file in the folder of the service</source>
-        <translation>archivo en la carpeta del servicio</translation>
-    </message>
-    <message>
         <source>The service reads it in its folder of programs.</source>
         <translation>El servicio lo lee en su carpeta de programas.</translation>
     </message>
@@ -10368,6 +10553,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Asks the control where the run was left. Nothing moves yet.</source>
         <translation>Pregunta al control dónde se interrumpió la ejecución. Todavía no se mueve nada.</translation>
+    </message>
+    <message>
+        <source>choose or type a file in the folder of the service</source>
+        <translation>elegir o escribir un archivo de la carpeta del servicio</translation>
     </message>
 </context>
 <context>
@@ -10797,6 +10986,18 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Flexible program</source>
         <translation>Programa flexible</translation>
+    </message>
+    <message>
+        <source>Save the steps</source>
+        <translation>Guardar los pasos</translation>
+    </message>
+    <message>
+        <source>Steps to print…</source>
+        <translation>Pasos para imprimir…</translation>
+    </message>
+    <message>
+        <source>A page with the steps at the control, the rights, what the operator sees, and how it is taken back</source>
+        <translation>Una hoja con los pasos en el control, los derechos, lo que ve el operador y cómo se deshace</translation>
     </message>
 </context>
 <context>

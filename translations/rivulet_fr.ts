@@ -73,10 +73,6 @@
         <translation>Pas de connexion à %1.</translation>
     </message>
     <message>
-        <source>Check address, network and control, then connect again.</source>
-        <translation>Vérifier l’adresse, le réseau et la commande, puis se reconnecter.</translation>
-    </message>
-    <message>
         <source>Wrong motion in %1 (points repeated: %2, skipped: %3). The workpiece may be spoilt.</source>
         <translation>Mouvement erroné dans %1 (points répétés&#xa0;: %2, sautés&#xa0;: %3). La pièce est peut-être abîmée.</translation>
     </message>
@@ -267,6 +263,18 @@
     <message>
         <source>Stop the run, then check workpiece and tool.</source>
         <translation>Arrêter l’exécution, puis vérifier la pièce et l’outil.</translation>
+    </message>
+    <message>
+        <source>The recording of %1 was cut off: the first %2 s of the run are in it.</source>
+        <translation>L’enregistrement de %1 a été coupé : il contient les %2 premières secondes de l’exécution.</translation>
+    </message>
+    <message>
+        <source>Nothing more can be written to the folder %3: its disk is full, or too slow.</source>
+        <translation>Plus rien ne peut être écrit dans le dossier %3 : le disque est plein ou trop lent.</translation>
+    </message>
+    <message>
+        <source>Make room on the disk. A run in progress goes on without its recording; the next one is recorded.</source>
+        <translation>Libérer de la place sur le disque. Une exécution en cours continue sans enregistrement ; la suivante est enregistrée.</translation>
     </message>
 </context>
 <context>
@@ -477,6 +485,10 @@
     <message>
         <source>Live points need a machine that waits for them: choose method window or credit.</source>
         <translation>Des points en direct demandent une machine qui les attend&#xa0;: choisir la méthode Fenêtre ou Crédit.</translation>
+    </message>
+    <message>
+        <source>Method %1 may execute old points again: if this computer is late for a moment, the tool goes back through the workpiece. Choose method window.</source>
+        <translation>La méthode %1 peut exécuter à nouveau d’anciens points : si cet ordinateur est en retard un instant, l’outil revient à travers la pièce. Choisir la méthode Fenêtre.</translation>
     </message>
 </context>
 <context>
@@ -2946,6 +2958,21 @@
         <source>The tool goes straight through the space in which the program cuts. Look whether anything is in its way: workpiece, clamps. If nothing is, type %1.</source>
         <translation>L&apos;outil traverse en ligne droite la zone que le programme usine. Regardez si quelque chose se trouve sur son trajet : pièce, bridages. Sinon, tapez %1.</translation>
     </message>
+    <message>
+        <source>Method that may repeat points</source>
+        <translation>Méthode qui peut répéter des points</translation>
+    </message>
+    <message>
+        <source>this may execute old points again</source>
+        <extracomment>What the operator types, word by word.</extracomment>
+        <translation>ceci peut exécuter à nouveau d’anciens points</translation>
+    </message>
+    <message>
+        <source>This method of the publication knows no numbered windows. If this computer is late, the control executes old points again. To start all the same, type:
+%1</source>
+        <translation>Cette méthode de la publication ne connaît pas de fenêtres numérotées. Si cet ordinateur est en retard, la commande exécute à nouveau d’anciens points. Pour démarrer malgré tout, taper :
+%1</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -3073,6 +3100,10 @@
     <message>
         <source>Only an engineer can do this.</source>
         <translation>Seul un régleur peut le faire.</translation>
+    </message>
+    <message>
+        <source>This service is on the board.</source>
+        <translation>Ce service est déjà sur le tableau.</translation>
     </message>
 </context>
 <context>
@@ -3494,6 +3525,128 @@
     <message>
         <source>That stop and pause act at once was tested without motion only: see Stop test.</source>
         <translation>Que l’arrêt et la pause agissent aussitôt n’a été testé que sans mouvement&#xa0;: voir Test arrêt.</translation>
+    </message>
+</context>
+<context>
+    <name>TemplateSheetTexts</name>
+    <message>
+        <source>Bring %1 to the control</source>
+        <translation>Mettre %1 sur la commande</translation>
+    </message>
+    <message>
+        <source>Layout number %1: with another one Rivulet moves nothing</source>
+        <translation>Numéro de disposition %1 : avec un autre, Rivulet ne déplace rien</translation>
+    </message>
+    <message>
+        <source>This program runs on the control and moves the axes to the points that Rivulet sends in R-parameters. It is valid for the settings on this page only; with others it has another layout number.</source>
+        <translation>Ce programme s’exécute sur la commande et déplace les axes vers les points que Rivulet envoie dans des paramètres R. Il ne vaut que pour les réglages de cette page ; avec d’autres, il a un autre numéro de disposition.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>File on the control</source>
+        <translation>Fichier sur la commande</translation>
+    </message>
+    <message>
+        <source>Layout number</source>
+        <translation>Numéro de disposition</translation>
+    </message>
+    <message>
+        <source>%1 in R%2</source>
+        <translation>%1 dans R%2</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Points, axes</source>
+        <translation>Points, axes</translation>
+    </message>
+    <message>
+        <source>Make sure that no other program, cycle or client uses R%1 to R%2.</source>
+        <translation>S’assurer qu’aucun autre programme, cycle ou client n’utilise R%1 à R%2.</translation>
+    </message>
+    <message>
+        <source>Copy the file to the part programs of the control, by network or USB stick, as %1. Change nothing in it: Rivulet relies on every line.</source>
+        <translation>Copier le fichier dans les programmes pièce de la commande, par le réseau ou une clé USB, sous le nom %1. N’y rien changer : Rivulet se fie à chaque ligne.</translation>
+    </message>
+    <message>
+        <source>Copy the file to the folder of the NC programs of the control as %1. Change nothing in it: Rivulet relies on every line.</source>
+        <translation>Copier le fichier dans le dossier des programmes CN de la commande sous le nom %1. N’y rien changer : Rivulet se fie à chaque ligne.</translation>
+    </message>
+    <message numerus="yes">
+        <source>In Rivulet, column Settings, tick “copied by hand” at Template. Look through what Start shows, then hold Start. From then on Rivulet waits up to %n minutes.</source>
+        <translation>
+            <numerusform>Dans Rivulet, colonne Paramètres, cocher « copié à la main » à Modèle. Vérifier ce que montre Démarrer, puis le maintenir. Rivulet attend alors jusqu’à %n minute.</numerusform>
+            <numerusform>Dans Rivulet, colonne Paramètres, cocher « copié à la main » à Modèle. Vérifier ce que montre Démarrer, puis le maintenir. Rivulet attend alors jusqu’à %n minutes.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At the control: select the program in channel 1, close the doors, set the feed override, press cycle start. No axis moves yet.</source>
+        <translation>Sur la commande : sélectionner le programme dans le canal 1, fermer les portes, régler l’override d’avance, appuyer sur Départ cycle. Aucun axe ne bouge encore.</translation>
+    </message>
+    <message>
+        <source>The program writes its layout number and waits. Only when Rivulet has read the right number, it sends points and the axes move.</source>
+        <translation>Le programme écrit son numéro de disposition et attend. Ce n’est qu’après avoir lu le bon numéro que Rivulet envoie des points et que les axes bougent.</translation>
+    </message>
+    <message>
+        <source>The control shows this program as running from cycle start until its end, also while the axes stand and it waits for points.</source>
+        <translation>La commande montre ce programme en cours du Départ cycle jusqu’à sa fin, aussi pendant que les axes sont à l’arrêt et qu’il attend des points.</translation>
+    </message>
+    <message>
+        <source>Feed override, feed hold, reset and emergency stop of the machine act as in any other program. Stop and Pause in Rivulet do not replace them.</source>
+        <translation>L’override d’avance, l’arrêt avance, Reset et l’arrêt d’urgence de la machine agissent comme dans tout autre programme. Arrêt et Pause de Rivulet ne les remplacent pas.</translation>
+    </message>
+    <message>
+        <source>If Rivulet, its computer or the network fails, nothing new is sent: with numbered windows the axes stand; with methods position and signal they may go to old points again.</source>
+        <translation>Si Rivulet, son ordinateur ou le réseau tombe en panne, rien de nouveau n’est envoyé : avec des fenêtres numérotées, les axes s’arrêtent ; avec les méthodes Position et Signal, ils peuvent retourner à d’anciens points.</translation>
+    </message>
+    <message>
+        <source>End the run in Rivulet. If the program still runs: press reset at the control.</source>
+        <translation>Terminer l’exécution dans Rivulet. Si le programme tourne encore : appuyer sur Reset sur la commande.</translation>
+    </message>
+    <message>
+        <source>Select another program, then delete the file from the part programs of the control.</source>
+        <translation>Sélectionner un autre programme, puis effacer le fichier des programmes pièce de la commande.</translation>
+    </message>
+    <message>
+        <source>The R-parameters keep their last values. Set to 0 those that other programs read.</source>
+        <translation>Les paramètres R gardent leurs dernières valeurs. Mettre à 0 ceux que d’autres programmes lisent.</translation>
+    </message>
+    <message>
+        <source>Take back the rights that were given for it; on a SINUMERIK with DeleteUserAccess. Remove the certificate of this computer from those that the control trusts if Rivulet is not to connect again.</source>
+        <translation>Retirer les droits donnés pour cela ; sur une SINUMERIK avec DeleteUserAccess. Retirer le certificat de cet ordinateur de ceux auxquels la commande fait confiance si Rivulet ne doit plus se connecter.</translation>
+    </message>
+    <message>
+        <source>Rights of the OPC UA user</source>
+        <translation>Droits de l’utilisateur OPC UA</translation>
+    </message>
+    <message>
+        <source>(Not needed for these steps.)</source>
+        <translation>(Pas nécessaire pour ces étapes.)</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Étapes</translation>
+    </message>
+    <message>
+        <source>What the operator sees</source>
+        <translation>Ce que voit l’opérateur</translation>
+    </message>
+    <message>
+        <source>Taking it back</source>
+        <translation>Tout retirer</translation>
+    </message>
+    <message>
+        <source>Date, name, signature</source>
+        <translation>Date, nom, signature</translation>
     </message>
 </context>
 <context>
@@ -4836,6 +4989,22 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The move of line %1 alone takes %2; it is not divided.</source>
         <translation>Le déplacement de la ligne %1 dure à lui seul %2&#xa0;; il n’est pas divisé.</translation>
+    </message>
+    <message>
+        <source>Method %1 may execute old points again: if this computer is late for a moment, the tool goes back through the workpiece, and nothing stops it before it has moved. Method window does not.</source>
+        <translation>La méthode %1 peut exécuter à nouveau d’anciens points : si cet ordinateur est en retard un instant, l’outil revient à travers la pièce, et rien ne l’arrête avant qu’il ait bougé. La méthode Fenêtre ne le fait pas.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Confirmed.</source>
+        <translation>Confirmé.</translation>
+    </message>
+    <message>
+        <source>Accept it …</source>
+        <translation>L’accepter …</translation>
     </message>
 </context>
 <context>
@@ -7149,6 +7318,26 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Sources (*.toml);;All files (*)</source>
         <translation>Sources (*.toml);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Around the tool</source>
+        <translation>Autour de l’outil</translation>
+    </message>
+    <message>
+        <source>Puts a box of this size around the place where the tool stands.</source>
+        <translation>Place une boîte de cette taille autour de l’endroit où se trouve l’outil.</translation>
+    </message>
+    <message>
+        <source>Where the tool stands is not known.</source>
+        <translation>On ne sait pas où se trouve l’outil.</translation>
+    </message>
+    <message>
+        <source>The tool stands at %1.</source>
+        <translation>L’outil se trouve à %1.</translation>
+    </message>
+    <message>
+        <source>The tool stands at %1, so far outside that no first point can be in the box.</source>
+        <translation>L’outil se trouve à %1, si loin dehors qu’aucun premier point ne peut être dans la boîte.</translation>
     </message>
 </context>
 <context>
@@ -10302,10 +10491,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>&amp;Programme</translation>
     </message>
     <message>
-        <source>file in the folder of the service</source>
-        <translation>fichier dans le dossier du service</translation>
-    </message>
-    <message>
         <source>The service reads it in its folder of programs.</source>
         <translation>Le service le lit dans son dossier de programmes.</translation>
     </message>
@@ -10368,6 +10553,10 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Asks the control where the run was left. Nothing moves yet.</source>
         <translation>Demande à la commande où l’exécution s’est interrompue. Rien ne bouge encore.</translation>
+    </message>
+    <message>
+        <source>choose or type a file in the folder of the service</source>
+        <translation>choisir ou taper un fichier du dossier du service</translation>
     </message>
 </context>
 <context>
@@ -10797,6 +10986,18 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Flexible program</source>
         <translation>Programme flexible</translation>
+    </message>
+    <message>
+        <source>Save the steps</source>
+        <translation>Enregistrer les étapes</translation>
+    </message>
+    <message>
+        <source>Steps to print…</source>
+        <translation>Étapes à imprimer…</translation>
+    </message>
+    <message>
+        <source>A page with the steps at the control, the rights, what the operator sees, and how it is taken back</source>
+        <translation>Une page avec les étapes sur la commande, les droits, ce que voit l’opérateur et comment tout retirer</translation>
     </message>
 </context>
 <context>

@@ -73,10 +73,6 @@
         <translation>Nessuna connessione a %1.</translation>
     </message>
     <message>
-        <source>Check address, network and control, then connect again.</source>
-        <translation>Controllare indirizzo, rete e controllo, poi riconnettersi.</translation>
-    </message>
-    <message>
         <source>Wrong motion in %1 (points repeated: %2, skipped: %3). The workpiece may be spoilt.</source>
         <translation>Movimento errato in %1 (punti ripetuti: %2, saltati: %3). Il pezzo potrebbe essere rovinato.</translation>
     </message>
@@ -267,6 +263,18 @@
     <message>
         <source>Stop the run, then check workpiece and tool.</source>
         <translation>Fermare l’esecuzione, poi controllare il pezzo e l’utensile.</translation>
+    </message>
+    <message>
+        <source>The recording of %1 was cut off: the first %2 s of the run are in it.</source>
+        <translation>La registrazione di %1 è stata interrotta: contiene i primi %2 s dell’esecuzione.</translation>
+    </message>
+    <message>
+        <source>Nothing more can be written to the folder %3: its disk is full, or too slow.</source>
+        <translation>Nella cartella %3 non si può più scrivere: il disco è pieno o troppo lento.</translation>
+    </message>
+    <message>
+        <source>Make room on the disk. A run in progress goes on without its recording; the next one is recorded.</source>
+        <translation>Liberare spazio sul disco. Un’esecuzione in corso continua senza registrazione; la prossima viene registrata.</translation>
     </message>
 </context>
 <context>
@@ -477,6 +485,10 @@
     <message>
         <source>Live points need a machine that waits for them: choose method window or credit.</source>
         <translation>I punti in diretta richiedono una macchina che li attenda: scegliere il metodo Finestra o Credito.</translation>
+    </message>
+    <message>
+        <source>Method %1 may execute old points again: if this computer is late for a moment, the tool goes back through the workpiece. Choose method window.</source>
+        <translation>Il metodo %1 può eseguire di nuovo punti vecchi: se questo computer è in ritardo per un momento, l’utensile torna indietro attraverso il pezzo. Scegliere il metodo Finestra.</translation>
     </message>
 </context>
 <context>
@@ -2946,6 +2958,21 @@
         <source>The tool goes straight through the space in which the program cuts. Look whether anything is in its way: workpiece, clamps. If nothing is, type %1.</source>
         <translation>L&apos;utensile attraversa in linea retta la zona che il programma lavora. Controllare se c&apos;è qualcosa sulla sua via: pezzo, staffe. Se non c&apos;è nulla, digitare %1.</translation>
     </message>
+    <message>
+        <source>Method that may repeat points</source>
+        <translation>Metodo che può ripetere punti</translation>
+    </message>
+    <message>
+        <source>this may execute old points again</source>
+        <extracomment>What the operator types, word by word.</extracomment>
+        <translation>questo può eseguire di nuovo punti vecchi</translation>
+    </message>
+    <message>
+        <source>This method of the publication knows no numbered windows. If this computer is late, the control executes old points again. To start all the same, type:
+%1</source>
+        <translation>Questo metodo della pubblicazione non conosce finestre numerate. Se questo computer è in ritardo, il controllo esegue di nuovo punti vecchi. Per avviare comunque, digitare:
+%1</translation>
+    </message>
 </context>
 <context>
     <name>RunsTexts</name>
@@ -3073,6 +3100,10 @@
     <message>
         <source>Only an engineer can do this.</source>
         <translation>Può farlo solo un attrezzista.</translation>
+    </message>
+    <message>
+        <source>This service is on the board.</source>
+        <translation>Questo servizio è già sul pannello.</translation>
     </message>
 </context>
 <context>
@@ -3494,6 +3525,128 @@
     <message>
         <source>That stop and pause act at once was tested without motion only: see Stop test.</source>
         <translation>Che stop e pausa agiscano subito è stato provato solo senza movimento: vedere Test stop.</translation>
+    </message>
+</context>
+<context>
+    <name>TemplateSheetTexts</name>
+    <message>
+        <source>Bring %1 to the control</source>
+        <translation>Portare %1 sul controllo</translation>
+    </message>
+    <message>
+        <source>Layout number %1: with another one Rivulet moves nothing</source>
+        <translation>Numero di layout %1: con un altro Rivulet non muove nulla</translation>
+    </message>
+    <message>
+        <source>This program runs on the control and moves the axes to the points that Rivulet sends in R-parameters. It is valid for the settings on this page only; with others it has another layout number.</source>
+        <translation>Questo programma viene eseguito sul controllo e muove gli assi verso i punti che Rivulet invia nei parametri R. Vale solo per le impostazioni di questa pagina; con altre ha un altro numero di layout.</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programma</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Impostazioni</translation>
+    </message>
+    <message>
+        <source>File on the control</source>
+        <translation>File sul controllo</translation>
+    </message>
+    <message>
+        <source>Layout number</source>
+        <translation>Numero di layout</translation>
+    </message>
+    <message>
+        <source>%1 in R%2</source>
+        <translation>%1 in R%2</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metodo</translation>
+    </message>
+    <message>
+        <source>Points, axes</source>
+        <translation>Punti, assi</translation>
+    </message>
+    <message>
+        <source>Make sure that no other program, cycle or client uses R%1 to R%2.</source>
+        <translation>Accertarsi che nessun altro programma, ciclo o client usi da R%1 a R%2.</translation>
+    </message>
+    <message>
+        <source>Copy the file to the part programs of the control, by network or USB stick, as %1. Change nothing in it: Rivulet relies on every line.</source>
+        <translation>Copiare il file nei programmi pezzo del controllo, via rete o chiavetta USB, come %1. Non cambiarvi nulla: Rivulet si basa su ogni riga.</translation>
+    </message>
+    <message>
+        <source>Copy the file to the folder of the NC programs of the control as %1. Change nothing in it: Rivulet relies on every line.</source>
+        <translation>Copiare il file nella cartella dei programmi NC del controllo come %1. Non cambiarvi nulla: Rivulet si basa su ogni riga.</translation>
+    </message>
+    <message numerus="yes">
+        <source>In Rivulet, column Settings, tick “copied by hand” at Template. Look through what Start shows, then hold Start. From then on Rivulet waits up to %n minutes.</source>
+        <translation>
+            <numerusform>In Rivulet, colonna Impostazioni, spuntare «copiato a mano» a Modello. Controllare ciò che mostra Avvio, poi tenerlo premuto. Da allora Rivulet attende fino a %n minuto.</numerusform>
+            <numerusform>In Rivulet, colonna Impostazioni, spuntare «copiato a mano» a Modello. Controllare ciò che mostra Avvio, poi tenerlo premuto. Da allora Rivulet attende fino a %n minuti.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At the control: select the program in channel 1, close the doors, set the feed override, press cycle start. No axis moves yet.</source>
+        <translation>Sul controllo: selezionare il programma nel canale 1, chiudere le porte, impostare l’override di avanzamento, premere Start NC. Nessun asse si muove ancora.</translation>
+    </message>
+    <message>
+        <source>The program writes its layout number and waits. Only when Rivulet has read the right number, it sends points and the axes move.</source>
+        <translation>Il programma scrive il suo numero di layout e attende. Solo quando Rivulet ha letto il numero giusto invia punti e gli assi si muovono.</translation>
+    </message>
+    <message>
+        <source>The control shows this program as running from cycle start until its end, also while the axes stand and it waits for points.</source>
+        <translation>Il controllo mostra questo programma in esecuzione da Start NC fino alla fine, anche mentre gli assi sono fermi e attende punti.</translation>
+    </message>
+    <message>
+        <source>Feed override, feed hold, reset and emergency stop of the machine act as in any other program. Stop and Pause in Rivulet do not replace them.</source>
+        <translation>Override di avanzamento, arresto avanzamento, Reset e arresto di emergenza della macchina agiscono come in ogni altro programma. Stop e Pausa di Rivulet non li sostituiscono.</translation>
+    </message>
+    <message>
+        <source>If Rivulet, its computer or the network fails, nothing new is sent: with numbered windows the axes stand; with methods position and signal they may go to old points again.</source>
+        <translation>Se Rivulet, il suo computer o la rete si guastano, non viene inviato nulla di nuovo: con finestre numerate gli assi si fermano; con i metodi Posizione e Segnale possono tornare a punti vecchi.</translation>
+    </message>
+    <message>
+        <source>End the run in Rivulet. If the program still runs: press reset at the control.</source>
+        <translation>Terminare l’esecuzione in Rivulet. Se il programma è ancora in corso: premere Reset sul controllo.</translation>
+    </message>
+    <message>
+        <source>Select another program, then delete the file from the part programs of the control.</source>
+        <translation>Selezionare un altro programma, poi cancellare il file dai programmi pezzo del controllo.</translation>
+    </message>
+    <message>
+        <source>The R-parameters keep their last values. Set to 0 those that other programs read.</source>
+        <translation>I parametri R mantengono gli ultimi valori. Mettere a 0 quelli che altri programmi leggono.</translation>
+    </message>
+    <message>
+        <source>Take back the rights that were given for it; on a SINUMERIK with DeleteUserAccess. Remove the certificate of this computer from those that the control trusts if Rivulet is not to connect again.</source>
+        <translation>Revocare i diritti concessi; su un SINUMERIK con DeleteUserAccess. Togliere il certificato di questo computer da quelli fidati del controllo se Rivulet non deve più connettersi.</translation>
+    </message>
+    <message>
+        <source>Rights of the OPC UA user</source>
+        <translation>Diritti dell’utente OPC UA</translation>
+    </message>
+    <message>
+        <source>(Not needed for these steps.)</source>
+        <translation>(Non necessario per questi passi.)</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Passi</translation>
+    </message>
+    <message>
+        <source>What the operator sees</source>
+        <translation>Che cosa vede l’operatore</translation>
+    </message>
+    <message>
+        <source>Taking it back</source>
+        <translation>Rimuovere tutto</translation>
+    </message>
+    <message>
+        <source>Date, name, signature</source>
+        <translation>Data, nome, firma</translation>
     </message>
 </context>
 <context>
@@ -4836,6 +4989,22 @@ GPL-3.0-or-later</translation>
     <message>
         <source>The move of line %1 alone takes %2; it is not divided.</source>
         <translation>Il movimento della riga %1 da solo dura %2; non viene diviso.</translation>
+    </message>
+    <message>
+        <source>Method %1 may execute old points again: if this computer is late for a moment, the tool goes back through the workpiece, and nothing stops it before it has moved. Method window does not.</source>
+        <translation>Il metodo %1 può eseguire di nuovo punti vecchi: se questo computer è in ritardo per un momento, l’utensile torna indietro attraverso il pezzo, e nulla lo ferma prima che si sia mosso. Il metodo Finestra non lo fa.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metodo</translation>
+    </message>
+    <message>
+        <source>Confirmed.</source>
+        <translation>Confermato.</translation>
+    </message>
+    <message>
+        <source>Accept it …</source>
+        <translation>Accettarlo …</translation>
     </message>
 </context>
 <context>
@@ -7149,6 +7318,26 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Sources (*.toml);;All files (*)</source>
         <translation>Sorgenti (*.toml);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Around the tool</source>
+        <translation>Intorno all’utensile</translation>
+    </message>
+    <message>
+        <source>Puts a box of this size around the place where the tool stands.</source>
+        <translation>Mette una scatola di questa dimensione intorno al punto in cui si trova l’utensile.</translation>
+    </message>
+    <message>
+        <source>Where the tool stands is not known.</source>
+        <translation>Non si sa dove si trova l’utensile.</translation>
+    </message>
+    <message>
+        <source>The tool stands at %1.</source>
+        <translation>L’utensile si trova a %1.</translation>
+    </message>
+    <message>
+        <source>The tool stands at %1, so far outside that no first point can be in the box.</source>
+        <translation>L’utensile si trova a %1, così fuori che nessun primo punto può stare nella scatola.</translation>
     </message>
 </context>
 <context>
@@ -10302,10 +10491,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>&amp;Programma</translation>
     </message>
     <message>
-        <source>file in the folder of the service</source>
-        <translation>file nella cartella del servizio</translation>
-    </message>
-    <message>
         <source>The service reads it in its folder of programs.</source>
         <translation>Il servizio lo legge nella sua cartella dei programmi.</translation>
     </message>
@@ -10368,6 +10553,10 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Asks the control where the run was left. Nothing moves yet.</source>
         <translation>Chiede al controllo dove l’esecuzione si è interrotta. Ancora non si muove nulla.</translation>
+    </message>
+    <message>
+        <source>choose or type a file in the folder of the service</source>
+        <translation>scegliere o digitare un file nella cartella del servizio</translation>
     </message>
 </context>
 <context>
@@ -10797,6 +10986,18 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Flexible program</source>
         <translation>Programma flessibile</translation>
+    </message>
+    <message>
+        <source>Save the steps</source>
+        <translation>Salva i passi</translation>
+    </message>
+    <message>
+        <source>Steps to print…</source>
+        <translation>Passi da stampare…</translation>
+    </message>
+    <message>
+        <source>A page with the steps at the control, the rights, what the operator sees, and how it is taken back</source>
+        <translation>Una pagina con i passi sul controllo, i diritti, che cosa vede l’operatore e come rimuovere tutto</translation>
     </message>
 </context>
 <context>
