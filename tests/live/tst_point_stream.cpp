@@ -44,12 +44,11 @@ class TextSource final : public live::Source {
 
 struct Bench {
   explicit Bench(std::size_t pointsPerWindow = 4, double secondsMax = 0.0)
-      : stream(source, agreement(secondsMax > 0.0 ? 10.0 : 1.0), limits()) {
+      : stream(source, agreement(), limits()) {
     stream.begin({{}, 600.0, {true, true, true}, {}, {pointsPerWindow, 3, false, secondsMax}}, at);
   }
-  static live::Agreement agreement(double stepMmMax) {
+  static live::Agreement agreement() {
     live::Agreement agreed;
-    agreed.stepMmMax = stepMmMax;
     agreed.highestMm = {1e6, 10.0, 10.0};
     return agreed;
   }
@@ -120,11 +119,11 @@ class TestPointStream : public QObject {
 
   /// At 10 mm/s, beginning where the tool is. A single move may take longer.
   void aWindowTakesNoLongerThanItMay() {
-    Bench bench(4, 0.55);
-    bench.send("X2\nX4\nX6\nX16\nX17\nX18\nend\n");
-    QCOMPARE(bench.window(), 2U);  // 0.4 s; a third would make 0.6
+    Bench bench(4, 0.45);
+    bench.send("X1\nX3\nX5\nX10\nX11\nX12\nend\n");
+    QCOMPARE(bench.window(), 2U);  // 0.3 s; a third would make 0.5
     QCOMPARE(bench.window(), 1U);
-    QCOMPARE(bench.window(), 1U);  // 1 s
+    QCOMPARE(bench.window(), 1U);  // 0.5 s
     QCOMPARE(bench.window(), 2U);
     QVERIFY(bench.stream.isDry());
   }
