@@ -197,7 +197,7 @@ class RunController final : public QObject {
   bool m_hasWrongMotion = false;                  ///< and not acknowledged
   bool m_isHeld = false;                          ///< by the operator
   bool m_isRaising = false;
-  bool m_isEnding = false;                        ///< the run in progress has been told to end
+  bool m_isEnding = false;  ///< the run in progress has been told to end
   std::optional<session::JobUpdate> m_job;
   std::size_t m_firstPoint = 0;
   std::size_t m_runBegin = 0;

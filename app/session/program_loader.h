@@ -3,7 +3,8 @@
 
 /// @file
 /// Reads NC programs outside the GUI thread and creates the views for the page. Only the last
-/// request is reported. @threadsafety GUI thread; the work itself runs in the pool (`session/background.h`).
+/// request is reported. @threadsafety GUI thread; the work itself runs in the pool
+/// (`session/background.h`).
 #pragma once
 
 #include <QObject>
