@@ -408,6 +408,10 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
     m_state.polarRadiusMm =
         radius->value * m_state.lengthFactor + (relative ? m_state.polarRadiusMm : 0.0);
   }
+  if (!countsFromStart && radius == nullptr && m_state.polarRadiusMm == 0.0) {
+    error(words, FaultCode::RelativeFromUnknownPosition, "RP");  // no radius has been programmed
+    return;
+  }
   m_polarTurnDegrees = 0.0;
   if (angle != nullptr) {
     const bool relative = isIncremental(*angle);
