@@ -151,6 +151,7 @@ class TestLiveWindow : public QObject {
     Q_EMIT m_window->programPage()->panel()->liveRequested();
     auto* dialog = m_window->findChild<widgets::LiveDialog*>();
     QVERIFY(dialog && dialog->isVisible());
+    QCOMPARE(dialog->locale(), QLocale());  // its numbers are those of the language
     dialog->findChild<QSpinBox*>(QStringLiteral("live-port"))->setValue(0);
     dialog->findChild<QDoubleSpinBox*>(QStringLiteral("live-z-from"))->setValue(40.0);
     dialog->findChild<QDoubleSpinBox*>(QStringLiteral("live-z-to"))->setValue(60.0);

@@ -161,6 +161,7 @@ void SheetArea::setPagesEnabled(bool areEnabled) {
 
 void openSheet(QDialog* sheet, QWidget* asker) {
   sheet->setAttribute(Qt::WA_DeleteOnClose, false);
+  sheet->setLocale(QLocale());  // its fields show and read numbers in the present language
   if (auto* area = asker->window()->findChild<SheetArea*>()) {
     area->open(sheet);
     return;
