@@ -24,6 +24,7 @@
 #include "job/regions.h"
 #include "job/translation.h"
 #include "nc/eval/evaluate.h"
+#include "nc/function_number.h"
 #include "nc/nc_number.h"
 #include "nc/syntax/expression.h"
 
@@ -1389,8 +1390,9 @@ class Splitter final : public gcode::BlockObserver,
         return true;
       case TokenKind::Word:
         if (token.address == 'M' && block.isInSubprogram) {
+          const std::optional<int> number = nc::functionNumber(token.value);
           const nc::MEffect effect =
-              nc::mEffect(m_language->dialect, static_cast<int>(token.value));
+              number ? nc::mEffect(m_language->dialect, *number) : nc::MEffect::None;
           return effect == nc::MEffect::End || effect == nc::MEffect::Return;
         }
         break;

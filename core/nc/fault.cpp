@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/contract.h"
 #include "base/sentence.h"
 
 namespace rivulet::nc {
@@ -37,6 +36,7 @@ constexpr std::array kClauses{
     Clause{FaultCode::ArcRadiusTooSmall, RIVULET_SENTENCE("FaultTexts", "circle end-point error: the radius is too small (%1)")},
     Clause{FaultCode::ArcFromUnknownPosition, RIVULET_SENTENCE("FaultTexts", "the arc starts at an unknown position: %1")},
     Clause{FaultCode::RelativeFromUnknownPosition, RIVULET_SENTENCE("FaultTexts", "the increment of %1 starts at an unknown position")},
+    Clause{FaultCode::WordMissing, RIVULET_SENTENCE("FaultTexts", "the block lacks a word that the control needs (%1)")},
     Clause{FaultCode::FeedMissing, RIVULET_SENTENCE("FaultTexts", "no feed is programmed")},
     Clause{FaultCode::FeedLost, RIVULET_SENTENCE("FaultTexts", "the unit of the feed was chosen behind the last F")},
     Clause{FaultCode::FeedNotPositive, RIVULET_SENTENCE("FaultTexts", "the programmed path speed %1 is not positive")},
@@ -135,8 +135,10 @@ std::string filled(std::string_view sentence, std::string_view parameter) {
 const char* clausePattern(FaultCode code) {
   const auto* const found = std::find_if(kClauses.begin(), kClauses.end(),
                                          [code](const Clause& each) { return each.code == code; });
-  RIVULET_ASSERT(found != kClauses.end());
-  return found->text;
+  // A finding that others have a sentence for, and a control that executes the block meets.
+  return found != kClauses.end()
+             ? found->text
+             : RIVULET_SENTENCE("FaultTexts", "the block cannot be executed here (%1)");
 }
 
 std::string describe(const Fault& fault) {

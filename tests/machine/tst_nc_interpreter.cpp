@@ -231,6 +231,9 @@ class TestNcInterpreter : public QObject {
     row("circle ends", "G2 X10 Y0 I4 J0\nM30", 14040);
     row("circle radius", "G2 X10 Y0 CR=4\nM30", 14040);
     row("line of three points", "CIP X10 Y0 I1=5 J1=0\nM30", 14040);
+    row("polar angle without a radius", "AP=90\nM30", 12080);
+    row("polar radius without an angle", "RP=5\nM30", 12080);
+    row("M of the first spindle", "M1=277777777777\nM30", 12080);
     row("division", "R1=1/0\nM30", 14051);
     row("label", "GOTOF NOWHERE\nM30", 14080);
     row("index", "R1=R[1000]\nM30", 17020);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/axes.h"
+#include "nc/function_number.h"
 
 namespace rivulet::nc {
 
@@ -70,6 +71,10 @@ class Drilling {
   }
   [[nodiscard]] double value(std::size_t index) const {
     return has(index) ? *m_arguments[index] : 0.0;
+  }
+  /// -1: none
+  [[nodiscard]] int choice(std::size_t index) const {
+    return functionNumber(value(index)).value_or(-1);
   }
   [[nodiscard]] double lengthMm(std::size_t index) const {
     return value(index) * m_start.lengthFactor;
@@ -237,7 +242,7 @@ Steps tap(Drilling drilling, const CycleStart& start) {
   if (pitchMm == 0.0 || contradicts) {
     return tl::unexpected(CycleFault{kPitchWrong, "PIT"});
   }
-  const int after = static_cast<int>(drilling.value(6));
+  const int after = drilling.choice(6);
   if (after < 3 || after > 5) {
     return tl::unexpected(CycleFault{kSpindleDirectionMissing, "SDAC"});
   }
@@ -259,7 +264,7 @@ Steps tap(Drilling drilling, const CycleStart& start) {
 
 /// CYCLE86(RTP, RFP, SDIS, DP, DPR, DTB, SDIR, RPA, RPO, RPAP, POSS).
 Steps bore(Drilling drilling, const CycleStart& start) {
-  const int turn = static_cast<int>(drilling.value(6));
+  const int turn = drilling.choice(6);
   if (turn != 3 && turn != 4) {
     return tl::unexpected(CycleFault{kSpindleDirectionMissing, "SDIR"});
   }
@@ -295,7 +300,7 @@ Steps ream(Drilling drilling, bool namesFeeds) {
 /// CYCLE87(RTP, RFP, SDIS, DP, DPR, SDIR), CYCLE88(.., DTB, SDIR): the spindle stops, and the
 /// program until cycle start.
 Steps boreWithStop(Drilling drilling, bool dwells) {
-  const int turn = static_cast<int>(drilling.value(dwells ? 6 : 5));
+  const int turn = drilling.choice(dwells ? 6 : 5);
   if (turn != 3 && turn != 4) {
     return tl::unexpected(CycleFault{kSpindleDirectionMissing, "SDIR"});
   }
@@ -312,8 +317,8 @@ Steps boreWithStop(Drilling drilling, bool dwells) {
 /// CYCLE840(RTP, RFP, SDIS, DP, DPR, DTB, SDR, SDAC, ENC, MPIT, PIT, _AXN): with a chuck that gives
 /// way. Without a pitch the feed is the programmed one.
 Steps tapWithChuck(Drilling drilling, const CycleStart& start) {
-  const int after = static_cast<int>(drilling.value(7));
-  const int out = static_cast<int>(drilling.value(6));
+  const int after = drilling.choice(7);
+  const int out = drilling.choice(6);
   if (after != 0 && (after < 3 || after > 5)) {
     return tl::unexpected(CycleFault{kSpindleDirectionMissing, "SDAC"});
   }

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "nc/function_number.h"
 #include "nc/unknown.h"
 
 namespace rivulet::nc {
@@ -311,6 +312,10 @@ void BlockReader::readAssignment(const Token& token, BlockWords& words) {
 void BlockReader::readIndexed(const Token& token, BlockWords& words) {
   if (token.address != 'G') {
     if (token.text.size() > 1 && token.text[1] == '1' && token.calculation == nullptr) {
+      if (token.address == 'M' && !functionNumber(token.value)) {
+        m_to.faults.error(token, FaultCode::ValueOutOfRange);
+        return;
+      }
       m_to.path.firstSpindle(token.address, token.value);
     }
     m_to.faults.ignore(token, std::string(token.text));

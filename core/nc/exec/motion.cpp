@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "nc/exec/executor.h"
+#include "nc/function_number.h"
 #include "nc/unknown.h"
 
 namespace rivulet::nc {
@@ -91,8 +92,8 @@ void Executor::executeMotion(BlockWords& words) {
 /// G75: the axes that the block names go to a place of the machine, whatever their values say.
 void Executor::moveToFixedPoint(const BlockWords& words) {
   const NamedWord* const number = words.named("FP");
-  const auto place =
-      m_options.fixedPointsMm.find(number == nullptr ? 1 : static_cast<int>(number->value));
+  const auto place = m_options.fixedPointsMm.find(
+      number == nullptr ? 1 : functionNumber(number->value).value_or(-1));
   if (place == m_options.fixedPointsMm.end()) {
     m_to.faults.error(*words.rare->fixedPoint, FaultCode::UnsupportedGCode,
                       wordText(*words.rare->fixedPoint));
@@ -402,15 +403,13 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
     m_state.polarRadiusMm = radiusMm;
     m_state.polarDegrees = degrees;
   }
+  bool lacksRadius = std::isnan(m_state.polarRadiusMm);
   if (radius != nullptr) {
     const bool relative =
         countsFromStart ? isIncremental(*radius) : radius->reference == Reference::Incremental;
+    lacksRadius = lacksRadius && relative;
     m_state.polarRadiusMm =
         radius->value * m_state.lengthFactor + (relative ? m_state.polarRadiusMm : 0.0);
-  }
-  if (!countsFromStart && radius == nullptr && m_state.polarRadiusMm == 0.0) {
-    error(words, FaultCode::RelativeFromUnknownPosition, "RP");  // no radius has been programmed
-    return;
   }
   m_polarTurnDegrees = 0.0;
   if (angle != nullptr) {
@@ -419,6 +418,13 @@ void Executor::takePolarWords(const BlockWords& words, Vec3 from, Vec3& target) 
       m_polarTurnDegrees = angle->value;
     }
     m_state.polarDegrees = angle->value + (relative ? degrees : 0.0);
+  } else if (std::isnan(m_state.polarDegrees) && up == 0.0 && across > 0.0) {
+    m_state.polarDegrees = 0.0;  // never named, and the tool stands there
+  }
+  const bool lacksAngle = angle == nullptr && std::isnan(m_state.polarDegrees);
+  if (lacksRadius || lacksAngle) {
+    error(words, FaultCode::WordMissing, lacksRadius ? "AP RP" : "RP AP");
+    return;
   }
   setPolar(words, from, target);
   if (m_polarTurnDegrees != 0.0 && std::fmod(m_polarTurnDegrees, 360.0) == 0.0) {

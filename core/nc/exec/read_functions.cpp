@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "nc/exec/block_reader.h"
+#include "nc/function_number.h"
 #include "nc/unknown.h"
 
 namespace rivulet::nc {
@@ -372,13 +373,12 @@ void BlockReader::readTurningCycle(const Token& token, BlockWords& words) {
 }
 
 void BlockReader::readM(const Token& token, BlockWords& words) {
-  const double value = token.value;
-  if (!(value >= 0.0 && value < 10000.0) || value != std::floor(value)) {
+  const std::optional<int> number = functionNumber(token.value);
+  if (!number) {
     m_to.faults.error(token, FaultCode::ValueOutOfRange);
     return;
   }
-  const auto number = static_cast<int>(value);
-  const MRow* const row = mFunction(m_language.dialect, number);
+  const MRow* const row = mFunction(m_language.dialect, *number);
   words.takesParameter = words.takesParameter || (row != nullptr && !row->takes.empty());
   switch (row == nullptr ? MEffect::None : row->effect) {
     case MEffect::End:
@@ -423,7 +423,7 @@ void BlockReader::readM(const Token& token, BlockWords& words) {
     case MEffect::None:
       break;
   }
-  m_to.path.machineWord(MachineWord::M, value, words.line);
+  m_to.path.machineWord(MachineWord::M, token.value, words.line);
   if (number == 6) {
     m_tool.changes = m_tool.isNamed = true;
   }
@@ -432,7 +432,7 @@ void BlockReader::readM(const Token& token, BlockWords& words) {
   m_to.faults.ignoreM(row == nullptr ? Severity::Error
                       : waits        ? Severity::Warning
                                      : Severity::Note,
-                      number, token);
+                      *number, token);
 }
 
 }  // namespace rivulet::nc

@@ -14,6 +14,7 @@
 #include "base/axes.h"
 #include "base/vec3.h"
 #include "nc/modal/frame.h"
+#include "nc/unknown.h"
 
 namespace rivulet::nc {
 
@@ -128,8 +129,8 @@ struct ModalState {
 
   base::Vec3 poleMm;
   bool polar = false;  ///< G16
-  double polarRadiusMm = 0.0;
-  double polarDegrees = 0.0;
+  double polarRadiusMm = kUnknown;  ///< none has been named
+  double polarDegrees = kUnknown;   ///< none has been named
 
   [[nodiscard]] std::size_t planeSecondAxis() const {
     return (planeFirstAxis + 1) % base::kAxisCount;

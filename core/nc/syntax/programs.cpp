@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "nc/function_number.h"
 #include "nc/modal/vocabulary.h"
 #include "nc/syntax/lexer.h"
 
@@ -260,9 +261,8 @@ class Splitter {
   void note(const Token& token) {
     TextProgram& program = m_parts.back().program;
     if (token.kind == TokenKind::Word && token.address == 'M') {
-      const MEffect effect = token.value >= 0.0 && token.value < 10000.0
-                                 ? mEffect(m_language.dialect, static_cast<int>(token.value))
-                                 : MEffect::None;
+      const std::optional<int> number = functionNumber(token.value);
+      const MEffect effect = number ? mEffect(m_language.dialect, *number) : MEffect::None;
       program.ends = program.ends || effect == MEffect::End;
       program.returns = program.returns || effect == MEffect::Return;
     } else if (token.kind == TokenKind::Name) {
