@@ -158,7 +158,7 @@ base::Result<Experiment> runWrongMachines(const ExperimentOptions& options) {
     return base::fail(right.error());
   }
   std::vector<std::vector<std::string>> caughtBy(right->size());
-  Table machines{"WrongOne machines and methods, and the checks that catch them",
+  Table machines{"Wrong machines and methods, and the checks that catch them",
                  {"wrong", "caught by", "checks"},
                  {}};
   double missed = 0.0;
@@ -167,6 +167,7 @@ base::Result<Experiment> runWrongMachines(const ExperimentOptions& options) {
     std::size_t checked = 0;
     for (const auto part : {probes.first(probes.size() - 1), probes.last(1)}) {
       if (sparesLast && !caught.empty()) {
+        meter.add();
         break;
       }
       const auto outcomes = outcomesOf(options, &wrong, part, meter);
@@ -203,9 +204,8 @@ base::Result<Experiment> runWrongMachines(const ExperimentOptions& options) {
   result.title = "Which check catches which wrong machine";
   result.setup = fmt::format(
       "The experiments of [P1] above, with fewer runs, on the preset and on {} machines and "
-      "methods "
-      "that are wrong in one thing. A check catches one if it passes on the preset and fails on "
-      "it.{}",
+      "methods that are wrong in one thing. A check catches one if it passes on the preset and "
+      "fails on it.{}",
       kWrong.size(),
       sparesLast ? " Here `figure4` looks only at what no other experiment has caught." : "");
   result.checks = {zeroCheck(fmt::format("wrong machines and methods of {} that no check catches",
