@@ -59,7 +59,7 @@ base::Result<void> requireTravel(const Connection& connection, const std::string
 }
 
 void tellCut(const run::RecordingCut& cut) {
-  log::logger().error("{} The run goes on.", cut.error.text());
+  log::logger().error(cut.error.text());
 }
 
 nlohmann::ordered_json filesJson(const run::RunRecord& record, const char* savedKey) {

@@ -107,7 +107,8 @@ bool RunRecord::append(std::string_view lines) {
   if (m_file->append(lines)) {
     return true;
   }
-  if (const auto seen = cut(); seen && m_facts.onCut) {
+  if (auto seen = cut(); seen && m_facts.onCut) {
+    seen->error.message += " The run goes on.";
     m_facts.onCut(*seen);
   }
   return false;

@@ -187,8 +187,8 @@ void ServiceSession::take(const session::SessionEvent& event) {
   } else if (const auto* whole = std::get_if<session::JobUpdate>(&event)) {
     m_whole = *whole;
   } else if (const auto* cut = std::get_if<run::RecordingCut>(&event)) {
-    m_message = cut->error.message + " The run goes on.";
-    log::logger().warn("{} The run goes on.", cut->error.text());
+    m_message = cut->error.message;
+    log::logger().warn(cut->error.text());
   } else if (const auto* finished = std::get_if<session::RunFinished>(&event)) {
     takeFinished(*finished);
   } else if (const auto* runs = std::get_if<session::RunsSeen>(&event)) {
@@ -367,7 +367,7 @@ streaming::StartFacts ServiceSession::facts(const Caller& caller, Act act,
 }
 
 void ServiceSession::lookForFiles(Clock::time_point now) {
-  if (now >= m_look.nextFiles) {
+  if (!m_isRunning && now >= m_look.nextFiles) {
     m_look.files = filesIn(m_options.jobs);
     m_look.nextFiles = now + kLookInterval;
   }
