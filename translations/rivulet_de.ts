@@ -1977,6 +1977,14 @@
         <source>the program takes more memory than is allowed: split it</source>
         <translation>Das Programm braucht mehr Speicher, als erlaubt ist: Programm aufteilen</translation>
     </message>
+    <message>
+        <source>the block lacks a word that the control needs (%1)</source>
+        <translation>dem Satz fehlt ein Wort, das die Steuerung braucht (%1)</translation>
+    </message>
+    <message>
+        <source>the block cannot be executed here (%1)</source>
+        <translation>der Satz kann hier nicht ausgeführt werden (%1)</translation>
+    </message>
 </context>
 <context>
     <name>FeedTestTexts</name>
@@ -2987,14 +2995,6 @@
     <message>
         <source>The report is damaged and cannot be shown.</source>
         <translation>Der Bericht ist beschädigt und kann nicht gezeigt werden.</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 gespeichert.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written. Check permissions and free space.</source>
-        <translation>%1 kann nicht geschrieben werden. Rechte und freien Platz prüfen.</translation>
     </message>
 </context>
 <context>
@@ -5005,6 +5005,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Accept it …</source>
         <translation>In Kauf nehmen …</translation>
+    </message>
+    <message>
+        <source>Since it was measured how fast this control can be written to, its software has changed: %1 for each R-parameter are assumed.</source>
+        <translation>Seit gemessen wurde, wie schnell diese Steuerung beschrieben werden kann, hat sich ihre Software geändert: Angenommen werden %1 je R-Parameter.</translation>
+    </message>
+    <message>
+        <source>It has not been measured how fast this control can be written to: %1 for each R-parameter are assumed.</source>
+        <translation>Wie schnell diese Steuerung beschrieben werden kann, ist nicht gemessen: Angenommen werden %1 je R-Parameter.</translation>
+    </message>
+    <message>
+        <source>Measure …</source>
+        <translation>Messen …</translation>
     </message>
 </context>
 <context>
@@ -8862,6 +8874,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Before the tool is raised</source>
         <translation>Bevor das Werkzeug abgehoben wird</translation>
+    </message>
+    <message>
+        <source>First move</source>
+        <translation>Erste Bewegung</translation>
     </message>
 </context>
 <context>

@@ -1977,6 +1977,14 @@
         <source>the program takes more memory than is allowed: split it</source>
         <translation>el programa necesita más memoria de la permitida: divídalo</translation>
     </message>
+    <message>
+        <source>the block lacks a word that the control needs (%1)</source>
+        <translation>falta en el bloque una palabra que el control necesita (%1)</translation>
+    </message>
+    <message>
+        <source>the block cannot be executed here (%1)</source>
+        <translation>el bloque no se puede ejecutar aquí (%1)</translation>
+    </message>
 </context>
 <context>
     <name>FeedTestTexts</name>
@@ -2987,14 +2995,6 @@
     <message>
         <source>The report is damaged and cannot be shown.</source>
         <translation>El informe está dañado y no se puede mostrar.</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 guardado.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written. Check permissions and free space.</source>
-        <translation>No se puede escribir %1. Comprobar los permisos y el espacio libre.</translation>
     </message>
 </context>
 <context>
@@ -5005,6 +5005,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Accept it …</source>
         <translation>Aceptarlo …</translation>
+    </message>
+    <message>
+        <source>Since it was measured how fast this control can be written to, its software has changed: %1 for each R-parameter are assumed.</source>
+        <translation>Desde que se midió la rapidez con que se puede escribir en este control, su software ha cambiado: se suponen %1 por parámetro R.</translation>
+    </message>
+    <message>
+        <source>It has not been measured how fast this control can be written to: %1 for each R-parameter are assumed.</source>
+        <translation>No se ha medido con qué rapidez se puede escribir en este control: se suponen %1 por parámetro R.</translation>
+    </message>
+    <message>
+        <source>Measure …</source>
+        <translation>Medir …</translation>
     </message>
 </context>
 <context>
@@ -8862,6 +8874,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Before the tool is raised</source>
         <translation>Antes de levantar la herramienta</translation>
+    </message>
+    <message>
+        <source>First move</source>
+        <translation>Primer movimiento</translation>
     </message>
 </context>
 <context>

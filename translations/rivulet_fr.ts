@@ -266,15 +266,15 @@
     </message>
     <message>
         <source>The recording of %1 was cut off: the first %2 s of the run are in it.</source>
-        <translation>L’enregistrement de %1 a été coupé : il contient les %2 premières secondes de l’exécution.</translation>
+        <translation>L’enregistrement de %1 a été coupé&#xa0;: il contient les %2 premières secondes de l’exécution.</translation>
     </message>
     <message>
         <source>Nothing more can be written to the folder %3: its disk is full, or too slow.</source>
-        <translation>Plus rien ne peut être écrit dans le dossier %3 : le disque est plein ou trop lent.</translation>
+        <translation>Plus rien ne peut être écrit dans le dossier %3&#xa0;: le disque est plein ou trop lent.</translation>
     </message>
     <message>
         <source>Make room on the disk. A run in progress goes on without its recording; the next one is recorded.</source>
-        <translation>Libérer de la place sur le disque. Une exécution en cours continue sans enregistrement ; la suivante est enregistrée.</translation>
+        <translation>Libérer de la place sur le disque. Une exécution en cours continue sans enregistrement&#xa0;; la suivante est enregistrée.</translation>
     </message>
 </context>
 <context>
@@ -488,7 +488,7 @@
     </message>
     <message>
         <source>Method %1 may execute old points again: if this computer is late for a moment, the tool goes back through the workpiece. Choose method window.</source>
-        <translation>La méthode %1 peut exécuter à nouveau d’anciens points : si cet ordinateur est en retard un instant, l’outil revient à travers la pièce. Choisir la méthode Fenêtre.</translation>
+        <translation>La méthode %1 peut exécuter à nouveau d’anciens points&#xa0;: si cet ordinateur est en retard un instant, l’outil revient à travers la pièce. Choisir la méthode Fenêtre.</translation>
     </message>
 </context>
 <context>
@@ -1977,6 +1977,14 @@
         <source>the program takes more memory than is allowed: split it</source>
         <translation>le programme prend plus de mémoire qu’il n’est permis&#xa0;: le diviser</translation>
     </message>
+    <message>
+        <source>the block lacks a word that the control needs (%1)</source>
+        <translation>il manque au bloc un mot dont la commande a besoin (%1)</translation>
+    </message>
+    <message>
+        <source>the block cannot be executed here (%1)</source>
+        <translation>le bloc ne peut pas être exécuté ici (%1)</translation>
+    </message>
 </context>
 <context>
     <name>FeedTestTexts</name>
@@ -2970,7 +2978,7 @@
     <message>
         <source>This method of the publication knows no numbered windows. If this computer is late, the control executes old points again. To start all the same, type:
 %1</source>
-        <translation>Cette méthode de la publication ne connaît pas de fenêtres numérotées. Si cet ordinateur est en retard, la commande exécute à nouveau d’anciens points. Pour démarrer malgré tout, taper :
+        <translation>Cette méthode de la publication ne connaît pas de fenêtres numérotées. Si cet ordinateur est en retard, la commande exécute à nouveau d’anciens points. Pour démarrer malgré tout, taper&#xa0;:
 %1</translation>
     </message>
 </context>
@@ -2987,14 +2995,6 @@
     <message>
         <source>The report is damaged and cannot be shown.</source>
         <translation>Le rapport est endommagé et ne peut pas être affiché.</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 enregistré.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written. Check permissions and free space.</source>
-        <translation>Impossible d’écrire %1. Vérifier les droits et l’espace libre.</translation>
     </message>
 </context>
 <context>
@@ -3535,11 +3535,11 @@
     </message>
     <message>
         <source>Layout number %1: with another one Rivulet moves nothing</source>
-        <translation>Numéro de disposition %1 : avec un autre, Rivulet ne déplace rien</translation>
+        <translation>Numéro de disposition %1&#xa0;: avec un autre, Rivulet ne déplace rien</translation>
     </message>
     <message>
         <source>This program runs on the control and moves the axes to the points that Rivulet sends in R-parameters. It is valid for the settings on this page only; with others it has another layout number.</source>
-        <translation>Ce programme s’exécute sur la commande et déplace les axes vers les points que Rivulet envoie dans des paramètres R. Il ne vaut que pour les réglages de cette page ; avec d’autres, il a un autre numéro de disposition.</translation>
+        <translation>Ce programme s’exécute sur la commande et déplace les axes vers les points que Rivulet envoie dans des paramètres R. Il ne vaut que pour les réglages de cette page&#xa0;; avec d’autres, il a un autre numéro de disposition.</translation>
     </message>
     <message>
         <source>Program</source>
@@ -3575,22 +3575,22 @@
     </message>
     <message>
         <source>Copy the file to the part programs of the control, by network or USB stick, as %1. Change nothing in it: Rivulet relies on every line.</source>
-        <translation>Copier le fichier dans les programmes pièce de la commande, par le réseau ou une clé USB, sous le nom %1. N’y rien changer : Rivulet se fie à chaque ligne.</translation>
+        <translation>Copier le fichier dans les programmes pièce de la commande, par le réseau ou une clé USB, sous le nom %1. N’y rien changer&#xa0;: Rivulet se fie à chaque ligne.</translation>
     </message>
     <message>
         <source>Copy the file to the folder of the NC programs of the control as %1. Change nothing in it: Rivulet relies on every line.</source>
-        <translation>Copier le fichier dans le dossier des programmes CN de la commande sous le nom %1. N’y rien changer : Rivulet se fie à chaque ligne.</translation>
+        <translation>Copier le fichier dans le dossier des programmes CN de la commande sous le nom %1. N’y rien changer&#xa0;: Rivulet se fie à chaque ligne.</translation>
     </message>
     <message numerus="yes">
         <source>In Rivulet, column Settings, tick “copied by hand” at Template. Look through what Start shows, then hold Start. From then on Rivulet waits up to %n minutes.</source>
         <translation>
-            <numerusform>Dans Rivulet, colonne Paramètres, cocher « copié à la main » à Modèle. Vérifier ce que montre Démarrer, puis le maintenir. Rivulet attend alors jusqu’à %n minute.</numerusform>
-            <numerusform>Dans Rivulet, colonne Paramètres, cocher « copié à la main » à Modèle. Vérifier ce que montre Démarrer, puis le maintenir. Rivulet attend alors jusqu’à %n minutes.</numerusform>
+            <numerusform>Dans Rivulet, colonne Paramètres, cocher «&#xa0;copié à la main&#xa0;» à Modèle. Vérifier ce que montre Démarrer, puis le maintenir. Rivulet attend alors jusqu’à %n minute.</numerusform>
+            <numerusform>Dans Rivulet, colonne Paramètres, cocher «&#xa0;copié à la main&#xa0;» à Modèle. Vérifier ce que montre Démarrer, puis le maintenir. Rivulet attend alors jusqu’à %n minutes.</numerusform>
         </translation>
     </message>
     <message>
         <source>At the control: select the program in channel 1, close the doors, set the feed override, press cycle start. No axis moves yet.</source>
-        <translation>Sur la commande : sélectionner le programme dans le canal 1, fermer les portes, régler l’override d’avance, appuyer sur Départ cycle. Aucun axe ne bouge encore.</translation>
+        <translation>Sur la commande&#xa0;: sélectionner le programme dans le canal 1, fermer les portes, régler l’override d’avance, appuyer sur Départ cycle. Aucun axe ne bouge encore.</translation>
     </message>
     <message>
         <source>The program writes its layout number and waits. Only when Rivulet has read the right number, it sends points and the axes move.</source>
@@ -3606,11 +3606,11 @@
     </message>
     <message>
         <source>If Rivulet, its computer or the network fails, nothing new is sent: with numbered windows the axes stand; with methods position and signal they may go to old points again.</source>
-        <translation>Si Rivulet, son ordinateur ou le réseau tombe en panne, rien de nouveau n’est envoyé : avec des fenêtres numérotées, les axes s’arrêtent ; avec les méthodes Position et Signal, ils peuvent retourner à d’anciens points.</translation>
+        <translation>Si Rivulet, son ordinateur ou le réseau tombe en panne, rien de nouveau n’est envoyé&#xa0;: avec des fenêtres numérotées, les axes s’arrêtent&#xa0;; avec les méthodes Position et Signal, ils peuvent retourner à d’anciens points.</translation>
     </message>
     <message>
         <source>End the run in Rivulet. If the program still runs: press reset at the control.</source>
-        <translation>Terminer l’exécution dans Rivulet. Si le programme tourne encore : appuyer sur Reset sur la commande.</translation>
+        <translation>Terminer l’exécution dans Rivulet. Si le programme tourne encore&#xa0;: appuyer sur Reset sur la commande.</translation>
     </message>
     <message>
         <source>Select another program, then delete the file from the part programs of the control.</source>
@@ -3622,7 +3622,7 @@
     </message>
     <message>
         <source>Take back the rights that were given for it; on a SINUMERIK with DeleteUserAccess. Remove the certificate of this computer from those that the control trusts if Rivulet is not to connect again.</source>
-        <translation>Retirer les droits donnés pour cela ; sur une SINUMERIK avec DeleteUserAccess. Retirer le certificat de cet ordinateur de ceux auxquels la commande fait confiance si Rivulet ne doit plus se connecter.</translation>
+        <translation>Retirer les droits donnés pour cela&#xa0;; sur une SINUMERIK avec DeleteUserAccess. Retirer le certificat de cet ordinateur de ceux auxquels la commande fait confiance si Rivulet ne doit plus se connecter.</translation>
     </message>
     <message>
         <source>Rights of the OPC UA user</source>
@@ -4992,7 +4992,7 @@ GPL-3.0-or-later</translation>
     </message>
     <message>
         <source>Method %1 may execute old points again: if this computer is late for a moment, the tool goes back through the workpiece, and nothing stops it before it has moved. Method window does not.</source>
-        <translation>La méthode %1 peut exécuter à nouveau d’anciens points : si cet ordinateur est en retard un instant, l’outil revient à travers la pièce, et rien ne l’arrête avant qu’il ait bougé. La méthode Fenêtre ne le fait pas.</translation>
+        <translation>La méthode %1 peut exécuter à nouveau d’anciens points&#xa0;: si cet ordinateur est en retard un instant, l’outil revient à travers la pièce, et rien ne l’arrête avant qu’il ait bougé. La méthode Fenêtre ne le fait pas.</translation>
     </message>
     <message>
         <source>Method</source>
@@ -5005,6 +5005,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Accept it …</source>
         <translation>L’accepter …</translation>
+    </message>
+    <message>
+        <source>Since it was measured how fast this control can be written to, its software has changed: %1 for each R-parameter are assumed.</source>
+        <translation>Depuis que la vitesse d’écriture de cette commande a été mesurée, son logiciel a changé&#xa0;: %1 par paramètre R sont supposées.</translation>
+    </message>
+    <message>
+        <source>It has not been measured how fast this control can be written to: %1 for each R-parameter are assumed.</source>
+        <translation>La vitesse d’écriture de cette commande n’a pas été mesurée&#xa0;: %1 par paramètre R sont supposées.</translation>
+    </message>
+    <message>
+        <source>Measure …</source>
+        <translation>Mesurer …</translation>
     </message>
 </context>
 <context>
@@ -8862,6 +8874,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Before the tool is raised</source>
         <translation>Avant de relever l&apos;outil</translation>
+    </message>
+    <message>
+        <source>First move</source>
+        <translation>Premier mouvement</translation>
     </message>
 </context>
 <context>

@@ -1977,6 +1977,14 @@
         <source>the program takes more memory than is allowed: split it</source>
         <translation>il programma richiede più memoria di quanta ne è consentita: dividerlo</translation>
     </message>
+    <message>
+        <source>the block lacks a word that the control needs (%1)</source>
+        <translation>al blocco manca una parola che serve al controllo (%1)</translation>
+    </message>
+    <message>
+        <source>the block cannot be executed here (%1)</source>
+        <translation>il blocco non può essere eseguito qui (%1)</translation>
+    </message>
 </context>
 <context>
     <name>FeedTestTexts</name>
@@ -2987,14 +2995,6 @@
     <message>
         <source>The report is damaged and cannot be shown.</source>
         <translation>Il rapporto è danneggiato e non può essere mostrato.</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 salvato.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written. Check permissions and free space.</source>
-        <translation>Impossibile scrivere %1. Controllare i permessi e lo spazio libero.</translation>
     </message>
 </context>
 <context>
@@ -5005,6 +5005,18 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Accept it …</source>
         <translation>Accettarlo …</translation>
+    </message>
+    <message>
+        <source>Since it was measured how fast this control can be written to, its software has changed: %1 for each R-parameter are assumed.</source>
+        <translation>Da quando è stata misurata la velocità di scrittura di questo controllo, il suo software è cambiato: si assumono %1 per ogni parametro R.</translation>
+    </message>
+    <message>
+        <source>It has not been measured how fast this control can be written to: %1 for each R-parameter are assumed.</source>
+        <translation>La velocità di scrittura di questo controllo non è stata misurata: si assumono %1 per ogni parametro R.</translation>
+    </message>
+    <message>
+        <source>Measure …</source>
+        <translation>Misura …</translation>
     </message>
 </context>
 <context>
@@ -8862,6 +8874,10 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Before the tool is raised</source>
         <translation>Prima di sollevare l&apos;utensile</translation>
+    </message>
+    <message>
+        <source>First move</source>
+        <translation>Primo movimento</translation>
     </message>
 </context>
 <context>

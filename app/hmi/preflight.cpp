@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/method_kind.h"
 #include "base/units.h"
@@ -178,6 +179,8 @@ void Preflight::open() {
     m_isSetUpConfirmed = m_isRaising = false;
     // A virtual machine has nothing in its way.
     m_isFirstMoveConfirmed = m_isRepeatConfirmed = m_machine.view().isVirtualMachine;
+    m_confirmed.clear();
+    m_runs.setConfirmed({});
     change();
     Q_EMIT openChanged();
   }
@@ -531,6 +534,29 @@ PreflightItem Preflight::firstMoveItem() const {
   return item;
 }
 
+widgets::FirstMove Preflight::firstMove() const {
+  const auto& toolMm = m_machine.view().positionMm;
+  if (!m_isOpen || m_document.live() || m_document.points().empty()) {
+    return {};
+  }
+  widgets::FirstMove move{m_document.view(), {}};
+  if (!toolMm) {
+    return move;
+  }
+  move.wayMm.push_back(*toolMm);
+  if (const auto raised = raise()) {
+    move.wayMm.push_back({toolMm->x, toolMm->y, raised->toMm});
+  } else if (isForResume()) {
+    move.wayMm.push_back(m_runs.place()->positionMm);
+  } else if (blockBeforePath(m_document) == nullptr) {
+    move.wayMm.push_back(m_document.points().front().positionMm);
+  }
+  if (!base::isFinite(move.wayMm.back())) {
+    move.wayMm.pop_back();
+  }
+  return move;
+}
+
 const std::optional<streaming::CutOnTheWay>& Preflight::cutOnTheWay() const {
   if (!m_cut) {
     m_cut = findCut();
@@ -607,7 +633,14 @@ PreflightItem Preflight::straightItem() const {
 }
 
 void Preflight::confirmFirstMove() {
-  m_isFirstMoveConfirmed = true;
+  confirm(m_isFirstMoveConfirmed, "first move");
+}
+
+void Preflight::confirm(bool& question, std::string_view name) {
+  if (!std::exchange(question, true)) {
+    m_confirmed.append(m_confirmed.empty() ? "" : ", ").append(name);
+    m_runs.setConfirmed(m_confirmed);
+  }
   change();
 }
 
@@ -631,8 +664,7 @@ PreflightItem Preflight::repeatItem() const {
 }
 
 void Preflight::confirmRepeats() {
-  m_isRepeatConfirmed = true;
-  change();
+  confirm(m_isRepeatConfirmed, "repeats");
 }
 
 PreflightItem Preflight::raiseItem() const {
@@ -1014,10 +1046,22 @@ PreflightItem Preflight::runCellItem(const streaming::RunSettings& settings) con
 
 PreflightItem Preflight::accessItem() const {
   const Findings& findings = m_document.findings();
-  const widgets::AccessSourceText text = widgets::accessSourceText(
-      findings.source, findings.access.timePerNode(findings.operatingPoint.turn()));
-  return {
-      findings.source.isUsed() ? Status::Good : Status::Attention, tr("Access"), text.text, {}, 0};
+  const base::Duration time = findings.access.timePerNode(findings.operatingPoint.turn());
+  if (findings.source.isUsed()) {
+    return {
+        Status::Good, tr("Access"), widgets::accessSourceText(findings.source, time).text, {}, 0};
+  }
+  const QString each = widgets::millisecondsText(time, 2);
+  const bool mayMeasure = m_users != nullptr && !m_users->refusal(permission::Act::Calibrate);
+  return {Status::Attention, tr("Access"),
+          findings.source.isOutdated
+              ? tr("Since it was measured how fast this control can be written to, its software "
+                   "has changed: %1 for each R-parameter are assumed.")
+                    .arg(each)
+              : tr("It has not been measured how fast this control can be written to: %1 for each "
+                   "R-parameter are assumed.")
+                    .arg(each),
+          mayMeasure ? tr("Measure …") : QString(), MeasureAccess};
 }
 
 void Preflight::setReleases(Releases& releases, Users& users) {
@@ -1050,8 +1094,7 @@ void Preflight::remedy(int remedyId) {
     return;
   }
   if (remedyId == ConfirmSetUp) {
-    m_isSetUpConfirmed = true;
-    change();
+    confirm(m_isSetUpConfirmed, "set-up");
     return;
   }
   if (remedyId == ConfirmFirstMove) {
@@ -1083,6 +1126,11 @@ void Preflight::remedy(int remedyId) {
   if (remedyId == EnterLimits) {
     close();
     Q_EMIT limitsRequested();
+    return;
+  }
+  if (remedyId == MeasureAccess) {
+    close();
+    Q_EMIT calibrationRequested();
     return;
   }
   if (remedyId == ReloadProgram) {

@@ -8,6 +8,8 @@
 
 #include <QObject>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "forecast/job_restart.h"
@@ -32,6 +34,7 @@ class Preflight final : public QObject {
     TakeBackRelease,
     RunWholeJob,
     EnterLimits,
+    MeasureAccess,
     ChooseStretch,
     ChangeLive,
     ConfirmSetUp,
@@ -73,6 +76,7 @@ class Preflight final : public QObject {
   }
   /// In the operator's language.
   [[nodiscard]] std::vector<widgets::PreflightItem> items() const;
+  [[nodiscard]] widgets::FirstMove firstMove() const;
   void remedy(int remedyId);
   /// The operator has looked: nothing is in the way of the first move.
   void confirmFirstMove();
@@ -90,6 +94,8 @@ class Preflight final : public QObject {
   void changed();
   /// The operator wants to enter the limits of the machine.
   void limitsRequested();
+  /// Somebody wants to measure how fast the control can be written to.
+  void calibrationRequested();
   /// The operator wants to agree on something else with the live source.
   void liveRequested();
   /// An engineer wants to begin a job in the middle. @param stretches  that there are
@@ -116,6 +122,8 @@ class Preflight final : public QObject {
   /// The same, anew: a pass over the program.
   [[nodiscard]] std::optional<streaming::CutOnTheWay> findCut() const;
   void change();
+  /// @param name  in the audit trail of the start
+  void confirm(bool& question, std::string_view name);
   /// Says so, and what can be done.
   void warnOfCut(widgets::PreflightItem& item) const;
   [[nodiscard]] widgets::PreflightItem straightItem() const;
@@ -161,6 +169,7 @@ class Preflight final : public QObject {
   bool m_isFirstMoveConfirmed = false;
   bool m_isRepeatConfirmed = false;
   bool m_isRaising = false;
+  std::string m_confirmed;  ///< by hand, as the audit trail names it
 };
 
 }  // namespace rivulet::hmi

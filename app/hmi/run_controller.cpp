@@ -550,6 +550,9 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
     command.live = live->setup;
     m_document.beginLivePath();
   }
+  if (!m_confirmed.empty()) {
+    details.emplace_back("confirmed", std::exchange(m_confirmed, {}));
+  }
   m_messages.didAct((resume && !isChosen) || restart ? Act::Resume : Act::Start, details);
   command.program = m_document.program();
   command.source = m_document.source();

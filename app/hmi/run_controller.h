@@ -11,6 +11,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "hmi/document.h"
 #include "hmi/machine_model.h"
@@ -51,6 +53,8 @@ class RunController final : public QObject {
   using Gate = std::function<std::optional<permission::Refusal>(permission::Act)>;
   void setGate(Gate gate) { m_gate = std::move(gate); }
 
+  /// What somebody has confirmed for the next start, as the audit trail names it; empty: nothing.
+  void setConfirmed(std::string what) { m_confirmed = std::move(what); }
   /// Starts if nothing stands in the way. @return false and says why otherwise
   bool start();
   /// Raises the tool straight up, as a run of its own. The run that was left cannot be resumed any
@@ -195,6 +199,7 @@ class RunController final : public QObject {
   std::optional<base::Instant> m_firstMotion;
   std::optional<streaming::WrongMotion> m_wrong;  ///< seen in the run in progress, or in the last
   bool m_hasWrongMotion = false;                  ///< and not acknowledged
+  std::string m_confirmed;                        ///< see `setConfirmed`
   bool m_isHeld = false;                          ///< by the operator
   bool m_isRaising = false;
   bool m_isEnding = false;  ///< the run in progress has been told to end

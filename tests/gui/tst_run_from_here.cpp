@@ -12,11 +12,13 @@
 #include <utility>
 
 #include "hmi/main_window.h"
+#include "journal/audit.h"
 #include "support/patience.h"
 #include "support/simulated_control.h"
 #include "support/test_program.h"
 #include "widgets/alarms/alarm_line.h"
 #include "widgets/common/hold_button.h"
+#include "widgets/program/path_canvas.h"
 #include "widgets/program/program_page.h"
 #include "widgets/program/text_pane.h"
 #include "widgets/streaming/preflight_sheet.h"
@@ -43,20 +45,24 @@ class TestRunFromHere : public QObject {
 
  private:
   QTemporaryDir m_folder;
+  std::unique_ptr<QTemporaryDir> m_state;
   std::unique_ptr<tests::SimulatedControl> m_machine;
   std::unique_ptr<MainWindow> m_window;
 
+  [[nodiscard]] std::filesystem::path stateFolder() const { return m_state->path().toStdString(); }
   void openWindow(base::MethodKind method, bool wholeJob = false, bool isReal = false) {
     m_machine = std::make_unique<tests::SimulatedControl>("dmu75");
     if (isReal) {
       m_machine->passForReal();
     }
+    m_state = std::make_unique<QTemporaryDir>();
     hmi::Settings settings;
     settings.language = QStringLiteral("en");
     settings.stream.parameters.method = method;
     settings.stream.wholeJob = wholeJob;
     settings.stream.deltaMm = 0.1;
     settings.stream.feedMmPerS = 2.0;
+    settings.stateFolder = stateFolder();
     m_window = std::make_unique<MainWindow>(
         settings, false, [this](const auto& asked) { return m_machine->connect(asked.endpoint); });
     m_window->resize(1440, 900);
@@ -240,10 +246,18 @@ class TestRunFromHere : public QObject {
     QTRY_VERIFY(text(sheet).contains(QStringLiteral("passes within what the program cuts")));
     QCOMPARE(text(sheet).contains(QStringLiteral("Start is not possible yet.")), isReal);
     settle();
+    const auto showsWayTo = [sheet](base::Vec3 placeMm) {
+      const std::vector<base::Vec3>& wayMm = sheet->firstMove().wayMm;
+      return wayMm.size() == 2 && base::distance(wayMm[0], {10.0, 10.0, -5.0}) < 1e-3 &&
+             base::distance(wayMm[1], placeMm) < 1e-3;
+    };
+    QTRY_VERIFY(showsWayTo({0.0, 0.0, 20.0}));
+    QVERIFY(!sheet->picture()->isHidden());
     QVERIFY(m_window->grab().save(QStringLiteral(RIVULET_SCREENSHOTS "/first-move-light.png")));
     QVERIFY(press(sheet, QStringLiteral("Raise the tool …")));
     QTRY_VERIFY2(text(sheet).contains(QStringLiteral("Before the tool is raised")),
                  qPrintable(text(sheet)));
+    QVERIFY(showsWayTo({10.0, 10.0, 20.0}));
     const QString said = text(sheet).replace(QChar(0x00A0), QLatin1Char(' '));
     QVERIFY2(said.contains(QStringLiteral("by 25.000 mm to Z 20.000 mm, at 120 mm/min")),
              qPrintable(said));
@@ -328,6 +342,18 @@ class TestRunFromHere : public QObject {
     hold(start);
     QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, kRunMs);
     QVERIFY(m_window->lastReport()->isFaultless());
+    m_window.reset();
+    const auto trail = journal::readAudit(journal::auditFileIn(stateFolder()));
+    QVERIFY(trail.has_value());
+    std::vector<std::string> confirmed;
+    for (const auto& line : trail->lines) {
+      for (const auto& [name, value] : line.entry.details) {
+        if (name == "confirmed") {
+          confirmed.push_back(line.entry.act + ": " + value);
+        }
+      }
+    }
+    QCOMPARE(confirmed, std::vector<std::string>{"start: first move"});
   }
 };
 

@@ -185,6 +185,13 @@ void PathCanvas::setToolPosition(const std::optional<base::Vec3>& positionMm) {
   update();
 }
 
+void PathCanvas::setFirstWay(std::vector<base::Vec3> placesMm) {
+  if (placesMm != m_firstWayMm) {
+    m_firstWayMm = std::move(placesMm);
+    fit();
+  }
+}
+
 void PathCanvas::setSelected(std::vector<std::uint32_t> points) {
   m_selected = std::move(points);
   update();
@@ -274,6 +281,10 @@ overview::PlaneBox PathCanvas::fitted() const {
   overview::PlaneBox fitted = m_projection(boxes.front());
   for (const overview::SpaceBox& box : boxes) {
     fitted.widen(m_projection(box));
+  }
+  for (const base::Vec3& placeMm : m_firstWayMm) {
+    const overview::PlanePoint place = m_projection(placeMm);
+    fitted.widen({place.right, place.right, place.up, place.up});
   }
   return fitted;
 }
@@ -452,6 +463,7 @@ void PathCanvas::paintEvent(QPaintEvent* /*event*/) {
     }
   } else {
     drawGaps(painter);
+    drawFirstWay(painter);
     drawStart(painter);
     drawToolChanges(painter);
     drawChosen(painter);
@@ -1072,6 +1084,23 @@ void PathCanvas::drawStart(QPainter& painter) const {
   painter.setBrush(colors.surface);
   painter.drawEllipse(start, 5.0, 5.0);
   painter.drawText(start + QPointF(8.0, -7.0), m_texts.start);
+}
+
+void PathCanvas::drawFirstWay(QPainter& painter) const {
+  if (m_firstWayMm.size() < 2) {
+    return;
+  }
+  QPolygonF way;
+  for (const base::Vec3& placeMm : m_firstWayMm) {
+    way << onScreen(m_projection(placeMm));
+  }
+  const ThemeColors& colors = themeColors(palette());
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  for (const QPen& pen : {QPen(colors.surface, 6.0), QPen(colors.accent, 3.0)}) {
+    painter.setPen(pen);
+    painter.drawPolyline(way);
+  }
 }
 
 void PathCanvas::drawChosen(QPainter& painter) const {

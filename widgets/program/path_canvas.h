@@ -82,6 +82,9 @@ class PathCanvas final : public QWidget {
   /// The run has begun at this point, so the path before it is not executed. @param point  an index
   void setRunBegin(std::size_t point);
   void setToolPosition(const std::optional<base::Vec3>& positionMm);
+  /// The way of the tool to the path, drawn over it; the picture is fitted to both.
+  /// @param placesMm  from where it stands; fewer than two: none
+  void setFirstWay(std::vector<base::Vec3> placesMm);
   /// Points whose moves are shown as selected.
   void setSelected(std::vector<std::uint32_t> points);
   /// The point at the slider's position.
@@ -183,6 +186,7 @@ class PathCanvas final : public QWidget {
   void drawGaps(QPainter& painter) const;
   void drawToolChanges(QPainter& painter) const;
   void drawStart(QPainter& painter) const;
+  void drawFirstWay(QPainter& painter) const;
   void drawChosen(QPainter& painter) const;
   void drawTool(QPainter& painter) const;
   [[nodiscard]] QPointF onScreen(overview::PlanePoint place) const;
@@ -197,6 +201,7 @@ class PathCanvas final : public QWidget {
   std::size_t m_executed = 0;
   std::size_t m_runBegin = 0;
   std::optional<base::Vec3> m_toolMm;
+  std::vector<base::Vec3> m_firstWayMm;
   std::optional<Box> m_box;
   std::vector<std::uint32_t> m_selected;
   std::optional<std::size_t> m_marked;

@@ -190,10 +190,18 @@ void PathView::fit() {
   m_canvas->fit();
 }
 
+PathCanvas::Texts PathView::canvasTexts() {
+  return {tr("No program is loaded"),
+          tr("The points appear here as they come"),
+          tr("Start"),
+          tr("Tool"),
+          tr("Pause off the cut, after point %1, line %2"),
+          tr("Pause in the cut, after point %1, line %2"),
+          tr("Grid %1")};
+}
+
 void PathView::retranslate() {
-  m_canvas->setTexts({tr("No program is loaded"), tr("The points appear here as they come"),
-                      tr("Start"), tr("Tool"), tr("Pause off the cut, after point %1, line %2"),
-                      tr("Pause in the cut, after point %1, line %2"), tr("Grid %1")});
+  m_canvas->setTexts(canvasTexts());
   showLegend();
   showPlace();
 }

@@ -32,6 +32,8 @@ class PathView final : public Page {
  public:
   explicit PathView(QWidget* parent = nullptr);
 
+  /// In the language of the operator, also for other canvases.
+  [[nodiscard]] static PathCanvas::Texts canvasTexts();
   /// @param view  null: none. Forgets progress, selection and times of the previous one.
   void setProgram(std::shared_ptr<const overview::ProgramView> view);
   /// The same program with points for another position of the tool.

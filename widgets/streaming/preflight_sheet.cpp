@@ -8,15 +8,36 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "overview/path_classes.h"
+#include "widgets/common/theme.h"
+#include "widgets/program/path_view.h"
+
 namespace rivulet::widgets {
 
 namespace {
 
-constexpr int kFold = -1;  ///< among the remedies, which are others' own
+constexpr int kFold = -1;                 ///< among the remedies, which are others' own
+constexpr int kWidthWithPicturePx = 880;  // narrower, the items need the room
+constexpr int kPictureWidthPxMax = 640;
+
+/// The path, quiet: the way to it is what is looked at.
+PathCanvas::Style quietStyle(const overview::ProgramView& program, const QPalette& palette) {
+  const ThemeColors& colors = themeColors(palette);
+  PathCanvas::Style style{overview::classesByKind(program), {}};
+  style.pens.assign(style.classes.count, QPen(colors.path, 1.2));
+  QPen& rapid = style.pens[static_cast<std::size_t>(overview::KindClass::Rapid)];
+  rapid.setColor(colors.rapid);
+  rapid.setDashPattern({5.0, 4.0});
+  if (style.classes.hasGaps) {
+    style.pens.back() = Qt::NoPen;
+  }
+  return style;
+}
 
 }  // namespace
 
-PreflightSheet::PreflightSheet(QWidget* parent) : Page(parent), m_rows(new QGridLayout) {
+PreflightSheet::PreflightSheet(QWidget* parent)
+    : Page(parent), m_rows(new QGridLayout), m_picture(new PathCanvas(this)) {
   QFont font = m_title->font();
   font.setPointSizeF(16.0);
   m_title->setFont(font);
@@ -24,10 +45,45 @@ PreflightSheet::PreflightSheet(QWidget* parent) : Page(parent), m_rows(new QGrid
   m_rows->setHorizontalSpacing(16);
   m_rows->setVerticalSpacing(8);
   m_rows->setColumnStretch(1, 1);
-  inColumn({inRow({{m_title, 1}, m_close}), m_outcome, m_rows, spring()}, this,
-           QMargins(16, 8, 16, 8));
+  m_picture->setView(PathCanvas::View::Space);
+  m_picture->hide();
+  inColumn({inRow({{m_title, 1}, m_close}),
+            m_outcome,
+            {inRow({{inColumn({m_rows, spring()}), 1}, gap(8), m_picture}), 1}},
+           this, QMargins(16, 8, 16, 8));
   retranslate();
   onTheme(&PreflightSheet::showItems);
+  onTheme(&PreflightSheet::showPicture);
+}
+
+void PreflightSheet::setFirstMove(const FirstMove& move) {
+  const bool isNew = move.program != m_firstMove.program;
+  if (isNew) {
+    m_picture->setProgram(move.program);
+  }
+  m_firstMove = move;
+  m_picture->setToolPosition(move.wayMm.empty() ? std::nullopt : std::optional(move.wayMm.front()));
+  m_picture->setFirstWay(move.wayMm);
+  if (isNew) {
+    showPicture();
+  }
+}
+
+void PreflightSheet::showPicture() {
+  placePicture();
+  if (const auto& program = m_firstMove.program) {
+    m_picture->setStyle(quietStyle(*program, palette()));
+  }
+}
+
+void PreflightSheet::placePicture() {
+  m_picture->setFixedWidth(std::min(width() * 2 / 5, kPictureWidthPxMax));
+  m_picture->setVisible(m_firstMove.program && width() >= kWidthWithPicturePx);
+}
+
+void PreflightSheet::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  placePicture();
 }
 
 void PreflightSheet::setItems(const std::vector<PreflightItem>& items, bool passed, Kind kind) {
@@ -150,6 +206,8 @@ void PreflightSheet::retranslate() {
   m_title->setText(m_kind == Kind::Raise    ? tr("Before the tool is raised")
                    : m_kind == Kind::Resume ? tr("Before the run is resumed")
                                             : tr("Before the start"));
+  m_picture->setTexts(PathView::canvasTexts());
+  m_picture->setAccessibleName(tr("First move"));
   showItems();
 }
 

@@ -9,8 +9,11 @@
 #pragma once
 
 #include <QPointer>
+#include <memory>
 #include <vector>
 
+#include "base/vec3.h"
+#include "overview/program_view.h"
 #include "widgets/common/page.h"
 #include "widgets/common/status_label.h"
 
@@ -31,6 +34,18 @@ struct PreflightItem {
   friend bool operator==(const PreflightItem&, const PreflightItem&) = default;
 };
 
+/// Where the tool goes first, for a picture.
+struct FirstMove {
+  std::shared_ptr<const overview::ProgramView> program;  ///< null: no picture
+  /// From where the tool stands to the path, mm, in the frame of its points. One place: where it
+  /// goes from there is not known here. Empty: neither is where it stands.
+  std::vector<base::Vec3> wayMm;
+
+  friend bool operator==(const FirstMove&, const FirstMove&) = default;
+};
+
+class PathCanvas;
+
 class PreflightSheet final : public Page {
   Q_OBJECT
 
@@ -43,6 +58,10 @@ class PreflightSheet final : public Page {
 
   /// @param passed  nothing stands in the way
   void setItems(const std::vector<PreflightItem>& items, bool passed, Kind kind = Kind::Start);
+  /// Beside the items, where the sheet is wide enough.
+  void setFirstMove(const FirstMove& move);
+  [[nodiscard]] const FirstMove& firstMove() const { return m_firstMove; }
+  [[nodiscard]] PathCanvas* picture() const { return m_picture; }
 
  Q_SIGNALS:
   void remedyRequested(int remedyId);
@@ -50,9 +69,12 @@ class PreflightSheet final : public Page {
 
  protected:
   void retranslate() override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void showItems();
+  void showPicture();
+  void placePicture();
   /// @param row  in the grid
   void addItem(const PreflightItem& item, int row);
   void addPassed(const std::vector<PreflightItem>& passed, int row);
@@ -67,6 +89,8 @@ class PreflightSheet final : public Page {
   StatusLabel* m_outcome = status({.wraps = true});
   QWidget* m_list = nullptr;
   QGridLayout* m_rows;
+  FirstMove m_firstMove;
+  PathCanvas* m_picture;
   QPushButton* m_close =
       button({.text = QT_TR_NOOP("Not now"), .icon = "dismiss"}, &PreflightSheet::closeRequested);
 };

@@ -17,6 +17,7 @@
 #include "hmi/preflight.h"
 #include "hmi/run_controller.h"
 #include "session/correction_feed.h"
+#include "widgets/calibration/calibration_page.h"
 #include "widgets/common/blocked_text.h"
 #include "widgets/common/error_text.h"
 #include "widgets/common/number_format.h"
@@ -319,6 +320,7 @@ QWidget* makeResumeBar(RunController* runs, QWidget* parent) {
 QWidget* makePreflightSheet(RunController* runs, Preflight* preflight, QWidget* parent) {
   auto* sheet = new PreflightSheet(parent);
   const auto show = [sheet, preflight] {
+    sheet->setFirstMove(preflight->firstMove());
     if (preflight->isOpen()) {
       sheet->setItems(preflight->items(), preflight->hasPassed(),
                       preflight->isForChosenLine() ? PreflightSheet::Kind::StartHere
@@ -351,6 +353,11 @@ QWidget* makePreflightSheet(RunController* runs, Preflight* preflight, QWidget* 
   QObject::connect(preflight, &Preflight::liveRequested, sheet, [sheet] {
     if (auto* page = sheet->window()->findChild<widgets::ProgramPage*>()) {
       Q_EMIT page->panel()->liveRequested();
+    }
+  });
+  QObject::connect(preflight, &Preflight::calibrationRequested, sheet, [sheet] {
+    if (auto* page = sheet->window()->findChild<widgets::CalibrationPage*>()) {
+      showPageOf(page);
     }
   });
   QObject::connect(preflight, &Preflight::limitsRequested, sheet, [sheet] {

@@ -90,14 +90,10 @@ void connectReading(RunsPage* page, const std::shared_ptr<FinishedRunPtr>& shown
 void connectExports(RunsPage* page, const std::shared_ptr<FinishedRunPtr>& shown,
                     Messages* messages) {
   QObject::connect(page, &RunsPage::sheetRequested, page, [shown, messages](const QString& path) {
-    if (*shown && paper::writePdf(
-                      path, widgets::runPage({(*shown)->summary, (*shown)->report, (*shown)->sketch,
-                                              QStringLiteral(RIVULET_VERSION)}))) {
-      messages->show(Severity::Note, [path] { return RunsTexts::tr("Saved %1.").arg(path); });
-    } else {
-      messages->show(Severity::Error, [path] {
-        return RunsTexts::tr("%1 cannot be written. Check permissions and free space.").arg(path);
-      });
+    if (*shown) {
+      saveSheet(messages, path,
+                widgets::runPage({(*shown)->summary, (*shown)->report, (*shown)->sketch,
+                                  QStringLiteral(RIVULET_VERSION)}));
     }
   });
   QObject::connect(page, &RunsPage::jsonRequested, page, [shown, messages](const QString& path) {
