@@ -583,8 +583,12 @@ class Splitter final : public gcode::BlockObserver,
     if (!sets) {
       return;
     }
+    const std::optional<int> chosen = nc::functionNumber(*words.p);
+    if (!chosen) {
+      return;  // the reader has said so
+    }
     const int active = executor.workOffsetNumber();
-    const int number = *words.p == 0.0 ? active : static_cast<int>(*words.p);
+    const int number = *chosen == 0 ? active : *chosen;
     std::string line;
     const auto set = [&line, number](char axis, std::string_view what, double value) {
       line += fmt::format("{}$P_UIFR[{},{},{}]={}", line.empty() ? "" : " ", number, axis, what,

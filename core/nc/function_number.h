@@ -6,16 +6,16 @@
 /// @threadsafety pure.
 #pragma once
 
-#include <cmath>
 #include <optional>
+
+#include "base/whole_number.h"
 
 namespace rivulet::nc {
 
 /// @return nothing: it is not a whole number, or beyond those of any control
 [[nodiscard]] inline std::optional<int> functionNumber(double value) {
-  constexpr double kFunctionsMax = 10'000.0;
-  const bool is = value >= 0.0 && value < kFunctionsMax && value == std::floor(value);
-  return is ? std::optional(static_cast<int>(value)) : std::nullopt;
+  constexpr int kFunctionsMax = 9'999;
+  return base::wholeNumber(value, 0, kFunctionsMax);
 }
 
 }  // namespace rivulet::nc

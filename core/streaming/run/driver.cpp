@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "base/text.h"
+
 namespace rivulet::streaming {
 
 namespace {
@@ -659,10 +661,11 @@ void Driver::handleMonitor(const opcua::Event& event) {
       m_end.leftHeld = true;
       m_sink.note({m_link.now(), "stopped: the axes are held, and the program is left"});
       m_done = true;
-    } else if (const int alarm = static_cast<int>(event.readings[1].number); alarm != 0) {
-      m_end.error = base::makeError(
-          StreamError::ControlAlarm,
-          fmt::format("The control stopped with alarm {}. Clear it at the control.", alarm));
+    } else if (const double alarm = event.readings[1].number; alarm != 0.0) {
+      m_end.error =
+          base::makeError(StreamError::ControlAlarm,
+                          fmt::format("The control stopped with alarm {}. Clear it at the control.",
+                                      base::formatNumber(alarm)));
       m_done = true;
     }
     return;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/contract.h"
+#include "base/whole_number.h"
 #include "opcua/error.h"
 
 namespace rivulet::streaming {
@@ -39,16 +40,18 @@ std::optional<bool> isOn(double number, int on) {
   return number == opcua::kCoolantOff || number < 0.0 ? std::optional(false) : std::nullopt;
 }
 
+constexpr int kNumberMax = 999'999'999;  // of a tool; -1: there is none
+
 void takeOne(EquipmentSeen& seen, const Variable& variable, const Reading& reading) {
   switch (variable.kind) {
     case VariableKind::ToolNumber:
-      seen.tool = static_cast<int>(reading.number);
+      seen.tool = base::wholeNumber(reading.number, -1, kNumberMax);
       break;
     case VariableKind::ToolName:
       seen.toolName = reading.text;
       break;
     case VariableKind::EdgeNumber:
-      seen.edge = static_cast<int>(reading.number);
+      seen.edge = base::wholeNumber(reading.number, -1, kNumberMax);
       break;
     case VariableKind::GFunction:
       seen.workOffset = reading.text;

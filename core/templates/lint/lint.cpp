@@ -862,7 +862,8 @@ class Linter {
       return;
     }
     for (const double number : index.result.values) {
-      const int cell = static_cast<int>(number);
+      // What is beyond all cells stays so.
+      const int cell = static_cast<int>(std::clamp(number, -1.0, 1e6));
       checkRange(line, cell);
       if (cell == m_cells.layout) {
         writeLayout(line, value.result, state);
