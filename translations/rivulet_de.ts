@@ -9921,10 +9921,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Kein Programm geladen.</translation>
     </message>
     <message>
-        <source>Line of the program that the last executed point comes from</source>
-        <translation>Programmzeile, aus der der zuletzt ausgeführte Punkt stammt</translation>
-    </message>
-    <message>
         <source>No point has been executed yet.</source>
         <translation>Noch ist kein Punkt ausgeführt.</translation>
     </message>
@@ -10027,10 +10023,6 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
         <translation>Wartet auf Punkte der Live-Quelle</translation>
     </message>
     <message>
-        <source>Line of the live source that the last executed point comes from</source>
-        <translation>Zeile der Live-Quelle, aus der der zuletzt ausgeführte Punkt stammt</translation>
-    </message>
-    <message>
         <source>A live source does not say when it ends.</source>
         <translation>Eine Live-Quelle sagt nicht, wann sie endet.</translation>
     </message>
@@ -10093,6 +10085,14 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Asks the control where the run was left. Nothing moves yet.</source>
         <translation>Fragt die Steuerung, wo der Lauf unterbrochen wurde. Noch bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>Line of the live source of the move that the tool is on</source>
+        <translation>Zeile der Live-Quelle zur Bewegung, auf der das Werkzeug ist</translation>
+    </message>
+    <message>
+        <source>Line of the program of the move that the tool is on</source>
+        <translation>Programmzeile der Bewegung, auf der das Werkzeug ist</translation>
     </message>
 </context>
 <context>

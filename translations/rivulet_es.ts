@@ -9921,10 +9921,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>No hay ningún programa cargado.</translation>
     </message>
     <message>
-        <source>Line of the program that the last executed point comes from</source>
-        <translation>Línea del programa de la que procede el último punto ejecutado</translation>
-    </message>
-    <message>
         <source>No point has been executed yet.</source>
         <translation>Aún no se ha ejecutado ningún punto.</translation>
     </message>
@@ -10027,10 +10023,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Espera puntos de la fuente en vivo</translation>
     </message>
     <message>
-        <source>Line of the live source that the last executed point comes from</source>
-        <translation>Línea de la fuente en vivo de la que procede el último punto ejecutado</translation>
-    </message>
-    <message>
         <source>A live source does not say when it ends.</source>
         <translation>Una fuente en vivo no dice cuándo termina.</translation>
     </message>
@@ -10093,6 +10085,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Asks the control where the run was left. Nothing moves yet.</source>
         <translation>Pregunta al control dónde se interrumpió la ejecución. Todavía no se mueve nada.</translation>
+    </message>
+    <message>
+        <source>Line of the live source of the move that the tool is on</source>
+        <translation>Línea de la fuente en vivo del movimiento en el que está la herramienta</translation>
+    </message>
+    <message>
+        <source>Line of the program of the move that the tool is on</source>
+        <translation>Línea del programa del movimiento en el que está la herramienta</translation>
     </message>
 </context>
 <context>

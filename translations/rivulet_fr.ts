@@ -9921,10 +9921,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Aucun programme n’est chargé.</translation>
     </message>
     <message>
-        <source>Line of the program that the last executed point comes from</source>
-        <translation>Ligne du programme d’où vient le dernier point exécuté</translation>
-    </message>
-    <message>
         <source>No point has been executed yet.</source>
         <translation>Aucun point n’a encore été exécuté.</translation>
     </message>
@@ -10027,10 +10023,6 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
         <translation>Attend des points de la source en direct</translation>
     </message>
     <message>
-        <source>Line of the live source that the last executed point comes from</source>
-        <translation>Ligne de la source en direct d’où vient le dernier point exécuté</translation>
-    </message>
-    <message>
         <source>A live source does not say when it ends.</source>
         <translation>Une source en direct ne dit pas quand elle se termine.</translation>
     </message>
@@ -10093,6 +10085,14 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Asks the control where the run was left. Nothing moves yet.</source>
         <translation>Demande à la commande où l’exécution s’est interrompue. Rien ne bouge encore.</translation>
+    </message>
+    <message>
+        <source>Line of the live source of the move that the tool is on</source>
+        <translation>Ligne de la source en direct du déplacement sur lequel se trouve l’outil</translation>
+    </message>
+    <message>
+        <source>Line of the program of the move that the tool is on</source>
+        <translation>Ligne du programme du déplacement sur lequel se trouve l’outil</translation>
     </message>
 </context>
 <context>

@@ -9921,10 +9921,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Nessun programma caricato.</translation>
     </message>
     <message>
-        <source>Line of the program that the last executed point comes from</source>
-        <translation>Riga del programma da cui viene l’ultimo punto eseguito</translation>
-    </message>
-    <message>
         <source>No point has been executed yet.</source>
         <translation>Nessun punto è ancora stato eseguito.</translation>
     </message>
@@ -10027,10 +10023,6 @@ Is it certain that %1 does not change the path of the tool?</source>
         <translation>Attende punti della sorgente in diretta</translation>
     </message>
     <message>
-        <source>Line of the live source that the last executed point comes from</source>
-        <translation>Riga della sorgente in diretta da cui proviene l’ultimo punto eseguito</translation>
-    </message>
-    <message>
         <source>A live source does not say when it ends.</source>
         <translation>Una sorgente in diretta non dice quando finisce.</translation>
     </message>
@@ -10093,6 +10085,14 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Asks the control where the run was left. Nothing moves yet.</source>
         <translation>Chiede al controllo dove l’esecuzione si è interrotta. Ancora non si muove nulla.</translation>
+    </message>
+    <message>
+        <source>Line of the live source of the move that the tool is on</source>
+        <translation>Riga della sorgente live del movimento su cui si trova l’utensile</translation>
+    </message>
+    <message>
+        <source>Line of the program of the move that the tool is on</source>
+        <translation>Riga del programma del movimento su cui si trova l’utensile</translation>
     </message>
 </context>
 <context>

@@ -4,8 +4,10 @@
 #include "hmi/run_controller.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
+#include <span>
 
 #include "base/text.h"
 #include "gcode/nearest_move.h"
@@ -34,6 +36,34 @@ namespace {
 constexpr double kOnPathMm = 1.0;
 /// No method lets the control know more points ahead.
 constexpr std::size_t kMovesAheadMax = 1000;
+
+/// A correction moves the path by an amount that the axes have not yet, or no longer, followed.
+bool isCorrected(const streaming::LiveUpdate& update) {
+  return update.correction && !(update.correction->confirmedMm == base::Vec3{});
+}
+
+/// The first of the moves [begin, end) that the tool can be on: of a way there and back, or of
+/// crossing ways, farther ones say nothing. @param from  where the first of them begins
+std::optional<std::size_t> moveAt(std::span<const gcode::StreamPoint> points, std::size_t begin,
+                                  std::size_t end, const gcode::StreamPoint& from,
+                                  base::Vec3 positionMm) {
+  const std::array<gcode::StreamPoint, 2> first{from, points[begin]};
+  std::optional<std::size_t> found;
+  double leastMm = kOnPathMm;
+  for (std::size_t i = begin; i < end; ++i) {
+    const double offMm = (i == begin ? gcode::nearestMove(first, 1, 2, positionMm)
+                                     : gcode::nearestMove(points, i, i + 1, positionMm))
+                             .distanceMm;
+    if (found && offMm >= leastMm) {
+      break;
+    }
+    if (offMm <= leastMm) {
+      found = i;
+      leastMm = offMm;
+    }
+  }
+  return found;
+}
 
 streaming::Counters inProgram(streaming::Counters counters, std::size_t firstPoint) {
   if (counters.total > 0) {
@@ -539,6 +569,7 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
     m_document.followTool();
   }
   forgetLast();
+  m_startMm = m_machine.view().positionMm;
   announceStart(settings, restart.get(), isChosen);
   ActDetails details{{"program", m_document.program()->name},
                      {"hash", m_document.program()->hash},
@@ -581,6 +612,7 @@ void RunController::forgetLast() {
   m_update.feed.reset();
   m_isHeld = m_isEnding = false;
   m_firstMotion.reset();
+  forgetMove();
   m_wrong.reset();
   m_hasWrongMotion = false;
   Q_EMIT wrongMotionChanged();
@@ -708,6 +740,7 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
   }
   const base::Instant origin = m_firstMotion.value_or(update.at);
   m_machine.showPreparing(update.state == streaming::RunState::Armed);
+  followTool(update);
   showExecuted();
   if (update.wrong && !m_wrong) {
     takeWrong(*update.wrong);
@@ -806,27 +839,46 @@ void RunController::takeSample(const trace::LiveSample& sample, base::Instant or
   m_machine.showSample(sample, toGo(sample));
 }
 
+std::size_t RunController::runLine() const {
+  const auto& points = m_document.points();
+  return nativeLine() > 0                    ? nativeLine()
+         : m_move && *m_move < points.size() ? points[*m_move].line.value
+                                             : 0;
+}
+
+void RunController::forgetMove() {
+  m_move.reset();
+  m_passedSeen = 0;
+}
+
+void RunController::followTool(const streaming::LiveUpdate& update) {
+  const auto& points = m_document.points();
+  const std::size_t begin = passed();
+  const bool isNative = m_job && m_job->isNative;  // on no path that is known here
+  if (!m_firstMotion || isNative || isCorrected(update) || begin >= points.size()) {
+    m_move.reset();
+  } else if (update.sample && update.sample->positionMm) {
+    const std::size_t end = std::clamp(m_update.counters.accepted, begin + 1,
+                                       std::min(points.size(), begin + kMovesAheadMax));
+    gcode::StreamPoint from = points[begin > m_firstPoint ? begin - 1 : begin];
+    if (begin == m_firstPoint) {
+      from.positionMm = m_startMm.value_or(*update.sample->positionMm);
+    }
+    m_move = moveAt(points, begin, end, from, *update.sample->positionMm);
+    m_passedSeen = std::max(m_passedSeen, m_move.value_or(0));
+  }
+}
+
 std::optional<widgets::MachineView::ToGo> RunController::toGo(
     const trace::LiveSample& sample) const {
   const auto& points = m_document.points();
-  const std::size_t executed = m_update.counters.executed;
-  const bool isCorrected =
-      m_update.correction && !(m_update.correction->confirmedMm == base::Vec3{});
-  // A correction moves the path by an amount that the axes have not yet, or no longer, followed.
-  const bool isNative = m_job && m_job->isNative;  // on no path that is known here
-  if (!m_firstMotion || !sample.positionMm || executed >= points.size() || isCorrected ||
-      isNative) {
-    return std::nullopt;
-  }
-  const std::size_t end = std::clamp(m_update.counters.accepted, executed + 1,
-                                     std::min(points.size(), executed + kMovesAheadMax));
-  const gcode::NearestMove nearest = gcode::nearestMove(points, executed, end, *sample.positionMm);
-  const bool isOnPath = nearest.distanceMm <= kOnPathMm;
-  if (!isOnPath && executed > m_firstPoint) {
+  const bool isComing = m_firstMotion && passed() <= m_firstPoint && m_firstPoint < points.size() &&
+                        !(m_job && m_job->isNative) && !isCorrected(m_update);
+  if (!sample.positionMm || (!m_move && !isComing)) {
     return std::nullopt;
   }
   // Before its path begins, the tool is on its way to the first point.
-  const gcode::StreamPoint& target = points[isOnPath ? nearest.point : m_firstPoint];
+  const gcode::StreamPoint& target = points[m_move.value_or(m_firstPoint)];
   widgets::MachineView::ToGo toGo{target.positionMm - *sample.positionMm, {}, true};
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
     toGo.deg[axis] = sample.rotaryDeg ? target.rotaryDeg[axis] - (*sample.rotaryDeg)[axis] : 0.0;
@@ -840,6 +892,7 @@ void RunController::takeFinished(const session::RunFinished& finished) {
     return;
   }
   m_report = finished.report;
+  forgetMove();  // from now on its report counts
   const bool wasJob = m_job.has_value();
   m_job.reset();
   if (m_report->outcome == streaming::Outcome::Completed) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <QObject>
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -80,6 +81,15 @@ class RunController final : public QObject {
   void askResume();
   /// Resumes at the place found. @return false and says why if something stands in the way
   bool resume();
+  /// Points that are known to be executed, or that the tool has visibly passed: a control may
+  /// report many at once, after the last of them. For display.
+  [[nodiscard]] std::size_t passed() const {
+    return std::max(m_update.counters.executed, m_passedSeen);
+  }
+  /// The move that the tool is on: the index of the point at which it ends; nothing: not known.
+  [[nodiscard]] std::optional<std::size_t> move() const { return m_move; }
+  /// Line of that move, or of the block that the control executes; 0: not known.
+  [[nodiscard]] std::size_t runLine() const;
   /// The place found; nothing while there is none to be confirmed.
   [[nodiscard]] const std::optional<widgets::ResumePlace>& place() const { return m_place; }
   /// Offers a start in the middle of the program, in the same way as a place to resume at: nothing
@@ -177,6 +187,9 @@ class RunController final : public QObject {
   void showExecuted();
   void takeSample(const trace::LiveSample& sample, base::Instant origin);
   /// From the position of a sample to the end of the move that it is on; nothing: not known.
+  /// Takes from a position on which move the tool is.
+  void followTool(const streaming::LiveUpdate& update);
+  void forgetMove();
   [[nodiscard]] std::optional<widgets::MachineView::ToGo> toGo(
       const trace::LiveSample& sample) const;
   void takeResume(const session::ResumeFound& found);
@@ -197,6 +210,10 @@ class RunController final : public QObject {
   Gate m_gate;
   streaming::LiveUpdate m_update;
   std::optional<base::Instant> m_firstMotion;
+  std::optional<std::size_t>
+      m_move;                    ///< that the tool is on: index of its point; nothing: not known
+  std::size_t m_passedSeen = 0;  ///< points before the farthest such move
+  std::optional<base::Vec3> m_startMm;            ///< of the tool before the run
   std::optional<streaming::WrongMotion> m_wrong;  ///< seen in the run in progress, or in the last
   bool m_hasWrongMotion = false;                  ///< and not acknowledged
   std::string m_confirmed;                        ///< see `setConfirmed`

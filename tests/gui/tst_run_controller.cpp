@@ -11,6 +11,7 @@
 #include <QtTest>
 #include <algorithm>
 #include <csignal>
+#include <set>
 
 #include "base/file.h"
 #include "base/units.h"
@@ -286,6 +287,44 @@ class TestRunController : public QObject {
     QVERIFY(update.state == streaming::RunState::Done);
     QCOMPARE(update.counters.executed, models.document.points().size());
     QTRY_VERIFY_WITH_TIMEOUT(!models.reason(), kSoonMs);
+  }
+
+  /// The control reports a window when it is over: in between, line and share are where the tool
+  /// is.
+  void theLineIsThatOfTheMove() {
+    Models models;
+    models.openJob("G17 G90 G71\nG1 X1 F600\nX21\nX41\nX21\nX1\nM30\n");
+    QTRY_VERIFY_WITH_TIMEOUT(!models.reason(), kSoonMs);
+    const auto& points = models.document.points();
+    QCOMPARE(points.size(), std::size_t{5});
+    std::set<std::size_t> moves;
+    std::size_t before = 0;
+    QStringList wrong;
+    connect(&models.runs, &RunController::updated, &models.runs,
+            [&](const streaming::LiveUpdate& update) {
+              const std::size_t passed = models.runs.passed();
+              const auto move = models.runs.move();
+              if (update.counters.executed == 0 && move && update.sample) {
+                moves.insert(*move);
+                const double x = update.sample->positionMm->x;
+                const double from = *move == 0 ? 0.0 : points[*move - 1].positionMm.x;
+                const double to = points[*move].positionMm.x;
+                if (x < std::min(from, to) - 1.0 || x > std::max(from, to) + 1.0) {
+                  wrong << QStringLiteral("X %1 is not on move %2").arg(x).arg(*move);
+                }
+              }
+              if (passed < before) {
+                wrong << QStringLiteral("back from %1 to %2").arg(before).arg(passed);
+              }
+              before = passed;
+            });
+    QSignalSpy finished(&models.runs, &RunController::finished);
+    QVERIFY(models.runs.start());
+    QVERIFY(finished.wait(kSoonMs));
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+    QCOMPARE(moves, (std::set<std::size_t>{0, 1, 2, 3, 4}));  // there and back
+    QVERIFY(!models.runs.move());
+    QCOMPARE(models.runs.passed(), points.size());
   }
 
   /// The disk takes no more: one alarm says what is recorded, and the run comes to its end.

@@ -16,9 +16,10 @@ namespace rivulet::widgets {
 
 namespace {
 
-constexpr int kFold = -1;                 ///< among the remedies, which are others' own
-constexpr int kWidthWithPicturePx = 880;  // narrower, the items need the room
+constexpr int kFold = -1;  ///< among the remedies, which are others' own
+constexpr int kPictureWidthPxMin = 300;
 constexpr int kPictureWidthPxMax = 640;
+constexpr int kBesidePicturePx = 48;  // margins and gap
 
 /// The path, quiet: the way to it is what is looked at.
 PathCanvas::Style quietStyle(const overview::ProgramView& program, const QPalette& palette) {
@@ -46,6 +47,7 @@ PreflightSheet::PreflightSheet(QWidget* parent)
   m_rows->setVerticalSpacing(8);
   m_rows->setColumnStretch(1, 1);
   m_picture->setView(PathCanvas::View::Space);
+  m_picture->setFocusPolicy(Qt::NoFocus);
   m_picture->hide();
   inColumn({inRow({{m_title, 1}, m_close}),
             m_outcome,
@@ -77,8 +79,10 @@ void PreflightSheet::showPicture() {
 }
 
 void PreflightSheet::placePicture() {
-  m_picture->setFixedWidth(std::min(width() * 2 / 5, kPictureWidthPxMax));
-  m_picture->setVisible(m_firstMove.program && width() >= kWidthWithPicturePx);
+  const int widthPx = std::min({width() * 2 / 5, kPictureWidthPxMax,
+                                width() - m_rows->minimumSize().width() - kBesidePicturePx});
+  m_picture->setVisible(m_firstMove.program && widthPx >= kPictureWidthPxMin);
+  m_picture->setFixedWidth(std::max(widthPx, kPictureWidthPxMin));
 }
 
 void PreflightSheet::resizeEvent(QResizeEvent* event) {
@@ -130,6 +134,7 @@ void PreflightSheet::showItems() {
   if (isVisible()) {
     m_rows->activate();  // a new button is never seen at the corner, over the title
   }
+  placePicture();
   if (m_kind == Kind::StartHere || m_kind == Kind::Resume) {
     m_outcome->setStatus(m_passed ? Status::Good : Status::Attention,
                          m_passed ? tr("Nothing has moved yet. Hold the button below for one "

@@ -639,9 +639,12 @@ void RunPanel::showCounters() {
              isWatching() ? unknown : tr("Points that were sent to the control"));
   showFigure(Accepted, isWatching() ? QString() : place(counters.accepted),
              isWatching() ? unknown : tr("Points that the control has confirmed"));
-  const double done = counters.total == 0 ? 0.0
-                                          : static_cast<double>(counters.executed) /
-                                                static_cast<double>(counters.total);
+  const std::size_t passed =
+      isWatching()
+          ? counters.executed
+          : std::max(counters.executed, m_where.passed - std::min(m_where.passed, m_runBegin));
+  const double done =
+      counters.total == 0 ? 0.0 : static_cast<double>(passed) / static_cast<double>(counters.total);
   m_progress->setValue(static_cast<int>(done * kProgressSteps));
   m_progress->setFormat(QStringLiteral("%1 %").arg(numberText(done * 100.0, 1)));
 }
@@ -662,10 +665,10 @@ void RunPanel::showPlace() {
              : m_where.lines == 0
                  ? countText(m_where.line)
                  : tr("%1 of %2").arg(countText(m_where.line), countText(m_where.lines)),
-             m_where.isLive ? tr("Line of the live source that the last executed point comes from")
+             m_where.isLive       ? tr("Line of the live source of the move that the tool is on")
              : m_where.lines == 0 ? tr("No program is loaded.")
-             : hasLine ? tr("Line of the program that the last executed point comes from")
-                       : tr("No point has been executed yet."));
+             : hasLine            ? tr("Line of the program of the move that the tool is on")
+                                  : tr("No point has been executed yet."));
   const bool isOver = m_update.state == RunState::Done;
   if (isOver || !m_where.left) {
     showFigure(Left, {},

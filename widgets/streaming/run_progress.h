@@ -38,13 +38,15 @@ struct MotionLeft {
 };
 
 struct RunProgress {
-  /// Line of the program of the last point that is known to be executed, from 1; 0: not known.
+  /// Of the move that the tool is on, or of the last point that is known to be executed, from 1; 0:
+  /// not known.
   std::size_t line = 0;
   std::size_t lines = 0;         ///< of the program; 0: none is loaded
   std::optional<TimeLeft> left;  ///< nothing: not known
   /// Of the points that the control has; nothing: not known.
   std::optional<MotionLeft> delivered = {};
-  bool isLive = false;  ///< the lines are those of a live source
+  bool isLive = false;     ///< the lines are those of a live source
+  std::size_t passed = 0;  ///< points that are executed, or that the tool has visibly passed
 };
 
 }  // namespace rivulet::widgets

@@ -255,7 +255,7 @@ QWidget* makeProgramPage(Settings* settings, Messages* messages, MachineModel* m
     page->setExecuted(firstPoint);
   });
   const auto showRun = [page, runs] {
-    page->setExecuted(runs->update().counters.executed, runs->nativeLine());
+    page->setExecuted(runs->passed(), runs->runLine());
   };
   QObject::connect(runs, &RunController::updated, page, showRun);
   QObject::connect(runs, &RunController::jobChanged, page, showRun);

@@ -169,7 +169,6 @@ std::optional<widgets::MotionLeft> motionLeft(const Document& document,
 
 widgets::RunProgress progressOf(const Document& document, const RunController& runs) {
   const streaming::LiveUpdate& update = runs.update();
-  const std::size_t executed = update.counters.executed;
   widgets::RunProgress progress;
   if (!document.view()) {
     return progress;
@@ -177,13 +176,12 @@ widgets::RunProgress progressOf(const Document& document, const RunController& r
   progress.isLive = document.live().has_value();
   progress.lines = progress.isLive ? 0 : document.view()->text.lines();
   const auto& points = document.points();
-  if (executed > 0 && executed <= points.size()) {
-    progress.line = points[executed - 1].line.value;
+  progress.passed = runs.passed();
+  progress.line = runs.runLine();
+  if (progress.line == 0 && progress.passed > 0 && progress.passed <= points.size()) {
+    progress.line = points[progress.passed - 1].line.value;
   }
-  if (runs.nativeLine() > 0) {
-    progress.line = runs.nativeLine();
-  }
-  progress.left = document.timeLeft(executed, runs.nativeLine());
+  progress.left = document.timeLeft(progress.passed, runs.nativeLine());
   if (update.state == streaming::RunState::Stopping) {
     progress.delivered = motionLeft(document, update.counters);
   }

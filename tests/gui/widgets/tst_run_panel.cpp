@@ -388,7 +388,7 @@ class TestRunPanel : public QObject {
     QVERIFY(hint(noValue()).contains("No point has been executed"));
     panel.setUpdate(updateOf(RunState::Running));
     panel.setProgress({406, 1500, TimeLeft{90.0, 0.0}});
-    QVERIFY(hint("406 of 1,500").contains("last executed point"));
+    QVERIFY(hint("406 of 1,500").contains("move that the tool is on"));
     QVERIFY(!hint(QString("1:30") + QChar(0x00A0) + "min").isEmpty());
     QVERIFY(hint("4 pts").contains("not known to be executed"));
     panel.setProgress({406, 1500, std::nullopt});
