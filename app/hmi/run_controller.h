@@ -210,9 +210,8 @@ class RunController final : public QObject {
   Gate m_gate;
   streaming::LiveUpdate m_update;
   std::optional<base::Instant> m_firstMotion;
-  std::optional<std::size_t>
-      m_move;                    ///< that the tool is on: index of its point; nothing: not known
-  std::size_t m_passedSeen = 0;  ///< points before the farthest such move
+  std::optional<std::size_t> m_move;              ///< see `move`
+  std::size_t m_passedSeen = 0;                   ///< points before the farthest such move
   std::optional<base::Vec3> m_startMm;            ///< of the tool before the run
   std::optional<streaming::WrongMotion> m_wrong;  ///< seen in the run in progress, or in the last
   bool m_hasWrongMotion = false;                  ///< and not acknowledged
