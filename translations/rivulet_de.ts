@@ -5018,6 +5018,22 @@ GPL-3.0-or-later</translation>
         <source>Measure …</source>
         <translation>Messen …</translation>
     </message>
+    <message>
+        <source>Back along the path</source>
+        <translation>Auf der Bahn zurück</translation>
+    </message>
+    <message>
+        <source>The tool goes back by %1 along the path that it has cut, at %2, to %3. Then this page comes again, and the run goes on from there.</source>
+        <translation>Das Werkzeug fährt auf der gefrästen Bahn um %1 zurück, mit %2, bis %3. Danach kommt diese Seite wieder, und der Lauf geht von dort weiter.</translation>
+    </message>
+    <message>
+        <source>Drive back …</source>
+        <translation>Zurückfahren …</translation>
+    </message>
+    <message>
+        <source>The first move, to line %1, alone takes %2: bring the tool nearer before the start.</source>
+        <translation>Schon die erste Bewegung, zu Zeile %1, dauert %2: Das Werkzeug vor dem Start näher heranfahren.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -5165,6 +5181,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>A reset of the control was requested. If an axis still moves, press NC STOP at the machine.</source>
         <translation>Reset der Steuerung angefordert. Bewegt sich noch eine Achse, an der Maschine NC-STOPP drücken.</translation>
+    </message>
+    <message>
+        <source>The file of the run is gone: the run could not go on after the way back.</source>
+        <translation>Die Datei des Laufs ist weg: Nach dem Rückweg könnte der Lauf nicht weitergehen.</translation>
+    </message>
+    <message>
+        <source>The tool is driven back by %1 along the path.</source>
+        <translation>Das Werkzeug fährt auf der Bahn um %1 zurück.</translation>
     </message>
 </context>
 <context>
@@ -5483,6 +5507,37 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Audit</source>
         <translation>Protokoll</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::BackDialog</name>
+    <message>
+        <source>To where the last rapid ended</source>
+        <translation>Bis zum Ende des letzten Eilgangs</translation>
+    </message>
+    <message>
+        <source>Back along the path</source>
+        <translation>Auf der Bahn zurück</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> mm/min</source>
+        <translation> mm/min</translation>
+    </message>
+    <message>
+        <source>Show the way</source>
+        <translation>Weg zeigen</translation>
+    </message>
+    <message>
+        <source>Length of the way</source>
+        <translation>Länge des Wegs</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
     </message>
 </context>
 <context>
@@ -8878,6 +8933,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>First move</source>
         <translation>Erste Bewegung</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold Start for one second: then the tool goes back along the path, and nothing else.</source>
+        <translation>Noch hat sich nichts bewegt. Start eine Sekunde lang halten: Dann fährt das Werkzeug auf der Bahn zurück, sonst nichts.</translation>
+    </message>
+    <message>
+        <source>Before the tool goes back</source>
+        <translation>Bevor das Werkzeug zurückfährt</translation>
     </message>
 </context>
 <context>

@@ -5018,6 +5018,22 @@ GPL-3.0-or-later</translation>
         <source>Measure …</source>
         <translation>Medir …</translation>
     </message>
+    <message>
+        <source>Back along the path</source>
+        <translation>Atrás por la trayectoria</translation>
+    </message>
+    <message>
+        <source>The tool goes back by %1 along the path that it has cut, at %2, to %3. Then this page comes again, and the run goes on from there.</source>
+        <translation>La herramienta retrocede %1 por la trayectoria que ha cortado, a %2, hasta %3. Después vuelve esta página y la ejecución sigue desde allí.</translation>
+    </message>
+    <message>
+        <source>Drive back …</source>
+        <translation>Retroceder …</translation>
+    </message>
+    <message>
+        <source>The first move, to line %1, alone takes %2: bring the tool nearer before the start.</source>
+        <translation>El primer movimiento, hasta la línea %1, dura por sí solo %2: acercar la herramienta antes del inicio.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -5165,6 +5181,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>A reset of the control was requested. If an axis still moves, press NC STOP at the machine.</source>
         <translation>Se ha solicitado un reset del control. Si todavía se mueve un eje, pulse NC STOP en la máquina.</translation>
+    </message>
+    <message>
+        <source>The file of the run is gone: the run could not go on after the way back.</source>
+        <translation>El archivo de la ejecución ya no existe: tras el retroceso la ejecución no podría seguir.</translation>
+    </message>
+    <message>
+        <source>The tool is driven back by %1 along the path.</source>
+        <translation>La herramienta retrocede %1 por la trayectoria.</translation>
     </message>
 </context>
 <context>
@@ -5483,6 +5507,37 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Audit</source>
         <translation>Auditoría</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::BackDialog</name>
+    <message>
+        <source>To where the last rapid ended</source>
+        <translation>Hasta el final del último avance rápido</translation>
+    </message>
+    <message>
+        <source>Back along the path</source>
+        <translation>Atrás por la trayectoria</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> mm/min</source>
+        <translation> mm/min</translation>
+    </message>
+    <message>
+        <source>Show the way</source>
+        <translation>Mostrar el recorrido</translation>
+    </message>
+    <message>
+        <source>Length of the way</source>
+        <translation>Longitud del recorrido</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
     </message>
 </context>
 <context>
@@ -8878,6 +8933,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>First move</source>
         <translation>Primer movimiento</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold Start for one second: then the tool goes back along the path, and nothing else.</source>
+        <translation>Todavía no se ha movido nada. Mantener pulsado Iniciar un segundo: entonces la herramienta retrocede por la trayectoria, y nada más.</translation>
+    </message>
+    <message>
+        <source>Before the tool goes back</source>
+        <translation>Antes de que la herramienta retroceda</translation>
     </message>
 </context>
 <context>

@@ -5018,6 +5018,22 @@ GPL-3.0-or-later</translation>
         <source>Measure …</source>
         <translation>Mesurer …</translation>
     </message>
+    <message>
+        <source>Back along the path</source>
+        <translation>Retour sur la trajectoire</translation>
+    </message>
+    <message>
+        <source>The tool goes back by %1 along the path that it has cut, at %2, to %3. Then this page comes again, and the run goes on from there.</source>
+        <translation>L’outil revient de %1 sur la trajectoire qu’il a usinée, à %2, jusqu’à %3. Ensuite cette page revient et l’exécution continue de là.</translation>
+    </message>
+    <message>
+        <source>Drive back …</source>
+        <translation>Revenir …</translation>
+    </message>
+    <message>
+        <source>The first move, to line %1, alone takes %2: bring the tool nearer before the start.</source>
+        <translation>Le premier déplacement, vers la ligne %1, dure à lui seul %2&#xa0;: approchez l’outil avant le départ.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -5165,6 +5181,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>A reset of the control was requested. If an axis still moves, press NC STOP at the machine.</source>
         <translation>Un reset de la commande a été demandé. Si un axe se déplace encore, appuyez sur NC STOP à la machine.</translation>
+    </message>
+    <message>
+        <source>The file of the run is gone: the run could not go on after the way back.</source>
+        <translation>Le fichier de l’exécution a disparu&#xa0;: après le retour, elle ne pourrait pas continuer.</translation>
+    </message>
+    <message>
+        <source>The tool is driven back by %1 along the path.</source>
+        <translation>L’outil revient de %1 sur la trajectoire.</translation>
     </message>
 </context>
 <context>
@@ -5483,6 +5507,37 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Audit</source>
         <translation>Audit</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::BackDialog</name>
+    <message>
+        <source>To where the last rapid ended</source>
+        <translation>Jusqu’à la fin du dernier rapide</translation>
+    </message>
+    <message>
+        <source>Back along the path</source>
+        <translation>Retour sur la trajectoire</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> mm/min</source>
+        <translation> mm/min</translation>
+    </message>
+    <message>
+        <source>Show the way</source>
+        <translation>Montrer le chemin</translation>
+    </message>
+    <message>
+        <source>Length of the way</source>
+        <translation>Longueur du chemin</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
     </message>
 </context>
 <context>
@@ -8878,6 +8933,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>First move</source>
         <translation>Premier mouvement</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold Start for one second: then the tool goes back along the path, and nothing else.</source>
+        <translation>Rien n’a encore bougé. Maintenez Démarrer une seconde&#xa0;: alors l’outil revient sur la trajectoire, et rien d’autre.</translation>
+    </message>
+    <message>
+        <source>Before the tool goes back</source>
+        <translation>Avant le retour de l’outil</translation>
     </message>
 </context>
 <context>

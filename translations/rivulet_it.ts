@@ -5018,6 +5018,22 @@ GPL-3.0-or-later</translation>
         <source>Measure …</source>
         <translation>Misura …</translation>
     </message>
+    <message>
+        <source>Back along the path</source>
+        <translation>Indietro lungo il percorso</translation>
+    </message>
+    <message>
+        <source>The tool goes back by %1 along the path that it has cut, at %2, to %3. Then this page comes again, and the run goes on from there.</source>
+        <translation>L’utensile torna indietro di %1 lungo il percorso che ha lavorato, a %2, fino a %3. Poi questa pagina ritorna e l’esecuzione prosegue da lì.</translation>
+    </message>
+    <message>
+        <source>Drive back …</source>
+        <translation>Torna indietro …</translation>
+    </message>
+    <message>
+        <source>The first move, to line %1, alone takes %2: bring the tool nearer before the start.</source>
+        <translation>Il primo movimento, fino alla riga %1, dura da solo %2: avvicinare l’utensile prima dell’avvio.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::RunController</name>
@@ -5165,6 +5181,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>A reset of the control was requested. If an axis still moves, press NC STOP at the machine.</source>
         <translation>È stato richiesto un reset del controllo. Se un asse si muove ancora, premere NC STOP sulla macchina.</translation>
+    </message>
+    <message>
+        <source>The file of the run is gone: the run could not go on after the way back.</source>
+        <translation>Il file dell’esecuzione non c’è più: dopo il ritorno l’esecuzione non potrebbe proseguire.</translation>
+    </message>
+    <message>
+        <source>The tool is driven back by %1 along the path.</source>
+        <translation>L’utensile torna indietro di %1 lungo il percorso.</translation>
     </message>
 </context>
 <context>
@@ -5483,6 +5507,37 @@ GPL-3.0-or-later</translation>
     <message>
         <source>Audit</source>
         <translation>Registro</translation>
+    </message>
+</context>
+<context>
+    <name>rivulet::widgets::BackDialog</name>
+    <message>
+        <source>To where the last rapid ended</source>
+        <translation>Fino alla fine dell’ultimo rapido</translation>
+    </message>
+    <message>
+        <source>Back along the path</source>
+        <translation>Indietro lungo il percorso</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> mm/min</source>
+        <translation> mm/min</translation>
+    </message>
+    <message>
+        <source>Show the way</source>
+        <translation>Mostra il tragitto</translation>
+    </message>
+    <message>
+        <source>Length of the way</source>
+        <translation>Lunghezza del tragitto</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avanzamento</translation>
     </message>
 </context>
 <context>
@@ -8878,6 +8933,14 @@ GPL-3.0-or-later</translation>
     <message>
         <source>First move</source>
         <translation>Primo movimento</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet. Hold Start for one second: then the tool goes back along the path, and nothing else.</source>
+        <translation>Non si è ancora mosso nulla. Tenere premuto Avvia per un secondo: allora l’utensile torna indietro lungo il percorso, e nient’altro.</translation>
+    </message>
+    <message>
+        <source>Before the tool goes back</source>
+        <translation>Prima che l’utensile torni indietro</translation>
     </message>
 </context>
 <context>

@@ -118,6 +118,12 @@ struct OrderOptions {
   std::string progress;  ///< file or pipe for `ProgressLines`; empty: none
 };
 
+/// A run that was left is driven back along its path.
+struct BackOptions {
+  std::string run;           ///< its file
+  std::optional<double> mm;  ///< nothing: to where the last rapid ended
+};
+
 struct StreamOptions {
   OperatingOptions point;
   std::string file;
@@ -147,6 +153,7 @@ struct StreamOptions {
   bool acceptChanges = false;        ///< the program differs where nothing has been executed
   bool straight = false;             ///< the first move may pass within what the program cuts
   std::optional<double> raiseToMm;   ///< the tool is raised to this Z; there is no program then
+  std::optional<BackOptions> back;   ///< the program is that of the run which is driven back
   std::vector<std::string> command;  ///< the words of the command line
   bool json = false;
   LiveOptions live;

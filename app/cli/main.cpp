@@ -535,6 +535,34 @@ void addRaiseCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) 
   command->callback([options, &exit] { exit = rivulet::cli::stream(*options); });
 }
 
+void addBackCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
+  const auto options = std::make_shared<rivulet::cli::StreamOptions>();
+  options->command = std::move(words);
+  options->back.emplace();
+  CLI::App* command = app.add_subcommand(
+      "back", "Drive the tool back along the path of a run that was left, as a run of its own");
+  command->add_option("RUN", options->back->run, "File of the run, see rivulet-cli runs")
+      ->required();
+  command->add_option("--endpoint", options->endpoint, "OPC UA server")->required();
+  const auto toRapid = std::make_shared<bool>(false);
+  auto* by = command
+                 ->add_option_function<double>(
+                     "--by", [options](double mm) { options->back->mm = mm; },
+                     "Length of the way, mm, at most to where the last rapid ended")
+                 ->check(kPositive);
+  by->excludes(command->add_flag("--to-rapid", *toRapid, "To where the last rapid ended"));
+  command->add_option("--feed", options->point.feedMmPerMin, "Feed, mm/min")
+      ->required()
+      ->check(kPositive);
+  addJson(command, options->json);
+  command->callback([options, by, toRapid, &exit] {
+    if (by->count() == 0 && !*toRapid) {
+      throw CLI::RequiredError("--by or --to-rapid");
+    }
+    exit = rivulet::cli::stream(*options);
+  });
+}
+
 void addJobCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   const auto options = std::make_shared<rivulet::cli::JobOptions>();
   options->command = std::move(words);
@@ -1111,6 +1139,7 @@ int main(int argc, char** argv) {
   addTemplateCommand(app, exit);
   addStreamCommand(app, exit, {argv, argv + argc});
   addRaiseCommand(app, exit, {argv, argv + argc});
+  addBackCommand(app, exit, {argv, argv + argc});
   addJobCommand(app, exit, {argv, argv + argc});
   addRunsCommand(app, exit);
   addAuditCommand(app, exit);

@@ -27,6 +27,7 @@
 #include "gcode/block_observer.h"
 #include "gcode/error.h"
 #include "gcode/program.h"
+#include "gcode/thinning.h"
 #include "job/main_program.h"
 #include "job/plan.h"
 #include "machine/config.h"
@@ -43,6 +44,7 @@
 #include "streaming/control/access_policy.h"
 #include "streaming/control/control_axes.h"
 #include "streaming/methods/feed_plan.h"
+#include "streaming/recovery/back_along.h"
 #include "streaming/run/job.h"
 #include "streaming/setup/commissioning.h"
 #include "streaming/simulation/template_proof.h"
@@ -329,12 +331,16 @@ class StreamCommand {
 
  private:
   base::Result<void> load();
+  base::Result<void> loadDriven();
   [[nodiscard]] std::vector<gcode::StreamPoint> points() const;
   void planFeeds();
   [[nodiscard]] feasibility::AccessModel access();
   base::Result<void> openSource();
   base::Result<void> connect();
+  base::Result<void> readResumed();
+  base::Result<void> divideMoves();
   base::Result<void> lookForRun();
+  base::Result<void> findWayBack();
   base::Result<void> judge();
   base::Result<void> findResume();
   base::Result<void> checkTravel();
@@ -352,14 +358,18 @@ class StreamCommand {
   CalibrationChoice m_calibrated;
   Judgement m_judged;
   streaming::FeedProof m_proof = streaming::FeedProof::NotTested;
+  std::optional<report::SavedRun> m_resumed;  ///< the run that goes on
+  std::optional<report::SavedRun> m_driven;   ///< the run that is driven back
+  gcode::MoveLimit m_moveLimit;               ///< by which long moves have been divided
   nlohmann::ordered_json m_stop;
   report::RunStore m_runs;
 };
 
 base::Result<void> StreamCommand::prepare() {
-  for (const auto step : {&StreamCommand::load, &StreamCommand::openSource, &StreamCommand::connect,
-                          &StreamCommand::lookForRun, &StreamCommand::judge,
-                          &StreamCommand::findResume, &StreamCommand::checkTravel}) {
+  for (const auto step :
+       {&StreamCommand::load, &StreamCommand::openSource, &StreamCommand::connect,
+        &StreamCommand::lookForRun, &StreamCommand::findWayBack, &StreamCommand::judge,
+        &StreamCommand::findResume, &StreamCommand::checkTravel}) {
     if (base::Result<void> done = (this->*step)(); !done) {
       return done;
     }
@@ -380,6 +390,10 @@ base::Result<void> StreamCommand::load() {
   }
   if (m_options.raiseToMm) {
     m_program = streaming::raiseProgram(*m_options.raiseToMm);
+  } else if (m_options.back) {
+    if (base::Result<void> loaded = loadDriven(); !loaded) {
+      return loaded;
+    }
   } else if (auto program = gcode::loadProgram(m_options.file, m_options.loading.loadOptions())) {
     m_program = std::move(*program);
   } else {
@@ -402,6 +416,12 @@ base::Result<void> StreamCommand::load() {
     return fits;
   }
   m_settings = settingsOf(m_options, m_program.trajectory);
+  if (m_driven) {
+    m_settings.parameters = m_driven->settings.parameters;
+    m_settings.parameters.method = base::MethodKind::Window;
+    m_settings.parameters.feedPerPoint = false;
+    m_settings.parameters.factorLeast = m_settings.parameters.factorMost = 0.0;
+  }
   const auto machine = machine::loadPreset(m_options.preset);
   if (!machine) {
     return base::fail(machine.error());
@@ -411,6 +431,28 @@ base::Result<void> StreamCommand::load() {
     return taken;
   }
   return templates::requireProgram(m_settings.parameters);
+}
+
+/// The program of the run that is driven back, as it was read for that run.
+base::Result<void> StreamCommand::loadDriven() {
+  auto run = report::readSavedRun(m_options.back->run, memoryBudget());
+  if (!run) {
+    return base::fail(run.error());
+  }
+  if (run->job) {
+    return base::fail(streaming::StreamError::CannotResume,
+                      "A whole job is not driven back along its path: raise the tool, or go on.",
+                      m_options.back->run);
+  }
+  gcode::LoadOptions reading = run->reading;
+  reading.budget = memoryBudget();
+  auto program = gcode::loadProgram(run->programFile, reading);
+  if (!program) {
+    return base::fail(program.error());
+  }
+  m_program = *std::move(program);
+  m_driven = *std::move(run);
+  return {};
 }
 
 /// As far as they are known before the control is asked where the tool is.
@@ -482,6 +524,11 @@ base::Result<void> StreamCommand::connect() {
     return base::fail(proof.error());
   }
   m_proof = *proof;
+  for (const auto step : {&StreamCommand::readResumed, &StreamCommand::divideMoves}) {
+    if (base::Result<void> done = (this->*step)(); !done) {
+      return done;
+    }
+  }
   planFeeds();
   auto flexible = templates::makeProgram(m_settings.parameters);
   if (!flexible) {
@@ -489,6 +536,30 @@ base::Result<void> StreamCommand::connect() {
   }
   m_flexible = std::move(*flexible);
   return m_options.simulate ? base::Result<void>() : streaming::requireProven(m_flexible);
+}
+
+base::Result<void> StreamCommand::readResumed() {
+  if (m_options.resume.empty()) {
+    return {};
+  }
+  auto run = report::readSavedRun(m_options.resume, memoryBudget());
+  if (!run) {
+    return base::fail(run.error());
+  }
+  m_resumed = *std::move(run);
+  return {};
+}
+
+/// Where a stop acts before the next window, no move takes longer than a window may.
+base::Result<void> StreamCommand::divideMoves() {
+  m_moveLimit = m_resumed ? m_resumed->reading.moveLimit : streaming::moveLimit(m_settings);
+  if (base::Result<void> divided =
+          gcode::divideLongMoves(m_program.trajectory, m_moveLimit, memoryBudget());
+      !divided) {
+    divided.error().message += " Or give a longer time with --stop-limit.";
+    return divided;
+  }
+  return requireRunMemory(m_program.trajectory.points.size());
 }
 
 base::Result<void> StreamCommand::judge() {
@@ -551,14 +622,44 @@ base::Result<void> StreamCommand::lookForRun() {
   return base::fail(streaming::StreamError::ChannelBusy, adviceFor(run, m_connection.name));
 }
 
-base::Result<void> StreamCommand::findResume() {
-  if (m_options.resume.empty()) {
+/// From here on the program is the way back.
+base::Result<void> StreamCommand::findWayBack() {
+  if (!m_driven) {
     return {};
   }
-  const auto run = report::readSavedRun(m_options.resume, memoryBudget());
-  if (!run) {
-    return base::fail(run.error());
+  const auto left = run::askResume(*m_connection.link, m_program, m_driven->settings,
+                                   m_driven->checkpoint, streaming::ActiveProgram::Stays);
+  if (!left) {
+    return base::fail(left.error());
   }
+  if (left->restMm) {
+    return base::fail(streaming::StreamError::ChannelBusy,
+                      "The program of the run still stands on the control. End it first "
+                      "(rivulet-cli runs --end), or reset the control.");
+  }
+  const auto flight = streaming::preflight(*m_connection.link, m_program, m_settings);
+  if (!flight) {
+    return base::fail(flight.error());
+  }
+  const auto way =
+      streaming::backAlong(m_program, m_driven->settings, m_driven->checkpoint, left->point,
+                           {flight->toolMm, flight->toolDeg}, {m_options.back->mm});
+  if (!way) {
+    return base::fail(way.error());
+  }
+  m_driven->back = way->part;
+  m_program = streaming::backProgram(*way, m_settings.parameters.rotaryAxes);
+  const base::Vec3 to = way->places.back().mm;
+  log::logger().info("Back along the path by {:.3f} mm, to X {:.3f} Y {:.3f} Z {:.3f}.",
+                     way->lengthMm, to.x, to.y, to.z);
+  return divideMoves();
+}
+
+base::Result<void> StreamCommand::findResume() {
+  if (!m_resumed) {
+    return {};
+  }
+  const report::SavedRun* run = &*m_resumed;
   streaming::RunSettings earlier = m_settings;
   earlier.parameters = run->settings.parameters;
   earlier.programFeeds = run->settings.programFeeds;
@@ -603,7 +704,8 @@ base::Result<void> StreamCommand::checkTravel() {
     return base::fail(gcode::GcodeError::NoMotion,
                       fmt::format("The tool stands at Z {:.3f} already.", flight->toolMm.z));
   }
-  if (flight && !m_settings.resume && !m_options.simulate) {
+  // The way back has been cut already.
+  if (flight && !m_settings.resume && !m_driven && !m_options.simulate) {
     const std::vector<gcode::StreamPoint>& points = flight->points.points;
     const auto cut = streaming::cutOnTheWay(
         flight->toolMm, streaming::firstPlace(m_program.trajectory, flight->toolMm),
@@ -659,7 +761,10 @@ void StreamCommand::tellStop(const streaming::Preflight& flight) {
 }
 
 Exit StreamCommand::run() {
-  run::RunRecord record(factsOf(m_options, m_program, m_connection.name));
+  run::RunFacts facts = factsOf(m_options, m_program, m_connection.name);
+  facts.reading.moveLimit = m_moveLimit;
+  facts.drivenBack = m_driven;
+  run::RunRecord record(std::move(facts));
   if (const base::Result<void> opened = record.open(); !opened) {
     return reportError(opened.error(), m_options.json);
   }
@@ -757,7 +862,7 @@ base::Result<bool> runsJobs(const StreamOptions& options) {
 /// Says which blocks are left out, if the program has such.
 /// @return true if the program is to be run as a whole job
 base::Result<bool> isWholeJob(const StreamOptions& options) {
-  if (options.motionOnly || options.raiseToMm) {
+  if (options.motionOnly || options.raiseToMm || options.back) {
     return false;
   }
   gcode::LoadOptions loading = options.loading.loadOptions();

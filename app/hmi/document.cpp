@@ -98,6 +98,7 @@ Document::Document(const streaming::StreamSettings& settings)
 
 void Document::open(const QString& path, const session::Reading& reading) {
   m_isMotionAlone = false;
+  m_moves.ofRun.reset();
   if (QFileInfo(path).absoluteFilePath() != m_path) {
     // Chosen for another program.
     m_settings.dryRunMm = 0.0;
@@ -107,8 +108,10 @@ void Document::open(const QString& path, const session::Reading& reading) {
   read(path, reading);
 }
 
-void Document::openMotion(const QString& path, const session::Reading& reading) {
+void Document::openMotion(const QString& path, const session::Reading& reading,
+                          const gcode::MoveLimit& limit) {
   m_isMotionAlone = true;
+  m_moves.ofRun = limit;
   m_settings.dryRunMm = 0.0;
   Q_EMIT settingsChanged();
   read(path, reading);
@@ -223,6 +226,7 @@ session::ProgramSource Document::source() const {
   session::ProgramSource source;
   source.file = m_path.toStdString();
   source.reading.setReading(m_reading);
+  source.reading.moveLimit = m_moves.limit;
   return source;
 }
 
@@ -240,7 +244,7 @@ void Document::read(const QString& path, const session::Reading& reading) {
   whole.machine = m_loadMachine;
   Q_EMIT readingProgressed(0.0);
   m_loader.load({path, std::move(whole), m_toolMm, std::max(2, m_settings.parameters.pointsPerLoop),
-                 m_machineFeeds});
+                 m_machineFeeds, wantedMoveLimit()});
 }
 
 void Document::take(const session::LoadedProgram& loaded) {
@@ -250,6 +254,8 @@ void Document::take(const session::LoadedProgram& loaded) {
   }
   m_live.reset();
   m_view = loaded.view;
+  m_moves.whole = loaded.whole;
+  m_moves.limit = loaded.request.moveLimit;
   m_path = QFileInfo(loaded.request.path).absoluteFilePath();
   m_reading = loaded.request.reading;
   m_dryRunError = loaded.dryRunError;
@@ -261,11 +267,13 @@ void Document::take(const session::LoadedProgram& loaded) {
 }
 
 void Document::takePlaced(const std::shared_ptr<const overview::ProgramView>& view,
-                          const std::shared_ptr<const overview::ProgramView>& of) {
-  if (of != m_view) {
+                          const session::PlaceRequest& request) {
+  // A run has begun meanwhile: its points begin where the tool is, but are divided as they were.
+  if (request.view != m_view || (m_motion.isRunning && !(request.moveLimit == m_moves.limit))) {
     return;
   }
   m_view = view;
+  m_moves.limit = request.moveLimit;
   m_estimate.pauses.reset();
   m_estimate.timesFor.reset();
   Q_EMIT programPlaced();
@@ -457,15 +465,27 @@ void Document::setCalibration(std::shared_ptr<const streaming::CalibrationRecord
 
 void Document::setToolPosition(const base::Vec3& positionMm) {
   m_toolMm = positionMm;
-  if (!m_motion.isRunning && !m_motion.isHeld) {
-    followTool();
-  }
+  placePoints();
 }
 
-void Document::followTool() {
-  if (m_view && m_view->dependsOnStart && base::isFinite(m_toolMm) &&
-      base::distance(m_view->startMm, m_toolMm) > kToolMovedMm) {
-    m_loader.place(m_view, m_toolMm, std::max(2, m_settings.parameters.pointsPerLoop));
+gcode::MoveLimit Document::wantedMoveLimit() const {
+  if (m_moves.ofRun) {
+    return *m_moves.ofRun;
+  }
+  const gcode::MoveLimit limit = streaming::moveLimit(runSettings());
+  return limit.secondsMax > 0.0 ? limit : gcode::MoveLimit{};
+}
+
+void Document::placePoints() {
+  if (!m_view || m_live || m_motion.isRunning || m_motion.isHeld) {
+    return;
+  }
+  const bool hasMoved = m_view->dependsOnStart && base::isFinite(m_toolMm) &&
+                        base::distance(m_view->startMm, m_toolMm) > kToolMovedMm;
+  const gcode::MoveLimit limit = isJob() ? gcode::MoveLimit{} : wantedMoveLimit();
+  if (hasMoved || !(limit == m_moves.limit)) {
+    m_loader.place({m_view, m_moves.whole, limit, hasMoved ? m_toolMm : m_view->startMm,
+                    std::max(2, m_settings.parameters.pointsPerLoop)});
   }
 }
 
@@ -517,6 +537,7 @@ void Document::judge() {
       takeRehearsal(m_rehearsed.outcome, m_rehearsed.key);
     }
   }
+  placePoints();
   m_estimateTimer.start();
   Q_EMIT judged();
   Q_EMIT pausesChanged();

@@ -62,7 +62,9 @@ class Document final : public QObject {
   /// Reads a program in the background; the present one stays until the new one is there.
   void open(const QString& path, const session::Reading& reading = {});
   /// The same for the motion alone, whatever the settings say: the program of an earlier run.
-  void openMotion(const QString& path, const session::Reading& reading);
+  /// @param limit  by which its long moves are divided
+  void openMotion(const QString& path, const session::Reading& reading,
+                  const gcode::MoveLimit& limit);
   /// Points that arrive during the run take the place of a program. @param name  of their source,
   /// which is open
   void openLive(const live::Setup& setup, const std::string& name);
@@ -108,6 +110,8 @@ class Document final : public QObject {
   /// The file that was asked for last.
   [[nodiscard]] const QString& requestedPath() const { return m_requestedPath; }
   [[nodiscard]] const session::Reading& reading() const { return m_reading; }
+  /// By which long moves of the program have been divided.
+  [[nodiscard]] const gcode::MoveLimit& moveLimit() const { return m_moves.limit; }
   /// Where the program came from.
   [[nodiscard]] session::ProgramSource source() const;
 
@@ -162,10 +166,11 @@ class Document final : public QObject {
   void setCalibration(std::shared_ptr<const streaming::CalibrationRecord> record, bool isOutdated);
   /// The connected machine runs whole jobs; true also while none is connected.
   void setRunsJobs(bool runsJobs);
-  /// Where a run would begin. Points that depend on it are made again, but not while `isFrozen`.
+  /// Where a run would begin. Points that depend on it are made again, but not those of a run.
   void setToolPosition(const base::Vec3& positionMm);
-  /// Makes points that depend on the tool's position again, if it has moved.
-  void followTool();
+  /// Makes points again that depend on the tool's position, if it has moved, or on how long a move
+  /// may take.
+  void placePoints();
   /// A run is in progress: program and points stay as they are, and the processors are its own.
   void setRunning(bool isRunning);
   /// A run was left that can be resumed: its points must stay as they are.
@@ -205,7 +210,9 @@ class Document final : public QObject {
   /// Reads the program again if it is to be a job and is not, or the other way round.
   void followJob();
   void takePlaced(const std::shared_ptr<const overview::ProgramView>& view,
-                  const std::shared_ptr<const overview::ProgramView>& of);
+                  const session::PlaceRequest& request);
+  /// What the points of the program are to be made for; as they are while a run has them.
+  [[nodiscard]] gcode::MoveLimit wantedMoveLimit() const;
   /// What access costs with the present settings. @param source  its form is set
   [[nodiscard]] feasibility::AccessModel accessModel(widgets::AccessSource& source) const;
   void chooseFeedCells(const feasibility::AccessModel& access);
@@ -265,6 +272,13 @@ class Document final : public QObject {
   std::optional<base::Error> m_dryRunError;  ///< of the program as it was read
   Findings m_findings;
   widgets::AccessSource m_source;
+  /// Of the program, a stop may have to wait for its moves.
+  struct Moves {
+    std::shared_ptr<const gcode::Program> whole;  ///< as it was read
+    gcode::MoveLimit limit;                       ///< by which the shown points are divided
+    std::optional<gcode::MoveLimit> ofRun;        ///< see `openMotion`
+  };
+  Moves m_moves;
   base::Vec3 m_toolMm;  ///< the origin while no machine has been seen
   bool m_runsJobs = true;
   bool m_isMotionAlone = false;  ///< see `openMotion`

@@ -222,7 +222,7 @@ QWidget* MainWindow::makeNotices(QWidget* parent) {
   connect(m_frame.closeBar, &widgets::CloseBar::stopAndCloseRequested, this,
           &MainWindow::stopAndClose);
   m_frame.foundBar = makeFoundRunBar(&m_runs, &m_found, parent);
-  m_frame.resumeBar = makeResumeBar(&m_runs, parent);
+  m_frame.resumeBar = makeResumeBar(&m_runs, &m_preflight, parent);
   auto* notices = new widgets::NoticeArea(parent);
   notices->add(m_frame.closeBar);
   notices->add(makeWrongMotionBar(&m_alarms, &m_runs, parent));

@@ -177,6 +177,7 @@ void Preflight::open() {
   if (!m_isOpen && !m_runs.isRunning()) {
     m_isOpen = true;
     m_isSetUpConfirmed = m_isRaising = false;
+    m_back.reset();
     // A virtual machine has nothing in its way.
     m_isFirstMoveConfirmed = m_isRepeatConfirmed = m_machine.view().isVirtualMachine;
     m_confirmed.clear();
@@ -197,6 +198,7 @@ void Preflight::dismiss() {
 }
 
 void Preflight::close() {
+  m_back.reset();
   if (m_isOpen) {
     m_isOpen = false;
     change();
@@ -211,6 +213,11 @@ std::vector<PreflightItem> Preflight::items() const {
   std::vector<PreflightItem> items;
   if (const auto blocked = isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked()) {
     items.push_back({Status::Fault, tr("In the way"), widgets::blockedText(blocked), {}, 0});
+  }
+  if (m_back) {
+    items.push_back(backItem());
+    items.push_back(stopItem());
+    return items;
   }
   if (raise()) {
     items.push_back(raiseItem());
@@ -544,7 +551,12 @@ widgets::FirstMove Preflight::firstMove() const {
     return move;
   }
   move.wayMm.push_back(*toolMm);
-  if (const auto raised = raise()) {
+  if (m_back) {
+    for (const auto& place :
+         m_back->way ? m_back->way->places : std::vector<base::AxisPosition>()) {
+      move.wayMm.push_back(place.mm);
+    }
+  } else if (const auto raised = raise()) {
     move.wayMm.push_back({toolMm->x, toolMm->y, raised->toMm});
   } else if (isForResume()) {
     move.wayMm.push_back(m_runs.place()->positionMm);
@@ -595,12 +607,36 @@ std::optional<Preflight::Raise> Preflight::raise() const {
   if (!cut || !cut->isClearFromAbove) {
     return std::nullopt;
   }
-  // Not faster than it cuts: it may stand in the workpiece.
+  return Raise{cut->heightMm, carefulMmPerS()};
+}
+
+double Preflight::carefulMmPerS() const {
   const streaming::StreamSettings& settings = m_document.settings();
   const auto feeds = programFeeds(*m_document.view());
-  return Raise{cut->heightMm, settings.usesProgramFeeds() && feeds
-                                  ? feeds->first * std::min(1.0, settings.overrideFactor)
-                                  : m_document.runSettings().feedMmPerS};
+  return settings.usesProgramFeeds() && feeds
+             ? feeds->first * std::min(1.0, settings.overrideFactor)
+             : m_document.runSettings().feedMmPerS;
+}
+
+void Preflight::setBack(const streaming::BackWish& wish, double feedMmPerS) {
+  m_back = Back{m_runs.wayBack(wish), feedMmPerS};
+  change();
+}
+
+PreflightItem Preflight::backItem() const {
+  PreflightItem item{
+      Status::Attention, tr("Back along the path"), {}, tr("Change …"), DriveBack, true};
+  if (!m_back->way) {
+    item.status = Status::Fault;
+    item.text = widgets::errorText(m_back->way.error());
+    return item;
+  }
+  item.text =
+      tr("The tool goes back by %1 along the path that it has cut, at %2, to %3. Then this "
+         "page comes again, and the run goes on from there.")
+          .arg(widgets::lengthText(m_back->way->lengthMm, 1), widgets::feedText(m_back->feedMmPerS),
+               positionText(m_back->way->places.back().mm));
+  return item;
 }
 
 void Preflight::warnOfCut(PreflightItem& item) const {
@@ -826,6 +862,10 @@ PreflightItem Preflight::resumeItem() const {
                          static_cast<int>(place.point))
                           .arg(point);
   }
+  if (!place.restMm) {
+    item.remedy = tr("Drive back …");
+    item.remedyId = DriveBack;
+  }
   if (place.changedFrom) {
     item.status = Status::Attention;
     item.text += QLatin1Char('\n') +
@@ -1032,7 +1072,11 @@ PreflightItem Preflight::runCellItem(const streaming::RunSettings& settings) con
                          "loop, at most %1 in %2.")
                           .arg(mm, seconds);
     if (bound.longMove) {
-      item.text += QLatin1Char(' ') + tr("The move of line %1 alone takes %2; it is not divided.")
+      item.text += QLatin1Char(' ') + (bound.longMove->isFirst
+                                           ? tr("The first move, to line %1, alone takes %2: bring "
+                                                "the tool nearer before the start.")
+                                           : tr("The move of line %1 alone takes %2; it is not "
+                                                "divided."))
                                           .arg(bound.longMove->line.value)
                                           .arg(widgets::secondsText(bound.longMove->seconds, 1));
     }
@@ -1108,6 +1152,11 @@ void Preflight::remedy(int remedyId) {
   if (remedyId == RaiseTool) {
     m_isRaising = true;
     change();
+    return;
+  }
+  if (remedyId == DriveBack) {
+    Q_EMIT backRequested(base::mmPerMinFromMmPerS(carefulMmPerS()),
+                         base::mmPerMinFromMmPerS(m_document.feedMmPerSMax()));
     return;
   }
   if (remedyId == RunWholeJob) {

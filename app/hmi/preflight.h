@@ -41,6 +41,7 @@ class Preflight final : public QObject {
     ConfirmFirstMove,
     ConfirmRepeats,
     RaiseTool,
+    DriveBack,
   };
 
   Preflight(Document& document, MachineModel& machine, RunController& runs);
@@ -54,7 +55,7 @@ class Preflight final : public QObject {
   void dismiss();
   [[nodiscard]] bool isOpen() const { return m_isOpen; }
   /// The place where a run was left has been found: it is about resuming there.
-  [[nodiscard]] bool isForResume() const { return m_runs.place().has_value(); }
+  [[nodiscard]] bool isForResume() const { return m_runs.place().has_value() && !m_back; }
   /// At a line that the operator has chosen, a kind of resuming.
   [[nodiscard]] bool isForChosenLine() const { return isForResume() && m_runs.place()->isChosen; }
   /// Of the tool, as a run of its own before anything else.
@@ -66,13 +67,22 @@ class Preflight final : public QObject {
   [[nodiscard]] bool isRaising() const { return m_isRaising; }
   /// Nothing: the tool is not raised, or need not be any more.
   [[nodiscard]] std::optional<Raise> raise() const;
+  /// Along the path of the run that was left, as a run of its own before it goes on.
+  struct Back {
+    base::Result<streaming::BackWay> way;  ///< or why there is none
+    double feedMmPerS = 0.0;
+  };
+  /// The operator has chosen to drive the tool back; nothing: not.
+  [[nodiscard]] const std::optional<Back>& back() const { return m_back; }
+  void setBack(const streaming::BackWish& wish, double feedMmPerS);
   /// It is shown, and nothing stands in the way.
   [[nodiscard]] bool hasPassed() const {
     return m_isOpen && !(isForResume() ? m_runs.placeBlocked() : m_runs.startBlocked()) &&
-           (isRaising() ? raise().has_value()
-                        : (m_isSetUpConfirmed || missingSetUp().isEmpty()) &&
-                              (m_isFirstMoveConfirmed || !cutOnTheWay()) &&
-                              (m_isRepeatConfirmed || !mayRepeat()));
+           (m_back        ? m_back->way.has_value()
+            : isRaising() ? raise().has_value()
+                          : (m_isSetUpConfirmed || missingSetUp().isEmpty()) &&
+                                (m_isFirstMoveConfirmed || !cutOnTheWay()) &&
+                                (m_isRepeatConfirmed || !mayRepeat()));
   }
   /// In the operator's language.
   [[nodiscard]] std::vector<widgets::PreflightItem> items() const;
@@ -88,6 +98,9 @@ class Preflight final : public QObject {
  Q_SIGNALS:
   /// The operator wants to confirm that nothing is in the way of the first move.
   void straightRequested();
+  /// The operator wants to drive the tool back. @param feedMmPerMin  that is proposed
+  /// @param feedMmPerMinMax  of the machine
+  void backRequested(double feedMmPerMin, double feedMmPerMinMax);
   void repeatsRequested();
   /// Opened or closed.
   void openChanged();
@@ -130,6 +143,10 @@ class Preflight final : public QObject {
   [[nodiscard]] bool mayRepeat() const;
   [[nodiscard]] widgets::PreflightItem repeatItem() const;
   [[nodiscard]] widgets::PreflightItem raiseItem() const;
+  [[nodiscard]] widgets::PreflightItem backItem() const;
+  /// The feed of what is not cut: not faster than the program cuts, as the tool may stand in the
+  /// workpiece.
+  [[nodiscard]] double carefulMmPerS() const;
   [[nodiscard]] widgets::PreflightItem travelItem() const;
   /// @param sizesMm  of the path, or of the box that it stays in
   [[nodiscard]] widgets::PreflightItem travelItem(const base::Vec3& sizesMm) const;
@@ -169,6 +186,7 @@ class Preflight final : public QObject {
   bool m_isFirstMoveConfirmed = false;
   bool m_isRepeatConfirmed = false;
   bool m_isRaising = false;
+  std::optional<Back> m_back;
   std::string m_confirmed;  ///< by hand, as the audit trail names it
 };
 

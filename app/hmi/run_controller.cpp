@@ -566,7 +566,7 @@ bool RunController::startRun(std::optional<streaming::Resume> resume,
   const std::optional<session::ResumeQuestion> question = m_question;
   forgetResume();
   if (!resume && !restart) {
-    m_document.followTool();
+    m_document.placePoints();
   }
   forgetLast();
   m_startMm = m_machine.view().positionMm;
@@ -628,34 +628,84 @@ bool RunController::raise(double toMm, double feedMmPerS) {
   if (refuses(startBlocked())) {
     return false;
   }
+  m_left.reset();
+  startPositioning(Positioning::Raise, streaming::raiseProgram(toMm), feedMmPerS, {},
+                   {{"z_mm", base::formatNumber(toMm)}}, [toMm] {
+                     return tr("The tool is raised to Z %1.").arg(widgets::lengthText(toMm));
+                   });
+  return true;
+}
+
+base::Result<streaming::BackWay> RunController::wayBack(const streaming::BackWish& wish) const {
+  const auto toolMm = m_machine.positionNowMm();
+  const base::RotarySet& turned =
+      m_question ? m_question->settings.parameters.rotaryAxes : base::RotarySet{};
+  const auto& toolDeg = m_machine.view().rotaryDeg;
+  if (!m_question || !m_resume || !toolMm || (base::any(turned) && !toolDeg)) {
+    return base::fail(streaming::StreamError::CannotResume,
+                      "It is not known where the tool stands on the path of the run.");
+  }
+  return streaming::backAlong(*m_question->program, m_question->settings, m_question->checkpoint,
+                              m_resume->point, {*toolMm, toolDeg.value_or(base::RotaryDeg{})},
+                              wish);
+}
+
+bool RunController::driveBack(const streaming::BackWay& way, double feedMmPerS) {
+  if (!m_question || refuses(startBlocked())) {
+    return false;
+  }
   session::StartCommand command;
-  command.program = std::make_shared<const gcode::Program>(streaming::raiseProgram(toMm));
+  command.settings.parameters = m_question->settings.parameters;
+  command.drivenBack = report::RunStore().find(m_question->checkpoint.runNumber);
+  if (!command.drivenBack) {
+    m_messages.show(Severity::Warning, [] {
+      return tr("The file of the run is gone: the run could not go on after the way back.");
+    });
+    return false;
+  }
+  command.drivenBack->back = way.part;
+  const base::RotarySet rotaryAxes = m_question->settings.parameters.rotaryAxes;
+  startPositioning(Positioning::Back, streaming::backProgram(way, rotaryAxes), feedMmPerS,
+                   std::move(command), {{"back_mm", base::formatNumber(way.lengthMm)}},
+                   [lengthMm = way.lengthMm] {
+                     return tr("The tool is driven back by %1 along the path.")
+                         .arg(widgets::lengthText(lengthMm));
+                   });
+  return true;
+}
+
+void RunController::startPositioning(Positioning kind, gcode::Program program, double feedMmPerS,
+                                     session::StartCommand command, ActDetails details,
+                                     const Messages::Text& text) {
+  const templates::TemplateParameters ofRun = command.settings.parameters;
+  command.program = std::make_shared<const gcode::Program>(std::move(program));
   command.settings = m_document.runSettings();
   command.settings.programFeeds.reset();
   command.settings.feedMmPerS = feedMmPerS;
+  if (kind == Positioning::Back) {
+    command.settings.parameters.method = base::MethodKind::Window;
+    command.settings.parameters.feedPerPoint = false;
+    command.settings.parameters.axes = ofRun.axes;
+    command.settings.parameters.rotaryAxes = ofRun.rotaryAxes;
+  }
   forgetResume();
-  m_left.reset();
-  holdPoints();
   forgetLast();
   m_update = {};
   m_runBegin = 0;
-  m_isRaising = true;
+  m_positioning = kind;
   m_machine.showPreparing(true);
-  m_messages.didAct(Act::Start, {{"program", command.program->name},
-                                 {"machine", m_machine.endpoint().toStdString()},
-                                 {"z_mm", base::formatNumber(toMm)}});
-  m_messages.show(Severity::Note, [toMm] {
-    return tr("The tool is raised to Z %1.").arg(widgets::lengthText(toMm));
-  });
+  details.insert(details.begin(), {{"program", command.program->name},
+                                   {"machine", m_machine.endpoint().toStdString()}});
+  m_messages.didAct(Act::Start, details);
+  m_messages.show(Severity::Note, text);
   m_session.start(std::move(command));
   m_document.setRunning(m_session.isRunning());
   Q_EMIT updated(m_update);
   Q_EMIT permissionsChanged();
-  return true;
 }
 
-void RunController::takeRaised(const session::RunFinished& finished) {
-  m_isRaising = false;
+void RunController::takePositioned(const session::RunFinished& finished) {
+  const Positioning kind = std::exchange(m_positioning, Positioning::None);
   m_machine.showPreparing(false);
   m_machine.forgetExecuted();
   m_messages.clear();
@@ -667,7 +717,11 @@ void RunController::takeRaised(const session::RunFinished& finished) {
   m_document.setRunning(false);
   Q_EMIT updated(m_update);
   Q_EMIT permissionsChanged();
-  Q_EMIT raised();
+  if (kind == Positioning::Back) {
+    askResume();
+  } else {
+    Q_EMIT raised();
+  }
 }
 
 void RunController::announceStart(const streaming::RunSettings& settings,
@@ -722,7 +776,7 @@ void RunController::takeUpdate(const streaming::LiveUpdate& update) {
   const bool isNewState = update.state != m_update.state;
   const bool isMoving = update.state == streaming::RunState::Running;
   m_update = update;
-  if (m_isRaising) {
+  if (isPositioning()) {
     m_update.counters = {};  // of the program, nothing is executed
     m_machine.showPreparing(update.state == streaming::RunState::Armed);
     Q_EMIT updated(m_update);
@@ -887,8 +941,8 @@ std::optional<widgets::MachineView::ToGo> RunController::toGo(
 }
 
 void RunController::takeFinished(const session::RunFinished& finished) {
-  if (m_isRaising) {
-    takeRaised(finished);
+  if (isPositioning()) {
+    takePositioned(finished);
     return;
   }
   m_report = finished.report;

@@ -19,6 +19,7 @@
 #include "hmi/machine_model.h"
 #include "hmi/messages.h"
 #include "session/stream_session.h"
+#include "streaming/recovery/back_along.h"
 #include "streaming/start/start_policy.h"
 #include "widgets/streaming/resume_bar.h"
 #include "widgets/trace/trace_page.h"
@@ -61,6 +62,10 @@ class RunController final : public QObject {
   /// Raises the tool straight up, as a run of its own. The run that was left cannot be resumed any
   /// more. @param toMm  Z  @return false as `start`
   bool raise(double toMm, double feedMmPerS);
+  /// The way back along the path of the run whose place is shown. @return why there is none
+  [[nodiscard]] base::Result<streaming::BackWay> wayBack(const streaming::BackWish& wish) const;
+  /// Drives the tool along that way, as a run of its own. Then the place is asked for again.
+  bool driveBack(const streaming::BackWay& way, double feedMmPerS);
   /// The axes stand at once, as with `hold`; without a feed cell the run ends before its next
   /// window. May be called again and again. Between runs: a test of the control is aborted, and
   /// what else the control executes is stopped by its reset, if it can be reset from here.
@@ -70,8 +75,8 @@ class RunController final : public QObject {
   /// The axes stand at once, or without a feed cell before the next window; or they go on.
   void hold(bool hold);
   [[nodiscard]] bool isHeld() const { return m_isHeld; }
-  /// The run in progress is `raise`, and none of the program.
-  [[nodiscard]] bool isRaising() const { return m_isRaising; }
+  /// The run in progress is `raise` or `driveBack`, and none of the program.
+  [[nodiscard]] bool isPositioning() const { return m_positioning != Positioning::None; }
   /// The axes stand at once, and the run ends there: its program is left held, if it has not ended.
   /// Without a feed cell the run ends before its next window.
   void leave();
@@ -165,7 +170,13 @@ class RunController final : public QObject {
   void noteEnd();
   /// Nothing of the last run is shown any more.
   void forgetLast();
-  void takeRaised(const session::RunFinished& finished);
+  /// A run of its own that moves the tool.
+  enum class Positioning : unsigned char { None, Raise, Back };
+  void takePositioned(const session::RunFinished& finished);
+  /// Starts a program that moves the tool, and nothing of the program that is open.
+  void startPositioning(Positioning kind, gcode::Program program, double feedMmPerS,
+                        session::StartCommand command, ActDetails details,
+                        const Messages::Text& text);
   /// @param resume, restart  by value: the start forgets the place that was found
   bool startRun(std::optional<streaming::Resume> resume,
                 std::shared_ptr<const run::JobRestart> restart = nullptr);
@@ -217,7 +228,7 @@ class RunController final : public QObject {
   bool m_hasWrongMotion = false;                  ///< and not acknowledged
   std::string m_confirmed;                        ///< see `setConfirmed`
   bool m_isHeld = false;                          ///< by the operator
-  bool m_isRaising = false;
+  Positioning m_positioning = Positioning::None;
   bool m_isEnding = false;  ///< the run in progress has been told to end
   std::optional<session::JobUpdate> m_job;
   std::size_t m_firstPoint = 0;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gcode/block_observer.h"
+#include "gcode/thinning.h"
 #include "job/dry_plan.h"
 #include "overview/job_outline.h"
 
@@ -38,6 +39,20 @@ SplitProgram splitProgram(gcode::Program program, gcode::LoadOptions options,
   plan->program = {};
   return {std::make_shared<const gcode::Program>(std::move(program)), std::move(plan),
           std::move(dryRunError)};
+}
+
+std::shared_ptr<const gcode::Program> dividedProgram(std::shared_ptr<const gcode::Program> program,
+                                                     const gcode::MoveLimit& limit,
+                                                     const base::Budget& budget) {
+  gcode::Trajectory parts = program->trajectory;
+  if (!gcode::divideLongMoves(parts, limit, budget) ||
+      parts.points.size() == program->trajectory.points.size()) {
+    return program;
+  }
+  auto divided = std::make_shared<gcode::Program>(*program);
+  divided->trajectory = std::move(parts);
+  divided->statistics.points = divided->trajectory.points.size();
+  return divided;
 }
 
 }  // namespace rivulet::preparation

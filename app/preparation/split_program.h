@@ -31,4 +31,10 @@ struct SplitProgram {
                                         const std::filesystem::path& path, bool asJob,
                                         double dryRunMm, const job::Profile& machine);
 
+/// The same program where none of its moves takes too long; the very same if none does, or if the
+/// path would not fit into the memory allowed.
+[[nodiscard]] std::shared_ptr<const gcode::Program> dividedProgram(
+    std::shared_ptr<const gcode::Program> program, const gcode::MoveLimit& limit,
+    const base::Budget& budget = {});
+
 }  // namespace rivulet::preparation

@@ -112,6 +112,12 @@ inline constexpr auto liveFields = [](auto& io, auto& live) {
   io.error("refused", live.refusal);
 };
 
+inline constexpr auto feedLimitFields = [](auto& io, auto& feeds) {
+  io.number("override", feeds.overrideFactor, gcode::kOverrideMin, gcode::kOverrideMax);
+  io.number("rapid_mm_per_s", feeds.rapidMmPerS, kJsonAbove0, kJsonCountMax);
+  io.number("limit_mm_per_s", feeds.feedMmPerSMax, kJsonAbove0, kJsonCountMax);
+};
+
 inline constexpr auto checkpointFields = []<class Io>(Io& io, auto& checkpoint) {
   if constexpr (Io::kReads) {
     checkpoint.granted = true;  // of earlier versions, which kept no others
@@ -185,9 +191,7 @@ inline constexpr auto settingsFields = []<class Io>(Io& io, auto& settings) {
     if constexpr (!Io::kReads) {
       inner.count("override_percent", 100.0 * feeds.overrideFactor);
     }
-    inner.number("override", feeds.overrideFactor, gcode::kOverrideMin, gcode::kOverrideMax);
-    inner.number("rapid_mm_per_s", feeds.rapidMmPerS, kJsonAbove0, kJsonCountMax);
-    inner.number("limit_mm_per_s", feeds.feedMmPerSMax, kJsonAbove0, kJsonCountMax);
+    feedLimitFields(inner, feeds);
   });
   if constexpr (Io::kReads) {
     if (!templates::requireProgram(parameters)) {

@@ -60,6 +60,9 @@ constexpr auto readingFields = []<class Io>(Io& io, auto& reading) {
   if (io.has("no_point", reading.noPoint)) {
     io.named("no_point", *reading.noPoint, gcode::noPointName, gcode::noPointOfName);
   }
+  io.ifSet().number("move_s_max", reading.moveLimit.secondsMax, 0.0, kWindowSMost);
+  io.ifSet().number("move_feed_mm_per_s", reading.moveLimit.feedMmPerS, 0.0, kJsonCountMax);
+  maybe(io, "move_feeds", reading.moveLimit.feeds, feedLimitFields);
   std::string settings = gcode::textOf(reading.settings);
   io.ifSet().text("settings", settings);
   if constexpr (Io::kReads) {
@@ -103,6 +106,10 @@ constexpr auto savedRunFields = [](auto& io, auto& run) {
   io.object("settings", run.settings, settingsFields);
   io.object("checkpoint", run.checkpoint, checkpointFields);
   maybe(io, "job", run.job, savedJobFields);
+  maybe(io, "driven_back", run.back, [](auto& inner, auto& part) {
+    inner.count("first_point", part.first);
+    inner.count("next_point", part.next);
+  });
 };
 
 /// "rivulet-points 2\n", then per point six coordinates and its own feed, its line, and whether its

@@ -17,6 +17,7 @@
 
 #include "base/result.h"
 #include "streaming/recovery/job_resume.h"
+#include "streaming/recovery/resume.h"
 #include "streaming/recovery/run_on_control.h"
 #include "streaming/run/job.h"
 
@@ -45,7 +46,10 @@ struct SavedRun {
   streaming::RunSettings settings;   ///< with `origin`: who started it
   streaming::Checkpoint checkpoint;
   std::optional<SavedJob> job{};  ///< nothing: the motion alone
-  std::filesystem::path file;     ///< where it was read from; empty: not from a file
+  /// The tool has been driven back along its path: see `streaming::resumeOnPart`. Nothing: it has
+  /// not.
+  std::optional<streaming::BackPart> back{};
+  std::filesystem::path file;  ///< where it was read from; empty: not from a file
 
   /// Under which it is kept.
   [[nodiscard]] int number() const {

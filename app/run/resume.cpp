@@ -51,6 +51,9 @@ base::Result<streaming::Resume> askResume(opcua::Link& link, const gcode::Progra
                                           streaming::ActiveProgram active) {
   const report::RunStore runs;
   const auto kept = runs.find(checkpoint.runNumber);
+  if (kept && kept->back) {
+    return streaming::resumeOnPart(link, program, settings, checkpoint, *kept->back);
+  }
   const auto points = kept ? runs.points(*kept) : std::vector<gcode::StreamPoint>();
   return streaming::resumeFrom(link, program, settings, checkpoint, points, active);
 }

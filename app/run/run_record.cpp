@@ -58,6 +58,21 @@ class Forgetter final : public streaming::CheckpointKeeper {
   bool m_isDone = false;
 };
 
+/// Keeps the run that is driven back, before anything moves: from then on the control knows another
+/// run.
+class BackKeeper final : public streaming::CheckpointKeeper {
+ public:
+  explicit BackKeeper(report::SavedRun run) : m_run(std::move(run)) {}
+  base::Result<void> keep(const streaming::Checkpoint& /*checkpoint*/,
+                          const streaming::RunSettings& /*settings*/,
+                          std::span<const gcode::StreamPoint> /*points*/) override {
+    return storeOf(RunKind::Motion).save(m_run, {});
+  }
+
+ private:
+  report::SavedRun m_run;
+};
+
 }  // namespace
 
 RunRecord::RunRecord(RunFacts facts)
@@ -69,16 +84,18 @@ base::Result<void> RunRecord::open() {
   if (base::Result<void> opened = openRecording(); !opened) {
     return opened;
   }
-  if (canBeResumed(m_facts)) {
+  if (m_facts.drivenBack) {
+    m_otherKeeper = std::make_unique<BackKeeper>(*m_facts.drivenBack);
+  } else if (canBeResumed(m_facts)) {
     m_keeper.emplace(storeOf(m_facts.kind), savedRun(m_facts));
   } else if (m_facts.kind == RunKind::WholeJob && !m_facts.isSimulated) {
-    m_forgetter = std::make_unique<Forgetter>(m_facts.endpoint);
+    m_otherKeeper = std::make_unique<Forgetter>(m_facts.endpoint);
   }
   return {};
 }
 
 streaming::CheckpointKeeper* RunRecord::keeper() {
-  return m_keeper ? &*m_keeper : m_forgetter.get();
+  return m_keeper ? &*m_keeper : m_otherKeeper.get();
 }
 
 base::Result<void> RunRecord::openRecording() {
@@ -160,7 +177,7 @@ void RunRecord::finish(const streaming::RunReport& report, const RunResult& resu
 }
 
 std::optional<report::SavedRun> RunRecord::left() const {
-  return m_keeper ? m_keeper->left() : std::nullopt;
+  return m_keeper ? m_keeper->left() : m_facts.drivenBack;
 }
 
 }  // namespace rivulet::run

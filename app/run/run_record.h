@@ -54,6 +54,9 @@ struct RunFacts {
   std::function<void(const RecordingCut&)> onCut{};
   std::optional<report::SavedJob> job{};  ///< of a whole job
   double dryRunMm = 0.0;                  ///< > 0: a dry run of a whole job
+  /// The run drives this one back along its path, which has `back`: that one can be resumed, and
+  /// goes on from wherever the tool stands then.
+  std::optional<report::SavedRun> drivenBack{};
   /// A simulation in virtual time leaves nothing but a recording that was asked for.
   bool isSimulated = false;
 };
@@ -108,7 +111,7 @@ class RunRecord {
   std::unique_ptr<recorder::RecordingFile> m_file;
   std::optional<trace::RecordingWriter> m_writer;
   std::optional<report::RunKeeper> m_keeper;  ///< nothing: it cannot be resumed from a file
-  std::unique_ptr<streaming::CheckpointKeeper> m_forgetter;
+  std::unique_ptr<streaming::CheckpointKeeper> m_otherKeeper;  ///< of another run that was left
   bool m_isRecorded = false;
   base::Error m_notRecorded{};
   base::Error m_notKept{};

@@ -146,7 +146,10 @@ bool LoadedJob::hasFileChanged() const {
 
 void LoadedJob::place(base::Vec3 toolMm, const MachineFacts& machine) {
   const int perLoop = std::max(2, settings.parameters.pointsPerLoop);
-  view = overview::makeProgramView(view->program, toolMm, perLoop, {}, machine.feeds, view->plan);
+  const auto viewOf = [&](const std::shared_ptr<const gcode::Program>& shown) {
+    return overview::makeProgramView(shown, toolMm, perLoop, {}, machine.feeds, view->plan);
+  };
+  view = viewOf(program);
   templates::TemplateParameters parameters = settings.parameters;
   if (base::streamsRotary(parameters.method)) {
     parameters.rotaryAxes = view->turnedAxes;
@@ -158,6 +161,12 @@ void LoadedJob::place(base::Vec3 toolMm, const MachineFacts& machine) {
                                          machine.calibration);
   runSettings.windowSMax =
       streaming::windowSMaxOf(machine.feedProof, parameters.target, machine.stopLimitS);
+  reading.moveLimit = view->isJob() ? gcode::MoveLimit{}
+                                    : moveLimitOfRun.value_or(streaming::moveLimit(runSettings));
+  if (const auto divided = preparation::dividedProgram(program, reading.moveLimit, reading.budget);
+      divided != program) {
+    view = viewOf(divided);
+  }
   if (settings.usesProgramFeeds() && !view->points.points.empty() &&
       streaming::prefersFeedPerPoint(view->points.points, runSettings, access)) {
     runSettings.parameters.feedPerPoint = true;
@@ -177,6 +186,7 @@ base::Result<LoadedJob> loadJob(
   std::error_code ignored;
   job.file = std::filesystem::absolute(file, ignored);
   job.reading = reading;
+  job.reading.moveLimit = {};
   machine.load.tell(job.reading);
   // Taken before the text is read: anything written meanwhile counts as a change.
   job.fileBytes = std::filesystem::file_size(job.file, ignored);
@@ -190,6 +200,7 @@ base::Result<LoadedJob> loadJob(
     return base::fail(chosen.error());
   }
   job.settings = std::move(chosen->run);
+  job.moveLimitOfRun = chosen->moveLimit;
   if (!(chosen->reading == reading)) {
     job.reading.setReading(chosen->reading);
     program = gcode::loadProgram(job.file, job.reading);
@@ -205,6 +216,7 @@ base::Result<LoadedJob> loadJob(
   if (split.dryRunError) {
     return base::fail(*split.dryRunError);
   }
+  job.program = split.program;
   job.view = overview::makeProgramView(std::move(split.program), toolMm,
                                        std::max(2, job.settings.parameters.pointsPerLoop), {},
                                        machine.feeds, std::move(split.plan));

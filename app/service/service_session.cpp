@@ -831,6 +831,7 @@ Answer ServiceSession::preflightResume(const Caller& caller) {
           JobSettings settings{preparation::settingsOfRun(run->settings, defaultSettings().run),
                                run->reading};
           settings.run.wholeJob = m_runs.isJob;
+          settings.moveLimit = run->reading.moveLimit;
           return settings;
         },
         run->checkpoint.startMm, *m_machine);

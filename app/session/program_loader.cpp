@@ -85,16 +85,20 @@ void ProgramLoader::load(LoadRequest request) {
     preparation::SplitProgram read = preparation::splitProgram(
         *std::move(program), options, request.path.toStdString(), request.reading.asJob,
         request.reading.dryRunMm, request.reading.machine.words);
+    const bool isJob = read.plan && read.program.get() == &read.plan->program;
+    LoadRequest done = request;
+    done.moveLimit = isJob ? gcode::MoveLimit{} : request.moveLimit;
     auto view = overview::makeProgramView(
-        std::move(read.program), request.startMm, request.pointsPerLoop,
+        preparation::dividedProgram(read.program, done.moveLimit), request.startMm,
+        request.pointsPerLoop,
         [&](double share) {
           const double before = kReadShare + kSplitShare;
           return progress(before + (1.0 - before) * share);
         },
         request.feeds, std::move(read.plan));
     if (view) {
-      tell([loaded = LoadedProgram{request, stamp, std::move(view), read.dryRunError}](
-               ProgramLoader& loader) {
+      tell([loaded = LoadedProgram{std::move(done), stamp, std::move(view), std::move(read.program),
+                                   read.dryRunError}](ProgramLoader& loader) {
         loader.m_stop.reset();
         Q_EMIT loader.loaded(loaded);
       });
@@ -102,23 +106,23 @@ void ProgramLoader::load(LoadRequest request) {
   });
 }
 
-void ProgramLoader::place(std::shared_ptr<const overview::ProgramView> view, base::Vec3 startMm,
-                          int pointsPerLoop) {
+void ProgramLoader::place(PlaceRequest request) {
   if (m_placing) {
     return;
   }
   m_placing = std::make_shared<std::atomic<bool>>(false);
   inBackground(
       this,
-      [stop = m_placing, view, startMm, pointsPerLoop] {
+      [stop = m_placing, request] {
         return overview::makeProgramView(
-            view->program, startMm, pointsPerLoop, [&stop](double) { return !stop->load(); },
-            view->feeds, view->plan);
+            preparation::dividedProgram(request.program, request.moveLimit), request.startMm,
+            request.pointsPerLoop, [&stop](double) { return !stop->load(); }, request.view->feeds,
+            request.view->plan);
       },
-      [view](ProgramLoader& self, const std::shared_ptr<const overview::ProgramView>& placed) {
+      [request](ProgramLoader& self, const std::shared_ptr<const overview::ProgramView>& placed) {
         if (placed) {
           self.m_placing.reset();
-          Q_EMIT self.placed(placed, view);
+          Q_EMIT self.placed(placed, request);
         }
       });
 }

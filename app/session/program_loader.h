@@ -39,13 +39,24 @@ struct LoadRequest {
   int pointsPerLoop = 2;  ///< N of the distances
   /// Limits of the feeds of the program, at 100 %.
   std::optional<gcode::ProgramFeeds> feeds{};
+  gcode::MoveLimit moveLimit{};  ///< long moves are divided; not those of a whole job
 };
 
 struct LoadedProgram {
   LoadRequest request;
   FileStamp stamp;  ///< of the file as it was read
   std::shared_ptr<const overview::ProgramView> view;
-  std::optional<base::Error> dryRunError{};  ///< why the job cannot run dry
+  std::shared_ptr<const gcode::Program> whole;  ///< that of the view before moves were divided
+  std::optional<base::Error> dryRunError{};     ///< why the job cannot run dry
+};
+
+/// Other points of a program that is loaded.
+struct PlaceRequest {
+  std::shared_ptr<const overview::ProgramView> view;  ///< to be replaced
+  std::shared_ptr<const gcode::Program> program;  ///< as it was read; of a job, that of the view
+  gcode::MoveLimit moveLimit{};
+  base::Vec3 startMm;     ///< present tool position, all finite
+  int pointsPerLoop = 2;  ///< N of the distances
 };
 
 class ProgramLoader final : public QObject {
@@ -61,10 +72,10 @@ class ProgramLoader final : public QObject {
   /// Drops the request in progress; `cancelled` reports it.
   void cancel();
   [[nodiscard]] bool isBusy() const { return m_stop != nullptr; }
-  /// Computes the points of a loaded program for another position of the tool; `placed` reports the
-  /// result. One at a time: while one is in progress, no other begins.
-  void place(std::shared_ptr<const overview::ProgramView> view, base::Vec3 startMm,
-             int pointsPerLoop);
+  /// Computes the points of a loaded program for another position of the tool, or for another limit
+  /// of its moves; `placed` reports the result. One at a time: while one is in progress, no other
+  /// begins.
+  void place(PlaceRequest request);
   [[nodiscard]] bool isPlacing() const { return m_placing != nullptr; }
 
  Q_SIGNALS:
@@ -73,9 +84,8 @@ class ProgramLoader final : public QObject {
   void loaded(const rivulet::session::LoadedProgram& program);
   void failed(const rivulet::base::Error& error, const QString& path);
   void cancelled();
-  /// @param of  the view that it replaces
   void placed(const std::shared_ptr<const rivulet::overview::ProgramView>& view,
-              const std::shared_ptr<const rivulet::overview::ProgramView>& of);
+              const rivulet::session::PlaceRequest& request);
 
  private:
   void forget();

@@ -204,6 +204,8 @@ struct StartCommand {
   double dryRunMm = 0.0;  ///< > 0: `plan` is a dry run
   /// A job that goes on: `plan` is that of its restart. Null: from the beginning.
   std::shared_ptr<const run::JobRestart> restart{};
+  /// The run that this one drives back along its path: see `run::RunFacts`.
+  std::optional<report::SavedRun> drivenBack{};
   /// A run that is resumed: asked once more right before it starts. If the answer differs, the run
   /// does not start.
   std::optional<ResumeQuestion> resumes;

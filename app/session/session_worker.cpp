@@ -800,6 +800,7 @@ run::RunFacts SessionWorker::factsOf(const StartCommand& command) {
     facts.job = command.restart ? command.restart->kept(number) : report::SavedJob{number, 0, {}};
   }
   facts.dryRunMm = command.dryRunMm;
+  facts.drivenBack = command.drivenBack;
   facts.onCut = [this](const run::RecordingCut& cut) { tell(cut); };
   return facts;
 }

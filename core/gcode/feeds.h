@@ -26,6 +26,16 @@ struct ProgramFeeds {
   friend bool operator==(const ProgramFeeds&, const ProgramFeeds&) = default;
 };
 
+/// How long a single straight move may take: what stops before the next window does not stop
+/// within a move. Belongs to a run, so that the same points come out when it is resumed.
+struct MoveLimit {
+  double secondsMax = 0.0;            ///< at an override of 100 %, without acceleration; 0: any
+  double feedMmPerS = 0.0;            ///< of all moves
+  std::optional<ProgramFeeds> feeds;  ///< each move has the feed of its own block instead
+
+  friend bool operator==(const MoveLimit&, const MoveLimit&) = default;
+};
+
 /// The feed that is commanded for the move to this point; mm/s, or deg/s if it only turns.
 /// @return 0 if the program gives the move no feed
 [[nodiscard]] double commandedMmPerS(const TrajectoryPoint& point, const ProgramFeeds& feeds);

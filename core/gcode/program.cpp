@@ -21,6 +21,7 @@
 #include "base/text.h"
 #include "gcode/block_observer.h"
 #include "gcode/interpreter.h"
+#include "gcode/thinning.h"
 
 namespace rivulet::gcode {
 
@@ -325,6 +326,16 @@ base::Result<Program> interpretProgram(std::string name, std::string text,
     interpretation.diagnostics.insert(interpretation.diagnostics.begin(),
                                       {Severity::Error, ambiguity->line, 1,
                                        DiagnosticCode::DialectUnclear, describe(*ambiguity)});
+  }
+  if (observer == nullptr) {  // who observes counts points
+    const std::uint64_t held =
+        interpretation.trajectory.points.capacity() * sizeof(TrajectoryPoint);
+    if (auto fits =
+            divideLongMoves(interpretation.trajectory, options.moveLimit, own.budget.without(held));
+        !fits) {
+      return base::fail(inFile(std::move(fits.error()), name));
+    }
+    interpretation.statistics.points = interpretation.trajectory.points.size();
   }
   std::string hash = fmt::format("{:016x}", base::hashOfFile(text));
   return Program{std::move(name),

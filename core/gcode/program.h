@@ -21,6 +21,7 @@
 #include "gcode/diagnostic.h"
 #include "gcode/error.h"
 #include "gcode/facts.h"
+#include "gcode/feeds.h"
 #include "gcode/trajectory.h"
 #include "nc/flow/cursor.h"
 #include "nc/limits.h"
@@ -89,6 +90,9 @@ struct LoadOptions : TextReading {
   /// Where the machine that runs it has the zero of a work offset (by key of its G function, -1:
   /// none named), without a tool's length. Nothing, or empty: only the control knows.
   std::function<std::optional<base::Vec3>(int workOffset)> workOffsetMm;
+  /// Moves that take longer are divided. A whole job's are not: its stretches are counted in
+  /// points.
+  MoveLimit moveLimit{};
   /// Told now and then how much has been read, 0 to 1. False: give up (GcodeError::Cancelled).
   std::function<bool(double share)> progress;
 

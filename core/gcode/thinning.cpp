@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <utility>
 
+#include "base/axes.h"
 #include "base/contract.h"
 
 namespace rivulet::gcode {
@@ -144,15 +147,39 @@ class Thinner {
   double m_errorMm = 0.0;
 };
 
-/// Into how many parts the move to point `i` is divided: a whole number, of any size.
-double partsOf(const Trajectory& trajectory, std::size_t i, double lengthMm) {
-  const TrajectoryPoint& point = trajectory.points[i];
-  if (i == 0 || point.kind == MoveKind::Arc) {
-    return 1.0;
+struct Way {
+  double mm = 0.0;
+  double deg = 0.0;
+};
+
+/// Of the move to point `i`. Nothing: an axis that moves is not known to stand anywhere before, or
+/// the move is an arc kept whole.
+std::optional<Way> wayTo(const Trajectory& trajectory, std::size_t i) {
+  if (i == 0 || trajectory.points[i].kind == MoveKind::Arc) {
+    return std::nullopt;
   }
-  const double moveMm = base::distance(trajectory.points[i - 1].positionMm, point.positionMm);
-  // A length that is a whole number of parts but for rounding needs no part more.
-  return moveMm > lengthMm ? std::ceil(moveMm / lengthMm - 1e-9) : 1.0;
+  // An axis that the program has not named so far stays where it stands.
+  bool isKnown = true;
+  const auto moved = [&isKnown](double from, double to) {
+    isKnown = isKnown && std::isnan(from) == std::isnan(to);
+    return std::isnan(to) ? 0.0 : to - from;
+  };
+  const Vec3& from = trajectory.points[i - 1].positionMm;
+  const Vec3& to = trajectory.points[i].positionMm;
+  Way way{base::norm({moved(from.x, to.x), moved(from.y, to.y), moved(from.z, to.z)})};
+  if (!trajectory.rotary.empty()) {
+    const base::RotaryDeg& fromDeg = trajectory.rotary[i - 1].degrees;
+    const base::RotaryDeg& toDeg = trajectory.rotary[i].degrees;
+    way.deg = base::norm(
+        {moved(fromDeg[0], toDeg[0]), moved(fromDeg[1], toDeg[1]), moved(fromDeg[2], toDeg[2])});
+  }
+  return isKnown ? std::optional(way) : std::nullopt;
+}
+
+/// A whole number, of any size. A way that is a whole number of parts but for rounding needs no
+/// part more.
+double partsOf(double way, double most) {
+  return way > most ? std::ceil(way / most - 1e-9) : 1.0;
 }
 
 }  // namespace
@@ -162,12 +189,14 @@ ThinnedTrajectory thin(const Trajectory& trajectory, double toleranceMm) {
   return Thinner(trajectory, toleranceMm).run();
 }
 
-base::Result<Trajectory> split(const Trajectory& trajectory, double lengthMm,
-                               const base::Budget& budget) {
-  RIVULET_ASSERT(lengthMm > 0.0);
+namespace {
+
+base::Result<Trajectory> divided(const Trajectory& trajectory,
+                                 const std::function<double(std::size_t)>& partsOfMove,
+                                 const base::Budget& budget) {
   double count = 0.0;
   for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
-    count += partsOf(trajectory, i, lengthMm);
+    count += partsOfMove(i);
   }
   const std::size_t each = sizeof(TrajectoryPoint) +
                            (trajectory.rotary.empty() ? 0 : sizeof(RotaryPosition)) +
@@ -191,7 +220,7 @@ base::Result<Trajectory> split(const Trajectory& trajectory, double lengthMm,
   for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
     appendEvents(i);
     const TrajectoryPoint& point = trajectory.points[i];
-    const auto parts = static_cast<std::size_t>(partsOf(trajectory, i, lengthMm));
+    const auto parts = static_cast<std::size_t>(partsOfMove(i));
     for (std::size_t part = 1; part <= parts; ++part) {
       TrajectoryPoint piece = point;
       const double share = static_cast<double>(part) / static_cast<double>(parts);
@@ -225,6 +254,50 @@ base::Result<Trajectory> split(const Trajectory& trajectory, double lengthMm,
   }
   appendEvents(trajectory.points.size());
   return out;
+}
+
+}  // namespace
+
+base::Result<Trajectory> split(const Trajectory& trajectory, double lengthMm,
+                               const base::Budget& budget) {
+  RIVULET_ASSERT(lengthMm > 0.0);
+  return divided(
+      trajectory,
+      [&](std::size_t i) {
+        const std::optional<Way> way = wayTo(trajectory, i);
+        return way ? partsOf(way->mm, lengthMm) : 1.0;
+      },
+      budget);
+}
+
+base::Result<void> divideLongMoves(Trajectory& trajectory, const MoveLimit& limit,
+                                   const base::Budget& budget) {
+  const auto partsOfMove = [&](std::size_t i) {
+    const double feed =
+        limit.feeds ? commandedMmPerS(trajectory.points[i], *limit.feeds) : limit.feedMmPerS;
+    const std::optional<Way> way = wayTo(trajectory, i);
+    // A move without a known feed does not start.
+    return way && feed > 0.0
+               ? partsOf(base::wayAlongFeed(way->mm, way->deg), feed * limit.secondsMax)
+               : 1.0;
+  };
+  const auto isDivided = [&] {
+    for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
+      if (partsOfMove(i) > 1.0) {
+        return true;
+      }
+    }
+    return false;
+  };
+  if (!(limit.secondsMax > 0.0) || !isDivided()) {
+    return {};
+  }
+  auto parts = divided(trajectory, partsOfMove, budget);
+  if (!parts) {
+    return base::fail(parts.error());
+  }
+  trajectory = *std::move(parts);
+  return {};
 }
 
 }  // namespace rivulet::gcode

@@ -10,6 +10,7 @@
 
 #include "base/budget.h"
 #include "base/result.h"
+#include "gcode/feeds.h"
 #include "gcode/trajectory.h"
 
 namespace rivulet::gcode {
@@ -36,5 +37,11 @@ struct ThinnedTrajectory {
 /// @return error BudgetError::Exceeded
 [[nodiscard]] base::Result<Trajectory> split(const Trajectory& trajectory, double lengthMm,
                                              const base::Budget& budget = {});
+
+/// The same so that none takes longer than the limit. Where nothing has to be divided, nothing is
+/// done. @param trajectory  changed in place; on an error it stays as it was
+/// @return error BudgetError::Exceeded
+[[nodiscard]] base::Result<void> divideLongMoves(Trajectory& trajectory, const MoveLimit& limit,
+                                                 const base::Budget& budget = {});
 
 }  // namespace rivulet::gcode

@@ -42,7 +42,8 @@ base::Vec3 placeOf(const TrajectoryPoint& point, base::Vec3 beforeMm) {
 }
 
 PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
-                       const base::RotaryDeg& startDeg, const ProgramFeeds* feeds) {
+                       const base::RotaryDeg& startDeg, const ProgramFeeds* feeds,
+                       std::vector<std::uint32_t>* indices) {
   RIVULET_ASSERT(base::isFinite(startMm));
   startMm = namedStart(trajectory, startMm);
   PointList list;
@@ -64,6 +65,9 @@ PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
     }
     list.points.push_back({positionMm, point.line, point.kind, rotaryDeg,
                            feeds != nullptr ? commandedMmPerS(point, *feeds) : 0.0});
+    if (indices != nullptr) {
+      indices->push_back(static_cast<std::uint32_t>(i));
+    }
   }
   return list;
 }

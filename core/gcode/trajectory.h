@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -95,10 +96,12 @@ struct PointList {
 /// @param startMm   present tool position, workpiece frame, mm; all finite
 /// @param startDeg  where the rotary axes stand; all finite
 /// @param feeds  the run takes its feeds from the program; null: they stay 0
+/// @param indices  takes the index of each point in the trajectory; null: not wanted
 /// @threadsafety pure; O(points).
 [[nodiscard]] PointList streamPoints(const Trajectory& trajectory, base::Vec3 startMm,
                                      const base::RotaryDeg& startDeg = {},
-                                     const ProgramFeeds* feeds = nullptr);
+                                     const ProgramFeeds* feeds = nullptr,
+                                     std::vector<std::uint32_t>* indices = nullptr);
 
 /// Rotary axes the program turns on its path: they stand differently at some points, or are named
 /// first when X, Y or Z has moved. An axis that is only set at the beginning is none of them.

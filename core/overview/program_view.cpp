@@ -14,7 +14,6 @@
 #include "base/axes.h"
 #include "base/contract.h"
 #include "base/text.h"
-#include "gcode/named_start.h"
 
 namespace rivulet::overview {
 
@@ -22,38 +21,17 @@ namespace {
 
 constexpr std::size_t kSmallestShown = 200;
 
-/// Fills the data of each streamed point. Streamed points are those of the trajectory without
-/// repetitions: the first of equal ones is the one that moves.
 void takeMoves(ProgramView& view, const gcode::Trajectory& path) {
-  const std::vector<gcode::TrajectoryPoint>& trajectory = path.points;
-  const std::size_t count = view.points.points.size();
-  view.kinds.reserve(count);
-  view.feedsMmPerS.reserve(count);
-  view.trajectoryIndices.reserve(count);
-  const std::vector<gcode::RotaryPosition>& rotary = path.rotary;
-  base::Vec3 beforeMm = gcode::namedStart(path, view.startMm);
-  base::RotaryDeg beforeDeg{};
-  for (std::size_t i = 0; i < trajectory.size(); ++i) {
-    const base::Vec3 positionMm = gcode::placeOf(trajectory[i], beforeMm);
-    view.dependsOnStart = view.dependsOnStart || !base::isFinite(trajectory[i].positionMm);
-    // As `gcode::streamPoints` does: a move that only turns is one, too.
-    base::RotaryDeg rotaryDeg{};
-    if (!rotary.empty()) {
-      rotaryDeg = rotary[i].degrees;
-      for (double& degrees : rotaryDeg) {
-        degrees = std::isnan(degrees) ? 0.0 : degrees;
-      }
-    }
-    if (!view.kinds.empty() && positionMm == beforeMm && rotaryDeg == beforeDeg) {
-      continue;
-    }
-    beforeMm = positionMm;
-    beforeDeg = rotaryDeg;
-    view.kinds.push_back(trajectory[i].kind);
-    view.feedsMmPerS.push_back(static_cast<float>(trajectory[i].feedMmPerS));
-    view.trajectoryIndices.push_back(static_cast<std::uint32_t>(i));
+  const auto isOpen = [](const gcode::TrajectoryPoint& point) {
+    return !base::isFinite(point.positionMm);
+  };
+  view.dependsOnStart = std::any_of(path.points.begin(), path.points.end(), isOpen);
+  view.kinds.reserve(view.trajectoryIndices.size());
+  view.feedsMmPerS.reserve(view.trajectoryIndices.size());
+  for (const std::uint32_t index : view.trajectoryIndices) {
+    view.kinds.push_back(path.points[index].kind);
+    view.feedsMmPerS.push_back(static_cast<float>(path.points[index].feedMmPerS));
   }
-  RIVULET_ASSERT(view.kinds.size() == count);
 }
 
 void takeDistances(ProgramView& view) {
@@ -283,7 +261,9 @@ std::shared_ptr<const ProgramView> makeProgramView(std::shared_ptr<const gcode::
   const std::optional<gcode::Trajectory> filled =
       view->isJob() ? withNamedPlaces(*view->plan, startsMm) : std::nullopt;
   const gcode::Trajectory& path = filled ? *filled : view->program->trajectory;
-  view->points = gcode::streamPoints(path, startMm, {}, feeds ? &*feeds : nullptr);
+  view->trajectoryIndices.reserve(path.points.size());
+  view->points =
+      gcode::streamPoints(path, startMm, {}, feeds ? &*feeds : nullptr, &view->trajectoryIndices);
   for (const gcode::StreamPoint& point : view->points.points) {
     view->fastestMmPerS = std::max(view->fastestMmPerS, point.feedMmPerS);
   }

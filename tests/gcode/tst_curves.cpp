@@ -252,6 +252,24 @@ class TestCurves : public QObject {
     }));
   }
 
+  /// Where an axis is named first, nobody knows from where it turns: such a move is not divided,
+  /// and those after it are.
+  void openAxesAreNotDivided() {
+    const auto path = [](const char* text) { return gcode::interpret(text, {}).trajectory; };
+    const gcode::Trajectory turns = path("G1 X0 Y0 Z0 F600\nX100 A90\nX200 A0");
+    QCOMPARE(gcode::split(turns, 10.0)->points.size(), std::size_t{1 + 1 + 10});
+    gcode::Trajectory timed = turns;
+    QVERIFY(gcode::divideLongMoves(timed, {1.0, 10.0, {}}));
+    QCOMPARE(timed.points.size(), std::size_t{1 + 1 + 10});
+    QCOMPARE(timed.rotary[6].degrees[0], 45.0);
+    // Z is never named: it stays where it stands.
+    QCOMPARE(gcode::split(path("G1 X0 Y0 F600\nX100"), 10.0)->points.size(), std::size_t{1 + 10});
+    // A move that only turns has its feed in degrees.
+    gcode::Trajectory turned = path("G1 X0 Y0 Z0 A0 F600\nA90");
+    QVERIFY(gcode::divideLongMoves(turned, {1.0, 10.0, {}}));
+    QCOMPARE(turned.points.size(), std::size_t{1 + 9});
+  }
+
   /// What is printed and read again is the same path, to the last bit.
   void printedProgramsReadTheSame() {
     QVERIFY(rc::check("print then parse", [] {

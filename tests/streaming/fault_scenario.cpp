@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/units.h"
+#include "machine/braking.h"
 #include "streaming/recovery/resume.h"
 #include "streaming/run/job.h"
 #include "templates/flexible_program.h"
@@ -40,6 +41,7 @@ class Operator final : public RunSink, public RunOrders {
   std::optional<Instant> stopAt;
   std::optional<Instant> holdAt;
   Instant holdUntil{};
+  std::vector<std::pair<Instant, FeedOrder>> orders;
   void update(const LiveUpdate& update) override {
     // Whoever sees that somebody else has changed the override sets it again.
     if (update.feed && update.feed->isForeign && update.at >= m_correctedAt + kCorrects) {
@@ -47,7 +49,16 @@ class Operator final : public RunSink, public RunOrders {
       m_percent = m_percent < 100.0 ? 100.0 : 99.0;
     }
   }
-  FeedOrder feed(Instant now) override { return {holdRequested(now), m_percent}; }
+  FeedOrder feed(Instant now) override {
+    FeedOrder order{false, m_percent};
+    for (const auto& [at, ordered] : orders) {
+      if (now >= at) {
+        order = {ordered.holds, std::min(ordered.percent, m_percent)};
+      }
+    }
+    order.holds = order.holds || holdRequested(now);
+    return order;
+  }
   void access(const trace::Access&) override {}
   void note(const trace::Note&) override {}
   bool stopRequested(Instant now) override { return stopAt && now >= *stopAt; }
@@ -141,6 +152,9 @@ class Exposure {
     if (first && m_scenario.holdAfter) {
       orders.holdAt = m_startedAt + *m_scenario.holdAfter;
       orders.holdUntil = *orders.holdAt + m_scenario.holdFor;
+    }
+    for (const FaultScenario::Order& each : m_scenario.orders) {
+      orders.orders.emplace_back(m_startedAt + each.after, each.order);
     }
     if (first && m_scenario.resetAfter) {
       m_resetAt = m_startedAt + *m_scenario.resetAfter;
@@ -293,6 +307,7 @@ class Exposure {
     lookForWindowsBehindStop();
     FaultSegment segment;
     segment.trace = m_machine.trace();
+    lookForMotionInSilence(segment.trace);
     segment.endMm = m_machine.state().commandMm;
     segment.endDeg = m_machine.state().commandDeg;
     segment.wasReset = m_wasReset;
@@ -313,9 +328,41 @@ class Exposure {
     m_latchedAtStop.reset();
   }
 
+  /// A client that has been silent for the limit holds the axes, wherever the program is.
+  void lookForMotionInSilence(const trace::ControlTrace& trace) {
+    const double limitS = m_settings.parameters.silenceLimitS;
+    if (!m_isWindow || !m_cells.hasFeedCell() || limitS <= 0.0 || m_evidence.intrusions > 0 ||
+        m_scenario.wrongProgram) {
+      return;
+    }
+    auto beat = m_beats.begin();
+    Instant last{};
+    double fastest = 0.0;  // since the sign
+    for (const trace::ControlSample& sample : trace.samples) {
+      for (; beat != m_beats.end() && *beat <= sample.at; ++beat) {
+        last = *beat;
+        fastest = 0.0;
+      }
+      fastest = std::max(fastest, sample.feedMmPerS);
+      const Duration due = base::fromSeconds(limitS) +
+                           2 * machine::brakingTime(m_scenario.run.scenario.machine, fastest) +
+                           4 * trace.cycle;
+      if (sample.feedMmPerS > 0.0 && sample.at > last + due) {
+        m_evidence.violations.push_back(
+            fmt::format("motion {:.3f} s after the last sign of the client",
+                        base::toSeconds(sample.at - last)));
+        return;
+      }
+    }
+  }
+
   /// A window's cells must not be written between its number and the control's copy.
   void seeWrite(int cell, double value, bool stray) {
     m_evidence.strayWrites += stray ? 1 : 0;
+    if (cell == m_cells.heartbeat && value != m_beat) {
+      m_beat = value;
+      m_beats.push_back(m_machine.now());
+    }
     if (m_isWindow && !stray && cell == m_cells.delivered) {
       m_delivered = static_cast<long long>(value);
     }
@@ -408,6 +455,8 @@ class Exposure {
   Instant m_startedAt{};
   std::optional<Instant> m_resetAt;
   std::optional<Instant> m_intrusionAt;
+  std::vector<Instant> m_beats;  ///< signs of the client, ascending
+  double m_beat = 0.0;           ///< the last one
   std::optional<Checkpoint> m_checkpoint;
   RunSettings m_checkpointSettings;
   FaultEvidence m_evidence;
@@ -481,6 +530,17 @@ FaultScenario drawFaults(std::uint64_t seed, const machine::MachineConfig& prese
   drawn.wrongProgram = random.below(25) == 0;
   drawn.resumes = random.below(5) != 0;
   drawn.hurries = random.below(2) == 0;
+  Random ofOrders = Random(seed).fork(35);  // the others keep their draws
+  if (base::hasWindows(method) && ofOrders.below(2) == 0) {
+    double atS = 0.0;
+    for (std::uint64_t left = 1 + ofOrders.below(8); left > 0; --left) {
+      atS += lastsS * ofOrders.uniform() / 4.0;
+      const bool holds = ofOrders.below(2) == 0;
+      drawn.orders.push_back({base::fromSeconds(atS), {holds, 5.0 + 115.0 * ofOrders.uniform()}});
+      atS += holds ? 4.0 * ofOrders.uniform() : 0.0;
+    }
+    drawn.orders.push_back({base::fromSeconds(atS), {false, 100.0}});
+  }
   return drawn;
 }
 

@@ -25,6 +25,12 @@ struct FaultScenario {
   std::optional<base::Duration> stopAfter;  ///< of the first attempt
   std::optional<base::Duration> holdAfter;  ///< of the first attempt
   base::Duration holdFor{};
+  /// Of each attempt, ascending: holds and overrides. The last one lets the axes go.
+  struct Order {
+    base::Duration after{};
+    FeedOrder order;
+  };
+  std::vector<Order> orders;
   std::optional<base::Duration> resetAfter;     ///< the control drops into reset
   std::optional<base::Duration> intruderAfter;  ///< from then on another client writes now and then
   bool wrongProgram = false;  ///< the control runs another template than the one transferred

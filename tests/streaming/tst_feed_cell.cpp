@@ -40,6 +40,7 @@ using machine::brakingTime;
 using streaming::FeedOrder;
 using streaming::Outcome;
 using streaming::RunSettings;
+using tests::circles;
 using tests::Hold;
 using tests::lines;
 using tests::median;
@@ -88,15 +89,6 @@ RunSettings settingsOf(MethodKind method, double feedMmPerMin, int points = 7) {
   settings.isCommissioned = true;
   settings.feedMmPerS = base::mmPerSFromMmPerMin(feedMmPerMin);
   return settings;
-}
-
-std::shared_ptr<const gcode::Program> circles(std::size_t points) {
-  std::vector<Vec3> all;
-  for (std::size_t i = 0; i < points; ++i) {
-    const double angle = 0.01 * static_cast<double>(i);
-    all.push_back({100.0 - 100.0 * std::cos(angle), 100.0 * std::sin(angle), 0.0});
-  }
-  return streaming::programOf(all);
 }
 
 std::shared_ptr<const gcode::Program> contour(std::size_t points) {
@@ -298,19 +290,9 @@ class TestFeedCell : public QObject {
   /// A whole job: native moves, rapids, arcs, cycles and stretches; the same blocks are executed as
   /// without holds.
   void everyStopStandsInAJob() {
-    std::string text = "G17 G90 G71 G94 F1500\nT1 M6\nS1000 M3\nG0 X0 Y0 Z20\n";
-    for (int i = 0; i < 6; ++i) {
-      text += "SUPA G0 Z60\nSUPA G0 X10 Y10\nG0 X0 Y0 Z20\nG1 Z0\n";
-      for (int k = 0; k < 10; ++k) {
-        text += fmt::format("G1 X{} Y{}\n", 10 * (k % 2), k);
-      }
-      text += "G0 Z20\nMCALL CYCLE81(20,0,2,-10)\nX5 Y5\nX30 Y5\nX30 Y40\nMCALL\n";
-      text += "G0 X0 Y0\nG1 X60 Y0 F3000\nG2 X0 Y0 I-30 J0\n";
-    }
-    text += "M30\n";
     gcode::LoadOptions options;
     options.dialect = gcode::Dialect::Sinumerik;
-    const auto plan = job::makePlan("PART.MPF", text, options);
+    const auto plan = job::makePlan("PART.MPF", tests::jobText(6), options);
     QVERIFY2(plan.has_value(), plan ? "" : plan.error().text().c_str());
     const auto isWhole = job::requireWhole(*plan);
     QVERIFY2(isWhole.has_value(), isWhole ? "" : isWhole.error().text().c_str());
@@ -508,7 +490,7 @@ class TestFeedCell : public QObject {
     text += "M30\n";
     gcode::LoadOptions options;
     options.dialect = gcode::Dialect::Sinumerik;
-    const auto plan = job::makePlan("PART.MPF", text, options);
+    const auto plan = job::makePlan("PART.MPF", tests::jobText(6), options);
     QVERIFY2(plan.has_value(), plan ? "" : plan.error().text().c_str());
     std::vector<std::size_t> executed;
     for (const std::size_t naps : {std::size_t{0}, std::size_t{40}}) {

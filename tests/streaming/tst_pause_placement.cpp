@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "gcode/program.h"
+#include "gcode/thinning.h"
 #include "streaming/methods/pause_placement.h"
 #include "streaming/recovery/resume.h"
 #include "streaming/start/stop_bound.h"
@@ -181,6 +182,44 @@ class TestPausePlacement : public QObject {
     settings.parameters.method = base::MethodKind::Position;
     settings.parameters.pointsPerLoop = 2;
     QCOMPARE(streaming::stopBound(points, std::nullopt, settings).seconds, 40.0);
+  }
+
+  /// Where a stop acts before the next window, no move takes longer than the limit, whatever its
+  /// feed: without the division a move of 60 s would.
+  void longMovesAreDivided() {
+    gcode::Program program = *gcode::interpretProgram(
+        "long.nc", "G0 X0 Y0 Z5\nG1 Z0 F60\nX60\nX300 F2400\nG0 Y900\nG1 X0 Y0 F600\nM30\n");
+    const gcode::Trajectory whole = program.trajectory;
+    streaming::RunSettings settings;
+    settings.programFeeds = gcode::ProgramFeeds{1.0, 100.0, 40.0};
+    for (const auto method : {base::MethodKind::Window, base::MethodKind::Credit}) {
+      settings.parameters.method = method;
+      for (const double limitS : {20.0, 5.0, 0.7}) {
+        settings.windowSMax = limitS;
+        program.trajectory = whole;
+        const auto pointsNow = [&] {
+          return gcode::streamPoints(program.trajectory, {0, 0, 5}, {}, &*settings.programFeeds)
+              .points;
+        };
+        QVERIFY(streaming::stopBound(pointsNow(), {}, settings).longMove);
+        QVERIFY(gcode::divideLongMoves(program.trajectory, streaming::moveLimit(settings)));
+        const auto bound = streaming::stopBound(pointsNow(), {}, settings);
+        QVERIFY(!bound.longMove);
+        QVERIFY(bound.seconds <= limitS * (1 + 1e-6));
+      }
+    }
+    // With one feed for all moves, F 60: the way of 60 mm takes a minute.
+    settings.parameters.method = base::MethodKind::Window;
+    settings.programFeeds.reset();
+    settings.feedMmPerS = 1.0;
+    settings.windowSMax = 5.0;
+    program.trajectory = whole;
+    QVERIFY(gcode::divideLongMoves(program.trajectory, streaming::moveLimit(settings)));
+    QCOMPARE(program.trajectory.points.size(),
+             std::size_t{1 + 1 + 12 + 48 + 180 + 190});  // the last is 948.7 mm long
+    // The methods of [P1] stay as they are published.
+    settings.parameters.method = base::MethodKind::Position;
+    QCOMPARE(streaming::moveLimit(settings).secondsMax, 0.0);
   }
 
   /// A run is resumed by the windows that it had, whatever feed and limit are set by then.

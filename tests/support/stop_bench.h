@@ -8,6 +8,7 @@
 
 #include <QtGlobal>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -125,6 +126,30 @@ inline std::shared_ptr<const gcode::Program> lines(std::size_t count, double len
     points.push_back({i % 2 == 0 ? lengthMm : 0.0, 0.0, 0.0});
   }
   return streaming::programOf(points);
+}
+
+/// A circle of 100 mm in chords of 1 mm.
+inline std::shared_ptr<const gcode::Program> circles(std::size_t points) {
+  std::vector<base::Vec3> all;
+  for (std::size_t i = 0; i < points; ++i) {
+    const double angle = 0.01 * static_cast<double>(i);
+    all.push_back({100.0 - 100.0 * std::cos(angle), 100.0 * std::sin(angle), 0.0});
+  }
+  return streaming::programOf(all);
+}
+
+/// A whole job with native moves, rapids, arcs, cycles and stretches. @param rounds  of all of them
+inline std::string jobText(int rounds) {
+  std::string text = "G17 G90 G71 G94 F1500\nT1 M6\nS1000 M3\nG0 X0 Y0 Z20\n";
+  for (int i = 0; i < rounds; ++i) {
+    text += "SUPA G0 Z60\nSUPA G0 X10 Y10\nG0 X0 Y0 Z20\nG1 Z0\n";
+    for (int k = 0; k < 10; ++k) {
+      text += "G1 X" + std::to_string(10 * (k % 2)) + " Y" + std::to_string(k) + "\n";
+    }
+    text += "G0 Z20\nMCALL CYCLE81(20,0,2,-10)\nX5 Y5\nX30 Y5\nX30 Y40\nMCALL\n";
+    text += "G0 X0 Y0\nG1 X60 Y0 F3000\nG2 X0 Y0 I-30 J0\n";
+  }
+  return text + "M30\n";
 }
 
 inline double worst(std::vector<double> values) {

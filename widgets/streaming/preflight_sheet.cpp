@@ -147,6 +147,9 @@ void PreflightSheet::showItems() {
                        m_passed && m_kind == Kind::Raise
                            ? tr("Nothing has moved yet. Hold Start for one second: then the tool "
                                 "is raised, and nothing else.")
+                       : m_passed && m_kind == Kind::Back
+                           ? tr("Nothing has moved yet. Hold Start for one second: then the tool "
+                                "goes back along the path, and nothing else.")
                        : m_passed ? tr("Nothing has moved yet. Hold Start for one second: then the "
                                        "machine moves.")
                                   : tr("Start is not possible yet."));
@@ -209,6 +212,7 @@ void PreflightSheet::fold() {
 
 void PreflightSheet::retranslate() {
   m_title->setText(m_kind == Kind::Raise    ? tr("Before the tool is raised")
+                   : m_kind == Kind::Back   ? tr("Before the tool goes back")
                    : m_kind == Kind::Resume ? tr("Before the run is resumed")
                                             : tr("Before the start"));
   m_picture->setTexts(PathView::canvasTexts());

@@ -51,8 +51,9 @@ class PreflightSheet final : public Page {
 
  public:
   /// What is confirmed elsewhere: by Start, or by the bar with the place of a run that was left.
-  /// `StartHere`: at a line that the operator has chosen. `Raise`: of the tool, by Start.
-  enum class Kind { Start, StartHere, Resume, Raise };
+  /// `StartHere`: at a line that the operator has chosen. `Raise`: of the tool, and `Back`: along
+  /// the path, by Start.
+  enum class Kind { Start, StartHere, Resume, Raise, Back };
 
   explicit PreflightSheet(QWidget* parent = nullptr);
 

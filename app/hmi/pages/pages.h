@@ -116,7 +116,7 @@ void connectServices(Users* users, RunController* runs, Services* services,
 [[nodiscard]] QWidget* makeMethodPanel(Document* document, RunController* runs);
 [[nodiscard]] QWidget* makeWrongMotionBar(Alarms* alarms, RunController* runs, QWidget* parent);
 [[nodiscard]] QWidget* makeFoundRunBar(RunController* runs, FoundRuns* found, QWidget* parent);
-[[nodiscard]] QWidget* makeResumeBar(RunController* runs, QWidget* parent);
+[[nodiscard]] QWidget* makeResumeBar(RunController* runs, Preflight* preflight, QWidget* parent);
 [[nodiscard]] QWidget* makePreflightSheet(RunController* runs, Preflight* preflight,
                                           QWidget* parent);
 [[nodiscard]] QWidget* makeTrustSheet(Users* users, MachineModel* machine, RunController* runs,

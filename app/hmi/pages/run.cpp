@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "base/units.h"
+#include "base/units.h"
 #include "base/vec3.h"
 #include "hmi/alarms.h"
 #include "hmi/document.h"
@@ -25,6 +27,7 @@
 #include "widgets/program/program_page.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/setup/profile_page.h"
+#include "widgets/streaming/back_dialog.h"
 #include "widgets/streaming/correction_panel.h"
 #include "widgets/streaming/found_run_bar.h"
 #include "widgets/streaming/method_panel.h"
@@ -304,7 +307,7 @@ QWidget* makeFoundRunBar(RunController* runs, FoundRuns* found, QWidget* parent)
   return bar;
 }
 
-QWidget* makeResumeBar(RunController* runs, QWidget* parent) {
+QWidget* makeResumeBar(RunController* runs, Preflight* preflight, QWidget* parent) {
   auto* bar = new ResumeBar(parent);
   QObject::connect(runs, &RunController::resumeAsked, bar, &ResumeBar::showAsking);
   QObject::connect(runs, &RunController::placeFound, bar, &ResumeBar::showPlace);
@@ -312,6 +315,11 @@ QWidget* makeResumeBar(RunController* runs, QWidget* parent) {
   QObject::connect(runs, &RunController::resumeForgotten, bar, &ResumeBar::showNothing);
   QObject::connect(bar, &ResumeBar::goOnRequested, runs, &RunController::resume);
   QObject::connect(bar, &ResumeBar::dismissed, runs, &RunController::forgetResume);
+  QObject::connect(preflight, &Preflight::changed, bar, [bar, preflight] {
+    if (preflight->back()) {
+      bar->showNothing();  // what is held now is Start
+    }
+  });
   return bar;
 }
 
@@ -323,6 +331,7 @@ QWidget* makePreflightSheet(RunController* runs, Preflight* preflight, QWidget* 
       sheet->setItems(preflight->items(), preflight->hasPassed(),
                       preflight->isForChosenLine() ? PreflightSheet::Kind::StartHere
                       : preflight->isForResume()   ? PreflightSheet::Kind::Resume
+                      : preflight->back()          ? PreflightSheet::Kind::Back
                       : preflight->raise()         ? PreflightSheet::Kind::Raise
                                                    : PreflightSheet::Kind::Start);
     }
@@ -340,6 +349,18 @@ QWidget* makePreflightSheet(RunController* runs, Preflight* preflight, QWidget* 
                      &RunController::askFromStretch);
     widgets::openSheet(question, sheet);
   });
+  QObject::connect(preflight, &Preflight::backRequested, sheet,
+                   [sheet, preflight](double feedMmPerMin, double feedMmPerMinMax) {
+                     auto* question = new widgets::BackDialog(feedMmPerMin, feedMmPerMinMax);
+                     QObject::connect(
+                         question, &widgets::BackDialog::chosen, preflight,
+                         [preflight](double lengthMm, double chosenMmPerMin) {
+                           preflight->setBack(
+                               {lengthMm > 0.0 ? std::optional(lengthMm) : std::nullopt},
+                               base::mmPerSFromMmPerMin(chosenMmPerMin));
+                         });
+                     widgets::openSheet(question, sheet);
+                   });
   QObject::connect(preflight, &Preflight::straightRequested, sheet, [sheet, preflight] {
     askForWords(sheet, RunTexts::straightTitle(), RunTexts::straight(), RunTexts::clearWord(),
                 [preflight] { preflight->confirmFirstMove(); });
@@ -371,7 +392,10 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
   auto* panel = new RunPanel(parent);
   QObject::connect(panel, &RunPanel::preflightRequested, preflight, &Preflight::openForStart);
   QObject::connect(panel, &RunPanel::startRequested, runs, [runs, preflight] {
-    if (!preflight->isRaising()) {
+    if (const auto& back = preflight->back(); back && back->way) {
+      const streaming::BackWay way = *back->way;  // starting closes the sheet
+      runs->driveBack(way, back->feedMmPerS);
+    } else if (!preflight->isRaising()) {
       runs->start();
     } else if (const auto raise = preflight->raise()) {
       runs->raise(raise->toMm, raise->feedMmPerS);
@@ -409,7 +433,7 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
     panel->setOverrideAllowed(runs->canOverride(),
                               permission::overridePercentMax(users->standing().role));
     if (document->program()) {
-      panel->setTitle(RunTexts::title(*document, runs->isRunning() && !runs->isRaising()));
+      panel->setTitle(RunTexts::title(*document, runs->isRunning() && !runs->isPositioning()));
     }
   });
   const auto showProgress = [panel, document, runs] {

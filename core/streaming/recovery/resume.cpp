@@ -646,4 +646,52 @@ Result<Resume> resumeFrom(opcua::Link& link, const gcode::Program& program,
       program.name);
 }
 
+Result<Resume> resumeOnPart(opcua::Link& link, const gcode::Program& program,
+                            const RunSettings& settings, const Checkpoint& last,
+                            const BackPart& part) {
+  const Result<templates::FlexibleProgram> flexible = templates::makeProgram(settings.parameters);
+  if (!flexible) {
+    return base::fail(flexible.error());
+  }
+  const Result<gcode::PointList> list =
+      pointsOnAxes(program.trajectory, settings.parameters, {last.startMm, last.startDeg},
+                   settings.programFeeds);
+  if (!list) {
+    return base::fail(list.error());
+  }
+  const std::vector<gcode::StreamPoint>& points = list->points;
+  if (hashOfPoints(points) != last.pointsHash || part.first == 0 || part.next < part.first ||
+      part.next >= points.size()) {
+    return base::fail(StreamError::ProgramChanged,
+                      "The tool was driven back along another path than that of this program. "
+                      "Restore it, or start from the beginning.",
+                      program.name);
+  }
+  const Result<Remains> remains = remainsAtStandstill(link, settings, *flexible, last);
+  if (!remains) {
+    return base::fail(remains.error());
+  }
+  if (remains->isActive) {
+    return base::fail(StreamError::ChannelBusy, std::string(kAnotherProgram));
+  }
+  const base::RotarySet& turned = settings.parameters.rotaryAxes;
+  std::vector<base::AxisPosition> path;
+  for (std::size_t i = part.first - 1; i <= part.next; ++i) {
+    path.push_back(onlyRotary({points[i].positionMm, points[i].rotaryDeg}, turned));
+  }
+  const std::optional<std::size_t> ahead = pointAhead(path, remains->tool);
+  if (!ahead) {
+    return base::fail(StreamError::CannotResume,
+                      "The tool is not on the path along which it was driven back. Move it there, "
+                      "or start from the beginning.");
+  }
+  // All reached: the run was left there.
+  const std::size_t next = std::min(part.first - 1 + *ahead, part.next + 1);
+  if (next >= points.size()) {
+    return base::fail(StreamError::CannotResume, "Every point has been executed already.",
+                      program.name);
+  }
+  return Resume{next, last.startMm, last.startDeg, {}, {}};
+}
+
 }  // namespace rivulet::streaming

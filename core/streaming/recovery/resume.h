@@ -22,6 +22,13 @@ enum class ActiveProgram {
   Stays,    ///< nothing is written: what follows is computed from where it stands
 };
 
+/// The part of a run's path on which the tool is once it has been driven back: the moves to these
+/// points.
+struct BackPart {
+  std::size_t first = 0;  ///< > 0; counted in the list of the run
+  std::size_t next = 0;   ///< the last of them, which the run has not executed
+};
+
 /// Finds the first point that has not been executed: of a program that still is active on the
 /// control, the first behind the windows it has copied. If the control was reset in the middle of
 /// them, the place of the tool on their path decides.
@@ -51,6 +58,13 @@ struct LeftAt {
                                           const RunSettings& settings, const Checkpoint& last,
                                           std::span<const gcode::StreamPoint> earlier,
                                           ActiveProgram active);
+
+/// Where a run goes on whose tool has been driven back, or is on the way: the cells of the control
+/// are those of another run by now, and the place of the tool decides.
+/// @return as `resumeFrom`
+[[nodiscard]] base::Result<Resume> resumeOnPart(opcua::Link& link, const gcode::Program& program,
+                                                const RunSettings& settings, const Checkpoint& last,
+                                                const BackPart& part);
 
 /// Points that are executed after each number of windows of an earlier run, from none to all: its
 /// windows are cut again as they were.

@@ -13,6 +13,13 @@
 
 namespace rivulet::streaming {
 
+namespace {
+
+/// Parts of a move are of the same length but for this share.
+constexpr double kRounding = 1e-6;
+
+}  // namespace
+
 StopBound stopBound(std::span<const gcode::StreamPoint> points, std::optional<base::Vec3> toolMm,
                     const RunSettings& settings) {
   StopBound bound;
@@ -40,9 +47,9 @@ StopBound stopBound(std::span<const gcode::StreamPoint> points, std::optional<ba
     reachedS.push_back(reachedS.back() + seconds);
     reachedMm.push_back(reachedMm.back() +
                         (from ? base::distance(from->positionMm, to.positionMm) : 0.0));
-    const bool isLong = secondsMax > 0.0 && seconds > secondsMax;
+    const bool isLong = secondsMax > 0.0 && seconds > (1.0 + kRounding) * secondsMax;
     if (isLong && (!bound.longMove || seconds > bound.longMove->seconds)) {
-      bound.longMove = {to.line, seconds};
+      bound.longMove = {to.line, seconds, &to == &points.front()};
     }
     from = to;
   }
@@ -60,13 +67,31 @@ std::string describe(const StopBound& bound, FeedProof proof, bool hasFeedCell) 
       "Stop: the control still executes {} that is in motion, at most {:.1f} s and {:.0f} mm.",
       hasFeedCell ? "the window" : "the loop", bound.seconds, bound.mm);
   if (bound.longMove) {
-    text += fmt::format(" The move of line {} alone takes {:.1f} s: divide it (--split).",
-                        bound.longMove->line.value, bound.longMove->seconds);
+    const std::string move =
+        fmt::format("move {} line {} alone takes {:.1f} s", bound.longMove->isFirst ? "to" : "of",
+                    bound.longMove->line.value, bound.longMove->seconds);
+    text += bound.longMove->isFirst
+                ? " The first " + move + ": bring the tool nearer before the start."
+                : " The " + move + " and is not divided.";
   }
   if (hasFeedCell) {
     text += ' ' + std::string(describe(proof));
   }
   return text;
+}
+
+gcode::MoveLimit moveLimit(const RunSettings& settings) {
+  if (!base::hasWindows(settings.parameters.method)) {
+    return {};
+  }
+  gcode::MoveLimit limit;
+  limit.secondsMax = windowCut(settings).secondsMax;
+  if (settings.programFeeds) {
+    limit.feeds = settings.programFeeds;
+  } else {
+    limit.feedMmPerS = settings.feedMmPerS;
+  }
+  return limit;
 }
 
 double windowSMaxOf(FeedProof proof, templates::TargetControl target, double limitS) {

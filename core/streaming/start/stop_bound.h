@@ -12,6 +12,7 @@
 
 #include "base/id.h"
 #include "base/vec3.h"
+#include "gcode/feeds.h"
 #include "gcode/trajectory.h"
 #include "streaming/control/machine_facts.h"
 #include "streaming/run/run.h"
@@ -22,11 +23,13 @@ namespace rivulet::streaming {
 struct StopBound {
   double seconds = 0.0;  ///< the longest, at an override of 100 %, without acceleration
   double mm = 0.0;       ///< the longest; not necessarily the same motion
-  /// A single move that takes longer than windows may (`RunSettings::windowSMax`), the longest one;
-  /// nothing: there is none, or windows may take any time.
+  /// A single move that takes longer than windows may (`RunSettings::windowSMax`), the longest one:
+  /// the first, from where the tool stands, or one of a whole job, which are not divided. Nothing:
+  /// there is none, or windows may take any time.
   struct Move {
     base::LineNumber line;
     double seconds = 0.0;
+    bool isFirst = false;  ///< from where the tool stands
   };
   std::optional<Move> longMove;
 };
@@ -38,6 +41,10 @@ struct StopBound {
 
 /// "Stop: the control still executes ...", with the reason. @param hasFeedCell  of the program
 [[nodiscard]] std::string describe(const StopBound& bound, FeedProof proof, bool hasFeedCell);
+
+/// What the program of a run is read with, or divided by, so that its single moves are as short as
+/// its windows. No limit: the method has no windows, or they may take any time.
+[[nodiscard]] gcode::MoveLimit moveLimit(const RunSettings& settings);
 
 /// How long a window may take in a run on this control: see `RunSettings::windowSMax`.
 /// @param limitS  of its machine, see `stopLimitS`  @return 0: any
