@@ -73,6 +73,7 @@ templates::TemplateParameters OperatingOptions::parameters() const {
   parameters.windows = windows;
   parameters.baseCell = baseCell;
   parameters.correctionLimitMm = correctionLimitMm;
+  parameters.liftMm = liftMm;
   parameters.silenceLimitS = silenceLimitS.value_or(parameters.silenceLimitS);
   if (factor.size() == 2) {
     parameters.factorLeast = factor[0];

@@ -61,6 +61,7 @@ struct OperatingOptions {
   std::string feedCells = "auto";  ///< auto, window, point
   std::string layout = "paper";
   double correctionLimitMm = 0.0;       ///< online correction; 0: none
+  double liftMm = 0.0;                  ///< the tool may be lifted while held; 0: not
   std::vector<double> factor;           ///< bounds of a factor of the override; empty: none
   std::optional<double> silenceLimitS;  ///< see `templates::WindowSettings`; nothing: the machine's
   std::optional<double> stopLimitS;     ///< see `streaming::stopLimitS`; nothing: the machine's

@@ -131,6 +131,10 @@ streaming::FeedOrder FeedSource::order(base::Instant now) {
 }
 
 void FeedSource::goOn() {
+  if (m_order.liftMm > 0.0) {
+    log::logger().warn("The tool is lifted: lower it first.");
+    return;
+  }
   m_releases = !m_order.holds;
   m_order.holds = false;
   ++m_continues;
@@ -160,7 +164,16 @@ void FeedSource::takeLine(std::string_view line) {
       line.starts_with(kOverride)
           ? base::parseNumber(base::trim(line.substr(kOverride.size()))).value_or(kNone)
           : kNone;
-  if (line == "hold") {
+  constexpr std::string_view kLift = "lift ";
+  const double liftMm =
+      line.starts_with(kLift)
+          ? base::parseNumber(base::trim(line.substr(kLift.size()))).value_or(kNone)
+          : kNone;
+  if (liftMm > 0.0 && liftMm <= templates::kLiftMmMax) {
+    m_order.liftMm = liftMm;
+  } else if (line == "lower") {
+    m_order.liftMm = 0.0;
+  } else if (line == "hold") {
     m_order.holds = true;
   } else if (line == "continue") {
     goOn();
@@ -168,8 +181,9 @@ void FeedSource::takeLine(std::string_view line) {
     m_order.percent = percent;
   } else if (!line.empty()) {
     log::logger().warn(
-        "\"{}\" is no order: write hold, continue, or override and 0 to {:g}. It is ignored.", line,
-        kPercentMax);
+        "\"{}\" is no order: write hold, continue, override and 0 to {:g}, lift and up to {:g} mm, "
+        "or lower. It is ignored.",
+        line, kPercentMax, templates::kLiftMmMax);
   }
 }
 
@@ -220,6 +234,8 @@ void FeedSource::tell(const streaming::LiveUpdate& update) {
   } else if (now.stoodAfter && !before.stoodAfter) {
     sayOverStatus(fmt::format("Held: the axes stand, {:.3f} s after the order.",
                               base::toSeconds(*now.stoodAfter)));
+  } else if (now.liftedMm && before.liftedMm && *now.liftedMm != *before.liftedMm) {
+    sayOverStatus(fmt::format("Held: the tool is lifted by {:.3f} mm.", *now.liftedMm));
   } else if (now.wantedPercent != before.wantedPercent) {
     sayOverStatus(now.wantedPercent == templates::FeedCell::kHold
                       ? "Hold."

@@ -96,6 +96,9 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
     command.insert(command.end(),
                    {"--correction-limit", fmt::format("{:g}", parameters.correctionLimitMm)});
   }
+  if (parameters.liftMm > 0.0) {
+    command.insert(command.end(), {"--lift", fmt::format("{:g}", parameters.liftMm)});
+  }
   if (parameters.silenceLimitS != templates::kSilenceLimitS) {
     command.insert(command.end(),
                    {"--silence-limit", fmt::format("{:g}", parameters.silenceLimitS)});

@@ -137,6 +137,11 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
                    "Largest online correction of each linear axis, mm (methods window and credit)")
       ->check(CLI::Range(0.001, rivulet::templates::kCorrectionLimitMmMax));
   command
+      ->add_option("--lift", point.liftMm,
+                   "While the axes are held, the tool may be lifted by so much, mm (methods window "
+                   "and credit, virtual machines only so far)")
+      ->check(CLI::Range(0.001, rivulet::templates::kLiftMmMax));
+  command
       ->add_option(
           "--silence-limit", point.silenceLimitS,
           "Without a sign of this program for so long, the axes stand on the path, s; 0: "

@@ -524,6 +524,12 @@ base::Result<void> StreamCommand::connect() {
     return base::fail(proof.error());
   }
   m_proof = *proof;
+  if (m_settings.parameters.liftMm > 0.0 && !m_connection.control->isVirtualMachine()) {
+    return base::fail(templates::TemplateError::BadCorrection,
+                      "The lift of the tool has been seen on virtual machines only: leave out "
+                      "--lift.",
+                      m_connection.name);
+  }
   for (const auto step : {&StreamCommand::readResumed, &StreamCommand::divideMoves}) {
     if (base::Result<void> done = (this->*step)(); !done) {
       return done;

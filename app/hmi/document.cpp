@@ -330,6 +330,9 @@ void Document::chooseJob(bool isWhole) {
 templates::TemplateParameters Document::parameters() const {
   templates::TemplateParameters parameters = m_settings.parameters;
   parameters.silenceLimitS = m_stop.silenceLimitS;
+  // The lift has been seen on virtual machines only, as whole jobs have.
+  const bool mayLift = m_runsJobs && base::fillsWindows(parameters.method);
+  parameters.liftMm = mayLift ? parameters.liftMm : 0.0;
   if (m_view && base::streamsRotary(parameters.method)) {
     parameters.rotaryAxes = m_live ? m_live->setup.rotaryAxes : m_view->turnedAxes;
   }

@@ -305,6 +305,18 @@ void RunController::setOverride(double percent) {
   }
 }
 
+void RunController::lift(double mm) {
+  if (refusal(Act::Hold)) {
+    return;
+  }
+  m_session.lift(mm);
+  m_messages.didAct(Act::Hold, {{"lift_mm", base::formatNumber(mm)}});
+  m_messages.log(Severity::Note, Source::Run, [mm] {
+    return mm > 0.0 ? tr("The tool is to be lifted by %1.").arg(widgets::lengthText(mm, 3))
+                    : tr("The tool is to be lowered.");
+  });
+}
+
 void RunController::hold(bool hold) {
   if (refusal(Act::Hold)) {
     return;

@@ -80,6 +80,8 @@ class RunController final : public QObject {
   /// The axes stand at once, and the run ends there: its program is left held, if it has not ended.
   /// Without a feed cell the run ends before its next window.
   void leave();
+  /// Lifts the tool while the axes are held, mm; 0: back onto the path.
+  void lift(double mm);
   /// Of the run in progress, percent.
   void setOverride(double percent);
   /// Asks the control where the run was left. Nothing moves. `placeFound` answers.

@@ -137,6 +137,10 @@ Settings loadSettings() {
       base::fillsWindows(stream.parameters.method)) {
     stream.parameters.correctionLimitMm = correctionMm;
   }
+  const double liftMm = positive(store.value(QStringLiteral("stream/liftMm")), 0.0);
+  if (liftMm <= templates::kLiftMmMax && base::fillsWindows(stream.parameters.method)) {
+    stream.parameters.liftMm = liftMm;
+  }
   stream.deltaMm = positive(store.value(QStringLiteral("stream/deltaMm")), stream.deltaMm);
   stream.programFeeds =
       store.value(QStringLiteral("stream/feed")).toString() != QLatin1String(kFixedFeed);
@@ -171,6 +175,7 @@ void saveSettings(const Settings& settings) {
   store.setValue(QStringLiteral("stream/points"), stream.parameters.pointsPerLoop);
   store.setValue(QStringLiteral("stream/deltaMm"), stream.deltaMm);
   store.setValue(QStringLiteral("stream/correctionLimitMm"), stream.parameters.correctionLimitMm);
+  store.setValue(QStringLiteral("stream/liftMm"), stream.parameters.liftMm);
   store.setValue(QStringLiteral("stream/feed"),
                  stream.programFeeds ? QStringLiteral("program") : QString::fromLatin1(kFixedFeed));
   store.setValue(QStringLiteral("stream/overridePercent"), 100.0 * stream.overrideFactor);

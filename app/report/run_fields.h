@@ -151,6 +151,9 @@ void cellFields(Io& io, Parameters& parameters) {
   io.ifThere().number("r_parameters", parameters.rParameterCount, 0, kJsonCellMax);
   io.ifThere().number("correction_limit_mm", parameters.correctionLimitMm, 0.0,
                       templates::kCorrectionLimitMmMax);
+  if (Io::kReads || parameters.liftMm != 0.0) {
+    io.ifThere().number("lift_mm", parameters.liftMm, 0.0, templates::kLiftMmMax);
+  }
   io.ifThere().number("silence_limit_s", parameters.silenceLimitS, 0.0,
                       templates::kSilenceLimitSMax);
   if (Io::kReads || parameters.hasFactor()) {

@@ -204,7 +204,8 @@ class SessionWorker::Requests final : public streaming::RunOrders {
   }
   bool holdRequested(base::Instant) override { return m_worker.m_holdRun.load(); }
   streaming::FeedOrder feed(base::Instant) override {
-    return {m_worker.m_holdRun.load(), m_worker.m_overridePercent.load()};
+    return {m_worker.m_holdRun.load(), m_worker.m_overridePercent.load(), std::nullopt,
+            m_worker.m_liftMm.load()};
   }
   bool letsEnd(base::Instant) override { return m_worker.m_letsEnd.load(); }
   bool leaves(base::Instant) override { return m_worker.m_quit.load() || m_worker.m_leaves.load(); }
@@ -235,6 +236,7 @@ bool SessionWorker::post(SessionCommand command) {
     correct({});
     m_holdRun.store(false);
     m_overridePercent.store(templates::FeedCell::kProgrammed);
+    m_liftMm.store(0.0);
   }
   if (!m_commands.tryPush(std::move(command))) {
     return false;
@@ -263,6 +265,10 @@ void SessionWorker::holdRun(bool hold) {
   if (!hold) {
     m_letsEnd.store(true);
   }
+}
+
+void SessionWorker::liftTool(double mm) {
+  m_liftMm.store(mm);
 }
 
 void SessionWorker::overrideRun(double percent) {

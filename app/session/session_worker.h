@@ -53,6 +53,8 @@ class SessionWorker {
   /// its next window; or continue. After a stop as well: a run that is held then ends when it goes
   /// on. A start takes it back.
   void holdRun(bool hold);
+  /// See `streaming::FeedOrder`; 0: back onto the path.
+  void liftTool(double mm);
   /// Path override of the run or job in progress, 0 to 200 %, at once; others are refused. A start
   /// sets 100. `streaming::LiveUpdate::feed` says what has become of it.
   void overrideRun(double percent);
@@ -140,6 +142,7 @@ class SessionWorker {
   std::atomic<bool> m_leaves{false};
   std::atomic<bool> m_holdRun{false};
   std::atomic<double> m_overridePercent{templates::FeedCell::kProgrammed};
+  std::atomic<double> m_liftMm{0.0};
   std::atomic<std::size_t> m_lost{0};
   std::mutex m_correctionMutex;  // held for a copy
   base::Vec3 m_correctionMm;

@@ -90,6 +90,10 @@ void StreamSession::hold(bool hold) {
   m_worker->holdRun(hold);
 }
 
+void StreamSession::lift(double mm) {
+  m_worker->liftTool(mm);
+}
+
 void StreamSession::setOverride(double percent) {
   m_worker->overrideRun(percent);
 }

@@ -51,6 +51,8 @@ class StreamSession final : public QObject {
   void hold(bool hold);
   /// Path override of the run in progress, 0 to 200 %; every run begins with 100.
   void setOverride(double percent);
+  /// Lifts the tool of the run in progress by so much, mm, while its axes are held; 0: lowers it.
+  void lift(double mm);
   /// Answered by `resumeFound`. Ignored during a run.
   void askResume(ResumeQuestion question);
   /// Commands a run that was found on the control to end; answered by `runEnded`. Ignored during a

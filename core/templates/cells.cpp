@@ -104,7 +104,9 @@ double WindowProtocol::checkFactor(int place) {
 }
 
 int correctionSteps(const WindowSettings& settings) {
-  const double steps = std::clamp(settings.correctionLimitMm, 0.0, kCorrectionLimitMmMax);
+  const double steps = settings.liftMm != 0.0
+                           ? std::clamp(settings.liftMm, 0.0, kLiftMmMax)
+                           : std::clamp(settings.correctionLimitMm, 0.0, kCorrectionLimitMmMax);
   return static_cast<int>(std::lround(steps * kStepsPerMm));
 }
 

@@ -56,6 +56,9 @@ enum class SignalStop {
 /// Largest limit of the online correction: more would be another path, not a correction.
 inline constexpr double kCorrectionLimitMmMax = 1.0;
 
+/// Largest lift of the tool; what the control allows besides is SD43350 of its tool axis.
+inline constexpr double kLiftMmMax = 10.0;
+
 /// Without a sign of the client for so long, the axes stand; and what may be chosen instead.
 inline constexpr double kSilenceLimitS = 1.0;
 inline constexpr double kSilenceLimitSMin = 0.2;
@@ -79,6 +82,9 @@ struct WindowSettings {
   /// Largest correction of each linear axis by a client, in steps of 0.001 mm; 0: the program has
   /// no online correction. Not for method file
   double correctionLimitMm = 0.0;
+  /// While the axes are held, the client may lift the tool along Z by so much, in steps of 0.001
+  /// mm; 0: it may not. Not with an online correction, nor for method file
+  double liftMm = 0.0;
   /// Each point has a cell for its feed, after its coordinates; otherwise the feed is that of the
   /// window. Not for method file, whose blocks have their own
   bool feedPerPoint = false;
@@ -92,6 +98,8 @@ struct WindowSettings {
   double factorMost = 0.0;
 
   [[nodiscard]] bool hasFactor() const { return factorLeast != 0.0 || factorMost != 0.0; }
+  /// The program lays something over the axes.
+  [[nodiscard]] bool hasOverlay() const { return correctionLimitMm != 0.0 || liftMm != 0.0; }
 };
 
 /// Method credit, in addition to those of method window.
@@ -159,6 +167,8 @@ struct WindowCells {
   int windowStride = 0;        ///< from a cell of a window to that of the next
   /// Client: online correction of X, Y, Z, in mm; -1: none. After the last slot.
   std::array<int, base::kAxisCount> correction{-1, -1, -1};
+  /// The only correction is that of Z, not below 0: the lift of axes that are held.
+  bool lifts = false;
 
   /// The last cell of each slot is the feed of the point, mm/min; the feed of the window is unused.
   bool feedPerPoint = false;
@@ -217,7 +227,8 @@ struct CellMap : LoopCells, WindowCells, FileCells {
   [[nodiscard]] int last() const;
 };
 
-/// Limit of the online correction in thousandths of a millimetre, as the program has it.
+/// Limit of the online correction, or of the lift, in thousandths of a millimetre, as the program
+/// has it.
 [[nodiscard]] int correctionSteps(const WindowSettings& settings);
 
 /// Letters of the selected axes, e.g. "XYZAC".

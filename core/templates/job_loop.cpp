@@ -39,7 +39,9 @@ std::string_view subprogramName(const JobLoop& loop) {
   return std::string_view(loop.name).substr(0, loop.name.find('.'));
 }
 
-base::Result<JobLoop> makeJobLoop(const TemplateParameters& parameters) {
+base::Result<JobLoop> makeJobLoop(const TemplateParameters& wanted) {
+  TemplateParameters parameters = wanted;
+  parameters.liftMm = 0.0;  // the control's own blocks would take it along
   base::Result<FlexibleProgram> program = makeProgram(parameters);
   if (!program) {
     return base::fail(program.error());

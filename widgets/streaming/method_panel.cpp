@@ -126,6 +126,8 @@ MethodPanel::MethodPanel(QWidget* parent)
           .correction = number(
               {.min = 0.0, .max = templates::kCorrectionLimitMmMax, .step = 0.01, .unit = "mm"},
               {.special = QT_TR_NOOP("none")}),
+          .lift = number({.min = 0.0, .max = templates::kLiftMmMax, .step = 0.5, .unit = "mm"},
+                         {.special = QT_TR_NOOP("none")}),
           .height = number({.min = kDryRunMmMin,
                             .max = job::kRaiseMmMax,
                             .decimals = 1,
@@ -139,9 +141,10 @@ MethodPanel::MethodPanel(QWidget* parent)
   buildVerdict();
   inColumn({m_settingsGroup, m_verdictGroup, m_pausesGroup, spring()}, this);
   onEdit({m_job, m_fields.height}, &MethodPanel::takeJob);
-  onEdit({m_method, m_layout, m_access, m_byHand, m_fields.points, m_feedSource,
-          m_fields.overridePercent, m_fields.delta, m_fields.correction, m_fields.feed},
-         &MethodPanel::takeSettings);
+  onEdit(
+      {m_method, m_layout, m_access, m_byHand, m_fields.points, m_feedSource,
+       m_fields.overridePercent, m_fields.delta, m_fields.correction, m_fields.lift, m_fields.feed},
+      &MethodPanel::takeSettings);
   onLanguage(&MethodPanel::showSettings, &MethodPanel::showVerdict, &MethodPanel::showPauses);
 }
 
@@ -179,6 +182,13 @@ void MethodPanel::buildSettings() {
                                  "not add corrections up (MD36750 bit 0), and its own limit "
                                  "(SD43350) should not be larger.")},
               m_fields.correction);
+  m_form->row(
+      {.text = QT_TR_NOOP("Lift while paused"),
+       .tip = QT_TR_NOOP("While the axes are held, the tool can be lifted by so much. The "
+                         "control must not add overlays up (MD36750 bit 0), and its limit "
+                         "(SD43350) must not be smaller. Not with a correction or in a whole "
+                         "job; virtual machines only so far.")},
+      m_fields.lift);
   m_form->row({.text = QT_TR_NOOP("Access")}, m_access);
   m_form->row({.text = QT_TR_NOOP("Template")}, m_byHand);
   m_form->insertRow(
@@ -333,6 +343,8 @@ void MethodPanel::showSettings() {
                   "layout."));
   m_fields.correction->setValue(m_settings.parameters.correctionLimitMm);
   m_fields.correction->setEnabled(m_editable && window);
+  m_fields.lift->setValue(m_settings.parameters.liftMm);
+  m_fields.lift->setEnabled(m_editable && window);
   m_fields.delta->setEnabled(m_editable && usesDelta());
   m_form->setTip(m_fields.delta,
                  usesDelta() ? tr("Distance from the tool at which a point counts as reached")
@@ -427,6 +439,7 @@ void MethodPanel::takeSettings() {
   m_settings.transferByHand = m_byHand->isChecked();
   m_settings.parameters.pointsPerLoop = m_fields.points->value();
   m_settings.parameters.correctionLimitMm = isWindow() ? m_fields.correction->value() : 0.0;
+  m_settings.parameters.liftMm = isWindow() ? m_fields.lift->value() : 0.0;
   // The fields round; a value the operator did not touch keeps its digits.
   if (std::abs(m_fields.delta->value() - m_settings.deltaMm) > 5e-4) {
     m_settings.deltaMm = m_fields.delta->value();

@@ -160,6 +160,7 @@ class MethodPanel final : public Page {
     NumberField* feed = nullptr;
     NumberField* overridePercent = nullptr;
     NumberField* correction = nullptr;
+    NumberField* lift = nullptr;
     NumberField* height = nullptr;  ///< of a dry run
   };
   Fields m_fields;

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QResizeEvent>
 #include <algorithm>
+#include <cmath>
 
 #include "widgets/common/elided_label.h"
 #include "widgets/common/hold_button.h"
@@ -140,6 +141,8 @@ RunPanel::RunPanel(QWidget* parent)
     m_askedPercent = percent;
     Q_EMIT overrideRequested(percent);
   });
+  connect(m_lift, &QPushButton::clicked, this,
+          [this] { Q_EMIT liftRequested(isLifted() ? 0.0 : m_liftMm); });
   connect(m_hold, &QPushButton::clicked, this,
           [this] { Q_EMIT holdRequested(m_update.state != RunState::Holding); });
   arrange();
@@ -149,7 +152,7 @@ RunPanel::RunPanel(QWidget* parent)
 
 void RunPanel::buildButtons() {
   for (QPushButton* button : {static_cast<QPushButton*>(m_start), static_cast<QPushButton*>(m_end),
-                              m_stop, m_hold, m_resume}) {
+                              m_stop, m_hold, m_resume, m_lift}) {
     button->setFixedHeight(kRunButtonHeightPx);
     button->setIconSize(QSize(24, 24));
   }
@@ -163,6 +166,7 @@ void RunPanel::buildButtons() {
   m_rightLayout->addWidget(m_resume);
   m_rightLayout->addWidget(m_start);
   m_rightLayout->addWidget(m_override);
+  m_rightLayout->addWidget(m_lift);
   m_rightLayout->addWidget(m_end);
 }
 
@@ -202,7 +206,7 @@ void RunPanel::arrange() {
   buttonFont.setBold(true);
   m_override->setNarrow(isNarrow);
   for (QPushButton* button : {static_cast<QPushButton*>(m_start), static_cast<QPushButton*>(m_end),
-                              m_stop, m_hold, m_resume}) {
+                              m_stop, m_hold, m_resume, m_lift}) {
     button->setFont(buttonFont);
     button->setIconSize(isNarrow ? QSize(16, 16) : QSize(24, 24));
     button->setMinimumWidth(isNarrow ? 0 : 130);
@@ -381,6 +385,10 @@ QString RunPanel::feedSentence() const {
   if (feed.isForeign) {
     return tr("Another client has set the override to %1 %").arg(numberText(feed.wantedPercent, 0));
   }
+  if (isLifted()) {
+    return tr("The tool is lifted by %1. Lower it, then the run can go on")
+        .arg(lengthText(*feed.liftedMm, 3));
+  }
   if (feed.holds) {
     return feed.stoodAfter
                ? tr("The axes stand (%1 after the order). Continue goes on, End here ends the "
@@ -465,6 +473,16 @@ void RunPanel::showAll() {
   showFigures();
 }
 
+void RunPanel::setLift(double mm) {
+  m_liftMm = mm;
+  showButtons();
+}
+
+bool RunPanel::isLifted() const {
+  constexpr double kBackMm = 0.005;  // axes at rest tremble
+  return hasFeedCell() && std::abs(m_update.feed->liftedMm.value_or(0.0)) > kBackMm;
+}
+
 void RunPanel::showButtons() {
   const bool active = isActive();
   const bool offersResume = m_resuming.isOffered && !active;
@@ -475,8 +493,14 @@ void RunPanel::showButtons() {
   m_resume->setToolTip(m_resuming.blocked.isEmpty()
                            ? tr("Asks the control where the run was left. Nothing moves yet.")
                            : m_resuming.blocked);
-  m_override->setVisible(hasFeedCell());
+  const bool mayLift = hasFeedCell() && m_update.feed->liftedMm && m_liftMm > 0.0;
+  m_lift->setVisible(mayLift);
+  m_lift->setText(isLifted() ? tr("Lower") : tr("Lift by %1").arg(lengthText(m_liftMm, 1)));
+  m_lift->setToolTip(isLifted() ? tr("The tool goes back to where it stood.")
+                                : tr("The tool goes straight up; the path waits."));
+  m_override->setVisible(hasFeedCell() && !mayLift);
   m_end->setVisible(hasFeedCell() && m_update.feed->holds && !isHeldBySource());
+  m_end->setEnabled(!isLifted());
   m_start->setVisible(!hasFeedCell());
   // What was asked for last is shown until the control has it.
   if (const auto& feed = m_update.feed;
@@ -508,7 +532,7 @@ void RunPanel::showButtons() {
   m_hold->setText(isHolding ? tr("Continue") : tr("Pause"));
   m_hold->setIcon(themedIcon(isHolding ? QStringLiteral("play") : QStringLiteral("hold"),
                              themeColors(palette()).text));
-  m_hold->setEnabled(m_canHold && (canGoOn || m_update.state == RunState::Running));
+  m_hold->setEnabled(m_canHold && !isLifted() && (canGoOn || m_update.state == RunState::Running));
   m_hold->setToolTip(m_canHold ? hasFeedCell()
                                      ? tr("The axes stand at once, until you press Continue.")
                                      : tr("The machine waits before the next window until you "

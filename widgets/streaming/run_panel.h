@@ -77,6 +77,8 @@ class RunPanel final : public Page {
   void setMayMove(bool mayMove);
   /// Who is there may set the path override. @param maxPercent  the highest
   void setOverrideAllowed(bool isAllowed, double maxPercent);
+  /// By how much the tool can be lifted while the run is held, mm; 0: not at all.
+  void setLift(double mm);
   /// The run in progress or the last one has executed wrong points, which nobody has acknowledged.
   void setWrongMotion(bool hasWrongMotion);
 
@@ -93,6 +95,8 @@ class RunPanel final : public Page {
   /// A run that is held is to end: the axes execute what the control has of it.
   void endRequested();
   void overrideRequested(double percent);
+  /// The tool is to be lifted by so much, mm; 0: lowered.
+  void liftRequested(double mm);
   /// Nothing moves yet: the control is to be asked for the place.
   void resumeRequested();
 
@@ -135,6 +139,8 @@ class RunPanel final : public Page {
   [[nodiscard]] QString feedSentence() const;
   /// Hold and override act at once.
   [[nodiscard]] bool hasFeedCell() const;
+  /// The axes stand, held, and the tool is not on the path.
+  [[nodiscard]] bool isLifted() const;
   /// The run holds because of its live source, not of the operator.
   [[nodiscard]] bool isHeldBySource() const;
   /// "Running: stretch 3 of 12".
@@ -159,6 +165,7 @@ class RunPanel final : public Page {
   bool m_mayMove = false;
   std::size_t m_runBegin{0};
   std::optional<double> m_askedPercent;  ///< as override of this run, last
+  double m_liftMm = 0.0;                 ///< see `setLift`
   bool m_canHold = false;
   bool m_preflightPassed = false;
   struct Resuming {
@@ -178,6 +185,7 @@ class RunPanel final : public Page {
   HoldButton* m_start;
   HoldButton* m_end;
   OverrideControl* m_override;
+  QPushButton* m_lift = button({.id = "lift"});
   QPushButton* m_stop = button(
       {.text = QT_TR_NOOP("Stop"),
        .tip =

@@ -9,7 +9,6 @@
 #include <functional>
 
 #include "base/units.h"
-#include "base/units.h"
 #include "base/vec3.h"
 #include "hmi/alarms.h"
 #include "hmi/document.h"
@@ -416,6 +415,11 @@ QWidget* makeRunPanel(Users* users, MachineModel* machine, Document* document, R
   QObject::connect(panel, &RunPanel::holdRequested, runs, &RunController::hold);
   QObject::connect(panel, &RunPanel::endRequested, runs, &RunController::end);
   QObject::connect(panel, &RunPanel::overrideRequested, runs, &RunController::setOverride);
+  QObject::connect(panel, &RunPanel::liftRequested, runs, &RunController::lift);
+  QObject::connect(document, &Document::judged, panel, [panel, document] {
+    const auto& flexible = document->findings().flexible;
+    panel->setLift(flexible && flexible->cells.lifts ? document->parameters().liftMm : 0.0);
+  });
   QObject::connect(panel, &RunPanel::resumeRequested, runs, &RunController::askResume);
   QObject::connect(runs, &RunController::updated, panel, &RunPanel::setUpdate);
   QObject::connect(runs, &RunController::jobChanged, panel,

@@ -54,6 +54,7 @@ Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, R
       m_access(settings),
       m_reads(!method.readsPosition(), link.now()),
       m_correction(cells, settings.parameters),
+      m_lifts(cells.lifts),
       m_feed(feed),
       m_pauses(settings.nominalPause) {
   m_counters.total = total;
@@ -196,9 +197,13 @@ void Driver::turnSupplier() {
 }
 
 void Driver::checkOrders() {
-  m_feed.want(feedOrdered(m_orders, m_link.now()), m_link.now());
+  FeedOrder order = feedOrdered(m_orders, m_link.now());
+  if (m_lifts) {
+    takeLift(order);
+  }
+  m_feed.want(order, m_link.now());
   noteFeed();
-  const bool isOrdered = m_orders.holdRequested(m_link.now());
+  const bool isOrdered = m_orders.holdRequested(m_link.now()) || isLifted();
   m_holds.bySupplier = !isOrdered && m_supplier != nullptr && m_supplier->wantsHold(m_link.now());
   const bool hold = isOrdered || m_holds.bySupplier;
   if (hold != m_holds.inForce && !m_ending.wantedAt) {
@@ -207,7 +212,7 @@ void Driver::checkOrders() {
     m_sink.note({m_link.now(), std::string(hold ? kHoldNote : kContinueNote)});
     publish();
   }
-  if (m_correction.exists() && !m_ending.wantedAt && !m_ending.abandonedAt) {
+  if (m_correction.exists() && !m_lifts && !m_ending.wantedAt && !m_ending.abandonedAt) {
     m_correction.want(m_orders.correctionMm(m_link.now()), m_link.now());
     noteCorrection(false);
   }
@@ -220,6 +225,25 @@ void Driver::checkOrders() {
   m_method.requestStop();
   m_sink.note({m_link.now(), std::string(kStopNote)});
   publish();
+}
+
+void Driver::takeLift(FeedOrder& order) {
+  const FeedSeen& feed = m_feed.state();
+  const double askedMm = m_correction.value().askedMm.z;
+  // Down at any time; up only where nothing moves.
+  if (order.liftMm <= askedMm || (feed.holds && feed.stoodAfter)) {
+    m_correction.want({0.0, 0.0, std::max(order.liftMm, 0.0)}, m_link.now());
+    noteCorrection(false);
+  }
+  order.holds = order.holds || isLifted();
+}
+
+bool Driver::isLifted() const {
+  constexpr double kBackMm = 0.005;
+  const std::optional<double>& liftedMm = m_feed.state().liftedMm;
+  return m_lifts &&
+         (m_correction.value().askedMm.z != 0.0 || m_correction.value().confirmedMm.z != 0.0 ||
+          std::abs(liftedMm.value_or(0.0)) > kBackMm);
 }
 
 void Driver::submitFeed() {
@@ -302,16 +326,18 @@ Duration Driver::lostSince(Duration since) const {
 
 void Driver::noteCorrection(bool now) {
   if (const auto confirmedMm = m_correction.toNote(m_link.now(), now)) {
-    m_sink.note({m_link.now(), fmt::format("online correction in mm: X {:.4f} Y {:.4f} Z {:.4f}",
-                                           confirmedMm->x, confirmedMm->y, confirmedMm->z)});
+    m_sink.note(
+        {m_link.now(), m_lifts ? fmt::format("lift of the tool in mm: {:.3f}", confirmedMm->z)
+                               : fmt::format("online correction in mm: X {:.4f} Y {:.4f} Z {:.4f}",
+                                             confirmedMm->x, confirmedMm->y, confirmedMm->z)});
   }
 }
 
 bool Driver::submitCorrection() {
   // Behind a stop the program takes back by itself what is laid over the axes. Axes that are held
-  // do not move for a correction.
-  if (m_ending.wantedAt || m_ending.abandonedAt || m_feed.holds() ||
-      !m_correction.isDue(m_link.now())) {
+  // do not move for a correction, and for nothing but a lift.
+  const bool isBarred = !m_lifts && (m_ending.wantedAt || m_feed.holds());
+  if (isBarred || m_ending.abandonedAt || !m_correction.isDue(m_link.now())) {
     return false;
   }
   const int nodes = m_correction.nodeCount();

@@ -161,6 +161,11 @@ class Driver {
   void noticeSlowness();
   [[nodiscard]] base::Instant nextWakeUp() const;
   /// The feed cell comes before everything else, whatever is outstanding.
+  /// What the order says of the tool: it is lifted while the axes are held, and they are held until
+  /// it is back.
+  void takeLift(FeedOrder& order);
+  /// The tool is not on the path, or not known to be.
+  [[nodiscard]] bool isLifted() const;
   void submitFeed();
   void submitBeat();
   /// What takes longer than signs of life may be apart takes them along.
@@ -234,6 +239,7 @@ class Driver {
   AccessTimes m_access;
   MonitorReads m_reads;
   CorrectionCells m_correction;
+  bool m_lifts;  ///< the only correction is the lift of the tool
   FeedControl& m_feed;
   std::vector<opcua::Assignment> m_withBeats;
   /// Of the method.

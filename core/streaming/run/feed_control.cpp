@@ -184,6 +184,7 @@ double FeedControl::product() const {
 void FeedControl::forgetPlace() {
   m_seen.stoodAfter.reset();
   m_seen.isIgnored = false;
+  m_seen.liftedMm.reset();
   m_place.clear();
 }
 
@@ -293,8 +294,15 @@ void FeedControl::takePlace(std::span<const opcua::Reading> readings, Instant at
     }
     place.push_back(reading.number);
   }
+  constexpr std::size_t kZ = 2;
+  if (m_seen.liftedMm) {
+    m_seen.liftedMm = place[kZ] - m_standsAtZMm;
+  }
   double movedMm = 0.0;
   for (std::size_t axis = 0; axis < std::min(place.size(), m_place.size()); ++axis) {
+    if (axis == kZ && m_seen.liftedMm) {
+      continue;  // it may be lifted
+    }
     movedMm = std::max(movedMm, std::abs(place[axis] - m_place[axis]));
   }
   const bool isKnown = m_place.size() == place.size() && at - m_placeAt >= kLookInterval;
@@ -305,6 +313,10 @@ void FeedControl::takePlace(std::span<const opcua::Reading> readings, Instant at
     m_seen.stoodAfter = at - since;
     m_events.back().stoodAfter = m_seen.stoodAfter;
     m_mustConfirm = false;
+    if (m_map.lifts) {
+      m_standsAtZMm = place[kZ];
+      m_seen.liftedMm = 0.0;
+    }
     note(at, fmt::format("feed: the axes stand, {:.3f} s after it was requested",
                          base::toSeconds(*m_seen.stoodAfter)));
   }

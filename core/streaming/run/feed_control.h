@@ -122,6 +122,7 @@ class FeedControl {
   base::Instant m_nextRead{};
   std::vector<double> m_place;  ///< of the axes, at the last look; empty: not known
   base::Instant m_placeAt{};
+  double m_standsAtZMm = 0.0;  ///< where Z stood when the axes were seen to
   FeedSeen m_seen;
   std::vector<FeedEvent> m_events;
   std::vector<trace::Note> m_notes;

@@ -22,6 +22,9 @@ struct FeedOrder {
   double percent = templates::FeedCell::kProgrammed;
   /// What a source beside the operator makes of it, if the program has a cell for that.
   std::optional<live::FactorSeen> source = std::nullopt;
+  /// While they are held and stand: the tool is lifted along Z by so much, mm, if the program has a
+  /// cell for that. The axes stay held until it is back on the path.
+  double liftMm = 0.0;
 
   friend bool operator==(const FeedOrder&, const FeedOrder&) = default;
 };
@@ -37,6 +40,9 @@ struct FeedSeen {
   std::optional<base::Duration> stoodAfter;
   bool isForeign = false;  ///< another client has written the cell since the last order
   bool isIgnored = false;  ///< held, but the axes move: what moves does not obey the override
+  /// How far Z is from where it stood first, mm, at the last look; nothing: the program does not
+  /// lift, or the axes are not held.
+  std::optional<double> liftedMm;
 
   /// The source holds, and the operator does not.
   [[nodiscard]] bool isHeldBySource() const {

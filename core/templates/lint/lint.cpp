@@ -413,6 +413,7 @@ class Linter {
             : base::kAxisCount;
     const int cell = axis < base::kAxisCount ? m_cells.correction[axis] : -1;
     const double limitMm = correctionSteps(m_parameters) / 1000.0;
+    const double leastMm = m_cells.lifts ? 0.0 : -limitMm;
     constexpr double kSameMm = 1e-9;
     constexpr int kSteps = 1000;
     // Far beyond the limit, at it, and all between; then what is no number.
@@ -440,9 +441,10 @@ class Linter {
         const auto laid = valueOf(*assignment.initial.values.front());
         const bool isDue = holds && *holds != 0.0;
         // Where a condition cannot be answered, the control gives an alarm and lays nothing.
-        isBounded = isBounded && (!isDue || (laid && std::abs(*laid) <= limitMm + kSameMm));
+        isBounded = isBounded &&
+                    (!isDue || (laid && *laid >= leastMm - kSameMm && *laid <= limitMm + kSameMm));
         isZero = isZero && (!isDue || (laid && *laid == 0.0));
-        if (std::abs(value) <= limitMm) {
+        if (value >= leastMm && value <= limitMm) {
           follows = follows && isDue && laid && std::abs(*laid - value) <= kSameMm;
         }
       }

@@ -29,9 +29,9 @@ double roundedDown(double feedMmPerMin) {
 }  // namespace
 
 base::Result<void> FileTemplate::check(const TemplateParameters& parameters) const {
-  if (parameters.correctionLimitMm != 0.0) {
+  if (parameters.hasOverlay()) {
     return base::fail(TemplateError::BadCorrection,
-                      "Method file has no online correction: choose method window.");
+                      "Method file has no online correction and no lift: choose method window.");
   }
   if (parameters.hasFactor()) {
     return base::fail(TemplateError::BadFactor,

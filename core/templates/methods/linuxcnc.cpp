@@ -87,9 +87,9 @@ void writeEnding(Listing& out, WindowState state) {
 }  // namespace
 
 base::Result<void> LinuxCncWindowTemplate::check(const TemplateParameters& parameters) const {
-  if (correctionSteps(parameters) != 0 || parameters.correctionLimitMm != 0.0) {
+  if (parameters.hasOverlay()) {
     return base::fail(TemplateError::NotOnTarget,
-                      "There is no online correction on LinuxCNC: choose a limit of 0.");
+                      "There is no online correction and no lift on LinuxCNC: choose 0 for both.");
   }
   if (parameters.hasFactor()) {
     return base::fail(TemplateError::NotOnTarget,

@@ -25,9 +25,10 @@ void writeSlots(Listing& out, const CellMap& cells, int from, int to) {
 }  // namespace
 
 base::Result<void> LoopTemplate::check(const TemplateParameters& parameters) const {
-  if (parameters.correctionLimitMm != 0.0) {
+  if (parameters.hasOverlay()) {
     return base::fail(TemplateError::BadCorrection,
-                      fmt::format("Method {} has no online correction: choose method window.",
+                      fmt::format("Method {} has no online correction and no lift: choose method "
+                                  "window.",
                                   base::methodName(parameters.method)));
   }
   if (parameters.hasFactor()) {

@@ -71,8 +71,9 @@ void writeOverlayCheck(Listing& out, const WindowCells& cells) {
 /// value that is not a number.
 void writeCorrections(Listing& out, double limitMm, const WindowCells& cells) {
   for (const Corrected& axis : correctedAxes(cells)) {
-    out.line("ID={} WHENEVER ($R{}>=-{:.3f}) AND ($R{}<={:.3f}) DO $AA_OFF[{}]=$R{}", axis.action,
-             axis.cell, limitMm, axis.cell, limitMm, axis.letter, axis.cell);
+    const std::string least = cells.lifts ? "0" : fmt::format("-{:.3f}", limitMm);
+    out.line("ID={} WHENEVER ($R{}>={}) AND ($R{}<={:.3f}) DO $AA_OFF[{}]=$R{}", axis.action,
+             axis.cell, least, axis.cell, limitMm, axis.letter, axis.cell);
   }
 }
 
@@ -113,6 +114,17 @@ double limitMmOf(const WindowSettings& settings) {
 
 base::Result<void> checkCorrection(const TemplateParameters& parameters) {
   const double limitMm = parameters.correctionLimitMm;
+  const double liftMm = parameters.liftMm;
+  if (liftMm != 0.0 && limitMm != 0.0) {
+    return base::fail(TemplateError::BadCorrection,
+                      "The lift and the online correction need the same overlay: choose one.");
+  }
+  if (liftMm != 0.0 &&
+      (!(liftMm > 0.0) || liftMm > kLiftMmMax || correctionSteps(parameters) == 0)) {
+    return base::fail(
+        TemplateError::BadCorrection,
+        fmt::format("A lift of {} mm: choose 0.001 to {} mm, or 0 for none.", liftMm, kLiftMmMax));
+  }
   if (limitMm == 0.0) {
     return {};
   }
@@ -337,7 +349,10 @@ CellMap WindowTemplate::cells(const TemplateParameters& parameters) const {
     return cells;
   }
   const int slotEnd = cells.slotCells(cells.pointSlots - 1).back();
-  if (correctionSteps(parameters) > 0) {
+  if (parameters.liftMm > 0.0) {
+    cells.lifts = true;
+    cells.correction.back() = slotEnd + 1;
+  } else if (correctionSteps(parameters) > 0) {
     int next = slotEnd + 1;
     for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
       if (parameters.axes[axis]) {
@@ -379,7 +394,7 @@ int WindowTemplate::pointsMax(const TemplateParameters& parameters) const {
 std::string WindowTemplate::nameSuffix(const TemplateParameters& parameters) const {
   const int steps = correctionSteps(parameters);
   return WindowedTemplate::nameSuffix(parameters) + (parameters.feedPerPoint ? "P" : "") +
-         (steps > 0 ? fmt::format("K{}", steps) : "");
+         (steps > 0 ? fmt::format("{}{}", parameters.liftMm > 0.0 ? 'L' : 'K', steps) : "");
 }
 
 int WindowTemplate::longestWrite(const TemplateParameters& parameters) const {
