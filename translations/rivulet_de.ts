@@ -5190,6 +5190,14 @@ GPL-3.0-or-later</translation>
         <source>The tool is driven back by %1 along the path.</source>
         <translation>Das Werkzeug fährt auf der Bahn um %1 zurück.</translation>
     </message>
+    <message>
+        <source>The tool is to be lifted by %1.</source>
+        <translation>Das Werkzeug soll um %1 abheben.</translation>
+    </message>
+    <message>
+        <source>The tool is to be lowered.</source>
+        <translation>Das Werkzeug soll absenken.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>
@@ -8171,6 +8179,14 @@ GPL-3.0-or-later</translation>
         <source>The points of a live source have feeds of their own.</source>
         <translation>Die Punkte einer Live-Quelle haben eigene Vorschübe.</translation>
     </message>
+    <message>
+        <source>Lift while paused</source>
+        <translation>Abheben in der Pause</translation>
+    </message>
+    <message>
+        <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; virtual machines only so far.</source>
+        <translation>Solange die Achsen angehalten sind, kann das Werkzeug um so viel abgehoben werden. Die Steuerung darf Überlagerungen nicht aufsummieren (MD36750 Bit 0), und ihre Grenze (SD43350) darf nicht kleiner sein. Nicht mit einer Korrektur oder in einem ganzen Auftrag; bisher nur an virtuellen Maschinen.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NetCanvas</name>
@@ -10156,6 +10172,26 @@ Ist sicher, dass %1 die Bahn des Werkzeugs nicht ändert?</translation>
     <message>
         <source>Line of the program of the move that the tool is on</source>
         <translation>Programmzeile der Bewegung, auf der das Werkzeug ist</translation>
+    </message>
+    <message>
+        <source>The tool is lifted by %1. Lower it, then the run can go on</source>
+        <translation>Das Werkzeug ist um %1 abgehoben. Erst absenken, dann kann der Lauf weitergehen</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Absenken</translation>
+    </message>
+    <message>
+        <source>Lift by %1</source>
+        <translation>%1 abheben</translation>
+    </message>
+    <message>
+        <source>The tool goes back to where it stood.</source>
+        <translation>Das Werkzeug fährt dahin zurück, wo es stand.</translation>
+    </message>
+    <message>
+        <source>The tool goes straight up; the path waits.</source>
+        <translation>Das Werkzeug fährt gerade nach oben; die Bahn wartet.</translation>
     </message>
 </context>
 <context>

@@ -5190,6 +5190,14 @@ GPL-3.0-or-later</translation>
         <source>The tool is driven back by %1 along the path.</source>
         <translation>La herramienta retrocede %1 por la trayectoria.</translation>
     </message>
+    <message>
+        <source>The tool is to be lifted by %1.</source>
+        <translation>La herramienta debe elevarse %1.</translation>
+    </message>
+    <message>
+        <source>The tool is to be lowered.</source>
+        <translation>La herramienta debe bajar.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>
@@ -8171,6 +8179,14 @@ GPL-3.0-or-later</translation>
         <source>The points of a live source have feeds of their own.</source>
         <translation>Los puntos de una fuente en vivo tienen avances propios.</translation>
     </message>
+    <message>
+        <source>Lift while paused</source>
+        <translation>Elevar en pausa</translation>
+    </message>
+    <message>
+        <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; virtual machines only so far.</source>
+        <translation>Mientras los ejes están detenidos, la herramienta puede elevarse esta distancia. El control no debe sumar las superposiciones (MD36750 bit 0), y su límite (SD43350) no debe ser menor. No con una corrección ni en un trabajo completo; por ahora solo en máquinas virtuales.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NetCanvas</name>
@@ -10156,6 +10172,26 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Line of the program of the move that the tool is on</source>
         <translation>Línea del programa del movimiento en el que está la herramienta</translation>
+    </message>
+    <message>
+        <source>The tool is lifted by %1. Lower it, then the run can go on</source>
+        <translation>La herramienta está elevada %1. Bájela y la ejecución podrá seguir</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Bajar</translation>
+    </message>
+    <message>
+        <source>Lift by %1</source>
+        <translation>Elevar %1</translation>
+    </message>
+    <message>
+        <source>The tool goes back to where it stood.</source>
+        <translation>La herramienta vuelve a donde estaba.</translation>
+    </message>
+    <message>
+        <source>The tool goes straight up; the path waits.</source>
+        <translation>La herramienta sube en línea recta; la trayectoria espera.</translation>
     </message>
 </context>
 <context>

@@ -5190,6 +5190,14 @@ GPL-3.0-or-later</translation>
         <source>The tool is driven back by %1 along the path.</source>
         <translation>L’outil revient de %1 sur la trajectoire.</translation>
     </message>
+    <message>
+        <source>The tool is to be lifted by %1.</source>
+        <translation>L’outil doit être relevé de %1.</translation>
+    </message>
+    <message>
+        <source>The tool is to be lowered.</source>
+        <translation>L’outil doit être redescendu.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>
@@ -8171,6 +8179,14 @@ GPL-3.0-or-later</translation>
         <source>The points of a live source have feeds of their own.</source>
         <translation>Les points d’une source en direct ont leurs propres avances.</translation>
     </message>
+    <message>
+        <source>Lift while paused</source>
+        <translation>Relever pendant la pause</translation>
+    </message>
+    <message>
+        <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; virtual machines only so far.</source>
+        <translation>Tant que les axes sont retenus, l’outil peut être relevé d’autant. La commande ne doit pas additionner les superpositions (MD36750 bit 0), et sa limite (SD43350) ne doit pas être plus petite. Pas avec une correction ni dans un travail entier&#xa0;; pour l’instant seulement sur des machines virtuelles.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NetCanvas</name>
@@ -10156,6 +10172,26 @@ Est-il certain que %1 ne change pas la trajectoire de l’outil&#xa0;?</translat
     <message>
         <source>Line of the program of the move that the tool is on</source>
         <translation>Ligne du programme du déplacement sur lequel se trouve l’outil</translation>
+    </message>
+    <message>
+        <source>The tool is lifted by %1. Lower it, then the run can go on</source>
+        <translation>L’outil est relevé de %1. Redescendez-le, puis l’exécution pourra continuer</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Redescendre</translation>
+    </message>
+    <message>
+        <source>Lift by %1</source>
+        <translation>Relever de %1</translation>
+    </message>
+    <message>
+        <source>The tool goes back to where it stood.</source>
+        <translation>L’outil revient là où il se trouvait.</translation>
+    </message>
+    <message>
+        <source>The tool goes straight up; the path waits.</source>
+        <translation>L’outil monte tout droit&#xa0;; la trajectoire attend.</translation>
     </message>
 </context>
 <context>

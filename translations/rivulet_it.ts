@@ -5190,6 +5190,14 @@ GPL-3.0-or-later</translation>
         <source>The tool is driven back by %1 along the path.</source>
         <translation>L’utensile torna indietro di %1 lungo il percorso.</translation>
     </message>
+    <message>
+        <source>The tool is to be lifted by %1.</source>
+        <translation>L’utensile deve essere sollevato di %1.</translation>
+    </message>
+    <message>
+        <source>The tool is to be lowered.</source>
+        <translation>L’utensile deve essere riabbassato.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::hmi::VirtualMachine</name>
@@ -8171,6 +8179,14 @@ GPL-3.0-or-later</translation>
         <source>The points of a live source have feeds of their own.</source>
         <translation>I punti di una sorgente in diretta hanno avanzamenti propri.</translation>
     </message>
+    <message>
+        <source>Lift while paused</source>
+        <translation>Sollevare in pausa</translation>
+    </message>
+    <message>
+        <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; virtual machines only so far.</source>
+        <translation>Finché gli assi sono fermati, l’utensile può essere sollevato di questa distanza. Il controllo non deve sommare le sovrapposizioni (MD36750 bit 0), e il suo limite (SD43350) non deve essere minore. Non con una correzione né in un lavoro intero; per ora solo su macchine virtuali.</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::NetCanvas</name>
@@ -10156,6 +10172,26 @@ Is it certain that %1 does not change the path of the tool?</source>
     <message>
         <source>Line of the program of the move that the tool is on</source>
         <translation>Riga del programma del movimento su cui si trova l’utensile</translation>
+    </message>
+    <message>
+        <source>The tool is lifted by %1. Lower it, then the run can go on</source>
+        <translation>L’utensile è sollevato di %1. Abbassarlo, poi l’esecuzione può proseguire</translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation>Abbassa</translation>
+    </message>
+    <message>
+        <source>Lift by %1</source>
+        <translation>Solleva di %1</translation>
+    </message>
+    <message>
+        <source>The tool goes back to where it stood.</source>
+        <translation>L’utensile torna dove si trovava.</translation>
+    </message>
+    <message>
+        <source>The tool goes straight up; the path waits.</source>
+        <translation>L’utensile sale in verticale; il percorso attende.</translation>
     </message>
 </context>
 <context>
