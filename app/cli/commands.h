@@ -313,6 +313,14 @@ struct EmulatorOptions {
 /// Marks where traces depart from what an emulator expects. @return Wrong if one does
 [[nodiscard]] Exit monitorEmulator(const EmulatorOptions& options);
 
+struct SurveyOptions {
+  std::string endpoint;
+  std::string output;  ///< file; empty: none
+  bool json = false;
+};
+/// Reads what a control is and what access to it costs. Writes nothing to it.
+[[nodiscard]] Exit survey(const SurveyOptions& options);
+
 struct RightsOptions {
   std::string endpoint;
   bool json = false;

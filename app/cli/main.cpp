@@ -1031,6 +1031,16 @@ void addRightsCommand(CLI::App& app, Exit& exit) {
   command->callback([options, &exit] { exit = rivulet::cli::rights(*options); });
 }
 
+void addSurveyCommand(CLI::App& app, Exit& exit) {
+  const auto options = std::make_shared<rivulet::cli::SurveyOptions>();
+  CLI::App* command = app.add_subcommand(
+      "survey", "Read what a control is, has and costs, without writing anything to it");
+  command->add_option("--endpoint", options->endpoint, "OPC UA server")->required();
+  command->add_option("-o,--output", options->output, "File for the survey, as JSON");
+  addJson(command, options->json);
+  command->callback([options, &exit] { exit = rivulet::cli::survey(*options); });
+}
+
 void addMapCommand(CLI::App& app, Exit& exit) {
   const auto options = std::make_shared<rivulet::cli::MapOptions>();
   CLI::App* command = app.add_subcommand(
@@ -1157,6 +1167,7 @@ int main(int argc, char** argv) {
   addPetriCommand(app, exit);
 #ifdef RIVULET_WITH_OPEN62541
   addRightsCommand(app, exit);
+  addSurveyCommand(app, exit);
   addMapCommand(app, exit);
   addCertificateCommand(app, exit);
   addConnection(app, connection);

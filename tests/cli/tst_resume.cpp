@@ -286,6 +286,66 @@ class TestResume : public QObject {
   }
 
   /// Out of the cut, by a run of its own; never down.
+  /// Stopped in the middle of a row, driven back by 20 mm along the path, once more to where the
+  /// rapid ended being refused beyond it, and resumed: the machine's traces have each point once,
+  /// and from where the tool stood then once more.
+  void theToolIsDrivenBackAndTheRunGoesOn() {
+    const json stopped =
+        ask(streamed(QStringLiteral("back-1.rivulet")) + words("--stop-after 3"), 0);
+    QVERIFY(stopped.is_object() && stopped["outcome"] == "stopped");
+    const QString run = QString::fromStdString(stopped["saved_run"].get<std::string>());
+    const QStringList back{QStringLiteral("back"), run, QStringLiteral("--endpoint"), m_endpoint};
+    QVERIFY(ask(back + words("--by 9999 --feed 500 --json"), 2).is_object());  // it begins before
+    const json driven = ask(back + words("--by 20 --feed 800 --json"), 0);
+    QVERIFY2(driven.is_object() && driven["outcome"] == "completed" && driven["repeated"] == 0 &&
+                 driven["foreign"] == 0,
+             driven.dump(1).c_str());
+    const json resumed =
+        ask(streamed(QStringLiteral("back-2.rivulet")) << QStringLiteral("--resume") << run, 0);
+    QVERIFY2(resumed.is_object() && resumed["outcome"] == "completed" && resumed["faultless"],
+             resumed.dump(1).c_str());
+    const auto before = executed(QStringLiteral("back-1.rivulet"));
+    const auto after = executed(QStringLiteral("back-2.rivulet"));
+    QVERIFY(!before.empty() && !after.empty());
+    const auto text = base::readFile(m_program.toStdString());
+    const auto points =
+        gcode::streamPoints(gcode::interpretProgram("rows.nc", *text)->trajectory, {}).points;
+    const std::size_t first = points.size() - resumed["points"].get<std::size_t>();
+    const std::size_t done = stopped["executed"].get<std::size_t>();
+    // 6 mm a move, and 4 mm to the next row: 20 mm are four moves at least.
+    QVERIFY(first < done && done - first >= 3 && done - first <= 5);
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      QVERIFY(base::distance(after[i].targetMm, points[first + i].positionMm) < 1e-6);
+    }
+    QCOMPARE(after.size(), points.size() - first);
+  }
+
+  /// What a control is and costs, by reading alone: what it has is the same afterwards.
+  void theControlIsSurveyed() {
+    const QString file = path(QStringLiteral("survey.json"));
+    const json survey = ask(QStringList{QStringLiteral("survey"), QStringLiteral("--endpoint"),
+                                        m_endpoint, QStringLiteral("-o"), file} +
+                                words("--json"),
+                            0);
+    QVERIFY(survey.is_object());
+    QCOMPARE(survey["r_parameters"].get<int>(), 100);
+    QCOMPARE(survey["axes"].size(), std::size_t{3});
+    QCOMPARE(survey["rights"].size(), std::size_t{5});
+    double three = 0.0;
+    double hundred = 0.0;
+    for (const json& timed : survey["access"]) {
+      if (timed["form"] == "list" && timed["r_parameters"] == 3) {
+        three = timed["median_ms"];
+      } else if (timed["form"] == "list" && timed["r_parameters"] == 100) {
+        hundred = timed["median_ms"];
+      }
+    }
+    QVERIFY(three > 0.0 && hundred > 5.0 * three);  // each node costs
+    const auto written = base::readFile(file.toStdString());
+    QVERIFY(written && json::parse(*written) == survey);
+    QVERIFY(survey.dump().find(m_endpoint.toStdString()) == std::string::npos);  // nothing private
+  }
+
   void theToolIsRaised() {
     QFile place(path(QStringLiteral("place.nc")));
     QVERIFY(place.open(QIODevice::WriteOnly) && place.write("G1 X10 Y10 Z-5 F3000\n") > 0);
