@@ -124,6 +124,12 @@ struct BackOptions {
   std::optional<double> mm;  ///< nothing: to where the last rapid ended
 };
 
+/// The tool is moved, and nothing of a program; one of both, or neither.
+struct ToolOptions {
+  std::optional<double> raiseToMm;  ///< to this Z; there is no program then
+  std::optional<BackOptions> back;  ///< the program is that of the run which is driven back
+};
+
 struct StreamOptions {
   OperatingOptions point;
   std::string file;
@@ -150,10 +156,9 @@ struct StreamOptions {
     bool repeats = false;  ///< methods position and signal may execute old points again
   };
   Accepted accepted;
-  bool acceptChanges = false;        ///< the program differs where nothing has been executed
-  bool straight = false;             ///< the first move may pass within what the program cuts
-  std::optional<double> raiseToMm;   ///< the tool is raised to this Z; there is no program then
-  std::optional<BackOptions> back;   ///< the program is that of the run which is driven back
+  bool acceptChanges = false;  ///< the program differs where nothing has been executed
+  bool straight = false;       ///< the first move may pass within what the program cuts
+  ToolOptions tool;
   std::vector<std::string> command;  ///< the words of the command line
   bool json = false;
   LiveOptions live;

@@ -527,7 +527,7 @@ void addRaiseCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) 
   command->add_option("--endpoint", options->endpoint, "OPC UA server")->required();
   command
       ->add_option_function<double>(
-          "--to", [options](double mm) { options->raiseToMm = mm; },
+          "--to", [options](double mm) { options->tool.raiseToMm = mm; },
           "Z to which it is raised, mm, in the frame that the control has active")
       ->required()
       ->check(kPlace);
@@ -543,16 +543,16 @@ void addRaiseCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) 
 void addBackCommand(CLI::App& app, Exit& exit, std::vector<std::string> words) {
   const auto options = std::make_shared<rivulet::cli::StreamOptions>();
   options->command = std::move(words);
-  options->back.emplace();
+  options->tool.back.emplace();
   CLI::App* command = app.add_subcommand(
       "back", "Drive the tool back along the path of a run that was left, as a run of its own");
-  command->add_option("RUN", options->back->run, "File of the run, see rivulet-cli runs")
+  command->add_option("RUN", options->tool.back->run, "File of the run, see rivulet-cli runs")
       ->required();
   command->add_option("--endpoint", options->endpoint, "OPC UA server")->required();
   const auto toRapid = std::make_shared<bool>(false);
   auto* by = command
                  ->add_option_function<double>(
-                     "--by", [options](double mm) { options->back->mm = mm; },
+                     "--by", [options](double mm) { options->tool.back->mm = mm; },
                      "Length of the way, mm, at most to where the last rapid ended")
                  ->check(kPositive);
   by->excludes(command->add_flag("--to-rapid", *toRapid, "To where the last rapid ended"));

@@ -388,9 +388,9 @@ base::Result<void> StreamCommand::load() {
     return base::fail(templates::TemplateError::NotOnTarget,
                       "The virtual machine is no LinuxCNC: leave out --simulate or --control.");
   }
-  if (m_options.raiseToMm) {
-    m_program = streaming::raiseProgram(*m_options.raiseToMm);
-  } else if (m_options.back) {
+  if (m_options.tool.raiseToMm) {
+    m_program = streaming::raiseProgram(*m_options.tool.raiseToMm);
+  } else if (m_options.tool.back) {
     if (base::Result<void> loaded = loadDriven(); !loaded) {
       return loaded;
     }
@@ -435,14 +435,14 @@ base::Result<void> StreamCommand::load() {
 
 /// The program of the run that is driven back, as it was read for that run.
 base::Result<void> StreamCommand::loadDriven() {
-  auto run = report::readSavedRun(m_options.back->run, memoryBudget());
+  auto run = report::readSavedRun(m_options.tool.back->run, memoryBudget());
   if (!run) {
     return base::fail(run.error());
   }
   if (run->job) {
     return base::fail(streaming::StreamError::CannotResume,
                       "A whole job is not driven back along its path: raise the tool, or go on.",
-                      m_options.back->run);
+                      m_options.tool.back->run);
   }
   gcode::LoadOptions reading = run->reading;
   reading.budget = memoryBudget();
@@ -649,7 +649,7 @@ base::Result<void> StreamCommand::findWayBack() {
   }
   const auto way =
       streaming::backAlong(m_program, m_driven->settings, m_driven->checkpoint, left->point,
-                           {flight->toolMm, flight->toolDeg}, {m_options.back->mm});
+                           {flight->toolMm, flight->toolDeg}, {m_options.tool.back->mm});
   if (!way) {
     return base::fail(way.error());
   }
@@ -706,7 +706,7 @@ base::Result<void> StreamCommand::findResume() {
 base::Result<void> StreamCommand::checkTravel() {
   // What else stands in the way of a start, the run says itself.
   const auto flight = streaming::preflight(*m_connection.link, m_program, m_settings);
-  if (flight && m_options.raiseToMm && flight->toolMm.z >= *m_options.raiseToMm) {
+  if (flight && m_options.tool.raiseToMm && flight->toolMm.z >= *m_options.tool.raiseToMm) {
     return base::fail(gcode::GcodeError::NoMotion,
                       fmt::format("The tool stands at Z {:.3f} already.", flight->toolMm.z));
   }
@@ -868,7 +868,7 @@ base::Result<bool> runsJobs(const StreamOptions& options) {
 /// Says which blocks are left out, if the program has such.
 /// @return true if the program is to be run as a whole job
 base::Result<bool> isWholeJob(const StreamOptions& options) {
-  if (options.motionOnly || options.raiseToMm || options.back) {
+  if (options.motionOnly || options.tool.raiseToMm || options.tool.back) {
     return false;
   }
   gcode::LoadOptions loading = options.loading.loadOptions();

@@ -20,6 +20,7 @@
 #include "opcua/node_map.h"
 #include "opcua/rights.h"
 #include "platform/interrupt.h"
+#include "streaming/run/run.h"
 
 namespace rivulet::cli {
 
@@ -72,7 +73,7 @@ class Survey {
     for (const auto& part : {&Survey::rights, &Survey::variables, &Survey::axes,
                              &Survey::parameters, &Survey::access}) {
       if (interrupt::wasSeen()) {
-        return base::fail(base::makeError(opcua::LinkError::RequestFailed,
+        return base::fail(base::makeError(streaming::StreamError::Cancelled,
                                           "The survey was broken off. Nothing was written."));
       }
       if (base::Result<void> done = (this->*part)(survey); !done) {

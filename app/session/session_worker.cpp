@@ -202,10 +202,10 @@ class SessionWorker::Requests final : public streaming::RunOrders {
     const std::lock_guard lock(m_worker.m_correctionMutex);
     return m_worker.m_correctionMm;
   }
-  bool holdRequested(base::Instant) override { return m_worker.m_holdRun.load(); }
+  bool holdRequested(base::Instant) override { return m_worker.m_feed.holds.load(); }
   streaming::FeedOrder feed(base::Instant) override {
-    return {m_worker.m_holdRun.load(), m_worker.m_overridePercent.load(), std::nullopt,
-            m_worker.m_liftMm.load()};
+    return {m_worker.m_feed.holds.load(), m_worker.m_feed.percent.load(), std::nullopt,
+            m_worker.m_feed.liftMm.load()};
   }
   bool letsEnd(base::Instant) override { return m_worker.m_letsEnd.load(); }
   bool leaves(base::Instant) override { return m_worker.m_quit.load() || m_worker.m_leaves.load(); }
@@ -234,9 +234,9 @@ bool SessionWorker::post(SessionCommand command) {
     m_letsEnd.store(true);
     m_leaves.store(false);
     correct({});
-    m_holdRun.store(false);
-    m_overridePercent.store(templates::FeedCell::kProgrammed);
-    m_liftMm.store(0.0);
+    m_feed.holds.store(false);
+    m_feed.percent.store(templates::FeedCell::kProgrammed);
+    m_feed.liftMm.store(0.0);
   }
   if (!m_commands.tryPush(std::move(command))) {
     return false;
@@ -261,18 +261,18 @@ void SessionWorker::correct(base::Vec3 valueMm) {
 }
 
 void SessionWorker::holdRun(bool hold) {
-  m_holdRun.store(hold);
+  m_feed.holds.store(hold);
   if (!hold) {
     m_letsEnd.store(true);
   }
 }
 
 void SessionWorker::liftTool(double mm) {
-  m_liftMm.store(mm);
+  m_feed.liftMm.store(mm);
 }
 
 void SessionWorker::overrideRun(double percent) {
-  m_overridePercent.store(percent);
+  m_feed.percent.store(percent);
 }
 
 std::optional<SessionEvent> SessionWorker::take() {

@@ -140,9 +140,13 @@ class SessionWorker {
   std::atomic<bool> m_stopRun{false};
   std::atomic<bool> m_letsEnd{true};
   std::atomic<bool> m_leaves{false};
-  std::atomic<bool> m_holdRun{false};
-  std::atomic<double> m_overridePercent{templates::FeedCell::kProgrammed};
-  std::atomic<double> m_liftMm{0.0};
+  /// What is wanted of the feed of the run in progress.
+  struct FeedWanted {
+    std::atomic<bool> holds{false};
+    std::atomic<double> percent{templates::FeedCell::kProgrammed};
+    std::atomic<double> liftMm{0.0};
+  };
+  FeedWanted m_feed;
   std::atomic<std::size_t> m_lost{0};
   std::mutex m_correctionMutex;  // held for a copy
   base::Vec3 m_correctionMm;

@@ -131,18 +131,18 @@ RunPanel::RunPanel(QWidget* parent)
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 
   connect(m_start, &HoldButton::clicked, this, [this] {
-    if (!m_preflightPassed && !isActive()) {
+    if (!m_starting.hasPassed && !isActive()) {
       Q_EMIT preflightRequested();
     }
   });
   connect(m_start, &HoldButton::held, this, &RunPanel::startRequested);
   connect(m_end, &HoldButton::held, this, &RunPanel::endRequested);
   connect(m_override, &OverrideControl::percentRequested, this, [this](double percent) {
-    m_askedPercent = percent;
+    m_feed.askedPercent = percent;
     Q_EMIT overrideRequested(percent);
   });
   connect(m_lift, &QPushButton::clicked, this,
-          [this] { Q_EMIT liftRequested(isLifted() ? 0.0 : m_liftMm); });
+          [this] { Q_EMIT liftRequested(isLifted() ? 0.0 : m_feed.liftMm); });
   connect(m_hold, &QPushButton::clicked, this,
           [this] { Q_EMIT holdRequested(m_update.state != RunState::Holding); });
   arrange();
@@ -253,7 +253,7 @@ void RunPanel::setUpdate(const streaming::LiveUpdate& update) {
     m_update.counters.total = total;
   }
   if (starts && !wasActive) {
-    m_askedPercent.reset();
+    m_feed.askedPercent.reset();
     m_stopState = StopState::None;
   }
   if (update.state == RunState::Stopping && m_stopState == StopState::None) {
@@ -310,12 +310,12 @@ void RunPanel::setTitle(const QString& title) {
 }
 
 void RunPanel::setStartBlocked(const QString& reason) {
-  m_startBlocked = reason;
+  m_starting.blocked = reason;
   showAll();
 }
 
 void RunPanel::setPreflightPassed(bool passed) {
-  m_preflightPassed = passed;
+  m_starting.hasPassed = passed;
   showAll();
 }
 
@@ -474,7 +474,7 @@ void RunPanel::showAll() {
 }
 
 void RunPanel::setLift(double mm) {
-  m_liftMm = mm;
+  m_feed.liftMm = mm;
   showButtons();
 }
 
@@ -493,9 +493,9 @@ void RunPanel::showButtons() {
   m_resume->setToolTip(m_resuming.blocked.isEmpty()
                            ? tr("Asks the control where the run was left. Nothing moves yet.")
                            : m_resuming.blocked);
-  const bool mayLift = hasFeedCell() && m_update.feed->liftedMm && m_liftMm > 0.0;
+  const bool mayLift = hasFeedCell() && m_update.feed->liftedMm && m_feed.liftMm > 0.0;
   m_lift->setVisible(mayLift);
-  m_lift->setText(isLifted() ? tr("Lower") : tr("Lift by %1").arg(lengthText(m_liftMm, 1)));
+  m_lift->setText(isLifted() ? tr("Lower") : tr("Lift by %1").arg(lengthText(m_feed.liftMm, 1)));
   m_lift->setToolTip(isLifted() ? tr("The tool goes back to where it stood.")
                                 : tr("The tool goes straight up; the path waits."));
   m_override->setVisible(hasFeedCell() && !mayLift);
@@ -505,12 +505,13 @@ void RunPanel::showButtons() {
   // What was asked for last is shown until the control has it.
   if (const auto& feed = m_update.feed;
       hasFeedCell() && !feed->holds &&
-      (feed->isForeign || m_askedPercent.value_or(feed->wantedPercent) == feed->wantedPercent)) {
+      (feed->isForeign ||
+       m_feed.askedPercent.value_or(feed->wantedPercent) == feed->wantedPercent)) {
     m_override->setPercent(feed->wantedPercent);
   }
-  m_start->setNeedsHold(m_preflightPassed);
+  m_start->setNeedsHold(m_starting.hasPassed);
   m_stop->setEnabled(active || hasFound() || m_mayMove);
-  const bool canStart = !active && m_startBlocked.isEmpty();
+  const bool canStart = !active && m_starting.blocked.isEmpty();
   if (!canStart && m_start->hasFocus()) {
     setFocus(Qt::OtherFocusReason);  // else it would go to any other button of the window
   }
@@ -521,11 +522,12 @@ void RunPanel::showButtons() {
   if (canStart && hasFocus()) {
     m_start->setFocus(Qt::OtherFocusReason);
   }
-  m_start->setText(m_preflightPassed ? tr("Hold to start")
-                   : offersResume    ? tr("Start over …")
-                                     : tr("Start …"));
-  m_start->setToolTip(m_preflightPassed ? tr("Hold for one second. Then the machine moves.")
-                                        : tr("Shows what will happen first. Nothing moves yet."));
+  m_start->setText(m_starting.hasPassed ? tr("Hold to start")
+                   : offersResume       ? tr("Start over …")
+                                        : tr("Start …"));
+  m_start->setToolTip(m_starting.hasPassed
+                          ? tr("Hold for one second. Then the machine moves.")
+                          : tr("Shows what will happen first. Nothing moves yet."));
   // One place for both, so that a hand finds it: Hold during a run, Continue during a hold.
   const bool canGoOn = m_update.state == RunState::Holding;
   const bool isHolding = canGoOn && !isHeldBySource();
@@ -569,8 +571,8 @@ void RunPanel::showState() {
   };
   switch (m_update.state) {
     case RunState::Idle:
-      m_stateLabel->setStatus(m_startBlocked.isEmpty() ? Status::Good : Status::Unknown,
-                              m_startBlocked.isEmpty() ? tr("Ready") : tr("Not ready"));
+      m_stateLabel->setStatus(m_starting.blocked.isEmpty() ? Status::Good : Status::Unknown,
+                              m_starting.blocked.isEmpty() ? tr("Ready") : tr("Not ready"));
       break;
     case RunState::Stopped:
       show(Status::Attention, tr("Stopped at %1").arg(place));
@@ -605,8 +607,8 @@ void RunPanel::showReason() {
                                       : tr("This window did not start it. Stop holds its axes.")};
   } else if (m_hasWrongMotion) {
     sentences.append(tr("The run has executed wrong points: see the report."));
-  } else if (!m_startBlocked.isEmpty()) {
-    sentences.append(tr("Start is not possible: %1").arg(m_startBlocked));
+  } else if (!m_starting.blocked.isEmpty()) {
+    sentences.append(tr("Start is not possible: %1").arg(m_starting.blocked));
   } else if (m_update.state == RunState::Aborted || m_update.state == RunState::Stopped) {
     sentences.append(m_resuming.isOffered ? tr("Resume goes on where the run was left.")
                                           : tr("A new start begins at the first point."));
@@ -616,9 +618,9 @@ void RunPanel::showReason() {
   sentences.removeAll(QString());
   const bool isFault = m_stopState == StopState::Unconfirmed || (!active && m_hasWrongMotion) ||
                        (hasFeedCell() && m_update.feed->isIgnored);
-  m_reason->setStatus(isFault                                               ? Status::Fault
-                      : !active && !hasFound() && !m_startBlocked.isEmpty() ? Status::Attention
-                                                                            : Status::Plain,
+  m_reason->setStatus(isFault                                                   ? Status::Fault
+                      : !active && !hasFound() && !m_starting.blocked.isEmpty() ? Status::Attention
+                                                                                : Status::Plain,
                       sentences.join(QStringLiteral(". ")));
 }
 

@@ -160,14 +160,21 @@ class RunPanel final : public Page {
   RunProgress m_where;
   std::optional<JobProgress> m_job;
   bool m_hasWrongMotion = false;
-  QString m_startBlocked;
   StopState m_stopState = StopState::None;
   bool m_mayMove = false;
   std::size_t m_runBegin{0};
-  std::optional<double> m_askedPercent;  ///< as override of this run, last
-  double m_liftMm = 0.0;                 ///< see `setLift`
+  /// Of the run in progress.
+  struct Feed {
+    std::optional<double> askedPercent;  ///< as override, last
+    double liftMm = 0.0;                 ///< see `setLift`
+  };
+  Feed m_feed;
   bool m_canHold = false;
-  bool m_preflightPassed = false;
+  struct Starting {
+    QString blocked;  ///< why it cannot start; empty: it can
+    bool hasPassed = false;
+  };
+  Starting m_starting;
   struct Resuming {
     bool isOffered = false;
     QString blocked;

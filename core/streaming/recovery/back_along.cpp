@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -150,6 +151,34 @@ std::optional<std::size_t> movePassedTwice(const std::vector<AxisPosition>& path
   return std::nullopt;
 }
 
+/// @param placeOf  of each point  @param within  these moves  @param mostMm  length of the way
+BackWay walkBack(const std::function<AxisPosition(std::size_t)>& placeOf, const AxisPosition& tool,
+                 const BackPart& within, double mostMm) {
+  BackWay way;
+  way.part = within;
+  AxisPosition from = tool;
+  for (std::size_t i = within.next; i >= within.first; --i) {
+    const AxisPosition to = placeOf(i - 1);
+    const double moveMm = base::distance(from.mm, to.mm);
+    const double leftMm = mostMm - way.lengthMm;
+    way.part.first = i;
+    if (moveMm >= leftMm) {
+      way.places.push_back(between(from, to, leftMm / moveMm));
+      way.lengthMm += leftMm;
+      break;
+    }
+    if (length(from, to) > kStandsMm) {
+      way.places.push_back(to);
+      way.lengthMm += moveMm;
+    }
+    if (way.places.size() > kMovesMax) {
+      break;
+    }
+    from = to;
+  }
+  return way;
+}
+
 tl::unexpected<base::Error> no(std::string why) {
   return base::fail(StreamError::CannotResume, std::move(why));
 }
@@ -199,28 +228,9 @@ Result<BackWay> backAlong(const gcode::Program& program, const RunSettings& sett
   if (!wish.mm && points[barrier.point - 1].kind != gcode::MoveKind::Rapid) {
     return no(fmt::format("There is no rapid to go back to: {}. Give a length.", barrier.what));
   }
-  BackWay way;
-  way.part = {barrier.point, next};
-  AxisPosition from = tool;
-  for (std::size_t i = next; i >= barrier.point; --i) {
-    const AxisPosition to = placeOf(i - 1);
-    const double moveMm = base::distance(from.mm, to.mm);
-    const double leftMm = wish.mm.value_or(HUGE_VAL) - way.lengthMm;
-    way.part.first = i;
-    if (moveMm >= leftMm) {
-      way.places.push_back(between(from, to, leftMm / moveMm));
-      way.lengthMm += leftMm;
-      break;
-    }
-    if (length(from, to) > kStandsMm) {
-      way.places.push_back(to);
-      way.lengthMm += moveMm;
-    }
-    if (way.places.size() > kMovesMax) {
-      return no(
-          fmt::format("The way back has more than {} moves: choose a shorter one.", kMovesMax));
-    }
-    from = to;
+  const BackWay way = walkBack(placeOf, tool, {barrier.point, next}, wish.mm.value_or(HUGE_VAL));
+  if (way.places.size() > kMovesMax) {
+    return no(fmt::format("The way back has more than {} moves: choose a shorter one.", kMovesMax));
   }
   constexpr double kRoundingMm = 1e-6;
   if (wish.mm && way.lengthMm < *wish.mm - kRoundingMm) {

@@ -25,7 +25,7 @@ constexpr Duration kNoteInterval = std::chrono::seconds{1};
 
 CorrectionCells::CorrectionCells(const templates::CellMap& cells,
                                  const templates::TemplateParameters& parameters)
-    : m_limitMm(templates::correctionSteps(parameters) / 1000.0) {
+    : m_limitMm(templates::correctionSteps(parameters) / 1000.0), m_lifts(cells.lifts) {
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (cells.correction[axis] >= 0) {
       m_axes.push_back(axis);

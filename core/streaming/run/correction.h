@@ -25,6 +25,8 @@ class CorrectionCells {
 
   /// False: the program has no correction, and no other function may be called.
   [[nodiscard]] bool exists() const { return !m_axes.empty(); }
+  /// It is the lift of the tool, of axes that are held.
+  [[nodiscard]] bool lifts() const { return m_lifts; }
   [[nodiscard]] int nodeCount() const { return static_cast<int>(m_axes.size()); }
   [[nodiscard]] const Correction& value() const { return m_value; }
 
@@ -49,6 +51,7 @@ class CorrectionCells {
   std::vector<std::size_t> m_axes;
   std::vector<opcua::Assignment> m_writes;
   double m_limitMm;
+  bool m_lifts;
   Correction m_value;
   base::Vec3 m_sentMm;
   bool m_isUnsure = false;       ///< the control may have another value than `confirmedMm`

@@ -54,7 +54,6 @@ Driver::Driver(opcua::Link& link, Method& method, const RunSettings& settings, R
       m_access(settings),
       m_reads(!method.readsPosition(), link.now()),
       m_correction(cells, settings.parameters),
-      m_lifts(cells.lifts),
       m_feed(feed),
       m_pauses(settings.nominalPause) {
   m_counters.total = total;
@@ -198,7 +197,7 @@ void Driver::turnSupplier() {
 
 void Driver::checkOrders() {
   FeedOrder order = feedOrdered(m_orders, m_link.now());
-  if (m_lifts) {
+  if (m_correction.lifts()) {
     takeLift(order);
   }
   m_feed.want(order, m_link.now());
@@ -212,7 +211,8 @@ void Driver::checkOrders() {
     m_sink.note({m_link.now(), std::string(hold ? kHoldNote : kContinueNote)});
     publish();
   }
-  if (m_correction.exists() && !m_lifts && !m_ending.wantedAt && !m_ending.abandonedAt) {
+  if (m_correction.exists() && !m_correction.lifts() && !m_ending.wantedAt &&
+      !m_ending.abandonedAt) {
     m_correction.want(m_orders.correctionMm(m_link.now()), m_link.now());
     noteCorrection(false);
   }
@@ -241,7 +241,7 @@ void Driver::takeLift(FeedOrder& order) {
 bool Driver::isLifted() const {
   constexpr double kBackMm = 0.005;
   const std::optional<double>& liftedMm = m_feed.state().liftedMm;
-  return m_lifts &&
+  return m_correction.lifts() &&
          (m_correction.value().askedMm.z != 0.0 || m_correction.value().confirmedMm.z != 0.0 ||
           std::abs(liftedMm.value_or(0.0)) > kBackMm);
 }
@@ -327,16 +327,17 @@ Duration Driver::lostSince(Duration since) const {
 void Driver::noteCorrection(bool now) {
   if (const auto confirmedMm = m_correction.toNote(m_link.now(), now)) {
     m_sink.note(
-        {m_link.now(), m_lifts ? fmt::format("lift of the tool in mm: {:.3f}", confirmedMm->z)
-                               : fmt::format("online correction in mm: X {:.4f} Y {:.4f} Z {:.4f}",
-                                             confirmedMm->x, confirmedMm->y, confirmedMm->z)});
+        {m_link.now(), m_correction.lifts()
+                           ? fmt::format("lift of the tool in mm: {:.3f}", confirmedMm->z)
+                           : fmt::format("online correction in mm: X {:.4f} Y {:.4f} Z {:.4f}",
+                                         confirmedMm->x, confirmedMm->y, confirmedMm->z)});
   }
 }
 
 bool Driver::submitCorrection() {
   // Behind a stop the program takes back by itself what is laid over the axes. Axes that are held
   // do not move for a correction, and for nothing but a lift.
-  const bool isBarred = !m_lifts && (m_ending.wantedAt || m_feed.holds());
+  const bool isBarred = !m_correction.lifts() && (m_ending.wantedAt || m_feed.holds());
   if (isBarred || m_ending.abandonedAt || !m_correction.isDue(m_link.now())) {
     return false;
   }

@@ -239,7 +239,6 @@ class Driver {
   AccessTimes m_access;
   MonitorReads m_reads;
   CorrectionCells m_correction;
-  bool m_lifts;  ///< the only correction is the lift of the tool
   FeedControl& m_feed;
   std::vector<opcua::Assignment> m_withBeats;
   /// Of the method.
