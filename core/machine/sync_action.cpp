@@ -12,6 +12,11 @@ namespace rivulet::machine {
 
 namespace {
 
+/// A variable of a program cannot begin with $.
+bool isResolved(std::string_view name, std::size_t indices) {
+  return indices == 2 && name.starts_with('$');
+}
+
 /// The main run as the source of an expression: every R is read there.
 class MainRunSource final : public nc::ValueSource {
  public:
@@ -25,10 +30,57 @@ class MainRunSource final : public nc::ValueSource {
                                  std::span<const nc::Value> indices) const override {
     return systemValue(m_mainRun, name, indices);
   }
+  /// What `resolve` has made of a variable of the main run.
+  nc::Expected<nc::Value> variable(std::string_view name,
+                                   std::span<const int> indices) const override {
+    if (!isResolved(name, indices.size())) {
+      return ValueSource::variable(name, indices);
+    }
+    const std::optional<double> value =
+        m_mainRun.systemValue(static_cast<SystemVariable>(indices[0]), indices[1]);
+    return value ? nc::Expected<nc::Value>(*value) : nc::fail(nc::FaultCode::IndexOutsideArray);
+  }
 
  private:
   const MainRun& m_mainRun;
 };
+
+/// An index of a variable of the main run that is known before: a number, or the name of an axis.
+std::optional<nc::Value> knownIndex(const nc::Expression& operand) {
+  if (operand.op == nc::Op::Number) {
+    return nc::Value(operand.number);
+  }
+  const bool isName =
+      operand.op == nc::Op::Text || (operand.op == nc::Op::Variable && operand.operands.empty());
+  return isName ? std::optional<nc::Value>(operand.name) : std::nullopt;
+}
+
+/// Looks up the variables of the main run once and not in every cycle: a node whose index is known
+/// becomes one with two indices, the `SystemVariable` and its element. What is at fault stays as it
+/// is: the fault belongs to the cycle.
+void resolve(nc::Expression& node) {
+  for (nc::Expression& operand : node.operands) {
+    resolve(operand);
+  }
+  const std::optional<SystemVariable> variable =
+      node.op == nc::Op::System ? systemVariableOf(node.name) : std::nullopt;
+  if (!variable) {
+    return;
+  }
+  std::vector<nc::Value> indices;
+  for (const nc::Expression& operand : node.operands) {
+    const std::optional<nc::Value> index = knownIndex(operand);
+    if (!index) {
+      return;
+    }
+    indices.push_back(*index);
+  }
+  if (const nc::Expected<int> element = systemIndex(node.name, indices)) {
+    node.op = nc::Op::Variable;
+    node.operands = {nc::Expression::constant(static_cast<double>(*variable)),
+                     nc::Expression::constant(*element)};
+  }
+}
 
 /// Freezes an expression, and knows all variables of the main run in it.
 nc::Expected<nc::Expression> made(const nc::Expression& expression, const nc::ValueSource& values) {
@@ -41,8 +93,13 @@ nc::Expected<nc::Expression> made(const nc::Expression& expression, const nc::Va
       }
     });
   }
-  return unknown.empty() ? std::move(frozen)
-                         : nc::fail(nc::FaultCode::OnlyOnControl, std::move(unknown));
+  if (!unknown.empty()) {
+    return nc::fail(nc::FaultCode::OnlyOnControl, std::move(unknown));
+  }
+  if (frozen) {
+    resolve(*frozen);
+  }
+  return frozen;
 }
 
 }  // namespace

@@ -155,7 +155,22 @@ tl::unexpected<Fault> placed(Fault fault, Place place) {
   return fail(std::move(fault));
 }
 
-/// Evaluates the leaves; `NaN` of a source becomes a fault.
+/// The number by which R, $R and # are called.
+Expected<int> numberOfLeaf(const Expression& node, const ValueSource& source,
+                           const Semantics& semantics) {
+  const Expected<double> number = evaluateNumber(node.operands.front(), source, semantics);
+  if (!number) {
+    return fail(number.error());
+  }
+  const double rounded = std::round(*number);
+  if (!(rounded >= 0.0 && rounded < kIndexMax)) {
+    return node.op == Op::Hash ? fail(FaultCode::VariableNumberMissing)
+                               : fail(FaultCode::NoSuchR, base::formatNumber(*number));
+  }
+  return static_cast<int>(rounded);
+}
+
+/// A leaf that may be a text or vacant, or whose value comes with a name.
 Expected<Value> leaf(const Expression& node, const ValueSource& source,
                      const Semantics& semantics) {
   switch (node.op) {
@@ -186,22 +201,22 @@ Expected<Value> leaf(const Expression& node, const ValueSource& source,
     default:
       break;
   }
-  // R, $R and # by number.
-  const Expected<double> number = evaluateNumber(node.operands.front(), source, semantics);
+  const Expected<int> number = numberOfLeaf(node, source, semantics);
+  return number ? source.numbered(*number) : fail(number.error());
+}
+
+/// The value of R or $R.
+Expected<double> rValue(const Expression& node, const ValueSource& source,
+                        const Semantics& semantics) {
+  const Expected<int> number = numberOfLeaf(node, source, semantics);
   if (!number) {
-    return fail(number.error());
+    return placed(number.error(), node.place);
   }
-  const double rounded = std::round(*number);
-  if (!(rounded >= 0.0 && rounded < kIndexMax)) {
-    return node.op == Op::Hash ? fail(FaultCode::VariableNumberMissing)
-                               : fail(FaultCode::NoSuchR, base::formatNumber(*number));
+  Expected<double> value = node.op == Op::R ? source.r(*number) : source.mainR(*number);
+  if (!value) {
+    return placed(std::move(value.error()), node.place);
   }
-  const int index = static_cast<int>(rounded);
-  if (node.op == Op::Hash) {
-    return source.numbered(index);
-  }
-  const Expected<double> value = node.op == Op::R ? source.r(index) : source.mainR(index);
-  return value ? Expected<Value>(*value) : fail(value.error());
+  return std::isfinite(*value) ? value : fail(FaultCode::ValueUnknown, {}, node.place);
 }
 
 double numberOf(const Value& value) {
@@ -209,8 +224,13 @@ double numberOf(const Value& value) {
   return number != nullptr ? *number : 0.0;
 }
 
-Expected<Value> compared(const Expression& node, const Value& a, const Value& b,
-                         const Semantics& semantics) {
+double comparedNumbers(Op op, double a, double b, const Semantics& semantics) {
+  return truth(compares(op, a < b ? -1.0 : (a > b ? 1.0 : 0.0), areEqual(a, b, semantics),
+                        semantics.strictExcludesEqual));
+}
+
+Expected<double> comparedValues(const Expression& node, const Value& a, const Value& b,
+                                const Semantics& semantics) {
   const bool isText = std::holds_alternative<std::string>(a);
   if (isText != std::holds_alternative<std::string>(b)) {
     return fail(FaultCode::TextCalculated, {}, node.place);
@@ -224,12 +244,18 @@ Expected<Value> compared(const Expression& node, const Value& a, const Value& b,
     const int order = text->compare(std::get<std::string>(b));
     return compares(node.op, order, order == 0, true) ? 1.0 : 0.0;
   }
-  const double x = numberOf(a);
-  const double y = numberOf(b);
-  return compares(node.op, x < y ? -1.0 : (x > y ? 1.0 : 0.0), areEqual(x, y, semantics),
-                  semantics.strictExcludesEqual)
-             ? 1.0
-             : 0.0;
+  return comparedNumbers(node.op, numberOf(a), numberOf(b), semantics);
+}
+
+/// What combines numbers to a number.
+bool isComputation(Op op) {
+  return op > Op::GreaterEqual;
+}
+
+/// Whether a value of a node can be nothing but a number.
+bool isNumeric(const Expression& node) {
+  return (node.op == Op::Number && std::isfinite(node.number)) || node.op == Op::R ||
+         node.op == Op::MainR || isComputation(node.op) || isComparison(node.op);
 }
 
 std::string called(const Expression& node, double a) {
@@ -244,6 +270,48 @@ std::string called(const Expression& node, double a) {
     return std::string_view(op == Op::FromBcd ? "BIN" : op == Op::ToBcd ? "BCD" : "the power");
   };
   return fmt::format("{}({})", kWord(node.op), base::formatNumber(a));
+}
+
+Expected<double> computed(const Expression& node, const ValueSource& source,
+                          const Semantics& semantics) {
+  std::array<double, 3> operands{};
+  for (std::size_t i = 0; i < node.operands.size(); ++i) {
+    const Expected<double> operand = evaluateNumber(node.operands[i], source, semantics);
+    if (!operand) {
+      return fail(operand.error());
+    }
+    operands[i] = *operand;
+  }
+  if (node.op == Op::RoundToIncrement) {
+    operands[1] = source.leastIncrement();
+  }
+  const bool divides = node.op >= Op::Divide && node.op <= Op::FloorModulo;
+  if (divides &&
+      (operands[1] == 0.0 || (node.op == Op::WholeModulo && std::round(operands[1]) == 0.0))) {
+    return fail(FaultCode::DivisionByZero, {}, node.place);
+  }
+  const double result = compute(node.op, operands[0], operands[1], operands[2]);
+  if (std::isnan(result)) {
+    return fail(FaultCode::OutOfDomain, called(node, operands[0]), node.place);
+  }
+  if (!std::isfinite(result)) {
+    return fail(FaultCode::NotFinite, {}, node.place);
+  }
+  return result;
+}
+
+Expected<double> compared(const Expression& node, const ValueSource& source,
+                          const Semantics& semantics) {
+  const Expression& left = node.operands[0];
+  const Expression& right = node.operands[1];
+  if (isNumeric(left) && isNumeric(right)) {
+    const Expected<double> a = evaluateNumber(left, source, semantics);
+    const Expected<double> b = a ? evaluateNumber(right, source, semantics) : a;
+    return b ? Expected<double>(comparedNumbers(node.op, *a, *b, semantics)) : b;
+  }
+  const Expected<Value> a = evaluate(left, source, semantics);
+  const Expected<Value> b = a ? evaluate(right, source, semantics) : a;
+  return b ? comparedValues(node, *a, *b, semantics) : fail(b.error());
 }
 
 }  // namespace
@@ -309,56 +377,39 @@ bool ValueSource::exists(std::string_view name) const {
 
 Expected<Value> evaluate(const Expression& node, const ValueSource& source,
                          const Semantics& semantics) {
-  if (node.op <= Op::Exists) {
-    Expected<Value> value = leaf(node, source, semantics);
-    if (!value) {
-      return placed(std::move(value.error()), node.place);
-    }
-    if (const auto* number = std::get_if<double>(&*value);
-        number != nullptr && !std::isfinite(*number)) {
-      return fail(FaultCode::ValueUnknown, {}, node.place);
-    }
-    return value;
+  if (node.op != Op::Number && isNumeric(node)) {
+    const Expected<double> number = evaluateNumber(node, source, semantics);
+    return number ? Expected<Value>(*number) : fail(number.error());
   }
-  if (isComparison(node.op) || node.op == Op::Concatenate) {
+  if (node.op == Op::Concatenate) {
     const Expected<Value> a = evaluate(node.operands[0], source, semantics);
     const Expected<Value> b = a ? evaluate(node.operands[1], source, semantics) : a;
-    if (!b) {
-      return b;
-    }
-    return node.op == Op::Concatenate ? Expected<Value>(textOf(*a) + textOf(*b))
-                                      : compared(node, *a, *b, semantics);
+    return b ? Expected<Value>(textOf(*a) + textOf(*b)) : b;
   }
-  std::array<double, 3> operands{};
-  for (std::size_t i = 0; i < node.operands.size(); ++i) {
-    const Expected<double> operand = evaluateNumber(node.operands[i], source, semantics);
-    if (!operand) {
-      return fail(operand.error());
-    }
-    operands[i] = *operand;
+  Expected<Value> value = leaf(node, source, semantics);
+  if (!value) {
+    return placed(std::move(value.error()), node.place);
   }
-  if (node.op == Op::RoundToIncrement) {
-    operands[1] = source.leastIncrement();
+  if (const auto* number = std::get_if<double>(&*value);
+      number != nullptr && !std::isfinite(*number)) {
+    return fail(FaultCode::ValueUnknown, {}, node.place);
   }
-  const bool divides = node.op >= Op::Divide && node.op <= Op::FloorModulo;
-  if (divides &&
-      (operands[1] == 0.0 || (node.op == Op::WholeModulo && std::round(operands[1]) == 0.0))) {
-    return fail(FaultCode::DivisionByZero, {}, node.place);
-  }
-  const double result = compute(node.op, operands[0], operands[1], operands[2]);
-  if (std::isnan(result)) {
-    return fail(FaultCode::OutOfDomain, called(node, operands[0]), node.place);
-  }
-  if (!std::isfinite(result)) {
-    return fail(FaultCode::NotFinite, {}, node.place);
-  }
-  return result;
+  return value;
 }
 
 Expected<double> evaluateNumber(const Expression& expression, const ValueSource& source,
                                 const Semantics& semantics) {
   if (expression.op == Op::Number) {
     return expression.number;
+  }
+  if (expression.op == Op::R || expression.op == Op::MainR) {
+    return rValue(expression, source, semantics);
+  }
+  if (isComputation(expression.op)) {
+    return computed(expression, source, semantics);
+  }
+  if (isComparison(expression.op)) {
+    return compared(expression, source, semantics);
   }
   const Expected<Value> value = evaluate(expression, source, semantics);
   if (!value) {
