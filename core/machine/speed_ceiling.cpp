@@ -62,20 +62,18 @@ double steepness(const SpeedState& state, const SpeedState& other) {
 }
 
 /// Constant jerk until the motion stands, or at least over a length.
-SpeedProfile withJerk(const SpeedState& from, double jerk, double lengthMm) {
+ConstantJerk withJerk(const SpeedState& from, double jerk, double lengthMm) {
   const double v = from.speedMmPerS;
   const double a = from.accelerationMmPerS2;
-  SpeedProfile profile(from);
   if (jerk < 0.0) {
-    profile.add((a + std::sqrt(a * a - 2.0 * jerk * v)) / -jerk, jerk);
-    return profile;
+    return {from, (a + std::sqrt(a * a - 2.0 * jerk * v)) / -jerk, jerk};
   }
   const double square = a * a - 2.0 * jerk * v;
   const bool turnsBack = a < 0.0 && square > 0.0;
-  profile.add(turnsBack ? (-a - std::sqrt(square)) / jerk
-                        : std::max(0.0, -2.0 * a / jerk) + std::cbrt(6.0 * lengthMm / jerk),
-              jerk);
-  return profile;
+  return {from,
+          turnsBack ? (-a - std::sqrt(square)) / jerk
+                    : std::max(0.0, -2.0 * a / jerk) + std::cbrt(6.0 * lengthMm / jerk),
+          jerk};
 }
 
 /// Closes in on the place where a value changes its sign: regula falsi, in which an end that stays
@@ -128,9 +126,15 @@ struct Touch {
   double gapMmPerS = 0.0;  ///< the ceiling above the motion
 };
 
-/// The first such moment until `endS`, or none. @param mm  where the motion begins on the ceiling
+/// How far a motion is looked at.
+struct Until {
+  double mm = 0.0;
+  double seconds = 0.0;  ///< when the motion is there, or stands before it
+};
+
+/// The first such moment, or none. @param mm  where the motion begins on the ceiling
 /// @param steepnessNow  at its beginning, not 0   @param accurateS  what the moment may be off
-std::optional<Touch> firstTouch(const SpeedProfile& motion, double endS,
+std::optional<Touch> firstTouch(const ConstantJerk& motion, const Until& until,
                                 const SpeedProfile& ceiling, double mm, double steepnessNow,
                                 double accurateS) {
   const bool falls = steepnessNow > 0.0;
@@ -142,7 +146,9 @@ std::optional<Touch> firstTouch(const SpeedProfile& motion, double endS,
       continue;
     }
     const bool reached = phaseMm < motion.lengthMm();
-    const double afterS = reached ? std::min(endS, motion.secondsAt(phaseMm)) : endS;
+    const double afterS = reached && phaseMm != until.mm
+                              ? std::min(until.seconds, motion.secondsAt(phaseMm))
+                              : until.seconds;
     const SpeedState there = motion.stateAt(afterS);
     const SpeedState above =
         reached ? ceiling.phaseEnd(k) : ceiling.stateAtMm(mm + motion.lengthMm());
@@ -362,10 +368,11 @@ SpeedCeiling::Meeting SpeedCeiling::meet(std::size_t index, double mm,
       meeting.marginMmPerS = std::min(meeting.marginMmPerS, above.speedMmPerS - state.speedMmPerS);
     }
     const double jerk = falls ? -given.limits.jerkMmPerS3 : given.limits.jerkMmPerS3;
-    const SpeedProfile motion = withJerk(state, jerk, leftMm);
+    const ConstantJerk motion = withJerk(state, jerk, leftMm);
     const double endS = motion.lengthMm() > leftMm ? motion.secondsAt(leftMm) : motion.durationS();
     const double accurateS = std::sqrt(kRoundingMmPerS / given.limits.jerkMmPerS3);
-    if (const auto touch = firstTouch(motion, endS, ceiling, mm, steepnessNow, accurateS)) {
+    if (const auto touch =
+            firstTouch(motion, {leftMm, endS}, ceiling, mm, steepnessNow, accurateS)) {
       return met(std::min(given.lengthMm, mm + motion.lengthMmAt(touch->seconds)),
                  touch->gapMmPerS);
     }
@@ -443,25 +450,29 @@ SpeedProfile SpeedCeiling::profile(double mm, const SpeedState& state, std::size
     return climb;
   }
   // The last moment from which the acceleration may fall.
-  const auto marginAt = [&](double seconds) {
+  const auto meetingAt = [&](double seconds) {
     const Meeting meeting = meet(0, mm + climb.lengthMmAt(seconds), climb.stateAt(seconds));
     *reach = std::max(*reach, meeting.index);
+    return meeting;
+  };
+  const auto marginOf = [&](const Meeting& meeting) {
     return meeting.marginMmPerS + 2.0 * touchMmPerS;
   };
-  double margin = marginAt(0.0);
-  SignChange change(0.0, margin, climb.durationS(),
-                    std::min(marginAt(climb.durationS()), -touchMmPerS));
-  for (int i = 0; i < kSearchSteps && margin > touchMmPerS && change.width() > kTimeS; ++i) {
+  Meeting meeting = meetingAt(0.0);  // of the low end of the search
+  SignChange change(0.0, marginOf(meeting), climb.durationS(),
+                    std::min(marginOf(meetingAt(climb.durationS())), -touchMmPerS));
+  for (int i = 0; i < kSearchSteps && marginOf(meeting) > touchMmPerS && change.width() > kTimeS;
+       ++i) {
     const double atS = change.next();
-    const double found = marginAt(atS);
-    if (found >= 0.0) {
-      margin = found;
+    const Meeting found = meetingAt(atS);
+    const bool isSafe = marginOf(found) >= 0.0;
+    if (isSafe) {
+      meeting = found;
     }
-    change.take(atS, found, found >= 0.0);
+    change.take(atS, marginOf(found), isSafe);
   }
   climb.cut(change.lowAt());
   const double fromMm = mm + climb.lengthMm();
-  const Meeting meeting = meet(0, fromMm, climb.end());
   const double gap = std::abs(meeting.gapMmPerS);
   if (meeting.index == 0 && meeting.mm <= fromMm && gap > onCeilingMmPerS(section.given) &&
       climb.durationS() <= kTimeS) {
@@ -472,7 +483,7 @@ SpeedProfile SpeedCeiling::profile(double mm, const SpeedState& state, std::size
     profile.setEnd(lengthMm - mm, profile.end());
     return profile;
   }
-  const SpeedProfile fall = withJerk(climb.end(), -section.given.limits.jerkMmPerS3, lengthMm);
+  const ConstantJerk fall = withJerk(climb.end(), -section.given.limits.jerkMmPerS3, lengthMm);
   const double fallMm = (meeting.index > 0 ? lengthMm : meeting.mm) - fromMm;
   climb.add(fallMm < fall.lengthMm() ? fall.secondsAt(fallMm) : fall.durationS(),
             -section.given.limits.jerkMmPerS3);

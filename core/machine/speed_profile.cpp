@@ -57,11 +57,60 @@ double secondsFor(double mm, const SpeedState& begin, double jerk, double durati
   return t;
 }
 
+/// A motion of which no more than its length and its end are asked.
+struct Way {
+  SpeedState end;
+  double lengthMm = 0.0;
+
+  void add(double durationS, double jerkMmPerS3) {
+    if (durationS > 0.0) {
+      lengthMm += lengthOf(durationS, end, jerkMmPerS3);
+      end = stateAfter(durationS, end, jerkMmPerS3);
+    }
+  }
+};
+
+/// The greatest value that is allowed, to the last bit. @param low  allowed  @param high  not
+template <class IsAllowed>
+double greatest(double low, double high, IsAllowed isAllowed) {
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    const bool isLast = middle == low || middle == high;
+    (isAllowed(middle) ? low : high) = middle;
+    if (isLast) {
+      break;
+    }
+  }
+  return low;
+}
+
 }  // namespace
 
 double fadedSpeedMmPerS(const SpeedState& state, double jerkMmPerS3) {
   const double a = state.accelerationMmPerS2;
   return state.speedMmPerS + 0.5 * a * std::abs(a) / jerkMmPerS3;
+}
+
+ConstantJerk::ConstantJerk(const SpeedState& from, double durationS, double jerkMmPerS3)
+    : m_begin(from), m_jerkMmPerS3(jerkMmPerS3), m_end(from) {
+  if (durationS > 0.0) {
+    m_durationS = durationS;
+    m_lengthMm = lengthOf(durationS, from, jerkMmPerS3);
+    m_end = stateAfter(durationS, from, jerkMmPerS3);
+  }
+}
+
+double ConstantJerk::lengthMmAt(double seconds) const {
+  return seconds >= m_durationS ? m_lengthMm : lengthOf(seconds, m_begin, m_jerkMmPerS3);
+}
+
+SpeedState ConstantJerk::stateAt(double seconds) const {
+  return seconds >= m_durationS ? m_end : stateAfter(seconds, m_begin, m_jerkMmPerS3);
+}
+
+double ConstantJerk::secondsAt(double mm) const {
+  return mm >= m_lengthMm ? m_durationS
+                          : secondsFor(std::max(0.0, mm), m_begin, m_jerkMmPerS3, m_durationS);
 }
 
 void SpeedProfile::add(double durationS, double jerkMmPerS3) {
@@ -135,30 +184,25 @@ SpeedProfile SpeedProfile::climb(const SpeedState& from, double lengthMm, double
   // The acceleration has to fade earlier, to what the end can bear.
   const double begin = from.accelerationMmPerS2;
   const double low = std::max(begin, endMmPerS2Max);
-  const auto shape = [&](double peak, double holdS) {
-    SpeedProfile shaped(from);
-    shaped.add((peak - begin) / j, j);
-    shaped.add(holdS, 0.0);
-    shaped.add((peak - endMmPerS2Max) / j, -j);
-    return shaped;
+  const auto shape = [&](auto& motion, double peak, double holdS) {
+    motion.add((peak - begin) / j, j);
+    motion.add(holdS, 0.0);
+    motion.add((peak - endMmPerS2Max) / j, -j);
+  };
+  const auto fits = [&](double peak, double holdS) {
+    Way way{from};
+    shape(way, peak, holdS);
+    return way.lengthMm <= lengthMm;
   };
   double peak = std::max(low, limits.accelerationMmPerS2);
   double holdS = 0.0;
-  if (shape(peak, 0.0).m_lengthMm > lengthMm) {
-    double high = peak;
-    peak = low;
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = 0.5 * (peak + high);
-      (shape(middle, 0.0).m_lengthMm <= lengthMm ? peak : high) = middle;
-    }
+  if (fits(peak, 0.0)) {
+    holdS = greatest(0.0, profile.m_durationS, [&](double middle) { return fits(peak, middle); });
   } else {
-    double high = profile.m_durationS;
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = 0.5 * (holdS + high);
-      (shape(peak, middle).m_lengthMm <= lengthMm ? holdS : high) = middle;
-    }
+    peak = greatest(low, peak, [&](double middle) { return fits(middle, 0.0); });
   }
-  profile = shape(peak, holdS);
+  profile = SpeedProfile(from);
+  shape(profile, peak, holdS);
   if (profile.m_lengthMm > lengthMm) {
     profile.cut(profile.secondsAt(lengthMm));
   } else if (profile.m_end.speedMmPerS > 0.0) {

@@ -32,6 +32,27 @@ struct SpeedState {
 /// motion that brakes, the highest one of a motion that accelerates.
 [[nodiscard]] double fadedSpeedMmPerS(const SpeedState& state, double jerkMmPerS3);
 
+/// A motion of one phase. What a `SpeedProfile` of that phase would say, for less.
+class ConstantJerk {
+ public:
+  /// @param durationS  it does not move unless > 0
+  ConstantJerk(const SpeedState& from, double durationS, double jerkMmPerS3);
+
+  [[nodiscard]] double durationS() const { return m_durationS; }
+  [[nodiscard]] double lengthMm() const { return m_lengthMm; }
+  [[nodiscard]] double lengthMmAt(double seconds) const;
+  [[nodiscard]] SpeedState stateAt(double seconds) const;
+  /// When the length is reached. @param mm 0 to lengthMm
+  [[nodiscard]] double secondsAt(double mm) const;
+
+ private:
+  SpeedState m_begin;
+  double m_jerkMmPerS3;
+  double m_durationS = 0.0;
+  double m_lengthMm = 0.0;
+  SpeedState m_end;
+};
+
 class SpeedProfile {
  public:
   struct Phase {
