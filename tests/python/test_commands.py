@@ -158,6 +158,8 @@ def test_a_trace(part, tmp_path):
     assert trace.judged and trace.executed == 30
     assert abs(max(trace["x_act"]) - 15.0) < 0.01 and trace.units["x_act"] == "mm"
     assert len(trace.times["x_act"]) == len(trace["x_act"])
+    again = rivulet.analyse(recording)  # whatever is asked for first
+    assert again.units["x_act"] == "mm" and rivulet.analyse(recording).times["x_act"][-1] > 1.0
     with pytest.raises(rivulet.RuleApplies):
         rivulet.analyse(recording, fail_if="executed>1")
     with pytest.raises(rivulet.BadInput):
@@ -172,3 +174,7 @@ def test_an_emulator_learns_from_a_run(part, tmp_path):
     assert emulator.test(recording)
     emulated = emulator.simulate(recording)
     assert len({len(values) for values in emulated.values()}) == 1
+    asked = emulator.design(tmp_path / "next.mpf", box=((0, 0), (20, 10)), feeds=(600, 3000), seconds=3)
+    assert asked and rivulet.check(tmp_path / "next.mpf").streamable
+    report = rivulet.stream(part, motion_only=True, preset=emulator)  # it is a machine, too
+    assert report.finding == "faultless"

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict
+from typing import Any, Dict, Sequence, Tuple
 
 from . import columns, command
 from .report import Report
@@ -47,6 +47,25 @@ class Emulator:
             name: columns.array([columns.number(value) for value in values])
             for name, values in columns.read(text).items()
         }
+
+    def design(
+        self,
+        output: command.PathLike,
+        box: Tuple[Sequence[float], Sequence[float]] = ((0, 0), (60, 60)),
+        feeds: Tuple[float, float] = (60, 3000),
+        **options: Any,
+    ) -> Any:
+        """Writes the NC program that tells most about what is not known yet: what to record next.
+        @param box  least and largest X Y (and perhaps Z), mm @param feeds  least and largest, mm/min
+        @param options  seconds=25, seed=1"""
+        given = {
+            "box": ",".join(command.text_of(float(value)) for axis in zip(*box) for value in axis),
+            "feeds": ",".join(command.text_of(float(feed)) for feed in feeds),
+            "output": output,
+            **options,
+        }
+        words = ["emulator", "design", "--emulator", self.path, *command.words_of(given)]
+        return command.ask(words)
 
     def _ask(self, name: str, traces: Any, options: Dict[str, Any]) -> Any:
         return command.ask(

@@ -23,8 +23,8 @@ class Trace:
         self.path = os.fspath(path)
         self._words = [self.path, *command.words_of(options)]
         self.report: Report = command.ask(["analyse", *self._words], (0, 1))
-        self.units: Dict[str, str] = {}
-        self.times: Dict[str, Any] = {}
+        self._units: Dict[str, str] = {}
+        self._times: Dict[str, Any] = {}
         self._signals: Optional[Dict[str, Any]] = None
 
     def __repr__(self) -> str:
@@ -48,6 +48,16 @@ class Trace:
             self._signals = self._read()
         return self._signals
 
+    @property
+    def times(self) -> Dict[str, Any]:
+        """Of the samples of each signal, s."""
+        return self._times if self.signals else {}
+
+    @property
+    def units(self) -> Dict[str, str]:
+        """Of each signal: "mm"; "": none."""
+        return self._units if self.signals else {}
+
     def _read(self) -> Dict[str, Any]:
         with tempfile.TemporaryDirectory(prefix="rivulet-") as folder:
             saved = pathlib.Path(folder) / "signals.csv"
@@ -62,8 +72,8 @@ class Trace:
                 times = values
                 continue
             signals[name] = values
-            self.units[name] = unit.partition("]")[0]
-            self.times[name] = times
+            self._units[name] = unit.partition("]")[0]
+            self._times[name] = times
         return signals
 
 
