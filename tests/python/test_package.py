@@ -54,6 +54,8 @@ def test_versions():
     """One number everywhere."""
     project = (SOURCE / "python" / "pyproject.toml").read_text()
     assert re.search(r'^version = "(.*)"$', project, re.M).group(1) == rivulet.__version__
+    citation = (SOURCE / "CITATION.cff").read_text(encoding="utf-8")
+    assert re.search(r"^version: (.*)$", citation, re.M).group(1) == rivulet.__version__
     _, said = rivulet.command.call(["--version"])
     assert said.strip() == rivulet.__version__
 
