@@ -336,11 +336,12 @@ class Exposure {
       return;
     }
     auto beat = m_beats.begin();
-    Instant last{};
+    // What an earlier program has left in the cell counts as a sign when the next one starts.
+    Instant last = std::exchange(m_segmentFrom, m_machine.now());
     double fastest = 0.0;  // since the sign
     for (const trace::ControlSample& sample : trace.samples) {
-      for (; beat != m_beats.end() && *beat <= sample.at; ++beat) {
-        last = *beat;
+      for (; beat != m_beats.end() && *beat <= sample.at + trace.cycle; ++beat) {
+        last = std::max(last, *beat);
         fastest = 0.0;
       }
       fastest = std::max(fastest, sample.feedMmPerS);
@@ -456,6 +457,7 @@ class Exposure {
   std::optional<Instant> m_resetAt;
   std::optional<Instant> m_intrusionAt;
   std::vector<Instant> m_beats;  ///< signs of the client, ascending
+  Instant m_segmentFrom{};       ///< when the program was started
   double m_beat = 0.0;           ///< the last one
   std::optional<Checkpoint> m_checkpoint;
   RunSettings m_checkpointSettings;
