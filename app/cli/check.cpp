@@ -124,16 +124,16 @@ gcode::LoadOptions optionsOf(const std::string& file, const LoadingOptions& load
   return options;
 }
 
-/// The same text again, now block by block. The parts are told as they are found: a program has as
-/// many of them as lines. They are kept only of a program of usual size that is understood, to see
-/// whether its job refuses it for their order.
-base::Result<job::Plan> planOf(const std::string& file, const gcode::Program& program,
+/// The same text again, now block by block; the program gives it up. The parts are told as they are
+/// found: a program has as many of them as lines. They are kept only of a program of usual size
+/// that is understood, to see whether its job refuses it for their order.
+base::Result<job::Plan> planOf(const std::string& file, gcode::Program& program,
                                const LoadingOptions& loading,
                                const std::function<void(const job::Part&)>& each) {
   constexpr std::size_t kPartsKept = 20'000;
   std::vector<job::Part> kept;
   bool keeps = program.isUnderstood();
-  auto plan = job::visitPlan(program.name, program.text, optionsOf(file, loading),
+  auto plan = job::visitPlan(program.name, std::move(program.text), optionsOf(file, loading),
                              [&](const job::Part& part) {
                                keeps = keeps && kept.size() < kPartsKept;
                                if (keeps) {
@@ -150,8 +150,8 @@ base::Result<job::Plan> planOf(const std::string& file, const gcode::Program& pr
 }
 
 /// @param lists  each part; else their number
-void printPlan(const std::string& file, const gcode::Program& program,
-               const LoadingOptions& loading, bool lists) {
+void printPlan(const std::string& file, gcode::Program& program, const LoadingOptions& loading,
+               bool lists) {
   std::size_t stretches = 0;
   std::size_t natives = 0;
   if (lists) {
@@ -187,7 +187,7 @@ std::string dumped(const nlohmann::ordered_json& json, int indent = -1) {
 
 /// One object with the plan as its last value, printed as it is found.
 void printJsonWithPlan(nlohmann::ordered_json json, const std::string& file,
-                       const gcode::Program& program, const CheckOptions& options,
+                       gcode::Program& program, const CheckOptions& options,
                        const nlohmann::ordered_json& asJob) {
   std::string head = dumped(json, 2);
   json = nullptr;
@@ -214,7 +214,8 @@ void printJsonWithPlan(nlohmann::ordered_json json, const std::string& file,
   fmt::print("\n}}");
 }
 
-/// Its path is given up where nothing needs it any more. @param asJob  whether it runs as a job
+/// Its path and its text are given up where nothing needs them any more. @param asJob  whether it
+/// runs as a job
 void printChecked(const std::string& file, gcode::Program& program,
                   const std::optional<base::Result<void>>& asJob, const CheckOptions& options,
                   bool single) {
@@ -353,8 +354,6 @@ Exit check(const CheckOptions& options) {
     } else if (!checked.isUnderstood() && exit == Exit::Done) {
       exit = Exit::Wrong;
     }
-    // The table needs figures only; thousands of paths would fill the memory.
-    program.text = {};
     all.push_back(std::move(checked));
   }
   if (options.json) {

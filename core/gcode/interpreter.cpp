@@ -52,11 +52,22 @@ std::span<const Token> beforeBlockSkip(std::span<const Token> block) {
              : std::span<const Token>();
 }
 
-/// The lines of a text by their number.
+std::size_t lineFeedsOf(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+/// The lines of a text by their number. @pre the text outlives it
 class SourceLines {
  public:
   SourceLines() = default;
-  explicit SourceLines(std::string text) : m_text(std::move(text)) {
+  explicit SourceLines(std::string_view text) : m_text(text) {
+    const std::size_t lines = lineFeedsOf(text) + 1;
+    m_begins.reserve(lines);
+    m_sizes.reserve(lines);
     nc::Lexer lexer(m_text);
     while (const std::optional<std::string_view> line = lexer.nextLine()) {
       m_begins.push_back(static_cast<std::size_t>(line->data() - m_text.data()));
@@ -65,18 +76,16 @@ class SourceLines {
   }
 
   [[nodiscard]] std::size_t memoryBytes() const {
-    return m_text.capacity() + m_begins.capacity() * sizeof(m_begins[0]) +
-           m_sizes.capacity() * sizeof(m_sizes[0]);
+    return m_begins.capacity() * sizeof(m_begins[0]) + m_sizes.capacity() * sizeof(m_sizes[0]);
   }
   [[nodiscard]] std::string_view at(base::LineNumber line) const {
     const std::size_t index = line.value - std::size_t{1};
-    return index < m_begins.size()
-               ? std::string_view(m_text).substr(m_begins[index], m_sizes[index])
-               : std::string_view();
+    return index < m_begins.size() ? m_text.substr(m_begins[index], m_sizes[index])
+                                   : std::string_view();
   }
 
  private:
-  std::string m_text;
+  std::string_view m_text;
   std::vector<std::size_t> m_begins;
   std::vector<std::uint32_t> m_sizes;
 };
@@ -134,7 +143,7 @@ class Interpreter final : private nc::CallObserver {
   }
 
   Interpretation run() {
-    const auto lineFeeds = static_cast<std::size_t>(std::count(m_text.begin(), m_text.end(), '\n'));
+    const std::size_t lineFeeds = lineFeedsOf(m_text);
     m_out.trajectory.points.reserve(
         std::min(lineFeeds + 1, m_options.budget.items(sizeof(TrajectoryPoint))));
     if (m_language.semicolonEndsBlock &&
@@ -241,7 +250,9 @@ class Interpreter final : private nc::CallObserver {
       made.load = [this](std::string_view name) {
         std::optional<nc::LoadedText> loaded = m_options.subprogram(name);
         if (loaded) {
-          m_loaded[loaded->fileName] = SourceLines(loaded->text);
+          LoadedFile& file = m_loaded[loaded->fileName];
+          file.text = loaded->text;
+          file.lines = SourceLines(file.text);
         }
         return loaded;
       };
@@ -252,11 +263,11 @@ class Interpreter final : private nc::CallObserver {
   [[nodiscard]] std::string_view lineText(const nc::Place& place) {
     if (place.file == 0) {
       if (!m_lines) {
-        m_lines.emplace(std::string(m_text));
+        m_lines.emplace(m_text);
       }
       return m_lines->at(place.line);
     }
-    return m_loaded[m_flow.fileName(place.file)].at(place.line);
+    return m_loaded[m_flow.fileName(place.file)].lines.at(place.line);
   }
 
   void begin(std::span<const Token> tokens) {
@@ -675,7 +686,11 @@ class Interpreter final : private nc::CallObserver {
   const LoadOptions& m_options;
   BlockObserver* m_observer;
   std::optional<SourceLines> m_lines;  ///< of the program file, for the observer
-  std::map<std::string, SourceLines> m_loaded;
+  struct LoadedFile {
+    std::string text;
+    SourceLines lines;
+  };
+  std::map<std::string, LoadedFile> m_loaded;
   const nc::Language& m_language;
   Interpretation m_out;
   Findings m_findings;
