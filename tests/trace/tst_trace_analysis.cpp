@@ -111,6 +111,24 @@ class TestTraceAnalysis : public QObject {
              QStringLiteral("executed 4 undecided 0 repeated 0 skipped 0 foreign 0"));
   }
 
+  /// More often than courses are followed at a time.
+  void followsAPathThatOverlapsItself_data() {
+    QTest::addColumn<double>("lengthMm");
+    QTest::newRow("lines over each other") << 10.0;
+    QTest::newRow("corners in one place") << 0.2;
+  }
+  void followsAPathThatOverlapsItself() {
+    QFETCH(double, lengthMm);
+    std::vector<base::Vec3> there;
+    for (int i = 0; i <= 400; ++i) {
+      there.push_back({i % 2 == 0 ? 0.0 : lengthMm, 0.0, 0.0});
+    }
+    const PathMatch match =
+        matchPath(motionAlong(there, 10.0, 0.002 * lengthMm), pathThrough(there));
+    QCOMPARE(printed(match),
+             QStringLiteral("executed 400 undecided 0 repeated 0 skipped 0 foreign 0"));
+  }
+
   void findsFaults_data() {
     QTest::addColumn<QList<int>>("course");
     QTest::addColumn<QString>("expected");

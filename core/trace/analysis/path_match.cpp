@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "base/contract.h"
 #include "trace/series.h"
@@ -21,6 +23,11 @@ constexpr std::size_t kPathFaultsMax = 100;
 /// Hypotheses that are followed at the same time: places on the path, and courses off it.
 constexpr std::size_t kPlacesMax = 24;
 constexpr std::size_t kOffMax = 4;
+/// Where the path passes often, a course returns to it within this many tolerances of the place
+/// where it left.
+constexpr double kReturnTolerances = 50.0;
+/// Segments near a sample that are looked at, besides those of as many passes as are followed.
+constexpr std::size_t kSegmentsMax = 128;
 /// A jump along the path is less plausible than that many uneven steps, and so is leaving it.
 constexpr double kJumpCost = 30.0;
 constexpr double kLeaveCost = 15.0;
@@ -92,7 +99,13 @@ std::vector<Step> stepsOf(const Motion& motion, const ProgramPath& path, double 
 class CourseFinder {
  public:
   CourseFinder(const std::vector<Step>& steps, const ProgramPath& path, double toleranceMm)
-      : m_steps(steps), m_path(path), m_toleranceMm(toleranceMm) {}
+      : m_steps(steps), m_path(path), m_toleranceMm(toleranceMm) {
+    const double meanMm = path.lengthMm() / static_cast<double>(path.points().size());
+    const double perPass = meanMm > 0.0 ? std::ceil(2.0 * toleranceMm / meanMm) : 1.0;
+    m_segmentsMax = kSegmentsMax +
+                    static_cast<std::size_t>(std::min(perPass * static_cast<double>(kPlacesMax),
+                                                      static_cast<double>(path.points().size())));
+  }
 
   [[nodiscard]] std::vector<Node> find() {
     begin();
@@ -116,22 +129,70 @@ class CourseFinder {
     return share * share;
   }
 
+  /// Where the tool can be. Where the path passes more often than can be followed, that is where
+  /// the courses so far lead to, in the order of their costs, and then what is nearest.
   [[nodiscard]] std::vector<PathPlace> places(std::size_t step) const {
-    std::vector<PathPlace> found = m_path.near(m_steps[step].placeMm, m_toleranceMm);
-    if (found.size() > kPlacesMax) {
-      std::nth_element(
-          found.begin(), found.begin() + kPlacesMax, found.end(),
-          [](const PathPlace& a, const PathPlace& b) { return a.distanceMm < b.distanceMm; });
-      found.resize(kPlacesMax);
+    const base::Vec3 at = m_steps[step].placeMm;
+    std::optional<std::vector<PathPlace>> all = m_path.nearIfFew(at, m_toleranceMm, m_segmentsMax);
+    if (all && all->size() <= kPlacesMax) {
+      return *std::move(all);
     }
-    return found;
+    std::vector<PathPlace> chosen = continued(step);
+    if (chosen.empty() || all) {
+      if (!all) {
+        all = m_path.near(at, m_toleranceMm);
+      }
+      std::ranges::stable_sort(*all, {}, &PathPlace::distanceMm);
+      take(*all, chosen);
+    }
+    std::ranges::sort(chosen, {}, &PathPlace::segment);
+    return chosen;
+  }
+
+  [[nodiscard]] std::vector<PathPlace> continued(std::size_t step) const {
+    const double chordMm = m_steps[step].chordMm;
+    std::vector<std::size_t> live = m_live;
+    std::ranges::stable_sort(live, {}, [this](std::size_t node) { return m_nodes[node].cost; });
+    std::vector<PathPlace> chosen;
+    for (const std::size_t node : live) {
+      const Node& from = m_nodes[node];
+      const double begin = from.place.lengthMm - 2.0 * m_toleranceMm;
+      const double reachMm =
+          from.isOff
+              ? std::min(3.0 * from.offMm, kReturnTolerances * m_toleranceMm) + 4.0 * m_toleranceMm
+              : std::max(m_steps[step].reachMm, 1.05 * chordMm + 4.0 * m_toleranceMm);
+      take(m_path.nearWithin(m_steps[step].placeMm, m_toleranceMm, begin,
+                             from.place.lengthMm + reachMm),
+           chosen);
+    }
+    return chosen;
+  }
+
+  /// The first of them that are not there yet, until there are enough.
+  static void take(const std::vector<PathPlace>& places, std::vector<PathPlace>& chosen) {
+    for (const PathPlace& place : places) {
+      const bool isNew = std::ranges::none_of(
+          chosen, [&place](const PathPlace& other) { return other.segment == place.segment; });
+      if (isNew && chosen.size() < kPlacesMax) {
+        chosen.push_back(place);
+      }
+    }
   }
 
   void begin() {
-    for (const PathPlace& place : places(0)) {
+    std::vector<Node> nodes;
+    for (const PathPlace& place : m_path.near(m_steps[0].placeMm, m_toleranceMm)) {
       const bool isLate = place.lengthMm > 2.0 * m_toleranceMm;
-      add({place, distanceCost(place) + (isLate ? kLateStartCost : 0.0) + 1e-9 * place.lengthMm,
+      nodes.push_back(
+          {place, distanceCost(place) + (isLate ? kLateStartCost : 0.0) + 1e-9 * place.lengthMm,
            0.0, kNoNode, 0, false});
+    }
+    if (nodes.size() > kPlacesMax) {
+      std::ranges::sort(nodes, {}, &Node::cost);
+      nodes.resize(kPlacesMax);
+    }
+    for (const Node& node : nodes) {
+      add(node);
     }
     add({{}, kLeaveCost, 0.0, kNoNode, 0, true});
     m_live = std::move(m_next);
@@ -214,6 +275,7 @@ class CourseFinder {
   const std::vector<Step>& m_steps;
   const ProgramPath& m_path;
   double m_toleranceMm;
+  std::size_t m_segmentsMax = 0;
   Series<Node> m_nodes;
   std::vector<std::size_t> m_live;
   std::vector<std::size_t> m_next;

@@ -110,33 +110,37 @@ PathPlace ProgramPath::placeOn(std::size_t segment, base::Vec3 position) const {
           base::distance(position, from + share * along), segment};
 }
 
-void ProgramPath::collect(std::size_t node, std::size_t first, std::size_t size,
-                          base::Vec3 position, double radiusMm,
-                          std::vector<PathPlace>& found) const {
-  const Box& box = m_boxes[node];
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (position[axis] < box.min[axis] - radiusMm || position[axis] > box.max[axis] + radiusMm) {
-      return;
-    }
-  }
-  if (size > kLeaf) {
-    collect(2 * node, first, size / 2, position, radiusMm, found);
-    collect(2 * node + 1, first + size / 2, size / 2, position, radiusMm, found);
-    return;
-  }
-  for (std::size_t i = first; i < std::min(first + kLeaf, m_bySpace.size()); ++i) {
-    const PathPlace place = placeOn(m_bySpace[i], position);
-    if (place.distanceMm <= radiusMm) {
-      found.push_back(place);
-    }
+void ProgramPath::lookAt(std::size_t segment, Search& search) const {
+  const PathPlace place = placeOn(segment, search.position);
+  if (place.distanceMm <= search.radiusMm) {
+    search.found.push_back(place);
   }
 }
 
-std::vector<PathPlace> ProgramPath::near(base::Vec3 position, double radiusMm) const {
-  std::vector<PathPlace> found;
-  collect(1, 0, m_boxes.size() / 2 * kLeaf, position, radiusMm, found);
+void ProgramPath::collect(std::size_t node, std::size_t first, std::size_t size,
+                          Search& search) const {
+  const Box& box = m_boxes[node];
+  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+    if (search.position[axis] < box.min[axis] - search.radiusMm ||
+        search.position[axis] > box.max[axis] + search.radiusMm) {
+      return;
+    }
+  }
+  if (search.found.size() > search.most) {
+    return;
+  }
+  if (size > kLeaf) {
+    collect(2 * node, first, size / 2, search);
+    collect(2 * node + 1, first + size / 2, size / 2, search);
+    return;
+  }
+  for (std::size_t i = first; i < std::min(first + kLeaf, m_bySpace.size()); ++i) {
+    lookAt(m_bySpace[i], search);
+  }
+}
+
+std::vector<PathPlace> ProgramPath::minima(std::vector<PathPlace> found) const {
   std::ranges::sort(found, {}, &PathPlace::segment);
-  // Of neighbouring segments, the local minima of the distance.
   std::vector<PathPlace> minima;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const bool hasBefore = i > 0 && found[i - 1].segment + 1 == found[i].segment;
@@ -153,6 +157,30 @@ std::vector<PathPlace> ProgramPath::near(base::Vec3 position, double radiusMm) c
     }
   }
   return minima;
+}
+
+std::vector<PathPlace> ProgramPath::near(base::Vec3 position, double radiusMm) const {
+  return *nearIfFew(position, radiusMm, m_points.size());
+}
+
+std::optional<std::vector<PathPlace>> ProgramPath::nearIfFew(base::Vec3 position, double radiusMm,
+                                                             std::size_t segmentsMax) const {
+  Search search{position, radiusMm, segmentsMax, {}};
+  collect(1, 0, m_boxes.size() / 2 * kLeaf, search);
+  if (search.found.size() > segmentsMax) {
+    return std::nullopt;
+  }
+  return minima(std::move(search.found));
+}
+
+std::vector<PathPlace> ProgramPath::nearWithin(base::Vec3 position, double radiusMm, double fromMm,
+                                               double toMm) const {
+  Search search{position, radiusMm, m_points.size(), {}};
+  const std::size_t last = segmentAt(toMm);
+  for (std::size_t segment = segmentAt(fromMm); segment <= last; ++segment) {
+    lookAt(segment, search);
+  }
+  return minima(std::move(search.found));
 }
 
 PathPlace ProgramPath::nearest(base::Vec3 position, double fromMm, double toMm) const {

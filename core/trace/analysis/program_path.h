@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "base/vec3.h"
@@ -43,6 +44,13 @@ class ProgramPath {
   /// The nearest place of each run of segments that lies within `radiusMm`, in the order of the
   /// path: several if the path passes there more than once. O(log(points) + found).
   [[nodiscard]] std::vector<PathPlace> near(base::Vec3 position, double radiusMm) const;
+  /// The same. @return nothing if more than so many segments are within the radius
+  [[nodiscard]] std::optional<std::vector<PathPlace>> nearIfFew(base::Vec3 position,
+                                                                double radiusMm,
+                                                                std::size_t segmentsMax) const;
+  /// The same of a part of the path. O(segments of it).
+  [[nodiscard]] std::vector<PathPlace> nearWithin(base::Vec3 position, double radiusMm,
+                                                  double fromMm, double toMm) const;
   /// The nearest place of a part of the path.
   [[nodiscard]] PathPlace nearest(base::Vec3 position, double fromMm, double toMm) const;
 
@@ -61,8 +69,17 @@ class ProgramPath {
   /// Divides the segments below a node in space, so that turns of a spiral or lines of a raster
   /// that pass by far away are not looked at. @param first  of `m_bySpace`  @param size  its places
   void sort(std::size_t node, std::size_t first, std::size_t size);
-  void collect(std::size_t node, std::size_t first, std::size_t size, base::Vec3 position,
-               double radiusMm, std::vector<PathPlace>& found) const;
+  /// What is within a distance of a place.
+  struct Search {
+    base::Vec3 position;
+    double radiusMm = 0.0;
+    std::size_t most = 0;          ///< it ends when it has found more
+    std::vector<PathPlace> found;  ///< one for each segment
+  };
+  void collect(std::size_t node, std::size_t first, std::size_t size, Search& search) const;
+  void lookAt(std::size_t segment, Search& search) const;
+  /// Of neighbouring segments, the local minima of the distance. @param found  in any order
+  [[nodiscard]] std::vector<PathPlace> minima(std::vector<PathPlace> found) const;
 
   std::vector<gcode::StreamPoint> m_points;
   base::Vec3 m_startMm;
