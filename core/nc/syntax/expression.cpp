@@ -184,9 +184,15 @@ bool Reader::takeOperator(const OperatorWord& sign) {
 
 Reader::Ahead Reader::operatorAhead() const {
   const std::size_t begin = behindBlanks();
-  for (std::size_t level = 0; begin < m_text.size() && level < m_notation.levels.size(); ++level) {
+  constexpr std::string_view kEnds = ")],";
+  if (begin == m_text.size() || kEnds.find(m_text[begin]) != kEnds.npos) {
+    return {};
+  }
+  const char first = base::toUpper(m_text[begin]);
+  for (std::size_t level = 0; level < m_notation.levels.size(); ++level) {
     for (const OperatorWord& sign : m_notation.levels[level]) {
-      if (const std::size_t end = endOf(sign, begin); end != begin) {
+      const std::size_t end = sign.word.front() == first ? endOf(sign, begin) : begin;
+      if (end != begin) {
         return {sign.op, level, end};
       }
     }
@@ -276,8 +282,10 @@ Reader::Result Reader::unaryInner() {
   if (take('+')) {
     return unary();
   }
+  const char first = base::toUpper(peek());
   for (const OperatorWord& sign : kSigns) {
-    if ((sign.op == Op::Negate || m_notation.hasNames) && takeOperator(sign)) {
+    if (sign.word.front() == first && (sign.op == Op::Negate || m_notation.hasNames) &&
+        takeOperator(sign)) {
       Result value = unary();
       if (value && value->op == Op::Number && sign.op == Op::Negate) {
         value->number = -value->number;
@@ -325,9 +333,10 @@ Reader::Result Reader::number() {
   while (isDigit(peek()) || peek() == '.') {
     ++m_at;
   }
-  std::string literal(m_text.substr(from, m_at - from));
+  std::optional<double> value;
   // SINUMERIK writes the exponent as EX: 8.2EX-3.
-  if (m_notation.hasNames && base::toUpper(m_text.substr(m_at, 2)) == "EX") {
+  if (m_notation.hasNames && beginsWithWord(m_text.substr(m_at), "EX")) {
+    std::string literal(m_text.substr(from, m_at - from));
     m_at += 2;
     const std::size_t exponent = m_at;
     m_at += peek() == '-' || peek() == '+' ? 1 : 0;
@@ -335,8 +344,10 @@ Reader::Result Reader::number() {
       ++m_at;
     }
     literal += "e" + std::string(m_text.substr(exponent, m_at - exponent));
+    value = base::parseNumber(literal);
+  } else {
+    value = base::parseNumber(m_text.substr(from, m_at - from));
   }
-  const std::optional<double> value = base::parseNumber(literal);
   if (!value) {
     return fault(FaultCode::NotANumber, std::string(m_text.substr(from, m_at - from)));
   }
