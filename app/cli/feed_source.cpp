@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "base/file.h"
@@ -23,6 +24,7 @@ namespace rivulet::cli {
 namespace {
 
 constexpr double kKeyStep = 5.0;  ///< percent
+constexpr double kSeenMm = 0.01;  ///< axes at rest tremble
 /// Whoever has the command line has the machine: nobody has logged in.
 constexpr double kPercentMax = permission::overridePercentMax(permission::Role::Engineer);
 static_assert(kPercentMax == templates::FeedCell::kProductMax);
@@ -234,7 +236,8 @@ void FeedSource::tell(const streaming::LiveUpdate& update) {
   } else if (now.stoodAfter && !before.stoodAfter) {
     sayOverStatus(fmt::format("Held: the axes stand, {:.3f} s after the order.",
                               base::toSeconds(*now.stoodAfter)));
-  } else if (now.liftedMm && before.liftedMm && *now.liftedMm != *before.liftedMm) {
+  } else if (now.liftedMm && before.liftedMm &&
+             std::abs(*now.liftedMm - *before.liftedMm) > kSeenMm) {
     sayOverStatus(fmt::format("Held: the tool is lifted by {:.3f} mm.", *now.liftedMm));
   } else if (now.wantedPercent != before.wantedPercent) {
     sayOverStatus(now.wantedPercent == templates::FeedCell::kHold

@@ -32,7 +32,10 @@ using opcua::Variable;
 using opcua::VariableKind;
 
 constexpr base::Duration kSurveyDeadline = std::chrono::seconds{5};
+/// Reads of each form: fewer of those that take long.
 constexpr int kSurveyReads = 30;
+constexpr int kSurveyReadsMin = 5;
+constexpr int kSurveyNodes = 150;
 constexpr int kSurveyedParameters = 100'000;
 
 /// What a run or its display reads, one of each kind.
@@ -168,7 +171,8 @@ class Survey {
     }
     ordered_json timed{{"form", opcua::groupingName(form)}, {"r_parameters", count}};
     std::vector<double> ms;
-    for (int i = 0; i < kSurveyReads; ++i) {
+    const int reads = std::clamp(kSurveyNodes / count, kSurveyReadsMin, kSurveyReads);
+    for (int i = 0; i < reads; ++i) {
       const base::Instant sent = m_link.now();
       const auto answer =
           opcua::awaitAnswer(m_link, m_link.read(cells, kSurveyDeadline, form), kSurveyDeadline);

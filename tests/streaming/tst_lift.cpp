@@ -119,6 +119,7 @@ class TestLift : public QObject {
     QVERIFY(std::abs(*std::max_element(seenMm.begin(), seenMm.end()) - kLiftMm) < 0.01);
     QVERIFY(std::abs(seenMm.back()) < 0.005);
     QVERIFY(!world.person.wasIgnored);  // Z moves, and is meant to
+    QVERIFY(!report.wrong);             // and it is not on the path, which waits
     QVERIFY(world.person.hasNote("lift of the tool in mm: 3.000"));
     QVERIFY(world.person.hasNote("lift of the tool in mm: 0.000"));
     // As long as the tool was up, no set point of the path has moved.

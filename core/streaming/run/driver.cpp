@@ -638,9 +638,10 @@ void Driver::publishPosition(base::Vec3 positionMm, Instant at) {
 }
 
 /// After its end, also by a reset at the control, the positions are those of another frame: what is
-/// read off the path counts once the program was seen to be active after that.
+/// read off the path counts once the program was seen to be active after that. A tool that is
+/// lifted is meant to be beside the path, which waits.
 void Driver::checkPlace(base::Vec3 positionMm, Instant at) {
-  if (!m_place.path || m_end.wrong || m_place.suspicion) {
+  if (!m_place.path || m_end.wrong || m_place.suspicion || isLifted()) {
     return;
   }
   const std::size_t executed = m_method.progress().executed;
