@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/units.h"
+#include "streaming/recovery/resume.h"
 #include "streaming/run/job.h"
 #include "streaming/simulation/simulated_link.h"
 #include "support/stop_bench.h"
@@ -196,6 +197,43 @@ class TestLift : public QObject {
     });
     QVERIFY(world.run(MethodKind::Window).isFaultless());
     QCOMPARE(lowest, 0.0);
+  }
+
+  /// A client that is gone leaves the tool lifted, and the axes held. Who resumes the run lowers it
+  /// before the path goes on: no point is executed in the air.
+  void isLoweredBeforeALeftRunEnds() {
+    World world;
+    streaming::RunSettings settings;
+    settings.parameters.liftMm = kLiftMm;
+    settings.parameters.pointsPerLoop = 2;
+    settings.feedMmPerS = base::mmPerSFromMmPerMin(3000.0);
+    const auto program = tests::lines(8, 60.0);
+    bool leaves = false;
+    world.person.orderWhen = heldOnce(world, [&](double s) {
+      leaves = s > 2.0;
+      return FeedOrder{true, 100.0, std::nullopt, kLiftMm};
+    });
+    world.person.leavesWhen = [&](Instant) { return leaves; };
+    world.person.stopWhen = [&](Instant) { return leaves; };
+    const auto flexible = templates::makeProgram(settings.parameters);
+    tests::WholeTraceLink whole(world.link);
+    const auto left = streaming::runJob(whole, world.link, *program, *flexible, settings,
+                                        world.person, world.person);
+    QVERIFY(left.leftHeld && left.checkpoint);
+    QVERIFY(std::abs(world.machine.state().overlayMm.z - kLiftMm) < 1e-6);
+    const double x = world.machine.state().commandMm.x;
+    const auto resume =
+        streaming::resumeFrom(world.link, *program, left.settings, *left.checkpoint);
+    QVERIFY2(resume.has_value(), resume ? "" : resume.error().text().c_str());
+    QCOMPARE(world.machine.state().overlayMm.z, 0.0);
+    bool isUp = false;  // held there
+    for (const trace::ControlSample& sample : world.machine.trace().samples) {
+      isUp = isUp || (std::abs(sample.commandMm.x - x) < 1e-9 &&
+                      std::abs(sample.actualMm.z - kLiftMm) < 0.01);
+      QVERIFY(!isUp || sample.actualMm.z < 0.01 || std::abs(sample.commandMm.x - x) < 1e-9);
+    }
+    QVERIFY(isUp);
+    QVERIFY(std::abs(world.machine.state().commandMm.x - x) > 1.0);  // then it went on
   }
 
   void refusesWhatCannotBe() {

@@ -45,6 +45,8 @@ class Operator final : public streaming::WholeJobSink, public streaming::RunOrde
   explicit Operator(std::uint64_t seed) : m_random(seed) {}
 
   bool stopRequested(Instant now) override { return stopWhen && stopWhen(now); }
+  bool leaves(Instant now) override { return leavesWhen && leavesWhen(now); }
+  bool letsEnd(Instant now) override { return !leaves(now); }
   FeedOrder feed(Instant now) override {
     if (orderWhen) {
       return orderWhen(now);
@@ -103,6 +105,7 @@ class Operator final : public streaming::WholeJobSink, public streaming::RunOrde
   const machine::Machine* machine = nullptr;
   trace::ControlTrace trace;
   std::function<bool(Instant)> stopWhen;
+  std::function<bool(Instant)> leavesWhen;
   std::function<FeedOrder(Instant)> orderWhen;
   std::size_t holdsMax = 0;
   double meanS = 1.0;  ///< between two holds

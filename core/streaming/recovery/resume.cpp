@@ -140,7 +140,8 @@ Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
        kAnotherProgram,
        "The program on the control did not end. Reset the control, then resume.",
        {},
-       cells.hasFeedCell() ? std::optional(opcua::rParameter(cells.overrideWanted)) : std::nullopt},
+       cells.hasFeedCell() ? std::optional(opcua::rParameter(cells.overrideWanted)) : std::nullopt,
+       liftCell(settings.parameters)},
       settings);
 }
 

@@ -96,7 +96,14 @@ struct EndCommand {
   /// The feed cell: axes that are held go on at 100 %, as soon as it is certain by the heartbeat
   /// that nobody else is there who holds them. Nothing: the program has none.
   std::optional<opcua::Variable> feed = {};
+  /// The cell of a lift: the tool of axes that are let go comes back first. Nothing: the program
+  /// does not lift.
+  std::optional<opcua::Variable> lift = {};
 };
+
+/// The cell of the lift of a program with these settings; nothing: it does not lift.
+[[nodiscard]] std::optional<opcua::Variable> liftCell(
+    const templates::TemplateParameters& parameters);
 
 /// Commands the program to end, unless the channel is in reset, and waits for that, with a
 /// heartbeat of its own: as long as `goesOn` wants, or without it for the deadline of the settings.
@@ -128,14 +135,16 @@ inline constexpr base::Duration kStandsMax = std::chrono::seconds{5};
 
 /// Commands the program of this run to end, and waits for it. It executes only the windows it has
 /// copied, a job the block of the control that it is in. Axes that are held go on to there, but not
-/// while the run has a client, who may hold them. @param goesOn  see `EndCommand`
+/// while the run has a client, who may hold them.
+/// @param settings  with the parameters of the run, where they are known: a tool that it has lifted
+///                  comes back first  @param goesOn  see `EndCommand`
 /// @return StopNotConfirmed, ChannelBusy if it obeys another run by now, Cancelled, or a link error
 [[nodiscard]] base::Result<void> endRun(opcua::Link& link, const RunOnControl& run,
                                         const RunSettings& settings,
                                         std::function<bool()> goesOn = {});
 
-/// Stops what Rivulet has no cells for, somebody else's program too, by the reset of the control: the
-/// axes brake, and the program ends where it is. Waits until the channel is in reset.
+/// Stops what Rivulet has no cells for, somebody else's program too, by the reset of the control:
+/// the axes brake, and the program ends where it is. Waits until the channel is in reset.
 /// @param goesOn  asked once the control has had `kStandsMax` for it; false: give up
 /// @return StopNotConfirmed if it gives up, MethodMissing if only the keys of the machine reset the
 ///         control, or a link error
