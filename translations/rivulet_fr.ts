@@ -5547,6 +5547,10 @@ GPL-3.0-or-later</translation>
         <source>Feed</source>
         <translation>Avance</translation>
     </message>
+    <message>
+        <source>Not now</source>
+        <translation>Pas maintenant</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::BoardCard</name>

@@ -5547,6 +5547,10 @@ GPL-3.0-or-later</translation>
         <source>Feed</source>
         <translation>Avanzamento</translation>
     </message>
+    <message>
+        <source>Not now</source>
+        <translation>Non ora</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::BoardCard</name>

@@ -888,11 +888,11 @@ void RunController::showExecuted() {
   }
   if (m_firstMotion && number <= points.size()) {
     const streaming::StreamSettings& settings = m_document.settings();
-    m_machine.showExecuted(number, number > 0 ? points[number - 1].positionMm : base::Vec3{},
-                           m_document.commandedMmPerS(std::min(number, points.size() - 1)),
-                           settings.usesProgramFeeds() && !m_document.live()
-                               ? std::optional(settings.overrideFactor)
-                               : std::nullopt);
+    m_machine.showExecuted(
+        number, number > 0 ? points[number - 1].positionMm : base::Vec3{},
+        m_document.commandedMmPerS(m_move.value_or(std::min(number, points.size() - 1))),
+        settings.usesProgramFeeds() && !m_document.live() ? std::optional(settings.overrideFactor)
+                                                          : std::nullopt);
   }
 }
 
@@ -918,6 +918,9 @@ void RunController::forgetMove() {
 }
 
 void RunController::followTool(const streaming::LiveUpdate& update) {
+  if (update.feed && update.feed->liftedMm) {
+    return;  // held, and perhaps lifted off its path: it is where it was
+  }
   const auto& points = m_document.points();
   const std::size_t begin = passed();
   const bool isNative = m_job && m_job->isNative;  // on no path that is known here

@@ -250,18 +250,39 @@ class TestProgramSession : public QObject {
     QVERIFY((view->points.points.front().positionMm == base::Vec3{1.0, 2.0, 5.0}));
     ProgramLoader loader;
     std::shared_ptr<const overview::ProgramView> placed;
-    connect(&loader, &ProgramLoader::placed, this, [&](const auto& made, const auto& of) {
-      QVERIFY(of == view);
+    connect(&loader, &ProgramLoader::placed, this, [&](const auto& made, const auto& request) {
+      QVERIFY(request.view == view);
       placed = made;
     });
-    loader.place(view, {7.0, 8.0, 9.0}, 2);
-    loader.place(view, {0.0, 0.0, 0.0}, 2);  // one at a time: not begun
+    loader.place({view, program, {}, {7.0, 8.0, 9.0}, 2});
+    loader.place({view, program, {}, {0.0, 0.0, 0.0}, 2});  // one at a time: not begun
     QVERIFY(loader.isPlacing());
     QTRY_VERIFY_WITH_TIMEOUT(placed != nullptr, kSoonMs);
     QVERIFY(!loader.isPlacing());
     QVERIFY(placed->program == program);
     QVERIFY((placed->points.points.front().positionMm == base::Vec3{7.0, 8.0, 5.0}));
     QVERIFY(placed->points.points.back().positionMm == view->points.points.back().positionMm);
+  }
+
+  /// Where a stop waits for its moves, they are divided; the program as it was read stays.
+  void longMovesAreDividedForTheRun() {
+    const auto program = std::make_shared<const gcode::Program>(
+        gcode::interpretProgram("a", "G0 X0 Y0 Z5\nG1 X100 F600\nX200 F6000\n").value());
+    const auto view = overview::makeProgramView(program, {}, 2);
+    ProgramLoader loader;
+    std::shared_ptr<const overview::ProgramView> placed;
+    connect(&loader, &ProgramLoader::placed, this,
+            [&](const auto& made, const auto&) { placed = made; });
+    gcode::MoveLimit limit;
+    limit.secondsMax = 2.0;
+    limit.feedMmPerS = 10.0;
+    loader.place({view, program, limit, {}, 2});
+    QTRY_VERIFY_WITH_TIMEOUT(placed != nullptr, kSoonMs);
+    QCOMPARE(placed->points.points.size(), std::size_t{1 + 5 + 5});
+    QCOMPARE(placed->program->trajectory.points.size(), std::size_t{11});
+    QCOMPARE(program->trajectory.points.size(), std::size_t{3});
+    QCOMPARE(placed->program->hash, program->hash);
+    QCOMPARE(placed->pointsOfLine({2}).size(), std::size_t{5});
   }
 
   /// A million lines: the window answers all the while, and Cancel leaves what was there.

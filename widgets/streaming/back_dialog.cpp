@@ -47,6 +47,10 @@ BackDialog::BackDialog(double feedMmPerMin, double feedMmPerMinMax, QWidget* par
   form->addRow(m_toRapid);
   form->addRow(tr("Feed"), m_feedMmPerMin);
   form->addRow(show);
+  auto* cancel = makeTouchButton(this);
+  cancel->setText(tr("Not now"));
+  form->addRow(cancel);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(m_toRapid, &QCheckBox::toggled, m_lengthMm, &QWidget::setDisabled);
   connect(show, &QPushButton::clicked, this, [this] {
     Q_EMIT chosen(m_toRapid->isChecked() ? 0.0 : m_lengthMm->value(), m_feedMmPerMin->value());
