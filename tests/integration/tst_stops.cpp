@@ -40,6 +40,37 @@ struct Seen {
   double offMm = 0.0;           ///< off the path while held; only of moves along X
 };
 
+/// Standstills of 100 ms and more in the middle of a block, also of the control's own: no pause of
+/// a stream or a cycle is there.
+std::vector<trace::Pause> standstillsInBlocks(const trace::ControlTrace& trace) {
+  constexpr Duration kLong = std::chrono::milliseconds{100};
+  std::vector<trace::Pause> found;
+  std::size_t block = 0;
+  for (std::size_t i = 0; i < trace.samples.size(); ++i) {
+    if (trace.samples[i].feedMmPerS > 0.0) {
+      continue;
+    }
+    const std::size_t begin = i;
+    while (i + 1 < trace.samples.size() && trace.samples[i + 1].feedMmPerS == 0.0) {
+      ++i;
+    }
+    const base::Instant from = trace.samples[begin].at;
+    const base::Instant to = trace.samples[i].at;
+    while (block < trace.blocks.size() && trace.blocks[block].to < to) {
+      ++block;
+    }
+    const bool isWithin = block < trace.blocks.size() && trace.blocks[block].moves() &&
+                          trace.blocks[block].from < from && trace.blocks[block].to > to;
+    if (isWithin && to - from >= kLong) {
+      trace::Pause pause;
+      pause.start = from - trace.cycle;
+      pause.duration = to - from;
+      found.push_back(pause);
+    }
+  }
+  return found;
+}
+
 /// By the machine's trace: where the feed is left, the axes brake and stand. @return empty: all is
 /// well
 QString judge(const trace::ControlTrace& trace, const std::vector<trace::Pause>& holds,
@@ -143,9 +174,10 @@ class TestStops : public QObject {
       QVERIFY2(report.outcome == streaming::Outcome::Stopped, report.error.text().c_str());
       QVERIFY(report.integrity.judged);
       QCOMPARE(report.integrity.repeated + report.integrity.foreign, std::size_t{0});
+      QVERIFY(report.controlTrace != nullptr);
       orders = report.feed;
-      holds = report.holds;
       trace = report.controlTrace;
+      holds = standstillsInBlocks(*trace);
     } else {
       const bool isArc = in == In::Arcs || in == In::CreditArcs;
       settings.parameters.pointsPerLoop = isArc ? 7 : 1;
@@ -177,7 +209,9 @@ class TestStops : public QObject {
     QVERIFY(trace != nullptr);
     const QString wrong = judge(*trace, holds, config, seen);
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
-    QVERIFY(seen.brakesS.size() + 2 >= person.holds.size() / 2);
+    // In a job, many holds meet a tool change, a dwell or a window that waits.
+    const std::size_t least = in == In::Job ? 4 : person.holds.size() / 2;
+    QVERIFY(seen.brakesS.size() + 2 >= least);
     constexpr double kOffMmMax = 0.001;
     QVERIFY2(seen.offMm <= kOffMmMax, std::to_string(seen.offMm).c_str());
     qInfo(
