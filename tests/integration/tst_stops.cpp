@@ -76,6 +76,9 @@ std::vector<trace::Pause> standstillsInBlocks(const trace::ControlTrace& trace) 
 QString judge(const trace::ControlTrace& trace, const std::vector<trace::Pause>& holds,
               const machine::MachineConfig& config, Seen& seen) {
   constexpr double kSteadyMmPerS = 1e-6;
+  // A hold right before the end of a window, and the standstill there, are one in the trace: after
+  // Continue the path creeps to the end in between.
+  constexpr double kHeldMmMax = 1e-3;
   const auto& samples = trace.samples;
   for (const trace::Pause& hold : holds) {
     const auto stands = std::find_if(samples.begin(), samples.end(), [&hold](const auto& sample) {
@@ -104,8 +107,11 @@ QString judge(const trace::ControlTrace& trace, const std::vector<trace::Pause>&
     const double beforeMm = std::hypot(from->actualMm.y, from->actualMm.z);
     for (auto held = stands; held != samples.end() && held->at <= hold.start + hold.duration;
          ++held) {
-      if (base::distance(held->commandMm, stands->commandMm) >= 1e-6) {
-        return QStringLiteral("moved while held");
+      if (base::distance(held->commandMm, stands->commandMm) > kHeldMmMax) {
+        return QStringLiteral("moved by %1 mm while held, %2 ms after it stood, in a hold of %3 ms")
+            .arg(base::distance(held->commandMm, stands->commandMm))
+            .arg(base::toMilliseconds(held->at - stands->at))
+            .arg(base::toMilliseconds(hold.duration));
       }
       const bool isOnX = std::hypot(held->commandMm.y, held->commandMm.z) < 1e-6;
       const double heldMm = std::hypot(held->actualMm.y, held->actualMm.z);
