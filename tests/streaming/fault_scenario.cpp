@@ -273,9 +273,9 @@ class Exposure {
       };
       // What is foreseen while the program stands comes, unless it is reset or a window arrives
       // late.
-      const base::Result<Resume> foreseen = ask(ActiveProgram::Stays);
       const auto copied = [this] { return m_machine.ncRParameter(m_cells.latched); };
-      const double copiedThen = copied();
+      const double copiedThen = copied();  // a program that is just copying goes on meanwhile
+      const base::Result<Resume> foreseen = ask(ActiveProgram::Stays);
       const bool wasReset = std::exchange(m_wasReset, false);
       const base::Result<Resume> resume = ask(ActiveProgram::IsEnded);
       const bool isUndisturbed = copied() == copiedThen && !m_wasReset;
