@@ -2060,6 +2060,38 @@
         <source>No other client writes the feed cell.</source>
         <translation>Kein anderer Client schreibt in die Vorschubzelle.</translation>
     </message>
+    <message>
+        <source>; the tool may be lifted by %1</source>
+        <translation>; das Werkzeug darf um %1 abgehoben werden</translation>
+    </message>
+    <message>
+        <source>4. The override is changed while the axis moves; held, the tool goes up and comes back, twice. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
+        <translation>4. Der Override wird geändert, während die Achse fährt; angehalten hebt das Werkzeug zweimal ab und kommt zurück. Danach noch einmal NC-Start drücken: Das nächste Programm muss mit seinem eigenen Vorschub fahren, und nur die Steuerung kann es anhalten.</translation>
+    </message>
+    <message>
+        <source>The control allows the overlay of Z that the lift needs.</source>
+        <translation>Die Steuerung lässt die Überlagerung von Z zu, die das Abheben braucht.</translation>
+    </message>
+    <message>
+        <source>Nothing but 0 to the lift moves the tool.</source>
+        <translation>Nur Werte von 0 bis zum Abhub bewegen das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>The tool is lifted while the axis is held.</source>
+        <translation>Das Werkzeug wird abgehoben, während die Achse angehalten ist.</translation>
+    </message>
+    <message>
+        <source>The axis stands while the tool is lifted.</source>
+        <translation>Die Achse steht, solange das Werkzeug abgehoben ist.</translation>
+    </message>
+    <message>
+        <source>The tool comes back to its path.</source>
+        <translation>Das Werkzeug kommt auf seine Bahn zurück.</translation>
+    </message>
+    <message>
+        <source>Let go, the axis moves only when the tool is back.</source>
+        <translation>Freigegeben fährt die Achse erst, wenn das Werkzeug zurück ist.</translation>
+    </message>
 </context>
 <context>
     <name>FileSheetTexts</name>
@@ -6067,6 +6099,18 @@ GPL-3.0-or-later</translation>
         <source>Confirm that the axis may move</source>
         <translation>Bestätigen, dass die Achse fahren darf</translation>
     </message>
+    <message>
+        <source>Lift of the tool, mm</source>
+        <translation>Abhub des Werkzeugs, mm</translation>
+    </message>
+    <message>
+        <source>While the axis is held, the tool is lifted along Z by so much and comes back; 0: it is not lifted. A run may lift the tool only after that. Not with Z as the axis.</source>
+        <translation>Während die Achse angehalten ist, wird das Werkzeug entlang Z um so viel abgehoben und kommt zurück; 0: Es wird nicht abgehoben. Erst danach darf ein Lauf das Werkzeug abheben. Nicht mit Z als Achse.</translation>
+    </message>
+    <message>
+        <source>lift, mm</source>
+        <translation>Abhub, mm</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ComparePanel</name>
@@ -8188,8 +8232,8 @@ GPL-3.0-or-later</translation>
         <translation>Abheben in der Pause</translation>
     </message>
     <message>
-        <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; virtual machines only so far.</source>
-        <translation>Solange die Achsen angehalten sind, kann das Werkzeug um so viel abgehoben werden. Die Steuerung darf Überlagerungen nicht aufsummieren (MD36750 Bit 0), und ihre Grenze (SD43350) darf nicht kleiner sein. Nicht mit einer Korrektur oder in einem ganzen Auftrag; bisher nur an virtuellen Maschinen.</translation>
+        <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; on a real control only after its stop test with a lift.</source>
+        <translation>Solange die Achsen angehalten sind, kann das Werkzeug um so viel abgehoben werden. Die Steuerung darf Überlagerungen nicht aufsummieren (MD36750 Bit 0), und ihre Grenze (SD43350) darf nicht kleiner sein. Nicht mit einer Korrektur oder in einem ganzen Auftrag; an einer echten Steuerung erst nach ihrem Stopptest mit Abhub.</translation>
     </message>
 </context>
 <context>

@@ -2060,6 +2060,38 @@
         <source>No other client writes the feed cell.</source>
         <translation>Ningún otro cliente escribe en la celda de avance.</translation>
     </message>
+    <message>
+        <source>; the tool may be lifted by %1</source>
+        <translation>; la herramienta puede elevarse %1</translation>
+    </message>
+    <message>
+        <source>4. The override is changed while the axis moves; held, the tool goes up and comes back, twice. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
+        <translation>4. El override se cambia mientras el eje se mueve; detenido, la herramienta sube y vuelve, dos veces. Después pulse Marcha CN otra vez: el programa siguiente debe moverse con su propio avance, y solo el control puede pararlo.</translation>
+    </message>
+    <message>
+        <source>The control allows the overlay of Z that the lift needs.</source>
+        <translation>El control permite la superposición de Z que necesita la elevación.</translation>
+    </message>
+    <message>
+        <source>Nothing but 0 to the lift moves the tool.</source>
+        <translation>Solo los valores de 0 a la elevación mueven la herramienta.</translation>
+    </message>
+    <message>
+        <source>The tool is lifted while the axis is held.</source>
+        <translation>La herramienta se eleva mientras el eje está detenido.</translation>
+    </message>
+    <message>
+        <source>The axis stands while the tool is lifted.</source>
+        <translation>El eje está parado mientras la herramienta está elevada.</translation>
+    </message>
+    <message>
+        <source>The tool comes back to its path.</source>
+        <translation>La herramienta vuelve a su trayectoria.</translation>
+    </message>
+    <message>
+        <source>Let go, the axis moves only when the tool is back.</source>
+        <translation>Liberado, el eje se mueve solo cuando la herramienta ha vuelto.</translation>
+    </message>
 </context>
 <context>
     <name>FileSheetTexts</name>
@@ -6067,6 +6099,18 @@ GPL-3.0-or-later</translation>
         <source>Confirm that the axis may move</source>
         <translation>Confirmar que el eje puede moverse</translation>
     </message>
+    <message>
+        <source>Lift of the tool, mm</source>
+        <translation>Elevación de la herramienta, mm</translation>
+    </message>
+    <message>
+        <source>While the axis is held, the tool is lifted along Z by so much and comes back; 0: it is not lifted. A run may lift the tool only after that. Not with Z as the axis.</source>
+        <translation>Mientras el eje está detenido, la herramienta se eleva esta distancia a lo largo de Z y vuelve; 0: no se eleva. Solo después una ejecución puede elevar la herramienta. No con Z como eje.</translation>
+    </message>
+    <message>
+        <source>lift, mm</source>
+        <translation>elevación, mm</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ComparePanel</name>
@@ -8188,8 +8232,8 @@ GPL-3.0-or-later</translation>
         <translation>Elevar en pausa</translation>
     </message>
     <message>
-        <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; virtual machines only so far.</source>
-        <translation>Mientras los ejes están detenidos, la herramienta puede elevarse esta distancia. El control no debe sumar las superposiciones (MD36750 bit 0), y su límite (SD43350) no debe ser menor. No con una corrección ni en un trabajo completo; por ahora solo en máquinas virtuales.</translation>
+        <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; on a real control only after its stop test with a lift.</source>
+        <translation>Mientras los ejes están detenidos, la herramienta puede elevarse esta distancia. El control no debe sumar las superposiciones (MD36750 bit 0), y su límite (SD43350) no debe ser menor. No con una corrección ni en un trabajo completo; en un control real solo después de su prueba de parada con elevación.</translation>
     </message>
 </context>
 <context>

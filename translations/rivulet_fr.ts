@@ -2060,6 +2060,38 @@
         <source>No other client writes the feed cell.</source>
         <translation>Aucun autre client n’écrit dans la cellule d’avance.</translation>
     </message>
+    <message>
+        <source>; the tool may be lifted by %1</source>
+        <translation> ; l’outil peut être relevé de %1</translation>
+    </message>
+    <message>
+        <source>4. The override is changed while the axis moves; held, the tool goes up and comes back, twice. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
+        <translation>4. L’override est modifié pendant que l’axe se déplace ; retenu, l’outil se relève et revient, deux fois. Appuyez ensuite encore une fois sur Départ cycle : le programme suivant doit se déplacer à sa propre avance, et seule la commande peut l’arrêter.</translation>
+    </message>
+    <message>
+        <source>The control allows the overlay of Z that the lift needs.</source>
+        <translation>La commande permet la superposition de Z nécessaire au relevage.</translation>
+    </message>
+    <message>
+        <source>Nothing but 0 to the lift moves the tool.</source>
+        <translation>Seules les valeurs de 0 à la hauteur de relevage déplacent l’outil.</translation>
+    </message>
+    <message>
+        <source>The tool is lifted while the axis is held.</source>
+        <translation>L’outil est relevé pendant que l’axe est retenu.</translation>
+    </message>
+    <message>
+        <source>The axis stands while the tool is lifted.</source>
+        <translation>L’axe reste immobile tant que l’outil est relevé.</translation>
+    </message>
+    <message>
+        <source>The tool comes back to its path.</source>
+        <translation>L’outil revient sur sa trajectoire.</translation>
+    </message>
+    <message>
+        <source>Let go, the axis moves only when the tool is back.</source>
+        <translation>Libéré, l’axe ne se déplace qu’une fois l’outil revenu.</translation>
+    </message>
 </context>
 <context>
     <name>FileSheetTexts</name>
@@ -6067,6 +6099,18 @@ GPL-3.0-or-later</translation>
         <source>Confirm that the axis may move</source>
         <translation>Confirmer que l’axe peut se déplacer</translation>
     </message>
+    <message>
+        <source>Lift of the tool, mm</source>
+        <translation>Relevage de l’outil, mm</translation>
+    </message>
+    <message>
+        <source>While the axis is held, the tool is lifted along Z by so much and comes back; 0: it is not lifted. A run may lift the tool only after that. Not with Z as the axis.</source>
+        <translation>Pendant que l’axe est retenu, l’outil est relevé d’autant selon Z et revient ; 0 : il n’est pas relevé. Une exécution ne peut relever l’outil qu’après cela. Pas avec Z comme axe.</translation>
+    </message>
+    <message>
+        <source>lift, mm</source>
+        <translation>relevage, mm</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ComparePanel</name>
@@ -8188,8 +8232,8 @@ GPL-3.0-or-later</translation>
         <translation>Relever pendant la pause</translation>
     </message>
     <message>
-        <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; virtual machines only so far.</source>
-        <translation>Tant que les axes sont retenus, l’outil peut être relevé d’autant. La commande ne doit pas additionner les superpositions (MD36750 bit 0), et sa limite (SD43350) ne doit pas être plus petite. Pas avec une correction ni dans un travail entier&#xa0;; pour l’instant seulement sur des machines virtuelles.</translation>
+        <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; on a real control only after its stop test with a lift.</source>
+        <translation>Tant que les axes sont retenus, l’outil peut être relevé d’autant. La commande ne doit pas additionner les superpositions (MD36750 bit 0), et sa limite (SD43350) ne doit pas être plus petite. Pas avec une correction ni dans un travail entier ; sur une vraie commande seulement après son essai d’arrêt avec relevage.</translation>
     </message>
 </context>
 <context>

@@ -2060,6 +2060,38 @@
         <source>No other client writes the feed cell.</source>
         <translation>Nessun altro client scrive nella cella di avanzamento.</translation>
     </message>
+    <message>
+        <source>; the tool may be lifted by %1</source>
+        <translation>; l’utensile può essere sollevato di %1</translation>
+    </message>
+    <message>
+        <source>4. The override is changed while the axis moves; held, the tool goes up and comes back, twice. Then press cycle start once more: the next program must move at its own feed, and only the control can stop it.</source>
+        <translation>4. L’override viene cambiato mentre l’asse si muove; fermato, l’utensile sale e torna, due volte. Poi premere ancora una volta Start NC: il programma successivo deve muoversi con il proprio avanzamento, e solo il controllo può fermarlo.</translation>
+    </message>
+    <message>
+        <source>The control allows the overlay of Z that the lift needs.</source>
+        <translation>Il controllo permette la sovrapposizione di Z che serve al sollevamento.</translation>
+    </message>
+    <message>
+        <source>Nothing but 0 to the lift moves the tool.</source>
+        <translation>Solo i valori da 0 al sollevamento muovono l’utensile.</translation>
+    </message>
+    <message>
+        <source>The tool is lifted while the axis is held.</source>
+        <translation>L’utensile viene sollevato mentre l’asse è fermato.</translation>
+    </message>
+    <message>
+        <source>The axis stands while the tool is lifted.</source>
+        <translation>L’asse sta fermo finché l’utensile è sollevato.</translation>
+    </message>
+    <message>
+        <source>The tool comes back to its path.</source>
+        <translation>L’utensile torna sul suo percorso.</translation>
+    </message>
+    <message>
+        <source>Let go, the axis moves only when the tool is back.</source>
+        <translation>Rilasciato, l’asse si muove solo quando l’utensile è tornato.</translation>
+    </message>
 </context>
 <context>
     <name>FileSheetTexts</name>
@@ -6067,6 +6099,18 @@ GPL-3.0-or-later</translation>
         <source>Confirm that the axis may move</source>
         <translation>Confermare che l&apos;asse può muoversi</translation>
     </message>
+    <message>
+        <source>Lift of the tool, mm</source>
+        <translation>Sollevamento dell’utensile, mm</translation>
+    </message>
+    <message>
+        <source>While the axis is held, the tool is lifted along Z by so much and comes back; 0: it is not lifted. A run may lift the tool only after that. Not with Z as the axis.</source>
+        <translation>Mentre l’asse è fermato, l’utensile viene sollevato di questa distanza lungo Z e torna; 0: non viene sollevato. Solo dopo un’esecuzione può sollevare l’utensile. Non con Z come asse.</translation>
+    </message>
+    <message>
+        <source>lift, mm</source>
+        <translation>sollevamento, mm</translation>
+    </message>
 </context>
 <context>
     <name>rivulet::widgets::ComparePanel</name>
@@ -8188,8 +8232,8 @@ GPL-3.0-or-later</translation>
         <translation>Sollevare in pausa</translation>
     </message>
     <message>
-        <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; virtual machines only so far.</source>
-        <translation>Finché gli assi sono fermati, l’utensile può essere sollevato di questa distanza. Il controllo non deve sommare le sovrapposizioni (MD36750 bit 0), e il suo limite (SD43350) non deve essere minore. Non con una correzione né in un lavoro intero; per ora solo su macchine virtuali.</translation>
+        <source>While the axes are held, the tool can be lifted by so much. The control must not add overlays up (MD36750 bit 0), and its limit (SD43350) must not be smaller. Not with a correction or in a whole job; on a real control only after its stop test with a lift.</source>
+        <translation>Finché gli assi sono fermati, l’utensile può essere sollevato di questa distanza. Il controllo non deve sommare le sovrapposizioni (MD36750 bit 0), e il suo limite (SD43350) non deve essere minore. Non con una correzione né in un lavoro intero; su un controllo reale solo dopo la sua prova di stop con sollevamento.</translation>
     </message>
 </context>
 <context>

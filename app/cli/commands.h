@@ -278,6 +278,7 @@ struct CommissionOptions {
   bool printProgram = false;
   bool feedCell = false;        ///< the test of the feed cell, else of method credit
   std::string airMove;          ///< "X20": the move that the operator agrees to; empty: none
+  double liftMm = 0.0;          ///< of the tool while that move is held; 0: none
   double feedMmPerMin = 400.0;  ///< of this move
   bool json = false;
 };

@@ -39,7 +39,11 @@ void print(const streaming::Commissioning& result) {
 void print(const streaming::FeedCommissioning& result) {
   printChecks(result);
   fmt::print("{}\n",
-             result.proves() ? "Passed: hold, stop and override act at once on this control."
+             result.provedLiftMm() > 0.0
+                 ? fmt::format("Passed: hold, stop and override act at once on this control, and "
+                               "the tool may be lifted by up to {:g} mm.",
+                               result.provedLiftMm())
+             : result.proves() ? "Passed: hold, stop and override act at once on this control."
              : result.passed()
                  ? "Passed without motion: whether the axes obey shows only with --air-move."
                  : "Not passed: a stop is sure to act only before the next window.");
@@ -58,8 +62,8 @@ base::Result<std::optional<streaming::AirMove>> moveOf(const CommissionOptions& 
   const auto axis = kAxes.find(
       static_cast<char>(std::toupper(static_cast<unsigned char>(options.airMove.front()))));
   const auto mm = base::parseNumber(std::string_view(options.airMove).substr(1));
-  streaming::AirMove move{axis == std::string_view::npos ? -1 : static_cast<int>(axis),
-                          mm.value_or(0.0), options.feedMmPerMin};
+  const streaming::AirMove move{axis == std::string_view::npos ? -1 : static_cast<int>(axis),
+                                mm.value_or(0.0), options.feedMmPerMin, options.liftMm};
   if (const base::Result<void> fits = streaming::requireAirMove(move); !fits) {
     return base::fail(fits.error());
   }
@@ -69,8 +73,10 @@ base::Result<std::optional<streaming::AirMove>> moveOf(const CommissionOptions& 
 /// Instructions for the operator of a real control.
 void printSteps(const CommissionOptions& options, const streaming::FeedTestPlan& plan) {
   const std::string motion =
-      plan.move ? fmt::format("The test moves {} back and forth, three times: keep its way clear.",
-                              streaming::describe(*plan.move))
+      plan.move ? fmt::format(
+                      "The test moves {} back and forth, three times{}: keep its way "
+                      "clear.",
+                      streaming::describe(*plan.move), plan.move->liftMm > 0.0 ? ", and Z up" : "")
                 : std::string("The test moves no axis.");
   const int cells = options.feedCell ? streaming::kFeedTestCells : streaming::kCreditTestCells;
   fmt::print(

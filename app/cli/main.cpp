@@ -804,7 +804,7 @@ void addCommissionCommand(CLI::App& app, Exit& exit) {
   command->add_option("--seed", options->seed, "Seed of --simulate")->capture_default_str();
   command
       ->add_option("--base-cell", options->baseCell,
-                   "First of ten R-parameters that nobody uses; of fourteen with --feed-cell")
+                   "First of ten R-parameters that nobody uses; of eighteen with --feed-cell")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
   command
@@ -823,6 +823,13 @@ void addCommissionCommand(CLI::App& app, Exit& exit) {
                                 "You agree that this axis moves so many mm back and forth, three "
                                 "times, with nothing in its way: X20")
                    ->needs(feedCell);
+  command
+      ->add_option(
+          "--lift", options->liftMm,
+          "You agree that the tool is lifted along Z by so much, mm, while that axis (X or "
+          "Y) is held: a run may lift it only on a control that has been seen to")
+      ->needs(move)
+      ->check(CLI::Range(0.0, rivulet::templates::kLiftMmMax));
   command->add_option("--feed", options->feedMmPerMin, "Feed of --air-move, mm/min")
       ->needs(move)
       ->capture_default_str();

@@ -170,10 +170,7 @@ Exit stop(const Connection& connection, const report::FoundRun& run, const RunsO
 
 Exit end(const Connection& connection, const report::FoundRun& run, const RunsOptions& options) {
   const auto goesOn = [] { return !interrupt::wasSeen(); };
-  const streaming::RunSettings settings =
-      run.saved ? run.saved->settings : streaming::RunSettings{};
-  if (const auto ended = streaming::endRun(*connection.link, run.onControl, settings, goesOn);
-      !ended) {
+  if (const auto ended = streaming::endRun(*connection.link, run.onControl, {}, goesOn); !ended) {
     return reportError(ended.error(), options.json);
   }
   if (options.json) {

@@ -147,8 +147,10 @@ base::Result<streaming::FeedProof> takeStopLimit(streaming::RunSettings& setting
     test = *std::move(found);
     limitS = streaming::stopLimitS(*profile ? &**profile : nullptr);
   }
-  const streaming::FeedProof proof = streaming::feedProof(
-      test, identity.value_or(opcua::ServerIdentity{}), connection.control->isVirtualMachine());
+  const opcua::ServerIdentity now = identity.value_or(opcua::ServerIdentity{});
+  const bool isVirtual = connection.control->isVirtualMachine();
+  const streaming::FeedProof proof = streaming::feedProof(test, now, isVirtual);
+  settings.liftMmMax = streaming::provedLiftMm(test, now, isVirtual);
   settings.windowSMax = streaming::windowSMaxOf(proof, settings.parameters.target,
                                                 options.stopLimitS.value_or(limitS));
   return proof;
@@ -524,12 +526,6 @@ base::Result<void> StreamCommand::connect() {
     return base::fail(proof.error());
   }
   m_proof = *proof;
-  if (m_settings.parameters.liftMm > 0.0 && !m_connection.control->isVirtualMachine()) {
-    return base::fail(templates::TemplateError::BadCorrection,
-                      "The lift of the tool has been seen on virtual machines only: leave out "
-                      "--lift.",
-                      m_connection.name);
-  }
   for (const auto step : {&StreamCommand::readResumed, &StreamCommand::divideMoves}) {
     if (base::Result<void> done = (this->*step)(); !done) {
       return done;

@@ -76,10 +76,14 @@ void ControlTests::load() {
 
 void ControlTests::tellProof() {
   // Without a connection nobody knows on which machine a run will be.
-  m_document.setFeedProof(
-      m_machine.isConnected()
-          ? streaming::feedProof(m_feed, m_machine.link().server, m_machine.view().isVirtualMachine)
-          : streaming::FeedProof::Proved);
+  if (!m_machine.isConnected()) {
+    m_document.setFeedProof(streaming::FeedProof::Proved, templates::kLiftMmMax);
+    return;
+  }
+  const opcua::ServerIdentity& server = m_machine.link().server;
+  const bool isVirtual = m_machine.view().isVirtualMachine;
+  m_document.setFeedProof(streaming::feedProof(m_feed, server, isVirtual),
+                          streaming::provedLiftMm(m_feed, server, isVirtual));
 }
 
 }  // namespace rivulet::hmi

@@ -330,8 +330,9 @@ void Document::chooseJob(bool isWhole) {
 templates::TemplateParameters Document::parameters() const {
   templates::TemplateParameters parameters = m_settings.parameters;
   parameters.silenceLimitS = m_stop.silenceLimitS;
-  // The lift has been seen on virtual machines only, as whole jobs have.
-  const bool mayLift = m_runsJobs && base::fillsWindows(parameters.method);
+  // What the machine has not been seen to do is left out.
+  const bool mayLift =
+      parameters.liftMm <= m_stop.liftMmMax && base::fillsWindows(parameters.method);
   parameters.liftMm = mayLift ? parameters.liftMm : 0.0;
   if (m_view && base::streamsRotary(parameters.method)) {
     parameters.rotaryAxes = m_live ? m_live->setup.rotaryAxes : m_view->turnedAxes;
@@ -380,6 +381,7 @@ streaming::RunSettings Document::runSettings() const {
                                m_machineFeeds, m_source.isUsed() ? m_source.record : nullptr);
   settings.windowSMax =
       streaming::windowSMaxOf(m_stop.proof, settings.parameters.target, m_stop.limitS);
+  settings.liftMmMax = m_stop.liftMmMax;
   if (m_live) {
     // Of points before the first F; the others have their own.
     settings.feedMmPerS = base::mmPerSFromMmPerMin(m_live->setup.agreement.feedMmPerMinMax);
@@ -401,9 +403,10 @@ void Document::setStopLimit(double seconds) {
   }
 }
 
-void Document::setFeedProof(streaming::FeedProof proof) {
-  if (proof != m_stop.proof) {
+void Document::setFeedProof(streaming::FeedProof proof, double liftMmMax) {
+  if (proof != m_stop.proof || liftMmMax != m_stop.liftMmMax) {
     m_stop.proof = proof;
+    m_stop.liftMmMax = liftMmMax;
     judge();
   }
 }

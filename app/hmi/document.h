@@ -134,7 +134,8 @@ class Document final : public QObject {
   void setSilenceLimit(double seconds);
   /// Where it is not proved, windows take no longer than this: see `streaming::stopLimitS`.
   void setStopLimit(double seconds);
-  void setFeedProof(streaming::FeedProof proof);
+  /// @param liftMmMax  how far the tool may be lifted there, mm
+  void setFeedProof(streaming::FeedProof proof, double liftMmMax);
   [[nodiscard]] streaming::FeedProof feedProof() const { return m_stop.proof; }
   /// The machine that whole jobs are compared with before they start. @param machine  null: it is
   /// not known
@@ -253,6 +254,7 @@ class Document final : public QObject {
   struct MachineStop {
     double silenceLimitS = templates::kSilenceLimitS;
     streaming::FeedProof proof = streaming::FeedProof::Proved;
+    double liftMmMax = templates::kLiftMmMax;
     double limitS = streaming::stopLimitS(nullptr);
   };
   MachineStop m_stop;

@@ -28,8 +28,10 @@ void resultFields(Io& io, auto& result, const streaming::FeedCommissioning& /*ki
     inner.number("axis", move.axis, 0, static_cast<int>(base::kAxisCount) - 1);
     inner.number("mm", move.mm, -kMoveMost, kMoveMost);
     inner.number("feed_mm_per_min", move.feedMmPerMin, 0.0, kMoveMost);
+    inner.ifThere().number("lift_mm", move.liftMm, 0.0, templates::kLiftMmMax);
   });
   io.ifThere().milliseconds("braking_ms", result.braking);
+  io.ifThere().number("overlay_limit_mm", result.limitMm, -kMoveMost, kMoveMost);
 }
 
 /// What a file does not say is empty.

@@ -587,13 +587,8 @@ void SessionWorker::endRun(const EndRunCommand& command) {
                  : RunEnded{std::nullopt, stopped.error()});
     return;
   }
-  streaming::RunSettings settings;
-  if (command.run && m_seen.onControl && m_seen.onControl->saved &&
-      m_seen.onControl->onControl.isSameAs(*command.run)) {
-    settings.parameters = m_seen.onControl->saved->settings.parameters;
-  }
   const auto ended =
-      command.run ? streaming::endRun(*m_connection.link, *command.run, settings, goesOn)
+      command.run ? streaming::endRun(*m_connection.link, *command.run, {}, goesOn)
                   : streaming::stopByReset(*m_connection.link, *m_connection.control, goesOn);
   tell(ended ? RunEnded{m_connection.link->now() - from, {}, false, !command.run}
              : RunEnded{std::nullopt, ended.error(), false, !command.run});

@@ -293,6 +293,9 @@ void readControl(Reader& reader, MachineConfig& config) {
       reader.choice("control.resetDynamics",
                     Choices<Dynamics, 2>{{{"BRISK", Dynamics::Brisk}, {"SOFT", Dynamics::Soft}}});
   config.blocksPerCycleMax = reader.number("control.blocksPerCycleMax", 0.0, 1000.0);
+  if (reader.has("control.overlayMm")) {
+    config.overlayMm = reader.number("control.overlayMm", 0.0, 1e8);
+  }
   if (reader.has("control.overlayMode")) {
     config.overlayMode = static_cast<int>(reader.number("control.overlayMode", 0.0, 3.0));
   }

@@ -150,6 +150,8 @@ struct MachineConfig {
   /// MD36750 of X, Y and Z: 1 $AA_OFF adds up the values written, 2 it is kept at a reset of the
   /// channel and at the end of a program. Optional in a preset: 0.
   int overlayMode = 0;
+  /// SD43350 of X, Y and Z: largest $AA_OFF. Optional in a preset.
+  double overlayMm = 10.0;
   double roundingMm = 0.0;   ///< deviation at corners that G64 and G642 allow
   int rParameterCount = 0;   ///< MD28050
   double rapidMmPerS = 0.0;  ///< path speed of G0

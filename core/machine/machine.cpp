@@ -30,9 +30,8 @@ constexpr std::size_t kProgramBytesMax = 16u << 20;  // as the control's file me
 constexpr double kSettledMm = 1e-6;
 constexpr double kSettledDeg = 1e-6;
 constexpr base::RotarySet kAllRotary{true, true, true};
-/// Speed and limit of $AA_OFF (MD32070 and SD43350 of the control; assumed).
+/// Speed of $AA_OFF (MD32070 of the control; assumed).
 constexpr double kOffsetMmPerS = 50.0;
-constexpr double kOffsetMmMax = 10.0;
 /// Bits of MD36750.
 constexpr int kOffsetAddsUp = 1;
 constexpr int kOffsetStays = 2;
@@ -314,6 +313,8 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
         return isAxis ? std::optional(m_planner.distanceToGoMm()[element]) : std::nullopt;
       case SystemVariable::MaAaOffMode:
         return isAxis ? std::optional<double>(m_config.overlayMode) : std::nullopt;
+      case SystemVariable::SaAaOffLimit:
+        return isAxis ? std::optional(m_config.overlayMm) : std::nullopt;
       case SystemVariable::AaOff:
       case SystemVariable::AaOffVal:
         return isAxis ? std::optional(m_offsetMm[element]) : std::nullopt;
@@ -344,7 +345,7 @@ class Machine::Impl final : public MainRun, public AuxiliaryRun {
           return false;
         }
         value += (m_config.overlayMode & kOffsetAddsUp) != 0 ? m_offsetWantedMm[element] : 0.0;
-        m_offsetWantedMm.set(element, std::clamp(value, -kOffsetMmMax, kOffsetMmMax));
+        m_offsetWantedMm.set(element, std::clamp(value, -m_config.overlayMm, m_config.overlayMm));
         return true;
       case SystemVariable::AcOvr:
         if (value < 0.0) {

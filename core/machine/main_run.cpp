@@ -15,13 +15,14 @@ namespace rivulet::machine {
 
 std::optional<SystemVariable> systemVariableOf(std::string_view name) {
   using enum SystemVariable;
-  static constexpr std::array<std::pair<std::string_view, SystemVariable>, 13> kNames{
+  static constexpr std::array<std::pair<std::string_view, SystemVariable>, 14> kNames{
       {{"$AA_IM", AaIm},
        {"$AA_IW", AaIw},
        {"$AA_DTEW", AaDtew},
        {"$AA_OFF", AaOff},
        {"$AA_OFF_VAL", AaOffVal},
        {"$MA_AA_OFF_MODE", MaAaOffMode},
+       {"$SA_AA_OFF_LIMIT", SaAaOffLimit},
        {"$AC_DTEW", AcDtew},
        {"$AC_PATHN", AcPathn},
        {"$AC_OVR", AcOvr},

@@ -17,19 +17,20 @@ namespace rivulet::machine {
 
 /// Variables of the main run; names as on the control.
 enum class SystemVariable {
-  AaIm,         ///< $AA_IM[axis]: set point with overlays, mm
-  AaIw,         ///< $AA_IW[axis]: set point without overlays, mm
-  AaDtew,       ///< $AA_DTEW[axis]: distance to the block's end, mm
-  AaOff,        ///< $AA_OFF[axis]: overlay, mm; writable
-  AcDtew,       ///< $AC_DTEW: path length to the block's end, mm
-  AcPathn,      ///< $AC_PATHN: share of the block passed, 0 to 1
-  AcOvr,        ///< $AC_OVR: path override, %; writable, holds for one cycle
-  AcTimer,      ///< $AC_TIMER[n]: s, counts up unless negative; writable
-  AcMarker,     ///< $AC_MARKER[n]; writable
-  AcParam,      ///< $AC_PARAM[n]; writable
-  AaOffVal,     ///< $AA_OFF_VAL[axis]: present overlay of the axis, mm
-  MaAaOffMode,  ///< $MA_AA_OFF_MODE[axis]: MD36750, bits
-  AcIpoBuf,     ///< $AC_IPO_BUF: blocks not finished; the program may read it without a stop
+  AaIm,          ///< $AA_IM[axis]: set point with overlays, mm
+  AaIw,          ///< $AA_IW[axis]: set point without overlays, mm
+  AaDtew,        ///< $AA_DTEW[axis]: distance to the block's end, mm
+  AaOff,         ///< $AA_OFF[axis]: overlay, mm; writable
+  AcDtew,        ///< $AC_DTEW: path length to the block's end, mm
+  AcPathn,       ///< $AC_PATHN: share of the block passed, 0 to 1
+  AcOvr,         ///< $AC_OVR: path override, %; writable, holds for one cycle
+  AcTimer,       ///< $AC_TIMER[n]: s, counts up unless negative; writable
+  AcMarker,      ///< $AC_MARKER[n]; writable
+  AcParam,       ///< $AC_PARAM[n]; writable
+  AaOffVal,      ///< $AA_OFF_VAL[axis]: present overlay of the axis, mm
+  MaAaOffMode,   ///< $MA_AA_OFF_MODE[axis]: MD36750, bits
+  SaAaOffLimit,  ///< $SA_AA_OFF_LIMIT[axis]: SD43350, largest overlay, mm
+  AcIpoBuf,      ///< $AC_IPO_BUF: blocks not finished; the program may read it without a stop
 };
 
 /// Numbers of timers, markers and parameters.

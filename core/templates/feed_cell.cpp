@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "templates/overlay.h"
+
 namespace rivulet::templates {
 
 // The override is made up in its own cell, from nothing in each cycle, and one action writes
@@ -54,8 +56,8 @@ std::vector<std::string> feedCellBlocks(const CellMap& cells) {
       fmt::format("R{}={} R{}=0{}", wanted, FeedCell::kProgrammed, acts,
                   cells.hasFactor() ? fmt::format(" R{}=1", cells.factor) : std::string()),
       fmt::format("ID={} DO $R{}=0", ActionNumber::kHeld, acts),
-      fmt::format("ID={} WHENEVER ($R{}>=0) AND ($R{}<={}){}{} DO $R{}={}", ActionNumber::kWanted,
-                  wanted, wanted, FeedCell::kMax, lives, agreed, acts, product),
+      fmt::format("ID={} WHENEVER ($R{}>=0) AND ($R{}<={}){}{}{} DO $R{}={}", ActionNumber::kWanted,
+                  wanted, wanted, FeedCell::kMax, lives, agreed, andLowered(cells), acts, product),
   };
   if (watchesClient(cells)) {
     blocks.push_back(fmt::format(

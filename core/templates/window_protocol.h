@@ -90,6 +90,7 @@ struct ActionNumber {
   static constexpr int kCapped = 6;       ///< the product is no higher than `FeedCell::kProductMax`
   static constexpr int kCappedActs = 7;   ///< what has become of it acts
   static constexpr int kCorrection = 11;  ///< online correction of X; Y and Z follow
+  static constexpr int kLowered = 14;     ///< a lifted tool comes back when the hold ends
 };
 
 /// Values of the state cell of methods window, credit and file.

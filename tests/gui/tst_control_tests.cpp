@@ -151,11 +151,11 @@ class TestControlTests : public QObject {
   void withoutProofWindowsAreShort() {
     hmi::Document document{{}};
     QCOMPARE(document.runSettings().windowSMax, 0.0);
-    document.setFeedProof(streaming::FeedProof::WithoutMotion);
+    document.setFeedProof(streaming::FeedProof::WithoutMotion, 0.0);
     QCOMPARE(document.runSettings().windowSMax, 5.0);
     document.setStopLimit(3.0);
     QCOMPARE(document.runSettings().windowSMax, 3.0);
-    document.setFeedProof(streaming::FeedProof::Proved);
+    document.setFeedProof(streaming::FeedProof::Proved, 0.0);
     QCOMPARE(document.runSettings().windowSMax, 0.0);
   }
 };

@@ -488,7 +488,7 @@ class TestRunController : public QObject {
     };
     QVERIFY2(item().text.contains(QStringLiteral("stand")), qPrintable(item().text));
     QVERIFY(item().status == widgets::Status::Plain);
-    models.document.setFeedProof(streaming::FeedProof::WithoutMotion);
+    models.document.setFeedProof(streaming::FeedProof::WithoutMotion, 0.0);
     QVERIFY2(item().text.contains(QStringLiteral("still executes its window, at most 200")),
              qPrintable(item().text));
     QVERIFY2(item().text.contains(QStringLiteral("line 5 alone takes 20")),

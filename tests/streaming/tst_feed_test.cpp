@@ -25,10 +25,11 @@ using streaming::StreamError;
 namespace {
 
 constexpr AirMove kMove{0, 20.0, 400.0};
+constexpr AirMove kLift{0, 20.0, 400.0, 2.0};
 
 struct World {
-  explicit World(const char* preset = "dmu75")
-      : machine(*machine::loadPreset(preset), 1), link(machine) {}
+  explicit World(const char* preset = "dmu75") : World(*machine::loadPreset(preset)) {}
+  explicit World(const machine::MachineConfig& config) : machine(config, 1), link(machine) {}
 
   base::Result<FeedCommissioning> test(bool moves, int firstCell = 20) {
     FeedTestPlan plan;
@@ -36,11 +37,12 @@ struct World {
     plan.move = moves ? std::optional(kMove) : std::nullopt;
     return streaming::testFeedCell(link, link, plan, onStep);
   }
-  base::Result<FeedCommissioning> test(const QString& written, const QString& read, bool moves) {
+  base::Result<FeedCommissioning> test(const QString& written, const QString& read,
+                                       const std::optional<AirMove>& move) {
     tests::MisreadLink misread(link, written.toStdString(), read.toStdString());
     FeedTestPlan plan;
     plan.firstCell = 20;
-    plan.move = moves ? std::optional(kMove) : std::nullopt;
+    plan.move = move;
     return streaming::testFeedCell(misread, misread, plan, onStep);
   }
 
@@ -143,12 +145,91 @@ class TestFeedTest : public QObject {
     QFETCH(bool, moves);
     QFETCH(QString, caughtBy);
     World world;
-    const auto result = world.test(written, read, moves);
+    const auto result = world.test(written, read, moves ? std::optional(kMove) : std::nullopt);
     QVERIFY2(result.has_value(), result ? "" : result.error().text().c_str());
     QCOMPARE(failedIn(*result), QStringList{caughtBy});
     QVERIFY(!result->proves());
     const bool isBeforeMotion = caughtBy == QLatin1String("actions-follow") || !moves;
     QVERIFY(!isBeforeMotion || world.machine.trace().blocks.empty());
+  }
+
+  /// Lifted while it is held, lowered, lifted again and let go: the tool comes back first.
+  void aLiftIsProved() {
+    for (const std::string& name : machine::presetNames()) {
+      World world(name.c_str());
+      const base::Vec3 before = world.machine.state().commandMm;
+      FeedTestPlan plan;
+      plan.firstCell = 20;
+      plan.move = kLift;
+      double highest = 0.0;
+      double lowest = 0.0;
+      world.onStep = [&](streaming::CommissioningStep) {
+        highest = std::max(highest, world.machine.state().overlayMm.z);
+        lowest = std::min(lowest, world.machine.state().overlayMm.z);
+        return true;
+      };
+      const auto result = streaming::testFeedCell(world.link, world.link, plan, world.onStep);
+      QVERIFY2(result.has_value(), result ? "" : result.error().text().c_str());
+      for (const auto& check : result->checks) {
+        QVERIFY2(check.passed, (check.name + ": " + check.message).c_str());
+      }
+      QCOMPARE(result->checks.size(), std::size_t{15});
+      QCOMPARE(result->limitMm, 10.0);
+      QCOMPARE(result->provedLiftMm(), 10.0);
+      QVERIFY(std::abs(highest - kLift.liftMm) < 1e-6);
+      QCOMPARE(lowest, 0.0);
+      QVERIFY(base::distance(before, world.machine.state().commandMm) < 1e-9);
+    }
+  }
+
+  void controlsThatLiftWronglyFail_data() {
+    QTest::addColumn<QString>("written");
+    QTest::addColumn<QString>("read");
+    QTest::addColumn<QString>("caughtBy");
+    const auto row = [](const char* name, const char* written, const char* read,
+                        const char* caughtBy) {
+      QTest::newRow(name) << QString::fromLatin1(written) << QString::fromLatin1(read)
+                          << QString::fromLatin1(caughtBy);
+    };
+    row("negative values act", "($R34>=0)", "($R34>=-1)", "lift-bounds");
+    row("values beyond it act", "($R34<=2.000)", "($R34<=3)", "lift-bounds");
+    row("nothing lifts", "DO $AA_OFF[Z]=$R34", "DO $AC_PARAM[9]=$R34", "lifts");
+    row("half of it", "DO $AA_OFF[Z]=$R34", "DO $AA_OFF[Z]=$R34/2", "lifts");
+    row("once only", "ID=13 WHENEVER", "ID=13 WHEN", "lifts");
+    row("the axis goes on lifted", "ID=2 WHENEVER",
+        "ID=9 WHENEVER $AA_OFF_VAL[Z]>1 DO $AC_OVR=5\nID=2 WHENEVER", "stands-lifted");
+    row("it stays up", "DO $AA_OFF[Z]=$R34\n", "AND ($R34>0) DO $AA_OFF[Z]=$R34\n", "lowers");
+    row("it does not wait for the tool", " AND ($AA_OFF_VAL[Z]<=0.0005)", "", "waits-for-tool");
+  }
+  void controlsThatLiftWronglyFail() {
+    QFETCH(QString, written);
+    QFETCH(QString, read);
+    QFETCH(QString, caughtBy);
+    World world;
+    const auto result = world.test(written, read, kLift);
+    QVERIFY2(result.has_value(), result ? "" : result.error().text().c_str());
+    QCOMPARE(failedIn(*result), QStringList{caughtBy});
+    QCOMPARE(result->provedLiftMm(), 0.0);
+  }
+
+  /// A control that adds overlays up, or allows too little, moves nothing.
+  void overlaysThatDoNotFitMoveNothing() {
+    machine::MachineConfig adding = *machine::loadPreset("dmu75");
+    adding.overlayMode = 1;
+    machine::MachineConfig narrow = *machine::loadPreset("dmu75");
+    narrow.overlayMm = 1.5;
+    for (const machine::MachineConfig& config : {adding, narrow}) {
+      World world(config);
+      FeedTestPlan plan;
+      plan.firstCell = 20;
+      plan.move = kLift;
+      const auto result = streaming::testFeedCell(world.link, world.link, plan);
+      QVERIFY2(result.has_value(), result ? "" : result.error().text().c_str());
+      QCOMPARE(failedIn(*result), QStringList{QStringLiteral("overlay-fits")});
+      QCOMPARE(result->provedLiftMm(), 0.0);
+      QVERIFY(world.machine.trace().blocks.empty());
+      QVERIFY(world.machine.state().channel == machine::ChannelStatus::Reset);
+    }
   }
 
   /// Who writes the cell beside us is named, whenever he does it, and nothing begins after that.
@@ -215,7 +296,9 @@ class TestFeedTest : public QObject {
     const double nan = std::nan("");
     for (const AirMove& move :
          {AirMove{0, 1.0, 400.0}, AirMove{0, 500.0, 100.0}, AirMove{3, 20.0, 400.0},
-          AirMove{0, nan, 400.0}, AirMove{0, 20.0, 0.0}, AirMove{-1, 20.0, 400.0}}) {
+          AirMove{0, nan, 400.0}, AirMove{0, 20.0, 0.0}, AirMove{-1, 20.0, 400.0},
+          AirMove{2, 20.0, 400.0, 2.0}, AirMove{0, 20.0, 400.0, 0.1}, AirMove{0, 20.0, 400.0, 11.0},
+          AirMove{0, 20.0, 400.0, -1.0}, AirMove{0, 20.0, 400.0, nan}}) {
       FeedTestPlan plan;
       plan.move = move;
       const auto result = streaming::testFeedCell(world.link, world.link, plan);

@@ -38,6 +38,7 @@ struct World {
     streaming::RunSettings settings;
     settings.parameters.method = method;
     settings.parameters.liftMm = kLiftMm;
+    settings.liftMmMax = kLiftMm;
     settings.parameters.pointsPerLoop = 2;
     settings.isCommissioned = true;
     settings.feedMmPerS = base::mmPerSFromMmPerMin(3000.0);
@@ -186,6 +187,7 @@ class TestLift : public QObject {
     double lowest = 0.0;
     streaming::RunSettings settings;
     settings.parameters.liftMm = kLiftMm;
+    settings.liftMmMax = kLiftMm;
     settings.parameters.pointsPerLoop = 2;
     const int cell = templates::makeProgram(settings.parameters)->cells.correction[2];
     QVERIFY(cell >= 0);
@@ -200,12 +202,70 @@ class TestLift : public QObject {
     QCOMPARE(lowest, 0.0);
   }
 
+  /// Another client lets the path go on while the tool is lifted: the control itself lowers it
+  /// first, and moves nothing along the path until it is back.
+  void theControlItselfLowersBeforeThePathGoesOn() {
+    World world;
+    const int feedCell = templates::makeProgram([] {
+                           templates::TemplateParameters parameters;
+                           parameters.liftMm = kLiftMm;
+                           parameters.pointsPerLoop = 2;
+                           return parameters;
+                         }())
+                             ->cells.overrideWanted;
+    double x = NAN;
+    double movedInAir = 0.0;
+    bool isWritten = false;
+    bool hasMoved = false;
+    world.person.orderWhen = heldOnce(world, [&](double s) {
+      const base::Vec3 at = world.machine.state().commandMm;
+      const double lifted = world.machine.state().overlayMm.z;
+      if (!isWritten) {
+        x = at.x;
+      }
+      if (s > 2.0 && !isWritten) {
+        isWritten = lifted > kLiftMm - 1e-6;
+        world.machine.writeRParameter(feedCell, 100.0);
+      }
+      if (isWritten && lifted > 0.001) {
+        movedInAir = std::max(movedInAir, std::abs(at.x - x));
+      }
+      hasMoved = hasMoved || (isWritten && std::abs(at.x - x) > 0.1);
+      return FeedOrder{s < 4.0, 100.0, std::nullopt, s < 3.0 ? kLiftMm : 0.0};
+    });
+    // The stream's own hold is undone by somebody else, who is named in the report.
+    const auto report = world.run(MethodKind::Window);
+    QVERIFY2(report.outcome == Outcome::Completed, report.error.text().c_str());
+    QVERIFY(isWritten && hasMoved);
+    QCOMPARE(movedInAir, 0.0);
+    for (const trace::ControlSample& sample : world.machine.trace().samples) {
+      QVERIFY(sample.commandMm.z < 0.01 || sample.commandMm.z > 4.0 ||
+              std::abs(sample.commandMm.x - x) < 1e-6);
+    }
+  }
+
+  /// Where a lifted tool has not been seen to come back, no program that lifts is started.
+  void isRefusedWhereItWasNotTested() {
+    for (const double seenMm : {0.0, kLiftMm - 0.5}) {
+      World world;
+      streaming::RunSettings settings;
+      settings.parameters.liftMm = kLiftMm;
+      settings.liftMmMax = seenMm;
+      const auto report = streaming::runJob(world.link, world.link, *tests::lines(8, 60.0),
+                                            *templates::makeProgram(settings.parameters), settings,
+                                            world.person, world.person);
+      QVERIFY(report.error.code == templates::TemplateError::BadCorrection);
+      QVERIFY(world.machine.programNames().empty());
+    }
+  }
+
   /// A client that is gone leaves the tool lifted, and the axes held. Who resumes the run lowers it
   /// before the path goes on: no point is executed in the air.
   void isLoweredBeforeALeftRunEnds() {
     World world;
     streaming::RunSettings settings;
     settings.parameters.liftMm = kLiftMm;
+    settings.liftMmMax = kLiftMm;
     settings.parameters.pointsPerLoop = 2;
     settings.feedMmPerS = base::mmPerSFromMmPerMin(3000.0);
     const auto program = tests::lines(8, 60.0);

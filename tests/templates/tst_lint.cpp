@@ -73,6 +73,7 @@ class TestLint : public QObject {
   void brokenFactorIsCaught();
   void brokenCorrectionIsCaught_data();
   void brokenCorrectionIsCaught();
+  void brokenLiftIsCaught();
   void studyTemplateIsWarnedOf();
   void handWrittenLoopsAreFollowed();
   void boundsOfCellsAreFollowed();
@@ -398,6 +399,44 @@ void TestLint::brokenCorrectionIsCaught() {
       line = found->line.value;  // what is missing is told at the end
     }
     QCOMPARE(found->line.value, line);
+  }
+}
+
+/// The lift is interlocked by the program itself, whatever a client writes.
+void TestLint::brokenLiftIsCaught() {
+  struct Row {
+    std::string find;
+    std::string replace;
+    LintRule rule;
+  };
+  for (const MethodKind method : {MethodKind::Window, MethodKind::Credit}) {
+    TemplateParameters parameters = parametersOf(method);
+    parameters.liftMm = 2.0;
+    const std::string text = generated(parameters);
+    QVERIFY2(lint(text, parameters).empty(), listed(lint(text, parameters)));
+    const std::string cell = "$R" + std::to_string(templates::planCells(parameters)->correction[2]);
+    for (const Row& row : {
+             Row{" AND ($AA_OFF_VAL[Z]<=0.0005)", "", LintRule::FeedRaised},
+             Row{" AND ($AA_OFF_VAL[Z]<=0.0005)", " AND ($AA_OFF_VAL[Z]<=5)", LintRule::FeedRaised},
+             Row{" AND ($AA_OFF_VAL[Z]<=0.0005)", " AND ($AA_OFF_VAL[X]<=0.0005)",
+                 LintRule::FeedCellIgnored},
+             Row{"ID=14 WHENEVER $R10>0 DO $AA_OFF[Z]=0\n", "", LintRule::FeedCellIgnored},
+             Row{"ID=14 WHENEVER $R10>0", "ID=14 WHENEVER $R10<=0", LintRule::FeedCellIgnored},
+             Row{"WHENEVER ($R10<=0) AND (" + cell, "WHENEVER (" + cell,
+                 LintRule::CorrectionUnbounded},
+             Row{"(" + cell + ">=0)", "(" + cell + ">=-1)", LintRule::CorrectionUnbounded},
+             Row{"(" + cell + "<=2.000)", "(" + cell + "<=2.001)", LintRule::CorrectionUnbounded},
+             Row{"DO $AA_OFF[Z]=" + cell, "DO $AA_OFF[Z]=-" + cell, LintRule::CorrectionUnbounded},
+         }) {
+      std::string broken = text;
+      const std::size_t at = broken.find(row.find);
+      QVERIFY2(at != std::string::npos, (row.find + "\n" + text).c_str());
+      broken.replace(at, row.find.size(), row.replace);
+      const auto findings = lint(broken, parameters);
+      QVERIFY2(std::any_of(findings.begin(), findings.end(),
+                           [&](const LintFinding& finding) { return finding.rule == row.rule; }),
+               broken.c_str() + listed(findings));
+    }
   }
 }
 

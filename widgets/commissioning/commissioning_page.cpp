@@ -39,6 +39,7 @@ CommissioningPage::CommissioningPage(std::unique_ptr<ControlTestTexts> texts, QW
       m_cell(whole(0, kCellMost, {.name = QT_TR_NOOP("First R-parameter of the test")})),
       m_lengthMm(say(new NumberField(this), {.name = QT_TR_NOOP("Way of the axis, mm")})),
       m_feed(say(new NumberField(this), {.name = QT_TR_NOOP("Feed of the axis, mm/min")})),
+      m_liftMm(say(new NumberField(this), {.name = QT_TR_NOOP("Lift of the tool, mm")})),
       m_program(say(new QPlainTextEdit(this), {.name = QT_TR_NOOP("Test program")})),
       m_blockedLabel(new StatusLabel(this, StatusLabel::Elided{2})),
       m_checks(new QVBoxLayout) {
@@ -84,12 +85,19 @@ QWidget* CommissioningPage::moveRow() {
   m_feed->setRange(0.0, kFeedMost);
   m_feed->setDecimals(0);
   m_feed->setValue(kMove.feedMmPerMin);
+  m_liftMm->setRange(0.0, templates::kLiftMmMax);
+  m_liftMm->setDecimals(1);
+  m_liftMm->setToolTip(
+      tr("While the axis is held, the tool is lifted along Z by so much and comes back; 0: it is "
+         "not lifted. A run may lift the tool only after that. Not with Z as the axis."));
   auto* row = new QWidget(this);
   row->setLayout(inRow({m_axis,
                         label({.text = QT_TR_NOOP("by, mm"), .isMuted = true}),
                         m_lengthMm,
                         label({.text = QT_TR_NOOP("F, mm/min"), .isMuted = true}),
                         m_feed,
+                        label({.text = QT_TR_NOOP("lift, mm"), .isMuted = true}),
+                        m_liftMm,
                         {m_word, 1}}));
   row->setVisible(false);
   connect(m_moves, &QCheckBox::toggled, row, &QWidget::setVisible);
@@ -97,6 +105,7 @@ QWidget* CommissioningPage::moveRow() {
   connect(m_axis, &QComboBox::currentIndexChanged, this, &CommissioningPage::forgetConfirmations);
   connect(m_lengthMm, &NumberField::valueChanged, this, &CommissioningPage::forgetConfirmations);
   connect(m_feed, &NumberField::valueChanged, this, &CommissioningPage::forgetConfirmations);
+  connect(m_liftMm, &NumberField::valueChanged, this, &CommissioningPage::forgetConfirmations);
   connect(m_word, &QLineEdit::textChanged, this, &CommissioningPage::showButtons);
   return row;
 }
@@ -109,8 +118,8 @@ void CommissioningPage::forgetConfirmations() {
 
 std::optional<streaming::AirMove> CommissioningPage::typedMove() const {
   return m_texts->mayMove() && m_moves->isChecked()
-             ? std::optional(
-                   streaming::AirMove{m_axis->currentIndex(), m_lengthMm->value(), m_feed->value()})
+             ? std::optional(streaming::AirMove{m_axis->currentIndex(), m_lengthMm->value(),
+                                                m_feed->value(), m_liftMm->value()})
              : std::nullopt;
 }
 

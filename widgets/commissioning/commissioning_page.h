@@ -74,6 +74,7 @@ class CommissioningPage final : public Page {
   QComboBox* m_axis = list({.name = QT_TR_NOOP("Axis that moves")});
   NumberField* m_lengthMm;
   NumberField* m_feed;
+  NumberField* m_liftMm;
   QLineEdit* m_word = lineEdit({.name = QT_TR_NOOP("Confirm that the axis may move")});
   std::array<StatusLabel*, 4> m_steps{};
   QPlainTextEdit* m_program;

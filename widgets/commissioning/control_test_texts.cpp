@@ -83,11 +83,16 @@ class FeedTestTexts final : public ControlTestTexts {
     if (!result.move) {
       return tr("no axis was moved");
     }
+    const QString lift =
+        result.provedLiftMm() > 0.0
+            ? tr("; the tool may be lifted by %1").arg(lengthText(result.provedLiftMm(), 1))
+            : QString();
     return tr("%1 moved by %2 at %3; held, it was seen to stand after %4")
-        .arg(QLatin1Char(base::kAxisNames[static_cast<std::size_t>(result.move->axis)]))
-        .arg(lengthText(result.move->mm, 1),
-             feedText(base::mmPerSFromMmPerMin(result.move->feedMmPerMin)),
-             millisecondsText(result.braking));
+               .arg(QLatin1Char(base::kAxisNames[static_cast<std::size_t>(result.move->axis)]))
+               .arg(lengthText(result.move->mm, 1),
+                    feedText(base::mmPerSFromMmPerMin(result.move->feedMmPerMin)),
+                    millisecondsText(result.braking)) +
+           lift;
   }
 
  private:
@@ -110,10 +115,15 @@ class FeedTestTexts final : public ControlTestTexts {
     return QString::fromStdString(streaming::feedTestFileName());
   }
   [[nodiscard]] QString lastStep(const std::optional<AirMove>& move) const override {
-    return move ? tr("4. The override is changed while the axis moves. Then press cycle start once "
-                     "more: the next program must move at its own feed, and only the control can "
-                     "stop it.")
-                : tr("4. The override is changed; no axis moves.");
+    return move && move->liftMm > 0.0
+               ? tr("4. The override is changed while the axis moves; held, the tool goes up and "
+                    "comes back, twice. Then press cycle start once more: the next program must "
+                    "move at its own feed, and only the control can stop it.")
+           : move
+               ? tr("4. The override is changed while the axis moves. Then press cycle start once "
+                    "more: the next program must move at its own feed, and only the control can "
+                    "stop it.")
+               : tr("4. The override is changed; no axis moves.");
   }
   [[nodiscard]] QString notTested() const override {
     return tr("Not tested: on this control a stop is sure to act only before the next window");
@@ -128,7 +138,7 @@ class FeedTestTexts final : public ControlTestTexts {
     return tr("Not passed: on this control a stop is sure to act only before the next window");
   }
   [[nodiscard]] QString check(const CommissioningCheck& check) const override {
-    static const std::array<std::pair<const char*, const char*>, 9> kSaid{{
+    static const std::array<std::pair<const char*, const char*>, 15> kSaid{{
         {"actions-follow",
          QT_TR_NOOP("Synchronized actions make the override that is wanted, and keep it.")},
         {"silence-holds", QT_TR_NOOP("Without a sign of the client the override is 0.")},
@@ -138,6 +148,12 @@ class FeedTestTexts final : public ControlTestTexts {
         {"stays-held", QT_TR_NOOP("It moves in no interpolation cycle while it is held.")},
         {"ends-with-program", QT_TR_NOOP("The synchronized actions end with their program.")},
         {"taken-back", QT_TR_NOOP("The next program moves at its own feed.")},
+        {"overlay-fits", QT_TR_NOOP("The control allows the overlay of Z that the lift needs.")},
+        {"lift-bounds", QT_TR_NOOP("Nothing but 0 to the lift moves the tool.")},
+        {"lifts", QT_TR_NOOP("The tool is lifted while the axis is held.")},
+        {"stands-lifted", QT_TR_NOOP("The axis stands while the tool is lifted.")},
+        {"lowers", QT_TR_NOOP("The tool comes back to its path.")},
+        {"waits-for-tool", QT_TR_NOOP("Let go, the axis moves only when the tool is back.")},
         {"only-this-client", QT_TR_NOOP("No other client writes the feed cell.")},
     }};
     for (const auto& [name, said] : kSaid) {

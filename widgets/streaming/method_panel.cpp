@@ -187,7 +187,7 @@ void MethodPanel::buildSettings() {
        .tip = QT_TR_NOOP("While the axes are held, the tool can be lifted by so much. The "
                          "control must not add overlays up (MD36750 bit 0), and its limit "
                          "(SD43350) must not be smaller. Not with a correction or in a whole "
-                         "job; virtual machines only so far.")},
+                         "job; on a real control only after its stop test with a lift.")},
       m_fields.lift);
   m_form->row({.text = QT_TR_NOOP("Access")}, m_access);
   m_form->row({.text = QT_TR_NOOP("Template")}, m_byHand);

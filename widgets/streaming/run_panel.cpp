@@ -479,8 +479,7 @@ void RunPanel::setLift(double mm) {
 }
 
 bool RunPanel::isLifted() const {
-  constexpr double kBackMm = 0.005;  // axes at rest tremble
-  return hasFeedCell() && std::abs(m_update.feed->liftedMm.value_or(0.0)) > kBackMm;
+  return hasFeedCell() && m_update.feed->isLifted();
 }
 
 void RunPanel::showButtons() {

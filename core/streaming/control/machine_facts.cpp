@@ -61,6 +61,14 @@ FeedProof feedProof(const std::optional<FeedTest>& test, const opcua::ServerIden
                                  : FeedProof::WithoutMotion;
 }
 
+double provedLiftMm(const std::optional<FeedTest>& test, const opcua::ServerIdentity& now,
+                    bool isVirtualMachine) {
+  if (feedProof(test, now, isVirtualMachine) != FeedProof::Proved) {
+    return 0.0;
+  }
+  return isVirtualMachine ? templates::kLiftMmMax : test->result.provedLiftMm();
+}
+
 std::string_view describe(FeedProof proof) {
   switch (proof) {
     case FeedProof::Proved:

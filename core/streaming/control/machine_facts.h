@@ -66,6 +66,11 @@ enum class FeedProof {
 [[nodiscard]] FeedProof feedProof(const std::optional<FeedTest>& test,
                                   const opcua::ServerIdentity& now, bool isVirtualMachine);
 
+/// How far a run may lift the tool there, mm, after the same test; a virtual machine: as far as a
+/// program can ask.
+[[nodiscard]] double provedLiftMm(const std::optional<FeedTest>& test,
+                                  const opcua::ServerIdentity& now, bool isVirtualMachine);
+
 /// "This control has not been tested.": why a stop is not promised by the feed cell; Proved: empty.
 [[nodiscard]] std::string_view describe(FeedProof proof);
 

@@ -140,8 +140,7 @@ Result<void> endOurProgram(opcua::Link& link, const RunSettings& settings,
        kAnotherProgram,
        "The program on the control did not end. Reset the control, then resume.",
        {},
-       cells.hasFeedCell() ? std::optional(opcua::rParameter(cells.overrideWanted)) : std::nullopt,
-       liftCell(settings.parameters)},
+       cells.hasFeedCell() ? std::optional(opcua::rParameter(cells.overrideWanted)) : std::nullopt},
       settings);
 }
 

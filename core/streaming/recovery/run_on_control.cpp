@@ -180,39 +180,6 @@ Result<std::optional<RunOnControl>> findRun(opcua::Link& link, opcua::Control& c
   }
 }
 
-std::optional<Variable> liftCell(const templates::TemplateParameters& parameters) {
-  if (parameters.liftMm == 0.0) {
-    return std::nullopt;
-  }
-  const auto program = templates::makeProgram(parameters);
-  return program && program->cells.lifts
-             ? std::optional(opcua::rParameter(program->cells.correction.back()))
-             : std::nullopt;
-}
-
-namespace {
-
-/// Lowers a tool that has been lifted, before its axes are let go.
-class Lowering {
- public:
-  /// @param mm  in the cell of the lift  @param z  of the tool
-  /// @return it is back: its axis has stood still since the cell has been 0
-  bool isBack(double mm, double z) {
-    constexpr double kStillMm = 0.005;
-    constexpr int kLooks = 2;
-    const bool isStill = mm == 0.0 && m_z && std::abs(z - *m_z) <= kStillMm;
-    m_still = isStill ? m_still + 1 : 0;
-    m_z = z;
-    return m_still >= kLooks;
-  }
-
- private:
-  std::optional<double> m_z;
-  int m_still = 0;
-};
-
-}  // namespace
-
 Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunSettings& settings) {
   std::vector<Variable> watched{{VariableKind::ChannelStatus, 0}, command.end.variable};
   watched.insert(watched.end(), command.identity.begin(), command.identity.end());
@@ -221,12 +188,6 @@ Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunS
   if (mayHold) {
     watched.insert(watched.end(), {*command.feed, *command.beat});
   }
-  const std::size_t liftAt = watched.size();
-  if (command.lift) {
-    watched.insert(watched.end(), {*command.lift, {VariableKind::ActualPosition, 2}});
-  }
-  Lowering lowering;
-  bool isDown = !command.lift;
   std::optional<double> beatSeen;
   Instant beatenAt{};  // by somebody else
   double beats = 0.0;
@@ -258,11 +219,7 @@ Result<void> endProgram(opcua::Link& link, const EndCommand& command, const RunS
       beatenAt = beatSeen == beat ? beatenAt : link.now();
       beatSeen = beat;
       isAnothers = link.now() - beatenAt < kHeartbeatWatch;
-      if (!isAnothers && !isDown) {
-        isDown = lowering.isBack((*numbers)[liftAt], (*numbers)[liftAt + 1]);
-        due.push_back({*command.lift, 0.0});
-        isAnothers = true;  // nothing is let go yet
-      } else if (!isAnothers) {
+      if (!isAnothers) {
         due.push_back({*command.feed, templates::FeedCell::kProgrammed});
       }
     }
@@ -362,8 +319,7 @@ Result<void> endRun(opcua::Link& link, const RunOnControl& run, const RunSetting
        kAnotherRun,
        "The program on the control did not end. Reset the control.",
        std::move(goesOn),
-       cell(run.baseCell, WindowProtocol::Override),
-       run.job == 0 ? liftCell(settings.parameters) : std::nullopt},
+       cell(run.baseCell, WindowProtocol::Override)},
       settings);
 }
 

@@ -96,14 +96,7 @@ struct EndCommand {
   /// The feed cell: axes that are held go on at 100 %, as soon as it is certain by the heartbeat
   /// that nobody else is there who holds them. Nothing: the program has none.
   std::optional<opcua::Variable> feed = {};
-  /// The cell of a lift: the tool of axes that are let go comes back first. Nothing: the program
-  /// does not lift.
-  std::optional<opcua::Variable> lift = {};
 };
-
-/// The cell of the lift of a program with these settings; nothing: it does not lift.
-[[nodiscard]] std::optional<opcua::Variable> liftCell(
-    const templates::TemplateParameters& parameters);
 
 /// Commands the program to end, unless the channel is in reset, and waits for that, with a
 /// heartbeat of its own: as long as `goesOn` wants, or without it for the deadline of the settings.
@@ -135,9 +128,7 @@ inline constexpr base::Duration kStandsMax = std::chrono::seconds{5};
 
 /// Commands the program of this run to end, and waits for it. It executes only the windows it has
 /// copied, a job the block of the control that it is in. Axes that are held go on to there, but not
-/// while the run has a client, who may hold them.
-/// @param settings  with the parameters of the run, where they are known: a tool that it has lifted
-///                  comes back first  @param goesOn  see `EndCommand`
+/// while the run has a client, who may hold them. @param goesOn  see `EndCommand`
 /// @return StopNotConfirmed, ChannelBusy if it obeys another run by now, Cancelled, or a link error
 [[nodiscard]] base::Result<void> endRun(opcua::Link& link, const RunOnControl& run,
                                         const RunSettings& settings,

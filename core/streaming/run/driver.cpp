@@ -239,11 +239,9 @@ void Driver::takeLift(FeedOrder& order) {
 }
 
 bool Driver::isLifted() const {
-  constexpr double kBackMm = 0.005;
-  const std::optional<double>& liftedMm = m_feed.state().liftedMm;
   return m_correction.lifts() &&
          (m_correction.value().askedMm.z != 0.0 || m_correction.value().confirmedMm.z != 0.0 ||
-          std::abs(liftedMm.value_or(0.0)) > kBackMm);
+          m_feed.state().isLifted());
 }
 
 void Driver::submitFeed() {

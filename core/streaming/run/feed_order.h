@@ -6,6 +6,7 @@
 /// `templates::FeedCell`. @threadsafety plain values.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,9 @@
 #include "trace/analysis/statistics.h"
 
 namespace rivulet::streaming {
+
+/// A tool that is no further from its path is back on it, mm.
+inline constexpr double kLoweredMm = 0.005;
 
 struct FeedOrder {
   bool holds = false;  ///< the axes are to stand at once, on the path
@@ -44,6 +48,7 @@ struct FeedSeen {
   /// lift, or the axes are not held.
   std::optional<double> liftedMm;
 
+  [[nodiscard]] bool isLifted() const { return std::abs(liftedMm.value_or(0.0)) > kLoweredMm; }
   /// The source holds, and the operator does not.
   [[nodiscard]] bool isHeldBySource() const {
     return factor == 0.0 && wantedPercent > templates::FeedCell::kHold;

@@ -75,6 +75,22 @@ Result<Preflight> readPlace(opcua::Link& link, const RunSettings& settings, bool
   return flight;
 }
 
+/// A tool is lifted only where that has been seen to come back.
+Result<void> requireLift(const RunSettings& settings) {
+  if (settings.parameters.liftMm <= settings.liftMmMax) {
+    return {};
+  }
+  return base::fail(
+      templates::TemplateError::BadCorrection,
+      settings.liftMmMax > 0.0
+          ? fmt::format("On this control the tool may be lifted by at most {:g} mm: choose a "
+                        "smaller lift.",
+                        settings.liftMmMax)
+          : std::string("The lift of the tool has not been tested on this control (rivulet-cli "
+                        "commission --feed-cell --air-move X20 --lift 2): test it, or choose a "
+                        "lift of 0."));
+}
+
 /// One run, step by step. Every step returns an error that ends the job. Where its points come from
 /// is its subclass.
 class Job : public HostedRun {
@@ -132,7 +148,7 @@ class Job : public HostedRun {
     if (base::needsCommissioning(m_settings.parameters.method) && !m_settings.isCommissioned) {
       return base::fail(blockedError({BlockReason::NotCommissioned, {}, std::nullopt}));
     }
-    return {};
+    return requireLift(m_settings);
   }
 
   void startRecording() {

@@ -184,6 +184,9 @@ struct RunSettings {
   double windowSMax = 0.0;
   /// Method window: end windows where the path stops or turns. Method credit has no pauses there.
   bool placePauses = true;
+  /// The tool has been seen to be lifted by so much on this control, mm: a program that may lift it
+  /// further does not start.
+  double liftMmMax = 0.0;
   bool monitor = true;  ///< read position and feed for the display when the stream has slack
   /// Stored on the control next to the program (`storeRunLabel`) and in the recording. Without a
   /// user, nothing is stored on the control, and the cells are not claimed (`CellClaim`).

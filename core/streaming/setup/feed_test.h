@@ -11,10 +11,12 @@
 /// must follow the cell, become 0 without a sign of the client, and be let go when the program has
 /// ended. Whether the path obeys shows only in motion: if the operator agrees to it, one axis moves
 /// forth and back, at 100 and 50 %, is held on its way, and moves once more in a second program
-/// without a feed cell.
+/// without a feed cell. If that was agreed as well, the tool is lifted while it is held
+/// (`lift_test.h`).
 /// @threadsafety runs on the calling thread.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -23,17 +25,20 @@
 #include "base/result.h"
 #include "opcua/link.h"
 #include "streaming/setup/commissioning.h"
+#include "templates/cells.h"
 
 namespace rivulet::streaming {
 
 /// R-parameters in a row that the test needs.
-inline constexpr int kFeedTestCells = 14;
+inline constexpr int kFeedTestCells = 18;
 
 /// A move that the operator agrees to: of one axis, forth and back to where it stands.
 struct AirMove {
   int axis = 0;  ///< 0 to 2: X Y Z, as the workpiece counts
   double mm = 0.0;
   double feedMmPerMin = 0.0;
+  /// While the axis is held, the tool is lifted along Z by so much; 0: it is not.
+  double liftMm = 0.0;
 
   [[nodiscard]] base::Duration duration() const;
 
@@ -55,9 +60,15 @@ struct FeedCommissioning : ChecksOfControl {
   std::optional<AirMove> move;  ///< that was made; nothing: no axis has moved
   /// Of the axis that was held: from the moment at which the main run saw 0 in the cell.
   base::Duration braking{};
+  /// What the control allows the overlay of Z (SD43350), mm; 0: the tool was not to be lifted.
+  double limitMm = 0.0;
 
   /// The axes have been seen to obey.
   [[nodiscard]] bool proves() const { return passed() && move.has_value(); }
+  /// The tool has been seen to be lifted and to come back: a run may lift it by so much, mm.
+  [[nodiscard]] double provedLiftMm() const {
+    return proves() && move->liftMm > 0.0 ? std::min(limitMm, templates::kLiftMmMax) : 0.0;
+  }
 };
 
 /// The NC program: LF line ends, ASCII. @param plan  its first cell and its move

@@ -65,7 +65,7 @@ class CorrectionProbe final : public nc::ValueSource {
 };
 
 /// Cycles of the main run with one value in the feed cell, everything else being `others` until an
-/// action writes it. Timers stand before they are started.
+/// action writes it. Timers stand before they are started. Overlays follow at the end of a cycle.
 class OverrideProbe final : public machine::MainRun {
  public:
   OverrideProbe(int cell, double value, double others) : m_others(others) { m_r[cell] = value; }
@@ -74,6 +74,12 @@ class OverrideProbe final : public machine::MainRun {
     m_overridePercent = 100.0;
     // An action with an alarm, as for what is not a number, ends; the others go on.
     static_cast<void>(actions.run(*this, 0));
+    for (int axis = 0; axis < static_cast<int>(base::kAxisCount); ++axis) {
+      const auto asked = m_written.find({machine::SystemVariable::AaOff, axis});
+      if (asked != m_written.end()) {
+        m_written[{machine::SystemVariable::AaOffVal, axis}] = asked->second;
+      }
+    }
     return m_overridePercent;
   }
   void pass(double seconds) {
@@ -430,6 +436,7 @@ class Linter {
     bool isBounded = cell >= 0;
     bool follows = cell >= 0;
     bool isZero = true;
+    bool onlyHeld = true;
     for (const double others : {0.0, 0.37, 1e6}) {
       for (const double value : values) {
         const CorrectionProbe probe(cell, value, others);
@@ -440,11 +447,14 @@ class Linter {
             action.condition ? valueOf(*action.condition) : nc::Expected<double>(1.0);
         const auto laid = valueOf(*assignment.initial.values.front());
         const bool isDue = holds && *holds != 0.0;
+        const bool isNothing = !isDue || (laid && *laid == 0.0);
         // Where a condition cannot be answered, the control gives an alarm and lays nothing.
         isBounded = isBounded &&
                     (!isDue || (laid && *laid >= leastMm - kSameMm && *laid <= limitMm + kSameMm));
-        isZero = isZero && (!isDue || (laid && *laid == 0.0));
-        if (value >= leastMm && value <= limitMm) {
+        isZero = isZero && isNothing;
+        const bool isHeld = others <= FeedCell::kHold;  // the feed cell is one of them
+        onlyHeld = onlyHeld && (!m_cells.lifts || isHeld || isNothing);
+        if (value >= leastMm && value <= limitMm && (!m_cells.lifts || isHeld)) {
           follows = follows && isDue && laid && std::abs(*laid - value) <= kSameMm;
         }
       }
@@ -455,6 +465,11 @@ class Linter {
                         "not a number, or a value to an axis without a correction. Let it act only "
                         "while the cell of the axis is within the limit.",
                         limitMm));
+    } else if (!onlyHeld) {
+      error(LintRule::CorrectionUnbounded, line,
+            fmt::format("The action may lift the tool while R{} lets the path go on. Let it act "
+                        "only while R{} is 0.",
+                        m_cells.overrideWanted, m_cells.overrideWanted));
     } else if (follows && action.trigger != nc::Trigger::When &&
                action.trigger != nc::Trigger::Every) {
       m_corrected.insert(cell);
@@ -594,6 +609,33 @@ class Linter {
     return true;
   }
 
+  /// Whoever lets the path go on finds the tool lowered first. @return false: a fault has been
+  /// found
+  bool waitsForTool(double others, const std::set<int>& cancelled) {
+    constexpr std::size_t kZ = base::kAxisCount - 1;
+    const double limitMm = correctionSteps(m_parameters) / 1000.0;
+    for (const double liftedMm : {0.001, limitMm}) {
+      machine::SyncActions actions = actionsOf(others, cancelled);
+      OverrideProbe mainRun = probeOf(FeedCell::kHold, 1.0, others);
+      mainRun.setRValue(m_cells.heartbeat, others + 1.0);
+      mainRun.setRValue(m_cells.correction[kZ], liftedMm);
+      static_cast<void>(mainRun.cycle(actions));
+      mainRun.setSystemValue(machine::SystemVariable::AaOffVal, kZ, liftedMm);
+      mainRun.setRValue(m_cells.overrideWanted, FeedCell::kProgrammed);
+      const double lifted = mainRun.cycle(actions);
+      const double lowered = mainRun.cycle(actions);
+      if (lifted > FeedCell::kHold || !(lowered > FeedCell::kHold)) {
+        error(LintRule::FeedRaised, m_overrideLine,
+              fmt::format("With {:g} in R{} a tool that is {:g} mm above its path {}. Let the "
+                          "actions hold the axes and lower the tool as in the generated program.",
+                          FeedCell::kProgrammed, m_cells.overrideWanted, liftedMm,
+                          lifted > FeedCell::kHold ? "would go on there" : "is not lowered"));
+        return false;
+      }
+    }
+    return true;
+  }
+
   void lookAtFeedCell() {
     // The main program of a whole job has the feed cell, its loop does not touch the override.
     if (!m_program.parameters.empty()) {
@@ -617,6 +659,9 @@ class Linter {
       }
     }
     for (const double others : {0.0, 0.37, 1e6}) {
+      if (m_cells.lifts && !waitsForTool(others, cancelled)) {
+        return;
+      }
       const std::string lack =
           watchesClient(m_cells) ? lackOfWatch(others, cancelled) : std::string();
       if (!lack.empty()) {

@@ -8,6 +8,7 @@
 
 #include "templates/feed_cell.h"
 #include "templates/methods/subprogram.h"
+#include "templates/overlay.h"
 
 namespace rivulet::templates {
 
@@ -17,38 +18,8 @@ namespace {
 constexpr int kRParametersMax = 1'000'000;
 constexpr int kStrideMax = 100;
 
-/// Below this an overlay is gone, mm.
-constexpr double kOverlayGoneMm = 0.0005;
 /// Passes of 20 ms within which the overlay must be gone at the end.
 constexpr int kOverlayPassesMax = 500;
-
-/// "X" with its cell and its action, for each axis that is corrected.
-struct Corrected {
-  char letter;
-  int cell;
-  int action;
-};
-
-std::vector<Corrected> correctedAxes(const WindowCells& cells) {
-  std::vector<Corrected> axes;
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    if (cells.correction[axis] >= 0) {
-      axes.push_back({base::kAxisNames[axis], cells.correction[axis],
-                      ActionNumber::kCorrection + static_cast<int>(axis)});
-    }
-  }
-  return axes;
-}
-
-/// "ABS($AA_OFF_VAL[X])>0.0005" of all axes.
-std::string overlayThere(const WindowCells& cells) {
-  std::string condition;
-  for (const Corrected& axis : correctedAxes(cells)) {
-    condition += fmt::format("{}(ABS($AA_OFF_VAL[{}])>{})", condition.empty() ? "" : " OR ",
-                             axis.letter, kOverlayGoneMm);
-  }
-  return condition;
-}
 
 /// No overlay may be active when the client reads the positions of the axes, and a control that
 /// adds up values would drive the axes away.
@@ -58,23 +29,8 @@ void writeOverlayCheck(Listing& out, const WindowCells& cells) {
   out.line("RIV_IDLE={}", static_cast<int>(WindowState::OverlayLeft));
   out.line("IF {} GOTOF RIV_UNFIT", overlayThere(cells));
   out.line("RIV_IDLE={}", static_cast<int>(WindowState::OverlayIntegrates));
-  std::string integrates;
-  for (const Corrected& axis : correctedAxes(cells)) {
-    integrates += fmt::format("{}(($MA_AA_OFF_MODE[{}] B_AND 1)>0)",
-                              integrates.empty() ? "" : " OR ", axis.letter);
-  }
-  out.line("IF {} GOTOF RIV_UNFIT", integrates);
+  out.line("IF {} GOTOF RIV_UNFIT", overlayIntegrates(cells));
   out.line("RIV_IDLE=0");
-}
-
-/// A value beyond the limit is ignored: the last accepted one stays. No comparison holds for a
-/// value that is not a number.
-void writeCorrections(Listing& out, double limitMm, const WindowCells& cells) {
-  for (const Corrected& axis : correctedAxes(cells)) {
-    const std::string least = cells.lifts ? "0" : fmt::format("-{:.3f}", limitMm);
-    out.line("ID={} WHENEVER ($R{}>={}) AND ($R{}<={:.3f}) DO $AA_OFF[{}]=$R{}", axis.action,
-             axis.cell, least, axis.cell, limitMm, axis.letter, axis.cell);
-  }
 }
 
 /// Actions of the same numbers replace those that obeyed the client. The axes have reached the end
@@ -480,7 +436,9 @@ void WindowTemplate::writeStart(Listing& out, const TemplateParameters& paramete
   writeFeedCell(out, cells);
   if (cells.corrects()) {
     writeOverlayCheck(out, cells);
-    writeCorrections(out, limitMmOf(parameters), cells);
+    for (const std::string& block : overlayBlocks(cells, limitMmOf(parameters))) {
+      out.line("{}", block);
+    }
   }
   writeSlowDown(out, parameters, cells);
   out.line("R{}={}", cells.layout, layoutNumber);
