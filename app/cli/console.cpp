@@ -74,6 +74,7 @@ templates::TemplateParameters OperatingOptions::parameters() const {
   parameters.baseCell = baseCell;
   parameters.correctionLimitMm = correctionLimitMm;
   parameters.liftMm = liftMm;
+  parameters.packed = packed;
   parameters.silenceLimitS = silenceLimitS.value_or(parameters.silenceLimitS);
   if (factor.size() == 2) {
     parameters.factorLeast = factor[0];

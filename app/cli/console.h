@@ -60,6 +60,7 @@ struct OperatingOptions {
   double rapidMmPerMin = 0.0;      ///< of the program's rapids; 0: that of the machine
   std::string feedCells = "auto";  ///< auto, window, point
   std::string layout = "paper";
+  bool packed = false;                  ///< the points after the first of a window, in a cell each
   double correctionLimitMm = 0.0;       ///< online correction; 0: none
   double liftMm = 0.0;                  ///< the tool may be lifted while held; 0: not
   std::vector<double> factor;           ///< bounds of a factor of the override; empty: none

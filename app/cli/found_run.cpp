@@ -92,6 +92,9 @@ std::vector<std::string> commandOf(const report::SavedRun& run) {
       command.emplace_back("--no-slow-down");
     }
   }
+  if (parameters.packed) {
+    command.emplace_back("--packed");
+  }
   if (parameters.correctionLimitMm > 0.0) {
     command.insert(command.end(),
                    {"--correction-limit", fmt::format("{:g}", parameters.correctionLimitMm)});

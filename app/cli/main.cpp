@@ -132,6 +132,9 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
       ->check(CLI::IsMember({"paper", "contiguous"}))
       ->capture_default_str();
   addAxes(command, point);
+  command->add_flag("--packed", point.packed,
+                    "Points that follow the first of their window have one R-parameter for all "
+                    "axes, in steps of 0.001 mm: fewer accesses (methods window and credit)");
   command
       ->add_option("--correction-limit", point.correctionLimitMm,
                    "Largest online correction of each linear axis, mm (methods window and credit)")
@@ -139,7 +142,7 @@ void addLayout(CLI::App* command, OperatingOptions& point) {
   command
       ->add_option("--lift", point.liftMm,
                    "While the axes are held, the tool may be lifted by so much, mm (methods window "
-                   "and credit, virtual machines only so far)")
+                   "and credit; on a real control after commission --feed-cell --lift)")
       ->check(CLI::Range(0.001, rivulet::templates::kLiftMmMax));
   command
       ->add_option(

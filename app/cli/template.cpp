@@ -131,6 +131,7 @@ nlohmann::ordered_json jsonOf(const templates::CellMap& cells, base::MethodKind 
       numbers["first_window"] = cells.windowCount(0);
       numbers["window_stride"] = cells.windowStride;
       numbers["slot_stride"] = cells.slotStride;
+      numbers["packed"] = cells.packed;
     }
     if (cells.corrects()) {
       numbers["correction"] = cells.correction;

@@ -354,7 +354,8 @@ void Document::chooseFeedCells(const feasibility::AccessModel& access) {
   const templates::TemplateParameters& had = m_feedCells.parameters;
   if (m_feedCells.view == m_view && m_feedCells.accessTime == accessTime &&
       had.method == wanted.method && had.pointsPerLoop == wanted.pointsPerLoop &&
-      had.windows == wanted.windows && had.correctionLimitMm == wanted.correctionLimitMm) {
+      had.windows == wanted.windows && had.packed == wanted.packed &&
+      had.correctionLimitMm == wanted.correctionLimitMm) {
     return;
   }
   m_feedCells = {m_view, wanted, accessTime,

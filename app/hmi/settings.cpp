@@ -141,6 +141,8 @@ Settings loadSettings() {
   if (liftMm <= templates::kLiftMmMax && base::fillsWindows(stream.parameters.method)) {
     stream.parameters.liftMm = liftMm;
   }
+  stream.parameters.packed = store.value(QStringLiteral("stream/packed")).toBool() &&
+                             base::fillsWindows(stream.parameters.method);
   stream.deltaMm = positive(store.value(QStringLiteral("stream/deltaMm")), stream.deltaMm);
   stream.programFeeds =
       store.value(QStringLiteral("stream/feed")).toString() != QLatin1String(kFixedFeed);
@@ -176,6 +178,7 @@ void saveSettings(const Settings& settings) {
   store.setValue(QStringLiteral("stream/deltaMm"), stream.deltaMm);
   store.setValue(QStringLiteral("stream/correctionLimitMm"), stream.parameters.correctionLimitMm);
   store.setValue(QStringLiteral("stream/liftMm"), stream.parameters.liftMm);
+  store.setValue(QStringLiteral("stream/packed"), stream.parameters.packed);
   store.setValue(QStringLiteral("stream/feed"),
                  stream.programFeeds ? QStringLiteral("program") : QString::fromLatin1(kFixedFeed));
   store.setValue(QStringLiteral("stream/overridePercent"), 100.0 * stream.overrideFactor);

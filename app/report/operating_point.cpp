@@ -14,7 +14,8 @@ feasibility::OperatingPoint operatingPointOf(const streaming::RunSettings& setti
           settings.deltaMm,
           settings.feedMmPerS,
           templates::cellsPerPoint(parameters),
-          parameters.feedPerPoint};
+          parameters.feedPerPoint,
+          templates::cellsOfFirstPoint(parameters)};
 }
 
 gcode::ProgramFeeds programFeedsOf(const machine::MachineConfig& machine, double overrideFactor,

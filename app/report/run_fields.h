@@ -189,6 +189,9 @@ inline constexpr auto settingsFields = []<class Io>(Io& io, auto& settings) {
     io.text("feed", settings.programFeeds ? "program" : "fixed");
   }
   io.ifThere().flag("feed_per_point", parameters.feedPerPoint);
+  if (Io::kReads || parameters.packed) {
+    io.ifThere().flag("packed", parameters.packed);
+  }
   // In mm/s: a run is resumed with exactly the same feeds.
   maybe(io, "program_feeds", settings.programFeeds, [](auto& inner, auto& feeds) {
     if constexpr (!Io::kReads) {

@@ -18,8 +18,9 @@ ClientTurn halfLoopTurn(int pointsPerLoop, int cellsPerPoint) {
   return {1, content, 0, 1 + content};
 }
 
-ClientTurn windowTurn(int pointsPerWindow, int cellsPerPoint) {
-  const int content = cellsPerPoint * pointsPerWindow + templates::WindowProtocol::WindowCells;
+ClientTurn windowTurn(int pointsPerWindow, int cellsPerPoint, int cellsOfFirst) {
+  const int content =
+      cellsPerPoint * pointsPerWindow + cellsOfFirst + templates::WindowProtocol::WindowCells;
   return {1, content, 1, 1 + content + 1};
 }
 
@@ -32,7 +33,7 @@ ClientTurn turnOf(const TurnSize& size) {
     case base::Portion::Window:
       break;
   }
-  ClientTurn turn = windowTurn(size.pointsPerLoop, size.cellsPerPoint);
+  ClientTurn turn = windowTurn(size.pointsPerLoop, size.cellsPerPoint, size.cellsOfFirst);
   // What has been taken is not yet what has been executed.
   turn.read = base::goesOn(size.method) ? 2 : turn.read;
   return turn;

@@ -20,6 +20,7 @@ struct TurnSize {
   base::MethodKind method = base::kDefaultMethod;
   int pointsPerLoop = 7;           ///< N; methods with windows: points per window
   int cellsPerPoint = kPaperAxes;  ///< axes that are streamed: `templates::cellsPerPoint`
+  int cellsOfFirst = 0;            ///< so many more: `templates::cellsOfFirstPoint`
   friend bool operator==(const TurnSize&, const TurnSize&) = default;
 };
 
@@ -41,7 +42,7 @@ struct ClientTurn {
 [[nodiscard]] ClientTurn turnOf(const TurnSize& size);
 [[nodiscard]] ClientTurn pointTurn(int cellsPerPoint);
 [[nodiscard]] ClientTurn halfLoopTurn(int pointsPerLoop, int cellsPerPoint);
-[[nodiscard]] ClientTurn windowTurn(int pointsPerWindow, int cellsPerPoint);
+[[nodiscard]] ClientTurn windowTurn(int pointsPerWindow, int cellsPerPoint, int cellsOfFirst = 0);
 
 /// The axes and the feed are read for the display this often even if the stream leaves no time for
 /// it, by methods in which a late client only makes the machine wait.

@@ -59,9 +59,10 @@ double realWindowMargin(double feedMmPerS, base::Duration accessTime, int points
 }
 
 double reachMargin(double feedMmPerS, base::Duration accessTime, int pointsPerWindow,
-                   double windowLengthMmMin, double safetyFactor, int cellsPerPoint) {
+                   double windowLengthMmMin, double safetyFactor, int cellsPerPoint,
+                   int cellsOfFirst) {
   RIVULET_ASSERT(pointsPerWindow >= 1);
-  const ClientTurn turn = windowTurn(pointsPerWindow, cellsPerPoint);
+  const ClientTurn turn = windowTurn(pointsPerWindow, cellsPerPoint, cellsOfFirst);
   return marginOf(windowLengthMmMin, feedMmPerS, turnTimeS(accessTime, turn), safetyFactor);
 }
 

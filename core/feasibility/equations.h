@@ -55,9 +55,10 @@ struct PollTime {
 /// reads whether the control has copied the previous one. Below 1 the machine waits; it never
 /// repeats. The standstill is not counted: conservative.
 /// @param pointsPerWindow  M >= 1 @param windowLengthMmMin  of M consecutive steps, mm
+/// @param cellsOfFirst  see `TurnSize`
 /// @threadsafety pure.
 [[nodiscard]] double reachMargin(double feedMmPerS, base::Duration accessTime, int pointsPerWindow,
                                  double windowLengthMmMin, double safetyFactor,
-                                 int cellsPerPoint = kPaperAxes);
+                                 int cellsPerPoint = kPaperAxes, int cellsOfFirst = 0);
 
 }  // namespace rivulet::feasibility

@@ -103,7 +103,7 @@ double marginOf(Equation equation, const OperatingPoint& operatingPoint,
                          distances.windowSteps > 0
                              ? windowLengthMmBound(distances, operatingPoint.pointsPerLoop)
                              : operatingPoint.pointsPerLoop * distances.pointDistanceMmMin,
-                         safety.window, operatingPoint.cellsPerPoint);
+                         safety.window, operatingPoint.cellsPerPoint, operatingPoint.cellsOfFirst);
     case Equation::RealWindow:
       break;
   }

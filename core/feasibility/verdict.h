@@ -47,8 +47,11 @@ struct OperatingPoint {
   double feedMmPerS = 500.0 / 60.0;
   int cellsPerPoint = kPaperAxes;  ///< `templates::cellsPerPoint`
   bool feedPerPoint = false;       ///< windows need not end where the feed changes
+  int cellsOfFirst = 0;            ///< `templates::cellsOfFirstPoint`; above 0: packed
 
-  [[nodiscard]] TurnSize turn() const { return {method, pointsPerLoop, cellsPerPoint}; }
+  [[nodiscard]] TurnSize turn() const {
+    return {method, pointsPerLoop, cellsPerPoint, cellsOfFirst};
+  }
 };
 
 /// Each multiplies the left side of its inequality; 1 is the inequality as published.

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/ranges.h"
+#include "base/packing.h"
 #include "base/units.h"
 #include "live/error.h"
 
@@ -51,13 +52,14 @@ Agreement around(Agreement agreement, const base::Vec3& toolMm) {
 }
 
 Gate::Gate(const Agreement& agreement, const base::AxisPosition& tool, double feedMmPerMin,
-           std::array<bool, base::kAxisCount> axes, base::RotarySet rotaryAxes)
+           std::array<bool, base::kAxisCount> axes, base::RotarySet rotaryAxes, bool packs)
     : m_agreement(agreement),
       m_last(tool),
       m_named(tool),
       m_feedMmPerMin(feedMmPerMin),
       m_axes(axes),
-      m_rotaryAxes(rotaryAxes) {
+      m_rotaryAxes(rotaryAxes),
+      m_packs(packs) {
 }
 
 Result<void> Gate::takeFeed(const Line& line) {
@@ -137,12 +139,15 @@ Result<std::optional<gcode::StreamPoint>> Gate::take(const Line& line, base::Lin
       return base::fail(step.error());
     }
   }
+  const auto stepOf = [this](double coordinate) {
+    return m_packs ? base::Packing::rounded(coordinate) : coordinate;
+  };
   base::AxisPosition at = m_named;
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    at.mm.set(axis, line.mm[axis].value_or(at.mm[axis]));
+    at.mm.set(axis, line.mm[axis] ? stepOf(*line.mm[axis]) : at.mm[axis]);
   }
   for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    at.deg[axis] = line.deg[axis].value_or(at.deg[axis]);
+    at.deg[axis] = line.deg[axis] ? stepOf(*line.deg[axis]) : at.deg[axis];
   }
   for (const Result<void>& step : {requireInside(at.mm), requireNear(at)}) {
     if (!step) {

@@ -39,9 +39,10 @@ class Gate {
  public:
   /// @param tool  where the run begins
   /// @param feedMmPerMin  of points before the first F; not above the agreed one
-  /// @param axes, rotaryAxes  that are streamed
+  /// @param axes, rotaryAxes  that are streamed  @param packs  points lie on whole steps of
+  ///        `base::Packing`
   Gate(const Agreement& agreement, const base::AxisPosition& tool, double feedMmPerMin,
-       std::array<bool, base::kAxisCount> axes, base::RotarySet rotaryAxes);
+       std::array<bool, base::kAxisCount> axes, base::RotarySet rotaryAxes, bool packs = false);
 
   /// @param line  a point
   /// @return the point; nothing: it is merged with the one before, which is too close; or why the
@@ -61,6 +62,7 @@ class Gate {
   double m_feedMmPerMin;
   std::array<bool, base::kAxisCount> m_axes;
   base::RotarySet m_rotaryAxes;
+  bool m_packs;
   bool m_isFirst = true;
 };
 

@@ -58,7 +58,7 @@ PointStream::PointStream(Source& source, const Agreement& agreement, const Limit
 void PointStream::begin(const SupplyStart& start, Instant now) {
   RIVULET_ASSERT(!m_gate && start.plan.pointsMax >= 1);
   m_gate.emplace(m_agreement, start.tool, std::min(start.feedMmPerMin, m_agreement.feedMmPerMinMax),
-                 start.axes, start.rotaryAxes);
+                 start.axes, start.rotaryAxes, start.plan.packedAxes > 0);
   m_tool = start.tool;
   m_plan = start.plan;
   m_limits.queuedMax = m_limits.queuedMax == 0 ? kWindowsQueued * m_plan.pointsMax
@@ -226,6 +226,10 @@ std::size_t PointStream::windowSize() const {
   while (count < most && !beginsWindow(m_queue[count])) {
     seconds += moveS(placeOf(m_queue[count - 1].point), m_queue[count].point);
     if (m_plan.secondsMax > 0.0 && seconds > m_plan.secondsMax) {
+      break;
+    }
+    if (m_plan.packedAxes > 0 &&
+        !sharesCell(base::Packing(m_plan.packedAxes), m_queue[0].point, m_queue[count].point)) {
       break;
     }
     ++count;

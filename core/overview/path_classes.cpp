@@ -155,7 +155,7 @@ std::vector<float> localMargins(const ProgramView& view, const feasibility::Oper
       break;
     case base::Portion::Window:
       perMm = feasibility::reachMargin(point.feedMmPerS, accessTime, point.pointsPerLoop, 1.0,
-                                       safety.window, point.cellsPerPoint);
+                                       safety.window, point.cellsPerPoint, point.cellsOfFirst);
       stepsMm = shortestWindowOf(stepsMm, static_cast<std::size_t>(point.pointsPerLoop));
       break;
   }

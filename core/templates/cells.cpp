@@ -66,7 +66,15 @@ std::vector<int> CellMap::slotCells(int slot) const {
   cells.reserve(base::kAxisCount + base::kRotaryAxisCount + 1);
   const int window = windows > 0 ? slot / pointsPerLoop : 0;
   const int place = windows > 0 ? slot % pointsPerLoop : slot;
-  const int first = firstSlot + window * windowStride + place * slotStride;
+  const int first = firstSlot + window * windowStride + place * slotStride +
+                    (packed && place > 0 ? axisCount() - 1 : 0);
+  if (packed && place > 0) {
+    cells.push_back(first);
+    if (feedPerPoint) {
+      cells.push_back(first + 1);
+    }
+    return cells;
+  }
   for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
     if (axes[axis]) {
       cells.push_back(first + static_cast<int>(fixedPlaces ? axis : cells.size()));
@@ -189,7 +197,17 @@ int axisCount(const TemplateParameters& parameters) {
 
 int cellsPerPoint(const TemplateParameters& parameters) {
   const bool hasFeed = parameters.feedPerPoint && base::fillsWindows(parameters.method);
-  return axisCount(parameters) + (hasFeed ? 1 : 0);
+  return axisCount(parameters) - cellsOfFirstPoint(parameters) + (hasFeed ? 1 : 0);
+}
+
+int cellsOfFirstPoint(const TemplateParameters& parameters) {
+  return packingOf(parameters) ? axisCount(parameters) - 1 : 0;
+}
+
+std::optional<base::Packing> packingOf(const TemplateParameters& parameters) {
+  return parameters.packed && base::fillsWindows(parameters.method) && axisCount(parameters) > 0
+             ? std::optional(base::Packing(axisCount(parameters)))
+             : std::nullopt;
 }
 
 int longestWrite(const TemplateParameters& parameters) {

@@ -7,6 +7,7 @@
 /// values.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 
 #include "base/axes.h"
 #include "base/method_kind.h"
+#include "base/packing.h"
 #include "base/result.h"
 #include "base/vec3.h"
 #include "templates/window_protocol.h"
@@ -88,6 +90,9 @@ struct WindowSettings {
   /// Each point has a cell for its feed, after its coordinates; otherwise the feed is that of the
   /// window. Not for method file, whose blocks have their own
   bool feedPerPoint = false;
+  /// Points after the first of a window have one cell for all their coordinates (`base::Packing`).
+  /// Not for method file, nor with a stride
+  bool packed = false;
   /// s. When the heartbeat of the client has not changed for longer, the override is 0 until it
   /// does; 0: it is not watched, for a control without timers of the main run. Of a program with a
   /// feed cell
@@ -172,6 +177,8 @@ struct WindowCells {
 
   /// The last cell of each slot is the feed of the point, mm/min; the feed of the window is unused.
   bool feedPerPoint = false;
+  /// The first slot of a window has its coordinates, the others one cell for the way from there.
+  bool packed = false;
 
   /// True if the program obeys an override by the client.
   [[nodiscard]] bool hasFeedCell() const { return overrideWanted >= 0; }
@@ -208,11 +215,15 @@ struct CellMap : LoopCells, WindowCells, FileCells {
   /// The first and the last are not written. Nothing: the cells are not consecutive.
   std::optional<CellRange> scratch;
 
-  /// Cells of one slot in the order X Y Z A B C, only the selected axes; then the feed, if each
-  /// point has its own.
+  /// Cells of one slot in the order X Y Z A B C, only the selected axes, or one for them all; then
+  /// the feed, if each point has its own.
   /// @param slot from 0; methods window and credit: window · N + place in the window
   [[nodiscard]] std::vector<int> slotCells(int slot) const;
   [[nodiscard]] int slotCount() const { return pointSlots; }
+  [[nodiscard]] int axisCount() const {
+    return static_cast<int>(std::count(axes.begin(), axes.end(), true)) +
+           static_cast<int>(base::count(rotaryAxes));
+  }
   /// Cells before a window's slots. @param window  from 0, below `windows`
   [[nodiscard]] int windowCount(int window) const {
     return firstSlot - WindowProtocol::WindowCells + window * windowStride;
@@ -244,8 +255,14 @@ struct CellMap : LoopCells, WindowCells, FileCells {
 /// Axes that are streamed, each with a cell in every slot.
 [[nodiscard]] int axisCount(const TemplateParameters& parameters);
 
-/// Cells of a point: its axes, and its feed where it has its own.
+/// Cells of a point: its axes, and its feed where it has its own. Packed: of a point after the
+/// first of its window.
 [[nodiscard]] int cellsPerPoint(const TemplateParameters& parameters);
+/// So many more has the first point of a window that is packed; 0: none.
+[[nodiscard]] int cellsOfFirstPoint(const TemplateParameters& parameters);
+/// Points that share a window lie so near to its first that they can be packed; nothing: they are
+/// not packed.
+[[nodiscard]] std::optional<base::Packing> packingOf(const TemplateParameters& parameters);
 
 /// Cells of the client's longest request during a run.
 [[nodiscard]] int longestWrite(const TemplateParameters& parameters);

@@ -6,11 +6,10 @@
 namespace rivulet::templates {
 
 void Listing::pieces(std::string_view begin, const std::vector<std::string>& pieces,
-                     std::string_view between) {
-  constexpr std::size_t kLineMax = 110;
+                     std::string_view between, std::size_t lineMax) {
   std::string written;
   for (const std::string& piece : pieces) {
-    if (!written.empty() && written.size() + between.size() + piece.size() > kLineMax) {
+    if (!written.empty() && written.size() + between.size() + piece.size() > lineMax) {
       line("{}", written);
       written.clear();
     }
@@ -33,15 +32,20 @@ SlotText slotText(const CellMap& cells, int slot) {
   SlotText text;
   const std::vector<int> numbers = cells.slotCells(slot);
   std::size_t next = 0;
+  const bool isPacked = cells.packed && slot % cells.pointsPerLoop > 0;
   for (const char letter : lettersOf(cells)) {
-    const std::string_view blank = next == 0 ? "" : " ";
+    const std::string_view blank = text.axes.empty() ? "" : " ";
+    if (isPacked) {
+      text.axes += fmt::format("{}{}", blank, letter);
+      continue;
+    }
     text.axes += fmt::format("{}{}", blank, letter);
     text.words += fmt::format("{}{}=R{}", blank, letter, numbers[next]);
     text.cells += fmt::format("{}R{}", blank, numbers[next]);
     ++next;
   }
-  for (; next < numbers.size(); ++next) {  // the feed of the point
-    text.cells += fmt::format(" R{}", numbers[next]);
+  for (; next < numbers.size(); ++next) {  // the feed of the point, or what is packed
+    text.cells += fmt::format("{}R{}", text.cells.empty() ? "" : " ", numbers[next]);
   }
   return text;
 }

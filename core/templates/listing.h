@@ -29,7 +29,7 @@ class Listing {
   void text(std::string_view lines) { m_text += lines; }
   /// Pieces on as few lines as hold them, each line begun anew.
   void pieces(std::string_view begin, const std::vector<std::string>& pieces,
-              std::string_view between);
+              std::string_view between, std::size_t lineMax = 110);
   [[nodiscard]] std::string take() { return std::move(m_text); }
 
  private:

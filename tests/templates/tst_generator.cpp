@@ -73,6 +73,13 @@ class TestGenerator : public QObject {
     parameters.rParameterCount = 200;
     QTest::newRow("window_3_xz_base_40") << parameters;
     QTest::newRow("credit_7") << make(MethodKind::Credit, 7);
+    TemplateParameters packed = make(MethodKind::Window, 4);
+    packed.packed = true;
+    packed.feedPerPoint = true;
+    QTest::newRow("window_4_packed") << packed;
+    TemplateParameters lifting = make(MethodKind::Window, 2);
+    lifting.liftMm = 2.0;
+    QTest::newRow("window_2_lifting") << lifting;
     TemplateParameters corrected = make(MethodKind::Window, 2);
     corrected.correctionLimitMm = 0.1;
     QTest::newRow("window_2_corrected") << corrected;
@@ -127,6 +134,9 @@ class TestGenerator : public QObject {
     parameters.target = templates::TargetControl::LinuxCnc;
     parameters.correctionLimitMm = 0.1;
     QTest::newRow("correction") << parameters;
+    parameters.correctionLimitMm = 0.0;
+    parameters.packed = true;
+    QTest::newRow("packed points") << parameters;
     parameters = make(MethodKind::Credit, 7);
     parameters.target = templates::TargetControl::LinuxCnc;
     QTest::newRow("slower before windows run out") << parameters;

@@ -120,6 +120,8 @@ void TestLint::generatedTemplatesAreClean() {
         isClean(parameters);
         parameters.correctionLimitMm = 0.01 * windows;
         isClean(parameters);
+        parameters.packed = parameters.slotStride == 0;
+        isClean(parameters);
       }
     }
   }
@@ -435,7 +437,7 @@ void TestLint::brokenLiftIsCaught() {
       const auto findings = lint(broken, parameters);
       QVERIFY2(std::any_of(findings.begin(), findings.end(),
                            [&](const LintFinding& finding) { return finding.rule == row.rule; }),
-               broken.c_str() + listed(findings));
+               (row.find + " -> " + row.replace + ": ").c_str() + listed(findings));
     }
   }
 }

@@ -162,6 +162,7 @@ class MethodPanel final : public Page {
     NumberField* correction = nullptr;
     NumberField* lift = nullptr;
     NumberField* height = nullptr;  ///< of a dry run
+    QCheckBox* packed = nullptr;
   };
   Fields m_fields;
   QComboBox* m_feedSource =

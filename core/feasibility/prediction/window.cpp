@@ -38,11 +38,11 @@ Prediction predictWindows(const std::vector<gcode::StreamPoint>& points,
   const double bringMs = slowdown * (2.0 * base::toMilliseconds(model.access.writeOverhead) +
                                      (turn.content + turn.number) * nodeMs);
   // Relatch, the decision, and the copy with its check: see the generator.
-  constexpr double kBlocksPerPoint = 1.4;
+  const double blocksPerPoint = operatingPoint.cellsOfFirst > 0 ? 2.0 : 1.4;
   constexpr double kBlocks = 9.0;
   const double readyMs =
       clock.relatchMs +
-      clock.blockMs * (kBlocks + kBlocksPerPoint * static_cast<double>(perWindow));
+      clock.blockMs * (kBlocks + blocksPerPoint * static_cast<double>(perWindow));
   // A pass of the waiting loop: relatch, its blocks, and a dwell of 20 ms.
   const double passMs = clock.relatchMs + 10.0 * clock.blockMs + 20.0;
   const double displayMs =

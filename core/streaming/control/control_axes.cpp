@@ -180,6 +180,35 @@ Result<void> requireRotaryAxes(const gcode::Trajectory& trajectory,
   return {};
 }
 
+namespace {
+
+/// Points that are packed lie on whole steps; what the program leaves open stays where it is.
+Result<void> roundToSteps(std::vector<gcode::StreamPoint>& points,
+                          const base::AxisPosition& start) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    gcode::StreamPoint& point = points[i];
+    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
+      const double mm = point.positionMm[axis];
+      point.positionMm.set(axis, mm == start.mm[axis] ? mm : base::Packing::rounded(mm));
+    }
+    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+      const double deg = point.rotaryDeg[axis];
+      point.rotaryDeg[axis] = deg == start.deg[axis] ? deg : base::Packing::rounded(deg);
+    }
+    if (i > 0 && point.positionMm == points[i - 1].positionMm &&
+        point.rotaryDeg == points[i - 1].rotaryDeg) {
+      return base::fail(
+          templates::TemplateError::BadCells,
+          fmt::format("The moves to lines {} and {} end less than 0.001 apart: points "
+                      "so close cannot be packed. Do not pack them.",
+                      points[i - 1].line.value, point.line.value));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<gcode::PointList> pointsOnAxes(const gcode::Trajectory& trajectory,
                                       const templates::TemplateParameters& parameters,
                                       const base::AxisPosition& start,
@@ -203,6 +232,11 @@ Result<gcode::PointList> pointsOnAxes(const gcode::Trajectory& trajectory,
     }
     for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
       point.rotaryDeg[axis] = parameters.rotaryAxes[axis] ? point.rotaryDeg[axis] : start.deg[axis];
+    }
+  }
+  if (templates::packingOf(parameters)) {
+    if (Result<void> rounded = roundToSteps(list.points, start); !rounded) {
+      return base::fail(rounded.error());
     }
   }
   return list;

@@ -31,7 +31,8 @@ double runS(std::span<const gcode::StreamPoint> points, const RunSettings& setti
   with.parameters.feedPerPoint = feedPerPoint;
   const templates::TemplateParameters& parameters = with.parameters;
   const feasibility::TurnSize turn{parameters.method, parameters.pointsPerLoop,
-                                   templates::cellsPerPoint(parameters)};
+                                   templates::cellsPerPoint(parameters),
+                                   templates::cellsOfFirstPoint(parameters)};
   const double turnS = base::toSeconds(access.timePerNode(turn)) * turnOf(turn).charged;
   const bool stops = !base::goesOn(parameters.method);
   const double stopS = stops ? base::toSeconds(settings.nominalPause) : 0.0;

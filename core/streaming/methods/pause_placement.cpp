@@ -47,6 +47,9 @@ class WindowSize {
   WindowSize(std::span<const gcode::StreamPoint> points, std::size_t most, const WindowCut& cut)
       : m_most(most), m_secondsMax(cut.secondsMax) {
     RIVULET_ASSERT(!points.empty() && most >= 1);
+    if (cut.packedAxes > 0) {
+      findReach(points, base::Packing(cut.packedAxes));
+    }
     if (!(m_secondsMax > 0.0)) {
       return;
     }
@@ -58,14 +61,28 @@ class WindowSize {
   }
   /// Of the points from `begin` to before `end`. One move alone cannot be divided.
   [[nodiscard]] bool fits(std::size_t begin, std::size_t end) const {
-    return end - begin <= m_most && (m_reachedS.empty() || end - begin <= 1 ||
-                                     m_reachedS[end] - m_reachedS[begin] <= m_secondsMax);
+    return end - begin <= m_most && (m_reach.empty() || end <= m_reach[begin]) &&
+           (m_reachedS.empty() || end - begin <= 1 ||
+            m_reachedS[end] - m_reachedS[begin] <= m_secondsMax);
   }
 
  private:
+  void findReach(std::span<const gcode::StreamPoint> points, const base::Packing& packing) {
+    m_reach.reserve(points.size());
+    for (std::size_t begin = 0; begin < points.size(); ++begin) {
+      const std::size_t last = std::min(points.size(), begin + m_most);
+      std::size_t end = begin + 1;
+      while (end < last && live::sharesCell(packing, points[begin], points[end])) {
+        ++end;
+      }
+      m_reach.push_back(end);
+    }
+  }
+
   std::size_t m_most;
   double m_secondsMax;
-  std::vector<double> m_reachedS;  ///< after so many points; empty: time does not matter
+  std::vector<std::size_t> m_reach;  ///< end of the longest window that begins there; empty: any
+  std::vector<double> m_reachedS;    ///< after so many points; empty: time does not matter
 };
 
 }  // namespace

@@ -39,6 +39,9 @@ struct WindowCut {
   /// acceleration; 0: any.
   double secondsMax = 0.0;
   double feedMmPerS = 0.0;  ///< of points without one of their own; > 0 with `secondsMax`
+  /// Axes whose coordinates share a cell: no point of a window is further from its first than fits
+  /// (`base::Packing`); 0: each has its own.
+  int packedAxes = 0;
 
   friend bool operator==(const WindowCut&, const WindowCut&) = default;
 };

@@ -8,11 +8,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <vector>
 
 #include "base/contract.h"
+#include "base/packing.h"
 #include "base/units.h"
 #include "streaming/methods/method.h"
 
@@ -95,6 +97,29 @@ class SlotPlan {
       addCell(cells[next], feedMmPerMin(index));
     }
   }
+  /// Point `index` (or the last one), packed, in a window that begins with point `first`.
+  void addPackedAt(std::size_t slot, std::size_t index, std::size_t first) {
+    const std::vector<int>& cells = m_cells[slot];
+    const base::Packing packing(m_setup.cells.axisCount());
+    base::Packing::Number number(packing);
+    forEachPair(first, index, [&](double place, double value) { number.add(place, value); });
+    addCell(cells[0], number.value());
+    if (m_setup.cells.feedPerPoint) {
+      addCell(cells[1], feedMmPerMin(index));
+    }
+  }
+  /// What the control moves to for point `index` of a window that begins with point `first`; then
+  /// the feed, if each point has its own.
+  template <class Take>
+  void forEachTaken(std::size_t first, std::size_t index, const Take& take) const {
+    forEachPair(first, index, [&](double place, double value) {
+      const bool isPacked = m_setup.cells.packed && index != first;
+      take(isPacked ? base::Packing::unpacked(place, value) : value);
+    });
+    if (m_setup.cells.feedPerPoint) {
+      take(feedMmPerMin(index));
+    }
+  }
   /// The coordinates of point `index` (or the last one) that are streamed, in the order of cells.
   template <class Take>
   void forEachCoordinate(std::size_t index, const Take& take) const {
@@ -121,6 +146,15 @@ class SlotPlan {
   }
 
  private:
+  template <class Take>
+  void forEachPair(std::size_t first, std::size_t index, const Take& take) const {
+    std::array<double, base::kStreamedAxesMax> places{};
+    std::size_t next = 0;
+    forEachCoordinate(first, [&](double value) { places[next++] = value; });
+    next = 0;
+    forEachCoordinate(index, [&](double value) { take(places[next++], value); });
+  }
+
   void addWayTo(std::size_t index) {
     const double before = m_arcMm.empty() ? 0.0 : m_arcMm.back();
     m_arcMm.push_back(index == 0 ? 0.0

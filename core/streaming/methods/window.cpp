@@ -389,7 +389,7 @@ std::string_view WindowedMethod::adviceWhenStalled() const {
 }
 
 /// Coordinates, number of points, feed, check: the same sum as on the control, term by term in the
-/// same order.
+/// same order, of what it moves to.
 Action WindowMethod::bring(std::size_t window, std::size_t points) {
   const templates::CellMap& cells = m_plan.cells();
   const std::size_t begin = windowBegin(window);
@@ -403,13 +403,17 @@ Action WindowMethod::bring(std::size_t window, std::size_t points) {
   double check = static_cast<double>(m_plan.settings().runNumber) +
                  WindowProtocol::kCheckNumber * static_cast<double>(window + 1) +
                  WindowProtocol::kCheckCount * count + WindowProtocol::kCheckFeed * feedMmPerMin;
+  int place = 0;
   for (std::size_t i = 0; i < perWindow; ++i) {
     // A short window is filled up with its last point: the check covers every slot.
-    m_plan.addPointAt(slot * perWindow + i, std::min(begin + i, end - 1));
-  }
-  int place = 0;
-  for (const opcua::Assignment& coordinate : m_plan.writes()) {
-    check += WindowProtocol::checkFactor(place++) * coordinate.value;
+    const std::size_t point = std::min(begin + i, end - 1);
+    if (cells.packed && i > 0) {
+      m_plan.addPackedAt(slot * perWindow + i, point, begin);
+    } else {
+      m_plan.addPointAt(slot * perWindow + i, point);
+    }
+    m_plan.forEachTaken(
+        begin, point, [&](double value) { check += WindowProtocol::checkFactor(place++) * value; });
   }
   const int windowCell = static_cast<int>(slot);
   m_plan.addCell(cells.windowCount(windowCell), count);

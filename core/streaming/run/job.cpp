@@ -538,7 +538,8 @@ class SuppliedJob final : public Job {
     const live::WindowPlan plan{
         static_cast<std::size_t>(m_cells.pointsPerLoop),
         static_cast<std::size_t>(m_cells.windows + m_type.windowsTakenMax(parameters)),
-        parameters.feedPerPoint, windowCut(m_settings).secondsMax};
+        parameters.feedPerPoint, windowCut(m_settings).secondsMax,
+        windowCut(m_settings).packedAxes};
     m_supplier.begin({{m_flight.toolMm, m_flight.toolDeg},
                       base::mmPerMinFromMmPerS(m_settings.feedMmPerS),
                       m_cells.axes,

@@ -92,7 +92,8 @@ int windowsAfterStop(const templates::TemplateParameters& parameters) {
 WindowCut windowCut(const RunSettings& settings) {
   const templates::TemplateParameters& parameters = settings.parameters;
   return {settings.placePauses, parameters.feedPerPoint || base::sendsBlocks(parameters.method),
-          settings.windowSMax / windowsAfterStop(parameters), settings.feedMmPerS};
+          settings.windowSMax / windowsAfterStop(parameters), settings.feedMmPerS,
+          templates::packingOf(parameters) ? templates::axisCount(parameters) : 0};
 }
 
 std::string_view runFindingName(RunFinding finding) {

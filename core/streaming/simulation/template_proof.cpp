@@ -384,7 +384,11 @@ class Prover {
 
   void addDamagedWindow(const templates::CellMap& cells) {
     // One coordinate of the second window is changed behind the client's back. Each in its turn.
-    const std::vector<int> slot = cells.slotCells(cells.windows > 1 ? cells.pointsPerLoop : 0);
+    const int first = cells.windows > 1 ? cells.pointsPerLoop : 0;
+    std::vector<int> slot = cells.slotCells(first);
+    if (cells.packed && cells.pointsPerLoop > 1) {
+      slot.push_back(cells.slotCells(first + 1).front());
+    }
     add("damaged-window", true, slot.size(), {}, [&](Trial& trial) {
       const int cell = slot[m_turn % slot.size()];
       bool isDone = false;

@@ -49,9 +49,10 @@ class CorrectionProbe final : public nc::ValueSource {
   [[nodiscard]] nc::Expected<double> r(int index) const override {
     return index == m_cell ? m_value : m_others;
   }
-  [[nodiscard]] nc::Expected<nc::Value> variable(std::string_view,
+  [[nodiscard]] nc::Expected<nc::Value> variable(std::string_view name,
                                                  std::span<const int>) const override {
-    return m_others;
+    const bool isAxis = name.size() == 1 && std::string_view("XYZ").find(name) != name.npos;
+    return isAxis ? nc::Value(std::string(name)) : nc::Value(m_others);
   }
   [[nodiscard]] nc::Expected<nc::Value> system(std::string_view,
                                                std::span<const nc::Value>) const override {
@@ -481,13 +482,15 @@ class Linter {
     }
   }
 
+  /// As they are until the program ends: an action that is written there again does not count.
   /// @param others   values of all that the actions do not know  @param without  numbers of actions
   [[nodiscard]] machine::SyncActions actionsOf(double others, const std::set<int>& without) const {
     machine::SyncActions actions;
+    std::set<int> known = without;
     const CorrectionProbe values(-1, 0.0, others);
     for (const Statement& statement : m_statements) {
       const auto* const action = std::get_if<nc::Synchronized>(&statement.what);
-      if (action == nullptr || action->id == 0 || without.contains(action->id)) {
+      if (action == nullptr || action->id == 0 || !known.insert(action->id).second) {
         continue;
       }
       if (auto made = machine::frozen(*action, values)) {

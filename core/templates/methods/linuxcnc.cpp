@@ -91,6 +91,10 @@ base::Result<void> LinuxCncWindowTemplate::check(const TemplateParameters& param
     return base::fail(TemplateError::NotOnTarget,
                       "There is no online correction and no lift on LinuxCNC: choose 0 for both.");
   }
+  if (parameters.packed) {
+    return base::fail(TemplateError::NotOnTarget,
+                      "There are no packed points on LinuxCNC: do not pack them.");
+  }
   if (parameters.hasFactor()) {
     return base::fail(TemplateError::NotOnTarget,
                       "There is no factor of the override on LinuxCNC: leave its bounds out.");

@@ -17,6 +17,8 @@ namespace {
 /// Beyond any control; keeps the arithmetic of cells small.
 constexpr int kRParametersMax = 1'000'000;
 constexpr int kStrideMax = 100;
+/// Characters of a block that unpacks: a control of this family takes 512.
+constexpr std::size_t kUnpackingMax = 240;
 
 /// Passes of 20 ms within which the overlay must be gone at the end.
 constexpr int kOverlayPassesMax = 500;
@@ -128,6 +130,10 @@ base::Result<void> WindowedTemplate::check(const TemplateParameters& parameters)
                     "between them, as in 0.2 and 1.2.",
                     parameters.factorLeast, parameters.factorMost, kFactorMin, kFactorMax));
   }
+  if (parameters.packed && parameters.slotStride != 0) {
+    return base::fail(TemplateError::BadCells,
+                      "Points that are packed have no stride: choose 0 for it, or do not pack.");
+  }
   const int perPoint = cellsPerPoint(parameters);
   if (parameters.slotStride != 0 &&
       (parameters.slotStride < perPoint || parameters.slotStride > kStrideMax)) {
@@ -175,7 +181,8 @@ CellMap WindowedTemplate::header(const TemplateParameters& parameters) const {
   cells.signal = cells.stop = cells.feed = cells.run;
   cells.slotStride = parameters.slotStride > 0 ? parameters.slotStride : cellsPerPoint(parameters);
   cells.windows = parameters.windows;
-  cells.windowStride = WindowProtocol::WindowCells + cells.slotStride * parameters.pointsPerLoop;
+  cells.windowStride = WindowProtocol::WindowCells + cellsOfFirstPoint(parameters) +
+                       cells.slotStride * parameters.pointsPerLoop;
   cells.firstSlot = first + WindowProtocol::HeaderCells + WindowProtocol::WindowCells;
   cells.cleared = {cells.layout, cells.run};
   cells.endCell = cells.run;
@@ -300,6 +307,7 @@ base::Result<void> WindowTemplate::check(const TemplateParameters& parameters) c
 CellMap WindowTemplate::cells(const TemplateParameters& parameters) const {
   CellMap cells = header(parameters);
   cells.feedPerPoint = parameters.feedPerPoint;
+  cells.packed = packingOf(parameters).has_value();
   cells.pointSlots = cells.windows * cells.pointsPerLoop;
   if (cells.pointSlots <= 0) {
     return cells;
@@ -337,7 +345,7 @@ int WindowTemplate::pointsMax(const TemplateParameters& parameters) const {
   const int beside = corrections + (smallest.hasFactor() ? 1 : 0);
   const int perWindow =
       (parameters.rParameterCount - beside - smallest.windowCount(0)) / one.windows -
-      WindowProtocol::WindowCells;
+      WindowProtocol::WindowCells - cellsOfFirstPoint(parameters);
   // The last cells of the last slot may stay unused where the stride leaves room.
   int fits = std::max(0, perWindow / smallest.slotStride);
   for (one.pointsPerLoop = fits + 1; cells(one).last() < parameters.rParameterCount;
@@ -350,11 +358,13 @@ int WindowTemplate::pointsMax(const TemplateParameters& parameters) const {
 std::string WindowTemplate::nameSuffix(const TemplateParameters& parameters) const {
   const int steps = correctionSteps(parameters);
   return WindowedTemplate::nameSuffix(parameters) + (parameters.feedPerPoint ? "P" : "") +
+         (packingOf(parameters) ? "D" : "") +
          (steps > 0 ? fmt::format("{}{}", parameters.liftMm > 0.0 ? 'L' : 'K', steps) : "");
 }
 
 int WindowTemplate::longestWrite(const TemplateParameters& parameters) const {
-  return cellsPerPoint(parameters) * parameters.pointsPerLoop + WindowProtocol::WindowCells;
+  return cellsPerPoint(parameters) * parameters.pointsPerLoop + cellsOfFirstPoint(parameters) +
+         WindowProtocol::WindowCells;
 }
 
 std::unique_ptr<MethodTemplate> WindowTemplate::asSubprogram(std::string name) const {
@@ -404,6 +414,11 @@ void WindowTemplate::writeComments(Listing& out, const TemplateParameters& param
              window + 1, cells.feedPerPoint ? "0" : "feed in mm/min");
     for (int place = 0; place < cells.pointsPerLoop; ++place) {
       const SlotText slot = slotText(cells, window * cells.pointsPerLoop + place);
+      if (cells.packed && place > 0) {
+        out.line("; {}  window {} point {}: {} from point 1, packed{}", slot.cells, window + 1,
+                 place + 1, slot.axes, cells.feedPerPoint ? "; feed in mm/min" : "");
+        continue;
+      }
       out.line("; {}  window {} point {}: {}{}", slot.cells, window + 1, place + 1, slot.axes,
                cells.feedPerPoint ? " feed in mm/min" : "");
     }
@@ -420,6 +435,9 @@ void WindowTemplate::writeStart(Listing& out, const TemplateParameters& paramete
   // Everything that the program relies on is in its own variables, which no client can write.
   out.line("DEF REAL RIV_C[{}],RIV_F,RIV_K,RIV_S,RIV_OWN,RIV_BEAT",
            cells.pointsPerLoop * copiedPerPoint(cells));
+  if (cells.packed) {
+    out.line("DEF REAL RIV_P[{}]", std::max(1, cells.pointsPerLoop - 1));
+  }
   out.line("DEF INT RIV_L,RIV_N,RIV_B,RIV_IDLE{}", variables());
   writeResets(out, cells);
   out.line("RIV_L=0 RIV_OWN=0 RIV_B={} RIV_IDLE=0", cells.windowCount(0));
@@ -445,6 +463,50 @@ void WindowTemplate::writeStart(Listing& out, const TemplateParameters& paramete
   writeReady(out, cells);
 }
 
+/// RIV_C has the coordinates of each point, and its feed, whatever the cells are.
+void WindowTemplate::writeCopies(Listing& out, const CellMap& cells) const {
+  const int perPoint = copiedPerPoint(cells);
+  std::vector<std::string> copies;
+  for (int place = 0; place < cells.pointsPerLoop; ++place) {
+    const std::vector<int> slot = cells.slotCells(place);
+    const bool isPacked = cells.packed && place > 0;
+    for (std::size_t i = 0; i < slot.size(); ++i) {
+      const int offset = slot[i] - cells.windowCount(0);
+      const int value = isPacked && i > 0 ? perPoint - 1 : static_cast<int>(i);
+      copies.push_back(isPacked && i == 0 ? fmt::format("RIV_P[{}]=R[RIV_B+{}]", place - 1, offset)
+                                          : fmt::format("RIV_C[{}]=R[RIV_B+{}]",
+                                                        place * perPoint + value, offset));
+    }
+  }
+  out.pieces("", copies, " ");
+  if (cells.packed) {
+    writeUnpacking(out, cells);
+  }
+}
+
+/// One axis after the other, each of all points: the assignments of a block do not need each other.
+void WindowTemplate::writeUnpacking(Listing& out, const CellMap& cells) const {
+  const int axes = cells.axisCount();
+  const int perPoint = copiedPerPoint(cells);
+  const base::Packing packing(axes);
+  for (int axis = 0; axis < axes; ++axis) {
+    const bool isLast = axis + 1 == axes;
+    std::vector<std::string> coordinates;
+    std::vector<std::string> rests;
+    for (int place = 1; place < cells.pointsPerLoop; ++place) {
+      const std::string rest = fmt::format("RIV_P[{}]", place - 1);
+      coordinates.push_back(fmt::format("RIV_C[{}]=RIV_C[{}]+({}-{})/{}", place * perPoint + axis,
+                                        axis, isLast ? rest : "TRUNC(" + rest + ")",
+                                        packing.middle(), base::Packing::kStepsPerUnit));
+      rests.push_back(fmt::format("{0}=({0}-TRUNC({0}))*{1}", rest, packing.base()));
+    }
+    out.pieces("", coordinates, " ", kUnpackingMax);
+    if (!isLast) {
+      out.pieces("", rests, " ", kUnpackingMax);
+    }
+  }
+}
+
 void WindowTemplate::writeCopyAndCheck(Listing& out, const CellMap& cells) const {
   // First a copy, then the check of the copy, then the motion from the copy: whatever is written
   // meanwhile, and by whom, the axes move to the positions sent by the client of this run.
@@ -452,17 +514,11 @@ void WindowTemplate::writeCopyAndCheck(Listing& out, const CellMap& cells) const
   out.line("RIV_TAKE:");
   out.line("RIV_IDLE=0 RIV_K=R[RIV_B] RIV_F=R[RIV_B+{}] RIV_S=R[RIV_B+{}]",
            static_cast<int>(WindowProtocol::Feed), static_cast<int>(WindowProtocol::Check));
-  std::vector<std::string> copies;
   std::vector<std::string> terms;
-  for (int place = 0; place < cells.pointsPerLoop; ++place) {
-    for (int value = 0; value < perPoint; ++value) {
-      const int number = place * perPoint + value;
-      const int offset = WindowProtocol::WindowCells + place * cells.slotStride + value;
-      copies.push_back(fmt::format("RIV_C[{}]=R[RIV_B+{}]", number, offset));
-      terms.push_back(fmt::format("{:.6f}*RIV_C[{}]", WindowProtocol::checkFactor(number), number));
-    }
+  for (int number = 0; number < cells.pointsPerLoop * perPoint; ++number) {
+    terms.push_back(fmt::format("{:.6f}*RIV_C[{}]", WindowProtocol::checkFactor(number), number));
   }
-  out.pieces("", copies, " ");
+  writeCopies(out, cells);
   out.line("RIV_S=RIV_OWN+{}*(RIV_L+1)+{}*RIV_K+{}*RIV_F-RIV_S", WindowProtocol::kCheckNumber,
            WindowProtocol::kCheckCount, WindowProtocol::kCheckFeed);
   out.pieces("RIV_S=RIV_S+", terms, "+");

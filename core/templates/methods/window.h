@@ -88,6 +88,8 @@ class WindowTemplate : public WindowedTemplate {
                      const CellMap& cells) const;
   void writeStart(Listing& out, const TemplateParameters& parameters, const CellMap& cells,
                   int layoutNumber) const;
+  void writeCopies(Listing& out, const CellMap& cells) const;
+  void writeUnpacking(Listing& out, const CellMap& cells) const;
   void writeCopyAndCheck(Listing& out, const CellMap& cells) const;
   void writeMotion(Listing& out, const TemplateParameters& parameters, const CellMap& cells) const;
 };
