@@ -5011,8 +5011,8 @@ GPL-3.0-or-later</translation>
         <translation>Das Werkzeug fährt gerade nach oben, um %1 auf Z %2, mit %3. Sonst bewegt sich nichts. Danach kommt diese Seite wieder.</translation>
     </message>
     <message>
-        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box. Several moves take at most %2; one alone takes as long as its way and feed say.</source>
-        <translation>Nach Stopp führt die Steuerung ihr Fenster noch aus, höchstens %1 Wege im vereinbarten Quader. Mehrere Wege dauern höchstens %2; ein einzelner so lange, wie Weg und Vorschub es ergeben.</translation>
+        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box, and of at most %2: longer moves are divided.</source>
+        <translation>Nach Stopp führt die Steuerung ihr Fenster noch aus: höchstens %1 Wege im vereinbarten Quader, die zusammen höchstens %2 dauern. Längere Wege werden geteilt.</translation>
     </message>
     <message>
         <source>After Stop the control still executes its window, at most %1 in %2.</source>

@@ -5011,8 +5011,8 @@ GPL-3.0-or-later</translation>
         <translation>La herramienta sube en línea recta %1 hasta Z %2, a %3. No se mueve nada más. Después vuelve esta página.</translation>
     </message>
     <message>
-        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box. Several moves take at most %2; one alone takes as long as its way and feed say.</source>
-        <translation>Después de Parada el control ejecuta aún su ventana, como máximo %1 movimientos dentro de la caja acordada. Varios movimientos duran como máximo %2; uno solo, lo que den su recorrido y su avance.</translation>
+        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box, and of at most %2: longer moves are divided.</source>
+        <translation>Después de Parada el control ejecuta aún su ventana: como máximo %1 movimientos dentro de la caja acordada, que juntos duran como máximo %2. Los movimientos más largos se dividen.</translation>
     </message>
     <message>
         <source>After Stop the control still executes its window, at most %1 in %2.</source>

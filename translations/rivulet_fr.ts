@@ -5011,8 +5011,8 @@ GPL-3.0-or-later</translation>
         <translation>L&apos;outil monte tout droit de %1 jusqu&apos;à Z %2, à %3. Rien d&apos;autre ne bouge. Ensuite cette page revient.</translation>
     </message>
     <message>
-        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box. Several moves take at most %2; one alone takes as long as its way and feed say.</source>
-        <translation>Après Arrêt, la commande exécute encore sa fenêtre, au plus %1 déplacements dans la boîte convenue. Plusieurs déplacements durent au plus %2&#xa0;; un seul dure ce que donnent son trajet et son avance.</translation>
+        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box, and of at most %2: longer moves are divided.</source>
+        <translation>Après Arrêt, la commande exécute encore sa fenêtre&#xa0;: au plus %1 déplacements dans la boîte convenue, qui durent ensemble au plus %2. Les déplacements plus longs sont divisés.</translation>
     </message>
     <message>
         <source>After Stop the control still executes its window, at most %1 in %2.</source>

@@ -5011,8 +5011,8 @@ GPL-3.0-or-later</translation>
         <translation>L&apos;utensile sale diritto di %1 fino a Z %2, a %3. Nient&apos;altro si muove. Poi torna questa pagina.</translation>
     </message>
     <message>
-        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box. Several moves take at most %2; one alone takes as long as its way and feed say.</source>
-        <translation>Dopo Stop il controllo esegue ancora la sua finestra, al massimo %1 movimenti entro la scatola concordata. Più movimenti durano al massimo %2; uno solo dura quanto danno il suo percorso e il suo avanzamento.</translation>
+        <source>After Stop the control still executes its window, of at most %1 moves within the agreed box, and of at most %2: longer moves are divided.</source>
+        <translation>Dopo Stop il controllo esegue ancora la sua finestra: al massimo %1 movimenti entro la scatola concordata, che insieme durano al massimo %2. I movimenti più lunghi vengono divisi.</translation>
     </message>
     <message>
         <source>After Stop the control still executes its window, at most %1 in %2.</source>

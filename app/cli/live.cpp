@@ -47,13 +47,13 @@ class LiveConsole final : public streaming::RunSink, public ConsoleOrders {
       log::logger().error("Wrong motion: {}. Stop the run, then check workpiece and tool.",
                           streaming::describe(*update.wrong));
     }
-    if (!update.source || update.counters.executed == m_shown) {
+    if (!update.source || update.source->executed == m_shown) {
       return;
     }
-    m_shown = update.counters.executed;
+    m_shown = update.source->executed;
     m_line.show(fmt::format("{:<8} {} points executed, {} of at most {} waiting",
-                            streaming::runStateName(update.state), update.counters.executed,
-                            update.source->waiting, update.source->capacity));
+                            streaming::runStateName(update.state), m_shown, update.source->waiting,
+                            update.source->capacity));
   }
   void access(const trace::Access&) override {}
   void note(const trace::Note&) override {}
@@ -153,8 +153,7 @@ Result<void> LiveCommand::connect() {
   if (m_settings.windowSMax > 0.0) {
     log::logger().warn(
         "Stop: the control still executes the window that is in motion, of at most {} moves within "
-        "the agreed box. Several moves take at most {:.1f} s; one alone takes as long as its way "
-        "and feed say. {}",
+        "the agreed box, and of at most {:.1f} s: longer moves are divided. {}",
         m_settings.parameters.pointsPerLoop * streaming::windowsAfterStop(m_settings.parameters),
         m_settings.windowSMax, streaming::describe(*proof));
   }
@@ -259,8 +258,9 @@ Exit LiveCommand::show(const streaming::RunReport& done, const run::RunRecord& r
     json.update(filesJson(record, "saved_run"));
     printJson(json);
   } else {
+    const live::Summary live = done.live.value_or(live::Summary{});
     fmt::print("{}: {} of {} points executed, {}\n", streaming::outcomeName(done.outcome),
-               done.counters.executed, done.counters.total,
+               live.executed, live.accepted,
                done.integrity.judged
                    ? fmt::format("{} repeated, {} skipped, {} foreign", done.integrity.repeated,
                                  done.integrity.skipped, done.integrity.foreign)

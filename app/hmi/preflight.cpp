@@ -1053,8 +1053,7 @@ PreflightItem Preflight::runCellItem(const streaming::RunSettings& settings) con
     item.status = Status::Attention;
     item.text =
         tr("After Stop the control still executes its window, of at most %1 moves within the "
-           "agreed "
-           "box. Several moves take at most %2; one alone takes as long as its way and feed say.")
+           "agreed box, and of at most %2: longer moves are divided.")
             .arg(settings.parameters.pointsPerLoop *
                  streaming::windowsAfterStop(settings.parameters))
             .arg(widgets::secondsText(settings.windowSMax, 1));

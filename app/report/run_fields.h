@@ -96,6 +96,7 @@ inline constexpr auto liveFields = [](auto& io, auto& live) {
   io.text("source", live.source);
   io.count("lines", live.lines);
   io.count("accepted", live.accepted);
+  io.ifSet().count("executed", live.executed);
   io.count("merged", live.merged);
   io.count("executed_to_line", live.lastLine);
   io.count("windows", live.windows);

@@ -176,13 +176,26 @@ std::optional<Way> wayTo(const Trajectory& trajectory, std::size_t i) {
   return isKnown ? std::optional(way) : std::nullopt;
 }
 
-/// A whole number, of any size. A way that is a whole number of parts but for rounding needs no
-/// part more.
-double partsOf(double way, double most) {
-  return way > most ? std::ceil(way / most - 1e-9) : 1.0;
+base::AxisPosition placeOf(const Trajectory& trajectory, std::size_t i) {
+  return {trajectory.points[i].positionMm,
+          trajectory.rotary.empty() ? base::RotaryDeg{} : trajectory.rotary[i].degrees};
 }
 
 }  // namespace
+
+double partsOf(double way, double most) {
+  // A way that is a whole number of parts but for rounding needs no part more.
+  return way > most ? std::ceil(way / most - 1e-9) : 1.0;
+}
+
+base::AxisPosition onMove(const base::AxisPosition& from, const base::AxisPosition& to,
+                          double share) {
+  base::AxisPosition place{from.mm + share * (to.mm - from.mm), from.deg};
+  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
+    place.deg[axis] += share * (to.deg[axis] - from.deg[axis]);
+  }
+  return place;
+}
 
 ThinnedTrajectory thin(const Trajectory& trajectory, double toleranceMm) {
   RIVULET_ASSERT(toleranceMm > 0.0);
@@ -224,18 +237,13 @@ base::Result<Trajectory> divided(const Trajectory& trajectory,
     for (std::size_t part = 1; part <= parts; ++part) {
       TrajectoryPoint piece = point;
       const double share = static_cast<double>(part) / static_cast<double>(parts);
-      if (part < parts) {
-        const Vec3 from = trajectory.points[i - 1].positionMm;
-        piece.positionMm = from + share * (point.positionMm - from);
-      }
+      const base::AxisPosition place =
+          part < parts ? onMove(placeOf(trajectory, i - 1), placeOf(trajectory, i), share)
+                       : placeOf(trajectory, i);
+      piece.positionMm = place.mm;
       out.points.push_back(piece);
       if (!trajectory.rotary.empty()) {
-        RotaryPosition rotary = trajectory.rotary[i];
-        for (std::size_t axis = 0; part < parts && axis < base::kAxisCount; ++axis) {
-          const double from = trajectory.rotary[i - 1].degrees[axis];
-          rotary.degrees[axis] = from + share * (rotary.degrees[axis] - from);
-        }
-        out.rotary.push_back(rotary);
+        out.rotary.push_back({place.deg});
       }
       if (!trajectory.toolDirections.empty()) {
         Vec3 direction = trajectory.toolDirections[i];

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/axes.h"
 #include "base/budget.h"
 #include "base/result.h"
 #include "gcode/feeds.h"
@@ -43,5 +44,13 @@ struct ThinnedTrajectory {
 /// @return error BudgetError::Exceeded
 [[nodiscard]] base::Result<void> divideLongMoves(Trajectory& trajectory, const MoveLimit& limit,
                                                  const base::Budget& budget = {});
+
+/// Equal parts of a straight move, a whole number >= 1, so that none is longer than `most`.
+/// @param way  in mm, degrees or s  @param most  in the same unit, > 0
+[[nodiscard]] double partsOf(double way, double most);
+
+/// Where a part of a straight move ends. @param share  of the move until there, 0 to 1
+[[nodiscard]] base::AxisPosition onMove(const base::AxisPosition& from,
+                                        const base::AxisPosition& to, double share);
 
 }  // namespace rivulet::gcode

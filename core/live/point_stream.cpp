@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "base/contract.h"
+#include "gcode/packed_points.h"
+#include "gcode/thinning.h"
 #include "live/error.h"
 
 namespace rivulet::live {
@@ -94,7 +96,7 @@ void PointStream::turn(Instant now) {
   }
   checkSilence(now);
   m_acceptedRate.add(now, m_summary.accepted);
-  m_executedRate.add(now, m_executed);
+  m_executedRate.add(now, executedOfSource());
   report(now);
 }
 
@@ -207,11 +209,21 @@ void PointStream::takePoint(const Line& line) {
     return;
   }
   ++m_summary.accepted;
-  m_queue.push_back({**point, m_readAt, std::exchange(m_holdAsked, false)});
+  const double seconds = moveS(m_queue.empty() ? front() : placeOf(m_queue.back().point), **point);
+  const auto parts = m_plan.secondsMax > 0.0
+                         ? static_cast<std::size_t>(gcode::partsOf(seconds, m_plan.secondsMax))
+                         : std::size_t{1};
+  m_parts += parts;
+  m_queue.push_back({**point, parts, m_readAt, std::exchange(m_holdAsked, false)});
+}
+
+base::AxisPosition PointStream::front() const {
+  return m_ends.empty() ? m_tool : placeOf(m_points[m_ends.back() - 1]);
 }
 
 bool PointStream::isBeforeHold() const {
-  return !m_queue.empty() && m_queue.front().isAfterHold && m_executed < m_points.size();
+  return !m_queue.empty() && m_queue.front().isAfterHold && m_given == 0 &&
+         m_executed < m_points.size();
 }
 
 bool PointStream::beginsWindow(const Queued& queued) const {
@@ -220,21 +232,61 @@ bool PointStream::beginsWindow(const Queued& queued) const {
 }
 
 std::size_t PointStream::windowSize() const {
-  const std::size_t most = std::min(m_queue.size(), m_plan.pointsMax);
-  double seconds = moveS(m_points.empty() ? m_tool : placeOf(m_points.back()), m_queue[0].point);
-  std::size_t count = 1;
-  while (count < most && !beginsWindow(m_queue[count])) {
-    seconds += moveS(placeOf(m_queue[count - 1].point), m_queue[count].point);
-    if (m_plan.secondsMax > 0.0 && seconds > m_plan.secondsMax) {
+  std::size_t count = 0;
+  double seconds = 0.0;
+  base::AxisPosition from = front();
+  std::size_t given = m_given;
+  const gcode::StreamPoint first = partOf(from, m_queue.front(), given + 1);
+  const auto isFar = [&](const Queued& queued) {
+    return m_plan.packedAxes > 0 && !gcode::sharesCell(base::Packing(m_plan.packedAxes), first,
+                                                       partOf(from, queued, given + 1));
+  };
+  for (const Queued& queued : m_queue) {
+    if (count > 0 && given == 0 && beginsWindow(queued)) {
       break;
     }
-    if (m_plan.packedAxes > 0 &&
-        !sharesCell(base::Packing(m_plan.packedAxes), m_queue[0].point, m_queue[count].point)) {
-      break;
+    const double partS = moveS(from, queued.point) / static_cast<double>(queued.parts);
+    for (; given < queued.parts; ++given) {
+      seconds += partS;
+      const bool isTooLong = m_plan.secondsMax > 0.0 && seconds > m_plan.secondsMax;
+      if (count == m_plan.pointsMax || (count > 0 && (isTooLong || isFar(queued)))) {
+        return count;
+      }
+      ++count;
     }
-    ++count;
+    from = placeOf(queued.point);
+    given = 0;
   }
   return count;
+}
+
+gcode::StreamPoint PointStream::partOf(const base::AxisPosition& from, const Queued& queued,
+                                       std::size_t number) const {
+  gcode::StreamPoint point = queued.point;
+  if (number < queued.parts) {
+    const auto place = gcode::onMove(
+        from, placeOf(point), static_cast<double>(number) / static_cast<double>(queued.parts));
+    point.positionMm = place.mm;
+    point.rotaryDeg = place.deg;
+    if (m_plan.packedAxes > 0) {
+      gcode::roundToSteps(point, from);
+    }
+  }
+  return point;
+}
+
+void PointStream::givePart() {
+  const Queued& queued = m_queue.front();
+  if (m_given == 0) {
+    m_arrivals.push_back({m_points.size(), queued.arrived});
+  }
+  m_points.push_back(partOf(front(), queued, ++m_given));
+  if (m_given < queued.parts) {
+    return;
+  }
+  m_ends.push_back(m_points.size());
+  m_queue.pop_front();
+  m_given = 0;
 }
 
 std::optional<std::size_t> PointStream::takeWindow(Instant now) {
@@ -242,16 +294,14 @@ std::optional<std::size_t> PointStream::takeWindow(Instant now) {
     return std::nullopt;
   }
   const std::size_t count = windowSize();
-  const bool isWhole =
-      count == m_plan.pointsMax || count < m_queue.size() || m_summary.hasEnded || m_holdAsked;
+  const bool isWhole = count == m_plan.pointsMax || m_points.size() + count < m_parts ||
+                       m_summary.hasEnded || m_holdAsked;
   if (!isWhole && now - m_queue.front().arrived < m_limits.fullWithin) {
     return std::nullopt;
   }
   m_summary.shortWindows += isWhole ? 0 : 1;
   for (std::size_t i = 0; i < count; ++i) {
-    m_points.push_back(m_queue.front().point);
-    m_arrivals.push_back(m_queue.front().arrived);
-    m_queue.pop_front();
+    givePart();
   }
   ++m_summary.windows;
   m_begins.push_back(m_points.size());
@@ -268,9 +318,11 @@ void PointStream::windowMoves(Instant now) {
   const std::size_t end = m_begins[m_begun + 1];
   Instant begins = now;
   for (std::size_t i = m_begins[m_begun]; i < end; ++i) {
-    m_delays.add(begins - m_arrivals.front());
-    m_recentDelays.add(begins - m_arrivals.front());
-    m_arrivals.pop_front();
+    if (!m_arrivals.empty() && m_arrivals.front().part == i) {
+      m_delays.add(begins - m_arrivals.front().at);
+      m_recentDelays.add(begins - m_arrivals.front().at);
+      m_arrivals.pop_front();
+    }
     begins += base::fromSeconds(moveS(i == 0 ? m_tool : placeOf(m_points[i - 1]), m_points[i]));
   }
   ++m_begun;
@@ -282,26 +334,32 @@ void PointStream::executed(std::size_t points) {
   m_executed = std::min(points, m_points.size());
 }
 
+std::size_t PointStream::executedOfSource() const {
+  return static_cast<std::size_t>(std::upper_bound(m_ends.begin(), m_ends.end(), m_executed) -
+                                  m_ends.begin());
+}
+
+const gcode::StreamPoint* PointStream::lastOfSource() const {
+  const std::size_t executed = executedOfSource();
+  return executed == 0 ? nullptr : &m_points[m_ends[executed - 1] - 1];
+}
+
 void PointStream::report(Instant now) {
-  const bool isNew = !m_hasReported || m_summary.accepted != m_reportedAccepted ||
-                     m_executed != m_reportedExecuted;
-  if (!m_source.takesReplies() || !isNew || now - m_reportedAt < kReportInterval) {
+  const Reported reported{now, m_summary.accepted, executedOfSource()};
+  const bool isNew = !m_reported || reported.accepted != m_reported->accepted ||
+                     reported.executed != m_reported->executed;
+  if (!m_source.takesReplies() || !isNew ||
+      (m_reported && now - m_reported->at < kReportInterval)) {
     return;
   }
-  m_hasReported = true;
-  m_reportedAt = now;
-  m_reportedAccepted = m_summary.accepted;
-  m_reportedExecuted = m_executed;
+  m_reported = reported;
   m_source.tell(progress());
 }
 
 Progress PointStream::progress() const {
-  return {m_summary.accepted, m_executed, lastLine(), m_summary.merged,
-          m_executed == 0 ? m_tool.mm : m_points[m_executed - 1].positionMm};
-}
-
-std::size_t PointStream::lastLine() const {
-  return m_executed == 0 ? 0 : m_points[m_executed - 1].line.value;
+  const gcode::StreamPoint* const last = lastOfSource();
+  return {m_summary.accepted, executedOfSource(), last == nullptr ? 0 : last->line.value,
+          m_summary.merged, last == nullptr ? m_tool.mm : last->positionMm};
 }
 
 void PointStream::finish(std::string_view outcome, const std::string& error) {
@@ -315,7 +373,8 @@ void PointStream::finish(std::string_view outcome, const std::string& error) {
 
 Summary PointStream::summary() const {
   Summary summary = m_summary;
-  summary.lastLine = lastLine();
+  summary.executed = executedOfSource();
+  summary.lastLine = progress().line;
   summary.delay = m_delays.statistics();
   addTheory(summary.windowTime, summary.leastDelay, summary.mostDelay);
   return summary;
@@ -348,7 +407,8 @@ Level PointStream::level() const {
   level.lines = m_summary.lines;
   level.accepted = m_summary.accepted;
   level.merged = m_summary.merged;
-  level.waiting = m_queue.size() + m_points.size() - m_executed;
+  level.executed = executedOfSource();
+  level.waiting = m_summary.accepted - level.executed;
   level.capacity = m_limits.queuedMax + m_plan.windowsMax * m_plan.pointsMax;
   level.acceptedPerS = m_acceptedRate.perS();
   level.executedPerS = m_executedRate.perS();

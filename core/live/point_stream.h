@@ -7,6 +7,8 @@
 ///
 /// The source is read only as fast as windows are taken, so a source that can wait is slowed down.
 /// A window that is not full is given out when its oldest point has waited for a short time.
+/// A move that takes longer than a window may is given out in parts, which are points of the run:
+/// the source, and the displays of it, know only the points that it has sent.
 /// @threadsafety one object, on the thread of the run.
 #pragma once
 
@@ -47,7 +49,7 @@ class PointStream final : public PointSupplier {
   void turn(base::Instant now) override;
 
   [[nodiscard]] std::optional<std::size_t> takeWindow(base::Instant now) override;
-  /// All points of the windows that were taken.
+  /// All points of the windows that were taken, parts of long moves among them.
   [[nodiscard]] const std::vector<gcode::StreamPoint>& points() const override { return m_points; }
   [[nodiscard]] const std::vector<std::size_t>& windowBegins() const override { return m_begins; }
   /// The source has ended and every point has been taken.
@@ -61,8 +63,8 @@ class PointStream final : public PointSupplier {
   void finish(std::string_view outcome, const std::string& error) override;
 
   [[nodiscard]] Summary summary() const override;
-  /// Points that have passed, without those that were merged.
-  [[nodiscard]] std::size_t accepted() const override { return m_summary.accepted; }
+  /// Points that have passed, without those that were merged, with the parts of their moves.
+  [[nodiscard]] std::size_t accepted() const override { return m_parts; }
   [[nodiscard]] Level level() const override;
 
  private:
@@ -71,8 +73,21 @@ class PointStream final : public PointSupplier {
 
   struct Queued {
     gcode::StreamPoint point;
+    std::size_t parts = 1;  ///< of the move to it, >= 1
     base::Instant arrived{};
     bool isAfterHold = false;
+  };
+  /// A point of the source whose move does not begin yet.
+  struct Arrival {
+    std::size_t part = 0;  ///< index of its first part
+    base::Instant at{};
+  };
+
+  /// What the sender was told last.
+  struct Reported {
+    base::Instant at{};
+    std::size_t accepted = 0;
+    std::size_t executed = 0;
   };
 
   /// @return false: nothing has come
@@ -85,15 +100,24 @@ class PointStream final : public PointSupplier {
   [[nodiscard]] bool isBeforeHold() const;
   /// It cannot be in the window that the first point in the queue begins.
   [[nodiscard]] bool beginsWindow(const Queued& queued) const;
-  /// Points of the queue that the next window has, >= 1. @pre there are any
+  /// Parts of the queue that the next window has, >= 1. @pre there are any
   [[nodiscard]] std::size_t windowSize() const;
+  /// Where the move to the first point in the queue begins.
+  [[nodiscard]] base::AxisPosition front() const;
+  /// A part of a move in the queue, counted from 1. @param from  where the move begins
+  [[nodiscard]] gcode::StreamPoint partOf(const base::AxisPosition& from, const Queued& queued,
+                                          std::size_t number) const;
+  /// The next part in the queue becomes a point of the run.
+  void givePart();
   void refuse(const base::Error& error, std::size_t line);
   void checkSilence(base::Instant now);
   void closed();
   void report(base::Instant now);
   [[nodiscard]] Progress progress() const;
-  /// Of the last point that was executed; 0: none.
-  [[nodiscard]] std::size_t lastLine() const;
+  /// Points of the source that have been executed as a whole.
+  [[nodiscard]] std::size_t executedOfSource() const;
+  /// The last of them; null: none.
+  [[nodiscard]] const gcode::StreamPoint* lastOfSource() const;
   [[nodiscard]] SourceState state() const;
   /// Times of windows and what follows from them.
   void addTheory(base::Duration& windowTime, base::Duration& least, base::Duration& most) const;
@@ -109,10 +133,14 @@ class PointStream final : public PointSupplier {
   base::Instant m_heardAt{};  ///< the source was last seen to live, or was not asked
   base::Instant m_now{};      ///< of the last turn
   std::deque<Queued> m_queue;
+  std::size_t m_given = 0;  ///< parts of the move to its first point
+  std::size_t m_parts = 0;  ///< of all points that have passed
+  /// For each point of the source that has been given out as a whole: points of the run until then.
+  std::vector<std::size_t> m_ends;
   std::vector<gcode::StreamPoint> m_points;
   std::vector<std::size_t> m_begins{0};
-  std::deque<base::Instant> m_arrivals;  ///< of points that have been taken but do not move yet
-  std::size_t m_begun = 0;               ///< windows in motion or executed
+  std::deque<Arrival> m_arrivals;  ///< of points that have been taken but do not move yet
+  std::size_t m_begun = 0;         ///< windows in motion or executed
   std::optional<base::Instant> m_firstBegun;
   base::Instant m_lastBegun{};
   std::size_t m_executed = 0;
@@ -123,10 +151,7 @@ class PointStream final : public PointSupplier {
   Rate m_acceptedRate;
   Rate m_executedRate;
   Summary m_summary;
-  bool m_hasReported = false;  ///< the sender has been told where the tool is
-  base::Instant m_reportedAt{};
-  std::size_t m_reportedAccepted = 0;
-  std::size_t m_reportedExecuted = 0;
+  std::optional<Reported> m_reported;  ///< nothing: the sender does not know where the tool is
 };
 
 }  // namespace rivulet::live

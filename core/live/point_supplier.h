@@ -17,7 +17,6 @@
 
 #include "base/axes.h"
 #include "base/instant.h"
-#include "base/packing.h"
 #include "gcode/trajectory.h"
 #include "live/summary.h"
 
@@ -28,23 +27,10 @@ struct WindowPlan {
   std::size_t pointsMax = 1;   ///< >= 1
   std::size_t windowsMax = 1;  ///< that may wait or move on the control, for the theory
   bool feedPerPoint = false;   ///< else a window ends where the feed changes
-  /// No window of several points takes longer, s, without acceleration; 0: any.
+  /// No window takes longer, s, without acceleration; a longer move is divided. 0: any.
   double secondsMax = 0.0;
   int packedAxes = 0;  ///< whose coordinates share a cell; 0: each has its own
 };
-
-/// Both points can be in one window.
-[[nodiscard]] inline bool sharesCell(const base::Packing& packing, const gcode::StreamPoint& first,
-                                     const gcode::StreamPoint& point) {
-  bool fits = true;
-  for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-    fits = fits && packing.fits(first.positionMm[axis], point.positionMm[axis]);
-  }
-  for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-    fits = fits && packing.fits(first.rotaryDeg[axis], point.rotaryDeg[axis]);
-  }
-  return fits;
-}
 
 /// The run for which points are wanted.
 struct SupplyStart {

@@ -18,6 +18,7 @@ struct Summary {
   std::string source;
   std::size_t lines = 0;         ///< read and understood
   std::size_t accepted = 0;      ///< points, without those that were merged
+  std::size_t executed = 0;      ///< of them, as a whole: parts of a divided move do not count
   std::size_t merged = 0;        ///< closer to the point before than agreed
   std::size_t firstMerged = 0;   ///< line of the first of them; 0: none
   std::size_t lastLine = 0;      ///< of the last point that has been executed; 0: none
@@ -51,6 +52,7 @@ struct Level {
   bool holdsRun = false;
   std::size_t lines = 0;
   std::size_t accepted = 0;
+  std::size_t executed = 0;  ///< as `Summary::executed`
   std::size_t merged = 0;
   std::size_t waiting = 0;    ///< points that have arrived, but are not executed
   std::size_t capacity = 0;   ///< largest `waiting` before the source is read no further

@@ -45,11 +45,18 @@ class TextSource final : public live::Source {
 struct Bench {
   explicit Bench(std::size_t pointsPerWindow = 4, double secondsMax = 0.0)
       : stream(source, agreement(), limits()) {
-    stream.begin({{}, 600.0, {true, true, true}, {}, {pointsPerWindow, 3, false, secondsMax}}, at);
+    stream.begin({{},
+                  600.0,
+                  {true, true, true},
+                  {true, false, false},
+                  {pointsPerWindow, 3, false, secondsMax}},
+                 at);
   }
   static live::Agreement agreement() {
     live::Agreement agreed;
     agreed.highestMm = {1e6, 10.0, 10.0};
+    agreed.stepMmMax = 6.0;
+    agreed.turnDegMax = 30.0;
     return agreed;
   }
   static live::Limits limits() {
@@ -117,15 +124,73 @@ class TestPointStream : public QObject {
     QCOMPARE(bench.window(), 2U);
   }
 
-  /// At 10 mm/s, beginning where the tool is. A single move may take longer.
+  /// At 10 mm/s, beginning where the tool is.
   void aWindowTakesNoLongerThanItMay() {
     Bench bench(4, 0.45);
-    bench.send("X1\nX3\nX5\nX10\nX11\nX12\nend\n");
+    bench.send("X1\nX3\nX5\nX9\nX10\nX11\nend\n");
     QCOMPARE(bench.window(), 2U);  // 0.3 s; a third would make 0.5
     QCOMPARE(bench.window(), 1U);
-    QCOMPARE(bench.window(), 1U);  // 0.5 s
+    QCOMPARE(bench.window(), 1U);  // 0.4 s
     QCOMPARE(bench.window(), 2U);
     QVERIFY(bench.stream.isDry());
+  }
+
+  /// The source knows only its own points.
+  void aMoveThatTakesLongerIsDivided() {
+    Bench bench(4, 0.2);
+    bench.send("X1\nX6 Y3 A30\nX7\n");  // 0.1 s, 0.58 s in three parts, 0.1 s
+    bench.wait(40ms);
+    QCOMPARE(bench.stream.accepted(), 5U);
+    QCOMPARE(bench.stream.summary().accepted, 3U);
+    QCOMPARE(bench.window(), 1U);
+    for (int part = 1; part <= 3; ++part) {
+      QCOMPARE(bench.window(), 1U);
+      const gcode::StreamPoint& end = bench.stream.points().back();
+      QVERIFY(std::abs(end.positionMm.x - (1.0 + 5.0 * part / 3.0)) < 1e-9);
+      QVERIFY(std::abs(end.positionMm.y - part) < 1e-9);
+      QVERIFY(std::abs(end.rotaryDeg[0] - 10.0 * part) < 1e-9);
+      QCOMPARE(end.line.value, 2U);
+    }
+    QCOMPARE(bench.stream.points().back().positionMm.x, 6.0);
+    QCOMPARE(bench.window(), 0U);  // the rest may be more
+    bench.wait(60ms);
+    QCOMPARE(bench.window(), 1U);
+    for (const auto& [executed, ofSource] :
+         std::vector<std::pair<std::size_t, std::size_t>>{{1, 1}, {2, 1}, {3, 1}, {4, 2}, {5, 3}}) {
+      bench.stream.executed(executed);
+      bench.wait(10ms);
+      QCOMPARE(bench.stream.level().executed, ofSource);
+      QCOMPARE(bench.stream.level().waiting, 3U - ofSource);
+      QCOMPARE(bench.stream.summary().lastLine, ofSource);
+      const std::string told = "\"executed\":" + std::to_string(ofSource) +
+                               ",\"line\":" + std::to_string(ofSource) + ",";
+      QVERIFY2(bench.source.replies.back().find(told) != std::string::npos,
+               bench.source.replies.back().c_str());
+    }
+    // Four replies: when the points came, and when the source's own points were executed.
+    QCOMPARE(bench.source.replies.size(), 4U);
+    for (int window = 0; window < 5; ++window) {
+      bench.stream.windowMoves(bench.at);
+    }
+    QCOMPARE(bench.stream.summary().delay.count, 3U);
+  }
+
+  /// No more waits here than without, and nothing comes between the parts of a move.
+  void aMoveInManyPartsTakesNoRoom() {
+    Bench bench(4, 0.001);
+    bench.send("X1\nX2\nhold\nX3\n");
+    QCOMPARE(bench.stream.accepted(), 300U);
+    QCOMPARE(bench.stream.level().waiting, 3U);
+    for (int i = 0; i < 200; ++i) {
+      QCOMPARE(bench.window(), 1U);
+    }
+    QCOMPARE(bench.window(), 0U);  // the machine is not yet where it waits
+    bench.stream.executed(200);
+    bench.wait(100ms);
+    for (int i = 0; i < 100; ++i) {
+      QCOMPARE(bench.window(), 1U);
+    }
+    QCOMPARE(bench.window(), 0U);
   }
 
   void theSourceIsReadOnlyAsFastAsWindowsGo() {

@@ -180,6 +180,32 @@ class TestLive : public QObject {
           ms(report.live->leastDelay), ms(report.live->mostDelay));
   }
 
+  /// Where only the run cell stops a run. The control executes parts, the source hears of its
+  /// points.
+  void longMovesAreDivided() {
+    for (const MethodKind method : {MethodKind::Window, MethodKind::Credit}) {
+      Bench bench(method);
+      bench.settings.windowSMax = 1.0;
+      bench.agreed.stepMmMax = bench.agreed.startMmMax = 60.0;
+      for (const char* point : {"X60\n", "Y50 F600\n", "X0 F1200\n", "Y0.1 F6000\nend\n"}) {
+        bench.source.say(0s, point);
+      }
+      const RunReport report = bench.run();
+      QVERIFY2(report.isFaultless(), report.error.text().c_str());
+      // 3 s at F 1200, 5 s at F 600, 3 s, 0.5 s: by parts of 1 s, or of what one of the windows
+      // that are executed after a stop may take.
+      const auto together =
+          static_cast<std::size_t>(streaming::windowsAfterStop(bench.settings.parameters));
+      QVERIFY(report.counters.executed >= 11 * together + 1);
+      QCOMPARE(report.counters.total, report.counters.executed);
+      QVERIFY(report.live->windows >= 12);
+      QCOMPARE(report.live->accepted, 4U);
+      QCOMPARE(report.live->executed, 4U);
+      QCOMPARE(report.live->delay.count, 4U);
+      QVERIFY(bench.source.lastReply.find("\"executed\":4,\"line\":4") != std::string::npos);
+    }
+  }
+
   void theEndMayComeLater() {
     Bench bench;
     const Duration end = bench.spiral(20, 10ms);

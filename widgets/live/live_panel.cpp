@@ -106,7 +106,6 @@ void LivePanel::setSource(const live::Setup& setup, const QString& name, const Q
   if (setup != m_setup || name != m_name) {
     m_level.reset();
     m_summary.reset();
-    m_counters = {};
   }
   m_setup = setup;
   m_name = name;
@@ -118,7 +117,6 @@ void LivePanel::begin() {
   m_isRunning = true;
   m_level.reset();
   m_summary.reset();
-  m_counters = {};
   showAll();
 }
 
@@ -126,7 +124,6 @@ void LivePanel::setUpdate(const streaming::LiveUpdate& update) {
   if (!m_isRunning) {
     return;
   }
-  m_counters = update.counters;
   if (update.source) {
     m_level = update.source;
   }
@@ -137,10 +134,10 @@ void LivePanel::setUpdate(const streaming::LiveUpdate& update) {
 
 void LivePanel::setReport(const streaming::RunReport& report) {
   m_isRunning = false;
-  m_counters = report.counters;
   m_summary = report.live;
   if (m_level && report.live) {
     m_level->accepted = report.live->accepted;
+    m_level->executed = report.live->executed;
     m_level->merged = report.live->merged;
     m_level->refusal = report.live->refusal;
   }
@@ -233,7 +230,7 @@ void LivePanel::showFigures() {
   showFigure(In, rate(m_level ? m_level->acceptedPerS : 0.0));
   showFigure(Out, rate(m_level ? m_level->executedPerS : 0.0));
   showFigure(Accepted, m_level ? countText(m_level->accepted) : noValue());
-  showFigure(Executed, m_level ? countText(m_counters.executed) : noValue());
+  showFigure(Executed, m_level ? countText(m_level->executed) : noValue());
   showFigure(Merged, m_level ? countText(m_level->merged) : noValue());
   // During a run that of the last points, after it that of all.
   const bool hasAll = !m_isRunning && m_summary && m_summary->delay.count > 0;

@@ -60,7 +60,6 @@ class LivePanel final : public Page {
   QString m_obstacle;
   std::optional<live::Level> m_level;  ///< nothing: no run since the source was opened
   std::optional<live::Summary> m_summary;
-  streaming::Counters m_counters;
   bool m_isRunning = false;
 
   QLabel* m_title = heading({});

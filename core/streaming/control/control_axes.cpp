@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/contract.h"
+#include "gcode/packed_points.h"
 #include "opcua/await.h"
 #include "streaming/run/run.h"
 
@@ -183,18 +184,10 @@ Result<void> requireRotaryAxes(const gcode::Trajectory& trajectory,
 namespace {
 
 /// Points that are packed lie on whole steps; what the program leaves open stays where it is.
-Result<void> roundToSteps(std::vector<gcode::StreamPoint>& points,
-                          const base::AxisPosition& start) {
+Result<void> roundAll(std::vector<gcode::StreamPoint>& points, const base::AxisPosition& start) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     gcode::StreamPoint& point = points[i];
-    for (std::size_t axis = 0; axis < base::kAxisCount; ++axis) {
-      const double mm = point.positionMm[axis];
-      point.positionMm.set(axis, mm == start.mm[axis] ? mm : base::Packing::rounded(mm));
-    }
-    for (std::size_t axis = 0; axis < base::kRotaryAxisCount; ++axis) {
-      const double deg = point.rotaryDeg[axis];
-      point.rotaryDeg[axis] = deg == start.deg[axis] ? deg : base::Packing::rounded(deg);
-    }
+    gcode::roundToSteps(point, start);
     if (i > 0 && point.positionMm == points[i - 1].positionMm &&
         point.rotaryDeg == points[i - 1].rotaryDeg) {
       return base::fail(
@@ -235,7 +228,7 @@ Result<gcode::PointList> pointsOnAxes(const gcode::Trajectory& trajectory,
     }
   }
   if (templates::packingOf(parameters)) {
-    if (Result<void> rounded = roundToSteps(list.points, start); !rounded) {
+    if (Result<void> rounded = roundAll(list.points, start); !rounded) {
       return base::fail(rounded.error());
     }
   }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/contract.h"
+#include "gcode/packed_points.h"
 #include "streaming/methods/method.h"
 
 namespace rivulet::streaming {
@@ -72,7 +73,7 @@ class WindowSize {
     for (std::size_t begin = 0; begin < points.size(); ++begin) {
       const std::size_t last = std::min(points.size(), begin + m_most);
       std::size_t end = begin + 1;
-      while (end < last && live::sharesCell(packing, points[begin], points[end])) {
+      while (end < last && gcode::sharesCell(packing, points[begin], points[end])) {
         ++end;
       }
       m_reach.push_back(end);

@@ -133,9 +133,9 @@ class TestLivePanel : public QObject {
     panel.begin();
     panel.setUpdate(update(live::SourceState::Receiving));
     streaming::RunReport report;
-    report.counters.executed = 120;
+    report.counters.executed = 480;  // parts of their moves
     report.live.emplace();
-    report.live->accepted = 120;
+    report.live->accepted = report.live->executed = 120;
     report.live->delay.count = 120;
     report.live->delay.p50 = 300ms;
     panel.setReport(report);
